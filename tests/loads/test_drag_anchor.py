@@ -20,24 +20,11 @@ def curve(anchor: str, soil: str, data: str) -> float:
     return found.capacity(4536.0)
 
 
-def test_ufc_at_its_reference_weight() -> None:
-    """46 and 270 kips for 10 000 lbf, with the pound-force's definition."""
-    assert curve("stockless", "soft clay", "UFC") == pytest.approx(46.0 * KIP, rel=1e-12)
-    assert curve("NAVMOOR", "sand", "UFC") == pytest.approx(270.0 * KIP, rel=1e-12)
-
-
 def test_a_stevpris_mk5_of_30_t_in_sand() -> None:
     """70 x 30^0.92 = 1600 tf; TU Delft prints about 1700."""
     capacity = holding_capacity("Stevpris Mk5", "sand", 30e3).capacity / TF
     assert capacity == pytest.approx(1600.0, abs=5.0)  # printed digits
     assert capacity == pytest.approx(1700.0, rel=0.1)  # "about", of a chart
-
-
-def test_a_stevpris_mk6_of_1_t() -> None:
-    for soil, kilonewton in (("soft clay", 509.96), ("medium clay", 701.49), ("sand", 904.21)):
-        held = holding_capacity("Stevpris Mk6", soil, 1000.0)
-        assert held.capacity == pytest.approx(kilonewton * 1e3, rel=1e-12)
-        assert held.curve.source.confidence == "C"
 
 
 @pytest.mark.parametrize(
@@ -158,9 +145,8 @@ def test_a_pull_that_no_size_holds() -> None:
     ],
 )
 def test_what_has_no_figures(anchor: str, soil: str, data: str, words: str) -> None:
-    with pytest.raises(InputError) as caught:
+    with pytest.raises(InputError, match=words):
         holding_capacity(anchor, soil, 1000.0, data=data)  # type: ignore[arg-type]
-    assert words in str(caught.value)
 
 
 def test_a_series_must_rise() -> None:

@@ -9,7 +9,7 @@ import pytest
 
 from catopt.errors import NoAnswerError
 from catopt.loads.blendermann import TYPES, coefficients
-from catopt.loads.holding_data import CURVES
+from catopt.loads.holding_data import CURVES, HoldingCurve
 from catopt.loads.ship import PROPELLER_AREA_RATIOS
 from catopt.loads.sinker import DENSITIES
 from catopt.loads.sizes import ANCHOR_MASSES, SINKER_MASSES, next_size
@@ -55,6 +55,12 @@ def test_no_kind_of_ship_is_left_out() -> None:
     assert len(TYPES) == len(BLENDERMANN.split("\n")[1:-1])
 
 
+def curve_of(*key: str) -> HoldingCurve:
+    """Find the one curve of an anchor, a soil and a data set."""
+    (found,) = [each for each in CURVES if (each.anchor, each.soil, each.data) == key]
+    return found
+
+
 # DTOcean's moorings: tonne-force = A (t)^b, in soft clay and in sand.
 DTOCEAN = """
 stockless             5.5  .92  11.1 .80
@@ -71,11 +77,7 @@ Bruce FFTS Mk4        42.5 .92  47.0 .94
 def test_what_an_anchor_holds(line: str) -> None:
     anchor, figures = line[:22].strip(), [float(cell) for cell in line[22:].split()]
     for soil, (A, b) in (("soft clay", figures[:2]), ("sand", figures[2:])):
-        (curve,) = [
-            each
-            for each in CURVES
-            if (each.anchor, each.soil, each.data) == (anchor, soil, "DTOcean")
-        ]
+        curve = curve_of(anchor, soil, "DTOcean")
         assert curve.capacity(1000.0) == pytest.approx(A * TF)
         assert curve.capacity(10e3) == pytest.approx(A * 10.0**b * TF)
 
@@ -96,10 +98,8 @@ NAVMOOR               210 .94  270 .94
 def test_what_an_anchor_holds_after_ufc(line: str) -> None:
     anchor, figures = line[:22].strip(), [float(cell) for cell in line[22:].split()]
     for soil, (kips, b) in (("soft clay", figures[:2]), ("sand", figures[2:])):
-        (curve,) = [
-            each for each in CURVES if (each.anchor, each.soil, each.data) == (anchor, soil, "UFC")
-        ]
-        assert curve.capacity(4536.0) == pytest.approx(kips * KIP)
+        curve = curve_of(anchor, soil, "UFC")
+        assert curve.capacity(4536.0) == pytest.approx(kips * KIP, rel=1e-12)
         assert curve.capacity(45360.0) == pytest.approx(kips * 10.0**b * KIP)
         assert curve.mass(kips * 10.0**b * KIP) == pytest.approx(45360.0)
         assert curve.source.confidence == "R"
@@ -111,12 +111,14 @@ def test_no_anchor_is_left_out() -> None:
     assert len(CURVES) == 2 * len(rows) + 3
 
 
-def test_a_stevpris_mk6_of_ten_tonnes() -> None:
+def test_a_stevpris_mk6_of_one_and_of_ten_tonnes() -> None:
     """As MoorPy has it from Vryhof: kN = A (t)^b."""
     for soil, A, b in (("soft clay", 509.96, 0.93), ("medium clay", 701.49, 0.93),
                        ("sand", 904.21, 0.92)):  # fmt: skip
-        (curve,) = [each for each in CURVES if (each.anchor, each.soil) == ("Stevpris Mk6", soil)]
+        curve = curve_of("Stevpris Mk6", soil, "Vryhof")
+        assert curve.capacity(1e3) == pytest.approx(A * 1e3, rel=1e-12)
         assert curve.capacity(10e3) == pytest.approx(A * 10.0**b * 1e3)
+        assert curve.source.confidence == "C"
 
 
 def test_a_mass_that_is_not_sold_says_by_how_much() -> None:

@@ -24,8 +24,7 @@ from catopt.loads import (
 from catopt.loads.component import Loads
 from catopt.loads.tanker_20m import tanker
 
-ROUNDING = 1e-12
-"""Relative, of some ten operations in double precision."""
+from . import ROUNDING
 
 SHIP = tanker()
 

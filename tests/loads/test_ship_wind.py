@@ -16,8 +16,7 @@ from catopt.loads.ufc_wind import (
     ufc_wind_loads,
 )
 
-ROUNDING = 1e-12
-"""Relative, of some ten operations in double precision."""
+from . import ROUNDING
 
 SHIP = Ship("plain", 105.0, 100.0, 20.0, 5.0, 7000.0, 98.0, 800.0, 300.0)
 CASES: tuple[Superstructure, ...] = ("single", "distributed")

@@ -16,8 +16,7 @@ from catopt.loads.tcn_222_95 import (
     wave_length_factor,
 )
 
-ROUNDING = 1e-12
-"""Relative, of some ten operations in double precision."""
+from . import ROUNDING
 
 
 def forces(

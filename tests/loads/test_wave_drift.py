@@ -10,10 +10,9 @@ from catopt.errors import InputError
 from catopt.loads import SeaState
 from catopt.loads.wave_drift import depth_factor, flat_side_drift, ship_drift
 
-RHO, G = 1025.0, 9.80665
-ROUNDING = 1e-12
-"""Relative, of some ten operations in double precision."""
+from . import ROUNDING
 
+RHO, G = 1025.0, 9.80665
 SEA = SeaState(8.0, maximum_height=3.7)
 """Hs 2 m."""
 

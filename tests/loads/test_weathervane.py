@@ -25,8 +25,7 @@ from catopt.loads.blendermann import pressure_centre
 from catopt.loads.tanker_20m import CURRENT, SEA, WATER_DEPTH, WIND, tanker
 from catopt.loads.ufc_current import transverse_coefficient
 
-ROUNDING = 1e-12
-"""Relative, of some ten operations in double precision."""
+from . import ROUNDING
 
 BOX = Ship("box", 100.0, 100.0, 20.0, 5.0, 7000.0, 98.0, 800.0, 300.0)
 AMIDSHIPS = CurrentYaw(0.0, 0.0)
