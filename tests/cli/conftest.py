@@ -166,6 +166,14 @@ def document_of(run: Run, *arguments: object, status: int = 0) -> dict[str, Any]
     return read_document(ran.out)
 
 
+def refused(run: Run, *arguments: object) -> Ran:
+    """Run a command that has no answer, for its input is wrong."""
+    ran = run(*arguments)
+    assert (ran.status, ran.out) == (2, "")
+    assert "Traceback" not in ran.err
+    return ran
+
+
 def without_digest(path: Path) -> dict[str, Any]:
     """Read a document that --out wrote; it has the digest of its case beside what is printed."""
     document: dict[str, Any] = json.loads(path.read_text("utf-8"))

@@ -10,7 +10,7 @@ from catopt import catalogue
 from tests.catalogue.test_user_families import GOOD
 
 from .commands import QUESTIONS
-from .conftest import Run, document_of, rows, typed, words
+from .conftest import Run, document_of, refused, rows, typed, words
 
 
 @pytest.fixture
@@ -84,9 +84,6 @@ def test_every_figure_in_the_files_has_its_source(run: Run, tmp_path: Path) -> N
         assert row["Place"]
 
 
-# ------------------------------------------------------------------ one's own families
-
-
 def test_one_s_own_families_stand_beside_catopt_s(run: Run, own: Path) -> None:
     assert "aramid rope" in run("catalog", "list", "--families", own).out
     shown, found = (
@@ -101,8 +98,7 @@ def test_one_s_own_families_stand_beside_catopt_s(run: Run, own: Path) -> None:
 
 def test_a_broken_file_of_families_is_2_with_every_error(run: Run, own: Path) -> None:
     own.write_text(GOOD.replace("1440", "0").replace('confidence = "C"', ""), encoding="utf-8")
-    ran = run("catalog", "list", "--families", own, "--json")
-    assert (ran.status, ran.out) == (2, "")
+    ran = refused(run, "catalog", "list", "--families", own, "--json")
     assert "3 errors" in ran.err
     assert "figure[1].formula.density: found 0; must be above 0" in ran.err
     assert "figure[3].confidence: missing" in ran.err

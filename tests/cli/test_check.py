@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import catopt
-
 from .conftest import OWN, Run, document_of
 
 CASE = OWN / "strength.toml"
@@ -12,7 +10,6 @@ CASE = OWN / "strength.toml"
 
 def test_the_document(run: Run) -> None:
     document = document_of(run, "check", CASE)
-    assert document == catopt.check_case(catopt.read_case(CASE)).to_dict()
     assert document["passes"] is True
     tensions = [each for each in document["checks"] if each["kind"] == "tension"]
     # Six digits, far above rounding, for numbers done by hand.

@@ -8,10 +8,7 @@ import sys
 
 import pytest
 
-from .conftest import BUOY, CASES
-
-FSO = CASES / "fso-rang-dong" / "case.toml"
-TANKER = CASES / "tanker-20m" / "case.toml"
+from .conftest import typed
 
 HEAVY = {
     "jinja2", "matplotlib", "numba", "numpy", "pandas", "pint", "pymoo", "pyswarms", "scipy",
@@ -31,41 +28,29 @@ def loaded(*arguments: str) -> set[str]:
 
 
 @pytest.mark.parametrize(
-    ("arguments", "absent"),
+    ("line", "absent"),
     [
-        (["--help"], LIGHT),
-        (["--version"], LIGHT),
-        (["solve", "--help"], HEAVY | {"rich"}),
-        (["curve", str(BUOY)], HEAVY - {"numpy"}),
-        (["catalog", "show", "polyester", "--diameter", "0.2"], HEAVY),
-        (["catalog", "search", "--mbl", "500 kN", "--json"], HEAVY | {"rich"}),
-        (["solve", str(BUOY), "--profile"], HEAVY),
-        (["solve", str(BUOY), "--json"], HEAVY | {"rich"}),
-        (["check", str(TANKER)], HEAVY),
-        (["verify", str(BUOY)], {"jinja2", "matplotlib", "pandas", "xlsxwriter"}),
-        (["system", str(FSO), "--line-out", "--watch-circle"], HEAVY),
-        (["system", str(FSO), "--json"], HEAVY | {"rich"}),
-    ],
-    ids=[
-        "help",
-        "version",
-        "solve help",
-        "curve",
-        "catalog",
-        "catalog json",
-        "profile",
-        "json",
-        "check",
-        "verify",
-        "system",
-        "system json",
+        ("--help", LIGHT),
+        ("--version", LIGHT),
+        ("solve --help", HEAVY | {"rich"}),
+        ("size buoy --help", HEAVY | {"rich"}),
+        ("size tanker --help", HEAVY | {"rich"}),
+        ("curve BUOY", HEAVY - {"numpy"}),
+        ("catalog show polyester --diameter 0.2", HEAVY),
+        ("catalog search --mbl '500 kN' --json", HEAVY | {"rich"}),
+        ("solve BUOY --profile", HEAVY),
+        ("solve BUOY --json", HEAVY | {"rich"}),
+        ("check CASES/tanker-20m/case.toml", HEAVY),
+        ("verify BUOY", {"jinja2", "matplotlib", "pandas", "xlsxwriter"}),
+        ("system FSO --line-out --watch-circle", HEAVY),
+        ("system FSO --json", HEAVY | {"rich"}),
     ],
 )
-def test_nothing_heavy_is_loaded(arguments: list[str], absent: set[str]) -> None:
-    found = loaded(*arguments)
+def test_nothing_heavy_is_loaded(line: str, absent: set[str]) -> None:
+    found = loaded(*typed(line))
     assert "catopt" in found
     assert found & absent == set()
 
 
 def test_the_guard_sees_what_is_loaded() -> None:
-    assert {"numpy", "pyswarms", "rich"} <= loaded("solve", str(BUOY), "--method", "pso")
+    assert {"numpy", "pyswarms", "rich"} <= loaded(*typed("solve BUOY --method pso"))

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import pytest
 
-import catopt
 from catopt.errors import InputError, Problem
 
 from .conftest import BUOY, SOUGHT, Run, changed, document_of, words
@@ -41,12 +40,6 @@ def test_the_tanker_of_s3_and_its_marks(run: Run) -> None:
     zero = document["reference"]["span_m"]
     offsets = [span - zero for span in document["span_m"]]
     assert document["offset_m"] == pytest.approx(offsets, abs=1e-12)
-
-
-def test_it_prints_what_python_gives(run: Run) -> None:
-    result = catopt.curve_case(catopt.read_case(BUOY), over="span", points=9)
-    document = document_of(run, "curve", BUOY, "--over", "span", "--points", 9)
-    assert document == result.to_dict()
 
 
 def test_a_line_on_the_bed_has_no_stiffness_in_the_document(run: Run, tmp_path: Path) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from contextlib import nullcontext
 from pathlib import Path
 
 import pytest
@@ -82,14 +83,7 @@ def test_an_interrupted_search_keeps_its_front(
         if len(calls) == 5:
             raise KeyboardInterrupt
 
-    class Watched:
-        def __enter__(self) -> object:
-            return tell
-
-        def __exit__(self, *_: object) -> None:
-            return None
-
-    monkeypatch.setattr(Output, "progress", lambda _self, _what: Watched())
+    monkeypatch.setattr(Output, "progress", lambda _self, _what: nullcontext(tell))
     swarm = ("--method", "swarm", "--evaluations", "6000")
     ran = run("design", DESIGN, *swarm, "--json", "--out", tmp_path)
     assert ran.status == 130

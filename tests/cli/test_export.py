@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from .conftest import BUOY, DESIGN, FSO, OWN, Run, document_of, names, read_document, words
+from .conftest import BUOY, DESIGN, FSO, OWN, Run, document_of, names, read_document, refused, words
 
 STATES = OWN / "buoy-states.toml"
 
@@ -36,8 +36,7 @@ def test_a_file_or_a_directory(run: Run, tmp_path: Path) -> None:
 
 def test_a_place_that_cannot_be_written_leaves_nothing(run: Run, tmp_path: Path) -> None:
     (tmp_path / "file").write_text("mine")
-    ran = run("export", BUOY, "--to", "dxf", "--out", tmp_path / "file" / "line.dxf")
-    assert (ran.status, ran.out) == (2, "")
+    ran = refused(run, "export", BUOY, "--to", "dxf", "--out", tmp_path / "file" / "line.dxf")
     assert "--out" in ran.err
     assert (tmp_path / "file").read_text() == "mine"
 

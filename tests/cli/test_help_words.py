@@ -54,17 +54,19 @@ def texts_of_table(read: dict[str, Any], place: str = "") -> dict[str, dict[str,
     return found
 
 
+def in_vietnamese(*arguments: str) -> str:
+    """Run Python where the user has set the language; return what it prints."""
+    settings = {"CATOPT_LANG": "vi", "PYTHONUTF8": "1", "COLUMNS": "80"}
+    return subprocess.run(
+        [sys.executable, *arguments], env={**os.environ, **settings},
+        capture_output=True, check=True, encoding="utf-8",
+    ).stdout  # fmt: skip
+
+
 @pytest.fixture(scope="module")
 def in_both() -> list[tuple[str, str, str]]:
     """Where each help stands, in English and in Vietnamese."""
-    ran = subprocess.run(
-        [sys.executable, "-c", TELL],
-        env={**os.environ, "CATOPT_LANG": "vi", "PYTHONUTF8": "1"},
-        capture_output=True,
-        check=True,
-        encoding="utf-8",
-    )
-    said = json.loads(ran.stdout)
+    said = json.loads(in_vietnamese("-c", TELL))
     put_words(command)
     english = texts_of(command)
     assert said.keys() == english.keys()
@@ -105,17 +107,11 @@ def test_names_that_are_typed_stay_as_they_are() -> None:
 
 
 def test_the_help_of_a_command_has_no_english_heading() -> None:
-    ran = subprocess.run(
-        [sys.executable, "-m", "catopt", "export", "--help"],
-        env={**os.environ, "CATOPT_LANG": "vi", "PYTHONUTF8": "1", "COLUMNS": "80"},
-        capture_output=True,
-        check=True,
-        encoding="utf-8",
-    )
-    assert ran.stdout.startswith("Cách dùng: catopt export [TÙY CHỌN] {CASE}")
-    assert "bắt buộc]" in ran.stdout
-    assert "Hiện trang này rồi thoát." in ran.stdout
+    shown = in_vietnamese("-m", "catopt", "export", "--help")
+    assert shown.startswith("Cách dùng: catopt export [TÙY CHỌN] {CASE}")
+    assert "bắt buộc]" in shown
+    assert "Hiện trang này rồi thoát." in shown
     assert not {"Usage", "Options", "Arguments", "required", "default"} & set(
-        ran.stdout.replace("[", " ").replace("]", " ").replace(":", " ").split()
+        shown.replace("[", " ").replace("]", " ").replace(":", " ").split()
     )
-    assert max(map(len, ran.stdout.splitlines())) <= 80
+    assert max(map(len, shown.splitlines())) <= 80

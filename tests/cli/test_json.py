@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,7 @@ import pytest
 import catopt
 from catopt import schemas
 from catopt.errors import InputError
+from catopt.model import Case
 
 from .conftest import BUOY, OWN, SLACK, Run, document_of
 from .conftest import validate as validate
@@ -37,9 +39,20 @@ def test_solve_with_a_question(run: Run) -> None:
     assert "found" not in document_of(run, "solve", BUOY)
 
 
-def test_solve_prints_what_python_gives(run: Run) -> None:
-    solution = catopt.solve_case(catopt.read_case(BUOY))
-    assert document_of(run, "solve", BUOY) == solution.to_dict()
+@pytest.mark.parametrize(
+    ("command", "computed"),
+    [
+        (["solve", BUOY], catopt.solve_case),
+        (["check", OWN / "strength.toml"], catopt.check_case),
+        (["verify", BUOY], catopt.verify_case),
+        (["curve", BUOY, "--over", "span", "--points", 9],
+         partial(catopt.curve_case, over="span", points=9)),
+    ],
+)  # fmt: skip
+def test_a_command_prints_what_python_gives(
+    run: Run, command: list[object], computed: Callable[[Case], Any]
+) -> None:
+    assert document_of(run, *command) == computed(catopt.read_case(str(command[1]))).to_dict()
 
 
 def test_options_reach_the_swarm(run: Run) -> None:

@@ -8,7 +8,7 @@ import pytest
 
 from catopt.casefile import TEMPLATES, template
 
-from .conftest import Run
+from .conftest import Run, refused
 
 EACH = [pytest.param(name, marks=[pytest.mark.slow] * (name == "motion")) for name in TEMPLATES]
 
@@ -52,8 +52,7 @@ def test_a_disk_that_fills_leaves_no_half_a_file(
         return stream
 
     monkeypatch.setattr(Path, "open", full)
-    ran = run("new", "buoy", path)
-    assert ran.status == 2
+    ran = refused(run, "new", "buoy", path)
     assert "No space left on device" in ran.err
     assert not path.exists()
 

@@ -10,14 +10,13 @@ from pathlib import Path
 
 import pytest
 
-from .conftest import BUOY, Run, changed, fits
+from .conftest import BUOY, Run, changed, fits, refused
 
 
 @pytest.mark.usefixtures("inside")
 def test_a_page_never_takes_the_place_of_its_case(run: Run) -> None:
     Path("line.html").write_bytes(BUOY.read_bytes())
-    ran = run("report", "line.html", "--no-verify")
-    assert (ran.status, ran.out) == (2, "")
+    ran = refused(run, "report", "line.html", "--no-verify")
     assert "is the file that is read" in ran.err
     assert Path("line.html").read_bytes() == BUOY.read_bytes()
 
@@ -31,8 +30,7 @@ def test_a_place_that_no_note_can_go_to_is_told_before_anything_is_computed(
     monkeypatch.setattr("catopt.cli.note_kind.note_of_file", computed)
     (tmp_path / "file").write_text("mine")
     for place in ("file", "file/page.html"):
-        ran = run("report", BUOY, "--out", tmp_path / place)
-        assert (ran.status, ran.out) == (2, "")
+        ran = refused(run, "report", BUOY, "--out", tmp_path / place)
         assert "is a file; give a directory" in ran.err
 
 
@@ -51,8 +49,7 @@ def test_what_is_no_case_file_is_told_as_such(
     path = tmp_path / "given"
     path.write_bytes(content)
     for command in ("solve", "report"):
-        ran = run(command, path)
-        assert (ran.status, ran.out) == (2, "")
+        ran = refused(run, command, path)
         assert told in ran.err
 
 
@@ -90,8 +87,7 @@ def test_a_damaged_result_directory_is_told_as_one(
     (tmp_path / "case.toml").write_bytes(BUOY.read_bytes())
     (tmp_path / "design.json").write_text(json.dumps(document))
     for command in (["report", tmp_path], ["solve", tmp_path, "--design", "1"]):
-        ran = run(*command)
-        assert (ran.status, ran.out) == (2, "")
+        ran = refused(run, *command)
         assert told in ran.err
 
 

@@ -97,9 +97,6 @@ def test_a_design_is_named_or_recommended(run: Run, tmp_path: Path) -> None:
     assert (document["design"], document["path"]) == (3, "result-design-3.html")
 
 
-# ------------------------------------------------------------------ a body with several lines
-
-
 def test_a_moored_body_has_a_page_and_a_workbook(run: Run) -> None:
     ran = run("report", FSO, "--out", "notes", "--lang", "vi", "--no-verify")
     assert (ran.status, ran.err) == (0, "")

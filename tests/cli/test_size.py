@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from .conftest import Run, document_of, fits, typed, words
+from .conftest import Run, document_of, fits, refused, typed, words
 
 BUOY, OWN, SHIP = (typed(name) for name in ("SIZE_BUOY", "SIZE_OWN", "SIZE_SHIP"))
 AROUND = [*SHIP, "--buoy", "mooring buoy 5.0 m", "--lines", "6"]
@@ -82,9 +82,6 @@ def test_a_saved_pattern_goes_to_catopt_system(run: Run, tmp_path: Path) -> None
     assert document_of(run, "check", tmp_path / "case.toml")["passes"]
 
 
-# ------------------------------------------------------------------ what is asked on a terminal
-
-
 class Terminal:
     """Standard input of somebody who answers."""
 
@@ -145,8 +142,7 @@ def test_nothing_is_asked_when_enough_was_given(run: Run, monkeypatch: pytest.Mo
 
 def test_an_end_of_the_answers_is_told(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     answering(monkeypatch, "pillar 2.4 m")
-    ran = run("size", "buoy")
-    assert (ran.status, ran.out) == (2, "")
+    ran = refused(run, "size", "buoy")
     assert "--depth: missing; nobody answered" in ran.err
 
 

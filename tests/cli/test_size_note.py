@@ -21,9 +21,6 @@ SIZE_TANKER = CASES / "size-tanker" / "sizing.toml"
 pytestmark = pytest.mark.usefixtures("inside")
 
 
-# ------------------------------------------------------------------ which file is which
-
-
 def test_a_sizing_file_is_told_from_a_case_file() -> None:
     found = {path.parent.name: moored_in(path) for path in CASES.glob("*/*.toml")}
     sizings = {name: moored for name, moored in found.items() if moored is not None}
@@ -61,9 +58,6 @@ def test_a_sizing_out_of_a_file_is_that_of_the_command(run: Run) -> None:
         assert json.loads(ran.out) == json.loads(json.dumps(found.to_dict()))
 
 
-# ------------------------------------------------------------------ catopt report
-
-
 def test_report_takes_a_sizing_file(run: Run) -> None:
     ran = run("report", SIZE_TANKER)
     assert (ran.status, ran.err, ran.out) == (0, "", "size-tanker.html\n")
@@ -89,9 +83,6 @@ def test_the_document_says_what_was_written(run: Run) -> None:
     assert document["sources"] == digest(SIZE_BUOY)
     assert "swarm" in page.sections
     assert page.table("identity").row("Date")[1].text == "today"
-
-
-# ------------------------------------------------------------------ catopt size --out
 
 
 def test_size_writes_the_note_of_its_file_among_the_others(run: Run) -> None:

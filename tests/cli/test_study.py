@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from .conftest import CASES, NAMED, Run, changed, document_of, names, read_document, rows
+from .conftest import CASES, NAMED, Run, changed, document_of, names, read_document, refused, rows
 
 BUOY, FLEET = NAMED["STUDY"], NAMED["FLEET"]
 CHAIN = CASES / "study-chain-56m" / "study.toml"
@@ -157,8 +157,7 @@ def test_a_cluster_gives_the_same_bytes(run: Run, tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_no_scheduler_answers(run: Run) -> None:
     pytest.importorskip("distributed")
-    ran = run("study", CHAIN, "--scheduler", "tcp://127.0.0.1:9")
-    assert ran.status == 2
+    ran = refused(run, "study", CHAIN, "--scheduler", "tcp://127.0.0.1:9")
     assert "no scheduler answers" in ran.err
 
 

@@ -9,7 +9,6 @@ from typing import Any
 
 import pytest
 
-import catopt
 from catopt.__main__ import main
 from catopt.catenary.case import solve_case
 from catopt.catenary.solution import Solution
@@ -33,11 +32,6 @@ def off(monkeypatch: pytest.MonkeyPatch) -> None:
         return solve_case(replace(case, line=Line(heavier, case.line.point_loads)))
 
     monkeypatch.setattr("catopt.verify.case.solve_case", wrong)
-
-
-def test_json_is_the_document_of_python(run: Run) -> None:
-    expected = catopt.verify_case(catopt.read_case(BUOY)).to_dict()
-    assert document_of(run, "verify", BUOY) == expected
 
 
 def test_one_load_case(run: Run) -> None:
