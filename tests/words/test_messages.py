@@ -9,6 +9,7 @@ import pickle
 import re
 import tomllib
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from string import Formatter
 
@@ -55,12 +56,27 @@ def forms(text: object) -> list[str]:
     return list(text.values())
 
 
-def keys_in_code() -> Iterator[str]:
-    """Yield every text constant of the source."""
+@cache
+def texts_in_code() -> tuple[set[str], list[list[str]]]:
+    """Return every text constant of the source, and every f-string by its parts.
+
+    A part of an f-string that is put in is empty.
+    """
+    plain, built = set(), []
     for path in PACKAGE.rglob("*.py"):
         for node in ast.walk(ast.parse(path.read_text("utf-8"))):
             if isinstance(node, ast.Constant) and isinstance(node.value, str):
-                yield node.value
+                plain.add(node.value)
+            elif isinstance(node, ast.JoinedStr):
+                built.append([
+                    str(each.value) if isinstance(each, ast.Constant) else ""
+                    for each in node.values
+                ])  # fmt: skip
+    return plain, built
+
+
+def pattern(parts: list[str], put_in: str) -> str:
+    return "".join(re.escape(part) or put_in for part in parts)
 
 
 def test_every_text_is_there_in_both_languages_with_the_same_holes() -> None:
@@ -86,15 +102,8 @@ LEAST = 4
 
 def built_in_code() -> re.Pattern[str]:
     """Match what f-strings of the source make."""
-    found = set()
-    for path in PACKAGE.rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
-            if isinstance(node, ast.JoinedStr):
-                said = [str(each.value) if isinstance(each, ast.Constant) else ""
-                        for each in node.values]  # fmt: skip
-                if sum(map(str.isalpha, "".join(said))) >= LEAST:
-                    found.add("".join(re.escape(each) or ".+" for each in said))
-    return re.compile("|".join(f"(?:{each})" for each in sorted(found)))
+    built = [each for each in texts_in_code()[1] if sum(map(str.isalpha, "".join(each))) >= LEAST]
+    return re.compile("|".join(sorted(f"(?:{pattern(each, '.+')})" for each in built)))
 
 
 def words_of_data(value: object) -> Iterator[str]:
@@ -113,28 +122,17 @@ def folded(text: str) -> str:
     return text.lower().replace("_", " ")
 
 
-def composed_in_code() -> Iterator[re.Pattern[str]]:
-    """Yield every key that is put together, as ``note.{key}``, with a group for each part."""
-    for path in PACKAGE.rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
-            if isinstance(node, ast.JoinedStr):
-                parts = [
-                    re.escape(str(part.value)) if isinstance(part, ast.Constant) else "(.+)"
-                    for part in node.values
-                ]
-                if re.match(r"([a-z_]+|\(\.\+\))\\\.", "".join(parts)):
-                    yield re.compile("".join(parts))
-
-
-def keys_in_the_shell() -> Iterator[str]:
-    """Yield the keys that the template of the page asks for."""
-    shell = (PACKAGE / "desk" / "shell.html").read_text("utf-8")
-    yield from (f"desk.{name}" for name in re.findall(r'say\("(\w+)"\)', shell))
+def composed_in_code() -> list[re.Pattern[str]]:
+    """List every key that is put together, as ``note.{key}``, with a group for each part."""
+    composed = (pattern(each, "(.+)") for each in texts_in_code()[1])
+    return [re.compile(each) for each in composed if re.match(r"([a-z_]+|\(\.\+\))\\\.", each)]
 
 
 @pytest.mark.slow
 def test_every_text_is_used() -> None:
-    code = {*QUANTITIES, *keys_in_code(), *keys_in_the_shell()}
+    shell = (PACKAGE / "desk" / "shell.html").read_text("utf-8")
+    asked = {f"desk.{name}" for name in re.findall(r'say\("(\w+)"\)', shell)}
+    code = {*QUANTITIES, *texts_in_code()[0], *asked}
     code |= {key.replace("-", "_") for key in code}
     data = [
         tomllib.loads(path.read_text("utf-8"))
@@ -143,7 +141,7 @@ def test_every_text_is_used() -> None:
     ]
     words = {folded(each) for each in (*code, *words_of_data(data))}
     built = built_in_code()
-    composed = list(composed_in_code())
+    composed = composed_in_code()
 
     def is_used(key: str) -> bool:
         if key in code:
@@ -169,12 +167,6 @@ def test_a_term_has_one_translation() -> None:
             assert isinstance(english, str)
             assert isinstance(vietnamese, str)
             assert found.setdefault(english, vietnamese) == vietnamese
-
-
-def test_a_term_is_said_and_any_other_word_stays() -> None:
-    assert say(term("sand"), "vi") == "cát"
-    assert is_term("Fairlead tension")
-    assert term("a user's own") == "a user's own"
 
 
 def test_a_text_of_a_data_file_is_said() -> None:
@@ -226,31 +218,27 @@ def test_headings_are_said_with_symbol_and_unit() -> None:
     assert say(demand, "vi") == "Giá trị tính toán (đơn vị theo hàng)"
 
 
-def test_a_message_is_its_english() -> None:
+def test_a_message_is_its_english_and_is_said_in_vietnamese_with_what_it_holds() -> None:
     english = (
         "the line rises 0.25 m above the water surface; its weight there is taken as submerged"
     )
-    assert english == RISES
+    assert english == RISES == say(RISES, "en")
     assert json.dumps([RISES]) == json.dumps([english])
-    assert say(RISES, "en") == english
-
-
-def test_a_message_is_said_in_vietnamese_with_what_it_holds() -> None:
     assert say(RISES, "vi") == RISES_VI
     held = Message("checks.in_load_case", name="storm", said=RISES)
     assert say(held, "vi") == f'trường hợp tải trọng "storm": {RISES_VI}'
+    both = Several((RISES, "the user's own"), " | ")
+    assert both == f"{RISES} | the user's own"
+    assert say(both, "vi") == f"{RISES_VI} | the user's own"
 
 
 def test_other_words_stay_as_they_are() -> None:
     assert say("made fast {here}", "vi") == "made fast {here}"
     named = Message("checks.named_segment", number=2, name="{braces}")
     assert say(named, "vi") == "đoạn 2 ({braces})"
-
-
-def test_several_are_said_one_by_one() -> None:
-    both = Several((RISES, "the user's own"), " | ")
-    assert both == f"{RISES} | the user's own"
-    assert say(both, "vi") == f"{RISES_VI} | the user's own"
+    assert term("a user's own") == "a user's own"
+    assert is_term("Fairlead tension")
+    assert say(term("sand"), "vi") == "cát"
 
 
 def test_number_chooses_the_text() -> None:
