@@ -84,8 +84,7 @@ def verify(
         return found.at_rest.to_dict() | found.in_motion()
 
     if asked.out is not None:
-        from catopt.render.files import files_of
-        from catopt.render.files import document_bytes
+        from catopt.render.files import document_bytes, files_of
 
         files = {"verify.json": document_bytes(document())}
         for answer in found.answers:
