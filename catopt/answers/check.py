@@ -302,7 +302,7 @@ def _used(result: CheckResult) -> str:
 def load_case_words(report: CheckReport, index: int) -> Message:
     """Name a load case with its force: ``"storm (extreme), horizontal force 450.000 kN"``."""
     name, solution = report.solutions[index]
-    kind = f"{report.load_cases[index].kind}_" if report.load_cases else ""
+    kind = report.load_cases[index].kind if report.load_cases else ""
+    key = f"checks.{kind}_load_case" if kind else "checks.load_case"
     force = Measure("horizontal_force", solution.horizontal_force)
-    height = solution.fairlead_height
-    return Message(f"checks.{kind}load_case", name=name, force=force, height=height)
+    return Message(key, name=name, force=force, height=solution.fairlead_height)
