@@ -102,8 +102,9 @@ def _seen_once(columns: Iterable[Column]) -> Iterator[Column]:
     for column in columns:
         shown = column.values, _unit(column)
         if column.only != "people" or shown not in seen:
-            seen.append(shown)
             yield column
+        if column.only != "files":
+            seen.append(shown)
 
 
 def _unit(of: Any) -> str | None:
