@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from textwrap import wrap
-from typing import Any
+from typing import Protocol
 
 from catopt.answers.blocks import (
     Answer,
@@ -36,8 +36,28 @@ _NO_BREAK = "\u00a0"
 """Between a number and its unit."""
 
 
-def show(output: Any, answer: Answer, language: Language = "en") -> None:
-    """Print an answer for a reader by `output`, a `catopt.cli.output.Output`."""
+class Printer(Protocol):
+    """What paragraphs and tables are printed with."""
+
+    def text(self, text: str, *, bold: bool = False) -> None:
+        """Print a paragraph."""
+
+    def line(self) -> None:
+        """Print an empty line."""
+
+    def table(
+        self,
+        columns: Sequence[str],
+        rows: Sequence[Sequence[str]],
+        *,
+        title: str = "",
+        numbers: Sequence[int] = (),
+    ) -> None:
+        """Print a table and an empty line."""
+
+
+def show(output: Printer, answer: Answer, language: Language = "en") -> None:
+    """Print an answer for a reader."""
     answer = as_wanted(answer)
     output.text(say(answer.title, language), bold=True)
     in_text = True
@@ -60,7 +80,7 @@ _PRINTED = Table | Facts | Text | Verdict | Points | Warnings
 """What a terminal shows."""
 
 
-def _show(output: Any, block: Block, language: Language) -> None:
+def _show(output: Printer, block: Block, language: Language) -> None:
     match block:
         case Table():
             for caption, rows in parts_of(block):
@@ -80,7 +100,7 @@ def _show(output: Any, block: Block, language: Language) -> None:
                 output.text(say(warning, language), bold=True)
 
 
-def _facts(output: Any, block: Facts, language: Language) -> None:
+def _facts(output: Printer, block: Facts, language: Language) -> None:
     rows = []
     for fact in block.facts:
         if fact.only == "files":
@@ -97,7 +117,7 @@ def _facts(output: Any, block: Facts, language: Language) -> None:
 
 
 def _table(
-    output: Any, table: Table, caption: str, rows: Sequence[int], language: Language
+    output: Printer, table: Table, caption: str, rows: Sequence[int], language: Language
 ) -> None:
     """Print rows of a table, without the columns for which 80 have no room; those are named."""
     shown = [each for each in table.columns if each.only != "files"]
