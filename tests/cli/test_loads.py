@@ -14,14 +14,13 @@ from catopt.sizing.headings import DIRECTIONS
 from catopt.sizing.inputs import Input, rows_of
 from catopt.units import as_written
 
-from .conftest import Run, document_of, typed
+from .conftest import OWN, Run, document_of, typed
 
 BUOY, TANKER, VANE = typed("LOADS_BUOY"), typed("LOADS_SHIP"), typed("VANE")
-document = document_of
 
 
 def test_a_buoy_as_json(run: Run) -> None:
-    found = document(run, *BUOY)
+    found = document_of(run, *BUOY)
     assert found["horizontal_force_N"] == pytest.approx(18987.0, abs=0.5)  # printed digits
     assert [each["axis"] for each in found["components"]] == ["along"] * 5
     assert found["recalled"] == []
@@ -29,15 +28,15 @@ def test_a_buoy_as_json(run: Run) -> None:
 
 def test_a_ship_on_the_beam_and_the_largest_wave(run: Run) -> None:
     beam = [f"--{what}-angle=90 deg" for what in ("wind", "current", "wave")]
-    ahead, across = document(run, *TANKER), document(run, *TANKER, *beam)
+    ahead, across = document_of(run, *TANKER), document_of(run, *TANKER, *beam)
     assert across["sway_N"] > 5.0 * ahead["horizontal_force_N"]
-    larger = document(run, *TANKER, "--drift", "largest-wave")
+    larger = document_of(run, *TANKER, "--drift", "largest-wave")
     assert larger["horizontal_force_N"] > 2.0 * ahead["horizontal_force_N"]
 
 
 def test_every_method_is_shown_and_the_one_that_is_named_comes_first(run: Run) -> None:
     """Two that are named: the larger, 22TCN's 438 kN, before UFC-Blendermann's 288 kN."""
-    found = document(run, *TANKER)
+    found = document_of(run, *TANKER)
     assert found["surge_N"] < 0.0
     assert "Collinear" in found["assumptions"][0]
     by_method = [found, *found["others"]]
@@ -47,7 +46,7 @@ def test_every_method_is_shown_and_the_one_that_is_named_comes_first(run: Run) -
         total = compare_tanker(method=each["method"]).loads.horizontal_force
         assert each["horizontal_force_N"] == pytest.approx(total, rel=1e-12)
     named = ("--load-method", "UFC-Blendermann", "--load-method", "22TCN-222-95")
-    found = document(run, *TANKER, *named, "--wave-coefficient", "0.01")
+    found = document_of(run, *TANKER, *named, "--wave-coefficient", "0.01")
     assert found["method"] == "22TCN-222-95"
     assert [each["method"] for each in found["others"]] == ["UFC-Blendermann", "UFC-4-159-03"]
     (wave,) = (each for each in found["components"] if each["kind"] == "wave")
@@ -56,35 +55,29 @@ def test_every_method_is_shown_and_the_one_that_is_named_comes_first(run: Run) -
 
 
 def test_a_ship_that_weathervanes_under_a_current_that_is_turned_round(run: Run) -> None:
-    found = document(run, *TANKER, *VANE, "--scan", "90 deg")
+    found = document_of(run, *TANKER, *VANE, "--scan", "90 deg")
     turned = [round(math.degrees(each["current_from_rad"])) for each in found["headings"]]
     assert sorted(set(turned)) == [-90, 0, 90, 180]
     forces = [each["horizontal_force_N"] for each in found["headings"]]
     assert found["horizontal_force_N"] == max(forces) > 2.0 * min(forces)
     assert "Weathervaning: at this heading" in found["assumptions"][0]
-    own = document(run, *TANKER, "--weathervane", "--current-yaw", "-0.291, 0.00353")
+    own = document_of(run, *TANKER, "--weathervane", "--current-yaw", "-0.291, 0.00353")
     assert own["horizontal_force_N"] == pytest.approx(288048.0, abs=0.5)  # docs/loads.md
     assert not any("recalled" in said for said in own["assumptions"] if "eq. 25" in said)
 
 
 def test_a_ballast_draught_counts_beside_the_loaded_one(run: Run) -> None:
-    found = document(run, *TANKER, "--ballast-draught", "3.2 m")
+    found = document_of(run, *TANKER, "--ballast-draught", "3.2 m")
     assert [each["condition"] for each in found["headings"]] == ["loaded", "ballast"]
     # docs/loads.md: 293 kN in ballast, whose windage is higher by the rise.
     assert found["horizontal_force_N"] == pytest.approx(293e3, abs=0.5e3)
 
 
-def test_a_file_of_a_sizing_is_read_as_the_sizing_reads_it(run: Run, tmp_path: Path) -> None:
+def test_a_file_of_a_sizing_is_read_as_the_sizing_reads_it(run: Run) -> None:
     """The wind of another mean, the kind of the ship and what is estimated count as there."""
-    place = tmp_path / "cargo.toml"
-    place.write_text(
-        '[site]\nwater_depth = "22 m"\n'
-        '[ship]\nkind = "general cargo"\ndeadweight = "30000 t"\n'
-        '[environment]\nwind = "25 m/s"\nwind_mean = "10 min"\ncurrent = "1 m/s"\n'
-        'hs = "2 m"\nperiod = "6 s"\n'
-    )
-    found = document(run, "loads", "ship", place)
-    (loaded,) = document(run, "size", "tanker", place)["loads"][0]["parts"]
+    place = OWN / "cargo.toml"
+    found = document_of(run, "loads", "ship", place)
+    (loaded,) = document_of(run, "size", "tanker", place)["loads"][0]["parts"]
     assert found["components"] == loaded["components"]
     # NPD/ISO: U0 of an hour from 25 = U0 (1 + 0.0441 (1 + 0.043 U0)), 0.0246 ln(3600/600) = 0.0441:
     # U0 = 23.0 m/s; over 30 s U0 (1 + 0.1178 (1 + 0.043 U0)) = 28.37 m/s.
@@ -100,22 +93,16 @@ def test_a_file_of_a_sizing_is_read_as_the_sizing_reads_it(run: Run, tmp_path: P
 def test_a_ship_by_its_deadweight(run: Run) -> None:
     """The table's tanker of 50,000 t: 210 m by 32.2 m, 12.6 m deep in the water."""
     areas = ("--frontal-area", "580 m^2", "--lateral-area", "1200 m^2", "--depth", "20 m")
-    found = document(run, "loads", "ship", "--dwt", "50000 t", "--current", "1 m/s", *areas)
+    found = document_of(run, "loads", "ship", "--dwt", "50000 t", "--current", "1 m/s", *areas)
     form = next(each for each in found["components"] if "form" in each["name"])
     area = next(each["value"] for each in form["numbers"] if each["symbol"] == "B T")
     assert area == pytest.approx(32.2 * 12.6, rel=1e-12)
     assert any("estimated from the deadweight" in said for said in found["warnings"])
 
 
-def test_buoys_of_one_s_own(run: Run, tmp_path: Path) -> None:
-    own = tmp_path / "own.toml"
-    own.write_text(
-        'schema = "catopt.buoys/1"\n[[buoy]]\nname = "mine"\nhull_diameter = 2\n'
-        "hull_depth = 2\nmass = 2000\n"
-    )
-    found = document(
-        run, "loads", "buoy", "mine", "--depth", "9 m", "--current", "1 m/s", "--buoys", str(own)
-    )
+def test_buoys_of_one_s_own(run: Run) -> None:
+    mine = typed("loads buoy mine --depth '9 m' --current '1 m/s' --buoys")
+    found = document_of(run, *mine, OWN / "own-buoys.toml")
     # 1/2 x 1025 x 1 x (2 m x 2000/1025/pi m) x 1.2
     by_hand = 615.0 * 2.0 * 2000.0 / 1025.0 / 3.141592653589793
     assert found["horizontal_force_N"] == pytest.approx(by_hand, rel=1e-12)
@@ -192,10 +179,10 @@ def test_no_key_of_a_sizing_is_ignored_in_silence(
 def test_low_water_counts_for_a_ship(run: Run) -> None:
     """Of S3's tanker across the current: C = C0 + (3.2 - C0)(T/d)^2, T/d 12.4/20 and 12.4/15."""
     still = ("--current-angle", "90 deg", "--wind", "0 m/s", "--hmax", "0 m")
-    found = document(run, *TANKER, *still, "--low-water", "15 m")
+    found = document_of(run, *TANKER, *still, "--low-water", "15 m")
     assert [each["depth_m"] for each in found["headings"]] == [20.0, 15.0]
     forces = [each["horizontal_force_N"] for each in found["headings"]]
-    assert forces[0] == document(run, *TANKER, *still)["horizontal_force_N"]
+    assert forces[0] == document_of(run, *TANKER, *still)["horizontal_force_N"]
     assert found["horizontal_force_N"] == max(forces) == forces[1]
     length, volume = 0.97 * 234.0, 0.80 * 0.97 * 234.0 * 31.3 * 12.4
     chi = length**2 * 0.98 * 31.3 * 12.4 / (31.3 * volume)
@@ -211,9 +198,9 @@ def test_low_water_counts_for_a_ship(run: Run) -> None:
 def test_low_water_counts_for_a_buoy(run: Run, chain: str, governs: str) -> None:
     """Waves move the surface faster in less water, (pi H/T)/tanh(k d); a chain is shorter in it."""
     depths = ("12 m", "10 m")
-    found = document(run, *BUOY, "--chain", chain)
+    found = document_of(run, *BUOY, "--chain", chain)
     at = {
-        depth: document(run, *BUOY, "--chain", chain, "--depth", depth, "--low-water", depth)
+        depth: document_of(run, *BUOY, "--chain", chain, "--depth", depth, "--low-water", depth)
         for depth in depths
     }
     forces = {depth: at[depth]["horizontal_force_N"] / 1e3 for depth in depths}

@@ -14,10 +14,22 @@ from pathlib import Path
 
 import pytest
 
-from .conftest import CASES, NAMED, Run, changed, document_of, names, read_document, refused, rows
+from .conftest import (
+    CASES,
+    NAMED,
+    OWN,
+    Run,
+    changed,
+    document_of,
+    names,
+    read_document,
+    refused,
+    rows,
+)
 
 BUOY, FLEET = NAMED["STUDY"], NAMED["FLEET"]
 CHAIN = CASES / "study-chain-56m" / "study.toml"
+MANY = OWN / "many.toml"
 
 
 def test_the_document(run: Run) -> None:
@@ -73,16 +85,6 @@ def test_a_limit_that_nothing_has_is_told(run: Run, tmp_path: Path) -> None:
     assert "No member has utilisation" in run("study", study).out  # the case has no checks
 
 
-def many(folder: Path) -> Path:
-    """Write a study of some ten seconds: checks of a tanker's line in 60 pieces."""
-    case = (CASES / "tanker-20m" / "case.toml").as_posix()
-    (folder / "study.toml").write_text(
-        f'case = "{case}"\ncompute = "checks"\n[[vary]]\nkey = "line.segments[0].length"\n'
-        'min = "150 m"\nmax = "300 m"\ncount = 6000\n'
-    )
-    return folder / "study.toml"
-
-
 def started(study: Path, out: Path, *options: str) -> subprocess.Popen[str]:
     words = [sys.executable, "-m", "catopt", "study", str(study), "--out", str(out), *options]
     return subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
@@ -110,17 +112,16 @@ def pieces_in(out: Path) -> int:
 @pytest.mark.skipif(os.name == "nt", reason="there is no SIGKILL")
 @pytest.mark.parametrize("workers", ["1", "2"])
 def test_killed_at_any_moment_it_ends_with_the_same_bytes(tmp_path: Path, workers: str) -> None:
-    study = many(tmp_path)
-    started(study, tmp_path / "whole").communicate(timeout=300)
+    started(MANY, tmp_path / "whole").communicate(timeout=300)
     rng = random.Random(3)
     for number in range(5):
-        killed = started(study, tmp_path / "killed", "--workers", workers)
+        killed = started(MANY, tmp_path / "killed", "--workers", workers)
         wait_for(tmp_path / "killed", 10 * number + 1, killed)
         time.sleep(rng.uniform(0.0, 0.3))
         killed.kill()
         killed.communicate(timeout=60)
         assert 10 * number < pieces_in(tmp_path / "killed") < 60
-    started(study, tmp_path / "killed", "--workers", workers).communicate(timeout=300)
+    started(MANY, tmp_path / "killed", "--workers", workers).communicate(timeout=300)
     assert pieces_in(tmp_path / "killed") == 60
     for name in ("members.csv", "study.json", "study.csv"):
         ours = (tmp_path / "killed" / name).read_bytes()
@@ -131,7 +132,7 @@ def test_killed_at_any_moment_it_ends_with_the_same_bytes(tmp_path: Path, worker
 @pytest.mark.skipif(os.name == "nt", reason="no Ctrl-C can be sent to another console there")
 @pytest.mark.parametrize("workers", ["1", "2"])
 def test_ctrl_c_says_how_to_go_on(tmp_path: Path, workers: str) -> None:
-    stopped = started(many(tmp_path), tmp_path / "out", "--workers", workers)
+    stopped = started(MANY, tmp_path / "out", "--workers", workers)
     wait_for(tmp_path / "out", 5, stopped)
     stopped.send_signal(signal.SIGINT)
     _, err = stopped.communicate(timeout=60)
