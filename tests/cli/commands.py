@@ -58,17 +58,24 @@ COMMANDS = [
         "SIZE_BUOY", "size",
         "inputs sizing alternatives candidates checks forces numbers notes", "line",
         others="case.toml note.html",
-        sheets=("Sizing", "Candidates", "Checks", "Forces", "Numbers", "Notes"),
+        sheets=(
+            "Inputs as they were read", "Sizing", "Candidates", "Checks", "Forces", "Numbers",
+            "Notes",
+        ),
     ),
     Command(
         "verify BUOY", "verify", OF_VERIFY, "comparison",
-        sheets=("Verdicts", "Quantities", "Meshes", "Shapes"),
+        sheets=tuple(OF_VERIFY.title().split()),
     ),
     Command(
         "verify coded.toml --dynamic", "verify",
         f"{OF_VERIFY} dynamic_checks dynamic_envelope dynamic_runs dynamic_series "
         "dynamic_statistics dynamic_summary",
         "comparison dynamic", workbook="verify dynamic",
+        sheets=(
+            *OF_VERIFY.title().split(), "Checks of the tensions in motio", "Statistics", "Summary",
+            "Runs", "Envelope", "Series",
+        ),
     ),
     Command(
         "fatigue FATIGUE --once", "fatigue",
