@@ -8,13 +8,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from catopt.casefile.design_directory import DESIGN_CASE
-from catopt.figures import mooring, motion, studies
-from catopt.figures.curve import load_curve
-from catopt.figures.front import front, front_lines
-from catopt.figures.line import line_in_water, tension_along
-from catopt.figures.study import exceedance
-from catopt.figures.swarm import fitness, swarm_tension
-from catopt.figures.verification import comparison
 from catopt.render.files import csv_of
 from catopt.report.files import write_files
 from catopt.ties import first_largest
@@ -67,6 +60,8 @@ def _pictures(drawn: Mapping[str, Drawing]) -> dict[str, bytes]:
 
 def _of_tension(solution: Solution) -> Drawing:
     """Draw the tension along a line beside what its segments may carry."""
+    from catopt.figures.line import tension_along
+
     factor = solution.safety_factor
     allowed = [each.MBL and each.MBL / factor for each in solution.segments]
     basis = Message("figures.MBL_over", factor=factor)
@@ -75,6 +70,8 @@ def _of_tension(solution: Solution) -> Drawing:
 
 def _of_line(solution: Solution, depth: float, title: str) -> Drawing:
     """Draw a line in water of a depth (m)."""
+    from catopt.figures.line import line_in_water
+
     return Drawing((line_in_water(solution, depth),), title)
 
 
@@ -87,6 +84,8 @@ def solution_pictures(case: Case, solution: Solution) -> dict[str, bytes]:
 
 def _of_swarm(name: str, solution: Solution) -> dict[str, Drawing]:
     """Draw S1's figures 3 and 4; nothing when there was no swarm."""
+    from catopt.figures.swarm import fitness, swarm_tension
+
     swarm, title = solution.swarm, solution.title
     if swarm is None:
         return {}
@@ -104,6 +103,8 @@ def _of_solution(solution: Solution) -> Drawing:
 
 
 def _of_curve(result: CaseCurve) -> Drawing:
+    from catopt.figures.curve import load_curve
+
     return Drawing((load_curve(result),), result.case.title)
 
 
@@ -117,12 +118,16 @@ def curve_pictures(result: CaseCurve) -> dict[str, bytes]:
 
 def _of_plan(solution: SystemSolution, title: str) -> Drawing:
     """Draw a body on its lines from above, and near the body where that shows more."""
+    from catopt.figures import mooring
+
     around = mooring.near(solution)
     return Drawing((mooring.plan(solution), *(() if around is None else (around,))), title)
 
 
 def system_pictures(report: SystemReport) -> dict[str, bytes]:
     """Draw a body on its lines; the figures of what was not asked for are left out."""
+    from catopt.figures import mooring
+
     title, solution, circle = report.case.title, report.solution, report.circle
     drawn = {"plan": _of_plan(solution, title)}
     if circle is not None:
@@ -136,6 +141,7 @@ def system_pictures(report: SystemReport) -> dict[str, bytes]:
 def _of_front(result: DesignResult) -> Drawing:
     """Draw a front, and of single lines three of them."""
     from catopt.design.document import design_document
+    from catopt.figures.front import front, front_lines
 
     document = design_document(result)
     is_line = result.front[result.recommended].mooring is None
@@ -218,6 +224,8 @@ def write_member_note(
 
 def _of_comparison(found: Verification, part: StaticComparison) -> Drawing:
     """Draw a line by both models; of a body the most loaded one."""
+    from catopt.figures.verification import comparison
+
     titles = [found.case.title, part.name if found.case.load_cases else ""]
     line = first_largest([pair.finest.fairlead.tension for pair in part.lines])
     if part.kind == "system":
@@ -240,6 +248,8 @@ def verification_pictures(found: Verification) -> dict[str, bytes]:
 
 def _of_motion(part: DynamicPart, title: str) -> Drawing:
     """Draw a line in motion: its history, spectrum, envelope and peaks."""
+    from catopt.figures import motion
+
     peaks = motion.exceedance(part)
     charts = (motion.whole_history(part), motion.spectrum(part), motion.envelope_chart(part))
     return Drawing(charts if peaks is None else (*charts, peaks), title)
@@ -258,13 +268,15 @@ def motion_pictures(found: DynamicVerification) -> dict[str, bytes]:
 
 def _on_slope(found: DynamicVerification) -> dict[str, Drawing]:
     """Draw the line at rest on a bed that slopes, under its first load."""
+    from catopt.figures.motion import on_slope
+
     site = found.case.site
     if site.seabed_slope == 0.0:
         return {}
     part = found.parts[0]
     levels = {each.name: each.water_level for each in found.case.load_cases}
     depth = site.water_depth + levels.get(part.name, 0.0)
-    return {"line": Drawing((motion.on_slope(part, depth, site.seabed_slope),), found.case.title)}
+    return {"line": Drawing((on_slope(part, depth, site.seabed_slope),), found.case.title)}
 
 
 def _of_moved(found: DynamicVerification) -> Drawing:
@@ -277,6 +289,8 @@ def _of_moved(found: DynamicVerification) -> Drawing:
 
 def _of_study(result: StudyResult) -> Drawing:
     """Draw how often values are exceeded: of the quantities with limits, or else of the first."""
+    from catopt.figures.study import exceedance
+
     known = [each for each in result.statistics if each.least < each.largest]
     drawn = [each for each in known if each.limit is not None] or known[:1]
     return Drawing(tuple(exceedance(result, each) for each in drawn), result.study.title)
@@ -305,6 +319,8 @@ def reproduction_pictures(result: Reproduction) -> dict[str, bytes]:
 
 def _of_reproduced(study: Study) -> dict[str, Drawing]:
     """Draw the lines of a study to scale, and a body by several models."""
+    from catopt.figures import studies
+
     drawn: dict[str, Drawing] = {}
     if study.drawn:
         lines = [(each.name, each.solution) for each in study.drawn]

@@ -75,7 +75,7 @@ def test_diameters_are_written_in_as_few_digits_as_they_have() -> None:
         for each in catalogue_answer(found).blocks
         if isinstance(each, Table) and each.name == "sizes"
     )
-    written = [cell(sizes.columns[0], row, "en") for row in range(3)]
+    written = [cell(sizes.columns[0], row) for row in range(3)]
     assert written == ["19", "20.5", "22"]
     assert QUANTITIES["nominal_diameter"].format(0.019) == "19.0"
 
