@@ -25,13 +25,14 @@ from pathlib import Path
 from typing import NamedTuple
 
 ROOT = Path(__file__).parents[1]
+_COMMANDS = ("tests/cli/test_transcripts.py", "tests/cli/test_every_command.py")
 BESIDE = {
-    "checks": ("tests/cli/test_check.py",),
-    "sizing": ("tests/cli/test_size.py",),
-    "loads": ("tests/cli/test_loads.py",),
-    "design": ("tests/cli/test_design.py",),
-    "mooring": ("tests/cli/test_system.py",),
-    "study": ("tests/cli/test_study.py",),
+    "checks": ("tests/cli/test_check.py", *_COMMANDS),
+    "sizing": ("tests/cli/test_size.py", *_COMMANDS),
+    "loads": ("tests/cli/test_loads.py", *_COMMANDS),
+    "design": ("tests/cli/test_design.py", *_COMMANDS),
+    "mooring": ("tests/cli/test_system.py", *_COMMANDS),
+    "study": ("tests/cli/test_study.py", *_COMMANDS),
 }
 """Tests of a part that stand elsewhere."""
 
