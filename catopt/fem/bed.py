@@ -36,24 +36,17 @@ FRICTION_LAWS: tuple[str, ...] = get_args(FrictionLaw)
 class Bed:
     """A flat bed at height 0 that only pushes.
 
-    Attributes
-    ----------
-    normal_stiffness : float
-        Force per length of line and per depth of penetration, N/m2; infinite (the default) for a
-        rigid bed, which no node passes.
-    friction_law : {"pulled", "laid", "history"}
-        ``"pulled"``: the line was last pulled towards the fairlead, so that friction is fully
-        mobilised wherever tension is left, and takes off no more than there is. ``"laid"``: it
-        was laid under a greater tension and slackened since, so that friction holds that in it:
-        fully mobilised the other way, tension grows towards the anchor. ``"history"``:
-        each node on the bed drags a spring that slips at mu R and remembers where it is.
-    tangential_stiffness : float
-        Of that spring, per length of line, N/m2; only for ``"history"``.
+    Friction laws: ``"pulled"``: the line was last pulled towards the fairlead, so that friction is
+    fully mobilised wherever tension is left, and takes off no more than there is. ``"laid"``: it
+    was laid under a greater tension and slackened since, so that friction holds that in it: fully
+    mobilised the other way, tension grows towards the anchor. ``"history"``: each node on the bed
+    drags a spring that slips at mu R and remembers where it is.
     """
 
-    normal_stiffness: float = math.inf
+    normal_stiffness: float = math.inf  # force per length of line and per depth of penetration,
+    # N/m2; infinite for a rigid bed, which no node passes
     friction_law: FrictionLaw = "pulled"
-    tangential_stiffness: float = 1e6
+    tangential_stiffness: float = 1e6  # of the spring of "history", per length of line, N/m2
 
     def __post_init__(self) -> None:
         found = Findings("Bed")
@@ -69,17 +62,10 @@ class HeldBed:
 
     Nodes near the anchor are held at height 0 both ways, so that the bed also pulls; there is no
     bed under the other nodes, and no friction.
-
-    Attributes
-    ----------
-    grounded_length : float
-        Nodes up to this arc length from the anchor are held, m.
-    EA_multiplier : float
-        By which every segment's EA is multiplied.
     """
 
-    grounded_length: float
-    EA_multiplier: float = 1.0
+    grounded_length: float  # arc length from the anchor up to which nodes are held, m
+    EA_multiplier: float = 1.0  # on every segment's EA
 
     def __post_init__(self) -> None:
         found = Findings("HeldBed")

@@ -17,28 +17,19 @@ Array = npt.NDArray[np.float64]
 class LineDamping:
     """What damps a line beside the water.
 
-    Attributes
-    ----------
-    internal : float
-        Axial force per rate of strain, N s, of every bar.
-    critical_ratio : float
-        The same as a part of what is critical for a bar on its own, l0 sqrt(EA m).
-    critical_length : float or None
-        Of that bar, m. None: of each bar itself, so that the damping falls as bars get shorter
-        (MoorDyn's negative BA), and a run with twice the bars is one of another line.
-    stiffness_time : float
-        The same as a multiple of EA, s: c = stiffness_time EA. The three are added up.
-    mass_factor, stiffness_factor : float
-        Rayleigh's C = alpha M + beta K, 1/s and s, S4 [3.17]; K the tangent of the bars' forces,
-        those across the bar included. alpha damps motion as a whole, too.
+    The first three add up to an axial force per rate of strain. Rayleigh's C = alpha M + beta K,
+    S4 [3.17], takes for K the tangent of the bars' forces, those across the bar included; alpha
+    damps motion as a whole, too.
     """
 
-    internal: float = 0.0
-    critical_ratio: float = 0.0
-    critical_length: float | None = None
-    stiffness_time: float = 0.0
-    mass_factor: float = 0.0
-    stiffness_factor: float = 0.0
+    internal: float = 0.0  # axial force per rate of strain, N s, of every bar
+    critical_ratio: float = 0.0  # as a part of what is critical for a bar on its own, l0 sqrt(EA m)
+    critical_length: float | None = None  # of that bar, m; None: of each bar itself, so that the
+    # damping falls as bars get shorter (MoorDyn's negative BA), and a run with twice the bars is
+    # one of another line
+    stiffness_time: float = 0.0  # as a multiple of EA, s: c = stiffness_time EA
+    mass_factor: float = 0.0  # alpha, 1/s
+    stiffness_factor: float = 0.0  # beta, s
 
     def __post_init__(self) -> None:
         found = Findings("LineDamping")

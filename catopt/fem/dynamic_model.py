@@ -49,16 +49,10 @@ _FRICTION_REACH = 0.001
 
 @dataclass(frozen=True)
 class Fluid:
-    """Water and gravity.
+    """Water and gravity."""
 
-    Attributes
-    ----------
-    density, gravity : float
-        kg/m3 and m/s2.
-    """
-
-    density: float = SEA_WATER_DENSITY
-    gravity: float = STANDARD_GRAVITY
+    density: float = SEA_WATER_DENSITY  # kg/m3
+    gravity: float = STANDARD_GRAVITY  # m/s2
 
 
 def lay_out_moving(

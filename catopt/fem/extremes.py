@@ -36,24 +36,14 @@ _EULER = float(np.euler_gamma)
 
 @dataclass(frozen=True)
 class Extreme:
-    """Largest value in a time.
+    """Largest value in a time."""
 
-    Attributes
-    ----------
-    duration : float
-        s.
-    most_probable, expected : float
-        Mode and mean of its distribution, in the series' unit.
-    low, high, confidence : float
-        Interval of the mode; part of repeated draws in which it is to hold the true one.
-    """
-
-    duration: float
-    most_probable: float
-    expected: float
-    low: float
+    duration: float  # s
+    most_probable: float  # mode of its distribution, in the series' unit
+    expected: float  # its mean
+    low: float  # interval of the mode
     high: float
-    confidence: float = CONFIDENCE
+    confidence: float = CONFIDENCE  # part of repeated draws in which it is to hold the true one
 
 
 @dataclass(frozen=True)
@@ -61,29 +51,17 @@ class TailFit:
     """Weibull's distribution of what lies above a threshold.
 
     P(X > x) / P(X > threshold) = exp(((threshold - mean)/scale)^shape - ((x - mean)/scale)^shape)
-
-    Attributes
-    ----------
-    extreme : Extreme
-        That follows.
-    mean, threshold, scale : float
-        In the series' unit.
-    shape : float
-        2 for Rayleigh's peaks, 1 for exponential ones.
-    clusters : tuple of float
-        Largest peak of each group that stays above the threshold, falling: what is fitted.
-    peaks, time : int, float
-        Of the series, in all; s.
     """
 
-    extreme: Extreme
-    mean: float
+    extreme: Extreme  # that follows
+    mean: float  # in the series' unit, as threshold and scale
     threshold: float
     scale: float
-    shape: float
-    clusters: tuple[float, ...]
-    peaks: int
-    time: float
+    shape: float  # 2 for Rayleigh's peaks, 1 for exponential ones
+    clusters: tuple[float, ...]  # largest peak of each group that stays above the threshold,
+    # falling: what is fitted
+    peaks: int  # of the series, in all
+    time: float  # of the series, in all, s
 
     def expected_above(self, value: float) -> float:
         """Give the clusters expected above a value in the duration; it is the threshold or more."""
@@ -94,23 +72,13 @@ class TailFit:
 
 @dataclass(frozen=True)
 class GumbelFit:
-    """Gumbel's distribution of the maxima of runs.
+    """Gumbel's distribution of the maxima of runs."""
 
-    Attributes
-    ----------
-    extreme : Extreme
-        That follows: the mode moves by scale ln(duration/run).
-    mode, scale : float
-        Of the maximum of one run.
-    runs, run : int, float
-        How many, and what of each counts, s.
-    """
-
-    extreme: Extreme
-    mode: float
+    extreme: Extreme  # that follows: the mode moves by scale ln(duration/run)
+    mode: float  # of the maximum of one run
     scale: float
     runs: int
-    run: float
+    run: float  # what of each counts, s
 
 
 def weibull_tail(series: Sequence[Array], time: float, duration: float) -> TailFit | None:

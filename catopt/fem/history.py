@@ -18,87 +18,40 @@ Array = npt.NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class History:
-    """Lines in motion, sampled.
+    """Lines in motion, sampled."""
 
-    Attributes
-    ----------
-    time : ndarray, shape (samples,)
-        s, from 0.
-    fairlead_force, anchor_force : ndarray, shape (samples, lines, 3)
-        Force of each line on what holds its end, N: nodal, half a bar's weight and inertia
-        included.
-    bar_tension : ndarray, shape (samples, lines, 2)
-        Of each line's first and last bar, N; 0 when slack.
-    fairlead : ndarray, shape (samples, lines, 3)
-        Place of each line's end, m.
-    grounded_length : ndarray, shape (samples, lines)
-        Unstretched length carried by the nodes on the bed, m.
-    nodes : ndarray, shape (samples, chosen nodes, 3)
-        Places of the nodes asked for, m.
-    at_rest : ndarray, shape (all nodes, 3)
-        Where they start, m; of each line from its anchor.
-    energy : ndarray, shape (samples or 0, 4)
-        When asked for: kinetic with added mass, and of strain, weight and bed over the state at
-        rest, J.
-    tension : ndarray, shape (samples or 0, bars)
-        When asked for, of every bar, N.
-    first_bar : ndarray of int, shape (lines + 1,)
-        First bar of each line in the one before and the next four.
-    arc : ndarray, shape (bars,)
-        Unstretched arc length of the bars' middles from their anchor, m.
-    max_tension, min_tension : ndarray, shape (bars,)
-        From `since` on, at every step, N.
-    slack_time, longest_slack : ndarray, shape (bars,)
-        s without tension from `since` on: in all, and at a stretch.
-    max_end_force, time_of_max_end_force : ndarray, shape (lines, 2)
-        Largest size of the force at the anchor and at the fairlead from `since` on, at every step,
-        N, and when it was reached, s.
-    balance : EnergyBalance
-        What was put in from the first moment on, and where it went.
-    since : float
-        Where statistics begin, s.
-    step, shortest_step : float
-        As asked for, and after halving, s.
-    steps, iterations, halvings : int
-        Steps taken, Newton iterations, and times that a step was halved because it did not close.
-    refinements, unresolved : int
-        Times that a step was halved because a tension surprised, and steps as short as allowed in
-        which one still did.
-    is_complete : bool
-        False when the run was stopped from outside (Ctrl-C).
-    warnings : tuple of str
-        What about the run is to be doubted, with numbers.
-    """
-
-    time: Array
-    fairlead_force: Array
-    anchor_force: Array
-    bar_tension: Array
-    fairlead: Array
-    grounded_length: Array
-    nodes: Array
-    at_rest: Array
-    energy: Array
-    tension: Array
-    first_bar: npt.NDArray[np.int64]
-    arc: Array
-    max_tension: Array
+    time: Array  # (samples,): s, from 0
+    fairlead_force: Array  # (samples, lines, 3): of each line on what holds its end, N: nodal, half
+    # a bar's weight and inertia included
+    anchor_force: Array  # likewise
+    bar_tension: Array  # (samples, lines, 2): of each line's first and last bar, N; 0 when slack
+    fairlead: Array  # (samples, lines, 3): place of each line's end, m
+    grounded_length: Array  # (samples, lines): unstretched, of the nodes on the bed, m
+    nodes: Array  # (samples, chosen nodes, 3): places of the nodes asked for, m
+    at_rest: Array  # (all nodes, 3): where they start, m; of each line from its anchor
+    energy: Array  # (samples or 0, 4), when asked for: kinetic with added mass, and of strain,
+    # weight and bed over the state at rest, J
+    tension: Array  # (samples or 0, bars), when asked for, N
+    first_bar: npt.NDArray[np.int64]  # (lines + 1,): first bar of each line
+    arc: Array  # (bars,): unstretched arc length of the bars' middles from their anchor, m
+    # From `since` on, at every step:
+    max_tension: Array  # (bars,), N
     min_tension: Array
-    slack_time: Array
-    longest_slack: Array
-    max_end_force: Array
-    time_of_max_end_force: Array
-    balance: EnergyBalance
-    since: float
-    step: float
-    shortest_step: float
+    slack_time: Array  # (bars,): s without tension in all
+    longest_slack: Array  # and at a stretch
+    max_end_force: Array  # (lines, 2): largest size of the force at the anchor and the fairlead, N
+    time_of_max_end_force: Array  # s
+    balance: EnergyBalance  # what was put in from the first moment on, and where it went
+    since: float  # where statistics begin, s
+    step: float  # as asked for, s
+    shortest_step: float  # after halving, s
     steps: int
-    iterations: int
-    halvings: int
-    refinements: int
-    unresolved: int
-    is_complete: bool
-    warnings: tuple[str, ...]
+    iterations: int  # of Newton's method
+    halvings: int  # times that a step was halved because it did not close
+    refinements: int  # times that it was halved because a tension surprised
+    unresolved: int  # steps as short as allowed in which one still did
+    is_complete: bool  # False when the run was stopped from outside (Ctrl-C)
+    warnings: tuple[str, ...]  # what about the run is to be doubted, with numbers
 
     def of_line(self, line: int) -> History:
         """Return one line of it by itself; counts, energy and warnings stay those of all."""

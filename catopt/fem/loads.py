@@ -28,16 +28,11 @@ Array = npt.NDArray[np.float64]
 class DragSection:
     """Drag of one segment.
 
-    Attributes
-    ----------
-    diameter : float
-        Drag diameter, m, to which both coefficients refer.
-    normal, tangential : float
-        Coefficients of 0.5 rho D C |u| u per length, across and along the line. A tangential
-        coefficient that refers to the circumference is to be multiplied by pi.
+    0.5 rho D C |u| u per length, across and along the line; a tangential
+    coefficient that refers to the circumference is to be multiplied by pi.
     """
 
-    diameter: float
+    diameter: float  # D, m, to which both coefficients refer
     normal: float
     tangential: float = 0.0
 
@@ -51,21 +46,11 @@ class DragSection:
 
 @dataclass(frozen=True)
 class Current:
-    """Moving water.
+    """Moving water."""
 
-    Attributes
-    ----------
-    velocity : callable
-        Takes points, m, shape (n, 3), and gives the water's velocity there, m/s, shape (n, 3).
-    sections : sequence of DragSection
-        One for each segment, from the anchor.
-    water_density : float
-        kg/m3.
-    """
-
-    velocity: Callable[[Array], Array]
-    sections: Sequence[DragSection]
-    water_density: float = SEA_WATER_DENSITY
+    velocity: Callable[[Array], Array]  # of the water, m/s, at points, m; both of shape (n, 3)
+    sections: Sequence[DragSection]  # one for each segment, from the anchor
+    water_density: float = SEA_WATER_DENSITY  # kg/m3
 
 
 @inlined

@@ -26,21 +26,11 @@ _BARS = 4.0
 
 @dataclass(frozen=True)
 class LineMesh:
-    """A line cut into bars.
-
-    Attributes
-    ----------
-    line : Line
-        What was cut.
-    joints : tuple of float
-        Arc lengths at which something changes, with both ends, m.
-    counts : tuple of int
-        Bars between one joint and the next.
-    """
+    """A line cut into bars."""
 
     line: Line
-    joints: tuple[float, ...]
-    counts: tuple[int, ...]
+    joints: tuple[float, ...]  # arc lengths at which something changes, with both ends, m
+    counts: tuple[int, ...]  # bars between one joint and the next
 
     @property
     def elements(self) -> int:

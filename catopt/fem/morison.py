@@ -26,25 +26,16 @@ from catopt.model.validity import Findings
 class MorisonSection:
     """What the water does to one segment.
 
-    Attributes
-    ----------
-    diameter : float
-        Drag diameter D, m. Both drag coefficients refer to the area D per length: a tangential one
-        that refers to the circumference pi D (MoorDyn, OrcaFlex) is to be multiplied by pi.
-    drag_normal, drag_tangential : float
-        C_n and C_t.
-    added_mass_normal, added_mass_tangential : float
-        Ca_n and Ca_t, on the displaced water; C_M = 1 + Ca.
-    oblique : tuple of float
-        m and n, as parts of C_n; they add to C_t.
+    Both drag coefficients refer to the area D per length: a tangential one that refers to the
+    circumference pi D (MoorDyn, OrcaFlex) is to be multiplied by pi.
     """
 
-    diameter: float
-    drag_normal: float
-    drag_tangential: float = 0.0
-    added_mass_normal: float = 1.0
-    added_mass_tangential: float = 0.0
-    oblique: tuple[float, float] = (0.0, 0.0)
+    diameter: float  # drag diameter D, m
+    drag_normal: float  # C_n
+    drag_tangential: float = 0.0  # C_t
+    added_mass_normal: float = 1.0  # Ca_n, on the displaced water; C_M = 1 + Ca
+    added_mass_tangential: float = 0.0  # Ca_t
+    oblique: tuple[float, float] = (0.0, 0.0)  # m and n, as parts of C_n; they add to C_t
 
     def __post_init__(self) -> None:
         found = Findings("MorisonSection")

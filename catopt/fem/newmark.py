@@ -35,15 +35,9 @@ _LEAST: Final = 1.0 / 32.0
 
 @dataclass(frozen=True)
 class Scheme:
-    """How time is stepped.
+    """How time is stepped."""
 
-    Attributes
-    ----------
-    alpha_m, alpha_f, beta, gamma : float
-        Of the formulas above.
-    """
-
-    alpha_m: float = 0.0
+    alpha_m: float = 0.0  # of the formulas above, as all of them
     alpha_f: float = 0.0
     beta: float = 0.25
     gamma: float = 0.5

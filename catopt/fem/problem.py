@@ -47,22 +47,12 @@ _LAWS = {"pulled": PULLED, "laid": LAID, "history": SPRING}
 
 @dataclass(frozen=True)
 class Water:
-    """Where the water is, when it matters.
+    """Where the water is, when it matters."""
 
-    Attributes
-    ----------
-    surface : float
-        Height of the still water surface, m; above it the line has its weight in air, for which
-        every segment needs its mass. Infinite: all is taken to be submerged.
-    current : Current or None
-        Moving water.
-    gravity : float
-        m/s2, for the weight in air.
-    """
-
-    surface: float = math.inf
+    surface: float = math.inf  # height of still water, m; above it the line has its weight in air,
+    # for which every segment needs its mass. Infinite: all is taken to be submerged.
     current: Current | None = None
-    gravity: float = STANDARD_GRAVITY
+    gravity: float = STANDARD_GRAVITY  # m/s2, for the weight in air
 
 
 @dataclass(frozen=True)

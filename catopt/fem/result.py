@@ -22,71 +22,37 @@ _NO_TENSION = 1e-9
 
 @dataclass(frozen=True)
 class EndForce:
-    """Force between the line and what holds its end: the balance of the end node, not a bar's.
+    """Force between the line and what holds its end: the balance of the end node, not a bar's."""
 
-    Attributes
-    ----------
-    tension, horizontal_force, vertical_force : float
-        N; the vertical part is positive where the line rises towards the fairlead (at the anchor:
-        where the line pulls the anchor up).
-    angle : float
-        Inclination above the horizontal, rad.
-    """
-
-    tension: float
-    horizontal_force: float
-    vertical_force: float
-    angle: float
+    tension: float  # N
+    horizontal_force: float  # N
+    vertical_force: float  # N; positive where the line rises towards the fairlead (at the anchor:
+    # where the line pulls the anchor up)
+    angle: float  # above the horizontal, rad
 
 
 @dataclass(frozen=True)
 class TrussSolution:
-    """One line at rest.
+    """One line at rest."""
 
-    Attributes
-    ----------
-    mesh : LineMesh
-        How the line was cut.
-    nodes : ndarray, shape (elements + 1, 3)
-        Coordinates from the anchor to the fairlead, m.
-    tension : ndarray, shape (elements,)
-        Of each bar, N: that of the line at the bar's middle.
-    fairlead, anchor : EndForce
-        Nodal reactions; the anchor's after seabed friction.
-    span : float
-        Horizontal distance between the ends, m.
-    grounded_length : float
-        Unstretched, m; between nodes, the touchdown follows from the reaction of the last node.
-    bed_reaction : ndarray, shape (elements + 1,)
-        Upward force of the bed on each node, N; below 0 only where a `HeldBed` holds a node down.
-    penetration : float
-        Largest depth of a node below the bed, m.
-    residual : float
-        Largest force left over at an inner node of all lines, over the largest tension.
-    residual_node : int
-        Where, counted over all lines; -1 for the body.
-    iterations : int
-        Of Newton's method, from the start.
-    end_tension : ndarray, shape (elements, 2)
-        Tension of the line at both ends of each bar, N, by the balance of half a bar.
-    rest : Rest
-        The whole state, for `start=` of a later solution.
-    """
-
-    mesh: LineMesh
-    nodes: Array
-    tension: Array
-    fairlead: EndForce
-    anchor: EndForce
-    span: float
-    grounded_length: float
-    bed_reaction: Array
-    penetration: float
-    residual: float
-    residual_node: int
-    iterations: int
-    end_tension: Array
-    rest: Rest = field(repr=False, compare=False)
+    mesh: LineMesh  # how the line was cut
+    nodes: Array  # (elements + 1, 3): coordinates from the anchor to the fairlead, m
+    tension: Array  # (elements,): of each bar, N: that of the line at the bar's middle
+    fairlead: EndForce  # nodal reactions
+    anchor: EndForce  # after seabed friction
+    span: float  # horizontal distance between the ends, m
+    grounded_length: float  # unstretched, m; between nodes, the touchdown follows from the reaction
+    # of the last node
+    bed_reaction: Array  # (elements + 1,): upward force of the bed on each node, N; below 0 only
+    # where a `HeldBed` holds a node down
+    penetration: float  # largest depth of a node below the bed, m
+    residual: float  # largest force left over at an inner node of all lines, over the largest
+    # tension
+    residual_node: int  # where, counted over all lines; -1 for the body
+    iterations: int  # of Newton's method, from the start
+    end_tension: Array  # (elements, 2): of the line at both ends of each bar, N, by the balance of
+    # half a bar
+    rest: Rest = field(repr=False, compare=False)  # whole state, for `start=` of a later solution
 
     @property
     def horizontal_force(self) -> float:
@@ -122,29 +88,15 @@ class TrussSolution:
 
 @dataclass(frozen=True)
 class SystemSolution:
-    """Several lines and the body in which they meet, at rest.
+    """Several lines and the body in which they meet, at rest."""
 
-    Attributes
-    ----------
-    position : tuple of float
-        Of the body's origin, x, y and z, m.
-    lines : tuple of TrussSolution
-        In the order given.
-    force : tuple of float
-        Force of all lines on the body, N.
-    residual, residual_node, iterations
-        As for `TrussSolution`.
-    rest : Rest
-        The whole state, for `start=` of a later solution.
-    """
-
-    position: tuple[float, float, float]
-    lines: tuple[TrussSolution, ...]
-    force: tuple[float, float, float]
-    residual: float
+    position: tuple[float, float, float]  # of the body's origin, x, y and z, m
+    lines: tuple[TrussSolution, ...]  # in the order given
+    force: tuple[float, float, float]  # of all lines on the body, N
+    residual: float  # these three as for `TrussSolution`
     residual_node: int
     iterations: int
-    rest: Rest = field(repr=False, compare=False)
+    rest: Rest = field(repr=False, compare=False)  # whole state, for `start=` of a later solution
 
 
 def read_line(index: int, mesh: LineMesh, problem: Problem, rest: Rest) -> TrussSolution:

@@ -17,32 +17,18 @@ from catopt.model.validity import Findings
 
 @dataclass(frozen=True)
 class StepControls:
-    """When a step is closed, and what is done when it does not close.
+    """When a step is closed, and what is done when it does not close."""
 
-    Attributes
-    ----------
-    tolerance : float
-        Largest force left over at a node, over the largest tension or what a line weighs.
-    max_iterations : int
-        Newton iterations before a step is halved.
-    max_halvings : int
-        Times that a step may be halved before the run stops.
-    surprise : float
-        Difference of a bar's tension from what it was heading for in the last step beyond which a
-        step is halved, over the largest tension of the run so far or what a line weighs.
-    max_refinements : int
-        Times that a step may be halved for that. A step as short as that is taken as it is.
-    max_ringing : float
-        Part of the strain energy, over time, that such differences may hold. Beyond it the run
-        stops: what it shows is ringing that its steps do not resolve.
-    """
-
-    tolerance: float = 1e-6
-    max_iterations: int = 30
-    max_halvings: int = 10
-    surprise: float = 0.05
-    max_refinements: int = 10
-    max_ringing: float = 0.2
+    tolerance: float = 1e-6  # largest force left over at a node, over the largest tension or what a
+    # line weighs
+    max_iterations: int = 30  # of Newton's method before a step is halved
+    max_halvings: int = 10  # times that a step may be halved before the run stops
+    surprise: float = 0.05  # difference of a bar's tension from what it was heading for in the last
+    # step beyond which a step is halved, over the largest tension of the run so far or what a line
+    # weighs
+    max_refinements: int = 10  # times that it may be halved for that; then it is taken as it is
+    max_ringing: float = 0.2  # part of the strain energy, over time, that such differences may
+    # hold; beyond it the run stops: what it shows is ringing that its steps do not resolve
 
     def __post_init__(self) -> None:
         found = Findings("StepControls")
@@ -57,39 +43,20 @@ class StepControls:
 
 @dataclass(frozen=True)
 class TimeStepping:
-    """How long, in which steps, and what is kept.
+    """How long, in which steps, and what is kept."""
 
-    Attributes
-    ----------
-    duration, step : float
-        s.
-    ramp_time : float
-        s over which motion, force and waves grow as (1 - cos(pi t/T))/2.
-    output_interval : float or None
-        From sample to sample, s, a multiple of the step; None: every step.
-    since : float or None
-        Where statistics begin, s; None: after the ramp.
-    scheme : Scheme
-        Generalised-alpha with the spectral radius 0.5 by default; S4's average acceleration is
-        ``Scheme.average_acceleration()``.
-    controls : StepControls
-        When a step is closed.
-    nodes : tuple of int
-        Nodes, counted over all lines, whose places are kept.
-    energy, tensions : bool
-        Whether energies are kept, and the tension of every bar.
-    """
-
-    duration: float
-    step: float
-    ramp_time: float = 0.0
-    output_interval: float | None = None
-    since: float | None = None
+    duration: float  # s
+    step: float  # s
+    ramp_time: float = 0.0  # s over which motion, force and waves grow as (1 - cos(pi t/T))/2
+    output_interval: float | None = None  # from sample to sample, s, a multiple of the step; None:
+    # every step
+    since: float | None = None  # where statistics begin, s; None: after the ramp
+    # Generalised-alpha with the spectral radius 0.5; S4's is `Scheme.average_acceleration()`:
     scheme: Scheme = field(default_factory=Scheme.generalised_alpha)
     controls: StepControls = field(default_factory=StepControls)
-    nodes: tuple[int, ...] = ()
-    energy: bool = False
-    tensions: bool = False
+    nodes: tuple[int, ...] = ()  # counted over all lines, whose places are kept
+    energy: bool = False  # whether energies are kept
+    tensions: bool = False  # whether the tension of every bar is
 
     def __post_init__(self) -> None:
         found = Findings("TimeStepping")
@@ -122,44 +89,23 @@ class TimeStepping:
 
 @dataclass(frozen=True)
 class LineProperties:
-    """What lines need for their dynamics beside their segments' figures.
+    """What lines need for their dynamics beside their segments' figures."""
 
-    Attributes
-    ----------
-    sections : sequence of MorisonSection or None
-        One for each segment from the anchor, for every line; None: the water does nothing but
-        carry.
-    damping : LineDamping
-        Of the line itself.
-    fluid : Fluid
-        Density and gravity.
-    seabed : Seabed, HeldBed or None
-        None: no bed. A `HeldBed` is the restraint of source S4, for comparison with its figures.
-    mass_matrix : {"consistent", "lumped"}
-        How a bar's mass acts on its nodes.
-    """
-
-    sections: Sequence[MorisonSection] | None = None
-    damping: LineDamping = field(default_factory=LineDamping)
+    sections: Sequence[MorisonSection] | None = None  # one for each segment from the anchor, for
+    # every line; None: the water does nothing but carry
+    damping: LineDamping = field(default_factory=LineDamping)  # of the line itself
     fluid: Fluid = field(default_factory=Fluid)
+    # None: no bed. A `HeldBed` is the restraint of source S4, for comparison with its figures.
     seabed: Seabed | HeldBed | None = field(default_factory=Seabed)
-    mass_matrix: MassMatrix = "consistent"
+    mass_matrix: MassMatrix = "consistent"  # how a bar's mass acts on its nodes
 
 
 @dataclass(frozen=True)
 class BodyInertia:
-    """A body without rotation, which moves in x and y and is held in height.
+    """A body without rotation, which moves in x and y and is held in height."""
 
-    Attributes
-    ----------
-    mass : float
-        With its added mass, kg; 0: that of the lines' ends alone.
-    damping : float
-        Linear, N s/m.
-    """
-
-    mass: float = 0.0
-    damping: float = 0.0
+    mass: float = 0.0  # with its added mass, kg; 0: that of the lines' ends alone
+    damping: float = 0.0  # linear, N s/m
 
     def __post_init__(self) -> None:
         found = Findings("BodyInertia")

@@ -32,31 +32,22 @@ from catopt.model.validity import Findings
 class Seabed:
     """A plane bed, at height 0 where x is 0.
 
-    Attributes
-    ----------
-    normal_stiffness : float or None
-        k, force per length of line and depth, N/m2; None: the line's own weight presses it 1 cm
-        deep. A figure per area (Pa/m) is to be multiplied by the line's diameter.
-    normal_damping : float or None
-        c, force per length of line and speed, N s/m2; None: critical for the line's mass on k.
-    friction : float
-        Coulomb coefficient mu.
-    tangential_stiffness : float or None
-        Of the spring along the bed, per length, N/m2; None: friction is mobilised after 1 mm.
-    initial_friction : {"pulled", "none", "laid"}
-        At rest: as in a line that was last ``"pulled"`` towards the fairlead, whose tension falls
-        towards the anchor; ``"none"``; or as in one that was ``"laid"`` under a greater tension
-        and slackened, in which it grows. The last are the bounds, with friction mobilised fully.
-    slope : float
-        Angle by which the bed rises along x, rad; up to 45 degrees either way.
+    Friction at rest is that of a line that was last ``"pulled"`` towards the fairlead, whose
+    tension falls towards the anchor; ``"none"``; or that of one that was ``"laid"`` under a greater
+    tension and slackened, in which it grows. The last are the bounds, with friction mobilised
+    fully.
     """
 
-    normal_stiffness: float | None = None
-    normal_damping: float | None = None
-    friction: float = 0.0
-    tangential_stiffness: float | None = None
+    normal_stiffness: float | None = None  # k, force per length of line and depth, N/m2; None: the
+    # line's own weight presses it 1 cm deep. A figure per area (Pa/m) is to be multiplied by the
+    # line's diameter.
+    normal_damping: float | None = None  # c, force per length of line and speed, N s/m2; None:
+    # critical for the line's mass on k
+    friction: float = 0.0  # Coulomb coefficient mu
+    tangential_stiffness: float | None = None  # of the spring along the bed, per length, N/m2;
+    # None: friction is mobilised after 1 mm
     initial_friction: InitialFriction = "pulled"
-    slope: float = 0.0
+    slope: float = 0.0  # angle by which the bed rises along x, rad; up to 45 degrees either way
 
     def __post_init__(self) -> None:
         found = Findings("Seabed")

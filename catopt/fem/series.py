@@ -32,21 +32,11 @@ _ROUNDING = 64.0 * float(np.finfo(float).eps)
 
 @dataclass(frozen=True)
 class Harmonic:
-    """a cos(2 pi t/T + phase) along each axis, summed over any number of periods.
+    """a cos(2 pi t/T + phase) along each axis, summed over any number of periods."""
 
-    Attributes
-    ----------
-    period : float or sequence of float, shape (n,)
-        T, s.
-    amplitude : array_like, shape (3,) or (n, 3)
-        a along x, y and z: m of a motion, N of a force.
-    phase : array_like, shape (3,) or (n, 3)
-        rad; -pi/2 makes a sine.
-    """
-
-    period: float | Sequence[float]
-    amplitude: Any
-    phase: Any = (0.0, 0.0, 0.0)
+    period: float | Sequence[float]  # T, s; one or (n,)
+    amplitude: Any  # (3,) or (n, 3): a along x, y and z: m of a motion, N of a force
+    phase: Any = (0.0, 0.0, 0.0)  # (3,) or (n, 3): rad; -pi/2 makes a sine
 
     def __post_init__(self) -> None:
         found = Findings("Harmonic")
@@ -84,18 +74,10 @@ class Harmonic:
 
 @dataclass(frozen=True, eq=False)
 class Sampled:
-    """Values at given times, joined by a cubic spline (not-a-knot); constant before and after.
+    """Values at given times, joined by a cubic spline (not-a-knot); constant before and after."""
 
-    Attributes
-    ----------
-    times : array_like, shape (n,)
-        Rising, s; at least four, and without gaps.
-    values : array_like, shape (n, 3)
-        Along x, y and z: m of a motion, N of a force.
-    """
-
-    times: Any
-    values: Any
+    times: Any  # (n,): rising, s; at least four, and without gaps
+    values: Any  # (n, 3): along x, y and z: m of a motion, N of a force
 
     def __post_init__(self) -> None:
         times, values = np.asarray(self.times, float), np.asarray(self.values, float)

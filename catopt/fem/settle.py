@@ -31,19 +31,11 @@ from catopt.words import Message
 
 @dataclass(frozen=True)
 class Controls:
-    """When to stop, and when to give up.
+    """When to stop, and when to give up."""
 
-    Attributes
-    ----------
-    tolerance : float
-        Largest force left over at a node, over the largest tension, and largest misfit of a bar's
-        length, over the length.
-    max_iterations : int
-        Newton iterations in all.
-    """
-
-    tolerance: float = 1e-10
-    max_iterations: int = 500
+    tolerance: float = 1e-10  # largest force left over at a node, over the largest tension, and
+    # largest misfit of a bar's length, over the length
+    max_iterations: int = 500  # of Newton's method in all
 
 
 @dataclass(frozen=True)

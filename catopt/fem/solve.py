@@ -25,19 +25,12 @@ Array = npt.NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Leg:
-    """One line of a system.
+    """One line of a system."""
 
-    Attributes
-    ----------
-    line : Line
-        From its anchor to the body.
-    anchor, fairlead : tuple of float
-        x, y and z, m; of the fairlead from the body's origin. The body does not turn.
-    """
-
-    line: Line
-    anchor: tuple[float, float, float]
-    fairlead: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    line: Line  # from its anchor to the body
+    anchor: tuple[float, float, float]  # x, y and z, m
+    fairlead: tuple[float, float, float] = (0.0, 0.0, 0.0)  # m, from the origin of
+    # the body, which does not turn
 
 
 def solve_line(

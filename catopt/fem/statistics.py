@@ -15,25 +15,15 @@ Array = npt.NDArray[np.float64]
 
 @dataclass(frozen=True)
 class SeriesStatistics:
-    """What a series does.
+    """What a series does."""
 
-    Attributes
-    ----------
-    mean, std, maximum, minimum : float
-        In the series' unit.
-    time_of_maximum, duration : float
-        s.
-    peaks : int
-        Maxima between one upward crossing of the mean and the next.
-    """
-
-    mean: float
+    mean: float  # in the series' unit, as the next three
     std: float
     maximum: float
     minimum: float
-    time_of_maximum: float
-    duration: float
-    peaks: int
+    time_of_maximum: float  # s
+    duration: float  # s
+    peaks: int  # maxima between one upward crossing of the mean and the next
 
 
 def series_statistics(time: Array, values: Array) -> SeriesStatistics:

@@ -23,24 +23,13 @@ _ARRAYS: Final = ("amplitude", "omega", "phase", "direction")
 
 @dataclass(frozen=True, eq=False)
 class Waves:
-    """Regular waves that add up; every array has the shape (n,) and cannot be written to.
+    """Regular waves that add up; every array has the shape (n,) and cannot be written to."""
 
-    Attributes
-    ----------
-    amplitude, omega : ndarray
-        a, m, and angular frequency, rad/s.
-    phase : ndarray
-        phi, rad: at the origin at t = 0 the wave stands at a cos(phi).
-    direction : ndarray
-        b, rad: where the wave travels to, counter-clockwise from the x axis.
-    repeats_after : float
-        s after which a surface taken from a record begins anew; inf where that is not known.
-    """
-
-    amplitude: Array
-    omega: Array
-    phase: Array
-    direction: Array
+    amplitude: Array  # a, m
+    omega: Array  # angular frequency, rad/s
+    phase: Array  # phi, rad: at the origin at t = 0 the wave stands at a cos(phi)
+    direction: Array  # b, rad: where the wave travels to, counter-clockwise from the x axis
+    # s after which a surface taken from a record begins anew; inf where that is not known:
     repeats_after: float = field(default=math.inf, kw_only=True)
 
     def __post_init__(self) -> None:

@@ -46,19 +46,11 @@ def wind_driven_speed(wind_speed: float, rule: WindRule = "S4") -> float:
 
 @dataclass(frozen=True)
 class PowerLawCurrent:
-    """Tidal current V0 (z/d)^n at the height z above the bed in water of the depth d, S4 [2.77].
+    """Tidal current V0 (z/d)^n at the height z above the bed in water of the depth d, S4 [2.77]."""
 
-    Attributes
-    ----------
-    surface_speed, direction : float
-        V0, m/s, 0 or more, and where it flows to, rad from the x axis.
-    exponent : float
-        n, above 0; 1/7 in S4.
-    """
-
-    surface_speed: float
-    direction: float = 0.0
-    exponent: float = 1.0 / 7.0
+    surface_speed: float  # V0, m/s, 0 or more
+    direction: float = 0.0  # where it flows to, rad from the x axis
+    exponent: float = 1.0 / 7.0  # n, above 0; 1/7 in S4
 
     def __post_init__(self) -> None:
         found = _check_flow("PowerLawCurrent", self.surface_speed, self.direction)
@@ -70,17 +62,12 @@ class PowerLawCurrent:
 class WindCurrent:
     """Wind-driven current, which falls linearly from V0 at still water to 0 at d0 below it, [2.78].
 
-    Attributes
-    ----------
-    surface_speed, depth : float
-        V0, m/s, 0 or more (`wind_driven_speed`); d0, m, above 0: it may exceed the water's depth.
-    direction : float
-        Where it flows to, rad from the x axis.
+    d0 may exceed the water's depth.
     """
 
-    surface_speed: float
-    depth: float
-    direction: float = 0.0
+    surface_speed: float  # V0, m/s, 0 or more (`wind_driven_speed`)
+    depth: float  # d0, m, above 0
+    direction: float = 0.0  # where it flows to, rad from the x axis
 
     def __post_init__(self) -> None:
         found = _check_flow("WindCurrent", self.surface_speed, self.direction)
@@ -90,25 +77,13 @@ class WindCurrent:
 
 @dataclass(frozen=True)
 class TableCurrent:
-    """Current by depth, linear between the rows and constant beyond the first and the last.
+    """Current by depth, linear between the rows and constant beyond the first and the last."""
 
-    Attributes
-    ----------
-    depths : sequence of float
-        Below still water, m, from 0 up, each greater than the one before.
-    speeds : sequence of float
-        m/s; negative where the water flows against `direction`.
-    direction : float
-        Where it flows to, rad from the x axis.
-    directions : sequence of float
-        One for each of the depths, in place of `direction`, where the current turns with depth.
-        Between the rows the speeds along x and y are linear.
-    """
-
-    depths: Sequence[float]
-    speeds: Sequence[float]
-    direction: float = 0.0
-    directions: Sequence[float] = ()
+    depths: Sequence[float]  # below still water, m, from 0 up, each greater than the one before
+    speeds: Sequence[float]  # m/s; negative where the water flows against `direction`
+    direction: float = 0.0  # where it flows to, rad from the x axis
+    directions: Sequence[float] = ()  # one for each of the depths, in place of `direction`, where
+    # the current turns with depth; between the rows the speeds along x and y are linear
 
     def __post_init__(self) -> None:
         for key in ("depths", "speeds", "directions"):
@@ -140,18 +115,12 @@ class CurrentSeries:
 
     Between its times the speeds along x and y are linear, so that the water accelerates evenly;
     before the first and after the last they are held.
-
-    Attributes
-    ----------
-    times, speeds : ndarray, shape (n,)
-        s, rising, 0 being the start of the run; at the surface, m/s.
-    directions : ndarray, shape (n,), optional
-        Where it flows to at the surface, rad from the x axis; that of the profiles when left out.
     """
 
-    times: npt.ArrayLike
-    speeds: npt.ArrayLike
-    directions: npt.ArrayLike | None = None
+    times: npt.ArrayLike  # (n,): s, rising, 0 being the start of the run
+    speeds: npt.ArrayLike  # (n,): at the surface, m/s
+    directions: npt.ArrayLike | None = None  # (n,): where it flows to at the surface, rad from the
+    # x axis; None: as the profiles do
 
     def __post_init__(self) -> None:
         found = Findings("CurrentSeries")

@@ -32,17 +32,12 @@ _LEFT_OUT: Final = 0.001
 class ElevationRecord:
     """Heights of the surface at one place over time.
 
-    Attributes
-    ----------
-    times : ndarray, shape (n,)
-        Rising, s, without gaps. Steps that differ by more than 1 % are evened out: the record is
-        interpolated linearly at as many even steps.
-    elevation : ndarray, shape (n,)
-        Above any fixed level, m; the mean is taken off.
+    Steps that differ by more than 1 % are evened out: the record is interpolated linearly at as
+    many even steps.
     """
 
-    times: Array
-    elevation: Array
+    times: Array  # (n,): rising, s, without gaps
+    elevation: Array  # (n,): above any fixed level, m; the mean is taken off
 
     def __post_init__(self) -> None:
         for name in ("times", "elevation"):

@@ -51,34 +51,16 @@ _A_WAVE = 1e-5
 
 @dataclass(frozen=True, eq=False)
 class Sea:
-    """Waves and current in water of one depth.
+    """Waves and current in water of one depth."""
 
-    Attributes
-    ----------
-    depth : float
-        From still water to the bed, m.
-    waves : Waves, optional
-        None for still water.
-    current : sequence of current profiles
-        Their sum flows.
-    stretching : {"none", "wheeler"}
-        What holds between still water and the moving surface.
-    reach : {"bed", "half-wavelength"}
-        How far down waves act.
-    ramp_time : float
-        s over which the waves grow smoothly from nothing at t = 0; the current does not. 0 for
-        waves at once.
-    current_series : CurrentSeries, optional
-        By which the current changes over time; steady without.
-    """
-
-    depth: float
-    waves: Waves | None = None
-    current: Sequence[Current] = ()
-    stretching: Stretching = "none"
-    reach: Reach = "bed"
-    ramp_time: float = 0.0
-    current_series: CurrentSeries | None = None
+    depth: float  # from still water to the bed, m
+    waves: Waves | None = None  # None for still water
+    current: Sequence[Current] = ()  # the sum of the profiles flows
+    stretching: Stretching = "none"  # what holds between still water and the moving surface
+    reach: Reach = "bed"  # how far down waves act
+    ramp_time: float = 0.0  # s over which the waves grow smoothly from nothing at t = 0; the
+    # current does not. 0 for waves at once
+    current_series: CurrentSeries | None = None  # by which the current changes; steady without
 
     def __post_init__(self) -> None:
         found = Findings("Sea")

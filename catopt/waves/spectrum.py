@@ -95,22 +95,12 @@ def peak_enhancement(significant_height: float, peak_period: float) -> float:
 
 @dataclass(frozen=True)
 class Spectrum:
-    """A JONSWAP spectrum; with gamma 1, a Pierson-Moskowitz one.
+    """A JONSWAP spectrum; with gamma 1, a Pierson-Moskowitz one."""
 
-    Attributes
-    ----------
-    significant_height, peak_period : float
-        Hs, m, and Tp, s.
-    gamma : float
-        Peak enhancement, 1 to 20.
-    normalisation : {"computed", "S4"}
-        How the enhanced peak is paid for, see `jonswap`.
-    """
-
-    significant_height: float
-    peak_period: float
-    gamma: float = 1.0
-    normalisation: Normalisation = "computed"
+    significant_height: float  # Hs, m
+    peak_period: float  # Tp, s
+    gamma: float = 1.0  # peak enhancement, 1 to 20
+    normalisation: Normalisation = "computed"  # how the enhanced peak is paid for, see `jonswap`
 
     def __post_init__(self) -> None:
         found = _check_height_and_period("Spectrum", self.significant_height, self.peak_period)

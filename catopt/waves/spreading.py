@@ -18,17 +18,10 @@ class CosineSpreading:
 
     C = Gamma(1 + n/2)/(sqrt(pi) Gamma(1/2 + n/2)), DNV-RP-C205: the same at every frequency. It is
     not cos^2s(b/2), which spreads over the full circle; of narrow seas s is about 2 n.
-
-    Attributes
-    ----------
-    exponent : float
-        n, above 0.
-    directions : int
-        Into how many directions it is cut, each with the same energy.
     """
 
-    exponent: float
-    directions: int = 20
+    exponent: float  # n, above 0
+    directions: int = 20  # into how many it is cut, each with the same energy
 
     def __post_init__(self) -> None:
         found = Findings("CosineSpreading")
