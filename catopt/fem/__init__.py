@@ -2,7 +2,7 @@
 
 from catopt.fem.bed import Bed, HeldBed
 from catopt.fem.damping import LineDamping, rayleigh_factors
-from catopt.fem.dynamic_model import Fluid
+from catopt.fem.dynamic_model import Fluid, LineProperties
 from catopt.fem.dynamics import run_dynamics, run_system_dynamics
 from catopt.fem.extremes import Extreme, GumbelFit, TailFit, gumbel, weibull_tail
 from catopt.fem.frequencies import line_frequencies, natural_frequencies
@@ -13,7 +13,7 @@ from catopt.fem.morison import MorisonSection
 from catopt.fem.newmark import Scheme
 from catopt.fem.problem import Water
 from catopt.fem.result import EndForce, SystemSolution, TrussSolution
-from catopt.fem.run_settings import BodyInertia, LineProperties, StepControls, TimeStepping
+from catopt.fem.run_settings import BodyInertia, StepControls, TimeStepping
 from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, Sampled, Together
 from catopt.fem.settle import Controls

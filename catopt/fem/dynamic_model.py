@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
@@ -55,21 +55,22 @@ class Fluid:
     gravity: float = STANDARD_GRAVITY  # m/s2
 
 
-def lay_out_moving(
-    meshes: Sequence[LineMesh],
-    sections: Sequence[MorisonSection] | None,
-    fluid: Fluid,
-    seabed: Seabed | HeldBed | None,
-    damping: LineDamping,
-    mass_matrix: MassMatrix,
-    *,
-    carries_compression: bool = False,
-) -> MovingLines:
-    """Arrays of all lines, one after the other.
+@dataclass(frozen=True)
+class LineProperties:
+    """What lines need for their dynamics beside their segments' figures."""
 
-    `sections`: one for each segment of every line; None for no load of the water but the weight.
-    Raises InputError for what is missing.
-    """
+    sections: Sequence[MorisonSection] | None = None  # one for each segment from the anchor, for
+    # every line; None: the water does nothing but carry
+    damping: LineDamping = field(default_factory=LineDamping)  # of the line itself
+    fluid: Fluid = field(default_factory=Fluid)
+    # None: no bed. A `HeldBed` is the restraint of source S4, for comparison with its figures.
+    seabed: Seabed | HeldBed | None = field(default_factory=Seabed)
+    mass_matrix: MassMatrix = "consistent"  # how a bar's mass acts on its nodes
+
+
+def lay_out_moving(meshes: Sequence[LineMesh], of: LineProperties) -> MovingLines:
+    """Arrays of all lines, one after the other; raises InputError for what is missing."""
+    sections, fluid, seabed, damping = of.sections, of.fluid, of.seabed, of.damping
     _check(meshes, sections, fluid)
     start = first_bars(meshes)
     length = np.concatenate([mesh.length for mesh in meshes])
@@ -104,7 +105,7 @@ def lay_out_moving(
         seabed, carried, pressing, heavy, held
     )
     rise = float(seabed.slope) if isinstance(seabed, Seabed) else 0.0
-    near, far = _SHARES[mass_matrix]
+    near, far = _SHARES[of.mass_matrix]
     return MovingLines(
         start=start,
         length=length,
@@ -133,7 +134,7 @@ def lay_out_moving(
         stiffness_factor=float(damping.stiffness_factor),
         near=near,
         far=far,
-        pushes=carries_compression,
+        pushes=False,
         lower_free=np.zeros(len(meshes), dtype=bool),
         force_scale=max(heaviest(start, weight * length, force), 1e-9 * float(EA.max())),
     )

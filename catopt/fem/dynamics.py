@@ -7,19 +7,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
+from dataclasses import fields, replace
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from catopt.fem.bed import Bed, HeldBed
-from catopt.fem.dynamic_model import lay_out_moving
+from catopt.fem.dynamic_model import LineProperties, lay_out_moving
 from catopt.fem.history import STOPPED, History
 from catopt.fem.march import StepCounts
 from catopt.fem.mesh import SAME_PLACE, LineMesh, mesh_line
 from catopt.fem.moving import BodyNode, MovingLines
 from catopt.fem.plausible_step import record_warnings, step_warnings
-from catopt.fem.run_settings import BodyInertia, LineProperties, TimeStepping
+from catopt.fem.run_settings import BodyInertia, TimeStepping
 from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, Sampled, Series, Together, fill_series, series_rows
 from catopt.fem.simulation import Break, Simulation
@@ -37,22 +38,6 @@ _JERK = 0.01
 """Jump of the tension as a motion sets off, over the largest at rest, that is passed over."""
 _SHALLOW = 0.001
 """Least depth to which a line's weight presses the bed on which it first comes to rest, m."""
-_KEPT_OF_STEPPING = ("scheme", "controls", "nodes", "energy", "tensions")
-_KEPT_OF_RECORD = [
-    "time",
-    "bar_tension",
-    "fairlead",
-    "grounded_length",
-    "nodes",
-    "at_rest",
-    "energy",
-    "tension",
-    "slack_time",
-    "longest_slack",
-    "max_end_force",
-    "time_of_max_end_force",
-]
-_KEPT_OF_COUNTS = ("steps", "iterations", "halvings", "refinements", "unresolved")
 
 
 def run_dynamics(
@@ -129,7 +114,8 @@ def line_at_rest(
     sea: Sea | None = None,
 ) -> Simulation:
     """Bring one line to rest in the current, ready to be set in motion."""
-    lines, seabed = _lay_out([mesh], properties)
+    of = properties or LineProperties()
+    lines, seabed = lay_out_moving([mesh], of), of.seabed
     bed, friction = _static_bed(seabed, lines)
     rest = solve_line(
         mesh.line,
@@ -146,16 +132,6 @@ def line_at_rest(
     simulation = Simulation(lines, rest.nodes, sea=sea)
     simulation.settle(rubbed=_begins_rubbed(seabed))
     return simulation
-
-
-def _lay_out(
-    meshes: Sequence[LineMesh], properties: LineProperties | None
-) -> tuple[MovingLines, Seabed | HeldBed | None]:
-    """Lay out lines by their properties; give the bed, too."""
-    of = properties or LineProperties()
-    return lay_out_moving(
-        meshes, of.sections, of.fluid, of.seabed, of.damping, of.mass_matrix
-    ), of.seabed
 
 
 def _on_slope(
@@ -273,8 +249,9 @@ def body_at_rest(
 ) -> Simulation:
     """Bring the lines of a body to rest in the current, ready to be set in motion."""
     is_led = position is not None
-    _check_level((properties or LineProperties()).seabed)
-    lines, seabed = _lay_out(cuts, properties)
+    of = properties or LineProperties()
+    _check_level(of.seabed)
+    lines, seabed = lay_out_moving(cuts, of), of.seabed
     bed, friction = _static_bed(seabed, lines)
     rest = solve_system(
         legs,
@@ -336,35 +313,26 @@ def _run(
     if broken is not None:
         line, time, at_anchor = broken
         breaks = Break(line, max(1, round(time / (stepping.every * stepping.step))), at_anchor)
-    since = stepping.ramp_time if stepping.since is None else stepping.since
     simulation.start()
-    record, complete = simulation.run(
-        stepping.samples,
-        stepping.every,
-        stepping.step,
-        **{name: getattr(stepping, name) for name in _KEPT_OF_STEPPING},
-        since=since,
-        breaks=breaks,
-        progress=progress,
-    )
+    record, complete = simulation.run(stepping, breaks=breaks, progress=progress)
     counts, seen = simulation.counts, np.isfinite(record.max_tension)
     warnings += _warnings_of(counts, stepping, None if complete else float(record.time[-1]))
-    return History(
-        **{name: getattr(record, name) for name in _KEPT_OF_RECORD},
-        fairlead_force=record.end_force[:, :, 1],
-        anchor_force=record.end_force[:, :, 0],
-        first_bar=simulation.lines.start,
-        arc=np.concatenate([0.5 * (cut.arc[1:] + cut.arc[:-1]) for cut in cuts]),
-        max_tension=np.where(seen, record.max_tension, np.nan),
-        min_tension=np.where(seen, record.min_tension, np.nan),
-        balance=simulation.balance(record),
-        since=since,
-        step=stepping.step,
-        shortest_step=min(counts.shortest, stepping.step),
-        **{name: getattr(counts, name) for name in _KEPT_OF_COUNTS},
-        is_complete=complete,
-        warnings=tuple(warnings),
-    )
+    found: dict[str, Any] = record._asdict() | counts._asdict()
+    found |= {
+        "fairlead_force": record.end_force[:, :, 1],
+        "anchor_force": record.end_force[:, :, 0],
+        "first_bar": simulation.lines.start,
+        "arc": np.concatenate([0.5 * (cut.arc[1:] + cut.arc[:-1]) for cut in cuts]),
+        "max_tension": np.where(seen, record.max_tension, np.nan),
+        "min_tension": np.where(seen, record.min_tension, np.nan),
+        "balance": simulation.balance(record),
+        "since": stepping.counted_since,
+        "step": stepping.step,
+        "shortest_step": min(counts.shortest, stepping.step),
+        "is_complete": complete,
+        "warnings": tuple(warnings),
+    }
+    return History(**{each.name: found[each.name] for each in fields(History)})
 
 
 def _warnings_of(

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
+from catopt.fem.dynamic_model import LineProperties
 from catopt.fem.dynamics import line_at_rest
 from catopt.fem.mesh import LineMesh, end_nodes
 from catopt.fem.moving import Blend
-from catopt.fem.run_settings import LineProperties
 from catopt.fem.simulation import Simulation
 from catopt.waves import Sea
 

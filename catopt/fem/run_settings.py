@@ -3,15 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from catopt.fem.bed import HeldBed
-from catopt.fem.damping import LineDamping
-from catopt.fem.dynamic_model import Fluid, MassMatrix
-from catopt.fem.morison import MorisonSection
 from catopt.fem.newmark import Scheme
-from catopt.fem.seabed import Seabed
 from catopt.model.validity import Findings
 
 
@@ -77,6 +71,11 @@ class TimeStepping:
         found.raise_if_any()
 
     @property
+    def counted_since(self) -> float:
+        """When statistics begin, s."""
+        return self.ramp_time if self.since is None else self.since
+
+    @property
     def every(self) -> int:
         """Steps from sample to sample."""
         return round((self.output_interval or self.step) / self.step)
@@ -85,19 +84,6 @@ class TimeStepping:
     def samples(self) -> int:
         """Samples after the first."""
         return math.ceil(self.duration / (self.every * self.step) - 1e-9)
-
-
-@dataclass(frozen=True)
-class LineProperties:
-    """What lines need for their dynamics beside their segments' figures."""
-
-    sections: Sequence[MorisonSection] | None = None  # one for each segment from the anchor, for
-    # every line; None: the water does nothing but carry
-    damping: LineDamping = field(default_factory=LineDamping)  # of the line itself
-    fluid: Fluid = field(default_factory=Fluid)
-    # None: no bed. A `HeldBed` is the restraint of source S4, for comparison with its figures.
-    seabed: Seabed | HeldBed | None = field(default_factory=Seabed)
-    mass_matrix: MassMatrix = "consistent"  # how a bar's mass acts on its nodes
 
 
 @dataclass(frozen=True)

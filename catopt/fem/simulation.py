@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from time import perf_counter
 from typing import Any, NamedTuple
 
@@ -16,9 +16,9 @@ from catopt.fem.march import StepCounts, march
 from catopt.fem.mesh import bar_nodes, end_nodes
 from catopt.fem.moving import Blend, BodyNode, Equations, Moving, MovingLines, WaterAt
 from catopt.fem.moving_assembly import assemble_moving
-from catopt.fem.newmark import Scheme, solve_moving
+from catopt.fem.newmark import solve_moving
 from catopt.fem.problem import place_of
-from catopt.fem.run_settings import StepControls
+from catopt.fem.run_settings import StepControls, TimeStepping
 from catopt.fem.sampling import Record, Room, Rules, Setting, fill_energy, take_sample
 from catopt.fem.seabed import drag_feet
 from catopt.fem.series import SeriesRows, fill_series, series_rows
@@ -285,16 +285,8 @@ class Simulation:
 
     def run(
         self,
-        samples: int,
-        every: int,
-        step: float,
+        stepping: TimeStepping,
         *,
-        scheme: Scheme | None = None,
-        controls: StepControls | None = None,
-        since: float = 0.0,
-        nodes: Sequence[int] = (),
-        energy: bool = False,
-        tensions: bool = False,
         breaks: Break | None = None,
         progress: Callable[[float], None] | None = None,
     ) -> tuple[Record, bool]:
@@ -302,16 +294,8 @@ class Simulation:
 
         Parameters
         ----------
-        samples, every : int
-            To be taken after the first, and steps from one to the next.
-        step : float
-            s.
-        scheme, controls : Scheme, StepControls, optional
-            How to step.
-        since : float
-            Time from which envelopes are taken, s.
-        nodes, energy, tensions
-            Nodes whose places are kept; whether energies are, and the tension of every bar.
+        stepping : TimeStepping
+            How long, in which steps, and what is kept.
         breaks : Break, optional
             Where a line parts, and after which sample.
         progress : callable, optional
@@ -327,22 +311,23 @@ class Simulation:
         NotConvergedError
             With the time, the node and the force left over there.
         """
-        how, ways = scheme or Scheme(), controls or StepControls()
+        how, ways, step = stepping.scheme, stepping.controls, float(stepping.step)
+        samples, every = stepping.samples, stepping.every
         rules = Rules(
             alpha_m=float(how.alpha_m),
             alpha_f=float(how.alpha_f),
             beta=float(how.beta),
             gamma=float(how.gamma),
-            step=float(step),
-            every=int(every),
+            step=step,
+            every=every,
             limit=int(ways.max_iterations),
             halvings=int(ways.max_halvings),
             refinements=int(ways.max_refinements),
             surprise=float(ways.surprise),
             tolerance=float(max(ways.tolerance, self.rounding)),
-            since=float(since),
+            since=float(stepping.counted_since),
         )
-        record = self._empty_record(samples + 1, nodes, energy, tensions)
+        record = self._empty_record(stepping)
         self._first_sample(self._setting(rules), record)
         at, size, level = 0, 1, 0
         with waiting_interrupt() as ask:
@@ -445,10 +430,9 @@ class Simulation:
         room.ends_before[:] = record.end_force[0]
         room.wet_before[:] = room.water.wet
 
-    def _empty_record(
-        self, samples: int, nodes: Sequence[int], energy: bool, tensions: bool
-    ) -> Record:
+    def _empty_record(self, stepping: TimeStepping) -> Record:
         lines, bars = self.lines.start.size - 1, self.lines.length.size
+        samples, nodes = stepping.samples + 1, stepping.nodes
         return Record(
             time=np.zeros(samples),
             end_force=np.zeros((samples, lines, 2, 3)),
@@ -456,8 +440,8 @@ class Simulation:
             fairlead=np.zeros((samples, lines, 3)),
             grounded_length=np.zeros((samples, lines)),
             nodes=np.zeros((samples, len(nodes), 3)),
-            energy=np.zeros((samples if energy else 0, 4)),
-            tension=np.zeros((samples if tensions else 0, bars)),
+            energy=np.zeros((samples if stepping.energy else 0, 4)),
+            tension=np.zeros((samples if stepping.tensions else 0, bars)),
             chosen=np.array(list(nodes), dtype=np.int64),
             max_tension=np.full(bars, -np.inf),
             min_tension=np.full(bars, np.inf),

@@ -17,10 +17,10 @@ from catopt.fem.cylinder_coefficients import (
     wake_amplification,
 )
 from catopt.fem.damping import LineDamping
-from catopt.fem.dynamic_model import Fluid
+from catopt.fem.dynamic_model import Fluid, LineProperties
 from catopt.fem.morison import MorisonSection
 from catopt.fem.newmark import Scheme
-from catopt.fem.run_settings import LineProperties, StepControls, TimeStepping
+from catopt.fem.run_settings import StepControls, TimeStepping
 from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, Sampled, Series
 from catopt.model import Case, Dynamics, Motion, Segment, WaveState, WaveTrain

@@ -9,8 +9,11 @@ import numpy.typing as npt
 
 from catopt.fem import mesh_line
 from catopt.fem.damping import LineDamping
-from catopt.fem.dynamic_model import Fluid, MassMatrix, lay_out_moving
+from catopt.fem.dynamic_model import Fluid, LineProperties, MassMatrix, lay_out_moving
 from catopt.fem.moving import BodyNode
+from catopt.fem.newmark import Scheme
+from catopt.fem.run_settings import TimeStepping
+from catopt.fem.sampling import Record
 from catopt.fem.simulation import Simulation
 from catopt.model import Line, Segment
 
@@ -35,13 +38,31 @@ def plain_simulation(
 ) -> Simulation:
     """Lay out a straight line between two points, without water or bed; the second end may move."""
     line = Line([Segment(length, weight, EA=EA, mass=mass)])
-    lines = lay_out_moving(
-        [mesh_line(line, elements)], None, Fluid(1025.0, G), None, damping or LineDamping(),
-        mass_matrix, carries_compression=pushes,
-    )  # fmt: skip
+    of = LineProperties(None, damping or LineDamping(), Fluid(1025.0, G), None, mass_matrix)
+    lines = lay_out_moving([mesh_line(line, elements)], of)._replace(pushes=pushes)
     part = np.linspace(0.0, 1.0, elements + 1)[:, np.newaxis]
     x = (1.0 - part) * np.asarray(ends[0], float) + part * np.asarray(ends[1], float)
     return Simulation(lines, x) if body is None else Simulation(lines, x, body=body)
+
+
+def run(
+    simulation: Simulation,
+    samples: int,
+    every: int,
+    step: float,
+    *,
+    scheme: Scheme | None = None,
+    since: float = 0.0,
+    **asked: Any,
+) -> Record:
+    """Step to so many samples after the first, by average acceleration unless asked otherwise."""
+    interval, scheme = every * step, scheme or Scheme.average_acceleration()
+    stepping = TimeStepping(
+        samples * interval, step, output_interval=interval, since=since, scheme=scheme, **asked
+    )
+    record, is_complete = simulation.run(stepping)
+    assert is_complete
+    return record
 
 
 def free_body(mass: float = 0.0) -> BodyNode:

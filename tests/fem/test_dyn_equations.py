@@ -10,7 +10,7 @@ import pytest
 from catopt.fem import mesh_line
 from catopt.fem.block_tridiagonal import back_substitute_blocks, eliminate_blocks
 from catopt.fem.damping import LineDamping, rayleigh_factors
-from catopt.fem.dynamic_model import Fluid, lay_out_moving
+from catopt.fem.dynamic_model import Fluid, LineProperties, lay_out_moving
 from catopt.fem.morison import MorisonSection
 from catopt.fem.moving import Blend, Equations, Moving
 from catopt.fem.moving_assembly import assemble_moving
@@ -19,7 +19,7 @@ from catopt.fem.run_settings import StepControls
 from catopt.fem.seabed import Seabed
 from catopt.fem.simulation import Simulation
 from catopt.model import Line, Segment
-from tests.fem.strings import plain_simulation
+from tests.fem.strings import plain_simulation, run
 
 BARS = 6
 SECTION = MorisonSection(0.3, 1.4, 0.5, 1.1, 0.3, oblique=(0.2, 0.4))
@@ -31,9 +31,11 @@ def _shaken(seed: int, friction: float = 0.4, slope: float = 0.0) -> Simulation:
     rng = np.random.default_rng(seed)
     line = Line([Segment(60.0, 500.0, EA=1e6, mass=120.0)])
     lines = lay_out_moving(
-        [mesh_line(line, BARS)], [SECTION], Fluid(1025.0, 9.81),
-        Seabed(2e4, 3e3, friction, 1e4, slope=slope), DAMPING, "consistent",
-    )  # fmt: skip
+        [mesh_line(line, BARS)],
+        LineProperties(
+            [SECTION], DAMPING, Fluid(1025.0, 9.81), Seabed(2e4, 3e3, friction, 1e4, slope=slope)
+        ),
+    )
     x = np.column_stack([np.linspace(0.0, 62.0, BARS + 1), np.zeros(BARS + 1), np.zeros(BARS + 1)])
     x[:, 2] = [0.0, -0.03, -0.05, -0.01, 4.0, 9.0, 14.0]
     x += 0.005 * rng.standard_normal(x.shape)
@@ -105,7 +107,7 @@ def test_drag_and_inertia_by_the_formula() -> None:
         line = Line([Segment(10.0, 500.0, EA=1e9, mass=120.0)])
         fluid = Fluid(1000.0, 9.81)
         lines = lay_out_moving(
-            [mesh_line(line, 1)], [SECTION], fluid, None, LineDamping(), "consistent"
+            [mesh_line(line, 1)], LineProperties([SECTION], fluid=fluid, seabed=None)
         )
         x = np.array([[0.0, 0.0, 50.0], [0.0, 0.0, 50.0] + 10.0 * direction])
         simulation = Simulation(lines, x)
@@ -148,9 +150,8 @@ def test_tangential_coefficient_goes_with_the_diameter() -> None:
     """A bar drawn along itself: 0.5 rho D C_t u^2 L, D and not pi D."""
     line = Line([Segment(10.0, 0.0, EA=1e9, mass=1.0)])
     section = MorisonSection(0.2, 1.0, 0.3)
-    lines = lay_out_moving(
-        [mesh_line(line, 2)], [section], Fluid(1000.0, 9.81), None, LineDamping(), "lumped"
-    )
+    of = LineProperties([section], LineDamping(), Fluid(1000.0, 9.81), None, "lumped")
+    lines = lay_out_moving([mesh_line(line, 2)], of)
     x = np.array([[0.0, 0.0, 9.0], [5.0, 0.0, 9.0], [10.0, 0.0, 9.0]])
     simulation = Simulation(lines, x)
     simulation.state.v[:, 0] = -2.0
@@ -265,7 +266,7 @@ def _spectral_radius(scheme: Scheme, omega_h: float) -> float:
         at.v[1, 0] = size / h * (i == 1)
         simulation.assemble(Blend(0, 0, 1, 0, 0))
         at.a[1, 0] = size / h**2 * (i == 2)
-        simulation.run(1, 1, h, scheme=scheme, controls=StepControls(tolerance=1e-13))
+        run(simulation, 1, 1, h, scheme=scheme, controls=StepControls(tolerance=1e-13))
         columns.append([at.x[1, 0] - length, h * at.v[1, 0], h * h * at.a[1, 0]])
     amplification = np.array(columns).T / 1e-3
     return float(np.abs(np.linalg.eigvals(amplification)).max())

@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 
 from catopt.fem import mesh_line
 from catopt.fem.damping import LineDamping
-from catopt.fem.dynamic_model import Fluid, lay_out_moving
+from catopt.fem.dynamic_model import Fluid, LineProperties, lay_out_moving
 from catopt.fem.frequencies import natural_frequencies
 from catopt.fem.morison import MorisonSection
 from catopt.fem.moving import Blend
@@ -21,7 +21,7 @@ from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, series_rows
 from catopt.fem.simulation import Simulation
 from catopt.model import Line, Segment
-from tests.fem.strings import G, free_body, orders, plain_simulation
+from tests.fem.strings import G, free_body, orders, plain_simulation, run
 
 TIGHT = StepControls(tolerance=1e-12)
 SCHEMES = [Scheme.average_acceleration(), Scheme.generalised_alpha(0.5)]
@@ -51,7 +51,7 @@ def test_elastic_pendulum(scheme: Scheme) -> None:
         )  # fmt: skip
         simulation.load.base[0, 2] = -M * G
         simulation.start()
-        simulation.run(1, steps, end / steps, scheme=scheme, controls=TIGHT)
+        run(simulation, 1, steps, end / steps, scheme=scheme, controls=TIGHT)
         at = simulation.state.x[1, [0, 2]]
         errors.append(float(np.linalg.norm(at - exact.y[:2, -1])))
     # Spring and swing are resolved with 9 steps in the spring's period at the coarsest.
@@ -72,7 +72,7 @@ def test_pendulum_period() -> None:
     )
     simulation.load.base[0, 2] = -10.0 * G
     simulation.start()
-    record, _ = simulation.run(2000, 1, 3.0 * period / 2000)
+    record = run(simulation, 2000, 1, 3.0 * period / 2000)
     x = record.fairlead[:, 0, 0]
     down = np.flatnonzero((x[:-1] > 0.0) & (x[1:] <= 0.0))
     crossing = record.time[down] + x[down] / (x[down] - x[down + 1]) * record.time[1]
@@ -83,10 +83,9 @@ def test_pendulum_period() -> None:
 def _smooth_line(elements: int, motion: Harmonic) -> Simulation:
     """Line in water, hanging free of any bed, whose end is led, its axial waves damped."""
     line = Line([Segment(100.0, 100.0, EA=1e6, mass=20.0)])
-    lines = lay_out_moving(
-        [mesh_line(line, elements)], [MorisonSection(0.1, 1.2, 0.3)], Fluid(1025.0, G), None,
-        LineDamping(stiffness_time=0.1), "consistent",
-    )  # fmt: skip
+    section, damping = MorisonSection(0.1, 1.2, 0.3), LineDamping(stiffness_time=0.1)
+    of = LineProperties([section], damping, Fluid(1025.0, G), None)
+    lines = lay_out_moving([mesh_line(line, elements)], of)
     x = np.linspace([0.0, 0.0, 80.0], [80.0, 0.0, 100.0], elements + 1)
     x[:, 2] -= 25.0 * np.sin(np.linspace(0.0, math.pi, elements + 1))
     simulation = Simulation(lines, x, led=series_rows(x[-1:], [motion], 4.0))
@@ -104,7 +103,7 @@ def test_second_order_in_the_step(scheme: Scheme) -> None:
     forces, shapes = [], []
     for steps in (256, 512, 1024, 2048):
         simulation = _smooth_line(10, MOTION)
-        record, _ = simulation.run(1, steps, 10.0 / steps, scheme=scheme, controls=TIGHT)
+        record = run(simulation, 1, steps, 10.0 / steps, scheme=scheme, controls=TIGHT)
         forces.append(record.end_force[-1, 0, 1])
         shapes.append(simulation.state.x.copy())
     for series in (forces, shapes):
@@ -118,7 +117,7 @@ def test_second_order_in_the_mesh() -> None:
     forces, middles = [], []
     for elements in (20, 40, 80, 160):
         simulation = _smooth_line(elements, MOTION)
-        record, _ = simulation.run(500, 1, 0.02, controls=TIGHT, nodes=[elements // 2])
+        record = run(simulation, 500, 1, 0.02, controls=TIGHT, nodes=[elements // 2])
         forces.append(record.end_force[:, 0, 1])
         middles.append(record.nodes[:, 0])
     for series in (forces, middles):
@@ -142,7 +141,7 @@ def test_axial_wave_in_a_bar() -> None:
         led = series_rows(simulation.state.x[-1:], [Harmonic(period, (A, 0.0, 0.0))], 60 * period)
         simulation.led = led
         simulation.start()
-        record, _ = simulation.run(7000, 1, period / 100, since=60 * period)
+        record = run(simulation, 7000, 1, period / 100, since=60 * period)
         late = record.time > 60 * period
         angle = omega * record.time[late]
         wave = np.column_stack([np.cos(angle), np.sin(angle)])
@@ -163,7 +162,8 @@ def _plucked(amplitude: float, periods: float, steps: int) -> np.ndarray:
     period = 2.0 * math.pi / float(natural_frequencies(simulation, 1)[0])
     simulation.state.v[:, 1] = amplitude * np.sin(np.linspace(0.0, math.pi, 11))
     simulation.start()
-    record, _ = simulation.run(
+    record = run(
+        simulation,
         round(periods * steps / 10), 10, period / steps, scheme=Scheme.average_acceleration(),
         controls=TIGHT, energy=True,
     )  # fmt: skip
@@ -202,7 +202,7 @@ def test_slack_flight_and_snap() -> None:
     simulation.state.v[1, 2] = v
     simulation.start()
     h = 0.0005
-    record, _ = simulation.run(1000, 1, h, controls=TIGHT)
+    record = run(simulation, 1000, 1, h, controls=TIGHT)
     tension = record.bar_tension[:, 0, 1]
     assert tension.min() == 0.0
     # On the way up the spring gives back (M g)^2/(2 k) and gravity takes M g stretch: v changes.
@@ -217,16 +217,15 @@ def test_line_dragged_along_a_rough_bed() -> None:
     """A line that lies and is drawn along at 1 cm/s pulls with mu w L at its end; with 0 let go."""
     w, L, mu = 500.0, 50.0, 0.6
     line = Line([Segment(L, w, EA=1e7, mass=80.0)])
-    lines = lay_out_moving(
-        [mesh_line(line, 20)], None, Fluid(1025.0, G), Seabed(5e4, None, mu), LineDamping(0.0, 0.5),
-        "consistent",
-    )  # fmt: skip
+    bed, damping = Seabed(5e4, None, mu), LineDamping(0.0, 0.5)
+    of = LineProperties(None, damping, Fluid(1025.0, G), bed)
+    lines = lay_out_moving([mesh_line(line, 20)], of)
     x = np.linspace([0.0, 0.0, -0.01], [L, 0.0, -0.01], 21)
     slow = Harmonic(1e3, (-2.0, 0.0, 0.0), (math.pi / 2, 0.0, 0.0))
     simulation = Simulation(lines, x, led=series_rows(x[-1:], [slow], 0.0))
     simulation.settle(rubbed=True)
     simulation.start()
-    record, _ = simulation.run(200, 5, 0.01)
+    record = run(simulation, 200, 5, 0.01)
     stretch = mu * w * L**2 / 2.0 / 1e7
     pulled = record.fairlead[:, 0, 0] - L
     # Before the whole line slips, friction is mobilised from the end: T = sqrt(2 mu w EA u).

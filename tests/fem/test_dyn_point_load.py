@@ -15,7 +15,6 @@ from catopt.constants import STANDARD_GRAVITY as G
 from catopt.errors import InputError
 from catopt.fem import (
     Fluid,
-    LineDamping,
     LineProperties,
     Scheme,
     line_frequencies,
@@ -26,18 +25,18 @@ from catopt.fem.moving import Blend
 from catopt.fem.simulation import Simulation
 from catopt.model import Line, PointLoad, Segment
 from catopt.waves import Sea, TableCurrent, jonswap, random_waves
+from tests.fem.strings import run
 
 RHO = 1025.0
 DEPTH = 40.0
+BARE = LineProperties(fluid=Fluid(RHO, G), seabed=None, mass_matrix="lumped")
 THREAD = Segment(100.0, 1e-3, EA=1e4, mass=2e-3)
 
 
 def on_thread(load: PointLoad, at: tuple[float, float, float], sea: Sea | None) -> Simulation:
     """Hang a body in the middle of two slack bars that weigh nothing and reach it nowhere."""
     line = Line([THREAD, THREAD], [load])
-    lines = lay_out_moving(
-        [mesh_line(line, [1, 1])], None, Fluid(RHO, G), None, LineDamping(), "lumped"
-    )
+    lines = lay_out_moving([mesh_line(line, [1, 1])], BARE)
     simulation = Simulation(lines, np.array([[0.0, 0.0, 30.0], at, [2.0, 0.0, 30.0]]), sea=sea)
     simulation.start()
     return simulation
@@ -52,7 +51,7 @@ def test_a_sinking_body_comes_to_its_terminal_velocity() -> None:
     weight, mass, area, cd, ca = 5e3, 1500.0, 2.0, 0.8, 0.6
     load = body(weight, mass, drag_area=area, drag_coefficient=cd, added_mass_coefficient=ca)
     simulation = on_thread(load, (1.0, 0.0, 30.0), None)
-    record, _ = simulation.run(600, 1, 0.02, nodes=[1])
+    record = run(simulation, 600, 1, 0.02, nodes=[1])
     final = math.sqrt(2.0 * weight / (RHO * cd * area))
     tau = final * (mass + ca * (mass - weight / G)) / weight
     sunk = 30.0 - record.nodes[:, 0, 2]
@@ -91,15 +90,13 @@ def test_a_swaying_buoy_on_a_taut_line_is_the_equation_of_one_body() -> None:
     load = PointLoad(half, -lift, mass, drag_area=area, drag_coefficient=cd,
                      added_mass_coefficient=ca)  # fmt: skip
     line = Line([string, string], [load])
-    lines = lay_out_moving(
-        [mesh_line(line, [1, 1])], None, Fluid(RHO, G), None, LineDamping(), "lumped"
-    )
+    lines = lay_out_moving([mesh_line(line, [1, 1])], BARE)
     top = 2.0 * half * 1.05
     start = np.array([1.0, half * 1.05])
     x = np.array([[0.0, 0.0, 0.0], [start[0], 0.0, start[1]], [0.0, 0.0, top]])
     simulation = Simulation(lines, x)
     simulation.start()
-    record, _ = simulation.run(400, 1, 0.01, nodes=[1], scheme=Scheme.average_acceleration())
+    record = run(simulation, 400, 1, 0.01, nodes=[1], scheme=Scheme.average_acceleration())
 
     def rate(_: float, y: np.ndarray) -> list[float]:
         force = np.array([0.0, lift])
@@ -126,7 +123,7 @@ def test_a_buoy_that_falls_into_the_water_is_a_sphere(scheme: Scheme) -> None:
     load = body((mass - RHO * volume) * G, mass, drag_area=area, drag_coefficient=cd,
                 added_mass_coefficient=ca)  # fmt: skip
     simulation = on_thread(load, (1.0, 0.0, DEPTH + 1.5), Sea(DEPTH))
-    record, _ = simulation.run(800, 1, 0.01, nodes=[1], scheme=scheme)
+    record = run(simulation, 800, 1, 0.01, nodes=[1], scheme=scheme)
 
     def rate(_: float, y: np.ndarray) -> list[float]:
         s = min(max((DEPTH - y[0]) / (2.0 * radius) + 0.5, 0.0), 1.0)
@@ -153,7 +150,7 @@ def test_a_deep_body_in_a_current_is_driven_at_its_speed() -> None:
     load = body(0.0, 1000.0, drag_area=2.0, drag_coefficient=1.0)
     sea = Sea(DEPTH, None, [TableCurrent((0.0,), (1.2,), 0.0)])
     simulation = on_thread(load, (1.0, 0.0, 20.0), sea)
-    simulation.run(600, 1, 0.05)
+    run(simulation, 600, 1, 0.05)
     assert simulation.state.v[1, 0] == pytest.approx(1.2, rel=0.1)
     assert simulation.state.v[1, 0] < 1.2
 
@@ -200,7 +197,7 @@ def test_energy_of_a_floating_buoy_is_accounted_for() -> None:
     load = body((mass - RHO * volume) * G, mass, drag_area=1.6, drag_coefficient=0.9,
                 added_mass_coefficient=0.5)  # fmt: skip
     simulation = on_thread(load, (1.0, 0.0, DEPTH + 1.5), Sea(DEPTH))
-    record, _ = simulation.run(1000, 1, 0.01, scheme=Scheme.average_acceleration())
+    record = run(simulation, 1000, 1, 0.01, scheme=Scheme.average_acceleration())
     balance = simulation.balance(record)
     assert balance.drag > 0.5 * mass * G  # of about 1.5 m of fall
     assert abs(balance.numerical) < 0.01 * balance.drag
@@ -213,6 +210,4 @@ def test_what_does_not_go_together_is_refused() -> None:
         PointLoad(10.0, 100.0, 50.0, drag_coefficient=1.0)
     heavy = Line([THREAD, THREAD], [PointLoad(100.0, 1e4, 500.0)])
     with pytest.raises(InputError, match="weighs more in air than in water"):
-        lay_out_moving(
-            [mesh_line(heavy, [1, 1])], None, Fluid(RHO, G), None, LineDamping(), "lumped"
-        )
+        lay_out_moving([mesh_line(heavy, [1, 1])], BARE)

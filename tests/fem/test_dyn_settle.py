@@ -9,8 +9,8 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
-from catopt.fem import Fluid, LineDamping, MorisonSection, mesh_line
-from catopt.fem.dynamic_model import lay_out_moving
+from catopt.fem import Fluid, MorisonSection, mesh_line
+from catopt.fem.dynamic_model import LineProperties, lay_out_moving
 from catopt.fem.moving import BodyNode
 from catopt.fem.simulation import Simulation
 from catopt.model import Line, Segment
@@ -60,10 +60,8 @@ def hanging_end(weight: float) -> tuple[float, float]:
 @pytest.mark.parametrize("weight", [245.0, 10.0])
 def test_free_end_in_a_current(weight: float, start: str) -> None:
     line = Line([Segment(LENGTH, weight, EA=5e5 * weight, mass=weight / 9.81 / 0.87)])
-    lines = lay_out_moving(
-        [mesh_line(line, BARS)], [MorisonSection(D, CN, CT)], Fluid(RHO), None, LineDamping(),
-        "consistent",
-    )  # fmt: skip
+    of = LineProperties([MorisonSection(D, CN, CT)], fluid=Fluid(RHO), seabed=None)
+    lines = lay_out_moving([mesh_line(line, BARS)], of)
     x = np.zeros((BARS + 1, 3))
     x[:, 0] = STARTS[start][0] * np.linspace(0.0, LENGTH, BARS + 1)
     x[:, 2] = TOP + STARTS[start][1] * np.linspace(0.0, LENGTH, BARS + 1)

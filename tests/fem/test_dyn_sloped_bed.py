@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from catopt.errors import InputError, NotConvergedError
-from catopt.fem import Fluid, LineDamping, LineProperties, TimeStepping, mesh_line
+from catopt.fem import LineDamping, LineProperties, TimeStepping, mesh_line
 from catopt.fem.dynamic_model import lay_out_moving
 from catopt.fem.dynamics import line_at_rest, run_dynamics, run_system_dynamics
 from catopt.fem.seabed import Seabed
@@ -20,6 +20,7 @@ from catopt.fem.simulation import Simulation
 from catopt.fem.sloped_rest import settle_on_slope
 from catopt.fem.solve import Leg
 from catopt.model import Line, Segment
+from tests.fem.strings import run
 
 LENGTH, W, EA, MASS, HEIGHT, PULL = 200.0, 1000.0, 5e7, 117.0, 60.0, 40e3
 LINE = Line([Segment(LENGTH, W, EA=EA, mass=MASS)])
@@ -111,10 +112,9 @@ def test_without_friction_tension_differs_by_the_weight_of_the_height(degrees: f
 
 def hung_on_slope(friction: float, angle: float) -> Simulation:
     """Lay a line up the slope, held at its upper end, its lower end free."""
-    lines = lay_out_moving(
-        [mesh_line(LINE, 100)], None, Fluid(), Seabed(HARD, friction=friction, slope=angle),
-        LineDamping(critical_ratio=1.0), "lumped",
-    )  # fmt: skip
+    bed, damping = Seabed(HARD, friction=friction, slope=angle), LineDamping(critical_ratio=1.0)
+    of = LineProperties(damping=damping, seabed=bed, mass_matrix="lumped")
+    lines = lay_out_moving([mesh_line(LINE, 100)], of)
     lines = lines._replace(lower_free=np.array([True]))
     s = np.linspace(0.0, LENGTH, 101)
     x = np.column_stack([s * math.cos(angle), 0.0 * s, s * math.sin(angle)])
@@ -148,8 +148,7 @@ def test_a_line_dragged_up_and_let_down_the_slope() -> None:
         simulation.state.x[-1:], [Harmonic(period, way, (0.5 * math.pi,) * 3)], 0.25 * period
     )
     simulation.start()
-    record, complete = simulation.run(800, 1, 0.5, nodes=range(101))
-    assert complete
+    record = run(simulation, 800, 1, 0.5, nodes=range(101))
     along = record.end_force[:, 0, 1] @ np.array(way)
     speed = np.gradient(record.fairlead[:, 0] @ np.array(way), record.time)
     later, fast = record.time > period, 0.8 * np.abs(speed).max()
