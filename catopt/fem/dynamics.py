@@ -221,14 +221,14 @@ def run_system_dynamics(
         cuts,
         height=height,
         mean_force=mean_force,
-        force=force,
         body=body,
         position=position,
-        led=led,
         properties=properties,
-        ramp_time=stepping.ramp_time,
         sea=_ramped(sea, stepping),
     )
+    ramp_time = stepping.ramp_time
+    simulation.led = series_rows(simulation.led.base, led or [None] * len(cuts), ramp_time)
+    simulation.load = series_rows(simulation.load.base, [force], ramp_time)
     parted = None if broken is None else (*broken, at_anchor)
     return _run(simulation, stepping, cuts, warnings, progress, parted)
 
@@ -239,12 +239,9 @@ def body_at_rest(
     *,
     height: float,
     mean_force: tuple[float, float] = (0.0, 0.0),
-    force: Series | None = None,
     body: BodyInertia | None = None,
     position: tuple[float, float] | None = None,
-    led: Sequence[Series | None] = (),
     properties: LineProperties | None = None,
-    ramp_time: float = 0.0,
     sea: Sea | None = None,
 ) -> Simulation:
     """Bring the lines of a body to rest in the current, ready to be set in motion."""
@@ -269,8 +266,8 @@ def body_at_rest(
         lines,
         rest.rest.state.x,
         body=BodyNode(free, np.full(3, inertia.mass), np.full(3, inertia.damping)),
-        led=series_rows(ends, led or [None] * len(cuts), ramp_time),
-        load=series_rows(np.array([[*mean_force, 0.0]]), [force], ramp_time),
+        led=series_rows(ends, [None] * len(cuts), 0.0),
+        load=series_rows(np.array([[*mean_force, 0.0]]), [None], 0.0),
         sea=sea,
     )
     simulation.settle(rubbed=_begins_rubbed(seabed))

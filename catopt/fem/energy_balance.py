@@ -145,14 +145,6 @@ def _add_turning(e: int, a: int, force: float, at: Moving, to: Any) -> None:
         to[b, i] -= force / size * across
 
 
-def begin_works(
-    lines: MovingLines, at: Moving, water: WaterAt, has_sea: bool, booked: Any, works: Any
-) -> None:
-    """Write what `add_works` needs of the first moment, from which kinetic energy counts."""
-    fill_forces(lines, at, water, has_sea, booked)
-    works[6] = -own_kinetic_energy(lines, at)
-
-
 def own_kinetic_energy(lines: MovingLines, at: Moving) -> float:
     """Kinetic energy of the lines and of what is fixed to them, without added mass, J."""
     total, v = 0.0, at.v

@@ -110,15 +110,3 @@ def _slide(e: int, node: int, n: Any, most: float, mu: float, rigid: bool, net: 
         else:
             change = mu * n[i] * net.ground.stiffness[node] / net.law.soft
             band[row + i, DIAGONAL + 2 - i] += change
-
-
-def slipped_foot(
-    x: float, y: float, foot_x: float, foot_y: float, reach: float
-) -> tuple[float, float]:
-    """Foot of a friction spring dragged along so that it is `reach`, m, away from its node."""
-    dx, dy = x - foot_x, y - foot_y
-    distance = math.hypot(dx, dy)
-    if distance <= reach:
-        return foot_x, foot_y
-    keep = reach / distance
-    return x - keep * dx, y - keep * dy

@@ -51,11 +51,8 @@ class Scheme:
     def newmark(cls, delta: float) -> Scheme:
         """Newmark's method with S4's parameters: gamma = delta, beta = (delta + 0.5)^2/4.
 
-        Parameters
-        ----------
-        delta : float
-            0.5 for average acceleration; above it high frequencies are damped, and the order falls
-            to one.
+        `delta`: 0.5 for average acceleration; above it high frequencies are damped, and the order
+        falls to one.
         """
         found = Findings("Scheme.newmark")
         found.number("delta", delta, "", at_least=0.5)
@@ -66,10 +63,8 @@ class Scheme:
     def generalised_alpha(cls, spectral_radius: float = 0.5) -> Scheme:
         """Chung and Hulbert's method: second order, with the damping of high frequencies given.
 
-        Parameters
-        ----------
-        spectral_radius : float
-            What is left of a vibration much faster than the step after one step, from 0 to 1.
+        `spectral_radius`: what is left of a vibration much faster than the step after one step,
+        from 0 to 1.
         """
         found = Findings("Scheme.generalised_alpha")
         found.number("spectral_radius", spectral_radius, "", at_least=0.0, at_most=1.0)

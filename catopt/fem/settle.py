@@ -22,7 +22,7 @@ import numpy.typing as npt
 
 from catopt.errors import NotConvergedError
 from catopt.fem.bed import NO_FRICTION, SPRING, Ground, friction_sense
-from catopt.fem.friction import limit, slipped_foot
+from catopt.fem.friction import limit
 from catopt.fem.newton import Newton
 from catopt.fem.problem import Problem, place_of
 from catopt.fem.resting import Body, State
@@ -181,13 +181,15 @@ def _dragged_feet(state: State, ground: Ground) -> Ground:
     foot = np.full_like(ground.spring_foot, np.nan)
     for node in np.flatnonzero(state.reaction > 0.0):
         x, y = state.x[node, :2]
-        old = ground.spring_foot[node]
-        if np.isnan(old[0]):
+        foot[node] = ground.spring_foot[node]
+        most = limit(int(node), state.reaction[node], ground, state.contact)
+        dx, dy = state.x[node, :2] - foot[node]
+        reach, distance = most / ground.tangential[node], math.hypot(dx, dy)
+        if math.isnan(distance):
             foot[node] = x, y
-        else:
-            most = limit(int(node), state.reaction[node], ground, state.contact)
-            reach = most / ground.tangential[node]
-            foot[node] = slipped_foot(x, y, old[0], old[1], reach)
+        elif distance > reach:
+            keep = reach / distance
+            foot[node] = x - keep * dx, y - keep * dy
     return ground._replace(spring_foot=foot)
 
 

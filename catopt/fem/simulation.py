@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from catopt.compiled import compiled
 from catopt.errors import NotConvergedError
-from catopt.fem.energy_balance import EnergyBalance, begin_works, own_kinetic_energy
+from catopt.fem.energy_balance import EnergyBalance, fill_forces, own_kinetic_energy
 from catopt.fem.march import StepCounts, march
 from catopt.fem.mesh import bar_nodes, end_nodes
 from catopt.fem.moving import Blend, BodyNode, Equations, Moving, MovingLines, WaterAt
@@ -73,26 +73,14 @@ class Simulation:
 
     Parameters
     ----------
-    lines : MovingLines
-        What moves.
-    x : ndarray, shape (nodes, 3)
-        Where the nodes start, m.
+    lines, x : MovingLines, ndarray
+        What moves, and where its nodes start, (nodes, 3), m.
     body : BodyNode, optional
         What the last nodes are fixed to; held or led in all directions by default.
     led : SeriesRows, optional
-        Where the last nodes are led, and after them the first ones, if these are; by default they
-        stay.
-    load : SeriesRows, optional
-        Force on the body, N.
-    sea : Sea, optional
-        Still water everywhere by default.
-
-    Attributes
-    ----------
-    state : Moving
-        Where the lines are now.
-    counts : StepCounts
-        What all steps so far took.
+        Where the last nodes are led, and after them the first ones, if these are; else they stay.
+    load, sea : SeriesRows and Sea, optional
+        Force on the body, N; still water everywhere by default.
     """
 
     def __init__(
@@ -111,8 +99,8 @@ class Simulation:
         self._held, self._ends = end_nodes(lines.start)
         stays, unloaded = self._undriven(x)
         self.led, self.load = led or stays, load or unloaded
-        self.state = _moving(lines, np.array(x, dtype=float))
-        self.counts = StepCounts()
+        self.state = _moving(lines, np.array(x, dtype=float))  # where the lines are now
+        self.counts = StepCounts()  # what all steps so far took
         self._gone = 0.0
         self._before_break: float | None = None
         nodes, bars = x.shape[0], lines.length.size
@@ -190,14 +178,8 @@ class Simulation:
     def settle(self, *, rubbed: bool = False) -> None:
         """Bring the lines to rest from where they are, in the current and without waves.
 
-        Newton's method; a node is held to where it is by a spring that fades as forces balance.
-        Raises NotConvergedError with the node and the force left over there.
-
-        Parameters
-        ----------
-        rubbed : bool
-            Friction of the bed takes what the bars leave over along it, as far as it can; without,
-            the line lies as if it had been laid down without friction.
+        `rubbed`: friction of the bed takes what the bars leave over along it, as far as it can;
+        without, the line lies as if it had been laid down without friction.
         """
         at = self.state
         self._stand_still()
@@ -229,6 +211,7 @@ class Simulation:
     def find_rest(self) -> None:
         """Find the place at which no force is left over, from the one at hand and its friction.
 
+        Newton's method; a node is held to where it is by a spring that fades as forces balance.
         Raises NotConvergedError with the node and the force left over there.
         """
         at = self.state
@@ -425,8 +408,8 @@ class Simulation:
         room, at = self._room, self.state
         room.equations.acceleration[:] = at.a
         take_sample(0, setting, at, room, record)
-        has_sea, booked, works = setting.has_sea, room.booked_before, record.works
-        begin_works(self.lines, at, room.water, has_sea, booked, works)
+        fill_forces(self.lines, at, room.water, setting.has_sea, room.booked_before)
+        record.works[6] = -own_kinetic_energy(self.lines, at)
         room.ends_before[:] = record.end_force[0]
         room.wet_before[:] = room.water.wet
 
