@@ -13,18 +13,11 @@ Floats = NDArray[np.float64]
 
 
 class Evaluated(NamedTuple):
-    """What many designs are worth.
+    """What many designs are worth."""
 
-    Attributes
-    ----------
-    objectives : ndarray, shape (n, objectives)
-        To be made small; nan where a design has no equilibrium.
-    excess : ndarray, shape (n,)
-        The largest excess of all checks over all load cases (`catopt.checks.excess`); a design is
-        feasible when it is at most ROUNDING. Finite also where there is no equilibrium.
-    """
-
-    objectives: Floats
+    objectives: Floats  # to be made small; nan where a design has no equilibrium
+    # the largest excess of all checks over all load cases (`catopt.checks.excess`); a design
+    # is feasible when it is at most ROUNDING. Finite also where there is no equilibrium
     excess: Floats
 
 

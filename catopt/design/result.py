@@ -17,31 +17,19 @@ __all__ = ["DesignPoint", "DesignResult", "NearMiss", "Neighbour"]
 
 @dataclass(frozen=True, repr=False)
 class DesignPoint(Shown):
-    """One line of the front.
+    """One line of the front."""
 
-    Attributes
-    ----------
-    line : Line
-        Its segments and clump weights, with component and nominal diameter in each segment.
-    anchor : Anchor or None
-        The sinker that was chosen for it, or the anchor of the case.
-    genes : tuple of int
-        Its place in the design space.
-    objectives : mapping of str to float
-        ``mass_kg``, ``offset_m``, ``excursion_m``, ``cost_USD``: all that are known, wanted as
-        objective or not.
-    checks : CheckReport
-        The same report that ``catopt check`` gives for this line; of a whole mooring the hardest
-        of each check over all lines, headings and states.
-    mooring : MooringPoint or None
-        Of a whole mooring: the state that takes the body farthest.
-    """
-
+    # its segments and clump weights, with component and nominal diameter in each segment
     line: Line
-    anchor: Anchor | None
-    genes: tuple[int, ...]
+    anchor: Anchor | None  # the sinker that was chosen for it, or the anchor of the case
+    genes: tuple[int, ...]  # its place in the design space
+    # ``mass_kg``, ``offset_m``, ``excursion_m``, ``cost_USD``: all that are known, wanted as
+    # objective or not
     objectives: Mapping[str, float]
+    # the same report that ``catopt check`` gives for this line; of a whole mooring the
+    # hardest of each check over all lines, headings and states
     checks: CheckReport
+    # of a whole mooring: the state that takes the body farthest
     mooring: MooringPoint | None = None
 
     @property
@@ -52,110 +40,54 @@ class DesignPoint(Shown):
 
 @dataclass(frozen=True)
 class Neighbour:
-    """What one step of one variable would do to a design.
+    """What one step of one variable would do to a design."""
 
-    Attributes
-    ----------
-    change : str
-        In words: ``"segment 1: chain studless R3 81 mm for 76 mm"``.
-    point : DesignPoint or None
-        The changed design; None where it has no equilibrium.
-    reason : str
-        Why there is none; else empty.
-    """
-
-    change: str
-    point: DesignPoint | None
-    reason: str = ""
+    change: str  # in words: ``"segment 1: chain studless R3 81 mm for 76 mm"``
+    point: DesignPoint | None  # the changed design; None where it has no equilibrium
+    reason: str = ""  # why there is none; else empty
 
 
 @dataclass(frozen=True)
 class NearMiss:
-    """The design that misses feasibility by least, when none is feasible.
+    """The design that misses feasibility by least, when none is feasible."""
 
-    Attributes
-    ----------
-    line : Line
-        The design.
-    failing : tuple of CheckResult
-        The checks that it fails, the worst first; empty where it has no equilibrium.
-    reason : str
-        Why there is no equilibrium; else empty.
-    """
-
-    line: Line
+    line: Line  # the design
+    # the checks that it fails, the worst first; empty where it has no equilibrium
     failing: tuple[CheckResult, ...]
-    reason: str = ""
+    reason: str = ""  # why there is no equilibrium; else empty
 
 
 @dataclass(frozen=True, repr=False)
 class DesignResult(Shown):
-    """The front and how it was found.
+    """The front and how it was found."""
 
-    Attributes
-    ----------
-    case : Case
-        What was asked.
-    objectives : tuple of str
-        Keys of `DesignPoint.objectives` that were made small.
-    front : tuple of DesignPoint
-        By rising first objective; every one is feasible, none is beaten in all objectives.
-    recommended : int
-        Index of the recommended design: the knee of the front.
-    recommendation : str
-        Why, in words.
-    method : str
-        ``"enumeration"``, ``"nsga2"`` or ``"swarm"``.
-    is_exact : bool
-        Whether every design of the space was evaluated, or proved needless.
-    designs : int
-        Designs that the space holds.
-    evaluations : int
-        Designs that were evaluated, each under all load cases.
-    feasible : int
-        How many of those passed every check.
-    hypervolume : float
-        Of the front, in the units of the objectives multiplied, up to `reference_point`.
-    reference_point : tuple of float
-        The worst corner that the hypervolume is measured from.
-    seed : int
-        Of the random numbers.
-    interrupted : bool
-        Whether the search was stopped before its end.
-    ends : tuple of str
-        For each objective: which check the end of the front runs into there, in words.
-    neighbours : tuple of Neighbour
-        What one size or one step up or down would do to the recommended design.
-    present : Neighbour
-        The line that stands in the case file, by the same checks; no part of the front.
-    seconds : float
-        Wall time of the search.
-    excluded : mapping of str to int
-        Of whole moorings: how many designs were not evaluated because a bound proves them needless,
-        by bound (`catopt.design.bounds.BOUNDS`).
-    warnings : tuple of str
-        What an engineer should know, such as figures that were read in no document.
-    """
-
-    case: Case
-    objectives: tuple[str, ...]
+    case: Case  # what was asked
+    objectives: tuple[str, ...]  # keys of `DesignPoint.objectives` that were made small
+    # by rising first objective; every one is feasible, none is beaten in all objectives
     front: tuple[DesignPoint, ...]
-    recommended: int
-    recommendation: str
-    method: str
-    is_exact: bool
-    designs: int
-    evaluations: int
-    feasible: int
+    recommended: int  # index of the recommended design: the knee of the front
+    recommendation: str  # why, in words
+    method: str  # ``"enumeration"``, ``"nsga2"`` or ``"swarm"``
+    is_exact: bool  # whether every design of the space was evaluated, or proved needless
+    designs: int  # designs that the space holds
+    evaluations: int  # designs that were evaluated, each under all load cases
+    feasible: int  # how many of those passed every check
+    # of the front, in the units of the objectives multiplied, up to `reference_point`
     hypervolume: float
-    reference_point: tuple[float, ...]
-    seed: int
-    interrupted: bool
+    reference_point: tuple[float, ...]  # the worst corner that the hypervolume is measured from
+    seed: int  # of the random numbers
+    interrupted: bool  # whether the search was stopped before its end
+    # for each objective: which check the end of the front runs into there, in words
     ends: tuple[str, ...]
+    # what one size or one step up or down would do to the recommended design
     neighbours: tuple[Neighbour, ...]
+    # the line that stands in the case file, by the same checks; no part of the front
     present: Neighbour
-    seconds: float
+    seconds: float  # wall time of the search
+    # what an engineer should know, such as figures that were read in no document
     warnings: tuple[str, ...] = ()
+    # of whole moorings: how many designs were not evaluated because a bound proves them
+    # needless, by bound (`catopt.design.bounds.BOUNDS`)
     excluded: Mapping[str, int] = field(default_factory=dict)
 
     def to_dict(self) -> dict[str, Any]:

@@ -33,30 +33,15 @@ _CALMAR_SOIL: Final = "IALA default"
 
 @dataclass(frozen=True)
 class SinkerGround:
-    """A sinker on a soil.
+    """A sinker on a soil."""
 
-    Attributes
-    ----------
-    soil : str or None
-        A key of `catopt.loads.sinker.SOIL_FRICTION`; None where `friction` is given.
-    friction : float or None
-        tan(delta) of one's own.
-    material : {"concrete", "steel"}
-        Of the sinker.
-    density : float or None
-        kg/m3; None: that of the material.
-    safety_factor : float
-        On sliding; used where the code has none of its own.
-    allow_recalled : bool
-        Whether recalled figures (R) may be used; those of steel are.
-    """
-
+    # a key of `catopt.loads.sinker.SOIL_FRICTION`; None where `friction` is given
     soil: str | None = field(default_factory=lambda: usual("soil"))
-    friction: float | None = None
-    material: Material = "concrete"
-    density: float | None = None
-    safety_factor: float = SAFETY_FACTOR
-    allow_recalled: bool = False
+    friction: float | None = None  # tan(delta) of one's own
+    material: Material = "concrete"  # of the sinker
+    density: float | None = None  # kg/m3; None: that of the material
+    safety_factor: float = SAFETY_FACTOR  # on sliding; used where the code has none of its own
+    allow_recalled: bool = False  # whether recalled figures (R) may be used; those of steel are
 
     def __post_init__(self) -> None:
         self.sized(0.0, 0.0, 1025.0)
@@ -127,25 +112,16 @@ class SinkerGround:
 
 @dataclass(frozen=True)
 class DragGround:
-    """A drag anchor in a soil.
+    """A drag anchor in a soil."""
 
-    Attributes
-    ----------
-    anchor, soil : str
-        One of `catopt.loads.holding_data.ANCHORS` and of `SOILS`.
-    data : str
-        Data set, or "lower": the lowest of those that have the anchor.
-    safety_factor : float or None
-        On the ultimate capacity; None: that of UFC table 3-7 for its kind.
-    allow_recalled : bool
-        Whether recalled figures (R) may stand alone.
-    """
-
+    # one of `catopt.loads.holding_data.ANCHORS` and of `SOILS`
     anchor: str = field(default_factory=lambda: usual("anchor", "tanker"))
     soil: str = field(default_factory=lambda: usual("soil", "tanker"))
+    # data set, or "lower": the lowest of those that have the anchor
     data: DataSet | Literal["lower"] = "lower"
+    # on the ultimate capacity; None: that of UFC table 3-7 for its kind
     safety_factor: float | None = None
-    allow_recalled: bool = False
+    allow_recalled: bool = False  # whether recalled figures (R) may stand alone
 
     def __post_init__(self) -> None:
         found = Findings("DragGround")

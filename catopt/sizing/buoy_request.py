@@ -15,21 +15,11 @@ from catopt.sizing.line_choice import LineChoice, unpriced_components
 
 @dataclass(frozen=True)
 class GivenBuoy:
-    """A buoy of which only the load and the buoyancy are known.
+    """A buoy of which only the load and the buoyancy are known."""
 
-    Attributes
-    ----------
-    horizontal_force : float
-        Of wind, current and waves on the buoy and its chain, N.
-    reserve_buoyancy : float
-        Vertical pull that takes it to its allowed draught, N.
-    keel_depth : float
-        From the water to where the chain is made fast, m.
-    """
-
-    horizontal_force: float
-    reserve_buoyancy: float
-    keel_depth: float = 0.0
+    horizontal_force: float  # of wind, current and waves on the buoy and its chain, N
+    reserve_buoyancy: float  # vertical pull that takes it to its allowed draught, N
+    keel_depth: float = 0.0  # from the water to where the chain is made fast, m
 
     def __post_init__(self) -> None:
         found = Findings("GivenBuoy")
@@ -46,36 +36,18 @@ class GivenBuoy:
 
 @dataclass(frozen=True)
 class BuoyRequest:
-    """A buoy, its place and its weather.
+    """A buoy, its place and its weather."""
 
-    Attributes
-    ----------
-    buoy : BuoyShape or GivenBuoy
-        By its geometry, or by what it pulls.
-    environment : Environment
-        Depths and weather. Where the force is given, only its depths and waves count.
-    line : LineChoice
-        What the chain may be.
-    ground : SinkerGround
-        Soil and sinker.
-    marine_growth : float
-        Thickness on hull and chain, m.
-    title : str
-        Of the case; made of the buoy and the depth when left out.
-    source : str
-        Of the case: where its figures come from; the command when left out.
-    defaults : tuple of str
-        What was not given and was taken, in words; for the answer.
-    """
-
-    buoy: BuoyShape | GivenBuoy
+    buoy: BuoyShape | GivenBuoy  # by its geometry, or by what it pulls
+    # depths and weather. Where the force is given, only its depths and waves count
     environment: Environment
+    # what the chain may be
     line: LineChoice = field(default_factory=lambda: LineChoice(usual("chain"), usual("code")))
-    ground: SinkerGround = field(default_factory=SinkerGround)
-    marine_growth: float = 0.0
-    title: str = ""
-    source: str = ""
-    defaults: tuple[str, ...] = ()
+    ground: SinkerGround = field(default_factory=SinkerGround)  # soil and sinker
+    marine_growth: float = 0.0  # thickness on hull and chain, m
+    title: str = ""  # of the case; made of the buoy and the depth when left out
+    source: str = ""  # of the case: where its figures come from; the command when left out
+    defaults: tuple[str, ...] = ()  # what was not given and was taken, in words; for the answer
     inputs: tuple[ReadInput, ...] = ()
 
     def __post_init__(self) -> None:

@@ -29,23 +29,14 @@ def usual_period(significant_height: float) -> float:
 
 @dataclass(frozen=True)
 class Environment:
-    """Depths and weather.
+    """Depths and weather."""
 
-    Attributes
-    ----------
-    levels : WaterLevels
-        Depth of the still water at low and at high water.
-    wind, current, sea : Wind, SurfaceCurrent, SeaState
-        All at once and from one side.
-    water_density : float
-        kg/m3.
-    """
-
-    levels: WaterLevels
+    levels: WaterLevels  # depth of the still water at low and at high water
+    # wind, current and waves come all at once and from one side
     wind: Wind = field(default_factory=lambda: Wind(usual("wind")))
     current: SurfaceCurrent = field(default_factory=lambda: SurfaceCurrent(usual("current")))
     sea: SeaState = field(default_factory=lambda: SeaState(usual_period(usual("hs")), usual("hs")))
-    water_density: float = SEA_WATER_DENSITY
+    water_density: float = SEA_WATER_DENSITY  # kg/m3
 
     @property
     def is_calm(self) -> bool:

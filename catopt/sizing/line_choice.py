@@ -35,48 +35,30 @@ _ON_THE_BED: Final = 30.0
 
 @dataclass(frozen=True)
 class LineChoice:
-    """What the line may be made of.
+    """What the line may be made of."""
 
-    Attributes
-    ----------
-    components : tuple of str
-        Families with their grades, as the catalogue names them.
-    code : str
-        Profile of criteria that the line is checked by.
-    diameter_min, diameter_max : float or None
-        Bounds on the sizes that are sold, m.
-    diameters : tuple of float
-        Only these, m; empty: every size that is sold within the bounds.
-    length_step : float or None
-        Step of the length, m; None: a round one near a 25th of the height that the line spans.
-    prefer : {"cheapest", "lightest", "balanced", "least-swing"}
-        Which design of the front is recommended: one of its ends, or its knee. The cheapest is that
-        of a front in the price of the line and swing, the others of one in mass and swing.
-    max_swing : float or None
-        Largest swing radius that the place allows, m: designs beyond it do not pass.
-    swing_price : float
-        What a metre of swing radius costs, USD/m, beside the price of the line: of the cheapest.
-    life, wear_rate : float
-        Service life, s, and loss of nominal diameter, m/s.
-    dynamic_factor : float
-        Allowance for motion: tension in waves over that under the steady forces. The answer is
-        shown with and without it; the checks are by the steady forces.
-    allow_recalled : bool
-        Whether figures and criteria that were read in no document may be used.
-    """
-
-    components: tuple[str, ...]
-    code: str
-    diameter_min: float | None = None
-    diameter_max: float | None = None
+    components: tuple[str, ...]  # families with their grades, as the catalogue names them
+    code: str  # profile of criteria that the line is checked by
+    diameter_min: float | None = None  # bounds on the sizes that are sold, m
+    diameter_max: float | None = None  # m
+    # only these, m; empty: every size that is sold within the bounds
     diameters: tuple[float, ...] = ()
+    # step of the length, m; None: a round one near a 25th of the height that the line spans
     length_step: float | None = None
+    # which design of the front is recommended: one of its ends, or its knee. The cheapest is
+    # that of a front in the price of the line and swing, the others of one in mass and swing
     prefer: Prefer = "lightest"
+    # largest swing radius that the place allows, m: designs beyond it do not pass
     max_swing: float | None = None
+    # what a metre of swing radius costs, USD/m, beside the price of the line: of the cheapest
     swing_price: float = 0.0
-    life: float = field(default_factory=lambda: usual("life"))
+    life: float = field(default_factory=lambda: usual("life"))  # service life, s
+    # loss of nominal diameter, m/s
     wear_rate: float = field(default_factory=lambda: usual("wear"))
+    # allowance for motion: tension in waves over that under the steady forces. The answer is
+    # shown with and without it; the checks are by the steady forces
     dynamic_factor: float = field(default_factory=lambda: usual("dynamic_factor"))
+    # whether figures and criteria that were read in no document may be used
     allow_recalled: bool = False
 
     def __post_init__(self) -> None:

@@ -48,55 +48,25 @@ class SwingRadius:
 
 @dataclass(frozen=True, repr=False)
 class Sizing(Shown):
-    """A mooring sized for its place and its weather.
+    """A mooring sized for its place and its weather."""
 
-    Attributes
-    ----------
-    kind : {"buoy", "tanker"}
-        Of what.
-    settled : Settled
-        Loads, case, front and the recommended design.
-    candidates : tuple of Candidate
-        The recommended size between its neighbours.
-    alternatives : tuple of Alternative
-        The lines that other preferences would recommend.
-    limits : tuple of Limit
-        Steps to less that fail.
-    swing : SwingRadius
-        At low water.
-    sinker : SinkerSize or None
-        For the pull of the recommended line; its mass is that of the design's sinker.
-    other_sinker : SinkerSize or None
-        By the rule that was not chosen, for comparison; None where there is none.
-    drag_anchor : DragAnchorSize or None
-        For the largest horizontal force.
-    reserve_buoyancy : float or None
-        Of the buoy, N; None without one.
-    pattern : Pattern or None
-        The mooring equilibrium of several lines.
-    dynamic_factor : float
-        Allowance for motion, on tensions and pulls under the steady forces.
-    assumptions, defaults : tuple of str
-        What the answer rests on; what was not given and was taken.
-    inputs : tuple of ReadInput
-        All that was known, as it was read.
-    """
-
-    kind: Literal["buoy", "tanker"]
-    settled: Settled
-    candidates: tuple[Candidate, ...]
-    alternatives: tuple[Alternative, ...]
-    limits: tuple[Limit, ...]
-    swing: SwingRadius
-    dynamic_factor: float
+    kind: Literal["buoy", "tanker"]  # of what
+    settled: Settled  # loads, case, front and the recommended design
+    candidates: tuple[Candidate, ...]  # the recommended size between its neighbours
+    alternatives: tuple[Alternative, ...]  # the lines that other preferences would recommend
+    limits: tuple[Limit, ...]  # steps to less that fail
+    swing: SwingRadius  # at low water
+    dynamic_factor: float  # allowance for motion, on tensions and pulls under the steady forces
+    # for the pull of the recommended line; its mass is that of the design's sinker
     sinker: SinkerSize | None = None
+    # by the rule that was not chosen, for comparison; None where there is none
     other_sinker: SinkerSize | None = None
-    drag_anchor: DragAnchorSize | None = None
-    reserve_buoyancy: float | None = None
-    pattern: Pattern | None = None
-    assumptions: tuple[str, ...] = ()
-    defaults: tuple[str, ...] = ()
-    inputs: tuple[ReadInput, ...] = ()
+    drag_anchor: DragAnchorSize | None = None  # for the largest horizontal force
+    reserve_buoyancy: float | None = None  # of the buoy, N; None without one
+    pattern: Pattern | None = None  # the mooring equilibrium of several lines
+    assumptions: tuple[str, ...] = ()  # what the answer rests on
+    defaults: tuple[str, ...] = ()  # what was not given and was taken
+    inputs: tuple[ReadInput, ...] = ()  # all that was known, as it was read
 
     @property
     def case(self) -> Case:

@@ -24,26 +24,13 @@ _LEAST_CARGO: Final = 0.4
 
 @dataclass(frozen=True)
 class MooredShip:
-    """The ship in one condition.
+    """The ship in one condition."""
 
-    Attributes
-    ----------
-    condition : str
-        ``"loaded"`` or ``"ballast"``.
-    ship : Ship
-        Afloat at its draught.
-    wind_on : str
-        Kind of ship for the wind, after Blendermann: ``"tanker loaded"``.
-    fairlead : float
-        Height of the bow fairlead above the water, m.
-    deadweight : float or None
-        kg, to hold against the displacement; None where it is not known.
-    """
-
-    condition: str
-    ship: Ship
-    wind_on: str
-    fairlead: float
+    condition: str  # ``"loaded"`` or ``"ballast"``
+    ship: Ship  # afloat at its draught
+    wind_on: str  # kind of ship for the wind, after Blendermann: ``"tanker loaded"``
+    fairlead: float  # height of the bow fairlead above the water, m
+    # kg, to hold against the displacement; None where it is not known
     deadweight: float | None = None
 
     def __post_init__(self) -> None:
@@ -71,49 +58,11 @@ def check_deadweight(deadweight: float, ship: Ship) -> None:
 
 @dataclass(frozen=True)
 class TankerRequest:
-    """A tanker, its place and its weather.
+    """A tanker, its place and its weather."""
 
-    Attributes
-    ----------
-    ships : tuple of MooredShip
-        One for each condition.
-    environment : Environment
-        Depths and weather.
-    line : LineChoice
-        What the chain may be.
-    ground : DragGround or SinkerGround
-        What holds the line.
-    buoy : BuoyShape or None
-        That the ship lies at with a hawser; None: the line goes to the ship's bow.
-    hawser : float
-        Its length, m.
-    lines : int
-        1, or 3 and more around the body.
-    pretension : float
-        Of several lines, as a part of the largest horizontal force of one.
-    clump_masses : tuple of float
-        Clump weights of which the line has one, in air, kg; none when empty.
-    clump_density : float
-        kg/m3.
-    load_methods : tuple of str
-        Of the loads on the ship; of several the largest force governs.
-    wave_coefficient : float or None
-        chi of 22TCN 222-95, which that method wants in waves.
-    weathervaning : Weathervaning
-        Where wind, current and waves come from, and what turns the ship; of all directions and
-        stable headings the one of the largest force governs. All from one side when left out.
-    title : str
-        Of the case; made of the ship and the depth when left out.
-    source : str
-        Of the case: where its figures come from; the command when left out.
-    defaults, estimates : tuple of str
-        What was not given and was taken, and what was estimated, in words; for the answer.
-    inputs : tuple of ReadInput
-        All that is known, as it was read; for the answer.
-    """
-
-    ships: tuple[MooredShip, ...]
-    environment: Environment
+    ships: tuple[MooredShip, ...]  # one for each condition
+    environment: Environment  # depths and weather
+    # what the chain may be
     line: LineChoice = field(
         default_factory=lambda: LineChoice(
             usual("chain", "tanker"),
@@ -122,21 +71,27 @@ class TankerRequest:
             length_step=usual("length_step", "tanker"),
         )
     )
-    ground: DragGround | SinkerGround = field(default_factory=DragGround)
+    ground: DragGround | SinkerGround = field(default_factory=DragGround)  # what holds the line
+    # that the ship lies at with a hawser; None: the line goes to the ship's bow
     buoy: BuoyShape | None = None
-    hawser: float = 0.0
-    lines: int = 1
+    hawser: float = 0.0  # its length, m
+    lines: int = 1  # 1, or 3 and more around the body
+    # of several lines, as a part of the largest horizontal force of one
     pretension: float = field(default_factory=lambda: usual("pretension", "tanker"))
+    # clump weights of which the line has one, in air, kg; none when empty
     clump_masses: tuple[float, ...] = ()
-    clump_density: float = 2400.0
+    clump_density: float = 2400.0  # kg/m3
+    # of the loads on the ship; of several the largest force governs
     load_methods: tuple[str, ...] = (METHODS[0],)
-    wave_coefficient: float | None = None
+    wave_coefficient: float | None = None  # chi of 22TCN 222-95, which that method wants in waves
+    # where wind, current and waves come from, and what turns the ship; of all directions and
+    # stable headings the one of the largest force governs. All from one side when left out
     weathervaning: Weathervaning = field(default_factory=Weathervaning)
-    title: str = ""
-    source: str = ""
-    defaults: tuple[str, ...] = ()
-    inputs: tuple[ReadInput, ...] = ()
-    estimates: tuple[str, ...] = ()
+    title: str = ""  # of the case; made of the ship and the depth when left out
+    source: str = ""  # of the case: where its figures come from; the command when left out
+    defaults: tuple[str, ...] = ()  # what was not given and was taken, in words; for the answer
+    inputs: tuple[ReadInput, ...] = ()  # all that is known, as it was read; for the answer
+    estimates: tuple[str, ...] = ()  # what was estimated, in words; for the answer
 
     def __post_init__(self) -> None:
         found = Findings("TankerRequest")
