@@ -26,6 +26,7 @@ from catopt.checks.excess import (
     uplift_force_excess,
 )
 from catopt.compiled import inlined
+from catopt.design.bounds import is_too_weak
 from catopt.design.space import AT_END
 from catopt.design.tables import Room, Tables
 from catopt.model.anchor import sinker_needed
@@ -82,7 +83,8 @@ def assess(
         if beyond > 0.0:
             excess[i] = NO_DESIGN + beyond
             continue
-        if stops_early and _is_too_weak(tables, room, segments):
+        # Even the horizontal force alone may be too much.
+        if stops_early and is_too_weak(tables.force, tables, room, segments):
             excess[i] = 1.0
             continue
         found = _in_all_load_cases(tables, room, segments, weights, stops_early)
@@ -126,8 +128,7 @@ def _in_all_load_cases(
             worst = max(worst, _no_equilibrium(state, tables, room, segments, c))
             largest = math.nan
             break
-        segment_tensions(state, problem, room.runs, room.owner, segments, room.tension)
-        worst = max(worst, largest_excess(state, tables, room, segments, c))
+        worst = max(worst, largest_excess(state, problem, tables, room, segments, c))
         if len(tables.sinker_weight) > 0:
             pull = sinker_needed(
                 state.H_anchor, state.V_anchor, tables.sinker_friction, tables.limit[c, SLIDING]
@@ -223,17 +224,6 @@ def take_weights(genes: Any, tables: Tables, room: Room, segments: int) -> tuple
 
 
 @inlined
-def _is_too_weak(tables: Tables, room: Room, segments: int) -> bool:
-    """Whether the segment at the fairlead does not even bear the horizontal force."""
-    top = segments - 1
-    for c in range(len(tables.force)):
-        allowed = tables.allowed[c, room.place[top], room.option[top]]
-        if tension_excess(tables.force[c], allowed) > ROUNDING:
-            return True
-    return False
-
-
-@inlined
 def _no_equilibrium(state: State, tables: Tables, room: Room, segments: int, c: int) -> float:
     """Excess of a line without equilibrium: what a line that is too short lacks is added."""
     if state.status != TOO_SHORT:
@@ -246,8 +236,11 @@ def _no_equilibrium(state: State, tables: Tables, room: Room, segments: int, c: 
 
 
 @inlined
-def largest_excess(state: State, tables: Tables, room: Room, segments: int, c: int) -> float:
+def largest_excess(
+    state: State, problem: LineProblem, tables: Tables, room: Room, segments: int, c: int
+) -> float:
     """Largest excess of all checks in one load case, save that of a sinker."""
+    segment_tensions(state, problem, room.runs, room.owner, segments, room.tension)
     worst = -math.inf
     for s in range(segments):
         allowed = tables.allowed[c, room.place[s], room.option[s]]

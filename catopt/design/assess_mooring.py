@@ -23,13 +23,13 @@ from catopt.design.assess import (
     largest_excess,
     pieces_in,
     rounded,
-    segment_tensions,
     take_segments,
     take_weights,
     weigh,
 )
 from catopt.design.bounds import (
     LEAST_OFFSET,
+    MARGIN,
     NONE,
     OFFSET_SO_FAR,
     REACH,
@@ -97,7 +97,9 @@ def assess_moorings(
             forces = least_forces(tables, line, room, segments, layout, radius)
             if math.isinf(max(forces[0], forces[1])):
                 excluded[i] = REACH
-            elif is_too_weak(forces, line, room, segments):
+            elif is_too_weak(
+                (forces[0] * (1.0 - MARGIN), forces[1] * (1.0 - MARGIN)), line, room, segments
+            ):
                 excluded[i] = STRENGTH
         if excluded[i] == NONE:
             found = _in_all_states(
@@ -230,7 +232,8 @@ def _under_load(unloaded: _Unloaded, tables: MooringTables, state: int) -> Rest:
     rest = unloaded.rest
     if rest.status != CONVERGED:
         return rest
-    _copy(unloaded.known, unloaded.lines)
+    for k in range(len(unloaded.lines)):
+        unloaded.lines[k][:] = unloaded.known[k]
     force, direction = tables.force[state], tables.direction[state]
     x, y = force * math.cos(direction), force * math.sin(direction)
     load = BodyLoad(x, y, tables.moment)
@@ -258,8 +261,7 @@ def _of_lines(
         if state.status != CONVERGED:
             return NOT_CONVERGED, worst
         pull_down += state.V
-        segment_tensions(state, problem, room.runs, room.owner, segments, room.tension)
-        worst = max(worst, largest_excess(state, line, room, segments, damage))
+        worst = max(worst, largest_excess(state, problem, line, room, segments, damage))
         if len(line.sinker_weight) > 0:
             factor = line.limit[damage, SLIDING]
             pull = sinker_needed(state.H_anchor, state.V_anchor, line.sinker_friction, factor)
@@ -352,16 +354,3 @@ def _first(lines: Lines, count: int) -> Lines:
         lines.H_S[:count],
         lines.V_S[:count],
     )
-
-
-@inlined
-def _copy(known: Lines, lines: Lines) -> None:
-    """Start from what is known of the lines."""
-    lines.H[:] = known.H
-    lines.V[:] = known.V
-    lines.span[:] = known.span
-    lines.grounded[:] = known.grounded
-    lines.H_anchor[:] = known.H_anchor
-    lines.V_anchor[:] = known.V_anchor
-    lines.H_S[:] = known.H_S
-    lines.V_S[:] = known.V_S

@@ -105,12 +105,15 @@ def _least_force(tables: MooringTables, layout: int, state: int, turn: float) ->
 
 
 @inlined
-def is_too_weak(forces: tuple[float, float], line: Tables, room: Room, segments: int) -> bool:
-    """Whether the segment at the fairlead breaks its check under the least force that it bears."""
+def is_too_weak(forces: Any, line: Tables, room: Room, segments: int) -> bool:
+    """Whether the segment at the fairlead breaks its check under the least force that it bears.
+
+    `forces` has that of each load case, N.
+    """
     top = segments - 1
-    for damage in range(len(line.force)):
-        allowed = line.allowed[damage, room.place[top], room.option[top]]
-        if tension_excess(forces[damage] * (1.0 - MARGIN), allowed) > ROUNDING:
+    for c in range(len(line.force)):
+        allowed = line.allowed[c, room.place[top], room.option[top]]
+        if tension_excess(forces[c], allowed) > ROUNDING:
             return True
     return False
 

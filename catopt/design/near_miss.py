@@ -16,12 +16,8 @@ from catopt.words import Measure, Message, Sentence, Several
 class NoFeasibleDesignError(NoAnswerError):
     """No design that was evaluated passes every check.
 
-    Attributes
-    ----------
-    near_miss : NearMiss or None
-        The design that fails by the least; None when the search was stopped before it was known.
-    interrupted : bool
-        Whether the search was stopped before its end, so that others may pass.
+    `near_miss` is the design that fails by the least; None when the search was stopped before it
+    was known. `interrupted`: whether it was stopped before its end, so that others may pass.
     """
 
     def __init__(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from catopt.checks.result import CheckResult
@@ -55,23 +55,9 @@ def steps(space: DesignSpace, genes: Design) -> Iterator[Step]:
     A part that may be absent is left out, or put in at its least.
     """
     for index, variable in enumerate(space.variables):
-        at = GENES_EACH * index
-        name = _name(space, index)
-        for change in _changes(variable, genes[at], genes[at + 1]):
-            reached = (*genes[:at], *change.pair, *genes[at + GENES_EACH :])
-            what = Message(f"design.{change.what}", part=name) if change.direction else ""
-            said = Message(f"design.{change.how}", part=name, **change.values)
-            yield Step(said, reached, what, change.direction)
-
-
-class _Change(NamedTuple):
-    """New genes of one variable."""
-
-    how: str
-    values: Mapping[str, str]
-    pair: tuple[int, int]
-    what: str = ""
-    direction: int = 0
+        at, end = GENES_EACH * index, GENES_EACH * (index + 1)
+        for step in _own_steps(variable, _name(space, index), *genes[at:end]):
+            yield step._replace(genes=(*genes[:at], *step.genes, *genes[end:]))
 
 
 def _name(space: DesignSpace, index: int) -> str:
@@ -85,22 +71,24 @@ def _name(space: DesignSpace, index: int) -> str:
     return space.variables[index].name or Message(key, number=number)
 
 
-def _changes(variable: _Variable, kind: int, place: int) -> Iterator[_Change]:
-    """List the changes of a variable of two genes."""
+def _own_steps(variable: _Variable, name: str, kind: int, place: int) -> Iterator[Step]:
+    """List the steps of a named variable, with its own two genes alone."""
     here = kind - variable.is_optional
     if here < 0:
-        yield _Change("put_in", {"added": _least(variable)}, (1, 0))
+        yield Step(Message("design.put_in", part=name, added=_least(variable)), (1, 0))
         return
-    what, what_of_place = _what(variable)
+    what, what_of_place = (Message(f"design.{each}", part=name) for each in _what(variable))
     for other, direction in _other_kinds(variable, here):
         values = {"new": _kind(variable, other), "old": _kind(variable, here)}
+        said = Message("design.changed", part=name, **values)
         pair = (other + variable.is_optional, place)
-        yield _Change("changed", values, pair, what, direction)
+        yield Step(said, pair, what if direction else "", direction)
     for other in _beside(place, len(variable.values[1])):
         values = {"new": _place(variable, other, is_new=True), "old": _place(variable, place)}
-        yield _Change("changed", values, (kind, other), what_of_place, other - place)
+        said = Message("design.changed", part=name, **values)
+        yield Step(said, (kind, other), what_of_place, other - place)
     if variable.is_optional:
-        yield _Change("left_out", {}, (0, 0))
+        yield Step(Message("design.left_out", part=name), (0, 0))
 
 
 def _other_kinds(variable: _Variable, here: int) -> Iterator[tuple[int, int]]:

@@ -72,7 +72,7 @@ def design_case(
     case = _with_settings(case, method, seed, evaluations)
     is_mooring = case.design is not None and case.system is not None
     problem = (MooringProblem if is_mooring else DesignProblem).of(case)
-    found = _search(problem, progress, announce or _say_nothing)
+    found = _search(problem, progress, announce or (lambda _: None))
     if not len(found.outcome.genes):
         raise no_feasible_design(problem, found.outcome)
     return answer(problem, found)
@@ -127,7 +127,3 @@ def _method(design: Design, designs: int) -> SearchMethod:
     if design.method == "auto":
         return "enumeration" if designs <= design.max_enumerated else LARGE_SPACES
     return "enumeration" if design.evaluations >= designs else design.method
-
-
-def _say_nothing(_: str) -> None:
-    """Take an announcement that nobody wants to hear."""
