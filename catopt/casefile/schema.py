@@ -8,11 +8,12 @@ left out and is left out is not there, and the model is then built without it.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import MISSING, dataclass, fields, is_dataclass
 from types import MappingProxyType
 from typing import Annotated, Any, ClassVar
 
 from catopt import model
+from catopt.model import ClumpWeightChoice, Load, PointLoad, SwarmSettings
 from catopt.model.checks import Code
 from catopt.model.design import Component
 from catopt.model.kinds import (
@@ -24,7 +25,6 @@ from catopt.model.kinds import (
     Kind,
     Length,
     Measured,
-    Moment,
     OneOf,
     Share,
     Size,
@@ -32,7 +32,7 @@ from catopt.model.kinds import (
     Weight,
     annotated,
 )
-from catopt.model.network import Point, PointName
+from catopt.model.network import LineBetween, Network
 from catopt.units import Dimension
 
 MOST_LISTED, MOST_TABLES = 1_000, 200
@@ -90,20 +90,45 @@ class Table:
     symbols: ClassVar[Mapping[str, str]] = {}
     """The field's symbols for some keys, so that a user who writes one is told the key."""
 
+    def __init_subclass__(cls) -> None:
+        if cls.model is not None:
+            _OF_MODEL.setdefault(cls.model, cls)
+
     def __init__(self, given: Mapping[str, Any]) -> None:
         vars(self).update(given)
+
+    def __getattr__(self, key: str) -> Any:
+        if key not in entries(type(self)):
+            raise AttributeError(key)
+        return None  # left out
 
     def given(self) -> dict[str, Any]:
         """Return what the file gives, by key."""
         return dict(vars(self))
 
 
-class SiteTable(Table):
-    """Water and seabed."""
+_OF_MODEL: dict[type, type[Table]] = {}
 
-    model = model.Site
-    symbols: ClassVar = {"d": "water_depth", "mu": "seabed_friction", "rho": "water_density"}
 
+def table_of(part: type, **symbols: str) -> type[Table]:
+    """Return the table of a part of the model, the first; made where a file has it as the model."""
+    if part not in _OF_MODEL:
+        type(f"{part.__name__}Table", (Table,), {"model": part, "symbols": symbols})
+    return _OF_MODEL[part]
+
+
+table_of(model.Site, d="water_depth", mu="seabed_friction", rho="water_density")
+LoadTable = table_of(model.Load, H="horizontal_force", S="span", T="fairlead_tension")
+table_of(model.Find, theta0="anchor_angle")
+table_of(model.DesignLoad, horizontal_force="force")
+table_of(model.SwarmSettings, c1="cognitive", c2="social", w="inertia")
+WaveTrainTable = table_of(
+    model.WaveTrain, Hs="height", H="height", Tp="period", T="period", gamma="peak_enhancement"
+)
+table_of(model.Motion, T="period", RAO="rao_file")
+table_of(model.Body, m="mass")
+table_of(model.Dynamics, step="time_step", seeds="runs")
+table_of(model.SegmentCurve, a_D="log_a_D")
 
 DRAG_AREAS = ("D", "pi D")
 """Area per length with which a coefficient of drag along the line goes."""
@@ -158,17 +183,12 @@ class PointLoadTable(Table):
 class LineTable(Table):
     """The mooring line."""
 
+    model = model.Line
+    keys = "fairlead_height anchor_height segments point_loads"
+
     fairlead_height: Height | None = None
     anchor_height: Height | None = None
-    segments: list[SegmentTable]
-    point_loads: Annotated[list[PointLoadTable], Size(0, MOST_TABLES)] | None = None
-
-
-class LoadTable(Table):
-    """The one known quantity at the fairlead."""
-
-    model = model.Load
-    symbols: ClassVar = {"H": "horizontal_force", "S": "span", "T": "fairlead_tension"}
+    point_loads: Annotated[list[PointLoad], Size(0, MOST_TABLES)] | None = None
 
 
 class LoadCaseTable(Table):
@@ -182,19 +202,13 @@ class LoadCaseTable(Table):
 class SystemTable(Table):
     """A body moored by several lines, each like [line], and what pushes it."""
 
+    model = model.System
+    keys = "anchor_radius fairlead_radius azimuths force moment yaw_free"
+
     anchor_radius: Length
     fairlead_radius: Height | None = None
     azimuths: list[Angle]
     force: Annotated[list[Force], Size(2, 2)] | None = None
-    moment: Moment | None = None
-    yaw_free: bool | None = None
-
-
-class FindTable(Table):
-    """What is sought, in place of how the line hangs."""
-
-    model = model.Find
-    symbols: ClassVar = {"theta0": "anchor_angle"}
 
 
 class ChecksTable(Table):
@@ -207,18 +221,6 @@ class ChecksTable(Table):
     symbols: ClassVar = {"SF": "safety_factor", "factor_of_safety": "safety_factor"}
 
     code: Code | None = None
-
-
-class ServiceTable(Table):
-    """How long the line is to last, and how fast it wears."""
-
-    model = model.Service
-
-
-class BuoyTable(Table):
-    """The floating body that the line pulls down on."""
-
-    model = model.Buoy
 
 
 class AnchorTable(Table):
@@ -285,13 +287,6 @@ class SinkerChoiceTable(Table):
     choices = (MASSES,)
 
 
-class DesignLoadTable(Table):
-    """A force on a moored body that every design has to meet."""
-
-    model = model.DesignLoad
-    symbols: ClassVar = {"horizontal_force": "force"}
-
-
 class DesignTable(Table):
     """What may vary, and what it is to be best in."""
 
@@ -300,30 +295,7 @@ class DesignTable(Table):
         sinker lines anchor_radii pretensions headings line_out loads"""
     choices = (RADII, PRETENSIONS)
 
-    segments: list[SegmentChoiceTable]
-    clump_weights: Annotated[list[ClumpWeightChoiceTable], Size(0, MOST_TABLES)] | None = None
-    sinker: SinkerChoiceTable | None = None
-    loads: list[DesignLoadTable] | None = None
-
-
-class PsoTable(Table):
-    """Settings of the particle swarm."""
-
-    model = model.SwarmSettings
-    symbols: ClassVar = {"c1": "cognitive", "c2": "social", "w": "inertia"}
-
-
-class WaveTrainTable(Table):
-    """Waves of one spectrum among several."""
-
-    model = model.WaveTrain
-    symbols: ClassVar = {
-        "Hs": "height",
-        "H": "height",
-        "Tp": "period",
-        "T": "period",
-        "gamma": "peak_enhancement",
-    }
+    clump_weights: Annotated[list[ClumpWeightChoice], Size(0, MOST_TABLES)] | None = None
 
 
 class WavesTable(Table):
@@ -334,14 +306,6 @@ class WavesTable(Table):
         spreading_directions elevation_file elevation_x shortest_period stretching seed trains"""
     symbols: ClassVar = WaveTrainTable.symbols
 
-    trains: list[WaveTrainTable] | None = None
-
-
-class CurrentTable(Table):
-    """A current over the depth, for a line in motion."""
-
-    model = model.CurrentProfile
-
 
 class AnchorMotionTable(Table):
     """How the lower end of a line moves."""
@@ -351,27 +315,6 @@ class AnchorMotionTable(Table):
     symbols: ClassVar = {"T": "period"}
 
     file: Annotated[str, File(example='"lower-end.csv"')] | None = None
-
-
-class MotionTable(Table):
-    """How the fairlead moves."""
-
-    model = model.Motion
-    symbols: ClassVar = {"T": "period", "RAO": "rao_file"}
-
-
-class BodyTable(Table):
-    """The body that several lines moor, where it moves under forces."""
-
-    model = model.Body
-    symbols: ClassVar = {"m": "mass"}
-
-
-class DynamicsTable(Table):
-    """How the line is run in time."""
-
-    model = model.Dynamics
-    symbols: ClassVar = {"step": "time_step", "seeds": "runs"}
 
 
 class FatigueSeaStateTable(Table):
@@ -387,13 +330,6 @@ class FatigueSeaStateTable(Table):
     ) = None
 
 
-class FatigueCurveTable(Table):
-    """Curve of a segment, in place of the code's."""
-
-    model = model.SegmentCurve
-    symbols: ClassVar = {"a_D": "log_a_D"}
-
-
 class FatigueTable(Table):
     """What the damage of a line in motion is found from."""
 
@@ -401,13 +337,13 @@ class FatigueTable(Table):
     keys = "code design_factor curves sea_states sea_states_file"
     symbols: ClassVar = {"DFF": "design_factor"}
 
-    curves: list[FatigueCurveTable] | None = None
-    sea_states: list[FatigueSeaStateTable] | None = None
-
 
 class CaseTable(Table):
     """A whole case file."""
 
+    model = model.Case
+    keys = """title source site line load load_cases system find checks service buoy anchor
+        catalogue design waves current motion anchor_motion body dynamics fatigue pso"""
     later: ClassVar = {"verify": ""}
     elsewhere: ClassVar = {
         "environment": "belongs to a file for catopt size and catopt loads (docs/sizing.md), "
@@ -415,34 +351,9 @@ class CaseTable(Table):
     }
     symbols: ClassVar = {"catalog": "catalogue"}
 
-    title: str | None = None
-    source: str | None = None
-    site: SiteTable
-    line: LineTable
-    load: LoadTable | None = None
-    load_cases: list[LoadCaseTable] | None = None
-    system: SystemTable | None = None
-    find: FindTable | None = None
-    checks: ChecksTable | None = None
-    service: ServiceTable | None = None
-    buoy: BuoyTable | None = None
-    anchor: AnchorTable | None = None
-    catalogue: CatalogueTable | None = None
-    design: DesignTable | None = None
-    waves: WavesTable | None = None
-    current: CurrentTable | None = None
-    motion: MotionTable | None = None
+    load: Load | None = None
     anchor_motion: AnchorMotionTable | None = None
-    body: BodyTable | None = None
-    dynamics: DynamicsTable | None = None
-    fatigue: FatigueTable | None = None
-    pso: PsoTable | None = None
-
-
-class PointTable(Table):
-    """An anchor, a fairlead or a free joint."""
-
-    model = Point
+    pso: SwarmSettings | None = None
 
 
 class NetworkSegmentTable(Table):
@@ -462,9 +373,9 @@ class NetworkLoadTable(Table):
 class LineBetweenTable(Table):
     """A line from one point to another."""
 
-    name: str | None = None
-    start: PointName
-    end: PointName
+    model = LineBetween
+    keys = "name start end segments point_loads"
+
     segments: list[NetworkSegmentTable]
     point_loads: list[NetworkLoadTable] | None = None
 
@@ -472,11 +383,8 @@ class LineBetweenTable(Table):
 class NetworkTable(Table):
     """A whole file of lines that meet in joints."""
 
-    title: str | None = None
-    source: str | None = None
-    site: SiteTable
-    points: list[PointTable]
-    lines: list[LineBetweenTable]
+    model = Network
+    keys = "title source site points lines"
 
 
 @dataclass(frozen=True)
@@ -506,6 +414,8 @@ def entries(table: type[Table]) -> Mapping[str, Entry]:
 def _entries(table: type[Table]) -> Iterator[tuple[str, Entry]]:
     own = annotated(table)
     of_model = annotated(table.model) if table.model else {}
+    of_part = fields(table.model) if table.model else ()
+    needed = {each.name for each in of_part if each.default is each.default_factory is MISSING}
     several = {values.many: values for values in table.choices}
     for key in table.keys.split() or [*of_model, *own]:
         kind, array, size, classes = own[key] if key in own else of_model[key]
@@ -514,7 +424,8 @@ def _entries(table: type[Table]) -> Iterator[tuple[str, Entry]]:
             for way in (ways.one, ways.many, *ways.range):
                 yield way, Entry(kind, None, way == key, False, Size(1, MOST_LISTED))
             continue
-        inner = next((each for each in classes if issubclass(each, Table)), None)
-        required = not hasattr(table if key in own else table.model, key)
+        parts = (each for each in classes if issubclass(each, Table) or is_dataclass(each))
+        inner = next((p if issubclass(p, Table) else table_of(p) for p in parts), None)
+        required = not hasattr(table, key) if key in own else key in needed
         most = MOST_LISTED if inner is None else MOST_TABLES
         yield key, Entry(kind, inner, array, required, size or Size(1, most))

@@ -73,8 +73,8 @@ class LineBetween:
     """A line from one point to another, by their names; its segments run that way."""
 
     line: Line
-    start: str
-    end: str
+    start: PointName
+    end: PointName
     name: str = ""
 
 

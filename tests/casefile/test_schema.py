@@ -15,37 +15,12 @@ import pytest
 from catopt.casefile import parse_case
 from catopt.casefile.schema import (
     AnchorMotionTable,
-    AnchorTable,
-    BodyTable,
-    BuoyTable,
     CaseTable,
-    CatalogueTable,
-    ChecksTable,
-    ClumpWeightChoiceTable,
-    CurrentTable,
-    DesignLoadTable,
-    DesignTable,
-    DynamicsTable,
-    FatigueCurveTable,
-    FatigueSeaStateTable,
-    FatigueTable,
-    FindTable,
     LineTable,
-    LoadCaseTable,
-    LoadTable,
-    MotionTable,
-    PointLoadTable,
-    PsoTable,
-    SegmentChoiceTable,
-    SegmentTable,
-    ServiceTable,
-    SinkerChoiceTable,
-    SiteTable,
     Table,
     VariantsTable,
-    WavesTable,
-    WaveTrainTable,
     entries,
+    table_of,
 )
 from catopt.catalogue import ALL
 from catopt.catalogue.figure import SPECS
@@ -103,112 +78,106 @@ def tables(
 
 # The model: the same names, the same ranges, the defaults of the page.
 
-MODEL: dict[type[Table], tuple[Callable[..., object], dict[str, Any]]] = {
-    SiteTable: (Site, {"water_depth": 9.5}),
-    SegmentTable: (Segment, {"length": 20.0, "submerged_weight": 93.0}),
-    PointLoadTable: (PointLoad, {"position": 7.0, "submerged_weight": 490.0}),
-    LoadTable: (Load, {}),
-    FindTable: (Find, {"quantity": "length"}),
-    LoadCaseTable: (LoadCase, {"name": "storm", "horizontal_force": 5e4}),
-    ChecksTable: (Checks, {}),
-    ServiceTable: (Service, {"life": 3e8}),
-    BuoyTable: (Buoy, {"reserve_buoyancy": 1e4}),
-    AnchorTable: (Anchor, {"kind": "sinker", "submerged_weight": 3e4, "friction": 0.5}),
-    CatalogueTable: (CatalogueChoice, {}),
-    DesignTable: (Design, {"segments": (SegmentChoice((20.0,)),)}),
-    DesignLoadTable: (DesignLoad, {"name": "storm", "force": 1e6}),
-    SegmentChoiceTable: (SegmentChoice, {"lengths": (20.0,)}),
-    ClumpWeightChoiceTable: (
-        ClumpWeightChoice,
-        {"masses": (500.0,), "density": 2400.0, "positions": (7.0,)},
-    ),
-    SinkerChoiceTable: (SinkerChoice, {"masses": (500.0,), "density": 2400.0, "friction": 0.5}),
-    WavesTable: (WaveState, {"spectrum": "jonswap", "height": 2.0, "period": 8.0}),
-    WaveTrainTable: (WaveTrain, {"spectrum": "jonswap", "height": 2.0, "period": 8.0}),
-    CurrentTable: (CurrentProfile, {"profile": "power", "speed": 1.0}),
-    MotionTable: (Motion, {"period": 8.0}),
-    AnchorMotionTable: (Motion, {"period": 8.0}),
-    BodyTable: (Body, {"mass": 1e5}),
-    DynamicsTable: (Dynamics, {"duration": 600.0}),
-    FatigueTable: (
-        Fatigue,
-        {"sea_states": (FatigueSeaState(2.0, 8.0, 0.5),), "code": "API-RP-2SK"},
-    ),
-    FatigueSeaStateTable: (FatigueSeaState, {"height": 2.0, "period": 8.0, "share": 0.5}),
-    FatigueCurveTable: (SegmentCurve, {"name": "E301 stud"}),
-    PsoTable: (SwarmSettings, {}),
+NEEDED: dict[type, dict[str, Any]] = {
+    Site: {"water_depth": 9.5},
+    Segment: {"length": 20.0, "submerged_weight": 93.0},
+    PointLoad: {"position": 7.0, "submerged_weight": 490.0},
+    Load: {},
+    Find: {"quantity": "length"},
+    LoadCase: {"name": "storm", "horizontal_force": 5e4},
+    Checks: {},
+    Service: {"life": 3e8},
+    Buoy: {"reserve_buoyancy": 1e4},
+    Anchor: {"kind": "sinker", "submerged_weight": 3e4, "friction": 0.5},
+    CatalogueChoice: {},
+    Design: {"segments": (SegmentChoice((20.0,)),)},
+    DesignLoad: {"name": "storm", "force": 1e6},
+    SegmentChoice: {"lengths": (20.0,)},
+    ClumpWeightChoice: {"masses": (500.0,), "density": 2400.0, "positions": (7.0,)},
+    SinkerChoice: {"masses": (500.0,), "density": 2400.0, "friction": 0.5},
+    WaveState: {"spectrum": "jonswap", "height": 2.0, "period": 8.0},
+    WaveTrain: {"spectrum": "jonswap", "height": 2.0, "period": 8.0},
+    CurrentProfile: {"profile": "power", "speed": 1.0},
+    Motion: {"period": 8.0},
+    Body: {"mass": 1e5},
+    Dynamics: {"duration": 600.0},
+    Fatigue: {"sea_states": (FatigueSeaState(2.0, 8.0, 0.5),), "code": "API-RP-2SK"},
+    FatigueSeaState: {"height": 2.0, "period": 8.0, "share": 0.5},
+    SegmentCurve: {"name": "E301 stud"},
+    SwarmSettings: {},
 }
-"""For each table the model's class and what it needs at least."""
+"""What each part of the model needs at least."""
+
+TABLES: list[type[Table]] = [*map(table_of, NEEDED), AnchorMotionTable]
 
 RECORDED = {"spectrum": None, "height": None, "period": None, "elevation_file": "e.csv"}
 ROUGH = {"drag_method": "roughness", "roughness": 1e-4, "keulegan_carpenter": 8.0}
 SPREAD = {"spreading_exponent": 2.0, "components": 12}
 
-BESIDE: dict[tuple[type[Table], str], dict[str, Any]] = {
-    (FindTable, "quantity"): {"anchor_angle": 0.0},
-    (FindTable, "segment"): {"anchor_angle": 0.0},
-    (FindTable, "point_load"): {"quantity": "clump_weight", "anchor_angle": 0.0},
-    (AnchorTable, "factor_source"): {"safety_factor": 1.5},
-    (SinkerChoiceTable, "factor_source"): {"safety_factor": 1.5},
-    (SegmentTable, "MBL_mean"): {"MBL_cov": 0.05},
-    (SegmentTable, "MBL_cov"): {"MBL_mean": 2e5},
-    (AnchorTable, "holding_capacity"): {
+BESIDE: dict[tuple[type, str], dict[str, Any]] = {
+    (Find, "quantity"): {"anchor_angle": 0.0},
+    (Find, "segment"): {"anchor_angle": 0.0},
+    (Find, "point_load"): {"quantity": "clump_weight", "anchor_angle": 0.0},
+    (Anchor, "factor_source"): {"safety_factor": 1.5},
+    (SinkerChoice, "factor_source"): {"safety_factor": 1.5},
+    (Segment, "MBL_mean"): {"MBL_cov": 0.05},
+    (Segment, "MBL_cov"): {"MBL_mean": 2e5},
+    (Anchor, "holding_capacity"): {
         "kind": "drag",
         "submerged_weight": None,
         "friction": None,
     },
-    (ClumpWeightChoiceTable, "joint"): {"positions": ()},
-    **{(SegmentTable, k): ROUGH for k in ("roughness", "wake_amplification")},
-    (SegmentTable, "keulegan_carpenter"): ROUGH | {"wake_amplification": 1.0},
-    (CurrentTable, "depth"): {"profile": "wind"},
-    (CurrentTable, "depths"): {"profile": "table", "speed": None, "speeds": (1.0,)},
-    (CurrentTable, "speeds"): {"profile": "table", "speed": None, "depths": (1.0,)},
-    **{(table, "spreading_directions"): SPREAD for table in (WavesTable, WaveTrainTable)},
-    **{(WavesTable, key): RECORDED for key in ("elevation_x", "shortest_period")},
-    (WavesTable, "elevation_file"): RECORDED,
-    (CurrentTable, "directions"): {
+    (ClumpWeightChoice, "joint"): {"positions": ()},
+    **{(Segment, k): ROUGH for k in ("roughness", "wake_amplification")},
+    (Segment, "keulegan_carpenter"): ROUGH | {"wake_amplification": 1.0},
+    (CurrentProfile, "depth"): {"profile": "wind"},
+    (CurrentProfile, "depths"): {"profile": "table", "speed": None, "speeds": (1.0,)},
+    (CurrentProfile, "speeds"): {"profile": "table", "speed": None, "depths": (1.0,)},
+    **{(part, "spreading_directions"): SPREAD for part in (WaveState, WaveTrain)},
+    **{(WaveState, key): RECORDED for key in ("elevation_x", "shortest_period")},
+    (WaveState, "elevation_file"): RECORDED,
+    (CurrentProfile, "directions"): {
         "profile": "table",
         "speed": None,
         "depths": (1.0,),
         "speeds": (1.0,),
     },
-    (CurrentTable, "series_file"): {"speed": None},
-    (PointLoadTable, "drag_area"): {"drag_coefficient": 1.0},
-    (PointLoadTable, "drag_coefficient"): {"drag_area": 1.0},
-    (MotionTable, "file"): {"period": None},
-    (AnchorMotionTable, "file"): {"period": None},
-    (MotionTable, "rao_file"): {"period": None},
-    **{(DynamicsTable, key): {"duration": 1.7e308} for key in ("ramp", "time_step")},
-    (DynamicsTable, "output_interval"): {"duration": 1.7e308},
-    (DynamicsTable, "broken_line"): {"broken_at": 5.0},
-    (DynamicsTable, "broken_at"): {"duration": 1.7e308, "broken_line": 1},
-    (FatigueTable, "sea_states_file"): {"sea_states": ()},
-    (FatigueCurveTable, "log_a_D"): {"name": "", "m": 3.0},
-    (FatigueCurveTable, "m"): {"name": "", "log_a_D": 10.0},
-    (FatigueCurveTable, "K"): {"name": "", "M": 3.0},
-    (FatigueCurveTable, "M"): {"name": "", "K": 316.0},
-    (DynamicsTable, "broken_end"): {"duration": 9.0, "broken_line": 1, "broken_at": 5.0},
+    (CurrentProfile, "series_file"): {"speed": None},
+    (PointLoad, "drag_area"): {"drag_coefficient": 1.0},
+    (PointLoad, "drag_coefficient"): {"drag_area": 1.0},
+    (Motion, "file"): {"period": None},
+    (Motion, "rao_file"): {"period": None},
+    **{(Dynamics, key): {"duration": 1.7e308} for key in ("ramp", "time_step")},
+    (Dynamics, "output_interval"): {"duration": 1.7e308},
+    (Dynamics, "broken_line"): {"broken_at": 5.0},
+    (Dynamics, "broken_at"): {"duration": 1.7e308, "broken_line": 1},
+    (Fatigue, "sea_states_file"): {"sea_states": ()},
+    (SegmentCurve, "log_a_D"): {"name": "", "m": 3.0},
+    (SegmentCurve, "m"): {"name": "", "log_a_D": 10.0},
+    (SegmentCurve, "K"): {"name": "", "M": 3.0},
+    (SegmentCurve, "M"): {"name": "", "K": 316.0},
+    (Dynamics, "broken_end"): {"duration": 9.0, "broken_line": 1, "broken_at": 5.0},
 }
 """What some keys need beside them."""
 
-RENAMED: dict[tuple[type[Table], str], str] = {(SegmentTable, "diameter"): "nominal_diameter"}
+RENAMED: dict[tuple[type, str], str] = {(Segment, "diameter"): "nominal_diameter"}
 """Keys whose attribute has another name."""
 
 NOT_IN_THE_MODEL = {
-    (SegmentTable, "drag_axial_area"),  # the coefficient is brought to D when it is read
-    (PointLoadTable, "density"),
-    (PointLoadTable, "volume"),
-    (AnchorTable, "density"),
-    (ChecksTable, "code"),
-    (FatigueSeaStateTable, "time_per_year"),
-    (SegmentChoiceTable, "component"),
-    (SegmentChoiceTable, "diameter"),
-    *((SegmentChoiceTable, f"length{end}") for end in ("", "_min", "_max", "_step")),
-    *((ClumpWeightChoiceTable, f"mass{end}") for end in ("", "_min", "_max", "_step")),
-    *((ClumpWeightChoiceTable, f"position{end}") for end in ("", "_min", "_max", "_step")),
-    *((SinkerChoiceTable, f"mass{end}") for end in ("", "_min", "_max", "_step")),
+    (Segment, "drag_axial_area"),  # the coefficient is brought to D when it is read
+    (PointLoad, "density"),
+    (PointLoad, "volume"),
+    (Anchor, "density"),
+    (Checks, "code"),
+    (FatigueSeaState, "time_per_year"),
+    (SegmentChoice, "component"),
+    (SegmentChoice, "diameter"),
+    *((SegmentChoice, f"length{end}") for end in ("", "_min", "_max", "_step")),
+    *((ClumpWeightChoice, f"mass{end}") for end in ("", "_min", "_max", "_step")),
+    *((ClumpWeightChoice, f"position{end}") for end in ("", "_min", "_max", "_step")),
+    *((SinkerChoice, f"mass{end}") for end in ("", "_min", "_max", "_step")),
     *(
-        (DesignTable, f"{name}{end}")
+        (Design, f"{name}{end}")
         for name in ("anchor_radius", "pretension")
         for end in ("", "_min", "_max", "_step")
     ),
@@ -216,39 +185,38 @@ NOT_IN_THE_MODEL = {
 """Keys from which the model's own attributes are worked out."""
 
 NARROWER = {
-    (ChecksTable, "max_anchor_uplift_angle"),
-    (SegmentTable, "component"),
-    (SegmentChoiceTable, "components"),
-    (DesignLoadTable, "name"),
-    (ChecksTable, "codes"),
-    (CatalogueTable, "file"),
-    (AnchorTable, "factor_source"),
-    (SinkerChoiceTable, "factor_source"),
-    (FatigueTable, "code"),
-    (FatigueTable, "sea_states_file"),
-    (MotionTable, "file"),
-    (AnchorMotionTable, "file"),
-    *((MotionTable, f"rao_{end}") for end in ("file", "phase", "rotation", "per")),
-    (MotionTable, "drift_file"),
-    (BodyTable, "force_file"),
-    (WavesTable, "elevation_file"),
-    (CurrentTable, "series_file"),
+    (Checks, "max_anchor_uplift_angle"),
+    (Segment, "component"),
+    (SegmentChoice, "components"),
+    (DesignLoad, "name"),
+    (Checks, "codes"),
+    (CatalogueChoice, "file"),
+    (Anchor, "factor_source"),
+    (SinkerChoice, "factor_source"),
+    (Fatigue, "code"),
+    (Fatigue, "sea_states_file"),
+    (Motion, "file"),
+    *((Motion, f"rao_{end}") for end in ("file", "phase", "rotation", "per")),
+    (Motion, "drift_file"),
+    (Body, "force_file"),
+    (WaveState, "elevation_file"),
+    (CurrentProfile, "series_file"),
 }
 """An angle is limited to a right one, because a bare 5 is more likely meant in degrees; a name that
 is blank is no name."""
 
 SIZES = {
-    (MotionTable, "rao_reference"): 3,
-    (MotionTable, "rao_crest"): 2,
-    (MotionTable, "drift"): 2,
-    (BodyTable, "wave_force"): 2,
+    (Motion, "rao_reference"): 3,
+    (Motion, "rao_crest"): 2,
+    (Motion, "drift"): 2,
+    (Body, "wave_force"): 2,
 }
 """Arrays that have so many values."""
 
 WORDS = {
-    (DesignTable, "objectives"): OBJECTIVES,
-    (AnchorTable, "kind"): ANCHOR_KINDS,
-    (SegmentTable, "drag_method"): DRAG_METHODS,
+    (Design, "objectives"): OBJECTIVES,
+    (Anchor, "kind"): ANCHOR_KINDS,
+    (Segment, "drag_method"): DRAG_METHODS,
 }
 """Words that need others beside them, or other keys, so that the model refuses them alone."""
 
@@ -280,21 +248,21 @@ def accepts(function: Callable[..., object], *args: object, **kwargs: object) ->
 
 
 def keys_with_a_value() -> Iterator[tuple[type[Table], str, Kind]]:
-    for table in MODEL:
+    for table in TABLES:
         for key, entry in entries(table).items():
-            if entry.kind is not None and (table, key) not in NOT_IN_THE_MODEL:
+            if entry.kind is not None and (table.model, key) not in NOT_IN_THE_MODEL:
                 yield table, key, entry.kind
 
 
 @pytest.mark.parametrize(("table", "key", "kind"), list(keys_with_a_value()))
 def test_the_ranges_are_those_of_the_model(table: type[Table], key: str, kind: Kind) -> None:
-    build, needed = MODEL[table]
-    needed = needed | BESIDE.get((table, key), {})
-    attribute = RENAMED.get((table, key), key)
+    part = table.model
+    needed = NEEDED[part] | BESIDE.get((part, key), {})
+    attribute = RENAMED.get((part, key), key)
     textual = isinstance(kind, Text | OneOf)
     whole = isinstance(kind, Whole)
-    if (table, key) in WORDS:
-        assert kind == OneOf(WORDS[table, key])
+    if (part, key) in WORDS:
+        assert kind == OneOf(WORDS[part, key])
         return
     if isinstance(kind, Flag):
         assert (accepts(kind.read, True), accepts(kind.read, 1)) == (True, False)
@@ -305,9 +273,9 @@ def test_the_ranges_are_those_of_the_model(table: type[Table], key: str, kind: K
         if isinstance(kind, Measured) and kind.dimension.implausible(float(probe)):
             assert not by_file, probe  # from Python anything goes that the formulas take
             continue
-        value = (probe,) * SIZES.get((table, key), 1) if entries(table)[key].array else probe
-        by_model = accepts(build, **{**needed, attribute: value})
-        if (table, key) in NARROWER:
+        value = (probe,) * SIZES.get((part, key), 1) if entries(table)[key].array else probe
+        by_model = accepts(part, **{**needed, attribute: value})
+        if (part, key) in NARROWER:
             assert by_model or not by_file, probe
         else:
             assert by_file == by_model, probe
@@ -321,13 +289,12 @@ def test_the_heights_have_the_ranges_of_the_model() -> None:
 
 
 def test_every_attribute_of_the_model_has_its_key() -> None:
-    for table, (build, _) in MODEL.items():
-        assert isinstance(build, type)
-        attributes = {f.name for f in fields(build)}
+    for table in TABLES:
+        attributes = {f.name for f in fields(table.model)}
         if table is AnchorMotionTable:
             attributes -= {"rao_file", *OF_A_BODY}  # refused there
-        keys = {k for k in entries(table) if (table, k) not in NOT_IN_THE_MODEL}
-        assert {RENAMED.get((table, k), k) for k in keys} == attributes
+        keys = {k for k in entries(table) if (table.model, k) not in NOT_IN_THE_MODEL}
+        assert {RENAMED.get((table.model, k), k) for k in keys} == attributes
     renamed = {"pso": "swarm"}
     lifted = {"fairlead_height", "anchor_height"}
     assert {renamed.get(k, k) for k in entries(CaseTable)} == {
@@ -419,10 +386,9 @@ def test_the_defaults_on_the_page_are_those_of_the_model() -> None:
     compared = 0
     for header, rows in documented().items():
         table = tables()[header]
-        if table not in MODEL:
+        if table not in TABLES:
             continue
-        build, _ = MODEL[table]
-        for field in fields(build):  # type: ignore[arg-type]
+        for field in fields(table.model):
             if field.default in (MISSING, None, math.inf, "", ()):
                 continue
             assert rows[field.name].default == default_of(field.default), field.name
