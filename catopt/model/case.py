@@ -72,79 +72,49 @@ class SwarmSettings:
 
 @dataclass(frozen=True)
 class Case:
-    """Everything a case file says.
-
-    Attributes
-    ----------
-    site : Site
-        Water and seabed.
-    line : Line
-        The mooring line.
-    load : Load or None
-        What is known at the fairlead; None where `find` seeks the force itself, or where there
-        are load cases.
-    fairlead_height, anchor_height : float
-        Above the seabed, m.
-    checks : Checks
-        Limits.
-    swarm : SwarmSettings
-        Settings of ``--method pso``.
-    title, source : str
-        Free text.
-    find : Find or None
-        What is sought instead, if anything.
-    load_cases : tuple of LoadCase
-        The states that checks and designs are made for; empty: the load alone.
-    service : Service or None
-        Life and wear; None: the line stays as new.
-    buoy : Buoy or None
-        What the line pulls down on, when its buoyancy is to be checked.
-    anchor : Anchor or None
-        What holds the line, when that is to be checked.
-    catalogue : CatalogueChoice
-        Where components come from.
-    design : Design or None
-        What may vary.
-    system : System or None
-        A body moored by several lines like `line`, in the place of a load.
-    waves, current : WaveState, CurrentProfile or None
-        Of the sea, for a line in motion.
-    motion : Motion or None
-        Of the fairlead; of a body with several lines, of its origin.
-    anchor_motion : Motion or None
-        Of the lower end of a line, harmonic or recorded; it stays without.
-    body : Body or None
-        That the lines moor, where it moves under forces instead of being led.
-    dynamics : Dynamics or None
-        How the line is run in time; needed by the five before it.
-    fatigue : Fatigue or None
-        What its damage in a year is found from.
-    """
+    """Everything a case file says."""
 
     site: Site
     line: Line
     load: Load | None
+    """At the fairlead; None where `find` seeks the force itself, or where there are load cases."""
     fairlead_height: Height
+    """Above the seabed, m, as `anchor_height`."""
     anchor_height: Height = 0.0
     checks: Checks = field(default_factory=Checks)
     swarm: SwarmSettings = field(default_factory=SwarmSettings)
+    """Of ``--method pso``."""
     title: str = ""
     source: str = ""
     find: Find | None = None
+    """What is sought instead, if anything."""
     load_cases: tuple[LoadCase, ...] = ()
+    """The states that checks and designs are made for; empty: the load alone."""
     service: Service | None = None
+    """Life and wear; None: the line stays as new."""
     buoy: Buoy | None = None
+    """What the line pulls down on, when its buoyancy is to be checked."""
     anchor: Anchor | None = None
+    """What holds the line, when that is to be checked."""
     catalogue: CatalogueChoice = field(default_factory=CatalogueChoice)
+    """Where components come from."""
     design: Design | None = None
+    """What may vary."""
     system: System | None = None
+    """A body moored by several lines like `line`, in the place of a load."""
     waves: WaveState | None = None
+    """Of the sea, for a line in motion, as `current`."""
     current: CurrentProfile | None = None
     motion: Motion | None = None
+    """Of the fairlead; of a body with several lines, of its origin."""
     anchor_motion: Motion | None = None
+    """Of the lower end of a line, harmonic or recorded; it stays without."""
     body: Body | None = None
+    """That the lines moor, where it moves under forces instead of being led."""
     dynamics: Dynamics | None = None
+    """How the line is run in time; needed by the five before it."""
     fatigue: Fatigue | None = None
+    """What its damage in a year is found from."""
 
     def __post_init__(self) -> None:
         found = Findings(of=self).check("fairlead_height", "anchor_height")

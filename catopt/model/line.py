@@ -86,79 +86,53 @@ def drag_misfits(given: Mapping[str, Any]) -> list[Problem]:
 
 @dataclass(frozen=True)
 class Segment:
-    """A uniform stretch of chain, wire or rope.
-
-    Attributes
-    ----------
-    length : float
-        Unstretched length, m.
-    submerged_weight : float
-        Weight in water per unstretched length, N/m; negative when it floats.
-    EA : float
-        Axial stiffness, N; infinite for an inextensible segment.
-    mass : float or None
-        Mass in air per unstretched length, kg/m; None when not known.
-    MBL : float or None
-        Minimum breaking load, N; None when not known.
-    name : str
-        Free text, for tables.
-    component : str
-        Family and grade in the catalogue; empty when the figures are the user's own.
-    nominal_diameter : float or None
-        Of the bar of a chain's links, or of the rope as sold, m; None when not known.
-    proof_load : float or None
-        N; None when not known.
-    price : float or None
-        Material only, USD/m; None when not known.
-    wear_rate : float or None
-        Loss of nominal diameter, m/s; None: that of the case's service.
-    wear_zone : str or None
-        One of `WEAR_ZONES`, for the table of wear that the case's service names.
-    drag_diameter : float or None
-        That both drag coefficients refer to, m; None when not known.
-    drag_normal, drag_axial : float or None
-        Drag coefficients across and along the line; None when not known.
-    added_mass_normal, added_mass_axial : float or None
-        Added-mass coefficients across and along the line, on the displaced water; None when not
-        known.
-    drag_method : {"given", "roughness"}
-        Whether the coefficients are given, or follow from the three that come next: recalled
-        formulas of S4, docs/dynamics.md, for wires and ropes.
-    roughness : float or None
-        Height of what is rough on the surface, m.
-    keulegan_carpenter : float or None
-        KC = v T/D of the flow to and fro, v being the amplitude of its velocity, D the drag
-        diameter.
-    wake_amplification : float or None
-        Factor psi on the drag of a steady flow; None: by the KC, below 12.
-    MBL_mean, MBL_cov : float or None
-        Mean (N) and coefficient of variation of the breaking loads of a series of tests; None when
-        not known.
-    """
+    """A uniform stretch of chain, wire or rope."""
 
     length: Length
+    """Unstretched, m."""
     submerged_weight: Weight
+    """Weight in water per unstretched length, N/m; negative when it floats."""
     EA: Annotated[float, Measured(Dimension.FORCE, above=0.0, infinite=True)] = math.inf
+    """Axial stiffness, N; infinite for an inextensible segment."""
     mass: Annotated[float, Measured(Dimension.MASS_PER_LENGTH, at_least=0.0)] | None = None
+    """In air per unstretched length, kg/m; None when not known, as of what follows."""
     MBL: Strength | None = None
+    """Minimum breaking load, N."""
     name: str = ""
+    """Free text, for tables."""
     component: Annotated[str, Text(filled=True, example='"chain studless R3"')] = ""
+    """Family and grade in the catalogue; empty when the figures are the user's own."""
     nominal_diameter: Length | None = None
+    """Of the bar of a chain's links, or of the rope as sold, m."""
     proof_load: Strength | None = None
+    """N."""
     price: Annotated[float, Measured(Dimension.PRICE_PER_LENGTH, at_least=0.0)] | None = None
+    """Material only, USD/m."""
     wear_rate: WearRate | None = None
+    """Loss of nominal diameter, m/s; None: that of the case's service."""
     wear_zone: Annotated[str, OneOf(WEAR_ZONES, quoted=True)] | None = None
+    """For the table of wear that the case's service names."""
     drag_diameter: Length | None = None
+    """That both drag coefficients refer to, m."""
     drag_normal: Coefficient | None = None
+    """Drag coefficient across the line; `drag_axial` along it."""
     drag_axial: Coefficient | None = None
     added_mass_normal: Coefficient | None = None
+    """Added-mass coefficient across the line, on displaced water; `added_mass_axial` along it."""
     added_mass_axial: Coefficient | None = None
     drag_method: DragMethod = "given"
+    """Whether the coefficients are given, or follow from the three that come next: recalled
+    formulas of S4, docs/dynamics.md, for wires and ropes."""
     roughness: Height | None = None
+    """Height of what is rough on the surface, m."""
     keulegan_carpenter: Coefficient | None = None
+    """KC = v T/D of the flow to and fro, v the amplitude of its velocity, D the drag diameter."""
     wake_amplification: Positive | None = None
+    """Factor psi on the drag of a steady flow; None: by the KC, below 12."""
     MBL_mean: Strength | None = None
+    """Mean of the breaking loads of a series of tests, N."""
     MBL_cov: Cov | None = None
+    """Their coefficient of variation."""
 
     def __post_init__(self) -> None:
         found = Findings(of=self)
@@ -198,35 +172,24 @@ def point_drag_misfits(given: Collection[str]) -> list[Problem]:
 
 @dataclass(frozen=True)
 class PointLoad:
-    """A clump weight (sinker) or a buoy fixed to the line.
-
-    Attributes
-    ----------
-    position : float
-        Unstretched arc length from the anchor, m; strictly between the ends of the line.
-    submerged_weight : float
-        Weight in water, N; negative for a buoy.
-    mass : float or None
-        Mass in air, kg; None when not known.
-    name : str
-        Free text, for tables.
-    friction : float or None
-        Coulomb coefficient of the body on the bed where it rests there; None: that of the bed.
-    drag_area, drag_coefficient : float or None
-        Area A, m2, and the coefficient Cd that goes with it, in all directions: for a line in
-        motion; the two are given together. None: no drag.
-    added_mass_coefficient : float
-        Ca on the displaced water, in all directions.
-    """
+    """A clump weight (sinker) or a buoy fixed to the line."""
 
     position: Length
+    """Unstretched arc length from the anchor, m; strictly between the ends of the line."""
     submerged_weight: Force
+    """Weight in water, N; negative for a buoy."""
     mass: SomeMass | None = None
+    """In air, kg; None when not known."""
     name: str = ""
+    """Free text, for tables."""
     friction: NotNegative | None = None
+    """Coulomb coefficient of the body on the bed where it rests there; None: that of the bed."""
     drag_area: Area | None = None
+    """A, m2, in all directions: for a line in motion, given together with Cd. None: no drag."""
     drag_coefficient: Coefficient | None = None
+    """Cd that goes with the area."""
     added_mass_coefficient: Coefficient = 0.0
+    """Ca on the displaced water, in all directions."""
 
     def __post_init__(self) -> None:
         found = Findings(of=self).check()
@@ -246,18 +209,12 @@ END_ROUNDING = 1e-14
 
 @dataclass(frozen=True)
 class Line:
-    """A mooring line.
-
-    Attributes
-    ----------
-    segments : tuple of Segment
-        From the anchor to the fairlead; at least one. Any iterable is taken.
-    point_loads : tuple of PointLoad
-        In any order; they are kept sorted by position.
-    """
+    """A mooring line."""
 
     segments: tuple[Segment, ...]
+    """From the anchor to the fairlead; at least one. Any iterable is taken."""
     point_loads: tuple[PointLoad, ...] = ()
+    """In any order; they are kept sorted by position."""
 
     def __init__(self, segments: Iterable[Segment], point_loads: Iterable[PointLoad] = ()) -> None:
         loads = tuple(sorted(point_loads, key=lambda load: load.position))

@@ -13,21 +13,14 @@ LOADS = ("horizontal_force", "span", "fairlead_tension")
 
 @dataclass(frozen=True)
 class Load:
-    """The one known quantity at the fairlead; the others follow from it.
-
-    Attributes
-    ----------
-    horizontal_force : float or None
-        Horizontal force, N.
-    span : float or None
-        Horizontal distance from the anchor to the fairlead, m.
-    fairlead_tension : float or None
-        Effective tension at the fairlead, N.
-    """
+    """The one known quantity at the fairlead; the others follow from it."""
 
     horizontal_force: Strength | None = None
+    """N."""
     span: Length | None = None
+    """Horizontal distance from the anchor to the fairlead, m."""
     fairlead_tension: Strength | None = None
+    """Effective tension at the fairlead, N."""
 
     def __post_init__(self) -> None:
         found = Findings(of=self)

@@ -30,30 +30,20 @@ LEVEL_ONLY = "must be 0 or left out: seabed_slope is not 0"
 
 @dataclass(frozen=True)
 class Site:
-    """Water and seabed at the mooring.
-
-    Attributes
-    ----------
-    water_depth : float
-        From the still water surface to the seabed, m; with a contact offset to what the line lies
-        on.
-    seabed_friction : float
-        Coulomb coefficient of what lies on the bed, along the line.
-    water_density : float
-        kg/m3.
-    seabed_slope : float
-        Angle by which the bed, a plane, rises from the anchor towards the fairlead, rad. Depth and
-        heights are then those above the bed at the anchor, x = 0.
-    contact_offset : float
-        Height of the axis of a line that lies above the seabed, m: a contact radius, less what it
-        sinks in. Depth and heights of a case are less by it: they count from there.
-    """
+    """Water and seabed at the mooring."""
 
     water_depth: Length
+    """From the still water to the seabed, m; with a contact offset to what the line lies on."""
     seabed_friction: NotNegative = 0.0
+    """Coulomb coefficient of what lies on the bed, along the line."""
     water_density: Density = SEA_WATER_DENSITY
+    """kg/m3."""
     seabed_slope: Slope = 0.0
+    """Angle by which the bed, a plane, rises from the anchor towards the fairlead, rad. Depth and
+    heights are then those above the bed at the anchor, x = 0."""
     contact_offset: Offset = 0.0
+    """Height of the axis of a line that lies above the seabed, m: a contact radius, less what it
+    sinks in. Depth and heights of a case are less by it: they count from there."""
 
     def __post_init__(self) -> None:
         found = Findings(of=self).check()

@@ -98,27 +98,18 @@ class Leg:
 
 @dataclass(frozen=True)
 class System:
-    """A body moored by several lines, free to move in x and y and, where it can, to yaw.
-
-    Attributes
-    ----------
-    legs : tuple of Leg
-        At least one; any iterable is taken.
-    force : (float, float)
-        On the body's origin, along x and y, N.
-    moment : float
-        On the body about the vertical, counter-clockwise, N m.
-    seabed_friction : float
-        Coulomb coefficient of what lies on the bed, along the line.
-    yaw_free : bool or None
-        Whether the body turns. None: it does where a fairlead lies off the body's origin.
-    """
+    """A body moored by several lines, free to move in x and y and, where it can, to yaw."""
 
     legs: tuple[Leg, ...]
+    """At least one; any iterable is taken."""
     force: tuple[Force, Force] = (0.0, 0.0)
+    """On the body's origin, along x and y, N."""
     moment: Moment = 0.0
+    """On the body about the vertical, counter-clockwise, N m."""
     seabed_friction: NotNegative = 0.0
+    """Coulomb coefficient of what lies on the bed, along the line."""
     yaw_free: bool | None = None
+    """Whether the body turns. None: it does where a fairlead lies off the body's origin."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "legs", tuple(self.legs))

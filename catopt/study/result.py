@@ -99,18 +99,12 @@ class Influence:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class StudyResult(Shown):
-    """A study and what was computed of it, whole or as far as it went.
-
-    Attributes
-    ----------
-    study : Study
-        What was asked.
-    store : Store
-        What was computed.
-    """
+    """A study and what was computed of it, whole or as far as it went."""
 
     study: Study
+    """What was asked."""
     store: Store
+    """What was computed."""
 
     def __repr__(self) -> str:
         return (
