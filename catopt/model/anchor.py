@@ -7,7 +7,7 @@ from typing import Literal, get_args
 
 from catopt.compiled import inlined
 from catopt.model.kinds import Factor, Mass, Positive, Source, Strength
-from catopt.model.validity import Findings
+from catopt.model.validity import Checked, Findings
 
 AnchorKind = Literal["sinker", "drag"]
 ANCHOR_KINDS: tuple[str, ...] = get_args(AnchorKind)
@@ -16,7 +16,7 @@ _NEEDS = {"sinker": ("submerged_weight", "friction"), "drag": ("holding_capacity
 
 
 @dataclass(frozen=True)
-class Anchor:
+class Anchor(Checked):
     """A sinker (deadweight anchor) or a drag anchor."""
 
     kind: AnchorKind
@@ -36,8 +36,8 @@ class Anchor:
     mass: Mass | None = None
     """In air, kg; None when not known."""
 
-    def __post_init__(self) -> None:
-        found = Findings(of=self).check("kind")
+    def _check(self, found: Findings) -> None:
+        found.check("kind")
         found.raise_if_any()
         noun = {"sinker": "sinker", "drag": "drag anchor"}[self.kind]
         for key in (*_NEEDS["sinker"], *_NEEDS["drag"]):
@@ -52,7 +52,6 @@ class Anchor:
         found.check("safety_factor", "safety_factor_line_out", "mass")
         if self.factor_source and self.safety_factor is None:
             found.add("factor_source", "", "goes with safety_factor, which is missing")
-        found.raise_if_any()
 
 
 @inlined

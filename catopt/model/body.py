@@ -6,23 +6,20 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from catopt.model.kinds import File, Mass, Measured, Size, SomeMass, Strength, Weight
-from catopt.model.validity import Findings
+from catopt.model.validity import Checked
 from catopt.units import Dimension
 
 
 @dataclass(frozen=True)
-class Buoy:
+class Buoy(Checked):
     """A buoy, as far as the line minds it."""
 
     reserve_buoyancy: Strength
     """Vertical pull that takes it to its allowed draught, N."""
 
-    def __post_init__(self) -> None:
-        Findings(of=self).check().raise_if_any()
-
 
 @dataclass(frozen=True)
-class Body:
+class Body(Checked):
     """A body that moves along x and y, held in height and in the yaw that it has at rest.
 
     The mean of the forces is that of the system; what is here comes on top of it.
@@ -39,6 +36,3 @@ class Body:
     wave_force: Annotated[tuple[Weight, ...], Size(2, 2)] = ()
     """Force along x and y per height of the waves' surface over still water at the body, N/m; empty
     for none."""
-
-    def __post_init__(self) -> None:
-        Findings(of=self).check().raise_if_any()

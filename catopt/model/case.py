@@ -23,7 +23,7 @@ from catopt.model.motion import Motion
 from catopt.model.service import Service, wear_misfits
 from catopt.model.site import Site
 from catopt.model.system import System, system_misfits
-from catopt.model.validity import Findings
+from catopt.model.validity import Checked, Findings
 from catopt.model.wave_state import WaveState
 from catopt.units import Dimension
 
@@ -34,7 +34,7 @@ MOST_EVALUATIONS = 10**10
 
 
 @dataclass(frozen=True)
-class SwarmSettings:
+class SwarmSettings(Checked):
     """Settings of the particle swarm.
 
     The defaults are the article's numbers (S1) with the coefficients and the boundary handling
@@ -58,8 +58,8 @@ class SwarmSettings:
     boundary: Boundary = "reflective"
     """What happens to a particle beyond a bound; the names are those of pyswarms."""
 
-    def __post_init__(self) -> None:
-        found = Findings(of=self).check("particles", "iterations", "runs")
+    def _check(self, found: Findings) -> None:
+        found.check("particles", "iterations", "runs")
         evaluations = 0 if found.problems else self.particles * self.iterations * self.runs
         if evaluations > MOST_EVALUATIONS:
             allowed = (
@@ -67,11 +67,11 @@ class SwarmSettings:
                 "are the most, which take hours"
             )
             found.add("runs", f"{self.runs}", allowed)
-        found.check("seed", "cognitive", "social", "inertia", "boundary").raise_if_any()
+        found.check("seed", "cognitive", "social", "inertia", "boundary")
 
 
 @dataclass(frozen=True)
-class Case:
+class Case(Checked):
     """Everything a case file says."""
 
     site: Site
@@ -116,8 +116,8 @@ class Case:
     fatigue: Fatigue | None = None
     """What its damage in a year is found from."""
 
-    def __post_init__(self) -> None:
-        found = Findings(of=self).check("fairlead_height", "anchor_height")
+    def _check(self, found: Findings) -> None:
+        found.check("fairlead_height", "anchor_height")
         has_system = self.system is not None
         found.problems += misfits(
             self.find,
@@ -154,7 +154,6 @@ class Case:
         self._check_levels("load_cases", self.load_cases, found)
         if self.design is not None:
             self._check_levels("design.loads", self.design.loads, found)
-        found.raise_if_any()
 
     def _check_motion(self, found: Findings) -> None:
         """Find what does not go together of the parts for a line in motion."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from catopt.model.kinds import Factor, Height, Length, SomeForce, Text, Uplift
-from catopt.model.validity import Findings
+from catopt.model.validity import Checked, Findings
 
 NEEDS_SEVERAL_LINES = "leave it out, or give [system]: of one line none can be lost"
 """Why a case of one line has no factor for one line out."""
@@ -15,7 +15,7 @@ Code = Annotated[str, Text(filled=True, example='"break/5"')]
 
 
 @dataclass(frozen=True)
-class Checks:
+class Checks(Checked):
     """Limits a design has to keep; None: not checked."""
 
     safety_factor: Factor = 1.0
@@ -39,11 +39,9 @@ class Checks:
     safety_factor_line_out: Factor | None = None
     """In the place of `safety_factor` where one line of several is gone; None: the same."""
 
-    def __post_init__(self) -> None:
-        found = Findings(of=self)
+    def _check(self, found: Findings) -> None:
         found.check("safety_factor", "proof_load_factor", "safety_factor_line_out")
         found.check("max_anchor_uplift_angle", "max_anchor_uplift_force", "min_grounded_length")
         found.check("max_span", "max_offset")
         if None not in (self.max_span, self.max_offset):
             found.add("max_offset", f"{self.max_offset:g} m", "leave it out beside max_span")
-        found.raise_if_any()

@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import Annotated, Literal, get_args
 
 from catopt.model.kinds import Angle, File, Height, Length, Positive, SomeSpeed, Speed
-from catopt.model.validity import Findings
+from catopt.model.validity import Checked, Findings
 
 ProfileKind = Literal["power", "wind", "table"]
 CURRENT_PROFILES: tuple[str, ...] = get_args(ProfileKind)
@@ -25,7 +25,7 @@ _TURN = 0.5 * math.pi * (1.0 + 1e-12)
 
 
 @dataclass(frozen=True)
-class CurrentProfile:
+class CurrentProfile(Checked):
     """A current over the depth, steady or over time; docs/waves.md has the formulas."""
 
     profile: ProfileKind
@@ -49,8 +49,8 @@ class CurrentProfile:
     """Path of a CSV file of the current at the surface over time, by which the profile is scaled
     and turned; empty for a steady one."""
 
-    def __post_init__(self) -> None:
-        found = Findings(of=self).check("profile")
+    def _check(self, found: Findings) -> None:
+        found.check("profile")
         found.raise_if_any()
         found.check("depths")
         found.each("speeds", "m/s", at_least=0.0 if self.directions else None)
@@ -58,7 +58,6 @@ class CurrentProfile:
         self._check_keys(found)
         found.check("speed", "exponent", "depth", "direction")
         self._check_table(found)
-        found.raise_if_any()
 
     def _check_keys(self, found: Findings) -> None:
         """Find what is missing for the profile, and what goes with another."""

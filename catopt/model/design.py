@@ -27,7 +27,7 @@ from catopt.model.kinds import (
     Whole,
 )
 from catopt.model.system import System
-from catopt.model.validity import Findings
+from catopt.model.validity import Checked, Findings
 
 Objective = Literal["mass", "offset", "excursion", "cost"]
 OBJECTIVES: tuple[str, ...] = get_args(Objective)
@@ -44,7 +44,7 @@ _PLAIN: Mapping[str, object] = {"headings": 1}
 
 
 @dataclass(frozen=True)
-class SegmentChoice:
+class SegmentChoice(Checked):
     """What one segment may be."""
 
     lengths: tuple[Length, ...]
@@ -62,15 +62,14 @@ class SegmentChoice:
     name: str = ""
     """For tables."""
 
-    def __post_init__(self) -> None:
-        found = Findings(of=self)
+    def _check(self, found: Findings) -> None:
         if not self.lengths:
             found.add("lengths", "none", "at least one length is wanted")
-        found.check().raise_if_any()
+        found.check()
 
 
 @dataclass(frozen=True)
-class ClumpWeightChoice:
+class ClumpWeightChoice(Checked):
     """What one clump weight may be, and where it may hang."""
 
     masses: tuple[Mass, ...]
@@ -89,18 +88,16 @@ class ClumpWeightChoice:
     friction: NotNegative | None = None
     """Coulomb coefficient of the body on the bed where it rests there; None: that of the bed."""
 
-    def __post_init__(self) -> None:
-        found = Findings(of=self)
+    def _check(self, found: Findings) -> None:
         if not self.masses:
             found.add("masses", "none", "at least one mass is wanted")
         found.check()
         if (self.joint is None) == (not self.positions):
             found.add("positions", "", "either positions or a joint is wanted")
-        found.raise_if_any()
 
 
 @dataclass(frozen=True)
-class SinkerChoice:
+class SinkerChoice(Checked):
     """Sinkers (deadweight anchors) to choose from; the lightest that holds is taken."""
 
     masses: tuple[Mass, ...]
@@ -114,17 +111,16 @@ class SinkerChoice:
     factor_source: Source = ""
     """Where the factor is from, for the checks; the user when empty."""
 
-    def __post_init__(self) -> None:
-        found = Findings(of=self)
+    def _check(self, found: Findings) -> None:
         if self.factor_source and self.safety_factor is None:
             found.add("factor_source", "", "goes with safety_factor, which is missing")
         if not self.masses:
             found.add("masses", "none", "at least one mass is wanted")
-        found.check().raise_if_any()
+        found.check()
 
 
 @dataclass(frozen=True)
-class DesignLoad:
+class DesignLoad(Checked):
     """A force on a moored body that every design has to meet."""
 
     name: StateName
@@ -141,10 +137,8 @@ class DesignLoad:
     line_out: bool = False
     """Whether each line is gone in turn under it, beside all being there."""
 
-    def __post_init__(self) -> None:
-        found = Findings(of=self)
+    def _check(self, found: Findings) -> None:
         found.check("force", "water_level", "fairlead_rise", "direction", "headings")
-        found.raise_if_any()
 
     @property
     def lift(self) -> float:
@@ -164,7 +158,7 @@ class DesignLoad:
 
 
 @dataclass(frozen=True)
-class Design:
+class Design(Checked):
     """A search for the best lines."""
 
     segments: tuple[SegmentChoice, ...]
@@ -202,8 +196,7 @@ class Design:
     loads: tuple[DesignLoad, ...] = ()
     """Of a body: what it has to meet, in the place of its system's force; empty: that force."""
 
-    def __post_init__(self) -> None:
-        found = Findings(of=self)
+    def _check(self, found: Findings) -> None:
         if not self.segments:
             found.add("segments", "none", "at least one segment is wanted")
         if all(segment.optional for segment in self.segments):
@@ -225,7 +218,7 @@ class Design:
         if self.anchor_radii and self.pretensions:
             allowed = "one of both places the anchors: give the radius or the pretension"
             found.add("pretensions", "beside anchor_radii", allowed)
-        found.check("headings").raise_if_any()
+        found.check("headings")
 
     def _check_joints(self, found: Findings) -> None:
         joints = len(self.segments) - 1

@@ -9,7 +9,7 @@ from typing import Annotated, Any, Final, Literal, get_args
 from catopt.errors import Problem
 from catopt.model.kinds import Duration, Measured, NotNegative, Share, Time, Whole
 from catopt.model.motion import OF_A_BODY, RAO_CONVENTIONS
-from catopt.model.validity import Findings
+from catopt.model.validity import Checked, Findings
 from catopt.units import Dimension
 
 BedStiffness = Annotated[
@@ -39,7 +39,7 @@ tension of a line that snaps hangs on it."""
 
 
 @dataclass(frozen=True)
-class Dynamics:
+class Dynamics(Checked):
     """Settings of ``catopt verify --dynamic``."""
 
     duration: Annotated[float, Measured(Dimension.TIME, above=0.0, example='"20 min"')]
@@ -86,8 +86,7 @@ class Dynamics:
     )
     """Of the storm for which extremes of a random sea are given, s."""
 
-    def __post_init__(self) -> None:
-        found = Findings(of=self)
+    def _check(self, found: Findings) -> None:
         found.check("duration", "ramp", "time_step", "output_interval", "elements", "scheme")
         found.check("initial_friction", "broken_end", "spectral_radius", "runs")
         found.check("seabed_stiffness", "seabed_damping", "line_damping", "damping_time")
@@ -98,7 +97,6 @@ class Dynamics:
         found.check("duration_of_interest")
         if not found.problems:
             found.problems += time_misfits(vars(self))
-        found.raise_if_any()
 
     @property
     def bars(self) -> int:

@@ -19,7 +19,7 @@ from catopt.model.kinds import (
     Share,
     Time,
 )
-from catopt.model.validity import Findings
+from catopt.model.validity import Checked, Findings
 from catopt.units import Dimension
 
 FATIGUE_CODES: Final = ("DNV-OS-E301-2008", "API-RP-2SK")
@@ -45,7 +45,7 @@ _WAYS: Final = (("name",), ("log_a_D", "m"), ("K", "M"))
 
 
 @dataclass(frozen=True)
-class FatigueSeaState:
+class FatigueSeaState(Checked):
     """Waves that last a part of the year."""
 
     height: Length
@@ -57,12 +57,9 @@ class FatigueSeaState:
     direction: Angle | None = None
     """Where they travel to, rad; None: as the waves of the case."""
 
-    def __post_init__(self) -> None:
-        Findings(of=self).check().raise_if_any()
-
 
 @dataclass(frozen=True)
-class SegmentCurve:
+class SegmentCurve(Checked):
     """Curve of a segment, in place of that which the code has for its component.
 
     By name, or N = 10^log_a_D s^-m with the stress range s in MPa, or N = K R^-M with R the tension
@@ -78,14 +75,13 @@ class SegmentCurve:
     K: Annotated[float, Measured(Dimension.NUMBER, above=0.0, example="316")] | None = None
     M: Positive | None = None
 
-    def __post_init__(self) -> None:
-        found = Findings(of=self).check()
+    def _check(self, found: Findings) -> None:
+        found.check()
         found.problems += curve_misfits([key for way in _WAYS for key in way if getattr(self, key)])
-        found.raise_if_any()
 
 
 @dataclass(frozen=True)
-class Fatigue:
+class Fatigue(Checked):
     """What the damage of a line in motion is found from."""
 
     sea_states: tuple[FatigueSeaState, ...] = ()
@@ -99,12 +95,11 @@ class Fatigue:
     curves: tuple[SegmentCurve, ...] = ()
     """Of segments, in place of the code's."""
 
-    def __post_init__(self) -> None:
-        found = Findings(of=self).check()
+    def _check(self, found: Findings) -> None:
+        found.check()
         given = ("sea_states", "sea_states_file", "code", "design_factor", "curves")
         found.problems += fatigue_misfits([key for key in given if getattr(self, key)])
         found.problems += share_misfits([state.share for state in self.sea_states])
-        found.raise_if_any()
 
 
 def share_misfits(shares: Sequence[float]) -> list[Problem]:

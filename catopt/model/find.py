@@ -9,7 +9,7 @@ from typing import Annotated, Literal, get_args
 from catopt.errors import Problem
 from catopt.model.kinds import Length, OneSegment, Uplift, Whole
 from catopt.model.load import LOADS
-from catopt.model.validity import Findings
+from catopt.model.validity import Checked, Findings
 
 FindQuantity = Literal["length", "clump_weight", "touchdown_force", "limit_force"]
 FIND_QUANTITIES: tuple[str, ...] = get_args(FindQuantity)
@@ -20,7 +20,7 @@ CONDITIONS = ("anchor_angle", "grounded_length")
 
 
 @dataclass(frozen=True)
-class Find:
+class Find(Checked):
     """What is sought, and the condition that it has to meet."""
 
     quantity: FindQuantity
@@ -37,10 +37,9 @@ class Find:
     grounded_length: Length | None = None
     """For length, instead of the angle: unstretched length on the bed, m."""
 
-    def __post_init__(self) -> None:
-        found = Findings(of=self).check()
+    def _check(self, found: Findings) -> None:
+        found.check()
         self._check_keys(found)
-        found.raise_if_any()
 
     def _check_keys(self, found: Findings) -> None:
         """Note a condition too few or too many, and keys that this quantity does not heed."""

@@ -26,7 +26,7 @@ from catopt.model.kinds import (
     Weight,
 )
 from catopt.model.service import WEAR_ZONES
-from catopt.model.validity import Findings
+from catopt.model.validity import Checked, Findings
 from catopt.units import Dimension
 
 HIGHEST_COV: Final = 0.25
@@ -85,7 +85,7 @@ def drag_misfits(given: Mapping[str, Any]) -> list[Problem]:
 
 
 @dataclass(frozen=True)
-class Segment:
+class Segment(Checked):
     """A uniform stretch of chain, wire or rope."""
 
     length: Length
@@ -134,8 +134,7 @@ class Segment:
     MBL_cov: Cov | None = None
     """Their coefficient of variation."""
 
-    def __post_init__(self) -> None:
-        found = Findings(of=self)
+    def _check(self, found: Findings) -> None:
         found.check("length", "submerged_weight", "EA", "mass", "MBL", *TESTS)
         found.problems += break_test_misfits({k for k in TESTS if getattr(self, k) is not None})
         found.check("nominal_diameter", "proof_load", "price", "wear_rate", "wear_zone")
@@ -145,7 +144,6 @@ class Segment:
         if not found.problems:
             given = {key: value for key, value in vars(self).items() if value not in (None, "")}
             found.problems += drag_misfits(given)
-        found.raise_if_any()
 
     @property
     def tested_strength(self) -> float | None:
@@ -171,7 +169,7 @@ def point_drag_misfits(given: Collection[str]) -> list[Problem]:
 
 
 @dataclass(frozen=True)
-class PointLoad:
+class PointLoad(Checked):
     """A clump weight (sinker) or a buoy fixed to the line."""
 
     position: Length
@@ -191,11 +189,10 @@ class PointLoad:
     added_mass_coefficient: Coefficient = 0.0
     """Ca on the displaced water, in all directions."""
 
-    def __post_init__(self) -> None:
-        found = Findings(of=self).check()
+    def _check(self, found: Findings) -> None:
+        found.check()
         given = [key for key in _DRAG if getattr(self, key) is not None]
         found.problems += point_drag_misfits(given)
-        found.raise_if_any()
 
     @property
     def drag_product(self) -> float:

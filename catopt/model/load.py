@@ -5,14 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from catopt.model.kinds import Length, Strength
-from catopt.model.validity import Findings
+from catopt.model.validity import Checked, Findings
 
 LOADS = ("horizontal_force", "span", "fairlead_tension")
 """The quantities of which one is known."""
 
 
 @dataclass(frozen=True)
-class Load:
+class Load(Checked):
     """The one known quantity at the fairlead; the others follow from it."""
 
     horizontal_force: Strength | None = None
@@ -22,13 +22,12 @@ class Load:
     fairlead_tension: Strength | None = None
     """Effective tension at the fairlead, N."""
 
-    def __post_init__(self) -> None:
-        found = Findings(of=self)
+    def _check(self, found: Findings) -> None:
         if len(self.given) != 1:
             allowed = "exactly one of horizontal_force, span and fairlead_tension is wanted"
             found.add("load", " and ".join(self.given) or "none of them", allowed)
             found.raise_if_any()
-        found.check().raise_if_any()
+        found.check()
 
     @property
     def given(self) -> tuple[str, ...]:

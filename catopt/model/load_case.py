@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Annotated, Literal, get_args
 
 from catopt.model.kinds import Place, Strength, Text
-from catopt.model.validity import Findings
+from catopt.model.validity import Checked, Findings
 
 LoadCaseKind = Literal["extreme", "reference"]
 LOAD_CASE_KINDS: tuple[str, ...] = get_args(LoadCaseKind)
@@ -15,7 +15,7 @@ LOAD_CASE_STATES: tuple[str, ...] = get_args(LoadCaseState)
 
 
 @dataclass(frozen=True)
-class LoadCase:
+class LoadCase(Checked):
     """One state of the sea that the line has to meet."""
 
     name: Annotated[str, Text(filled=True, example='"storm"')]
@@ -39,9 +39,7 @@ class LoadCase:
         """How much higher the fairlead is than in the case: by the water and by its rise, m."""
         return self.water_level + self.fairlead_rise
 
-    def __post_init__(self) -> None:
-        found = Findings(of=self)
+    def _check(self, found: Findings) -> None:
         if not self.name.strip():
             found.add("name", repr(self.name), "a name is wanted")
         found.check("horizontal_force", "water_level", "fairlead_rise", "kind", "state")
-        found.raise_if_any()

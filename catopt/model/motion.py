@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Annotated, Literal
 
 from catopt.model.kinds import Angle, File, Height, Place, Size, Time
-from catopt.model.validity import Findings
+from catopt.model.validity import Checked, Findings
 
 RaoPhase = Literal["", "lag", "lead"]
 RaoRotation = Literal["", "deg/m", "rad/m"]
@@ -24,7 +24,7 @@ HARMONIC = ("surge", "sway", "heave", "surge_phase", "sway_phase", "heave_phase"
 
 
 @dataclass(frozen=True)
-class Motion:
+class Motion(Checked):
     """Motion of the fairlead about its place at rest, in one of three ways; of a body, its origin.
 
     RAOs and drift, but for `rao_file`, are of a body with several lines alone.
@@ -69,8 +69,7 @@ class Motion:
         """Which of the keys for a body are given."""
         return [key for key in OF_A_BODY if getattr(self, key)]
 
-    def __post_init__(self) -> None:
-        found = Findings(of=self)
+    def _check(self, found: Findings) -> None:
         given = [key for key in MOTION_WAYS if getattr(self, key) not in (None, "")]
         if len(given) != 1:
             wanted = f"exactly one of {', '.join(MOTION_WAYS)} is wanted"
@@ -81,4 +80,3 @@ class Motion:
             for key in (k for k in HARMONIC if getattr(self, k) != 0.0):
                 allowed = f"goes with period, not with {given[0]}; leave it out"
                 found.add(key, repr(getattr(self, key)), allowed)
-        found.raise_if_any()

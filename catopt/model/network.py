@@ -10,7 +10,7 @@ from catopt.errors import Problem
 from catopt.model.kinds import Force, Height, Place, Text
 from catopt.model.line import Line
 from catopt.model.site import Site
-from catopt.model.validity import Findings
+from catopt.model.validity import Checked, Findings
 
 PointKind = Literal["anchor", "fairlead", "joint"]
 PointName = Annotated[str, Text(filled=True, example='"joint 1"')]
@@ -19,7 +19,7 @@ Vector = tuple[float, float, float]
 
 
 @dataclass(frozen=True)
-class Point:
+class Point(Checked):
     """Where lines end or meet."""
 
     name: PointName
@@ -34,13 +34,12 @@ class Point:
     submerged_weight: Force = 0.0
     """Of a joint: clump weight, or buoy below 0, N."""
 
-    def __post_init__(self) -> None:
-        found = Findings(of=self)
+    def _check(self, found: Findings) -> None:
         if not self.name:
             found.add("name", "", "missing; lines name a point by it")
         found.check("kind")
         found.problems += point_misfits(vars(self))
-        found.check("x", "y", "height", "submerged_weight").raise_if_any()
+        found.check("x", "y", "height", "submerged_weight")
 
     @property
     def place(self) -> Vector:
@@ -79,7 +78,7 @@ class LineBetween:
 
 
 @dataclass(frozen=True)
-class Network:
+class Network(Checked):
     """Lines between points, of which some are free joints, and a body that is held.
 
     Any iterables of points and lines are taken; at least one of each.
@@ -91,10 +90,9 @@ class Network:
     title: str = ""
     source: str = ""
 
-    def __post_init__(self) -> None:
+    def _check(self, found: Findings) -> None:
         object.__setattr__(self, "points", tuple(self.points))
         object.__setattr__(self, "lines", tuple(self.lines))
-        found = Findings(of=self)
         for key in ("points", "lines"):
             if not getattr(self, key):
                 found.add(key, "none", "at least one is wanted")
@@ -115,7 +113,6 @@ class Network:
         if offset := self.site.contact_offset:
             allowed = "leave it out of lines with joints: give depth and heights less by it"
             found.add("site.contact_offset", f"{offset:g} m", allowed)
-        found.raise_if_any()
 
     @property
     def numbers(self) -> dict[str, int]:

@@ -13,7 +13,7 @@ from typing import Annotated, Any, Final, NamedTuple
 from catopt.constants import YEAR
 from catopt.errors import InputError, Problem
 from catopt.model.kinds import Measured, OneOf, WearRate
-from catopt.model.validity import Findings
+from catopt.model.validity import Checked
 from catopt.units import Dimension
 
 WEAR_ZONES: Final = ("splash", "catenary", "bottom", "wire")
@@ -58,7 +58,7 @@ WEAR_TABLES: Mapping[str, WearTable] = MappingProxyType(
 
 
 @dataclass(frozen=True)
-class Service:
+class Service(Checked):
     """How long the line is to last and how fast it wears."""
 
     life: Annotated[float, Measured(Dimension.TIME, at_least=0.0, example='"10 years"')]
@@ -67,9 +67,6 @@ class Service:
     """Loss of nominal diameter by corrosion and wear together, m/s. A segment may have its own."""
     wear_table: Annotated[str, OneOf(tuple(WEAR_TABLES), quoted=True)] | None = None
     """Instead, a key of `WEAR_TABLES`, which has the rate by each segment's `wear_zone`."""
-
-    def __post_init__(self) -> None:
-        Findings(of=self).check().raise_if_any()
 
     @property
     def table(self) -> WearTable | None:

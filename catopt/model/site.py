@@ -9,7 +9,7 @@ from typing import Annotated
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import InputError, Problem
 from catopt.model.kinds import Density, Length, Measured, NotNegative
-from catopt.model.validity import Findings
+from catopt.model.validity import Checked, Findings
 from catopt.units import Dimension
 
 STEEPEST = math.radians(45.0)
@@ -29,7 +29,7 @@ LEVEL_ONLY = "must be 0 or left out: seabed_slope is not 0"
 
 
 @dataclass(frozen=True)
-class Site:
+class Site(Checked):
     """Water and seabed at the mooring."""
 
     water_depth: Length
@@ -45,11 +45,10 @@ class Site:
     """Height of the axis of a line that lies above the seabed, m: a contact radius, less what it
     sinks in. Depth and heights of a case are less by it: they count from there."""
 
-    def __post_init__(self) -> None:
-        found = Findings(of=self).check()
+    def _check(self, found: Findings) -> None:
+        found.check()
         if self.seabed_slope and self.contact_offset:
             found.add("contact_offset", f"{self.contact_offset:g} m", LEVEL_ONLY)
-        found.raise_if_any()
 
     @property
     def depth_to_seabed(self) -> float:

@@ -9,11 +9,11 @@ from dataclasses import dataclass, replace
 from catopt.errors import Problem
 from catopt.model.kinds import Angle, Force, Height, Length, Moment, NotNegative
 from catopt.model.line import Line
-from catopt.model.validity import Findings
+from catopt.model.validity import Checked, Findings
 
 
 @dataclass(frozen=True)
-class Leg:
+class Leg(Checked):
     """One mooring line of a body: what it is made of, and where its two ends are.
 
     Directions are counter-clockwise from x. The body's own axes lie along x and y when its yaw
@@ -37,10 +37,9 @@ class Leg:
     name: str = ""
     """Free text, for tables."""
 
-    def __post_init__(self) -> None:
+    def _check(self, found: Findings) -> None:
         if isinstance(self.fairlead_azimuth, float) and math.isnan(self.fairlead_azimuth):
             object.__setattr__(self, "fairlead_azimuth", self.azimuth)
-        found = Findings(of=self)
         found.check("azimuth", "anchor_radius", "fairlead_height", "anchor_height")
         found.check("fairlead_radius")
         if self.azimuth == self.azimuth:
@@ -50,7 +49,6 @@ class Leg:
                 "a line of a system needs weight: without it its shape does not tell the force"
             )
             found.add("line.segments", "no submerged weight in any of them", allowed)
-        found.raise_if_any()
 
     @classmethod
     def between(
@@ -97,7 +95,7 @@ class Leg:
 
 
 @dataclass(frozen=True)
-class System:
+class System(Checked):
     """A body moored by several lines, free to move in x and y and, where it can, to yaw."""
 
     legs: tuple[Leg, ...]
@@ -111,10 +109,9 @@ class System:
     yaw_free: bool | None = None
     """Whether the body turns. None: it does where a fairlead lies off the body's origin."""
 
-    def __post_init__(self) -> None:
+    def _check(self, found: Findings) -> None:
         object.__setattr__(self, "legs", tuple(self.legs))
         object.__setattr__(self, "force", tuple(self.force))
-        found = Findings(of=self)
         if not self.legs:
             found.add("legs", "none", "a system has at least one line")
         if len(self.force) != 2:
@@ -129,7 +126,6 @@ class System:
         if not found.problems and self.moment != 0.0 and not self.turns:
             allowed = "must be 0 where the body does not yaw: the lines feel nothing of it"
             found.add("moment", f"{self.moment:g} N m", allowed)
-        found.raise_if_any()
 
     @classmethod
     def around(

@@ -103,46 +103,25 @@ class Findings:
         elif beyond := out_of_range(value, unit, above, at_least, at_most):
             self.add(key, repr(value), beyond)
 
-    def numbers(
-        self,
-        of: object,
-        unit: str,
-        *keys: str,
-        above: float | None = None,
-        at_least: float | None = None,
-        at_most: float | None = None,
-    ) -> None:
+    def numbers(self, of: object, unit: str, *keys: str, **bounds: float) -> None:
         """Note a problem of each attribute that is neither None nor a number within the bounds."""
         for key in keys:
             value = getattr(of, key)
             if value is not None:
-                self.number(key, value, unit, above=above, at_least=at_least, at_most=at_most)
+                self.number(key, value, unit, **bounds, infinite=False)
 
-    def taken(self, key: str, value: object, unit: str, *, at_least: float) -> float:
-        """Return an argument, read where it is text with a unit; nan with its problem noted."""
+    def taken(self, key: str, value: object, unit: str, **bounds: float | None) -> float:
+        """Return a number, read where it is text with a unit; nan with its problem noted."""
         read = self._read(key, value, unit) if isinstance(value, str) else value
         if read is not None:
-            self.number(key, read, unit, at_least=at_least)
+            self.number(key, read, unit, **bounds, infinite=False)
         return read if isinstance(read, (int, float)) else math.nan
 
-    def each(
-        self,
-        key: str,
-        unit: str,
-        *,
-        above: float | None = None,
-        at_least: float | None = None,
-        at_most: float | None = None,
-    ) -> None:
+    def each(self, key: str, unit: str, **bounds: float | None) -> None:
         """Do the same for each item of an attribute that is a sequence."""
-        items = list(getattr(self._of, key))
-        for index, item in enumerate(items):
-            name = f"{key}[{index}]"
-            read = self._read(name, item, unit) if isinstance(item, str) else item
-            items[index] = math.nan if read is None else read
-            if read is not None:
-                self.number(name, read, unit, above=above, at_least=at_least, at_most=at_most)
-        object.__setattr__(self._of, key, tuple(items))
+        items = enumerate(getattr(self._of, key))
+        read = tuple(self.taken(f"{key}[{k}]", item, unit, **bounds) for k, item in items)
+        object.__setattr__(self._of, key, read)
 
     def _read(self, key: str, text: str, unit: str) -> float | None:
         """Read text with a unit; None, with the problem noted, where it is none."""
@@ -173,3 +152,16 @@ class Findings:
         """Raise InputError when a problem was noted."""
         if self.problems:
             raise InputError(self.problems, self.source)
+
+
+class Checked:
+    """A part of the model, which is right when it is there: InputError has all that is wrong."""
+
+    def __post_init__(self) -> None:
+        found = Findings(of=self)
+        self._check(found)
+        found.raise_if_any()
+
+    def _check(self, found: Findings) -> None:
+        """Note what is wrong: of each attribute, by its kind."""
+        found.check()

@@ -9,7 +9,7 @@ from typing import Annotated, Any, Literal, get_args
 
 from catopt.errors import Problem
 from catopt.model.kinds import Angle, File, Length, Measured, Place, Positive, Seed, Time, Whole
-from catopt.model.validity import Findings
+from catopt.model.validity import Checked, Findings
 from catopt.units import Dimension
 
 WaveSpectrum = Literal["jonswap", "pierson-moskowitz", "regular"]
@@ -39,7 +39,7 @@ _TAKES: Mapping[str, tuple[str, ...]] = MappingProxyType(
 
 
 @dataclass(frozen=True)
-class WaveTrain:
+class WaveTrain(Checked):
     """Waves of one spectrum: the wind sea, or a swell."""
 
     spectrum: WaveSpectrum
@@ -61,12 +61,11 @@ class WaveTrain:
     """Directions of equal energy that the waves are spread over; None: 20. The components are a
     multiple of it."""
 
-    def __post_init__(self) -> None:
-        found = Findings(of=self).check("spectrum", *_OF_A_TRAIN)
+    def _check(self, found: Findings) -> None:
+        found.check("spectrum", *_OF_A_TRAIN)
         if not found.problems:
             given = {key: value for key, value in vars(self).items() if value is not None}
             found.problems += train_misfits(given)
-        found.raise_if_any()
 
     @property
     def directions(self) -> int:
@@ -75,7 +74,7 @@ class WaveTrain:
 
 
 @dataclass(frozen=True)
-class WaveState:
+class WaveState(Checked):
     """Waves of the sea: as one train, as several `trains`, or as recorded in an `elevation_file`.
 
     What a `WaveTrain` has is of the one train; the direction is also of a record.
@@ -103,8 +102,7 @@ class WaveState:
     """Of the record's waves that are kept, s; None: the fastest waves with 0.1 % of the variance
     are left out."""
 
-    def __post_init__(self) -> None:
-        found = Findings(of=self)
+    def _check(self, found: Findings) -> None:
         given = {
             field.name: getattr(self, field.name)
             for field in fields(self)
@@ -114,7 +112,6 @@ class WaveState:
         found.check(
             "spectrum", *_OF_A_TRAIN, "elevation_x", "shortest_period", "stretching", "seed"
         )
-        found.raise_if_any()
 
     @property
     def all_trains(self) -> tuple[WaveTrain, ...]:
