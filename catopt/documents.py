@@ -25,6 +25,7 @@ __all__ = [
     "MOST_BYTES",
     "MOST_BYTES_OF_DATA",
     "Path",
+    "attributes",
     "dotted",
     "figures",
     "parse_json",
@@ -155,6 +156,11 @@ def figures(of: object, keys: str) -> dict[str, Any]:
     """List attributes by keys that end in their unit, if any: ``mass_kg`` is the mass, in kg."""
     found = {key: getattr(of, _UNIT.sub("", key)) for key in keys.split()}
     return {k: list(value) if isinstance(value, tuple) else value for k, value in found.items()}
+
+
+def attributes(document: dict[str, Any]) -> dict[str, Any]:
+    """Return what is listed by such keys by the attributes themselves."""
+    return {_UNIT.sub("", key): value for key, value in document.items()}
 
 
 def unfit(text: str) -> str:

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from catopt.casefile.reading import read_case
+from catopt.documents import attributes
 from catopt.errors import InputError, Problem
 from catopt.model import Anchor, Case, Line, PointLoad, Segment, System
 from catopt.schemas import read_document
@@ -76,34 +77,14 @@ def read_design_document(directory: Path) -> dict[str, Any]:
 def _line(design: dict[str, Any], case: Case) -> Line:
     return Line(
         [_with_motion(_segment(each), case) for each in design["segments"]],
-        [
-            PointLoad(
-                position=each["position_m"],
-                submerged_weight=each["submerged_weight_N"],
-                mass=each["mass_kg"],
-                name=each.get("name", ""),
-            )
-            for each in design["point_loads"]
-        ],
+        [PointLoad(**attributes(each)) for each in design["point_loads"]],
     )
 
 
 def _segment(each: dict[str, Any]) -> Segment:
-    EA = each["EA_N"]
-    return Segment(
-        length=each["length_m"],
-        submerged_weight=each["submerged_weight_N_per_m"],
-        EA=math.inf if EA is None else EA,
-        mass=each["mass_kg_per_m"],
-        MBL=each["MBL_N"],
-        name=each.get("name", ""),
-        component=each["component"] or "",
-        nominal_diameter=each["nominal_diameter_m"],
-        proof_load=each.get("proof_load_N"),
-        price=each.get("price_USD_per_m"),
-        wear_rate=each.get("wear_rate_m_per_s"),
-        wear_zone=each.get("wear_zone"),
-    )
+    given = attributes(each)
+    EA = math.inf if given["EA"] is None else given["EA"]
+    return Segment(**given | {"EA": EA, "component": given["component"] or ""})
 
 
 def _with_motion(segment: Segment, case: Case) -> Segment:
@@ -154,12 +135,4 @@ def _system(design: dict[str, Any], line: Line, case: Case) -> System | None:
 
 def _anchor(design: dict[str, Any], case: Case) -> Anchor | None:
     sinker = design.get("sinker")
-    if sinker is None:
-        return case.anchor
-    return Anchor(
-        kind="sinker",
-        submerged_weight=sinker["submerged_weight_N"],
-        friction=sinker["friction"],
-        safety_factor=sinker["safety_factor"],
-        mass=sinker["mass_kg"],
-    )
+    return case.anchor if sinker is None else Anchor("sinker", **attributes(sinker))

@@ -33,7 +33,6 @@ Objective = Literal["mass", "offset", "excursion", "cost"]
 OBJECTIVES: tuple[str, ...] = get_args(Objective)
 
 SearchMethod = Literal["auto", "enumeration", "nsga2", "swarm"]
-SEARCH_METHODS: tuple[str, ...] = get_args(SearchMethod)
 
 Component = Annotated[str, Text(filled=True, example='"chain studless R3"')]
 StateName = Annotated[str, Text(filled=True, example='"storm"')]

@@ -18,10 +18,8 @@ BedStiffness = Annotated[
 BedDamping = Annotated[float, Measured(Dimension.DAMPING_PER_LENGTH, at_least=0.0)]
 
 BrokenEnd = Literal["fairlead", "anchor"]
-BROKEN_ENDS: tuple[str, ...] = get_args(BrokenEnd)
 
 TimeScheme = Literal["newmark", "generalised-alpha"]
-TIME_SCHEMES: tuple[str, ...] = get_args(TimeScheme)
 
 InitialFriction = Literal["pulled", "none", "laid"]
 INITIAL_FRICTION: tuple[str, ...] = get_args(InitialFriction)

@@ -173,10 +173,7 @@ class File(Text):
 class Flag(Kind):
     """Yes or no."""
 
-    @property
-    def wanted(self) -> str:
-        """What is wanted."""
-        return "true or false is wanted, without quotes"
+    wanted = "true or false is wanted, without quotes"
 
     def read(self, value: object) -> bool:
         """Return it."""

@@ -6,7 +6,7 @@ import math
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Annotated, Any, Final, Literal, get_args
+from typing import Annotated, Any, Final, Literal
 
 from catopt.errors import Problem
 from catopt.model.kinds import (
@@ -35,7 +35,6 @@ HIGHEST_COV: Final = 0.25
 Cov = Annotated[float, Measured(Dimension.NUMBER, at_least=0.0, at_most=HIGHEST_COV)]
 
 DragMethod = Literal["given", "roughness"]
-DRAG_METHODS: tuple[str, ...] = get_args(DragMethod)
 
 STEADY_FROM: Final = 12.0
 """KC from which S4 has the wake amplification in a graph (figure 2.10), which is not at hand."""

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated, Literal, get_args
+from typing import Annotated, Literal
 
 from catopt.model.kinds import Place, Strength, Text
 from catopt.model.validity import Checked, Findings
 
 LoadCaseKind = Literal["extreme", "reference"]
-LOAD_CASE_KINDS: tuple[str, ...] = get_args(LoadCaseKind)
 LoadCaseState = Literal["intact", "one_line_out"]
-LOAD_CASE_STATES: tuple[str, ...] = get_args(LoadCaseState)
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,6 @@ from catopt.units import Dimension
 WaveSpectrum = Literal["jonswap", "pierson-moskowitz", "regular"]
 WAVE_SPECTRA: tuple[str, ...] = get_args(WaveSpectrum)
 Stretching = Literal["none", "wheeler"]
-STRETCHINGS: tuple[str, ...] = get_args(Stretching)
 
 WAVE_WAYS = ("spectrum", "elevation_file", "trains")
 """The keys of which one is given."""

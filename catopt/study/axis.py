@@ -12,8 +12,7 @@ import numpy.typing as npt
 
 Array = npt.NDArray[np.float64]
 
-
-Kind = Literal["normal", "lognormal", "gumbel", "uniform"]
+DistributionKind = Literal["normal", "lognormal", "uniform", "gumbel"]
 
 
 @dataclass(frozen=True)
@@ -30,7 +29,7 @@ class Distribution:
     [40.0, 50.0, 60.0]
     """
 
-    kind: Kind
+    kind: DistributionKind
     first: float
     second: float
 

@@ -16,6 +16,10 @@ from catopt.study.axis import Array
 from catopt.words import Message
 
 Computed = Literal["statics", "checks", "motion", "linear", "sizing"]
+"""What a study may compute of each of its members."""
+
+Proof = Literal["step", "none"]
+"""How a run in time is proven, as of ``catopt verify --dynamic``."""
 
 
 @dataclass(frozen=True)
@@ -118,7 +122,7 @@ class Base:
     folder: str
     compute: Computed
     moored: Moored | None = None
-    proof: Literal["step", "none"] = "step"
+    proof: Proof = "step"
 
     @property
     def kept(self) -> tuple[Kept, ...]:

@@ -61,7 +61,7 @@ def read_study(path: str | os.PathLike[str]) -> Study:
     limits = _limits(table, base, problems)
     if problems:
         raise InputError(problems, source)
-    study = Study(table.title or "", base, tuple(axes), limits)
+    study = Study(table.title, base, tuple(axes), limits)
     if len(study) > _MOST:
         allowed = f"{_MOST:,} members are the most; give fewer values"
         raise InputError([Problem("vary", f"{len(study):,} members", allowed)], source)
@@ -82,7 +82,7 @@ def _base(table: StudyTable, folder: Path, source: str) -> Base:
     if table.proof is not None and compute != "motion":
         problem = Problem("proof", f'"{table.proof}"', 'goes with compute = "motion"')
         raise InputError([problem], source)
-    return Base(document, str(place), str(place.parent), compute, moored, table.proof or "step")  # type: ignore[arg-type]
+    return Base(document, str(place), str(place.parent), compute, moored, table.proof or "step")
 
 
 def _document(place: Path) -> dict[str, Any]:
@@ -105,7 +105,7 @@ def _axes(table: StudyTable, base: Base, folder: Path, problems: list[Problem]) 
             if each.distribution is not None:
                 drawn.append((place, each))
                 axis = None
-                keys = {each.key or ""}
+                keys = {each.key}
             else:
                 if each.table is None:
                     axis = _listed(each, base)
@@ -159,7 +159,6 @@ def _check_form(each: VaryTable) -> None:
 
 
 def _listed(each: VaryTable, base: Base) -> Axis:
-    assert each.key is not None
     kind = kind_of_key(base, each.key)
     if each.values is not None:
         found = []
@@ -180,7 +179,6 @@ def _listed(each: VaryTable, base: Base) -> Axis:
 
 def _number(base: Base, each: VaryTable, name: str, *, spread: bool = False) -> float:
     """Read a value of a key that is measured; `spread` is a width, which has no range."""
-    assert each.key is not None
     kind = kind_of_key(base, each.key)
     if not isinstance(kind, Measured):
         raise InputError([Problem("key", f'"{each.key}"', "it is no number with a range")])
@@ -206,7 +204,6 @@ def _drawn(
     distributions: dict[str, Distribution] = {}
     for place, each in drawn:
         with _gathered(problems, place):
-            assert each.key is not None
             distributions[each.key] = _distribution(each, base)
             columns[each.key] = distributions[each.key].draw(rng, table.samples)
     if columns:
@@ -214,6 +211,7 @@ def _drawn(
 
 
 def _distribution(each: VaryTable, base: Base) -> Distribution:
+    assert each.distribution is not None
     if each.distribution == "uniform":
         low, high = (_number(base, each, name) for name in ("min", "max"))
         return Distribution("uniform", low, high)
@@ -221,7 +219,7 @@ def _distribution(each: VaryTable, base: Base) -> Distribution:
     deviation = _number(base, each, "deviation", spread=True)
     if each.distribution == "lognormal" and not mean > 0.0:
         raise InputError([Problem("mean", f"{each.mean}", "must be above 0")])
-    return Distribution(each.distribution, mean, deviation)  # type: ignore[arg-type]
+    return Distribution(each.distribution, mean, deviation)
 
 
 def _limits(table: StudyTable, base: Base, problems: list[Problem]) -> dict[str, float]:

@@ -76,7 +76,7 @@ def with_changes(base: Base, changes: Mapping[str, Any]) -> dict[str, Any]:
     return document
 
 
-def _in_file(kind: Kind, si: Any) -> Any:
+def in_file(kind: Kind, si: Any) -> Any:
     """Write a value in SI as the file has it: a bare number may be in another unit there."""
     if isinstance(kind, Measured) and kind.bare:
         return f"{si!r} {kind.dimension.si_unit}"
@@ -92,7 +92,7 @@ def read_member(base: Base, changes: Mapping[str, Any]) -> Case | SizingFile:
 
     `changes`: its own values by key path, numbers in SI.
     """
-    written = {key: _in_file(kind_of_key(base, key), value) for key, value in changes.items()}
+    written = {key: in_file(kind_of_key(base, key), value) for key, value in changes.items()}
     document = with_changes(base, written)
     if base.moored is None:
         return case_of(document, base.source, folder=base.folder)

@@ -224,12 +224,11 @@ class StudyResult(Shown):
         if not any(axis.is_drawn for axis in self.study.axes) or choices == 1:
             return ()
         found = []
-        names = [each.name for each in self.measured]
         for each in self.statistics:
             if each.limit is None:
                 continue
             # Draws vary fastest: they are the last axis.
-            values = self.store.column(names.index(each.kept.name)).reshape(choices, drawn)
+            values = self.values(each.kept.name).reshape(choices, drawn)
             for choice, row in enumerate(values):
                 known = row[np.isfinite(row)]
                 if known.size:
@@ -257,8 +256,7 @@ class StudyResult(Shown):
         """What the first quantity hangs on, the most first."""
         if not self.statistics or not self.is_complete:
             return ()
-        at = self.measured.index(self.statistics[0].kept)
-        values, shares = self.store.column(at), self.study.shares()
+        values, shares = self.values(self.statistics[0].kept.name), self.study.shares()
         there = np.isfinite(values)
         found = [
             _influence(keys, code[there], values[there], shares[there])

@@ -7,18 +7,9 @@ from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar, Final
 
 from catopt.casefile.schema import Table
-from catopt.errors import InputError, Problem
-from catopt.model.kinds import Kind, OneOf, Seed, Size, Text, Whole
-from catopt.units import as_written
-
-COMPUTED: Final = ("statics", "checks", "motion", "linear", "sizing")
-"""What a study may compute of each of its members."""
-
-PROOFS: Final = ("step", "none")
-"""How a run in time is proven, as of ``catopt verify --dynamic``."""
-
-DISTRIBUTIONS: Final = ("normal", "lognormal", "uniform", "gumbel")
-"""What a value may be drawn from."""
+from catopt.model.kinds import Kind, Seed, Size, Text, Whole
+from catopt.study.axis import DistributionKind
+from catopt.study.base import Computed, Proof
 
 MOST_VARIED: Final = 20
 """Tables ``[[vary]]`` of a study."""
@@ -28,15 +19,12 @@ MOST_VARIED: Final = 20
 class AnyValue(Kind):
     """What the key that is varied takes; it is read by that key."""
 
-    @property
-    def wanted(self) -> str:
-        """What is wanted."""
-        return 'a value as the key takes it is wanted, such as "50 kN"'
+    wanted = 'a value as the key takes it is wanted, such as "50 kN"'
 
     def read(self, value: object) -> object:
         """Return it as it stands."""
         if not isinstance(value, bool | int | float | str):
-            raise InputError([Problem("value", as_written(value), self.wanted)])
+            raise self._refused(value)
         return value
 
 
@@ -56,7 +44,7 @@ class ByName(Kind):
         if not isinstance(value, dict) or not all(
             isinstance(each, int | float | str) for each in value.values()
         ):
-            raise InputError([Problem("value", as_written(value), self.wanted)])
+            raise self._refused(value)
         return value
 
 
@@ -72,12 +60,12 @@ class VaryTable(Table):
 
     symbols: ClassVar[Mapping[str, str]] = {"from": "min", "to": "max", "file": "table"}
 
-    key: Key | None = None
+    key: Key = ""
     values: list[Value] | None = None
     min: Value | None = None
     max: Value | None = None
     count: Annotated[int, Whole("count", example=11)] | None = None
-    distribution: Annotated[str, OneOf(DISTRIBUTIONS)] | None = None
+    distribution: DistributionKind | None = None
     mean: Value | None = None
     deviation: Value | None = None
     table: Annotated[str, Text(filled=True, example='"weather.csv"')] | None = None
@@ -88,10 +76,10 @@ class VaryTable(Table):
 class StudyTable(Table):
     """A whole study file."""
 
-    title: str | None = None
+    title: str = ""
     case: File
-    compute: Annotated[str, OneOf(COMPUTED)]
-    proof: Annotated[str, OneOf(PROOFS)] | None = None
+    compute: Computed
+    proof: Proof | None = None
     samples: Annotated[int, Whole("samples", example=1000)] | None = None
     seed: Seed | None = None
     limits: Limits | None = None

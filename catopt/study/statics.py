@@ -16,6 +16,7 @@ from catopt.catenary.solution import Solution
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.model import Case, Load, System
 from catopt.model.kinds import Measured
+from catopt.model.load import LOADS as OF_A_LINE
 from catopt.mooring.batch import SystemSolutions, solve_system_many
 from catopt.mooring.case import report_system
 from catopt.study.axis import Array
@@ -23,14 +24,8 @@ from catopt.study.base import Base
 from catopt.study.member import kind_of_key, read_member, reason_of
 from catopt.study.study import Piece
 
-_LOADS: Final = ("horizontal_force", "span", "fairlead_tension")
 LOADS: Final = frozenset(
-    [
-        *(f"load.{name}" for name in _LOADS),
-        "system.force[0]",
-        "system.force[1]",
-        "system.moment",
-    ]
+    [*(f"load.{key}" for key in OF_A_LINE), "system.force[0]", "system.force[1]", "system.moment"]
 )
 """Keys that differ within a group."""
 
@@ -110,13 +105,7 @@ def _beyond(base: Base, key: str, values: Array) -> npt.NDArray[np.bool_]:
     """Which loads the key does not take."""
     kind = kind_of_key(base, key)
     assert isinstance(kind, Measured)
-    lowest, least = kind.above, kind.at_least
-    wrong = np.zeros(values.shape, dtype=bool)
-    if lowest is not None:
-        wrong |= values <= lowest
-    if least is not None:
-        wrong |= values < least
-    return wrong
+    return np.zeros(values.shape, dtype=bool) if kind.above is None else values <= kind.above
 
 
 def _refusal(base: Base, key: str, value: float) -> str:
@@ -140,7 +129,7 @@ def _lines(case: Case, loads: Loads, count: int) -> Solved:
     """Solve one line under many loads."""
     if case.load is None:
         raise InputError([Problem("case", "", _WANTED)])
-    given: dict[str, Any] = {name: getattr(case.load, name) for name in _LOADS}
+    given: dict[str, Any] = {name: getattr(case.load, name) for name in OF_A_LINE}
     given |= {key.removeprefix("load."): values for key, values in loads.items()}
     wanted: dict[str, Any] = {
         name: np.broadcast_to(value, (count,)) for name, value in given.items() if value is not None
@@ -159,15 +148,14 @@ def _lines(case: Case, loads: Loads, count: int) -> Solved:
 
 def _bodies(system: System, loads: Loads, count: int) -> Solved:
     """Bring one body to rest under many loads."""
+
+    def given(key: str, own: float) -> Array:
+        return loads.get(f"system.{key}", np.full(count, own))
+
     solved = solve_system_many(
         system,
-        force=np.column_stack(
-            [
-                loads.get(f"system.force[{k}]", np.full(count, own))
-                for k, own in enumerate(system.force)
-            ]
-        ),
-        moment=loads.get("system.moment", np.full(count, system.moment)),
+        force=np.column_stack([given(f"force[{k}]", own) for k, own in enumerate(system.force)]),
+        moment=given("moment", system.moment),
     )
     values = {
         "fairlead_tension": solved.tension.max(axis=1),

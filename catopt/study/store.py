@@ -100,26 +100,26 @@ class Store:
                 {int(k): v for k, v in json.loads(reasons).items()},
             )
 
+    def _placed(self) -> Iterator[tuple[int, Computed]]:
+        return ((self._study.piece_start(each.number), each) for each in self.pieces())
+
     def column(self, at: int) -> Array:
         """Return the numbers of one quantity of all members, nan of those not computed yet."""
         column = np.full(len(self._study), np.nan)
-        for piece in self.pieces():
-            first = self._study.piece_start(piece.number)
+        for first, piece in self._placed():
             column[first : first + len(piece.numbers)] = piece.numbers[:, at]
         return column
 
     def reasons(self) -> dict[int, str]:
         """Return why members have no answer, by their numbers from 0."""
         found: dict[int, str] = {}
-        for piece in self.pieces():
-            first = self._study.piece_start(piece.number)
+        for first, piece in self._placed():
             found |= {first + member: reason for member, reason in piece.reasons.items()}
         return found
 
     def words(self, members: Sequence[int]) -> list[tuple[str, ...]]:
         """Return the texts of some members."""
         wanted: dict[int, tuple[str, ...]] = {}
-        for piece in self.pieces():
-            first = self._study.piece_start(piece.number)
+        for first, piece in self._placed():
             wanted |= {first + k: words for k, words in enumerate(piece.words)}
         return [wanted.get(member, ()) for member in members]

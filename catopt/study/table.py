@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from io import StringIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,7 +16,7 @@ from catopt.errors import InputError, Problem, need_package
 from catopt.model.kinds import Kind, Measured, Whole
 from catopt.study.axis import Array, Axis
 from catopt.study.base import Base
-from catopt.study.member import kind_of_key
+from catopt.study.member import in_file, kind_of_key
 from catopt.units import as_written, to_si
 
 if TYPE_CHECKING:
@@ -123,7 +124,9 @@ def _values(kind: Kind, cells: pd.Series[Any], name: str, unit: str) -> Sequence
         return in_range(kind, _numbers(cells, name) * _size(kind, name, unit), name)
     if unit:
         raise InputError([Problem("headings", f'"{name} ({unit})"', "it has no unit")])
-    return list(_words(kind, cells, name))
+    as_they_are = isinstance(kind, Whole)
+    written = (c if as_they_are or isinstance(c, bool) else str(c) for c in cells.tolist())
+    return _read_each(kind, written, name)
 
 
 def _size(kind: Measured, name: str, unit: str) -> float:
@@ -164,35 +167,23 @@ def in_range(kind: Measured, values: Array, name: str) -> Array:
     ends = [values.min(), values.max(), *([sizes.min()] if sizes.size else [])]
     try:
         for end in ends:
-            _one(kind, end)
+            kind.read(in_file(kind, float(end)))
     except InputError:
-        problems = []
-        for row, value in enumerate(values.tolist()):
-            try:
-                _one(kind, value)
-            except InputError as error:
-                said = error.problems[0]
-                problems.append(Problem(f"{name}, value {row + 1}", said.found, said.allowed))
-        raise InputError(_few(problems)) from None
+        _read_each(kind, (in_file(kind, value) for value in values.tolist()), name)
     return values
 
 
-def _one(kind: Measured, value: float) -> None:
-    kind.read(f"{value!r} {kind.dimension.si_unit}" if kind.bare else float(value))
-
-
-def _words(kind: Kind, cells: pd.Series[Any], name: str) -> Iterator[Any]:
-    """Words, flags and whole numbers, as the key takes them."""
-    problems = []
-    for row, cell in enumerate(cells.tolist()):
-        value = cell if isinstance(kind, Whole) or isinstance(cell, bool) else str(cell)
+def _read_each(kind: Kind, cells: Iterable[Any], name: str) -> list[Any]:
+    """Read cells as the key takes them; the first that it does not take are told."""
+    found, problems = [], []
+    for row, cell in enumerate(cells):
         try:
-            yield kind.read(value)
+            found.append(kind.read(cell))
         except InputError as error:
-            said = error.problems[0]
-            problems.append(Problem(f"{name}, value {row + 1}", said.found, said.allowed))
+            problems += [replace(p, key=f"{name}, value {row + 1}") for p in error.problems]
     if problems:
         raise InputError(_few(problems))
+    return found
 
 
 def _refuse(name: str, rows: Sequence[int], cells: pd.Series[Any], allowed: str) -> None:

@@ -39,12 +39,12 @@ from catopt.model import (
     WaveTrain,
 )
 from catopt.model.case import Boundary
-from catopt.model.design import OBJECTIVES, SEARCH_METHODS
-from catopt.model.dynamics import INITIAL_FRICTION, TIME_SCHEMES
+from catopt.model.design import OBJECTIVES, SearchMethod
+from catopt.model.dynamics import INITIAL_FRICTION, TimeScheme
 from catopt.model.find import FIND_QUANTITIES
 from catopt.model.kinds import COUNTS
-from catopt.model.load_case import LOAD_CASE_KINDS
-from catopt.model.wave_state import STRETCHINGS, WAVE_SPECTRA
+from catopt.model.load_case import LoadCaseKind
+from catopt.model.wave_state import WAVE_SPECTRA, Stretching
 
 POSITIVE = st.floats(min_value=1e-3, max_value=100.0)
 """Plausible of every quantity."""
@@ -213,7 +213,7 @@ def designs(draw: st.DrawFn, line: Line, references: int) -> Design:
         tuple(draw(st.lists(st.one_of(weights), max_size=3))),
         draw(st.none() | sinker),
         tuple(draw(st.permutations(named)))[: draw(st.integers(2, 3))],
-        draw(st.sampled_from(SEARCH_METHODS)),
+        draw(st.sampled_from(get_args(SearchMethod))),
         evaluations=draw(counts("evaluations")),
         population=draw(counts("population")),
         seed=draw(counts("seed")),
@@ -256,7 +256,7 @@ def trains(draw: st.DrawFn) -> WaveTrain:
 
 
 SEA: dict[str, Any] = {
-    "stretching": st.sampled_from(STRETCHINGS),
+    "stretching": st.sampled_from(get_args(Stretching)),
     "seed": counts("seed"),
 }
 WAVES: st.SearchStrategy[WaveState] = st.one_of(
@@ -318,7 +318,7 @@ RUNS = st.builds(
     time_step=WITHIN,
     output_interval=WITHIN,
     elements=counts("elements"),
-    scheme=st.sampled_from(TIME_SCHEMES),
+    scheme=st.sampled_from(get_args(TimeScheme)),
     initial_friction=st.sampled_from(INITIAL_FRICTION),
     spectral_radius=up_to(1.0),
     runs=counts("runs"),
@@ -388,7 +388,7 @@ def cases(draw: st.DrawFn) -> Case:
         horizontal_force=POSITIVE,
         water_level=NOT_NEGATIVE,
         fairlead_rise=NOT_NEGATIVE,
-        kind=st.sampled_from(LOAD_CASE_KINDS),
+        kind=st.sampled_from(get_args(LoadCaseKind)),
     )
     states = draw(st.lists(state, max_size=3, unique_by=lambda each: each.name))
     if min(depth, fairlead) == 0.0:

@@ -8,7 +8,7 @@ import tomllib
 from collections.abc import Callable, Iterator
 from dataclasses import MISSING, fields
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, get_args
 
 import pytest
 
@@ -57,7 +57,7 @@ from catopt.model import (
 from catopt.model.anchor import ANCHOR_KINDS
 from catopt.model.design import OBJECTIVES
 from catopt.model.kinds import Flag, Kind, Measured, OneOf, Text, Whole
-from catopt.model.line import DRAG_METHODS
+from catopt.model.line import DragMethod
 from catopt.model.motion import OF_A_BODY
 from catopt.units import UNITS, Dimension
 
@@ -216,7 +216,7 @@ SIZES = {
 WORDS = {
     (Design, "objectives"): OBJECTIVES,
     (Anchor, "kind"): ANCHOR_KINDS,
-    (Segment, "drag_method"): DRAG_METHODS,
+    (Segment, "drag_method"): get_args(DragMethod),
 }
 """Words that need others beside them, or other keys, so that the model refuses them alone."""
 
