@@ -29,16 +29,9 @@ LOAD = "load"
 
 
 def check_line(line: Line, case: Case, anchor: Anchor | None = None) -> CheckReport:
-    """Check another line in the place of a case's own.
+    """Check another line, such as one that a search has found, in the place of a case's own.
 
-    Parameters
-    ----------
-    line : Line
-        Such as one that a search has found.
-    case : Case
-        Site, load cases and criteria.
-    anchor : Anchor, optional
-        In the place of the case's own.
+    So an anchor, where one is given.
     """
     return check_case(replace(case, line=line, anchor=anchor or case.anchor))
 

@@ -7,7 +7,15 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-from catopt.checks.criterion import STATES, Analysis, CheckSource, Criterion, State, StrengthKind
+from catopt.checks.criterion import (
+    STATES,
+    USER,
+    Analysis,
+    CheckSource,
+    Criterion,
+    State,
+    StrengthKind,
+)
 from catopt.checks.kinds import OF_LINE, CheckKind
 from catopt.checks.profiles import Profile, profiles_of
 from catopt.checks.strength import Strength, strength_of
@@ -17,14 +25,10 @@ from catopt.model.checks import Checks
 from catopt.model.load_case import LoadCaseKind
 from catopt.words import Cited, Message
 
-USER = CheckSource("user")
-"""A number of the case file."""
-
 HORIZONTAL_PULL = CheckSource(
     "drag anchor", "UFC 4-159-03 Design: Moorings (3 October 2005)", "Table 3-18", "A"
 )
 """A drag anchor holds against a horizontal pull, unless the case says how much uplift it takes."""
-
 
 _NO_TESTS = "leave it out, or name a code that judges by tests, such as DNV-OS-E301-2008-CC1"
 
@@ -49,54 +53,34 @@ class Limits(NamedTuple):
 
     What is not asked for has the number at which the functions of `catopt.checks.excess` are below
     0 for any line.
-
-    Attributes
-    ----------
-    uplift_angle : float
-        Largest inclination at the anchor, rad; infinite when not asked for.
-    uplift_force : float
-        Largest vertical pull at the anchor, N; infinite when not asked for.
-    grounded_length : float
-        Least length on the bed, m; 0 when not asked for.
-    span : float
-        Largest distance from the anchor to the fairlead, m; infinite when not asked for.
-    reserve_buoyancy : float
-        Largest vertical pull at the fairlead, N; infinite when not asked for.
-    sliding_factor : float
-        Of a sinker; 0 when there is none.
-    holding_factor : float
-        Of a drag anchor; 0 when there is none.
     """
 
     uplift_angle: float = math.inf
+    """Largest inclination at the anchor, rad; infinite when not asked for."""
     uplift_force: float = math.inf
+    """Largest vertical pull at the anchor, N; infinite when not asked for."""
     grounded_length: float = 0.0
+    """Least length on the bed, m; 0 when not asked for."""
     span: float = math.inf
+    """Largest distance from the anchor to the fairlead, m; infinite when not asked for."""
     reserve_buoyancy: float = math.inf
+    """Largest vertical pull at the fairlead, N; infinite when not asked for."""
     sliding_factor: float = 0.0
+    """Of a sinker; 0 when there is none."""
     holding_factor: float = 0.0
+    """Of a drag anchor; 0 when there is none."""
 
 
 @dataclass(frozen=True)
 class Criteria:
-    """What a line has to keep.
-
-    Attributes
-    ----------
-    all : tuple of Criterion
-        The case's own numbers first, then those of its codes in the order it names them.
-    service : Service or None
-        Life and wear of the line.
-    catalogue : CatalogueChoice
-        Where components come from.
-    warnings : tuple of str
-        What an engineer should know of the codes.
-    """
+    """What a line has to keep."""
 
     all: tuple[Criterion, ...]
+    """The case's own numbers first, then those of its codes in the order it names them."""
     service: Service | None
     catalogue: CatalogueChoice
     warnings: tuple[str, ...] = ()
+    """What an engineer should know of the codes."""
 
     def of(
         self, check: CheckKind, kind: LoadCaseKind, state: State = "intact"
@@ -154,24 +138,9 @@ class Criteria:
 
         Its length does not matter. A catalogue option is asked as
         ``allowed_tension(component.segment(1.0), "extreme")``; looking it up once by `strength`
-        and passing that on saves the look-up for the other kind of load case.
-
-        Parameters
-        ----------
-        segment : Segment or Strength
-            Or what `strength` gave for it.
-        kind : {"extreme", "reference"}
-            Of the load case.
-        state : {"intact", "one_line_out", "transient"}
-            Of the mooring.
-        key : str
-            Of the segment, for messages.
-
-        Raises
-        ------
-        InputError
-            A criterion needs an MBL or a proof load that is not known, or there is wear but no
-            diameter.
+        and passing that on saves the look-up for the other kind of load case. The key is that of
+        the segment, for messages. InputError when a criterion needs an MBL or a proof load that is
+        not known, or there is wear but no diameter.
         """
         strength = segment if isinstance(segment, Strength) else self.strength(segment, key)
         least = AllowedTension(math.inf, None)
@@ -253,21 +222,10 @@ def criteria_of(
     The factors on sliding and holding are there when the case has such an anchor. A search that
     chooses sinkers passes the case with one of them as its anchor.
 
-    Parameters
-    ----------
-    case : Case
-        With its anchor, service and checks.
-    anchor_key : str
-        Where its anchor stands, for messages.
-    analysis : {"quasi-static", "dynamic"}
-        From which the tensions are: a code's factors for the other are not among the criteria,
-        unless tensions are dynamic and it has none for them; those for lines at rest then hold.
-
-    Raises
-    ------
-    InputError
-        A code is not known, or was read in no document and the case does not allow that; an anchor
-        has no factor.
+    `anchor_key` says where its anchor stands, for messages; `analysis`, from which the tensions
+    are: a code's factors for the other are not among the criteria, unless tensions are dynamic and
+    it has none for them; those for lines at rest then hold. InputError when a code is not known, or
+    was read in no document and the case does not allow that, or an anchor has no factor.
     """
     profiles = profiles_of(case.checks)
     coded = [

@@ -43,45 +43,30 @@ def line_kind(component: str) -> LineKind | None:
 
 @dataclass(frozen=True)
 class Place:
-    """Of which line a check is, and in which state of the mooring.
-
-    Attributes
-    ----------
-    state : {"intact", "one_line_out", "transient"}
-        Of the mooring.
-    line, missing : int or None
-        Of a body with several lines: which, from 1, and which one is gone; None for the body as a
-        whole or for a line by itself.
-    segment : int or None
-        Of a tension: from 1 at the anchor.
-    """
+    """Of which line a check is, and in which state of the mooring."""
 
     state: State = "intact"
     line: int | None = None
     missing: int | None = None
+    """Of a body with several lines: which, from 1, and which one is gone; None for the body as a
+    whole or for a line by itself."""
     segment: int | None = None
+    """Of a tension: from 1 at the anchor."""
 
 
 @dataclass(frozen=True)
 class CheckSource:
-    """Where a criterion comes from.
-
-    Attributes
-    ----------
-    code : str
-        Name of the profile; ``"user"`` for the case's own numbers, ``"anchor"`` for the factor of
-        its anchor where the case says what that is from.
-    document, clause : str
-        What to open, and where in it; empty for the case's own numbers, which are then those of
-        the case file.
-    confidence : {"A", "B", "C", "R"} or None
-        How well it was read; None for the case's own numbers.
-    """
+    """Where a criterion comes from."""
 
     code: str
+    """Name of the profile; ``"user"`` for the case's own numbers, ``"anchor"`` for the factor of
+    its anchor where the case says what that is from."""
     document: str = ""
     clause: str = ""
+    """What to open, and where in it; empty for the case's own numbers, which are then those of the
+    case file."""
     confidence: Confidence | None = None
+    """How well it was read; None for the case's own numbers."""
 
     @property
     def text(self) -> str:
@@ -92,44 +77,33 @@ class CheckSource:
         return f"{where} [{self.confidence}]"
 
 
+USER = CheckSource("user")
+"""A number of the case file."""
+
+
 @dataclass(frozen=True)
 class Criterion:
-    """A limit or a factor that a line has to keep.
-
-    Attributes
-    ----------
-    check : str
-        What is checked, one of `catopt.checks.kinds.CHECK_KINDS`.
-    value : float
-        The factor of a tension, a sliding or a holding check; else the limit in SI.
-    source : CheckSource
-        Where it comes from.
-    of : {"MBL", "proof_load", ""}
-        Of a tension check: the strength that is divided by the factor.
-    part : float
-        Of a tension check: characteristic strength over that of the catalogue or certificate.
-    mean_factor : float or None
-        Of a tension in motion: the factor on its mean, where `value` is that on what is added to
-        the mean; None where `value` is on the whole.
-    lines, kinds, states : tuple of str
-        For which kinds of line (of a tension check), load cases and states of the mooring it is.
-    analysis : {"quasi-static", "dynamic"}
-        Of a tension check: from which analysis its tensions are.
-    note : str
-        What else the document says of it.
-    """
+    """A limit or a factor that a line has to keep."""
 
     check: CheckKind
     value: float
+    """The factor of a tension, a sliding or a holding check; else the limit in SI."""
     source: CheckSource
     of: StrengthKind | Literal[""] = ""
+    """Of a tension check: the strength that is divided by the factor."""
     part: float = 1.0
+    """Of a tension check: characteristic strength over that of the catalogue or certificate."""
     mean_factor: float | None = None
+    """Of a tension in motion: the factor on its mean, where `value` is that on what is added to the
+    mean; None where `value` is on the whole."""
     lines: tuple[LineKind, ...] = LINE_KINDS
     kinds: tuple[LoadCaseKind, ...] = LOAD_KINDS
     states: tuple[State, ...] = STATES
+    """For which kinds of line (of a tension check), load cases and states of the mooring it is."""
     analysis: Analysis = "quasi-static"
+    """Of a tension check: from which analysis its tensions are."""
     note: str = ""
+    """What else the document says of it."""
 
     @property
     def takes_tests(self) -> bool:

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from catopt.catenary.solution import Solution
 from catopt.checks.criteria import Criteria, allowed_by
 from catopt.checks.criterion import Criterion, Place
-from catopt.checks.excess import tension_excess
+from catopt.checks.excess import ratio_excess
 from catopt.checks.kinds import CHECK_KINDS, OF_LINE, QUANTITY_OF, CheckKind, Demand
 from catopt.checks.result import CheckResult
 from catopt.checks.strength import Strength
-from catopt.model import Anchor, Segment
+from catopt.model import Anchor, Line, Segment
 from catopt.model.load_case import LoadCaseKind
 from catopt.words import Measure, Message, Several
 
@@ -40,14 +40,11 @@ def evaluate(
     InputError
         A strength that a criterion needs is not known.
     """
-    for index, strength in enumerate(strengths):
-        segment, largest = solution.line.segments[index], solution.segments[index].max_tension
-        at = replace(place, segment=index + 1)
-        for criterion in criteria.of("tension", kind, place.state):
-            if criterion.is_for(strength.kind):
-                yield check_tension(
-                    criterion, segment, strength, largest, load_case=load_case, place=at
-                )
+    largest = [(each.max_tension, 1.0) for each in solution.segments]
+    of_tension = list(criteria.of("tension", kind, place.state))
+    yield from check_tensions(
+        solution.line, of_tension, strengths, largest, load_case=load_case, place=place
+    )
     for check in CHECK_KINDS:
         if check in OF_LINE and (place.line is None or check != "buoyancy"):
             for criterion in criteria.of(check, kind, place.state):
@@ -55,24 +52,34 @@ def evaluate(
                 yield result_of(check, criterion, found, load_case, place)
 
 
-def check_tension(
-    criterion: Criterion,
-    segment: Segment,
-    strength: Strength,
-    tension: float,
+def check_tensions(
+    line: Line,
+    criteria: Sequence[Criterion],
+    strengths: Sequence[Strength],
+    tensions: Iterable[tuple[float, float]],
     *,
-    mean_share: float = 1.0,
     load_case: str,
     place: Place,
-) -> CheckResult:
-    """Check the tension of one segment: the largest, N <= strength at the end of life / factor.
+) -> Iterator[CheckResult]:
+    """Check the tension of each segment: the largest, N <= strength at the end of life / factor.
 
-    `mean_share` is the mean over the largest, from 0 to 1. Place says line, state and number of the
-    segment. Refused when the strength is not known.
+    Tensions are the largest of each segment, N, with the mean over it, from 0 to 1. Refused when a
+    strength is not known.
     """
-    assert place.segment is not None
+    each_segment = zip(line.segments, strengths, tensions, strict=True)
+    for index, (segment, strength, (tension, mean_share)) in enumerate(each_segment):
+        name = Message("checks.tension", segment=segment_words(segment, index))
+        at = replace(place, segment=index + 1)
+        for criterion in criteria:
+            if criterion.is_for(strength.kind):
+                found = _tension(criterion, strength, tension, mean_share, index)
+                yield result_of("tension", criterion, found, load_case, at, name)
+
+
+def _tension(
+    criterion: Criterion, strength: Strength, tension: float, mean_share: float, index: int
+) -> Demand:
     assert criterion.of != ""
-    index = place.segment - 1
     capacity = allowed_by(criterion, strength, f"line.segments[{index}]", mean_share)
     by_tests = criterion.takes_tests and strength.tested is not None
     full = strength.tested if by_tests else strength.need(criterion.of, "", "")
@@ -85,9 +92,7 @@ def check_tension(
         note = Message("checks.on_the_mean", strength=note, **values)
     if strength.note:
         note = Several((note, strength.note), ", ")
-    found = Demand(tension, capacity, tension_excess(tension, capacity), note)
-    name = Message("checks.tension", segment=segment_words(segment, index))
-    return result_of("tension", criterion, found, load_case, place, name)
+    return Demand(tension, capacity, ratio_excess(tension, capacity), note)
 
 
 def result_of(

@@ -15,12 +15,9 @@ from catopt.compiled import inlined
 
 __all__ = [
     "ROUNDING",
-    "buoyancy_excess",
     "grounded_excess",
     "holding_excess",
-    "sliding_excess",
-    "span_excess",
-    "tension_excess",
+    "ratio_excess",
     "uplift_angle_excess",
     "uplift_force_excess",
 ]
@@ -30,9 +27,13 @@ ROUNDING: Final = 1e-9
 
 
 @inlined
-def tension_excess(tension: float, allowed: float) -> float:
-    """Largest tension of a segment beside the allowed one, strength over factor; N."""
-    return tension / allowed - 1.0
+def ratio_excess(demand: float, capacity: float) -> float:
+    """Demand beside capacity, in one unit.
+
+    Of a segment's tension and strength over factor, span and limit, pull at the fairlead and
+    reserve buoyancy, the weight that a sinker needs (`sinker_needed` of model) and its own.
+    """
+    return demand / capacity - 1.0
 
 
 @inlined
@@ -60,24 +61,6 @@ def grounded_excess(grounded: float, wanted: float) -> float:
     if wanted == 0.0:
         return -1.0
     return 1.0 - grounded / wanted
-
-
-@inlined
-def span_excess(span: float, limit: float) -> float:
-    """Span beside the largest allowed one; m."""
-    return span / limit - 1.0
-
-
-@inlined
-def buoyancy_excess(vertical: float, reserve: float) -> float:
-    """Vertical pull at the fairlead beside the reserve buoyancy; N."""
-    return vertical / reserve - 1.0
-
-
-@inlined
-def sliding_excess(needed: float, weight: float) -> float:
-    """Weight in water that a sinker needs (`sinker_needed` of model) beside its own; N."""
-    return needed / weight - 1.0
 
 
 @inlined

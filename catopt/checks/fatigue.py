@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Final, Literal
@@ -12,12 +12,12 @@ import numpy as np
 import numpy.typing as npt
 
 from catopt.catalogue.figure import Confidence
-from catopt.checks.criterion import CheckSource, LineKind, line_kind
+from catopt.checks.criterion import USER, CheckSource, LineKind, line_kind
 from catopt.checks.spectral_fatigue import Band, bands, range_moment
 from catopt.checks.strength import strength_of
 from catopt.constants import YEAR
 from catopt.errors import InputError, Problem, need_package
-from catopt.model import Case, CatalogueChoice, Segment, SegmentCurve, Service
+from catopt.model import Case, Segment, SegmentCurve
 from catopt.words import Message
 
 Array = npt.NDArray[np.float64]
@@ -25,25 +25,17 @@ Array = npt.NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Cycles:
-    """Cycles of one series.
-
-    Attributes
-    ----------
-    ranges, counts : ndarray
-        Each range, and 1 for a whole cycle or 0.5 for half of one.
-    mean : float
-        Of the series.
-    time : float
-        That it lasts, s.
-    bands : tuple of Band or None
-        The series' slow and fast parts; None where it was not parted.
-    """
+    """Cycles of one series."""
 
     ranges: Array
     counts: Array
+    """Each range, and 1 for a whole cycle or 0.5 for half of one."""
     mean: float
+    """Of the series."""
     time: float
+    """That it lasts, s."""
     bands: tuple[Band, Band] | None = None
+    """The series' slow and fast parts; None where it was not parted."""
 
 
 def count_cycles(values: Array, time: float, split: float | None = None) -> Cycles:
@@ -68,60 +60,35 @@ def count_cycles(values: Array, time: float, split: float | None = None) -> Cycl
 
 
 def need_rainflow() -> None:
-    """Refuse to count where the package rainflow is missing.
-
-    Raises
-    ------
-    InputError
-        With how to install it.
-    """
+    """Refuse to count where the package rainflow is missing: InputError with how to install it."""
     need_package("rainflow", "fatigue", "fatigue")
 
 
 @dataclass(frozen=True)
 class FatigueCurve:
-    """Cycles to failure N over a range.
-
-    Attributes
-    ----------
-    kind : {"S-N", "T-N"}
-        N = factor s^-slope with the stress range s in MPa, or N = factor R^-slope with R the
-        tension range over the reference strength.
-    factor, slope : float
-        a_D and m, or K and M.
-    per_mean : float
-        log10 of the factor falls by so much times the mean tension over the reference strength.
-    source : CheckSource
-        Where it comes from.
-    line : {"chain", "wire", "rope"} or None
-        For which kind of line; None: any.
-    ORQ : bool
-        Whether the reference is the strength of ORQ chain of the same size, whatever its grade.
-    """
+    """Cycles to failure N over a range."""
 
     kind: Literal["S-N", "T-N"]
+    """N = factor s^-slope with the stress range s in MPa, or N = factor R^-slope with R the tension
+    range over the reference strength."""
     factor: float
     slope: float
+    """a_D and m, or K and M."""
     source: CheckSource
     line: LineKind | None = None
+    """For which kind of line; None: any."""
     per_mean: float = 0.0
+    """log10 of the factor falls by so much times the mean tension over the reference strength."""
     ORQ: bool = False
+    """Whether the reference is the strength of ORQ chain of the same size, whatever its grade."""
 
     def damage(self, cycles: Cycles, reference: float) -> float:
-        """Miner's sum of n/N.
-
-        Parameters
-        ----------
-        cycles : Cycles
-            Of a tension, N.
-        reference : float
-            Area in m2 of an S-N curve, strength in N of a T-N curve.
-        """
+        """Miner's sum of n/N, of a tension in N; `reference`: area, m2, or strength, N."""
         over, log = self._scales(cycles, reference)
         return float(np.sum(cycles.counts * (cycles.ranges / over) ** self.slope) / 10.0**log)
 
     def damage_by_spectrum(self, cycles: Cycles, reference: float) -> float | None:
-        """Miner's sum by dual narrow band, parameters as of `damage`; None without bands."""
+        """Miner's sum by dual narrow band; None without bands."""
         if cycles.bands is None:
             return None
         over, log = self._scales(cycles, reference)
@@ -136,40 +103,34 @@ class FatigueCurve:
         return 1e6 * reference, math.log10(self.factor)
 
 
-def _source(name: str, document: str, clause: str, confidence: Confidence) -> CheckSource:
-    return CheckSource(name, document, clause, confidence)
-
-
 _E301 = ("DNV-OS-E301 (2008)", "Table F1")
 _API = ("API RP 2SK 3rd ed. (2005)", "Table 3")
 
 
-def _E(name: str, factor: float, slope: float, line: LineKind) -> FatigueCurve:
-    return FatigueCurve("S-N", factor, slope, _source(name, *_E301, "B"), line)
-
-
-def _A(
-    name: str, log: float, slope: float, line: LineKind, confidence: Confidence, fall: float = 0.0
-) -> FatigueCurve:
-    source = _source(name, *_API, confidence)
-    return FatigueCurve("T-N", 10.0**log, slope, source, line, fall, ORQ=line == "chain")
-
-
-CURVES: Mapping[str, FatigueCurve] = MappingProxyType(
-    {
-        "E301 stud": _E("E301 stud", 1.2e11, 3.0, "chain"),
-        "E301 studless": _E("E301 studless", 6.0e10, 3.0, "chain"),
-        "E301 six-strand": _E("E301 six-strand", 3.4e14, 4.0, "wire"),
-        "E301 spiral": _E("E301 spiral", 1.7e17, 4.8, "wire"),
-        "E301 polyester": FatigueCurve(
-            "T-N", 0.259, 13.46, _source("E301 polyester", *_E301, "B"), "rope"
-        ),
-        "API stud": _A("API stud", 3.0, 3.0, "chain", "C"),
-        "API studless": _A("API studless", math.log10(316.0), 3.0, "chain", "B"),
-        "API six-strand": _A("API six-strand", 3.20, 4.09, "wire", "C", 2.79),
-        "API spiral": _A("API spiral", 3.25, 5.05, "wire", "C", 3.43),
-    }
+_ROWS: Final[tuple[tuple[str, float, float, LineKind, Confidence, float], ...]] = (
+    ("E301 stud", 1.2e11, 3.0, "chain", "B", 0.0),
+    ("E301 studless", 6.0e10, 3.0, "chain", "B", 0.0),
+    ("E301 six-strand", 3.4e14, 4.0, "wire", "B", 0.0),
+    ("E301 spiral", 1.7e17, 4.8, "wire", "B", 0.0),
+    ("E301 polyester", 0.259, 13.46, "rope", "B", 0.0),
+    ("API stud", 10.0**3.0, 3.0, "chain", "C", 0.0),
+    ("API studless", 10.0 ** math.log10(316.0), 3.0, "chain", "B", 0.0),
+    ("API six-strand", 10.0**3.20, 4.09, "wire", "C", 2.79),
+    ("API spiral", 10.0**3.25, 5.05, "wire", "C", 3.43),
 )
+"""Name, factor, slope, kind of line, confidence, and fall of the factor per mean."""
+
+
+def _curve_of(
+    name: str, factor: float, slope: float, line: LineKind, confidence: Confidence, fall: float
+) -> FatigueCurve:
+    by_API = name.startswith("API")
+    source = CheckSource(name, *(_API if by_API else _E301), confidence)
+    kind: Literal["S-N", "T-N"] = "T-N" if by_API or line == "rope" else "S-N"
+    return FatigueCurve(kind, factor, slope, source, line, fall, ORQ=by_API and line == "chain")
+
+
+CURVES: Mapping[str, FatigueCurve] = MappingProxyType({row[0]: _curve_of(*row) for row in _ROWS})
 """Curves by name; docs/dynamics.md has the table with its sources."""
 
 _OF_COMPONENT: Final = (
@@ -187,58 +148,38 @@ _OF_CODE: Final = {"DNV-OS-E301-2008": "E301", "API-RP-2SK": "API"}
 
 @dataclass(frozen=True)
 class FatigueStrength:
-    """What a segment withstands, at half its loss of diameter.
-
-    Attributes
-    ----------
-    curve : FatigueCurve
-        Its curve.
-    reference : float
-        Area in m2, or strength in N.
-    diameter : float or None
-        Nominal, less half the loss, m.
-    """
+    """What a segment withstands, at half its loss of diameter."""
 
     curve: FatigueCurve
     reference: float
+    """Area in m2, or strength in N."""
     diameter: float | None
+    """Nominal, less half the loss, m."""
 
-    def damage(self, runs: Iterable[Cycles]) -> float:
-        """Damage in a year of nothing but what the runs are of.
+    def damage(self, runs: Sequence[Cycles]) -> float:
+        """Damage in a year of nothing but what the runs are of, each of its own seed."""
+        time = sum(each.time for each in runs)
+        return sum(self.curve.damage(each, self.reference) for each in runs) * YEAR / time
 
-        Parameters
-        ----------
-        runs : iterable of Cycles
-            Of a tension, each of its own seed.
-        """
-        every = list(runs)
-        time = sum(each.time for each in every)
-        return sum(self.curve.damage(each, self.reference) for each in every) * YEAR / time
-
-    def damage_by_spectrum(self, runs: Iterable[Cycles]) -> float | None:
+    def damage_by_spectrum(self, runs: Sequence[Cycles]) -> float | None:
         """Give the same by dual narrow band; None where a run's spectrum was not parted."""
-        every = list(runs)
-        found = [self.curve.damage_by_spectrum(each, self.reference) for each in every]
+        found = [self.curve.damage_by_spectrum(each, self.reference) for each in runs]
         known = [each for each in found if each is not None]
-        if len(known) < len(every):
+        if len(known) < len(runs):
             return None
-        return sum(known) * YEAR / sum(each.time for each in every)
+        return sum(known) * YEAR / sum(each.time for each in runs)
 
 
 def fatigue_strengths(case: Case) -> tuple[FatigueStrength, ...]:
     """Find the curve of every segment and its reference at half the loss of diameter.
 
-    Raises
-    ------
-    InputError
-        For every segment without a curve, a diameter or a strength.
+    InputError for every segment without a curve, a diameter or a strength.
     """
     found: list[FatigueStrength] = []
     problems: list[Problem] = []
     for index, segment in enumerate(case.line.segments):
         try:
-            curve = _curve(case, segment, index)
-            found.append(_strength(curve, segment, case.service, case.catalogue, index))
+            found.append(_strength(_curve(case, segment, index), segment, case, index))
         except InputError as error:
             problems += error.problems
     if problems:
@@ -270,23 +211,17 @@ def _curve(case: Case, segment: Segment, index: int) -> FatigueCurve:
 
 def _given(own: SegmentCurve) -> FatigueCurve:
     if own.log_a_D is not None and own.m is not None:
-        return FatigueCurve("S-N", 10.0**own.log_a_D, own.m, CheckSource("user"))
+        return FatigueCurve("S-N", 10.0**own.log_a_D, own.m, USER)
     assert own.K is not None
     assert own.M is not None
-    return FatigueCurve("T-N", own.K, own.M, CheckSource("user"))
+    return FatigueCurve("T-N", own.K, own.M, USER)
 
 
-def _strength(
-    curve: FatigueCurve,
-    segment: Segment,
-    service: Service | None,
-    catalogue: CatalogueChoice,
-    index: int,
-) -> FatigueStrength:
+def _strength(curve: FatigueCurve, segment: Segment, case: Case, index: int) -> FatigueStrength:
     """Put the diameter less half the loss into the area, or into the strength."""
-    key = f"line.segments[{index}]"
+    key, service = f"line.segments[{index}]", case.service
     half = None if service is None else replace(service, life=0.5 * service.life)
-    strength = strength_of(segment, half, catalogue, key=key)
+    strength = strength_of(segment, half, case.catalogue, key=key)
     diameter = strength.end_diameter
     if curve.kind == "T-N" and not curve.ORQ:
         return FatigueStrength(curve, strength.need("MBL", key, curve.kind), diameter)
@@ -319,15 +254,12 @@ inspected ashore."""
 def design_factor(case: Case, curve: FatigueCurve) -> tuple[float, CheckSource]:
     """Return the factor on the damage of a segment, and where it comes from.
 
-    Raises
-    ------
-    InputError
-        It was read in no document and not allowed.
+    InputError when it was read in no document and is not allowed.
     """
     fatigue = case.fatigue
     assert fatigue is not None
     if fatigue.design_factor is not None:
-        return fatigue.design_factor, CheckSource("user")
+        return fatigue.design_factor, USER
     steel, polyester, confidence, document = _FACTORS[fatigue.code]
     factor = polyester if curve.line == "rope" else steel
     if confidence == "R" and not case.checks.allow_recalled:

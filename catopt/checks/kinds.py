@@ -12,11 +12,9 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
 
 from catopt.checks.excess import (
-    buoyancy_excess,
     grounded_excess,
     holding_excess,
-    sliding_excess,
-    span_excess,
+    ratio_excess,
     uplift_angle_excess,
     uplift_force_excess,
 )
@@ -77,13 +75,13 @@ def _grounded_length(wanted: float, solution: Solution, _: Anchor | None) -> Dem
 
 def _span(limit: float, solution: Solution, _: Anchor | None) -> Demand:
     """Span <= limit, m."""
-    return Demand(solution.span, limit, span_excess(solution.span, limit))
+    return Demand(solution.span, limit, ratio_excess(solution.span, limit))
 
 
 def _buoyancy(reserve: float, solution: Solution, _: Anchor | None) -> Demand:
     """Vertical pull at the fairlead <= reserve buoyancy, N."""
     vertical = solution.fairlead.vertical_force
-    return Demand(vertical, reserve, buoyancy_excess(vertical, reserve))
+    return Demand(vertical, reserve, ratio_excess(vertical, reserve))
 
 
 def _sliding(factor: float, solution: Solution, anchor: Anchor | None) -> Demand:
@@ -94,7 +92,7 @@ def _sliding(factor: float, solution: Solution, anchor: Anchor | None) -> Demand
     pull, weight = solution.anchor, anchor.submerged_weight
     needed = sinker_needed(pull.horizontal_force, pull.vertical_force, anchor.friction, factor)
     note = Message("checks.sinker_needed", factor=factor, friction=anchor.friction)
-    return Demand(needed, weight, sliding_excess(needed, weight), note)
+    return Demand(needed, weight, ratio_excess(needed, weight), note)
 
 
 def _holding(factor: float, solution: Solution, anchor: Anchor | None) -> Demand:
@@ -107,23 +105,13 @@ def _holding(factor: float, solution: Solution, anchor: Anchor | None) -> Demand
 
 
 class LineCheck(NamedTuple):
-    """A check of the line as a whole.
-
-    Attributes
-    ----------
-    quantity : str
-        Of its demand and its capacity, a key of `catopt.quantities.QUANTITIES`.
-    measure : function
-        By which it is made.
-    own : function, optional
-        The limit that a case gives itself, None where it gives none.
-    is_factor : bool
-        Whether its number is a factor, not a limit in the quantity.
-    """
+    """A check of the line as a whole."""
 
     quantity: str
+    """Of its demand and its capacity, a key of `catopt.quantities.QUANTITIES`."""
     measure: Measuring
     own: Callable[[Case], float | None] | None = None
+    """The limit that a case gives itself, None where it gives none."""
     is_factor: bool = False
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from catopt.checks.criteria import Criteria, allowed_by
@@ -20,23 +20,16 @@ _In = tuple[LoadCaseKind, State]
 
 @dataclass(frozen=True)
 class LeastDiameter:
-    """How far a segment may wear.
-
-    Attributes
-    ----------
-    segment : int
-        From 1 at the anchor.
-    diameter, end_diameter : float
-        Nominal, new and at the end of the service life, m.
-    least : float or None
-        Smallest nominal diameter at which every check of its tension passes, m; None where it
-        fails as it is new.
-    """
+    """How far a segment may wear."""
 
     segment: int
+    """From 1 at the anchor."""
     diameter: float
     end_diameter: float
+    """Nominal, new and at the end of the service life, m."""
     least: float | None
+    """Smallest nominal diameter at which every check of its tension passes, m; None where it fails
+    as it is new."""
 
     @property
     def room(self) -> float | None:
@@ -53,10 +46,7 @@ def least_diameters(
     segment without a diameter and one whose tension nothing limits have none. The report is of the
     line, or of a body on lines like it.
     """
-    return tuple(_of_each(report, criteria, line))
-
-
-def _of_each(report: CheckReport, criteria: Criteria, line: Line) -> Iterator[LeastDiameter]:
+    found = []
     for number, segment in enumerate(line.segments, start=1):
         if segment.nominal_diameter is None:
             continue
@@ -70,7 +60,10 @@ def _of_each(report: CheckReport, criteria: Criteria, line: Line) -> Iterator[Le
         ]
         if strength.kind != "rope" and wanted and strength.end_diameter is not None:
             least = _least(segment, criteria, wanted)
-            yield LeastDiameter(number, segment.nominal_diameter, strength.end_diameter, least)
+            found.append(
+                LeastDiameter(number, segment.nominal_diameter, strength.end_diameter, least)
+            )
+    return tuple(found)
 
 
 def _pulls(report: CheckReport, segment: int) -> Mapping[_In, float]:

@@ -3,41 +3,38 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
-from catopt.checks.criteria import USER, Criteria, criteria_of
-from catopt.checks.criterion import Place, State
-from catopt.checks.evaluation import check_tension
+from catopt.checks.criteria import Criteria, criteria_of
+from catopt.checks.criterion import USER, Place, State
+from catopt.checks.evaluation import check_tensions
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.model import Case, Line
-from catopt.model.load_case import LoadCaseKind
 from catopt.words import Listed, Message
 
 
 @dataclass(frozen=True)
 class LineInMotion:
-    """The tensions of a line that was run in time.
-
-    Attributes
-    ----------
-    line : Line
-        Its segments from the anchor to the fairlead.
-    largest : tuple of float
-        Largest tension of each segment, N.
-    mean : tuple of float or None
-        Mean tension of each, that under the mean loads, N; None where it is not known, and the
-        whole then takes the factor on what is dynamic.
-    load_case : str
-        Name of the load case.
-    number : int or None
-        Of a body with several lines: which, from 1.
-    """
+    """The tensions of a line that was run in time."""
 
     line: Line
+    """Its segments from the anchor to the fairlead."""
     largest: tuple[float, ...]
+    """Largest tension of each segment, N."""
     mean: tuple[float, ...] | None
+    """Mean tension of each, that under the mean loads, N; None where it is not known, and the whole
+    then takes the factor on what is dynamic."""
     load_case: str
     number: int | None = None
+    """Of a body with several lines: which, from 1."""
+
+    @property
+    def tensions(self) -> Iterator[tuple[float, float]]:
+        """Largest tension of each segment, N, with the mean over it, from 0 to 1."""
+        for largest, mean in zip(
+            self.largest, self.mean or (0.0,) * len(self.largest), strict=True
+        ):
+            yield largest, min(1.0, mean / largest) if largest > 0.0 else 0.0
 
 
 def check_motion(case: Case, lines: Sequence[LineInMotion]) -> CheckReport:
@@ -47,17 +44,7 @@ def check_motion(case: Case, lines: Sequence[LineInMotion]) -> CheckReport:
     run in which a line breaks is judged by what is for the transient state, and the broken line
     not at all.
 
-    Parameters
-    ----------
-    case : Case
-        Its checks, service and load cases.
-    lines : sequence of LineInMotion
-        Every line under every load case.
-
-    Raises
-    ------
-    InputError
-        As for `check_case`.
+    The lines are every line under every load case. InputError as for `check_case`.
     """
     criteria = criteria_of(case, analysis="dynamic")
     broken = _broken(case)
@@ -67,7 +54,14 @@ def check_motion(case: Case, lines: Sequence[LineInMotion]) -> CheckReport:
     results: list[CheckResult] = []
     for moved in judged:
         kind = kinds.get(moved.load_case, "extreme")
-        results += _tensions(moved, criteria, kind, Place(state, moved.number, broken))
+        results += check_tensions(
+            moved.line,
+            list(criteria.of("tension", kind, state)),
+            criteria.strengths(moved.line, {kind}, {state}),
+            moved.tensions,
+            load_case=moved.load_case,
+            place=Place(state, moved.number, broken),
+        )
     warnings = (
         *_of_codes(case, criteria, state),
         *_of_a_break(broken, bool(judged)),
@@ -91,33 +85,6 @@ def check_strengths(case: Case) -> None:
 
 def _broken(case: Case) -> int | None:
     return None if case.dynamics is None else case.dynamics.broken_line
-
-
-def _tensions(
-    moved: LineInMotion, criteria: Criteria, kind: LoadCaseKind, place: Place
-) -> Iterator[CheckResult]:
-    """Check every segment of a line."""
-    strengths = criteria.strengths(moved.line, {kind}, {place.state})
-    for index, (segment, strength) in enumerate(zip(moved.line.segments, strengths, strict=True)):
-        for criterion in criteria.of("tension", kind, place.state):
-            if criterion.is_for(strength.kind):
-                yield check_tension(
-                    criterion,
-                    segment,
-                    strength,
-                    moved.largest[index],
-                    mean_share=_share(moved, index),
-                    load_case=moved.load_case,
-                    place=replace(place, segment=index + 1),
-                )
-
-
-def _share(moved: LineInMotion, index: int) -> float:
-    """Mean tension over the largest one, from 0 to 1."""
-    largest = moved.largest[index]
-    if moved.mean is None or not largest > 0.0:
-        return 0.0
-    return min(1.0, moved.mean[index] / largest)
 
 
 def _of_codes(case: Case, criteria: Criteria, state: State) -> Iterator[Message]:

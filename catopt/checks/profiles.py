@@ -37,28 +37,17 @@ SCHEMA = "catopt.profiles/1"
 
 @dataclass(frozen=True)
 class Profile:
-    """A named set of criteria.
-
-    Attributes
-    ----------
-    name, title : str
-        By which it is asked for, and in words.
-    document : str
-        Where it comes from, with the edition.
-    criteria : tuple of Criterion
-        What it asks for.
-    note : str
-        What an engineer should know of it.
-    aliases : tuple of str
-        Names that it had before.
-    """
+    """A named set of criteria."""
 
     name: str
     title: str
     document: str
+    """Where it comes from, with the edition."""
     criteria: tuple[Criterion, ...]
     note: str = ""
+    """What an engineer should know of it."""
     aliases: tuple[str, ...] = ()
+    """Names that it had before."""
 
     @property
     def is_recalled(self) -> bool:
@@ -76,11 +65,8 @@ def profiles() -> tuple[Profile, ...]:
 def profiles_of(checks: Checks) -> tuple[Profile, ...]:
     """Look up the profiles that a case names. Capitals do not matter.
 
-    Raises
-    ------
-    InputError
-        For every name: there is no such profile, with the nearest and all there are; or it was read
-        in no document and the case does not allow that.
+    InputError for every name: there is no such profile, with the nearest and all there are; or it
+    was read in no document and the case does not allow that.
     """
     known = {name.casefold(): each for each in profiles() for name in (each.name, *each.aliases)}
     findings = Findings("checks")

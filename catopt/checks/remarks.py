@@ -68,19 +68,10 @@ def _only_for(criteria: Criteria, state: State, said: str) -> Iterator[Message]:
 
 
 class Lifted(NamedTuple):
-    """A line that may lift its anchor.
-
-    Attributes
-    ----------
-    where : str
-        Load case, or line and state, in words.
-    state, kind : str
-        Of the mooring and of the load case.
-    solution : Solution
-        The line there.
-    """
+    """A line that may lift its anchor."""
 
     where: str
+    """Load case, or line and state, in words."""
     state: State
     kind: LoadCaseKind
     solution: Solution
@@ -96,14 +87,7 @@ def of_uplift(
 ) -> Iterator[Message]:
     """Say where an anchor is lifted most and no check is on that, or is lifted though it drags.
 
-    Parameters
-    ----------
-    solved : iterable of Lifted
-        Every line in every state.
-    criteria : Criteria
-        What the line has to keep.
-    anchor : Anchor or None
-        A sinker's check on sliding covers its uplift.
+    Of every line in every state; a sinker's check on sliding covers its uplift.
     """
     lifted = [each for each in solved if each.angle > _LEVEL]
     if not lifted or (anchor is not None and anchor.kind == "sinker"):

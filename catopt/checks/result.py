@@ -8,6 +8,7 @@ from typing import Any
 from catopt.catenary.solution import Solution
 from catopt.checks.criterion import CheckSource, Place
 from catopt.checks.excess import ROUNDING
+from catopt.documents import figures
 from catopt.model import LoadCase
 from catopt.shown import Shown
 from catopt.ties import largest
@@ -24,41 +25,26 @@ def line_in_state(number: int, state: str) -> Message:
 
 @dataclass(frozen=True)
 class CheckResult:
-    """One criterion in one load case.
-
-    Attributes
-    ----------
-    name : str
-        What is checked, with the place: ``"tension, segment 2 (chain studless R3 76 mm)"``.
-    kind : str
-        Key of the criterion: ``tension``, ``uplift_angle``, ``uplift_force``,
-        ``grounded_length``, ``span``, ``buoyancy``, ``sliding``, ``holding`` or ``equilibrium``.
-    load_case : str
-        Name of the load case; of a body with several lines, that of its state.
-    demand, capacity : float
-        SI. For a least grounded length the demand is what is wanted, the capacity what lies there.
-    unit : str
-        SI unit of both.
-    excess : float
-        By how much the limit is overrun (`catopt.checks.excess`); the check is passed when it is
-        at most ROUNDING.
-    source : CheckSource
-        Of the criterion.
-    note : str
-        What went into the capacity: factor, strength, diameter at the end of life.
-    place : Place
-        Of which line of a body it is, and in which state.
-    """
+    """One criterion in one load case."""
 
     name: str
+    """What is checked, with the place: ``"tension, segment 2 (chain studless R3 76 mm)"``."""
     kind: str
+    """Key of the criterion: ``tension``, ``uplift_angle``, ``uplift_force``, ``grounded_length``,
+    ``span``, ``buoyancy``, ``sliding``, ``holding`` or ``equilibrium``."""
     load_case: str
+    """Name of the load case; of a body with several lines, that of its state."""
     demand: float
     capacity: float
+    """SI; of a least grounded length the demand is what is wanted, the capacity what lies there."""
     unit: str
+    """SI unit of both."""
     excess: float
+    """By how much the limit is overrun (`catopt.checks.excess`); the check is passed when it is at
+    most ROUNDING."""
     source: CheckSource
     note: str = ""
+    """What went into the capacity: factor, strength, diameter at the end of life."""
     place: Place = field(default_factory=Place)
 
     @property
@@ -68,16 +54,8 @@ class CheckResult:
 
     def to_dict(self) -> dict[str, Any]:
         """Lay it out, in SI, as the documents of ``catopt check`` and ``catopt design`` have it."""
-        return {
-            "name": self.name,
-            "kind": self.kind,
-            "load_case": self.load_case,
-            "demand": self.demand,
-            "capacity": self.capacity,
-            "unit": self.unit,
-            "utilisation": self.utilisation,
-            "excess": self.excess,
-            "passes": self.passes,
+        keys = "name kind load_case demand capacity unit utilisation excess passes"
+        return figures(self, keys) | {
             "source": self.source.text,
             "code": self.source.code,
             "confidence": self.source.confidence,
@@ -107,34 +85,21 @@ class CheckResult:
 
 @dataclass(frozen=True, repr=False)
 class CheckReport(Shown):
-    """All checks of a line under all its load cases, or of a body with lines in all its states.
-
-    Attributes
-    ----------
-    title : str
-        Of the case.
-    results : tuple of CheckResult
-        By load case, then by line and by check.
-    solutions : mapping as a tuple of (str, Solution)
-        The equilibrium in each load case, by its name; of a body, of each line in each state.
-    warnings : tuple of str
-        What an engineer should know: notes of the codes, recalled criteria, no check at all.
-    load_cases : tuple of LoadCase
-        Those of the case, in the order of `solutions`; empty when its load alone was checked.
-    places : tuple of Place
-        Of a body: line and state of each of the `solutions`.
-    is_doubted : bool
-        Whether the demands are not borne out: of a run in time that was stopped or did not
-        converge.
-    """
+    """All checks of a line under all its load cases, or of a body with lines in all its states."""
 
     title: str
     results: tuple[CheckResult, ...]
+    """By load case, then by line and by check."""
     solutions: tuple[tuple[str, Solution], ...]
+    """The equilibrium in each load case, by its name; of a body, of each line in each state."""
     warnings: tuple[str, ...] = ()
+    """What an engineer should know: notes of the codes, recalled criteria, no check at all."""
     load_cases: tuple[LoadCase, ...] = ()
+    """Those of the case, in the order of `solutions`; empty when its load alone was checked."""
     places: tuple[Place, ...] = ()
+    """Of a body: line and state of each of the `solutions`."""
     is_doubted: bool = False
+    """Whether the demands are in doubt: of a run in time that was stopped or did not converge."""
 
     @property
     def passes(self) -> bool:
@@ -257,9 +222,7 @@ def _load_case(name: str, solution: Solution, state: LoadCase | None) -> dict[st
         "name": name,
         "kind": "extreme" if state is None else state.kind,
         "water_level_m": 0.0 if state is None else state.water_level,
-        "horizontal_force_N": solution.horizontal_force,
-        "fairlead_height_m": solution.fairlead_height,
-        "span_m": solution.span,
+        **figures(solution, "horizontal_force_N fairlead_height_m span_m"),
         "fairlead_tension_N": solution.fairlead.tension,
         "anchor_horizontal_force_N": solution.anchor.horizontal_force,
         "anchor_vertical_force_N": solution.anchor.vertical_force,

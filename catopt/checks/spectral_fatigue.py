@@ -38,21 +38,9 @@ class Band(NamedTuple):
 
 
 def bands(values: Array, time: float, split: float) -> tuple[Band, Band]:
-    """Part a series into what is slower than a frequency and what is faster.
+    """Part a series at equal steps into what is slower than a frequency, rad/s, and what is faster.
 
-    Parameters
-    ----------
-    values : ndarray, shape (n,)
-        At equal steps.
-    time : float
-        That they last, s.
-    split : float
-        Angular frequency, rad/s.
-
-    Returns
-    -------
-    tuple of Band
-        The slow and the fast one.
+    `time`: that it lasts, s.
     """
     power: Array = np.abs(np.fft.rfft(values - values.mean())) ** 2
     power[1:] *= 2.0 / values.size**2
@@ -71,14 +59,9 @@ def _band(power: Array, omega: Array) -> Band:
 
 
 def range_moment(slow: Band, fast: Band, slope: float) -> float:
-    """Sum of the ranges to the power of a curve's slope, in a second, by dual narrow band.
+    """Sum of the ranges to the power of a curve's slope m, in a second, by dual narrow band.
 
-    Parameters
-    ----------
-    slow, fast : Band
-        Of a tension, N2 and 1/s.
-    slope : float
-        m of the curve.
+    `slow`, `fast`: of a tension, N2 and 1/s.
 
     Examples
     --------

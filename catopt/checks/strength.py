@@ -21,33 +21,23 @@ _NOT_KNOWN = "missing; give it, or a component of the catalogue with its diamete
 
 @dataclass(frozen=True)
 class Strength:
-    """What a segment withstands when its service life ends.
-
-    Attributes
-    ----------
-    kind : {"chain", "wire", "rope"} or None
-        By its component; None when that is not known.
-    MBL, proof_load : float or None
-        At the end of the service life, as it hangs in water, N; None when not known.
-    diameter, end_diameter : float or None
-        Nominal, new and at the end of the service life, m; None when not known.
-    tested : float or None
-        Characteristic strength by break tests, at the end of the service life, N; None without
-        tests.
-    note : str
-        The wear in words; empty when there is none.
-    missing : tuple of (str, str)
-        Why a strength is not known, by its name, where there is more to say than that.
-    """
+    """What a segment withstands when its service life ends."""
 
     kind: LineKind | None
+    """By its component; None when that is not known."""
     MBL: float | None
     proof_load: float | None
+    """At the end of the service life, as it hangs in water, N; None when not known."""
     diameter: float | None = None
     end_diameter: float | None = None
+    """Nominal, new and at the end of the service life, m; None when not known."""
     tested: float | None = None
+    """Characteristic strength by break tests, at the end of the service life, N; None without
+    tests."""
     note: str = ""
+    """The wear in words; empty when there is none."""
     missing: tuple[tuple[str, str], ...] = ()
+    """Why a strength is not known, by its name, where there is more to say than that."""
 
     def of(self, kind: StrengthKind) -> float | None:
         """Return the MBL or the proof load."""
@@ -84,22 +74,9 @@ def strength_of(
     does not corrode: it keeps its strength unless the segment has a wear rate of its own. The MBL
     of a segment is that in water already.
 
-    Parameters
-    ----------
-    segment : Segment
-        With or without a component.
-    service : Service, optional
-        Life and wear; the line stays as new without.
-    catalogue : CatalogueChoice, optional
-        Where components come from; catopt's own families when left out.
-    key : str
-        Of the segment, for messages.
-
-    Raises
-    ------
-    InputError
-        There is wear but no diameter, or no zone for the table of wear, or the wear takes all of
-        it, or the catalogue has no such component.
+    Without a service the line stays as new; without a catalogue components are catopt's own. The
+    key is that of the segment, for messages. InputError when there is wear but no diameter, or no
+    zone for the table of wear, or the wear takes all of it, or the catalogue has no such component.
     """
     kind = line_kind(segment.component)
     loss = _loss(segment, service, kind, key)

@@ -8,8 +8,9 @@ from dataclasses import dataclass, replace
 
 from catopt.checks.criteria import HORIZONTAL_PULL, Criteria, criteria_of
 from catopt.checks.criterion import Criterion, Place, State
-from catopt.checks.evaluation import evaluate
-from catopt.checks.excess import buoyancy_excess
+from catopt.checks.evaluation import evaluate, result_of
+from catopt.checks.excess import ratio_excess
+from catopt.checks.kinds import Demand
 from catopt.checks.remarks import Lifted, of_criteria, of_transient, of_uplift
 from catopt.checks.result import CheckReport, CheckResult, line_in_state
 from catopt.checks.strength import Strength
@@ -22,27 +23,17 @@ from catopt.words import Message
 
 @dataclass(frozen=True)
 class InState:
-    """The body in one state.
-
-    Attributes
-    ----------
-    place : Place
-        The state, and which line is gone.
-    solution : SystemSolution or None
-        None where it does not come to rest.
-    numbers : tuple of int
-        Of the lines that are there, from 1.
-    refusal : str
-        Why there is no solution.
-    under : Message or None
-        The load that it is under, where there are several.
-    """
+    """The body in one state."""
 
     place: Place
     solution: SystemSolution | None
+    """None where it does not come to rest."""
     numbers: tuple[int, ...]
+    """Of the lines that are there, from 1."""
     refusal: str = ""
+    """Why there is no solution."""
     under: Message | None = None
+    """The load that it is under, where there are several."""
 
     @property
     def name(self) -> Message:
@@ -61,17 +52,8 @@ def check_system(case: Case, report: SystemReport | None = None) -> CheckReport:
     that, with each of them gone in turn; a reserve of buoyancy against the vertical pull of all.
     Where the body finds no rest without a line, that is a failed check.
 
-    Parameters
-    ----------
-    case : Case
-        With a system.
-    report : SystemReport, optional
-        What `report_system` gave for it; what it lacks is solved here.
-
-    Raises
-    ------
-    InputError, NoAnswerError, NotConvergedError
-        As for `check_case` and `report_system`.
+    The report is what `report_system` gave for it; what it lacks is solved here. Raises what
+    `check_case` and `report_system` raise.
     """
     assert case.system is not None
     criteria = criteria_of(case)
@@ -118,16 +100,7 @@ def check_state(
 ) -> Iterator[CheckResult]:
     """Check a body that has come to rest in one state: each of its lines, then all together.
 
-    Parameters
-    ----------
-    state : InState
-        With its solution.
-    criteria : Criteria
-        What the lines have to keep.
-    strengths : mapping of Line to sequence of Strength
-        Of the segments of each different line.
-    anchor : Anchor or None
-        What holds each line.
+    Strengths are of the segments of each different line; the anchor is what holds each.
     """
     assert state.solution is not None
     for number, line in zip(state.numbers, state.solution.lines, strict=True):
@@ -184,18 +157,8 @@ def _of_the_body(state: InState, criteria: Criteria) -> Iterator[CheckResult]:
     assert state.solution is not None
     pull = math.fsum(line.solution.fairlead.vertical_force for line in state.solution.lines)
     for criterion in criteria.of("buoyancy", "extreme", state.place.state):
-        yield CheckResult(
-            name=Message("checks.buoyancy"),
-            kind="buoyancy",
-            load_case=state.name,
-            demand=pull,
-            capacity=criterion.value,
-            unit="N",
-            excess=buoyancy_excess(pull, criterion.value),
-            source=criterion.source,
-            note=criterion.note,
-            place=state.place,
-        )
+        found = Demand(pull, criterion.value, ratio_excess(pull, criterion.value))
+        yield result_of("buoyancy", criterion, found, state.name, state.place)
 
 
 def _of_line_out(

@@ -16,12 +16,9 @@ from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT, State
 from catopt.checks.criteria import Limits
 from catopt.checks.excess import (
     ROUNDING,
-    buoyancy_excess,
     grounded_excess,
     holding_excess,
-    sliding_excess,
-    span_excess,
-    tension_excess,
+    ratio_excess,
     uplift_angle_excess,
     uplift_force_excess,
 )
@@ -143,7 +140,7 @@ def _in_all_load_cases(
     sinker = -1
     if needed > -math.inf:
         sinker = _lightest(needed, tables.sinker_weight)
-        worst = max(worst, sliding_excess(needed, tables.sinker_weight[sinker]))
+        worst = max(worst, ratio_excess(needed, tables.sinker_weight[sinker]))
     return _Found(worst, largest, reference, sinker, unsolved)
 
 
@@ -245,7 +242,7 @@ def largest_excess(
     for s in range(segments):
         allowed = tables.allowed[c, room.place[s], room.option[s]]
         if allowed < math.inf:
-            worst = max(worst, tension_excess(room.tension[s], allowed))
+            worst = max(worst, ratio_excess(room.tension[s], allowed))
     limit = tables.limit[c]
     if limit[UPLIFT_ANGLE] < math.inf:
         lifts = state.V_anchor != 0.0
@@ -257,9 +254,9 @@ def largest_excess(
     if limit[GROUNDED] > 0.0:
         worst = max(worst, grounded_excess(state.grounded, limit[GROUNDED]))
     if limit[SPAN] < math.inf:
-        worst = max(worst, span_excess(state.span, limit[SPAN]))
+        worst = max(worst, ratio_excess(state.span, limit[SPAN]))
     if limit[RESERVE] < math.inf:
-        worst = max(worst, buoyancy_excess(state.V, limit[RESERVE]))
+        worst = max(worst, ratio_excess(state.V, limit[RESERVE]))
     if limit[HOLDING] > 0.0:
         capacity = tables.holding_capacity
         worst = max(worst, holding_excess(state.H_anchor, limit[HOLDING], capacity))
@@ -270,7 +267,7 @@ def largest_excess(
 def _lightest(needed: float, weights: Any) -> int:
     """Index of the lightest sinker that holds, or of the heaviest."""
     for k in range(len(weights)):
-        if sliding_excess(needed, weights[k]) <= ROUNDING:
+        if ratio_excess(needed, weights[k]) <= ROUNDING:
             return k
     return len(weights) - 1
 

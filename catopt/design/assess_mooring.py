@@ -13,7 +13,7 @@ from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.pieces import Pieces, total_length
 from catopt.catenary.span import given_span
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT, failed
-from catopt.checks.excess import ROUNDING, buoyancy_excess, sliding_excess
+from catopt.checks.excess import ROUNDING, ratio_excess
 from catopt.compiled import inlined
 from catopt.design.assess import (
     NO_DESIGN,
@@ -265,9 +265,9 @@ def _of_lines(
         if len(line.sinker_weight) > 0:
             factor = line.limit[damage, SLIDING]
             pull = sinker_needed(state.H_anchor, state.V_anchor, line.sinker_friction, factor)
-            worst = max(worst, sliding_excess(pull, line.sinker_weight[0]))
+            worst = max(worst, ratio_excess(pull, line.sinker_weight[0]))
     if reserve < math.inf:
-        worst = max(worst, buoyancy_excess(pull_down, reserve))
+        worst = max(worst, ratio_excess(pull_down, reserve))
     return CONVERGED, worst
 
 

@@ -12,7 +12,7 @@ from typing import Any, Final
 from catopt.catenary.equilibrium import given_force
 from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.state import CONVERGED
-from catopt.checks.excess import ROUNDING, tension_excess
+from catopt.checks.excess import ROUNDING, ratio_excess
 from catopt.compiled import inlined
 from catopt.design.tables import MooringTables, Room, Tables
 
@@ -113,7 +113,7 @@ def is_too_weak(forces: Any, line: Tables, room: Room, segments: int) -> bool:
     top = segments - 1
     for c in range(len(line.force)):
         allowed = line.allowed[c, room.place[top], room.option[top]]
-        if tension_excess(forces[c], allowed) > ROUNDING:
+        if ratio_excess(forces[c], allowed) > ROUNDING:
             return True
     return False
 

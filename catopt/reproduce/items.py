@@ -61,43 +61,26 @@ class Judgement:
 
 @dataclass(frozen=True)
 class Item:
-    """One printed number and what became of it.
-
-    Attributes
-    ----------
-    source : str
-        Short name of the source, such as ``"S1"``.
-    name : str
-        Of the study.
-    quantity : str
-        With its unit, such as ``"offset_m"``.
-    unit : str
-        As shown to a reader; ``"-"`` for a pure number.
-    method : str
-        How the source came by it, or which of its tables it is in: ``"pso"``,
-        ``"pso against fem"``, ``"Table 1"``.
-    computed_by : str
-        How catopt did, such as ``"pso"`` or ``"closed-form"``; empty when it did not.
-    printed : Printed
-        The number as the source has it.
-    computed : float or None
-        Unrounded, in the unit of the print; None when nothing was computed.
-    judgement : Judgement
-        What follows.
-    remark : str
-        What a reader should know beside the verdict.
-    """
+    """One printed number and what became of it."""
 
     source: str
+    """Short name of the source, such as ``"S1"``."""
     name: str
     quantity: str
+    """With its unit, such as ``"offset_m"``."""
     unit: str
+    """As shown to a reader; ``"-"`` for a pure number."""
     method: str
+    """How the source came by it, or which of its tables it is in: ``"pso"``, ``"pso against fem"``,
+    ``"Table 1"``."""
     computed_by: str
+    """How catopt did, such as ``"pso"`` or ``"closed-form"``; empty when it did not."""
     printed: Printed
     computed: float | None
+    """Unrounded, in the unit of the print; None when nothing was computed."""
     judgement: Judgement
     remark: str = ""
+    """What a reader should know beside the verdict."""
 
     @property
     def verdict(self) -> Verdict:
@@ -207,48 +190,31 @@ class Drawn:
 
 @dataclass(frozen=True)
 class Study:
-    """One published calculation, recomputed.
-
-    Attributes
-    ----------
-    name : str
-        By which `reproduce` knows it.
-    title : str
-        What it is about.
-    source, source_title, source_where, where : str
-        Short name and title of the source, its publication, and the place in it.
-    inputs : tuple of Input
-        What went in.
-    items : tuple of Item
-        Every printed number, in the source's order.
-    findings : tuple of str
-        What the recomputation showed beyond the verdicts; a paragraph each.
-    by_swarm : Solution or None
-        The swarm's answer with its history, for figures; None when the study has no swarm.
-    side_by_side : tuple of SideBySide
-        Answers by several models beside the printed ones.
-    moorings : tuple of Mooring
-        The same body by several models, for a plan and an elevation.
-    loaded_line : int
-        Which line of these the elevation shows, from 0.
-    drawn : tuple of Drawn
-        Lines to be drawn to scale in one figure, in water as deep as their fairleads are high.
-    """
+    """One published calculation, recomputed."""
 
     name: str
+    """By which `reproduce` knows it."""
     title: str
     source: str
     source_title: str
     source_where: str
     where: str
+    """Short name and title of the source, its publication, and the place in it."""
     inputs: tuple[Input, ...]
     items: tuple[Item, ...]
+    """Every printed number, in the source's order."""
     findings: tuple[str, ...]
+    """What the recomputation showed beyond the verdicts; a paragraph each."""
     by_swarm: Solution | None = None
+    """The swarm's answer with its history, for figures; None when the study has no swarm."""
     side_by_side: tuple[SideBySide, ...] = ()
+    """Answers by several models beside the printed ones."""
     moorings: tuple[Mooring, ...] = ()
+    """The same body by several models, for a plan and an elevation."""
     loaded_line: int = 0
+    """Which line of these the elevation shows, from 0."""
     drawn: tuple[Drawn, ...] = ()
+    """Lines to be drawn to scale in one figure, in water as deep as their fairleads are high."""
 
     def to_dict(self) -> dict[str, Any]:
         """Build this study's part of the document: everything but its items."""

@@ -81,41 +81,27 @@ def largest_distances(
 
 @dataclass(frozen=True)
 class Mesh:
-    """One solution of the truss model.
-
-    Attributes
-    ----------
-    elements : int
-        Bars of all lines.
-    iterations : int
-        Of Newton's method, from a straight start.
-    residual : float
-        Largest force left over at a node, over the largest tension.
-    penetration : float
-        Largest depth of a node below the bed, m.
-    """
+    """One solution of the truss model."""
 
     elements: int
+    """Bars of all lines."""
     iterations: int
+    """Of Newton's method, from a straight start."""
     residual: float
+    """Largest force left over at a node, over the largest tension."""
     penetration: float
+    """Largest depth of a node below the bed, m."""
 
 
 class Gap(NamedTuple):
-    """By how much a truss is off the closed form along the line.
-
-    Attributes
-    ----------
-    arc, distance : ndarray, shape (nodes,)
-        Unstretched arc lengths, and how far each node is from its place in the closed form, m.
-    middles, tension : ndarray, shape (bars,)
-        Arc lengths of the bars' middles, m, and the difference of their tensions, N.
-    """
+    """By how much a truss is off the closed form along the line."""
 
     arc: Array
     distance: Array
+    """Unstretched arc lengths, and how far each node is from its place in the closed form, m."""
     middles: Array
     tension: Array
+    """Arc lengths of the bars' middles, m, and the difference of their tensions, N."""
 
 
 @dataclass(frozen=True)
@@ -152,33 +138,19 @@ class LinePair:
 
 @dataclass(frozen=True)
 class StaticComparison:
-    """Closed form and truss model at rest under one load.
-
-    Attributes
-    ----------
-    name : str
-        Of the load case.
-    kind : {"line", "system"}
-        One line, or a body moored by several.
-    quantities : tuple of Compared
-        Every one that both models know.
-    meshes : tuple of Mesh
-        From the coarsest.
-    lines : tuple of LinePair
-        Shapes and tensions.
-    tolerance : float
-        Allowed difference over each quantity's scale.
-    remarks : tuple of str
-        What to know before the verdict is used.
-    """
+    """Closed form and truss model at rest under one load."""
 
     name: str
     kind: Literal["line", "system"]
     quantities: tuple[Compared, ...]
+    """Every one that both models know."""
     meshes: tuple[Mesh, ...]
+    """From the coarsest."""
     lines: tuple[LinePair, ...]
     tolerance: float
+    """Allowed difference over each quantity's scale."""
     remarks: tuple[str, ...] = ()
+    """What to know before the verdict is used."""
 
     @property
     def worst(self) -> Compared:
@@ -237,18 +209,11 @@ def least_agreeing(parts: Sequence[StaticComparison]) -> StaticComparison:
 
 @dataclass(frozen=True, repr=False)
 class Verification(Shown):
-    """A case by both models.
-
-    Attributes
-    ----------
-    case : Case
-        What was verified.
-    parts : tuple of StaticComparison
-        One a load case; none where there is no closed form to compare with.
-    """
+    """A case by both models."""
 
     case: Case
     parts: tuple[StaticComparison, ...]
+    """One a load case; none where there is no closed form to compare with."""
 
     @property
     def static(self) -> StaticComparison:
