@@ -37,40 +37,19 @@ Result = TypeVar("Result")
 
 @dataclass(frozen=True)
 class Solutions:
-    """Answers for many lines; every array has the shape (n,), and nan where there is no answer.
+    """Answers for many lines; every array has the shape (n,), and nan where there is no answer."""
 
-    Attributes
-    ----------
-    status : ndarray of int
-        0 where solved; `reason` puts the others into words.
-    regime_code : ndarray of int
-        Index into state.REGIMES, see `regime`.
-    horizontal_force, vertical_force, tension, angle : ndarray
-        At the fairlead: N, N, N, rad.
-    anchor_horizontal_force, anchor_vertical_force, anchor_tension, anchor_angle : ndarray
-        At the anchor: N, N, N, rad.
-    span, grounded_length : ndarray
-        m.
-    height_error : ndarray
-        Residual: computed less wanted height of the fairlead, m.
-    flexibility : ndarray, shape (n, 2, 2)
-        d(span, height)/d(H, V) at the fairlead, m/N. Its inverse is the end stiffness.
-    force_uncertainty : ndarray
-        By how much the rounding of the input to double precision may move the forces at the
-        fairlead, N.
-    """
-
-    status: npt.NDArray[np.int64]
-    regime_code: npt.NDArray[np.int64]
-    horizontal_force: Array
-    vertical_force: Array
-    span: Array
-    height_error: Array
-    grounded_length: Array
-    anchor_horizontal_force: Array
-    anchor_vertical_force: Array
-    flexibility: Array
-    force_uncertainty: Array
+    status: npt.NDArray[np.int64]  # 0 where solved; `reason` puts the others into words
+    regime_code: npt.NDArray[np.int64]  # index into state.REGIMES, see `regime`
+    horizontal_force: Array  # at the fairlead, N
+    vertical_force: Array  # at the fairlead, N
+    span: Array  # m
+    height_error: Array  # residual: computed less wanted height of the fairlead, m
+    grounded_length: Array  # m
+    anchor_horizontal_force: Array  # N
+    anchor_vertical_force: Array  # N
+    flexibility: Array  # (n, 2, 2): d(span, height)/d(H, V) at the fairlead, m/N
+    force_uncertainty: Array  # what rounding of the input may move the fairlead's forces by, N
 
     @property
     def converged(self) -> npt.NDArray[np.bool_]:

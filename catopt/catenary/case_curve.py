@@ -30,24 +30,13 @@ STEPPED: tuple[Stepped, ...] = get_args(Stepped)
 class CaseCurve(Shown):
     """The load curve of a case's line.
 
-    Attributes
-    ----------
-    case : Case
-        What was given.
-    over : str
-        What was stepped: ``"force"``, ``"span"`` or ``"offset"``.
-    range_words : str
-        Where the range comes from.
-    reference : Solution
-        The case as `solve_case` answers it. Its line has what the case seeks, if anything, and
-        the offset counts from its span.
-    curve : Curve
-        The points and marks.
+    `reference` is the case as `solve_case` answers it: its line has what the case seeks, if
+    anything, and the offset counts from its span.
     """
 
     case: Case
     over: Stepped
-    range_words: str
+    range_words: str  # where the range comes from
     reference: Solution
     curve: Curve
 

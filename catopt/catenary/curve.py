@@ -46,56 +46,32 @@ MOST_POINTS = 10_000
 
 @dataclass(frozen=True)
 class Mark:
-    """A point of the curve at which something changes.
+    """A point of the curve at which something changes."""
 
-    Attributes
-    ----------
-    kind : str
-        ``"regime"`` of the line, a ``"clump_weight"`` that lifts, or a ``"limit"`` reached.
-    event : str
-        What happens there as the force grows, in words.
-    horizontal_force, span, fairlead_tension : float
-        Where: N, m, N.
-    """
-
-    kind: MarkKind
-    event: str
-    horizontal_force: float
-    span: float
-    fairlead_tension: float
+    kind: MarkKind  # of the line, one that lifts, or one reached
+    event: str  # what happens there as the force grows, in words
+    horizontal_force: float  # N
+    span: float  # m
+    fairlead_tension: float  # N
 
 
 @dataclass(frozen=True)
 class Curve:
     """A load curve, by rising span; arrays of shape (points,).
 
-    Attributes
-    ----------
-    over : str
-        Which quantity was stepped evenly.
-    span, horizontal_force, fairlead_tension, anchor_tension, grounded_length : ndarray
-        m and N.
-    anchor_angle : ndarray
-        rad.
-    stiffness : ndarray
-        Horizontal end stiffness dH/dS at a fixed height, N/m; 0 where the line is slack, nan where
-        the span does not change with the force.
-    regime : tuple of str
-        At each point.
-    marks : tuple of Mark
-        Changes of regime, clump weights that lift and limits reached, by rising span.
+    The stiffness is 0 where the line is slack, nan where the span does not change with the force.
     """
 
-    over: Over
-    span: Array
-    horizontal_force: Array
-    fairlead_tension: Array
-    anchor_tension: Array
-    anchor_angle: Array
-    grounded_length: Array
-    stiffness: Array
+    over: Over  # which was stepped evenly
+    span: Array  # m
+    horizontal_force: Array  # N
+    fairlead_tension: Array  # N
+    anchor_tension: Array  # N
+    anchor_angle: Array  # rad
+    grounded_length: Array  # m
+    stiffness: Array  # dH/dS at a fixed height, N/m
     regime: tuple[str, ...]
-    marks: tuple[Mark, ...]
+    marks: tuple[Mark, ...]  # by rising span
 
 
 def load_curve(

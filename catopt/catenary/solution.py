@@ -25,21 +25,14 @@ __all__ = [
 class EndState:
     """Effective forces at one end of the line.
 
-    Attributes
-    ----------
-    tension : float
-        Effective tension, N.
-    horizontal_force, vertical_force : float
-        Its parts, N; the vertical one is positive where the line rises towards the fairlead
-        (at the anchor: where the line pulls the anchor up).
-    angle : float
-        Inclination above the horizontal, rad, with the sign of the vertical force.
+    The vertical force is positive where the line rises towards the fairlead (at the anchor: where
+    the line pulls the anchor up).
     """
 
-    tension: float
-    horizontal_force: float
-    vertical_force: float
-    angle: float
+    tension: float  # N
+    horizontal_force: float  # N
+    vertical_force: float  # N
+    angle: float  # above the horizontal, rad, with the sign of the vertical force
 
     def to_dict(self) -> dict[str, float]:
         """Lay it out as the documents have it, in SI."""
@@ -78,61 +71,35 @@ class PointLoadState:
 
 @dataclass(frozen=True)
 class Residual:
-    """How exactly the equilibrium is met.
+    """How exactly the equilibrium is met: the line is laid out piece by piece from its anchor.
 
-    Attributes
-    ----------
-    height, span : float
-        By how much the line, laid out piece by piece from the anchor, misses the fairlead, m.
-    force_uncertainty : float
-        By how much the rounding of the input to double precision may move the forces at the
-        fairlead, N; large for a nearly taut line that does not stretch.
+    The rounding of the input to double precision leaves more of the forces open on a nearly taut
+    line that does not stretch.
     """
 
-    height: float
-    span: float
-    force_uncertainty: float = 0.0
+    height: float  # by how much it misses the fairlead, m
+    span: float  # m
+    force_uncertainty: float = 0.0  # what rounding may move the forces at the fairlead by, N
 
 
 @dataclass(frozen=True)
 class SwarmReport:
-    """How the swarm got to its answer.
+    """How the swarm got to its answer."""
 
-    Attributes
-    ----------
-    objective : float
-        Smallest f, m.
-    evaluations, iterations, runs, seed : int
-        Evaluations of f over all runs, iterations that a run may take, runs, seed.
-    converged_runs : int
-        Runs that ended with f < 1e-9 m.
-    best_run : int
-        The run that won, counted from 1.
-    objectives : tuple of float
-        f at the end of each run, m.
-    span_consistency : float
-        S1's check (11): |S - span of equation (5)|, m; must stay below 1e-3.
-    closed_form_difference : dict of str to float
-        Swarm minus closed form: ``angle_rad`` or ``grounded_length_m``, ``span_m``, ``tension_N``.
-    best_objective_history, tension_history : tuple of float
-        Best f (m) and the fairlead tension at that place (N) after each iteration of the best run.
-    iterations_flown : tuple of int
-        Iterations that each run took: fewer than `iterations` where f could not fall any more.
-    """
-
-    objective: float
-    evaluations: int
-    iterations: int
+    objective: float  # smallest f, m
+    evaluations: int  # of f, over all runs
+    iterations: int  # that a run may take
     runs: int
     seed: int
-    converged_runs: int
-    best_run: int
-    objectives: tuple[float, ...]
-    span_consistency: float
+    converged_runs: int  # those that ended with f < 1e-9 m
+    best_run: int  # counted from 1
+    objectives: tuple[float, ...]  # f at the end of each run, m
+    span_consistency: float  # S1 (11): |S - span of equation (5)|, m; to stay below 1e-3
+    # Swarm less closed form: angle_rad or grounded_length_m, span_m, tension_N.
     closed_form_difference: dict[str, float]
-    best_objective_history: tuple[float, ...]
-    tension_history: tuple[float, ...]
-    iterations_flown: tuple[int, ...] = ()
+    best_objective_history: tuple[float, ...]  # after each iteration of the best run, m
+    tension_history: tuple[float, ...]  # at the fairlead, in those places, N
+    iterations_flown: tuple[int, ...] = ()  # by each run: fewer where f could not fall any more
 
     def to_dict(self) -> dict[str, Any]:
         """Lay it out as the documents have it."""
@@ -149,27 +116,13 @@ class SwarmReport:
 
 @dataclass(frozen=True)
 class FoundQuantity:
-    """An unknown that meets a condition.
-
-    Attributes
-    ----------
-    quantity : str
-        What was sought: ``"length"``, ``"clump_weight"`` or ``"horizontal_force"``.
-    value : float
-        m or N.
-    condition : str
-        What it has to give, in words.
-    residual : float
-        By how much the condition is missed, as a part of the quantity it is put on.
-    number : int or None
-        Which segment or point load, counted from 1 at the anchor; None for a force.
-    """
+    """An unknown that meets a condition."""
 
     quantity: Literal["length", "clump_weight", "horizontal_force"]
-    value: float
-    condition: str
-    residual: float
-    number: int | None = None
+    value: float  # m or N
+    condition: str  # what it has to give, in words
+    residual: float  # what the condition is missed by, as a part of the quantity it is put on
+    number: int | None = None  # of segment or point load, from 1 at the anchor; None for a force
 
     @property
     def unit(self) -> str:
@@ -179,67 +132,29 @@ class FoundQuantity:
 
 @dataclass(frozen=True, repr=False)
 class Solution(Shown):
-    """Equilibrium of one line.
-
-    Attributes
-    ----------
-    line : Line
-        What was solved.
-    method : str
-        ``"closed-form"`` or ``"pso"``.
-    regime : str
-        How the line hangs (docs/regimes.md).
-    fairlead_height, anchor_height : float
-        Above the seabed, m.
-    seabed_friction : float
-        Coulomb coefficient.
-    span : float
-        Horizontal distance from the anchor to the fairlead, m.
-    fairlead, anchor : EndState
-        Forces at the ends; the anchor's after seabed friction.
-    grounded_length, suspended_length : float
-        Unstretched, m.
-    stretched_length : float
-        Of the whole line under its tension, m.
-    segments, point_loads : tuple
-        State of each.
-    stretches : tuple of Stretch
-        The line from the anchor up, cut where anything changes.
-    residual : Residual
-        How exactly the equilibrium is met.
-    warnings : tuple of str
-        What an engineer should know before using the answer.
-    safety_factor : float
-        For utilisations; 1 when none was asked for.
-    title : str
-        Of the case.
-    swarm : SwarmReport or None
-        Only for ``method == "pso"``.
-    found : FoundQuantity or None
-        What was sought and found, if anything was.
-    """
+    """Equilibrium of one line."""
 
     line: Line
     method: Literal["closed-form", "pso"]
-    regime: Regime
-    fairlead_height: float
-    anchor_height: float
-    seabed_friction: float
-    span: float
+    regime: Regime  # how the line hangs (docs/regimes.md)
+    fairlead_height: float  # above the seabed, m
+    anchor_height: float  # above the seabed, m
+    seabed_friction: float  # Coulomb coefficient
+    span: float  # horizontal distance from the anchor to the fairlead, m
     fairlead: EndState
-    anchor: EndState
-    grounded_length: float
-    suspended_length: float
-    stretched_length: float
+    anchor: EndState  # beyond what friction of the seabed takes
+    grounded_length: float  # unstretched, m
+    suspended_length: float  # unstretched, m
+    stretched_length: float  # of the whole line under its tension, m
     segments: tuple[SegmentState, ...]
     point_loads: tuple[PointLoadState, ...]
-    stretches: tuple[Stretch, ...]
+    stretches: tuple[Stretch, ...]  # from the anchor up, cut where anything changes
     residual: Residual
-    warnings: tuple[str, ...] = ()
-    safety_factor: float = 1.0
-    title: str = ""
-    swarm: SwarmReport | None = None
-    found: FoundQuantity | None = None
+    warnings: tuple[str, ...] = ()  # what an engineer should know before using the answer
+    safety_factor: float = 1.0  # for utilisations; 1 when none was asked for
+    title: str = ""  # of the case
+    swarm: SwarmReport | None = None  # only for ``method == "pso"``
+    found: FoundQuantity | None = None  # what was sought, if anything was
 
     @property
     def horizontal_force(self) -> float:

@@ -25,13 +25,7 @@ MET = 1e-8
 
 @dataclass(frozen=True)
 class Found(FoundQuantity):
-    """An unknown that meets a condition, with the line that has it.
-
-    Attributes
-    ----------
-    solution : Solution
-        The line with this value.
-    """
+    """An unknown that meets a condition, with the line that has it."""
 
     solution: Solution = field(kw_only=True)
 

@@ -56,40 +56,20 @@ _STRAIGHT = 1e150
 
 
 class Hanging(NamedTuple):
-    """What hangs from the fairlead, at each of n places.
+    """What hangs from the fairlead, at each of n places."""
 
-    Attributes
-    ----------
-    slope : ndarray, shape (n,)
-        V/H at its lowest point.
-    length : sequence of float or ndarray of shape (n,)
-        Unstretched, of each piece, m.
-    load : sequence of float or ndarray of shape (n,)
-        Weight that the line carries of what hangs on the joint below each piece, N.
-    """
-
-    slope: Array
-    length: Sequence[float | Array]
-    load: Sequence[float | Array]
+    slope: Array  # V/H at its lowest point
+    length: Sequence[float | Array]  # unstretched, of each piece, m
+    load: Sequence[float | Array]  # what the line carries on the joint below each piece, N
 
 
 @dataclass(frozen=True)
 class Objective(ABC):
-    """f of one line anchored on the bed, over places of shape (n, 2): one row a particle.
-
-    Attributes
-    ----------
-    pieces : Pieces
-        The line.
-    height : float
-        h, m.
-    horizontal_force : float
-        H, N.
-    """
+    """f of one line anchored on the bed, over places of shape (n, 2): one row a particle."""
 
     pieces: Pieces
-    height: float
-    horizontal_force: float
+    height: float  # h, m
+    horizontal_force: float  # H, N
 
     @property
     @abstractmethod

@@ -29,24 +29,12 @@ PATIENCE = 25
 
 @dataclass(frozen=True)
 class Run:
-    """What one run found.
+    """What one run found."""
 
-    Attributes
-    ----------
-    number : int
-        Counted from 1.
-    objective : float
-        Smallest f, m.
-    objectives : tuple of float
-        Smallest f so far after each iteration flown, m.
-    places : ndarray, shape (iterations flown, unknowns)
-        Where that was.
-    """
-
-    number: int
-    objective: float
-    objectives: tuple[float, ...]
-    places: Array
+    number: int  # counted from 1
+    objective: float  # smallest f, m
+    objectives: tuple[float, ...]  # smallest f so far after each iteration flown, m
+    places: Array  # where that was: (iterations flown, unknowns)
 
 
 def optimiser(objective: Objective, settings: SwarmSettings) -> Callable[[int], Run]:
