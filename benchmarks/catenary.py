@@ -25,8 +25,7 @@ from typing import Any
 import numpy as np
 
 from catopt.catenary.batch import solve_many
-from catopt.catenary.line_problem import LineProblem
-from catopt.catenary.pieces import Pieces, cut
+from catopt.catenary.pieces import LineProblem, Pieces, cut
 from catopt.catenary.solve import solve
 from catopt.catenary.span import given_span
 from catopt.compiled import compiled

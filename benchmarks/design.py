@@ -23,8 +23,7 @@ import numpy as np
 from catopt.casefile import read_case
 from catopt.catenary.batch import solve_many
 from catopt.catenary.equilibrium import given_force
-from catopt.catenary.line_problem import LineProblem
-from catopt.catenary.pieces import Pieces, cut
+from catopt.catenary.pieces import LineProblem, Pieces, cut
 from catopt.catenary.solve import solve
 from catopt.checks.case import check_line
 from catopt.checks.excess import ROUNDING

@@ -10,11 +10,20 @@ from typing import Any, Literal, get_args
 import numpy as np
 
 from catopt.catenary.case import solve_case, under_a_load
-from catopt.catenary.curve import Array, Curve, Over, check_range, load_curve
-from catopt.catenary.curve_range import BEYOND, LEAST, limit_force, weight_force
+from catopt.catenary.curve import (
+    BEYOND,
+    LEAST,
+    Array,
+    Curve,
+    Over,
+    check_range,
+    limit_force,
+    load_curve,
+    weight_force,
+)
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
-from catopt.catenary.surface import check_buoys
+from catopt.catenary.warnings import check_buoys
 from catopt.errors import FloatsUpError, InputError, Problem
 from catopt.model import Case
 from catopt.shown import Shown

@@ -7,7 +7,8 @@ than it takes to load the compiled one; `solve_many` is for more.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Literal
@@ -15,10 +16,9 @@ from typing import Literal
 import numpy as np
 import numpy.typing as npt
 
-from catopt.catenary.curve_range import BEYOND, LEAST, limit_force, weight_force
 from catopt.catenary.equilibrium import given_force
-from catopt.catenary.line_problem import LineProblem
-from catopt.catenary.pieces import cut
+from catopt.catenary.find import find_limit_force
+from catopt.catenary.pieces import LineProblem, cut
 from catopt.catenary.result import solution_of
 from catopt.catenary.root_search import BY_FORCE, BY_SPAN
 from catopt.catenary.solution import Solution
@@ -27,6 +27,7 @@ from catopt.catenary.span import given_span
 from catopt.catenary.state import CONVERGED, REGIMES, State
 from catopt.errors import (
     InputError,
+    NoAnswerError,
     NoEquilibriumError,
     NotConvergedError,
     Problem,
@@ -42,6 +43,9 @@ Over = Literal["span", "horizontal_force"]
 MarkKind = Literal["regime", "clump_weight", "limit"]
 
 MOST_POINTS = 10_000
+BEYOND = 1.05
+LEAST = 0.01
+"""A range that is not given runs from this part of a force to that, which shows its mark."""
 
 
 @dataclass(frozen=True)
@@ -167,6 +171,26 @@ def load_curve(
         regime=tuple(REGIMES[s.regime] for s in states),
         marks=tuple(sorted(marks, key=lambda mark: (mark.span, mark.horizontal_force))),
     )
+
+
+def limit_force(
+    line: Line, place: Mapping[str, float], safety_factor: float
+) -> tuple[float, Message] | None:
+    """Return the horizontal force at which a segment is first at its limit, and what it is.
+
+    None where no MBL is known, or none is reached.
+    """
+    if any(segment.MBL is not None for segment in line.segments):
+        with suppress(NoAnswerError):
+            found = find_limit_force(line, safety_factor=safety_factor, segment=None, **place)
+            return found.value, Message("catenary.limit_force", condition=found.condition)
+    return None
+
+
+def weight_force(line: Line) -> tuple[float, Message]:
+    """Return what a line weighs, as the force of a curve of which nothing else is known, N."""
+    weight = math.fsum(abs(each.submerged_weight) * each.length for each in line.segments)
+    return weight, Message("catenary.line_weight")
 
 
 def check_range(start: float, stop: float, points: int, unit: str, zero: float = 0.0) -> None:

@@ -14,14 +14,15 @@ from __future__ import annotations
 import math
 
 from catopt.catenary.lift import LAST_STEP, grounded_guess, vertical_force
-from catopt.catenary.line_problem import LineProblem, is_plain
 from catopt.catenary.lower_part import lower_part, on_bed, touchdown_of
 from catopt.catenary.part import NO_TOUCHDOWN, Part, part_reach
 from catopt.catenary.pieces import (
+    LineProblem,
     Pieces,
     beyond_clump,
     grip,
     is_inextensible,
+    is_plain,
     length_between,
     total_length,
     total_weight,

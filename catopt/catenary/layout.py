@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from catopt.catenary.line_problem import LineProblem
+from catopt.catenary.pieces import LineProblem
 from catopt.catenary.runs import Runs, most_runs, run_reach, runs_of, slack_share
 from catopt.catenary.state import State
 

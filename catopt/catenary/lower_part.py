@@ -12,10 +12,16 @@ import math
 from typing import NamedTuple
 
 from catopt.catenary.bracket import bracket, is_closed, narrowed, trial
-from catopt.catenary.line_problem import GREATEST_FORCE, LineProblem
 from catopt.catenary.part import NO_PART, NO_TOUCHDOWN, TO_THE_ANCHOR, Part, part_reach
 from catopt.catenary.piece import piece_rise
-from catopt.catenary.pieces import Pieces, beyond_clump, total_length, total_weight
+from catopt.catenary.pieces import (
+    GREATEST_FORCE,
+    LineProblem,
+    Pieces,
+    beyond_clump,
+    total_length,
+    total_weight,
+)
 from catopt.catenary.suspended import grounded_part
 from catopt.catenary.upper_part import (
     CLEARANCE,

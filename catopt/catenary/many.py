@@ -6,10 +6,8 @@ import math
 from typing import Any, Final
 
 from catopt.catenary.equilibrium import given_force
-from catopt.catenary.line_problem import LineProblem
-from catopt.catenary.pieces import Pieces, split, total_length
-from catopt.catenary.root_search import BY_FORCE, BY_SPAN
-from catopt.catenary.rounding import force_uncertainty
+from catopt.catenary.pieces import LineProblem, Pieces, split, total_length
+from catopt.catenary.root_search import BY_FORCE, BY_SPAN, force_uncertainty
 from catopt.catenary.runs import Runs, runs_misfit, runs_of
 from catopt.catenary.span import given_span
 from catopt.catenary.state import (

@@ -8,6 +8,9 @@ from typing import Any, NamedTuple
 from catopt.compiled import inlined
 from catopt.model import Line
 
+LEAST_FORCE, GREATEST_FORCE = 1e-30, 1e30
+"""N: beyond them products of forces leave the range of double precision."""
+
 
 class Pieces(NamedTuple):
     """Uniform pieces from the anchor up; lists of float, or arrays in compiled code.
@@ -23,6 +26,18 @@ class Pieces(NamedTuple):
     weight: Any
     compliance: Any
     load: Any
+
+
+class LineProblem(NamedTuple):
+    """A line with all that its equilibrium depends on, save the load.
+
+    Heights are above the bed (m), friction is the Coulomb coefficient of the bed.
+    """
+
+    pieces: Pieces
+    anchor_height: float
+    fairlead_height: float
+    friction: float
 
 
 @inlined
@@ -50,6 +65,12 @@ def has_buoyancy(pieces: Pieces) -> bool:
         if pieces.weight[k] < 0.0 or pieces.load[k] < 0.0:
             return True
     return False
+
+
+@inlined
+def is_plain(problem: LineProblem) -> bool:
+    """Whether nothing floats and the anchor lies on the bed: then the suspended part tells all."""
+    return problem.anchor_height == 0.0 and not has_buoyancy(problem.pieces)
 
 
 @inlined

@@ -7,9 +7,8 @@ from dataclasses import replace
 from typing import Literal
 
 from catopt.catenary.layout import Stretch, end_of, lay_out, max_tension, stretched_length
-from catopt.catenary.line_problem import LineProblem
-from catopt.catenary.pieces import joints_of
-from catopt.catenary.rounding import force_uncertainty
+from catopt.catenary.pieces import LineProblem, joints_of
+from catopt.catenary.root_search import force_uncertainty
 from catopt.catenary.solution import (
     EndState,
     PointLoadState,
@@ -37,7 +36,7 @@ def solution_of(
     """Lay out a line from its anchor and say by how much it misses its fairlead.
 
     The state is a converged one with the span wanted; `known` is what was given of the load, as for
-    `rounding.force_uncertainty`.
+    `force_uncertainty`.
     """
     stretches = lay_out(state, problem)
     x, z = end_of(stretches[-1], stretches[-1].length)
@@ -63,7 +62,7 @@ def solution_of(
             force_uncertainty=force_uncertainty(state, problem, known),
         ),
     )
-    return solution.with_warnings(plausibility(solution))
+    return solution.with_warnings(tuple(plausibility(solution)))
 
 
 def under_case(solution: Solution, case: Case) -> Solution:

@@ -9,11 +9,10 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.lower_part import Touchdown, lower_part, on_bed, touchdown_of
 from catopt.catenary.part import NO_TOUCHDOWN, Part, part_reach, share, with_force
 from catopt.catenary.piece import piece_reach, piece_rise
-from catopt.catenary.pieces import Pieces, beyond_clump
+from catopt.catenary.pieces import LineProblem, Pieces, beyond_clump
 from catopt.catenary.sliding import (
     Onset,
     from_its_anchor,

@@ -19,10 +19,9 @@ from typing import NamedTuple
 
 from catopt.catenary.bracket import bracket, is_closed, narrowed, trial
 from catopt.catenary.equilibrium import in_parts
-from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.lower_part import Touchdown, just_clear, lower_part, touchdown_of
 from catopt.catenary.part import NO_PART, NO_TOUCHDOWN, Part, part_reach
-from catopt.catenary.pieces import Pieces, above, below, grip, total_length, turned
+from catopt.catenary.pieces import LineProblem, Pieces, above, below, grip, total_length, turned
 from catopt.catenary.state import (
     CONVERGED,
     GROUNDED,

@@ -5,18 +5,23 @@ from __future__ import annotations
 import math
 
 from catopt.catenary.equilibrium import given_force
-from catopt.catenary.line_problem import GREATEST_FORCE, LEAST_FORCE, LineProblem, is_plain
 from catopt.catenary.many import RESIDUAL_LIMIT
-from catopt.catenary.pieces import cut
-from catopt.catenary.refusal import refusal
+from catopt.catenary.pieces import GREATEST_FORCE, LEAST_FORCE, LineProblem, cut, is_plain
 from catopt.catenary.result import solution_of
 from catopt.catenary.root_search import BY_FORCE, BY_SPAN, BY_TENSION
 from catopt.catenary.solution import Solution
 from catopt.catenary.span import given_span
-from catopt.catenary.state import CONVERGED, LOOSE, TURNED, State
-from catopt.catenary.tension import given_tension, other_forces
-from catopt.catenary.warnings import other_tensions, slides
-from catopt.errors import NotConvergedError
+from catopt.catenary.state import (
+    CONVERGED,
+    LOOSE,
+    NOT_CONVERGED,
+    TOO_HEAVY,
+    TOO_SHORT,
+    TURNED,
+    State,
+)
+from catopt.catenary.tension import given_tension, least_tension, other_forces
+from catopt.errors import CatoptError, NoEquilibriumError, NotConvergedError
 from catopt.model import Line, Load
 from catopt.model.validity import Findings
 from catopt.words import Message
@@ -101,10 +106,15 @@ def _other_answers(
 ) -> tuple[str, ...]:
     """Warn of the other equilibria that the line has under the same load."""
     if state.touchdown in (TURNED, LOOSE):
-        return slides(solution, given_force(state.H, problem).span)
+        # Held at its span it stays; under a held force it would slide to another one.
+        elsewhere = given_force(state.H, problem).span
+        return (Message("catenary.slides", friction=solution.seabed_friction, span=elsewhere),)
     if load.fairlead_tension is None or is_plain(problem):
         return ()
-    return other_tensions(solution, other_forces(load.fairlead_tension, problem, state))
+    forces = other_forces(load.fairlead_tension, problem, state)
+    others = ", ".join(f"{force:.6g} N" for force in forces)
+    said = Message("catenary.other_force", others=others, largest=solution.horizontal_force)
+    return (said,) if forces else ()
 
 
 def _check(line: Line, load: Load, found: Findings) -> None:
@@ -130,3 +140,24 @@ def _solve(load: Load, problem: LineProblem) -> State:
         return state._replace(span=load.span) if state.status == CONVERGED else state
     assert load.fairlead_tension is not None
     return given_tension(load.fairlead_tension, problem)
+
+
+def refusal(status: int, line: Line, load: Load, problem: LineProblem) -> CatoptError:
+    """Say what stops a line, and by how much."""
+    if status == TOO_SHORT:
+        rise = problem.fairlead_height - problem.anchor_height
+        distance = math.hypot(load.span or 0.0, rise)
+        missing = distance - line.length
+        way = Message("catenary.way_up" if load.span is None else "catenary.way_across")
+        key = "catenary.too_short" if missing > 0.0 else "catenary.just_as_long"
+        told = Message(key, length=line.length, way=way, distance=distance, missing=missing)
+        return NoEquilibriumError(told, "length", missing)
+    if status == TOO_HEAVY:
+        tension = load.fairlead_tension
+        assert tension is not None
+        least = least_tension(problem, tension)
+        missing = least - tension
+        told = Message("catenary.too_heavy", tension=tension, missing=missing, least=least)
+        return NoEquilibriumError(told, "force", missing)
+    assert status == NOT_CONVERGED
+    return NotConvergedError(Message("catenary.not_converged"))

@@ -6,8 +6,16 @@ import math
 
 from catopt.catenary.equilibrium import given_force, hang_slack, without_force
 from catopt.catenary.lift import grounded_guess, top_weight
-from catopt.catenary.line_problem import GREATEST_FORCE, LEAST_FORCE, LineProblem, is_plain
-from catopt.catenary.pieces import Pieces, is_inextensible, total_length, total_weight
+from catopt.catenary.pieces import (
+    GREATEST_FORCE,
+    LEAST_FORCE,
+    LineProblem,
+    Pieces,
+    is_inextensible,
+    is_plain,
+    total_length,
+    total_weight,
+)
 from catopt.catenary.root_search import BY_SPAN, bracketed_search, newton
 from catopt.catenary.sliding import from_its_anchor, loose, onset_of, turned_back
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT, State, failed

@@ -6,8 +6,14 @@ import math
 
 from catopt.catenary.equilibrium import given_force, hang_slack
 from catopt.catenary.lift import grounded_guess, top_weight
-from catopt.catenary.line_problem import LEAST_FORCE, LineProblem, is_plain
-from catopt.catenary.pieces import is_inextensible, total_length, total_weight
+from catopt.catenary.pieces import (
+    LEAST_FORCE,
+    LineProblem,
+    is_inextensible,
+    is_plain,
+    total_length,
+    total_weight,
+)
 from catopt.catenary.root_search import BY_TENSION, bracketed_search, newton, tension_of
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_HEAVY, TOO_SHORT, State, failed
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 
 from catopt.catenary.bracket import bracket, is_closed, narrowed, trial
-from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.part import (
     NO_PART,
     NO_TOUCHDOWN,
@@ -21,7 +20,7 @@ from catopt.catenary.part import (
     with_force,
     with_slope,
 )
-from catopt.catenary.pieces import Pieces, total_length, total_weight
+from catopt.catenary.pieces import LineProblem, Pieces, total_length, total_weight
 
 CLEARANCE = 1e-12
 """How far below the bed, as a part of the length, a hanging line may seem to pass by rounding."""

@@ -1,11 +1,17 @@
-"""What an engineer should know before using an answer: rules with their numbers."""
+"""What an engineer should know before using an answer: rules with their numbers.
+
+A buoy above the water surface is no warning: such a line is refused.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from itertools import count
 
 from catopt.catenary.solution import Solution
-from catopt.catenary.surface import check_buoys
+from catopt.errors import FloatsUpError
+from catopt.model import Line
 from catopt.words import Measure, Message
 
 OPEN_FORCE = 1e-6
@@ -14,16 +20,29 @@ OPEN_FORCE = 1e-6
 LARGE_STRAIN = 0.05
 """Beyond a few percent, chain and rope no longer stretch in proportion to the tension."""
 
+ROUNDING = 1e-9
+"""How far above the surface, over the water depth, a buoy may be by rounding."""
 
-def plausibility(solution: Solution) -> tuple[Message, ...]:
+
+def plausibility(solution: Solution) -> Iterator[Message]:
     """Warnings that follow from the line alone."""
-    return (
-        *_slack(solution),
-        *_strain(solution),
-        *_strength(solution),
-        *_no_anchor_pull(solution),
-        *_open_force(solution),
-    )
+    if solution.regime == "slack":
+        yield Message("catenary.slack", length=solution.grounded_length, span=solution.span)
+    parts = list(zip(count(1), solution.segments, solution.line.segments))
+    for number, state, segment in parts:
+        strain = state.max_tension / segment.EA
+        if strain > LARGE_STRAIN:
+            values = {"number": number, "strain": 100 * strain, "limit": 100 * LARGE_STRAIN}
+            yield Message("catenary.large_strain", **values)
+    for number, state, _ in parts:
+        if state.MBL is not None and state.max_tension > state.MBL:
+            carried, MBL = Measure("tension", state.max_tension), Measure("MBL", state.MBL)
+            yield Message("catenary.beyond_MBL", number=number, tension=carried, MBL=MBL)
+    if solution.anchor.tension == 0.0 and solution.horizontal_force > 0.0:
+        yield Message("catenary.held_by_friction")
+    open_force = solution.residual.force_uncertainty
+    if open_force > OPEN_FORCE * solution.fairlead.tension:
+        yield Message("catenary.nearly_straight", force=open_force)
 
 
 def above_water(solution: Solution, water_depth: float) -> tuple[Message, ...]:
@@ -40,55 +59,33 @@ def above_water(solution: Solution, water_depth: float) -> tuple[Message, ...]:
     return (Message("catenary.rises", height=top - limit),)
 
 
-def other_tensions(solution: Solution, forces: Sequence[float]) -> tuple[Message, ...]:
-    """Warn of smaller horizontal forces with the same fairlead tension."""
-    if not forces:
-        return ()
-    others = ", ".join(f"{force:.6g} N" for force in forces)
-    return (Message("catenary.other_force", others=others, largest=solution.horizontal_force),)
+def check_buoys(line: Line, heights: Iterable[float], water_depth: float) -> None:
+    """Refuse a line of which a buoy would be above the water surface under its full lift.
+
+    The heights are those of its point loads above the bed, m; those of negative weight are buoys.
+    FloatsUpError names the first such buoy, how far it would be above the surface, and the way out.
+    """
+    for index, (load, height) in enumerate(zip(line.point_loads, heights, strict=True)):
+        above = height - water_depth
+        if load.submerged_weight < 0.0 and above > ROUNDING * water_depth:
+            name = f" ({load.name})" if load.name else ""
+            raise FloatsUpError(
+                Message(
+                    "catenary.floats_up",
+                    path=f"line.point_loads[{index}]{name}",
+                    position=load.position,
+                    above=above,
+                    lift=-load.submerged_weight,
+                    depth=water_depth,
+                )
+            )
 
 
-def slides(solution: Solution, span: float) -> tuple[Message, ...]:
-    """Warn that a line held at its span would slide to another one (m) under a held force."""
-    return (Message("catenary.slides", friction=solution.seabed_friction, span=span),)
-
-
-def _open_force(solution: Solution) -> tuple[Message, ...]:
-    open_force = solution.residual.force_uncertainty
-    if open_force <= OPEN_FORCE * solution.fairlead.tension:
-        return ()
-    return (Message("catenary.nearly_straight", force=open_force),)
-
-
-def _slack(solution: Solution) -> tuple[Message, ...]:
-    if solution.regime != "slack":
-        return ()
-    return (Message("catenary.slack", length=solution.grounded_length, span=solution.span),)
-
-
-def _strain(solution: Solution) -> tuple[Message, ...]:
-    found = []
-    for index, (state, segment) in enumerate(
-        zip(solution.segments, solution.line.segments, strict=True)
-    ):
-        strain = state.max_tension / segment.EA
-        if strain > LARGE_STRAIN:
-            values = {"number": index + 1, "strain": 100 * strain, "limit": 100 * LARGE_STRAIN}
-            found.append(Message("catenary.large_strain", **values))
-    return tuple(found)
-
-
-def _strength(solution: Solution) -> tuple[Message, ...]:
-    found = []
-    for index, state in enumerate(solution.segments):
-        if state.MBL is not None and state.max_tension > state.MBL:
-            carried, MBL = Measure("tension", state.max_tension), Measure("MBL", state.MBL)
-            found.append(Message("catenary.beyond_MBL", number=index + 1, tension=carried, MBL=MBL))
-    return tuple(found)
-
-
-def _no_anchor_pull(solution: Solution) -> tuple[Message, ...]:
-    friction_holds = solution.anchor.tension == 0.0 and solution.horizontal_force > 0.0
-    if not friction_holds:
-        return ()
-    return (Message("catenary.held_by_friction"),)
+@contextmanager
+def named_line(number: int) -> Iterator[None]:
+    """Name the line of a system, counted from 1, whose buoy is refused within."""
+    try:
+        yield
+    except FloatsUpError as stop:
+        said = Message("mooring.of_line", number=number, warning=stop.message)
+        raise FloatsUpError(said) from None

@@ -9,8 +9,7 @@ import math
 from typing import Any, Final, NamedTuple
 
 from catopt.catenary.equilibrium import given_force
-from catopt.catenary.line_problem import LineProblem
-from catopt.catenary.pieces import Pieces, split
+from catopt.catenary.pieces import LineProblem, Pieces, split
 from catopt.catenary.runs import Runs, runs_of
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT, State
 from catopt.checks.criteria import Limits

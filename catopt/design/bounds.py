@@ -10,7 +10,7 @@ import math
 from typing import Any, Final
 
 from catopt.catenary.equilibrium import given_force
-from catopt.catenary.line_problem import LineProblem
+from catopt.catenary.pieces import LineProblem
 from catopt.catenary.state import CONVERGED
 from catopt.checks.excess import ROUNDING, ratio_excess
 from catopt.compiled import inlined

@@ -5,8 +5,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from catopt.catenary.equilibrium import hang_slack
-from catopt.catenary.line_problem import LineProblem
-from catopt.catenary.pieces import Pieces, cut
+from catopt.catenary.pieces import LineProblem, Pieces, cut
 from catopt.catenary.state import CONVERGED, TOO_SHORT, failed
 from catopt.model.line import Line
 from catopt.model.system import Leg, System

@@ -6,8 +6,7 @@ import math
 from typing import NamedTuple
 
 from catopt.catenary.equilibrium import hung_state
-from catopt.catenary.line_problem import LineProblem, is_plain
-from catopt.catenary.pieces import Pieces
+from catopt.catenary.pieces import LineProblem, Pieces, is_plain
 from catopt.catenary.span import given_span
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, State, failed
 from catopt.catenary.suspended import FIRST_TOUCHDOWN

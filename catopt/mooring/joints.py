@@ -13,7 +13,7 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from catopt.catenary.pieces import Pieces, cut
-from catopt.catenary.refusal import refusal
+from catopt.catenary.solve import refusal
 from catopt.catenary.state import CONVERGED
 from catopt.errors import FloatsUpError, NoEquilibriumError, NotConvergedError
 from catopt.model import Line, Load

@@ -11,8 +11,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from catopt.catenary.line_problem import LineProblem
-from catopt.catenary.pieces import Pieces, turned
+from catopt.catenary.pieces import LineProblem, Pieces, turned
 from catopt.catenary.span import given_span
 from catopt.catenary.state import CONVERGED, State
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import math
 
-from catopt.catenary.line_problem import LineProblem
-from catopt.catenary.pieces import cut
+from catopt.catenary.pieces import LineProblem, cut
 from catopt.catenary.result import solution_of
 from catopt.catenary.root_search import BY_SPAN
 from catopt.catenary.span import given_span

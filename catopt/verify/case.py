@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from catopt.catenary.case import as_found, solve_case
-from catopt.catenary.surface import check_buoys, named_line
+from catopt.catenary.warnings import check_buoys, named_line
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.model import Case
 from catopt.units import as_written

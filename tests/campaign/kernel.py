@@ -10,7 +10,7 @@ from unittest.mock import patch
 import numpy as np
 
 from catopt.catenary import equilibrium, pieces, runs, span, tension
-from catopt.catenary.line_problem import LineProblem
+from catopt.catenary.pieces import LineProblem
 from catopt.catenary.state import State
 from catopt.compiled import compiled
 from catopt.model import Line
@@ -22,7 +22,7 @@ _KERNEL: dict[str, Any] = {
     "catopt.catenary.solve.given_span": span.given_span,
     "catopt.catenary.solve.given_tension": tension.given_tension,
     "catopt.catenary.solve.other_forces": tension.other_forces,
-    "catopt.catenary.refusal.least_tension": tension.least_tension,
+    "catopt.catenary.solve.least_tension": tension.least_tension,
 }
 
 A_LINE = 5e-4

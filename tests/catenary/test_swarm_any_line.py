@@ -10,8 +10,7 @@ import pytest
 
 from catopt.catenary.find import find_length
 from catopt.catenary.layout import lay_out
-from catopt.catenary.line_problem import LineProblem
-from catopt.catenary.pieces import cut
+from catopt.catenary.pieces import LineProblem, cut
 from catopt.catenary.result import solution_of
 from catopt.catenary.root_search import BY_FORCE
 from catopt.catenary.solution import Solution

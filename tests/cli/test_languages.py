@@ -16,11 +16,10 @@ import openpyxl
 import pytest
 
 from catopt import catalogue, read_case, verify_case
-from catopt.catenary.line_problem import LineProblem
-from catopt.catenary.pieces import cut
-from catopt.catenary.refusal import refusal
+from catopt.catenary.pieces import LineProblem, cut
+from catopt.catenary.solve import refusal
 from catopt.catenary.state import NOT_CONVERGED, TOO_HEAVY, TOO_SHORT
-from catopt.catenary.surface import check_buoys, named_line
+from catopt.catenary.warnings import check_buoys, named_line
 from catopt.errors import CatoptError, FloatsUpError
 from catopt.fem.plausible_step import record_warnings, step_warnings
 from catopt.loads.blendermann import TYPES

@@ -12,8 +12,7 @@ import pytest
 from catopt import Line, NoEquilibriumError, PointLoad, Segment, solve
 from catopt.catenary.batch import room_for_runs
 from catopt.catenary.equilibrium import given_force
-from catopt.catenary.line_problem import LineProblem
-from catopt.catenary.pieces import cut
+from catopt.catenary.pieces import LineProblem, cut
 from catopt.checks.case import check_line
 from catopt.checks.excess import ROUNDING
 from catopt.design.assess import NO_DESIGN, NO_EQUILIBRIUM, segment_tensions

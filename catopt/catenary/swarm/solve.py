@@ -7,8 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from catopt.catenary.line_problem import LineProblem
-from catopt.catenary.pieces import cut
+from catopt.catenary.pieces import LineProblem, cut
 from catopt.catenary.result import solution_of
 from catopt.catenary.root_search import BY_FORCE
 from catopt.catenary.solution import Solution, SwarmReport
