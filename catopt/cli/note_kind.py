@@ -89,10 +89,10 @@ def note_of_sizing(path: Path, moored: Moored, asked: Asked | None = None) -> Si
     """Size what a file for ``catopt size`` describes, and make the note of it."""
     from catopt.notes.origin import read_source
     from catopt.notes.size import Given, size_note
-    from catopt.sizing.file import size_file
+    from catopt.sizing.file import read_file, sized
 
     given = Given(read_source(path))
-    return size_note(size_file(path, moored), given, asked)
+    return size_note(sized(read_file(path, moored)), given, asked)
 
 
 def _of_a_line_alone(

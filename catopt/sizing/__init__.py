@@ -11,29 +11,18 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from catopt.sizing.anchorage import DragGround, SinkerGround
-    from catopt.sizing.buoy_request import BuoyRequest, GivenBuoy
-    from catopt.sizing.environment import Environment
-    from catopt.sizing.file import read_sizing
-    from catopt.sizing.keywords import size_buoy, size_tanker
-    from catopt.sizing.line_choice import LineChoice
-    from catopt.sizing.result import Sizing
-    from catopt.sizing.tanker_request import MooredShip, TankerRequest
-
-__all__ = [
-    "BuoyRequest",
-    "DragGround",
-    "Environment",
-    "GivenBuoy",
-    "LineChoice",
-    "MooredShip",
-    "SinkerGround",
-    "Sizing",
-    "TankerRequest",
-    "read_sizing",
-    "size_buoy",
-    "size_tanker",
-]
+    from catopt.sizing.anchorage import DragGround as DragGround
+    from catopt.sizing.anchorage import SinkerGround as SinkerGround
+    from catopt.sizing.buoy_request import BuoyRequest as BuoyRequest
+    from catopt.sizing.buoy_request import GivenBuoy as GivenBuoy
+    from catopt.sizing.environment import Environment as Environment
+    from catopt.sizing.file import read_sizing as read_sizing
+    from catopt.sizing.keywords import size_buoy as size_buoy
+    from catopt.sizing.keywords import size_tanker as size_tanker
+    from catopt.sizing.line_choice import LineChoice as LineChoice
+    from catopt.sizing.result import Sizing as Sizing
+    from catopt.sizing.tanker_request import MooredShip as MooredShip
+    from catopt.sizing.tanker_request import TankerRequest as TankerRequest
 
 _HOMES = {
     "anchorage": ("DragGround", "SinkerGround"),
@@ -46,6 +35,7 @@ _HOMES = {
     "tanker_request": ("MooredShip", "TankerRequest"),
 }
 _HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
+__all__ = sorted(_HOME_OF)
 
 
 if not TYPE_CHECKING:  # so that a type checker still finds a misspelt name

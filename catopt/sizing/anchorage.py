@@ -125,8 +125,7 @@ class DragGround:
 
     def __post_init__(self) -> None:
         found = Findings("DragGround")
-        if self.safety_factor is not None:
-            found.number("safety_factor", self.safety_factor, "", at_least=1.0)
+        found.numbers(self, "", "safety_factor", at_least=1.0)
         found.raise_if_any()
         self.sized(0.0)
 

@@ -94,6 +94,7 @@ def sizing_of(
         limits=limits(settled),
         swing=swing(settled),
         dynamic_factor=line.dynamic_factor,
+        reserve_buoyancy=request.reserve_buoyancy,
         defaults=request.defaults,
         inputs=request.inputs,
         **own,

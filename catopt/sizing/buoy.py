@@ -18,10 +18,6 @@ from catopt.sizing.result import Sizing, SwingRadius
 from catopt.sizing.settle import Settled, point_diameter, point_pull, settle
 from catopt.words import Measure, Message
 
-HIGH = "storm, high water"
-LOW = "storm, low water"
-"""Load cases of a buoy."""
-
 
 def sized_buoy(request: BuoyRequest) -> Sizing:
     """Size the chain and the sinker of a buoy.
@@ -42,15 +38,14 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
         ),
         of_line=lambda line: _settled(replace(request, line=line)),
         swing=_swing,
-        reserve_buoyancy=request.reserve_buoyancy,
         assumptions=tuple(_assumptions(request, settled.assumed)),
     )
 
 
 def _swing(settled: Settled) -> SwingRadius:
-    span = dict(settled.point.checks.solutions)[LOW].span
-    parts = ((Message("sizing.line_at_low_water"), span),)
-    return SwingRadius(Message("sizing.storm_low"), parts)
+    low = Message("sizing.storm_low")
+    span = dict(settled.point.checks.solutions)[low].span
+    return SwingRadius(low, ((Message("sizing.line_at_low_water"), span),))
 
 
 def _settled(request: BuoyRequest, start: Assumed | None = None) -> Settled:

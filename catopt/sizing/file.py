@@ -193,17 +193,12 @@ def read_sizing(path: str | os.PathLike[str]) -> BuoyRequest | TankerRequest:
         return request_of(file.known())
 
 
-def size_file(path: str | os.PathLike[str], moored: Moored) -> Sizing:
+def sized(file: SizingFile) -> Sizing:
     """Size what a file describes: as ``catopt size`` does, but nothing is asked for.
 
     InputError: every mistake, each by its key; what is wanted and is not in the file is one. Else
     as for `size_buoy` and `size_tanker`.
     """
-    return sized(read_file(path, moored))
-
-
-def sized(file: SizingFile) -> Sizing:
-    """Size what is known from a file; errors as for `size_file`."""
     with file.telling():
         return size(file.known())
 

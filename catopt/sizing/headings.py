@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import math
 from functools import partial
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import Final, NamedTuple
 
 from catopt.errors import InputError, Problem
 from catopt.loads.heading import HEAD_ON, Headings
+from catopt.loads.ship import Ship
 from catopt.loads.weathervane import YAW_TYPES, CurrentYaw, Turning
+from catopt.sizing.known import Known
 from catopt.units import as_written
 from catopt.words import Message
-
-if TYPE_CHECKING:
-    from catopt.loads.ship import Ship
-    from catopt.sizing.known import Known
 
 DIRECTIONS: Final = ("wind_angle", "current_angle", "wave_angle", "scan")
 """Inputs of which any makes a ship turn until it is at rest."""

@@ -107,9 +107,8 @@ class LineChoice:
 
         `rest` is what of the swing radius is not of the line, m.
         """
-        if self.max_swing is None:
-            return self.checks
-        return replace(self.checks, max_span=self.max_swing - rest)
+        longest = None if self.max_swing is None else self.max_swing - rest
+        return replace(self.checks, max_span=longest)
 
     @property
     def objectives(self) -> tuple[str, str]:

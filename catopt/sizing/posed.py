@@ -21,8 +21,6 @@ class LoadsAt:
     depth: float  # of the still water, m
     parts: tuple[Loads, ...] = ()  # on the ship, on the buoy; empty where the force was given
     given: float = 0.0  # force that was given instead, N
-    # whether the load is that of a body with several lines, of which the case has one
-    shared: bool = False
     # how a ship lies under the largest force of all directions and stable headings
     lying: Lying | None = None
 

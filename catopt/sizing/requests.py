@@ -24,7 +24,7 @@ from catopt.sizing.known import Known
 from catopt.sizing.line_choice import LineChoice, sold, unpriced_components
 from catopt.sizing.result import Sizing
 from catopt.sizing.tanker import sized_tanker
-from catopt.sizing.tanker_request import MooredShip, TankerRequest
+from catopt.sizing.tanker_request import MooredShip, TankerRequest, note_aground
 from catopt.units import lasting
 from catopt.words import Message, term
 
@@ -184,11 +184,7 @@ def _ships(of: Known) -> tuple[MooredShip, ...] | None:
         if of[name] is not None
     ]
     made = tuple(ship for ship in ships if ship is not None)
-    low = of["low_water"] or of["depth"] or math.inf
-    for ship in made:
-        if ship.ship.draught >= low:
-            allowed = f"the water is {low:g} m deep at low water: the ship would be aground"
-            of.telling.add(conditions[ship.condition], f"{ship.ship.draught:g} m", allowed)
+    note_aground(made, of["low_water"] or of["depth"] or math.inf, of.telling.add)
     return made if len(made) == len(ships) else None
 
 

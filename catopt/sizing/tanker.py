@@ -75,7 +75,6 @@ def sized_tanker(request: TankerRequest) -> Sizing:
             request, each, around if each is settled else _around(request, each)
         ),
         drag_anchor=settled.posed.drag_anchor,
-        reserve_buoyancy=_reserve(request),
         pattern=around,
         assumptions=tuple(_assumptions(request, settled)),
     )
@@ -122,7 +121,7 @@ def pose_tanker(request: TankerRequest, assumed: Assumed, reserve: float | None 
 
 def _settled(request: TankerRequest, start: Assumed | None = None) -> Settled:
     """Settle loads and line on each other, within what the buoy carries of all lines."""
-    reserve = _reserve(request)
+    reserve = request.reserve_buoyancy
     if reserve is None or request.lines == 1:
         return _settled_within(request, reserve, start)
     allowed = reserve
@@ -141,7 +140,7 @@ def _settled_within(
     request: TankerRequest, allowed: float | None, start: Assumed | None
 ) -> Settled:
     """Settle loads and line on each other; `allowed` is what one line may pull down, N."""
-    reserve = _reserve(request)
+    reserve = request.reserve_buoyancy
 
     def needed(posed: Posed, point: DesignPoint) -> Assumed:
         diameter = point_diameter(point) if request.buoy is not None else 0.0
@@ -195,8 +194,7 @@ def _loads_at(request: TankerRequest, state: _State, assumed: Assumed) -> LoadsA
     parts: list[Loads] = [lying.loads]
     if request.buoy is not None:
         parts.append(loads_on(request.buoy, env, WaterLevels.steady(state.depth), assumed))
-    shared = request.lines > 1
-    return LoadsAt(state.name, state.depth, tuple(parts), shared=shared, lying=lying)
+    return LoadsAt(state.name, state.depth, tuple(parts), lying=lying)
 
 
 @lru_cache(maxsize=64)
@@ -287,12 +285,6 @@ def _pattern(request: TankerRequest, posed: Posed, point: DesignPoint) -> Patter
     )
 
 
-def _reserve(request: TankerRequest) -> float | None:
-    if request.buoy is None:
-        return None
-    return request.buoy.reserve_buoyancy(request.environment.water_density)
-
-
 def _swing(request: TankerRequest, settled: Settled, around: Pattern | None) -> SwingRadius:
     """Add up how far the stern swings round the anchor, or round the middle of the pattern."""
     if around is not None:
@@ -350,7 +342,7 @@ def _assumptions(request: TankerRequest, settled: Settled) -> Iterator[str]:
         yield Message("sizing.at_a_buoy", buoy=name, crest=env.crest, diameter=diameter)
     if request.lines > 1:
         yield Message("sizing.equal_lines", lines=request.lines)
-        reserve, own = _reserve(request), settled.posed.case.buoy
+        reserve, own = request.reserve_buoyancy, settled.posed.case.buoy
         if reserve is not None and own is not None and own.reserve_buoyancy < reserve:
             # What is left of the buoy's reserve to one line.
             values = {"reserve": reserve, "own": own.reserve_buoyancy}

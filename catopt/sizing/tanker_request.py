@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from typing import Final, get_args
 
@@ -54,6 +55,17 @@ def check_deadweight(deadweight: float, ship: Ship) -> None:
     elif not found.problems and deadweight < _LEAST_CARGO * displaced:
         found.add("deadweight", own, f"below {_LEAST_CARGO:g} of {of_it}")
     found.raise_if_any()
+
+
+def note_aground(
+    ships: Iterable[MooredShip], low: float, add: Callable[[str, str, str], None]
+) -> None:
+    """Add a problem of each condition whose draught is all of the water at low water, m."""
+    for each in ships:
+        if each.ship.draught >= low:
+            key = "ballast_draught" if each.condition == "ballast" else "draught"
+            allowed = f"the water is {low:g} m deep at low water: the ship would be aground"
+            add(key, f"{each.ship.draught:g} m", allowed)
 
 
 @dataclass(frozen=True)
@@ -111,14 +123,7 @@ class TankerRequest:
         self._check_methods(found)
         if self.ships:
             self._check_swing(found)
-        low = self.environment.levels.low
-        for each in self.ships:
-            if each.ship.draught >= low:
-                found.add(
-                    "draught" if each.condition != "ballast" else "ballast_draught",
-                    f"{each.ship.draught:g} m",
-                    f"the water is {low:g} m deep at low water: the ship would be aground",
-                )
+        note_aground(self.ships, self.environment.levels.low, found.add)
         found.raise_if_any()
 
     def _check_methods(self, found: Findings) -> None:
@@ -156,6 +161,12 @@ class TankerRequest:
         """Whether a price is known of everything that the line may have."""
         density = self.environment.water_density
         return not self.clump_masses and not unpriced_components(self.line, density)
+
+    @property
+    def reserve_buoyancy(self) -> float | None:
+        """Of the buoy, N; None without one."""
+        density = self.environment.water_density
+        return None if self.buoy is None else self.buoy.reserve_buoyancy(density)
 
     @property
     def beyond_the_line(self) -> float:

@@ -10,7 +10,7 @@ import pytest
 
 from catopt.casefile.sizing_file import moored_in
 from catopt.documents import parse_toml
-from catopt.sizing.file import size_file
+from catopt.sizing.file import read_file, sized
 
 from .conftest import CASES, Run
 from .notes import digest, note_of, page_at
@@ -54,7 +54,7 @@ def test_what_a_file_is_for_follows_from_what_is_in_it(text: str, moored: str | 
 def test_a_sizing_out_of_a_file_is_that_of_the_command(run: Run) -> None:
     for path, moored in ((SIZE_BUOY, "buoy"), (SIZE_TANKER, "tanker")):
         ran = run("size", moored, path, "--json")
-        found = size_file(path, "buoy" if moored == "buoy" else "tanker")
+        found = sized(read_file(path, "buoy" if moored == "buoy" else "tanker"))
         assert json.loads(ran.out) == json.loads(json.dumps(found.to_dict()))
 
 

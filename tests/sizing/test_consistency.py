@@ -34,7 +34,6 @@ from catopt.sizing import (
     size_buoy,
     size_tanker,
 )
-from catopt.sizing.buoy import HIGH, LOW
 from catopt.sizing.kinds import usual
 from catopt.sizing.line_choice import PREFERENCES
 from catopt.sizing.posed import Assumed, rounded_up
@@ -76,7 +75,8 @@ def test_the_loads_are_those_of_a_line_no_lighter_than_the_recommended(
     assumed = sized.settled.assumed
     assert diameter <= assumed.diameter * (1.0 + ROUNDING)
     assert pull <= assumed.pull * (1.0 + ROUNDING)
-    levels = {HIGH: env.levels, LOW: WaterLevels.steady(env.levels.low)}
+    low = WaterLevels.steady(env.levels.low)
+    levels = {"storm, high water": env.levels, "storm, low water": low}
     for state, water in levels.items():
         anew = buoy_loads(
             buoy(name), env.wind, env.current, env.sea, water, chain_diameter=diameter, pull=pull
