@@ -29,29 +29,16 @@ SAFETY_FACTOR = 5.0
 
 @dataclass(frozen=True)
 class KnownSpace:
-    """A design space of which every design has been evaluated.
+    """A design space of which every design has been evaluated."""
 
-    Attributes
-    ----------
-    name : str
-        For reports.
-    sizes : tuple of int
-        Values of each gene.
-    clump, position : int
-        Genes of the clump weight, absent when 0, and of its place, which does not matter then;
-        -1 where there is none.
-    table : ndarray, shape (designs, objectives)
-        Objectives in the order of `numpy.ravel_multi_index`; nan without equilibrium.
-    excess : ndarray, shape (designs,)
-        Largest excess of all checks under both load cases.
-    """
-
-    name: str
-    sizes: tuple[int, ...]
-    clump: int
-    position: int
+    name: str  # for reports
+    sizes: tuple[int, ...]  # values of each gene
+    clump: int  # gene of the clump weight, absent when 0; -1 where there is none
+    position: int  # gene of its place, which does not matter when it is absent; -1 likewise
+    # shape (designs, objectives), in the order of `numpy.ravel_multi_index`; nan without
+    # equilibrium
     table: Floats
-    excess: Floats
+    excess: Floats  # shape (designs,): the largest of all checks under both load cases
 
     @property
     def objectives(self) -> int:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cache
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,10 +36,14 @@ class Chain:
         """Length on the bed, m."""
         return self.length - np.sqrt(self.top(H) ** 2 - H * H) / self.weight
 
-    @property
+    @cached_property
     def lift_off(self) -> float:
         """Force at which nothing lies any more, N: T^2 = H^2 + (w L)^2, found by bisection."""
-        return _lift_off(self)
+        low, high = 0.0, 1e12
+        for _ in range(200):
+            middle = 0.5 * (low + high)
+            low, high = (middle, high) if self.lying(np.array(middle)) > 0.0 else (low, middle)
+        return low
 
     def span(self, H: Floats) -> Floats:
         """Distance from the anchor to the fairlead, m; beyond lift-off any that rises with H."""
@@ -55,15 +59,6 @@ class Chain:
         span = lying + stretch / self.EA + own * hanging / self.EA
         span += own / self.weight * np.arcsinh(hanging * self.weight / np.maximum(own, 1e-300))
         return span + (H - own) * self.length / self.EA
-
-
-@cache
-def _lift_off(chain: Chain) -> float:
-    low, high = 0.0, 1e12
-    for _ in range(200):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if chain.lying(np.array(middle)) > 0.0 else (low, middle)
-    return low
 
 
 class Pull:

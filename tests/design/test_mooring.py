@@ -68,8 +68,9 @@ def test_states_that_are_left_out_are_turned_or_mirrored_ones(
             assert out.solution is not None
             found[out.missing, heading] = out.solution
     values = {
-        state: (math.hypot(*solved.position_of), max(solved.tensions))
-        for state, solved in ((state, _Said(each)) for state, each in found.items())
+        state: (math.hypot(at.x, at.y), max(line.tension for line in solved.lines))
+        for state, solved in found.items()
+        for at in (solved.position,)
     }
     represented = np.array([values[state.missing, state.heading] for state in kept])
     for value in values.values():
@@ -81,14 +82,6 @@ def test_states_that_are_left_out_are_turned_or_mirrored_ones(
         assert len(kept) == (2 + 4 + 3 if fairlead_radius == 0.0 else 2 + 12)
     if len(degrees) == 3:
         assert len(kept) == 4 * (1 + 3)
-
-
-class _Said:
-    """What of a solved state is compared."""
-
-    def __init__(self, solution: Any) -> None:
-        self.position_of = solution.position.x, solution.position.y
-        self.tensions = [line.tension for line in solution.lines]
 
 
 def test_the_widest_gap() -> None:

@@ -18,6 +18,7 @@ from catopt.sizing import LineChoice, Sizing, TankerRequest, size_tanker
 from catopt.sizing.kinds import usual
 from catopt.sizing.pattern import BodyState, Pattern, pattern, shared_force, system_case
 from tests.sizing.test_consistency import LOADED, deep
+from tests.sizing.test_line_out import around
 
 LINE = catopt.Line([catopt.Segment(length=300.0, submerged_weight=1000.0)])
 PRETENSION, STILL = 40e3, 24.0
@@ -231,28 +232,25 @@ def of() -> Sizing:
 
 def test_without_a_tide_the_swing_is_that_of_the_one_water_there_is() -> None:
     steady = three_lines(WaterLevels.steady(22.0))
-    assert steady.pattern is not None
-    (state,) = steady.pattern.states
+    (state,) = around(steady).states
     assert state.load_case == steady.swing.load_case == "loaded, high water"
     assert steady.swing.total == pytest.approx(state.offset + 234.0, rel=1e-12)
 
 
 def test_the_pretension_is_a_part_of_the_largest_force_of_a_line(of: Sizing) -> None:
     """A tenth when nothing is said; the anchors lie where it has them at still high water."""
-    assert of.pattern is not None
     forces = [each.horizontal_force for each in of.case.load_cases if each.state == "intact"]
     assert max(forces) > 1.01 * min(forces)
-    assert of.pattern.pretension == pytest.approx(0.1 * max(forces), rel=1e-12)
+    assert around(of).pretension == pytest.approx(0.1 * max(forces), rel=1e-12)
     alone = catopt.solve(
         of.point.line, height=22.0 + 3.6, horizontal_force=0.1 * max(forces)
     )  # her fairlead is 3.6 m up
-    assert of.pattern.anchor_radius == pytest.approx(alone.span, rel=1e-9)
+    assert around(of).anchor_radius == pytest.approx(alone.span, rel=1e-9)
 
 
 def test_several_lines_let_the_body_go_by_its_largest_offset(of: Sizing) -> None:
     """The swing is told at low water, with the ship behind the body: she is 234 m long."""
-    assert of.pattern is not None
-    offsets = {each.load_case: each.offset for each in of.pattern.states}
+    offsets = {each.load_case: each.offset for each in around(of).states}
     assert of.excursion == max(offsets.values()) > min(offsets.values())
     assert of.swing.load_case == "loaded, low water"
     assert [length for _, length in of.swing.parts] == [offsets["loaded, low water"], 234.0]
@@ -261,19 +259,17 @@ def test_several_lines_let_the_body_go_by_its_largest_offset(of: Sizing) -> None
 
 def test_each_state_of_several_lines_stands_in_its_own_water(of: Sizing) -> None:
     """Low water is 8 m lower; the ship has no crest under it. The loads are those of the ship."""
-    assert of.pattern is not None
-    heights = {each.load_case: each.fairlead_height for each in of.pattern.states}
+    heights = {each.load_case: each.fairlead_height for each in around(of).states}
     assert heights == pytest.approx({"loaded, high water": 25.6, "loaded, low water": 17.6})
     loads = {each.load_case: each.horizontal_force for each in of.settled.posed.loads}
-    assert {each.load_case: each.force for each in of.pattern.states} == loads
+    assert {each.load_case: each.force for each in around(of).states} == loads
 
 
 def test_the_line_is_sized_for_each_state_s_own_force_to_three_digits(of: Sizing) -> None:
     """With all lines there, and with one gone; rounded up."""
-    assert of.pattern is not None
-    wanted = {each.load_case: each.line_force for each in of.pattern.states}
+    wanted = {each.load_case: each.line_force for each in around(of).states}
     wanted |= {
-        f"{each.load_case}, one line out": each.line_out.line_force for each in of.pattern.states
+        f"{each.load_case}, one line out": each.line_out.line_force for each in around(of).states
     }
     carried = {each.name: each.horizontal_force for each in of.case.load_cases}
     assert carried.keys() == wanted.keys()
@@ -281,7 +277,7 @@ def test_the_line_is_sized_for_each_state_s_own_force_to_three_digits(of: Sizing
         assert wanted[name] <= force * (1.0 + 1e-9)
         # Not more than by the rule of practice, where that is more: all of the force for 3 lines.
         whole = next(
-            each.force for each in of.pattern.states if each.load_case == name.split(", one")[0]
+            each.force for each in around(of).states if each.load_case == name.split(", one")[0]
         )
         assert force <= max(1.01 * wanted[name], whole)
     for force in of.settled.assumed.forces:

@@ -181,6 +181,10 @@ def test_only_steps_to_less_that_fail_govern() -> None:
         ((110.0, 1e3), (100.0, 2e3), "10 m more swing, 10 %, for 1.0 t less chain, 50 %"),
         ((109.0, 3e3), (100.0, 2e3), "9.0 m more swing, 9.0 %, for 1.0 t more chain, 50 %"),
         ((99.0, 12e3), (100.0, 2e3), "1.0 m less swing, 1.0 %, for 10 t more chain, 500 %"),
+        # 13/382 = 3.40 % and 8.4/11.05 = 76.0 %; 13/369 = 3.52 % and 8.4/19.45 = 43.2 %
+        ((369.0, 19.45e3), (382.0, 11.05e3), "13 m less swing, 3.4 %, for 8.4 t more chain, 76 %"),
+        ((382.0, 11.05e3), (369.0, 19.45e3), "13 m more swing, 3.5 %, for 8.4 t less chain, 43 %"),
+        ((60.0, 2e3), (60.0, 2e3), "the recommended line"),
     ],
 )
 def test_a_trade_has_two_digits(

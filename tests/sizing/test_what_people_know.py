@@ -7,7 +7,6 @@ import pytest
 import catopt
 from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError
-from catopt.sizing.alternatives import trade
 from catopt.sizing.environment import mean_over
 from catopt.sizing.known import known
 from catopt.sizing.requests import request_of
@@ -149,23 +148,3 @@ def test_the_other_lines_stand_beside_it_each_under_its_own_loads(lightest: Sizi
         same = catopt.size_tanker(dwt="50000 t", depth="20 m", prefer=each.prefer)
         assert same.swing.total == pytest.approx(each.swing, rel=1e-12)
         assert same.point.line.mass == pytest.approx(each.mass, rel=1e-12)
-
-
-@pytest.mark.parametrize(
-    ("other", "own", "said"),
-    [
-        # 13/382 = 3.40 %, 8.4/11.05 = 76.0 %
-        (
-            (369.0, 19.45e3), (382.0, 11.05e3),
-            "13 m less swing, 3.4 %, for 8.4 t more chain, 76 %",
-        ),
-        # 13/369 = 3.52 %, 8.4/19.45 = 43.2 %
-        (
-            (382.0, 11.05e3), (369.0, 19.45e3),
-            "13 m more swing, 3.5 %, for 8.4 t less chain, 43 %",
-        ),
-        ((60.0, 2e3), (60.0, 2e3), "the recommended line"),
-    ],
-)  # fmt: skip
-def test_a_trade_in_words(other: tuple[float, float], own: tuple[float, float], said: str) -> None:
-    assert trade(*other, *own) == said
