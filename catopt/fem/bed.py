@@ -11,12 +11,8 @@ import math
 from dataclasses import dataclass
 from typing import Final, Literal, NamedTuple, get_args
 
-import numpy as np
-import numpy.typing as npt
-
+from catopt.arrays import Array
 from catopt.model.validity import Findings
-
-Array = npt.NDArray[np.float64]
 
 FREE: Final = 0  # a node that hangs
 ON_BED: Final = 1  # one that the bed pushes

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array, Flags
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.fem.bed import HeldBed
 from catopt.fem.damping import LineDamping
@@ -20,9 +20,6 @@ from catopt.fem.problem import node_friction
 from catopt.fem.seabed import Seabed
 from catopt.model import PointLoad
 from catopt.model.validity import Findings
-
-Array = npt.NDArray[np.float64]
-Flags = npt.NDArray[np.bool_]
 
 MassMatrix = Literal["consistent", "lumped"]
 

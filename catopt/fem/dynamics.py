@@ -11,8 +11,8 @@ from dataclasses import fields, replace
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array
 from catopt.fem.bed import Bed, HeldBed
 from catopt.fem.dynamic_model import LineProperties, lay_out_moving
 from catopt.fem.history import STOPPED, History
@@ -30,8 +30,6 @@ from catopt.model import Line
 from catopt.model.validity import Findings
 from catopt.waves import Sea
 from catopt.words import Measure, Message
-
-Array = npt.NDArray[np.float64]
 
 _SERIES = (Harmonic, Sampled, Together)
 _JERK = 0.01

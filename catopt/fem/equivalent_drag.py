@@ -12,11 +12,9 @@ import math
 from typing import Any, Final
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array
 from catopt.compiled import compiled
-
-Array = npt.NDArray[np.float64]
 
 _REACH: Final = 6.0
 """Standard deviations to which the largest velocity is integrated over."""

@@ -8,11 +8,9 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array, Codes
 from catopt.fem.statistics import peaks_above_mean
-
-Array = npt.NDArray[np.float64]
 
 CONFIDENCE: Final = 0.9
 """Part of repeated draws in which an interval is to hold the true most probable maximum."""
@@ -175,7 +173,7 @@ def _clusters(heights: Array, threshold: float) -> Array:
     return np.array([heights[a:b].max() for a, b in zip(starts, ends, strict=True)], dtype=float)
 
 
-def _fit(logs: Array, counts: npt.NDArray[np.int64]) -> tuple[Array, Array]:
+def _fit(logs: Array, counts: Codes) -> tuple[Array, Array]:
     """Find the most likely tails, one a row: shape b and steepness A.
 
     P(X > x) = exp(-A ((x/threshold)^b - 1)): for a shape given, 1/A is the mean of the brackets;

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array
 from catopt.fem.dynamic_model import LineProperties
 from catopt.fem.dynamics import line_at_rest
 from catopt.fem.mesh import LineMesh, end_nodes
 from catopt.fem.moving import Blend
 from catopt.fem.simulation import Simulation
 from catopt.waves import Sea
-
-Array = npt.NDArray[np.float64]
 
 
 def line_frequencies(

@@ -5,15 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array, Codes, Flags
 from catopt.fem.energy_balance import EnergyBalance
 from catopt.fem.statistics import SeriesStatistics, series_statistics
 
 STOPPED = "motion.stopped_at"
 """Key of the warning of a run that was stopped."""
-
-Array = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +30,7 @@ class History:
     energy: Array  # (samples or 0, 4), when asked for: kinetic with added mass, and of strain,
     # weight and bed over the state at rest, J
     tension: Array  # (samples or 0, bars), when asked for, N
-    first_bar: npt.NDArray[np.int64]  # (lines + 1,): first bar of each line
+    first_bar: Codes  # (lines + 1,): first bar of each line
     arc: Array  # (bars,): unstretched arc length of the bars' middles from their anchor, m
     # From `since` on, at every step:
     max_tension: Array  # (bars,), N
@@ -89,7 +87,7 @@ class History:
         return size
 
     @property
-    def counted(self) -> npt.NDArray[np.bool_]:
+    def counted(self) -> Flags:
         """Which samples count in the statistics, shape (samples,)."""
         return self.time >= self.since - 1e-9 * self.step
 

@@ -20,8 +20,8 @@ from functools import cached_property
 from typing import Any, Final, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array, Codes, Complex
 from catopt.compiled import compiled
 from catopt.errors import NotConvergedError
 from catopt.fem.block_tridiagonal import back_substitute_blocks, eliminate_blocks
@@ -32,10 +32,6 @@ from catopt.fem.simulation import Simulation
 from catopt.model.validity import Findings
 from catopt.waves import Sea
 from catopt.words import Message
-
-Array = npt.NDArray[np.float64]
-Codes = npt.NDArray[np.int64]
-Complex = npt.NDArray[np.complex128]
 
 _CLOSE: Final = 1e-4
 """Change of the standard deviation of any fairlead's tension from one drag to the next, over the

@@ -13,15 +13,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-import numpy.typing as npt
-
+from catopt.arrays import Array
 from catopt.compiled import inlined
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.fem.resting import BarLoads, Bars
 from catopt.model.validity import Findings
-
-Array = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -8,13 +8,10 @@ from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array, Codes
 from catopt.errors import InputError, Problem
 from catopt.model import Line, PointLoad
-
-Array = npt.NDArray[np.float64]
-Codes = npt.NDArray[np.int64]
 
 SAME_PLACE = 1e-9
 """Two joints closer than this part of the line's length are one."""

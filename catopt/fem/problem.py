@@ -9,8 +9,8 @@ from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array, Codes
 from catopt.constants import STANDARD_GRAVITY
 from catopt.fem.bed import (
     ABSENT,
@@ -38,9 +38,6 @@ from catopt.fem.mesh import (
 )
 from catopt.fem.resting import Bars, Body, State
 from catopt.words import Message
-
-Array = npt.NDArray[np.float64]
-Codes = npt.NDArray[np.int64]
 
 _LAWS = {"pulled": PULLED, "laid": LAID, "history": SPRING}
 

@@ -6,15 +6,13 @@ import math
 from dataclasses import dataclass, field
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array, Flags
 from catopt.fem.bed import ABSENT, HELD, ON_BED, friction_sense
 from catopt.fem.mesh import LineMesh
 from catopt.fem.problem import Problem
 from catopt.fem.settle import Rest
 from catopt.fem.touchdown import hanging_part
-
-Array = npt.NDArray[np.float64]
 
 _NO_TENSION = 1e-9
 """Tension that is rounding, over the largest one."""
@@ -157,7 +155,7 @@ def _end(
     return EndForce(math.hypot(level, vertical), level, vertical, angle), reaction
 
 
-def _hanging_parts(rise: Array, half: Array, lies: npt.NDArray[np.bool_]) -> Array:
+def _hanging_parts(rise: Array, half: Array, lies: Flags) -> Array:
     """Part of each bar that hangs, from 0 to 1 (`touchdown`); `rise`: T t_z, N."""
     part = np.where(lies[:-1] & lies[1:], 0.0, 1.0)
     for e in np.flatnonzero(lies[:-1] ^ lies[1:]):
@@ -167,7 +165,7 @@ def _hanging_parts(rise: Array, half: Array, lies: npt.NDArray[np.bool_]) -> Arr
 
 
 def _end_tension(
-    axis: Array, T: Array, half: Array, lies: npt.NDArray[np.bool_], part: Array, friction: float
+    axis: Array, T: Array, half: Array, lies: Flags, part: Array, friction: float
 ) -> Array:
     """Tension of the line at both ends of each bar, N: by the balance of half a bar that hangs.
 

@@ -5,9 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-import numpy as np
-import numpy.typing as npt
-
+from catopt.arrays import Array, Codes
 from catopt.fem.moving import BodyNode, Equations, Moving, MovingLines, WaterAt
 from catopt.fem.moving_bar import inertia_of_half
 from catopt.fem.moving_load import immersion
@@ -15,9 +13,6 @@ from catopt.fem.rows import copy_values
 from catopt.fem.seabed import across_bed
 from catopt.fem.series import SeriesRows, fill_series
 from catopt.waves.kinematics import Flow
-
-Array = npt.NDArray[np.float64]
-Codes = npt.NDArray[np.int64]
 
 
 class Rules(NamedTuple):

@@ -13,14 +13,12 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array, Complex
 from catopt.compiled import compiled
 from catopt.model.validity import Findings
 from catopt.waves.fast_functions import cos_sin
 from catopt.waves.kinematics import row_at
-
-Array = npt.NDArray[np.float64]
 
 _GAP = 5.0
 """A step of time longer than this many of the usual ones is taken for a gap in the record."""
@@ -61,9 +59,9 @@ class Harmonic:
         return np.column_stack([omega, amplitude * np.cos(phase), amplitude * np.sin(phase)])
 
     @property
-    def amplitudes(self) -> npt.NDArray[np.complex128]:
+    def amplitudes(self) -> Complex:
         """Complex amplitudes of exp(-i omega t), whose real parts add up to it; shape (n, 3)."""
-        found: npt.NDArray[np.complex128] = self.rows[:, 1:4] - 1j * self.rows[:, 4:7]
+        found: Complex = self.rows[:, 1:4] - 1j * self.rows[:, 4:7]
         return found
 
     @property

@@ -18,8 +18,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array
 from catopt.errors import NotConvergedError
 from catopt.fem.bed import NO_FRICTION, SPRING, Ground, friction_sense
 from catopt.fem.friction import limit
@@ -43,7 +43,7 @@ class Rest:
     """Lines at rest."""
 
     state: State
-    half_loads: npt.NDArray[np.float64]  # (bars, 3): what each bar hands to each of its ends, N
+    half_loads: Array  # (bars, 3): what each bar hands to each of its ends, N
     ground: Ground  # with the feet of its friction springs
     residual: float  # largest force left over at a node, over the largest tension
     node: int  # where; -1 for the body

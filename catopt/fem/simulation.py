@@ -7,8 +7,8 @@ from time import perf_counter
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array
 from catopt.compiled import compiled
 from catopt.errors import NotConvergedError
 from catopt.fem.energy_balance import EnergyBalance, fill_forces, own_kinetic_energy
@@ -26,8 +26,6 @@ from catopt.fem.water_at import fill_water
 from catopt.interrupt import waiting_interrupt
 from catopt.waves import Sea
 from catopt.words import Message, Several
-
-Array = npt.NDArray[np.float64]
 
 _HELD = BodyNode(np.zeros(3), np.zeros(3), np.zeros(3))
 _STILL = Sea(1.0)

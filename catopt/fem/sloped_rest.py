@@ -12,15 +12,13 @@ import math
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array
 from catopt.errors import NotConvergedError
 from catopt.fem.seabed import along_bed
 from catopt.fem.simulation import Simulation
 from catopt.model.dynamics import InitialFriction
 from catopt.words import Message
-
-Array = npt.NDArray[np.float64]
 
 _NO_SLIP: Final = 10.0
 """Factor on the friction at which springs slip while they are drawn out."""

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array
 from catopt.errors import NoEquilibriumError
 from catopt.fem.bed import Bed, HeldBed, friction_sense
 from catopt.fem.mesh import LineMesh, end_nodes, mesh_line
@@ -19,8 +19,6 @@ from catopt.fem.settle import Controls, Rest, follow, settle
 from catopt.model import Line
 from catopt.model.validity import Findings
 from catopt.words import Message
-
-Array = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True)

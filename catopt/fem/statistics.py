@@ -6,11 +6,9 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array
 from catopt.model.validity import Findings
-
-Array = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -12,11 +12,9 @@ from dataclasses import dataclass, field
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array, Flags
 from catopt.model.validity import Findings
-
-Array = npt.NDArray[np.float64]
 
 _ARRAYS: Final = ("amplitude", "omega", "phase", "direction")
 
@@ -77,7 +75,7 @@ class Waves:
         energy = self.amplitude**2
         return float(2.0 * math.pi * energy.sum() / (energy * self.omega).sum())
 
-    def only(self, which: npt.NDArray[np.bool_]) -> Waves:
+    def only(self, which: Flags) -> Waves:
         """Return those of the waves for which `which`, shape (n,), is true."""
         return Waves(*(getattr(self, name)[which] for name in _ARRAYS))
 

@@ -15,9 +15,8 @@ from typing import Literal, TypeAlias, get_args
 import numpy as np
 import numpy.typing as npt
 
+from catopt.arrays import Array
 from catopt.model.validity import Findings
-
-Array = npt.NDArray[np.float64]
 
 WindRule = Literal["S4", "CALMAR"]
 

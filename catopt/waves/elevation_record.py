@@ -12,12 +12,10 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array
 from catopt.model.validity import Findings
 from catopt.waves.components import Waves
-
-Array = npt.NDArray[np.float64]
 
 _FEWEST: Final = 8
 _UNEVEN: Final = 0.01

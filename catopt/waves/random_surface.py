@@ -7,15 +7,13 @@ from functools import lru_cache
 from typing import Final, Literal, get_args
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array
 from catopt.model.validity import Findings
 from catopt.waves.components import Waves
 from catopt.waves.frequency_range import frequency_range
 from catopt.waves.spectrum import Spectrum
 from catopt.waves.spreading import CosineSpreading
-
-Array = npt.NDArray[np.float64]
 
 Bands = Literal["equal-energy", "equal-width", "S4"]
 """How the range is cut.

@@ -11,6 +11,7 @@ from typing import Literal, NamedTuple, get_args
 import numpy as np
 import numpy.typing as npt
 
+from catopt.arrays import Array
 from catopt.compiled import compiled
 from catopt.model.validity import Findings
 from catopt.waves.components import Waves
@@ -25,8 +26,6 @@ from catopt.waves.current import (
 )
 from catopt.waves.dispersion import fill_wave_numbers
 from catopt.waves.kinematics import NEGLIGIBLE, Flow, fill_elevation, fill_kinematics
-
-Array = npt.NDArray[np.float64]
 
 Stretching = Literal["none", "wheeler"]
 """``"none"``: the formulas up to still water, and no water above it, under a crest or not.

@@ -19,9 +19,8 @@ from typing import Final, Literal, get_args
 import numpy as np
 import numpy.typing as npt
 
+from catopt.arrays import Array
 from catopt.model.validity import Findings
-
-Array = npt.NDArray[np.float64]
 
 Normalisation = Literal["computed", "S4"]
 """C from the integral of the spectrum, or 1 - 0.287 ln gamma, S4 [2.67]."""
