@@ -8,8 +8,7 @@ import openpyxl
 import pytest
 
 from catopt.errors import NotConvergedError
-from tests.report.page_cases import design_directory
-from tests.report.system_page_cases import system_path
+from tests.report.notes import RESULT, case_path
 
 from .conftest import BUOY, FSO, TANKER, Run, document_of, sheets
 from .notes import digest, note_of, page_at
@@ -87,13 +86,12 @@ def test_a_truss_without_an_answer_is_told_and_the_note_written(
     assert any("not verified" in warning for warning in document["warnings"])
 
 
-def test_a_design_is_named_or_recommended(run: Run, tmp_path: Path) -> None:
-    directory = design_directory(tmp_path)
-    document, page = note_of(run, directory)
+def test_a_design_is_named_or_recommended(run: Run) -> None:
+    document, page = note_of(run, RESULT)
     assert (document["design"], document["path"]) == (2, "result-design-2.html")
     assert [each["name"] for each in document["sources"]] == ["case.toml", "design.json"]
     assert "front" in page.sections
-    document, _ = note_of(run, directory, "--design", 3)
+    document, _ = note_of(run, RESULT, "--design", 3)
     assert (document["design"], document["path"]) == (3, "result-design-3.html")
 
 
@@ -118,8 +116,8 @@ def test_json_tells_of_a_moored_body(run: Run) -> None:
 
 
 @pytest.mark.slow
-def test_json_tells_which_line_of_a_body_governs(run: Run, tmp_path: Path) -> None:
-    document, _ = note_of(run, system_path(tmp_path, "pulled"))
+def test_json_tells_which_line_of_a_body_governs(run: Run) -> None:
+    document, _ = note_of(run, case_path("pulled"))
     assert document["passes"] is False
     assert document["governing"] == "tension, segment 1 (line 1, line 2 out)"
 
@@ -138,8 +136,9 @@ def test_what_catopt_system_wrote_has_a_note(run: Run) -> None:
 def test_a_body_without_equilibrium_ends_with_3_and_writes_nothing(
     run: Run, tmp_path: Path
 ) -> None:
-    path = system_path(tmp_path, "raised")
-    path.write_text(path.read_text("utf-8").replace('"260 m"', '"235 m"'), "utf-8")
+    path = tmp_path / "raised.toml"
+    text = case_path("raised-anchors").read_text("utf-8")
+    path.write_text(text.replace('"260 m"', '"235 m"'), "utf-8")
     ran = run("report", path)
     assert (ran.status, ran.out) == (3, "")
     assert list(Path().glob("*.html")) == []

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any
 
 import pytest
@@ -20,8 +19,14 @@ from catopt.render.page import page
 from catopt.render.workbook import workbook
 from catopt.words import Language
 
-from .page_cases import case_path
 from .page_reader import ReadPage, read_page
+
+CASES = Path(__file__).parents[2] / "cases"
+"""Case files that come with catopt."""
+OWN = Path(__file__).parent / "cases"
+"""Case files and sizing files beside these tests, each of a line that hangs in another way."""
+RESULT = OWN / "result"
+"""A directory as ``catopt design --out`` writes it, with a front of three designs by hand."""
 
 TURRET = "fso-rang-dong"
 """Nine lines in three bundles, force along one of them."""
@@ -31,6 +36,7 @@ LINES = (
 )  # fmt: skip
 IN_MOTION = ("harmonic", "random")
 """Two load cases in two seas each, led by a ship."""
+MOVING = (*IN_MOTION, "regular", "recorded", "overloaded", "by-code", "one-draw", "sought")
 BODIES = (TURRET, "arms", "raised-anchors", "idle", "pulled", "lee", "lone")
 SIZINGS = ("size-buoy", "size-tanker", "given", "hawser", "six", "sinker")
 NOTES = (
@@ -45,6 +51,14 @@ LONG = (
 """They take seconds each; in motion, and verified under many loads."""
 
 
+def case_path(name: str) -> Path:
+    """Return the path of a case, or of the directory of a design search."""
+    if name == "designed":
+        return RESULT
+    own = OWN / f"{name}.toml"
+    return own if own.exists() else next((CASES / name).glob("*.toml"))
+
+
 def each_note(names: Sequence[str] = NOTES) -> list[Any]:
     """List notes, with those that take long among the slow tests."""
     return [pytest.param(name, marks=pytest.mark.slow) if name in LONG else name for name in names]
@@ -53,16 +67,15 @@ def each_note(names: Sequence[str] = NOTES) -> list[Any]:
 @cache
 def note_named(name: str) -> Note | SystemNote | SizeNote:
     """Compute the note of a line, of a body or of a sizing."""
-    with TemporaryDirectory() as folder:
-        path = case_path(Path(folder), name)
-        moored = moored_in(path)
-        if moored is not None:
-            return note_of_sizing(path, moored)
-        if is_of_a_body(path):
-            return read_system_note(path)
-        if name in (*IN_MOTION, "swarm"):
-            return read_note(path, swarm=name == "swarm", motion=name != "swarm", verify=False)
-        return read_note(path)
+    path = case_path(name)
+    moored = moored_in(path)
+    if moored is not None:
+        return note_of_sizing(path, moored)
+    if is_of_a_body(path):
+        return read_system_note(path)
+    if name in (*MOVING, "swarm"):
+        return read_note(path, swarm=name == "swarm", motion=name != "swarm", verify=False)
+    return read_note(path)
 
 
 def line_note(name: str) -> Note:

@@ -30,6 +30,7 @@ NAMES: dict[str, Language] = {
     "idle": "en", "six": "en", "given": "vi",
 }  # fmt: skip
 """Notes with the language of their page."""
+IN_PAGE = (Path(__file__).parent / "in_page.js").read_text("utf-8")
 A4 = (210.0 / 25.4 * 72.0, 297.0 / 25.4 * 72.0)
 """In points."""
 
@@ -75,58 +76,9 @@ def written(folder: Path, name: str, language: Language = "en") -> Path:
     return path
 
 
-BEYOND = """(() => {
-  const wide = document.documentElement.clientWidth;
-  return [...document.querySelectorAll("body *")].filter((each) => {
-    if (each.closest(".scroll, svg, script")) return false;
-    const box = each.getBoundingClientRect();
-    return box.right > wide + 0.5 || box.left < -0.5;
-  }).map((each) => each.outerHTML.slice(0, 120));
-})()"""
-"""Elements that stick out, but for what scrolls within its own box."""
-
-OFF_PAPER = """(() => [...document.querySelectorAll("figure > svg")].flatMap((svg) => {
-  const paper = svg.getBoundingClientRect();
-  return [...svg.querySelectorAll("text")].filter((each) => {
-    const box = each.getBoundingClientRect();
-    return box.left < paper.left - 2 || box.right > paper.right + 2
-      || box.top < paper.top - 2 || box.bottom > paper.bottom + 2;
-  }).map((each) => each.textContent);
-}))()"""
-"""Words of a drawing that are cut off at its edge; boxes are taller than their letters."""
-
-CLASHES = """(() => [...document.querySelectorAll("figure > svg")].flatMap((svg) => {
-  const texts = [...svg.querySelectorAll("text")];
-  const boxes = texts.map((each) => each.getBoundingClientRect());
-  const shared = (a, b, from, to) => Math.min(a[to], b[to]) - Math.max(a[from], b[from]);
-  return boxes.flatMap((a, i) => boxes.slice(0, i).flatMap((b, j) => {
-    const clash = shared(a, b, "left", "right") > 2 && shared(a, b, "top", "bottom") > 4;
-    return clash ? [[texts[i].textContent, texts[j].textContent]] : [];
-  }));
-}))()"""
-"""Words of a drawing that stand on each other."""
-
-
-FAINT = """(() => {
-  const parts = (colour) => colour.match(/[\\d.]+/g).map(Number);
-  const light = ([r, g, b]) => [r, g, b].map((each) => {
-    const part = each / 255;
-    return part <= 0.03928 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4;
-  }).reduce((sum, part, index) => sum + part * [0.2126, 0.7152, 0.0722][index], 0);
-  const ground = (element) => {
-    for (let each = element; each; each = each.parentElement) {
-      const colour = parts(getComputedStyle(each).backgroundColor);
-      if (colour.length < 4 || colour[3] > 0) return colour;
-    }
-    return [255, 255, 255];
-  };
-  return [...document.querySelectorAll("p, li, td, th, h1, h2, h3, span, caption, dt, dd")]
-    .filter((each) => {
-      const [a, b] = [light(parts(getComputedStyle(each).color)), light(ground(each))];
-      return (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05) < 4.5;
-    }).map((each) => each.outerHTML.slice(0, 100));
-})()"""
-"""Elements whose words are too near in brightness to what is behind them."""
+def asked(tab: Tab, question: str) -> Any:
+    """Ask the page that is open what one of the functions in in_page.js answers."""
+    return tab.value(f"{IN_PAGE}\n{question}")
 
 
 @pytest.mark.parametrize("font", FONTS)
@@ -135,8 +87,8 @@ def test_nothing_sticks_out(quiet: Tab, page: Path, width: int, font: str) -> No
     """A page is no wider than its window, and drawings hold their words apart."""
     quiet.open(page, width, scheme="dark" if font == "Liberation Sans" else "light")
     assert quiet.value("document.documentElement.scrollWidth") <= width
-    for found in (BEYOND, OFF_PAPER, CLASHES):
-        assert quiet.value(found) == []
+    for found in ("beyond()", "offPaper()", "clashes()"):
+        assert asked(quiet, found) == []
 
 
 def test_the_colours_follow_the_readers_choice_and_every_text_stands_out(
@@ -151,11 +103,11 @@ def test_the_colours_follow_the_readers_choice_and_every_text_stands_out(
     quiet.open(page, 1200, scheme="light")
     frame = brightness(".frame", "stroke")
     assert brightness("body", "backgroundColor") > brightness("body", "color")
-    assert quiet.value(FAINT) == []
+    assert asked(quiet, "faint()") == []
     quiet.open(page, 1200, scheme="dark")
     assert brightness("body", "backgroundColor") < brightness("body", "color")
     assert brightness(".frame", "stroke") != frame
-    assert quiet.value(FAINT) == []
+    assert asked(quiet, "faint()") == []
 
 
 def figures_of(tab: Tab) -> list[str]:
@@ -167,24 +119,6 @@ def figures_of(tab: Tab) -> list[str]:
     assert drawn
     assert all(height > 100 for _, height in drawn)
     return [key for key, _ in drawn]
-
-
-PLACE = """(() => {{
-  const figure = document.querySelector("figure[data-figure={figure}]");
-  const svg = figure.querySelector("svg");
-  svg.scrollIntoView({{ block: "center" }});
-  const [texts, places] = [...figure.querySelectorAll("script")]
-    .map((each) => JSON.parse(each.textContent));
-  const shown = places.map((each) =>
-    new DOMPoint(...each).matrixTransform(svg.getScreenCTM()));
-  const at = shown[Math.min(Math.floor({share} * texts.length), texts.length - 1)];
-  const near = (each) => Math.hypot(each.x - at.x, each.y - at.y) < 1.5;
-  return [at.x, at.y, texts.filter((_, index) => near(shown[index]))];
-}})()"""
-"""One of a figure's points in the window, and what may be said there.
-
-That is what belongs to points within a pixel and a half, for steep curves crowd them.
-"""
 
 
 def readout(tab: Tab, figure: str) -> str:
@@ -206,7 +140,7 @@ def test_pointing_at_a_figure_reads_it(quiet: Tab, page: Path, width: int) -> No
     for figure in figures_of(quiet):
         assert readout(quiet, figure).startswith(hint)
         for share in (0.0, 0.4, 1.0):
-            x, y, texts = quiet.value(PLACE.format(figure=figure, share=share))
+            x, y, texts = asked(quiet, f"place('{figure}', {share})")
             quiet.point_at(x, y)
             assert readout(quiet, figure) in texts
     style = "getComputedStyle(document.querySelector('figure.on .pointer')).visibility"
@@ -297,9 +231,9 @@ def test_a_message_and_a_box_that_sticks_out_are_noticed(tab: Tab, tmp_path: Pat
     tab.open(path, 800)
     assert len(tab.messages) == 2
     assert tab.value("document.documentElement.scrollWidth") > 800
-    assert len(tab.value(BEYOND)) == 1
-    assert "far too long" in tab.value(OFF_PAPER)
-    assert len(tab.value(CLASHES)) == 1
+    assert len(asked(tab, "beyond()")) == 1
+    assert "far too long" in asked(tab, "offPaper()")
+    assert len(asked(tab, "clashes()")) == 1
     tab.messages.clear()
 
 

@@ -37,20 +37,19 @@ from tests.cli.conftest import Run, run
 from tests.cli.test_json import validate
 from tests.verify.cases import TOUCHES_TWICE
 
-from .notes import IN_MOTION, LINES, line_note, page_named, shown, workbook_of
-from .page_cases import RAOS, TEXTS, case_path
-from .page_reader import ReadPage, ReadTable
+from .notes import IN_MOTION, LINES, case_path, line_note, page_named, shown, workbook_of
+from .page_reader import ReadPage
+from .said import assert_said, blocks
 
 __all__ = ["run"]
 
-BUOY = case_path(Path(), "buoy-9.5m")
-HARMONIC, RANDOM = TEXTS["harmonic"], TEXTS["random"]
+BUOY = case_path("buoy-9.5m")
 ROUNDING = 1e-10
 
 
-def document_of(name: str, folder: Path) -> dict[str, Any]:
+def document_of(name: str) -> dict[str, Any]:
     """Verify a case as ``catopt verify`` does, in the load case that its note draws."""
-    case = read_case(case_path(folder, name))
+    case = read_case(case_path(name))
     document = verify_case(case, load_case=line_note(name).load_case or None).to_dict()
     (part,) = document["load_cases"]
     return dict(part)
@@ -63,8 +62,8 @@ def gap_of(difference: float, each: dict[str, Any]) -> float | None:
 
 
 @pytest.mark.parametrize("name", LINES)
-def test_numbers_are_those_of_verify_s_document(name: str, tmp_path: Path) -> None:
-    document, page = document_of(name, tmp_path), page_named(name)
+def test_numbers_are_those_of_verify_s_document(name: str) -> None:
+    document, page = document_of(name), page_named(name)
     quantities = document["quantities"]
     for row, each in zip(page.table("verification").rows, quantities, strict=True):
         _, closed, truss, before, gap, order, verdict = row
@@ -180,19 +179,6 @@ def moved(name: str) -> InMotion:
     return found
 
 
-def run_of(folder: Path, text: str) -> Note:
-    """Compute the note of a case in motion that is given as a text."""
-    (folder / "rao.csv").write_text(RAOS, encoding="utf-8")
-    path = folder / "case.toml"
-    path.write_text(text, encoding="utf-8")
-    return read_note(path, motion=True, verify=False)
-
-
-def rows_of(table: ReadTable) -> dict[str, str]:
-    """Return what a table of two columns shows."""
-    return {row[0].text: row[1].text for row in table.rows}
-
-
 def points(key: str, page: ReadPage) -> list[str]:
     """Read the words of a figure's points."""
     elements = iter(page.elements)
@@ -200,6 +186,11 @@ def points(key: str, page: ReadPage) -> list[str]:
     words = next(e for e in elements if e.attributes.get("type") == "application/json")
     found: list[str] = json.loads(words.text)
     return found
+
+
+@pytest.mark.parametrize(("name", "place", "lines"), blocks("motion"))
+def test_what_is_said(name: str, place: str, lines: list[str]) -> None:
+    assert_said(name, place, lines)
 
 
 @pytest.mark.slow
@@ -236,26 +227,15 @@ def test_each_segment_is_held_against_what_it_is_allowed(name: str) -> None:
     assert worst == found.found.parts[found.governing].max_tension
 
 
-@pytest.mark.slow
-def test_more_than_is_allowed_is_told_at_the_top(tmp_path: Path) -> None:
-    note = run_of(tmp_path, HARMONIC.replace('"3000 kN"', '"1100 kN"'))
-    assert note.checks.passes, "at rest it passes"
-    page = shown(note)
-    assert "segment 1 carries" in page.sections["warnings"]
-    (verdict,) = page.styled("verdict", "in_motion")
-    assert "fails" in verdict.attributes["class"]
-    assert "MORE THAN IS ALLOWED" in verdict.text
-    assert page.table("motion_use").rows[0][6].text == "FAILS"
-
-
-def test_the_code_whose_factors_judge_a_tension_in_motion_is_named(tmp_path: Path) -> None:
+def test_factors_of_a_code_for_dynamic_analysis_judge_a_tension_in_motion() -> None:
     """API 1.67 on the tension."""
-    note = run_of(tmp_path, HARMONIC.replace("safety_factor = 3.0", 'codes = ["API-RP-2SK"]'))
-    assert note.motion is not None
-    ((use,),) = note.motion.uses
+    ((use,),) = moved("by-code").uses
     assert use.utilisation == pytest.approx(1.67 * use.largest / 3000e3, rel=1e-12)
-    told = shown(note).sections["in_motion"]
-    assert "factors for dynamic analysis of API-RP-2SK" in told
+
+
+@pytest.mark.slow
+def test_more_than_is_allowed_in_motion_may_pass_at_rest() -> None:
+    assert line_note("overloaded").checks.passes
 
 
 def with_history(**changes: Any) -> InMotion:
@@ -288,79 +268,13 @@ def test_what_drives_it_with_its_figures() -> None:
     assert drive["Significant wave height Hs"].value == 2.0
     assert drive["Peak period Tp"].value == 7.0
     assert drive["Waves travel to (from the axis anchor to fairlead)"].value == math.pi
-    assert drive["Seeds of the runs"].text == "(11, 0), (11, 1)"
     # S4's rule: x = Tp/sqrt(Hs) = 4.95, and gamma = exp(5.75 - 1.15 x) between 3.6 and 5.
     gamma = drive["Peak enhancement γ, by the rule on Tp/√Hs"]
     assert gamma.value == pytest.approx(math.exp(5.75 - 1.15 * 7.0 / math.sqrt(2.0)), rel=1e-12)
-    assert drive["Speeds by depth"].text == "1 m/s at 0 m; 0.2 m/s at 20 m"
-    assert "rao.csv" in drive["Motion of the fairlead"].text
-    assert page.table("motion_raos").texts() == [
-        ["3", "0", "-", "0.02", "40"],  # where nothing moves there is no lag
-        ["8", "0.3", "90", "0.6", "10"],
-        ["20", "0.9", "90", "1", "0"],
-    ]
     harmonic = page_named("harmonic").table("motion_drive")
     assert harmonic.row("Surge: amplitude")[1].value == 0.5
-    assert harmonic.row("Heave: phase")[1].text == "90 deg"
     # Its file is among the sources.
     assert [file.name for file in line_note("random").origin.files] == ["random.toml", "rao.csv"]
-    digests = [row[1].text for row in page.table("identity").rows]
-    assert any(text.startswith("rao.csv, SHA-256 ") for text in digests)
-
-
-HARMONIC_MOTION = HARMONIC[HARMONIC.index("[motion]") : HARMONIC.index("[dynamics]")]
-REGULAR = """
-[waves]
-spectrum = "regular"
-height = "1.5 m"
-period = "6 s"
-stretching = "wheeler"
-[current]
-profile = "wind"
-speed = "0.5 m/s"
-depth = "10 m"
-direction = "45 deg"
-"""
-RECORDED = """
-[waves]
-spectrum = "pierson-moskowitz"
-height = "1 m"
-period = "6 s"
-components = 20
-[current]
-profile = "power"
-speed = "0.7 m/s"
-exponent = 0.2
-[motion]
-file = "record.csv"
-"""
-
-
-@pytest.mark.parametrize(
-    ("driven", "told"),
-    [
-        (REGULAR, {
-            "Waves": "regular", "Wave height H": "1.5 m", "Wave period T": "6 s",
-            "Water's motion above still water": "Wheeler's stretching",
-            "Current": "driven by wind, linear down to a depth",
-            "Speed at the surface": "0.5 m/s", "Depth to which it reaches": "10 m",
-            "Current flows to (from the axis anchor to fairlead)": "45 deg",
-        }),
-        (RECORDED, {
-            "Waves": "random, Pierson-Moskowitz spectrum", "Exponent": "0.2",
-            "Motion of the fairlead": "as recorded in record.csv",
-            "Length of the record": "40 s", "Recorded surge": "-0.3 to 0.3 m",
-        }),
-    ],
-    ids=["regular", "recorded"],
-)  # fmt: skip
-def test_every_way_of_driving_it_is_told(tmp_path: Path, driven: str, told: dict[str, str]) -> None:
-    swings = (0.0, 0.3, 0.0, -0.3)
-    rows = [f"{t},{swings[t // 2 % 4]}" for t in range(0, 41, 2)]
-    (tmp_path / "record.csv").write_text("\n".join(["t,x", *rows]), encoding="utf-8")
-    page = shown(run_of(tmp_path, HARMONIC.replace(HARMONIC_MOTION, driven)))
-    drive = rows_of(page.table("motion_drive"))
-    assert drive | told == drive
 
 
 def test_the_model_with_drag_and_added_mass_on_their_diameters() -> None:
@@ -413,40 +327,10 @@ def test_the_envelope_holds_what_the_runs_reached(name: str) -> None:
     assert [re.search(r"to (.*?), at rest", text)[1] for text in texts] == written  # type: ignore[index]
 
 
-def test_what_must_be_known_of_it() -> None:
-    random, harmonic = (page_named(name).sections["in_motion"] for name in ("random", "harmonic"))
-    for told in (
-        "statistics, envelope and the largest values are of 15 s to 150 s",
-        "2 runs with seeds of their own",
-        "the quasi-static tension is without the current",
-        "The most probable maximum is that of 3 h of this sea",
-        "the most probable maximum of the fairlead tension is ",
-        "The grounded length in motion is known to the length of a bar",
-    ):
-        assert told in random
-    assert "Nothing is random here" in harmonic
-    assert "two" not in harmonic
-
-
-@pytest.mark.slow
-def test_one_draw_of_the_sea_and_a_safety_factor_that_nobody_gave_are_told_to_be_that(
-    tmp_path: Path,
-) -> None:
-    text = RANDOM.replace("runs = 2", "runs = 1").replace("[checks]\nsafety_factor = 2.0\n", "")
-    assert "safety_factor" not in text
-    told = shown(run_of(tmp_path, text)).sections["in_motion"]
-    assert "this is a single draw of it" in told
-    assert "the MBL over a safety factor of 1, and nothing more" in told
-    assert "safety factor of the case file" not in told
-
-
-def test_what_was_sought_is_put_in_its_place(tmp_path: Path) -> None:
+def test_what_was_sought_is_put_in_its_place() -> None:
     """The length that just lies down at the anchor, not the one in the file, is run."""
-    sought = '[find]\nquantity = "length"\nsegment = 1\nanchor_angle = "0 deg"\n'
-    note = run_of(tmp_path, HARMONIC + sought)
-    assert note.motion is not None
-    arc = note.motion.found.parts[0].envelope.arc
-    length = note.solution.line.length
+    arc = moved("sought").found.parts[0].envelope.arc
+    length = line_note("sought").solution.line.length
     assert length < 119.0
     assert arc[-1] == pytest.approx(length * (1.0 - 0.5 / 20), rel=1e-12)  # the last bar's middle
 

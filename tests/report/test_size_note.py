@@ -14,6 +14,7 @@ from catopt.words import Message, say, term
 
 from .notes import SIZINGS, page_named, shown, size_note_named
 from .page_reader import ReadPage, ReadTable, calculate
+from .said import assert_said, blocks
 
 NINE_DIGITS = 1e-8
 """Relative: numbers that are put in are written with nine digits, five or fewer a product."""
@@ -45,26 +46,9 @@ def by_heading(table: ReadTable, row: int = 0) -> dict[str, float | None]:
     }
 
 
-@pytest.mark.parametrize(
-    ("name", "section", "said"),
-    [
-        ("size-buoy", "summary",
-         "One line of chain open-link 4D Q2 38 mm, 54.5 m long (1.98 shots), held by a concrete "
-         "sinker of 20 t. Swing radius at low water 53.6 m."),
-        ("size-buoy", "summary",
-         "Governing: sliding of the sinker in load case storm, high water"),
-        ("size-buoy", "size_identity",
-         "54 m for 54.5 m, fails by the uplift angle at the anchor"),
-        ("size-tanker", "summary", "a Stevpris Mk5 drag anchor of 1"),
-        ("six", "summary", "6 lines, evenly spaced"),
-        ("hawser", "summary", "with a clump weight of 10 t at"),
-        ("hawser", "size_front", "the lightest"),
-        ("given", "size_loads", "The horizontal force was given"),
-        ("six", "size_pattern", "are the largest of all directions"),
-    ],
-)  # fmt: skip
-def test_what_is_said(name: str, section: str, said: str) -> None:
-    assert said in page_named(name).sections[section].replace("\N{NO-BREAK SPACE}", " ")
+@pytest.mark.parametrize(("name", "place", "lines"), blocks("sizings"))
+def test_what_is_said(name: str, place: str, lines: list[str]) -> None:
+    assert_said(name, place, lines)
 
 
 def test_forces_add_up_to_that_of_the_load_case(note: SizeNote, page: ReadPage) -> None:
