@@ -23,6 +23,7 @@ from catopt.answers.blocks import (
     Figure,
     FileText,
     Points,
+    Step,
     Table,
     Text,
     Trail,
@@ -246,6 +247,13 @@ def tables(answer: Answer) -> Iterator[Table]:
             yield block
 
 
+def steps(answer: Answer) -> Iterator[Step]:
+    """Every step of the equations."""
+    for block in answer.blocks:
+        if isinstance(block, Trail):
+            yield from block.steps
+
+
 def alike(text: str, value: float) -> bool:
     """Equal to the 16 digits that files keep; what is not known is empty."""
     found = float(text or "nan")
@@ -333,9 +341,7 @@ def test_all_other_words_of_notes_are_messages(kind: str) -> None:
         if table.name != "pieces":  # the equations that they are by
             found = plain_words(table, OWN | USERS)
             assert not [each for each in found if not re.match(r"[\d(<]", each)]
-    for block in made(kind).blocks:
-        if isinstance(block, Trail):
-            assert all(isinstance(step.name, Message) for step in block.steps)
+    assert all(isinstance(step.name, Message) for step in steps(made(kind)))
 
 
 def plain_words(table: Table, own: set[str]) -> list[str]:
@@ -379,27 +385,24 @@ def numbers_of(answer: Answer) -> Iterator[float]:
             for fact in block.facts:
                 if isinstance(fact.value, int | float) and fact.only != "files":
                     yield float(fact.value)
-        elif isinstance(block, Trail):
-            for step in block.steps:
-                yield from (value for value in (step.value, step.stated) if value is not None)
+    for step in steps(answer):
+        yield from (value for value in (step.value, step.stated) if value is not None)
 
 
 def words_of(answer: Answer, language: Language) -> Iterator[str]:
     """Yield everything that is said in words."""
-    for section in answer.sections:
-        yield say(section.title, language)
-        for block in section.blocks:
-            if (isinstance(block, Text) and block.only in {"all", "people"}) or isinstance(
-                block, Verdict
-            ):
-                yield say(block.said, language)
-            elif isinstance(block, Warnings | Points):
-                yield from (say(each, language) for each in block.said)
-            elif isinstance(block, Trail):
-                for step in block.steps:
-                    yield from (say(step.name, language), in_symbols(step), in_numbers(step))
-            elif isinstance(block, FileText):
-                yield block.text
+    yield from (say(section.title, language) for section in answer.sections)
+    for block in answer.blocks:
+        if isinstance(block, Verdict) or (
+            isinstance(block, Text) and block.only in {"all", "people"}
+        ):
+            yield say(block.said, language)
+        elif isinstance(block, Warnings | Points):
+            yield from (say(each, language) for each in block.said)
+        elif isinstance(block, FileText):
+            yield block.text
+    for step in steps(answer):
+        yield from (say(step.name, language), in_symbols(step), in_numbers(step))
 
 
 @in_both_languages
@@ -421,17 +424,15 @@ def test_the_page_holds_every_number_and_every_word(kind: str, language: Languag
 
 def in_files(answer: Answer) -> Iterator[float]:
     """Yield every number that workbooks have, in the unit that they have it in."""
-    for block in answer.blocks:
-        table = block.as_table() if isinstance(block, Facts) else block
-        if isinstance(table, Table) and table.only != "people":
-            for column in table.for_files():
-                for row in range(table.length):
-                    value = column.in_files(row)
-                    if isinstance(value, int | float) and math.isfinite(value):
-                        yield float(value)
-        elif isinstance(block, Trail):
-            known = (step for step in block.steps if step.value is not None)
-            yield from (step.quantity.in_files(step.value) for step in known)  # type: ignore[arg-type]
+    for table in tables(answer):
+        for column in table.for_files() if table.only != "people" else ():
+            for row in range(table.length):
+                value = column.in_files(row)
+                if isinstance(value, int | float) and math.isfinite(value):
+                    yield float(value)
+    for step in steps(answer):
+        if step.value is not None:
+            yield float(step.quantity.in_files(step.value))
 
 
 def cells(answer: Answer, language: Language = "en") -> Iterator[Any]:

@@ -127,17 +127,23 @@ def test_of_the_lightest_line_the_knees_neighbours_are_left_out() -> None:
     assert page_named("size-buoy").all("neighbours") != []
 
 
+SAME_OF_BOTH = (
+    ("Mass in air that is needed", "needed_mass_kg"),
+    ("Safety factor that is wanted", "wanted_factor"),
+    ("Factor that is reached", "factor"),
+)
+"""Rows of a sinker and of a drag anchor, with their keys in the document."""
+
+
 @pytest.mark.parametrize("name", ["size-buoy", "given", "sinker"])
 def test_the_sinker_is_worked_out_step_by_step(name: str) -> None:
     document = size_note_named(name).sizing.to_dict()["sinker"]
     rows = page_named(name).table("size_hold").by_name()
     for label, key in (
-        ("Mass in air that is needed", "needed_mass_kg"),
+        *SAME_OF_BOTH,
         ("Friction on the soil, tan δ", "friction"),
         ("Density of the sinker", "density_kg_per_m3"),
         ("Its weight in water", "submerged_weight_N"),
-        ("Safety factor that is wanted", "wanted_factor"),
-        ("Factor that is reached", "factor"),
     ):
         assert rows[label][2].value == document[key]
     # From mu (W - V) >= SF H, worked out here once more.
@@ -168,11 +174,9 @@ def test_the_drag_anchor_is_worked_out_step_by_step(name: str) -> None:
     document = sizing.to_dict()["drag_anchor"]
     rows = page.table("size_hold").by_name()
     for label, key in (
-        ("Mass in air that is needed", "needed_mass_kg"),
+        *SAME_OF_BOTH,
         ("Next mass of the series", "mass_kg"),
         ("Its ultimate holding capacity", "holding_capacity_N"),
-        ("Safety factor that is wanted", "wanted_factor"),
-        ("Factor that is reached", "factor"),
     ):
         assert rows[label][2].value == document[key]
     assert sizing.drag_anchor is not None

@@ -9,6 +9,7 @@ import socket
 import struct
 from collections.abc import Iterator
 from threading import Thread
+from typing import Any
 
 import pytest
 
@@ -16,7 +17,7 @@ from catopt.desk import ask
 from catopt.desk.fields import START
 from catopt.web.server import PageServer
 
-QUESTION = {"door": "line", "values": START["line"]}
+QUESTION: dict[str, Any] = {"door": "line", "values": START["line"]}
 
 
 @pytest.fixture
@@ -44,13 +45,21 @@ def reply(
     return found
 
 
+def answered(server: PageServer, call: str = "solve", question: dict[str, Any] = QUESTION) -> Any:
+    """Ask a question of the page and read the answer."""
+    path = f"/{server.token}/ask/{call}"
+    status, answer = reply(server, "POST", path, json.dumps(question))
+    assert status == 200
+    return json.loads(answer)
+
+
 def test_it_gives_the_page_and_answers_its_questions(server: PageServer) -> None:
     status, page = reply(server, "GET", f"/{server.token}/")
     assert status == 200
     assert b'data-transport="app"' in page
-    status, answer = reply(server, "POST", f"/{server.token}/ask/solve", json.dumps(QUESTION))
-    assert status == 200
-    assert json.loads(answer) == json.loads(json.dumps(ask("solve", QUESTION)))
+    assert answered(server) == json.loads(json.dumps(ask("solve", QUESTION)))
+    compared = QUESTION | {"kept": ask("file", QUESTION)["text"]}
+    assert answered(server, "compare", compared) == ask("compare", compared)
 
 
 def test_it_listens_on_this_machine_alone(server: PageServer) -> None:
@@ -104,31 +113,21 @@ def test_what_is_no_question_is_refused(
     assert reply(server, "GET", f"/{server.token}/")[0] == 200
 
 
-def test_a_comparison_is_answered(server: PageServer) -> None:
-    kept = ask("file", QUESTION)["text"]
-    status, answer = reply(
-        server, "POST", f"/{server.token}/ask/compare", json.dumps(QUESTION | {"kept": kept})
-    )
-    assert status == 200
-    assert json.loads(answer) == ask("compare", QUESTION | {"kept": kept})
-
-
 def test_two_pages_at_once_get_each_their_own_answer(server: PageServer) -> None:
     forces = [f"{force} kN" for force in range(100, 120)]
-    found: dict[str, bytes] = {}
+    found: dict[str, float] = {}
 
     def one(force: str) -> None:
         values = START["line"] | {"load.horizontal_force": force}
-        question = json.dumps({"door": "line", "values": values})
-        found[force] = reply(server, "POST", f"/{server.token}/ask/solve", question)[1]
+        solved = answered(server, question={"door": "line", "values": values})
+        found[force] = solved["horizontal_force_N"]
 
     pages = [Thread(target=one, args=(force,)) for force in forces]
     for page in pages:
         page.start()
     for page in pages:
         page.join()
-    solved = {force: json.loads(found[force])["horizontal_force_N"] for force in forces}
-    assert solved == {force: 1e3 * float(force.split()[0]) for force in forces}
+    assert found == {force: 1e3 * float(force.split()[0]) for force in forces}
 
 
 def test_a_page_that_is_closed_in_the_middle_of_a_search_ends_nothing(
@@ -139,8 +138,7 @@ def test_a_page_that_is_closed_in_the_middle_of_a_search_ends_nothing(
     with socket.create_connection(("127.0.0.1", server.server_port)) as closed:
         closed.sendall(f"{head}Content-Length: {len(question)}\r\n\r\n".encode() + question)
         closed.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
-    status, _ = reply(server, "POST", f"/{server.token}/ask/solve", json.dumps(QUESTION))
-    assert status == 200
+    assert answered(server)
     assert "Traceback" not in capfd.readouterr().err
 
 
@@ -160,6 +158,5 @@ def test_it_survives_a_thousand_requests_at_random(
         sent = b"".join(draw.choices(words, k=draw.randint(1, 16)))
         with socket.create_connection(("127.0.0.1", server.server_port)) as connection:
             connection.sendall(sent[: draw.randint(1, len(sent))])
-    status, _ = reply(server, "POST", f"/{server.token}/ask/solve", json.dumps(QUESTION))
-    assert status == 200
+    assert answered(server)
     assert "Traceback" not in capfd.readouterr().err
