@@ -199,6 +199,12 @@ class PointLoad(Checked):
         return (self.drag_coefficient or 0.0) * (self.drag_area or 0.0)
 
 
+def weightless(line: str) -> tuple[str, str]:
+    """Say what was found of the segments of a line without weight, and why that is not allowed."""
+    needs = f"{line} needs weight: without it its shape does not tell the force"
+    return "no submerged weight in any of them", needs
+
+
 END_ROUNDING = 1e-14
 """Of a line's length, which is a sum of lengths: nearer to its ends no place is told from them."""
 

@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 
 from catopt.errors import Problem
 from catopt.model.kinds import Force, Height, Place, Text
-from catopt.model.line import Line
+from catopt.model.line import Line, weightless
 from catopt.model.site import Site
 from catopt.model.validity import Checked, Findings
 
@@ -103,10 +103,11 @@ class Network(Checked):
         for k, each in enumerate(self.lines):
             segments = each.line.segments
             if not any(segment.submerged_weight for segment in segments):
-                found.add(f"lines[{k}].segments", *WEIGHTLESS)
+                found.add(f"lines[{k}].segments", *weightless("a line between points"))
             if {each.start, each.end} & set(joints):
+                allowed = "missing; lines that meet in joints have to stretch"
                 for i in (i for i, segment in enumerate(segments) if math.isinf(segment.EA)):
-                    found.add(f"lines[{k}].segments[{i}].EA", "", NEEDS_EA)
+                    found.add(f"lines[{k}].segments[{i}].EA", "", allowed)
         if self.site.seabed_slope != 0.0:
             slope = f"{math.degrees(self.site.seabed_slope):g} deg"
             found.add("site.seabed_slope", slope, "lines with joints lie on a level bed")
@@ -118,13 +119,6 @@ class Network(Checked):
     def numbers(self) -> dict[str, int]:
         """Which point has which name, from 0."""
         return {point.name: k for k, point in enumerate(self.points)}
-
-
-NEEDS_EA = "missing; lines that meet in joints have to stretch"
-WEIGHTLESS = (
-    "no submerged weight in any of them",
-    "a line between points needs weight: without it its shape does not tell the force",
-)
 
 
 def network_misfits(

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 from catopt.errors import Problem
 from catopt.model.kinds import Angle, Force, Height, Length, Moment, NotNegative
-from catopt.model.line import Line
+from catopt.model.line import Line, weightless
 from catopt.model.validity import Checked, Findings
 
 
@@ -45,10 +45,7 @@ class Leg(Checked):
         if self.azimuth == self.azimuth:
             found.check("fairlead_azimuth")
         if not self.line.point_loads and not any(s.submerged_weight for s in self.line.segments):
-            allowed = (
-                "a line of a system needs weight: without it its shape does not tell the force"
-            )
-            found.add("line.segments", "no submerged weight in any of them", allowed)
+            found.add("line.segments", *weightless("a line of a system"))
 
     @classmethod
     def between(

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from catopt.documents import figures
+
 if TYPE_CHECKING:
     from catopt.study.result import Statistic, StudyResult
 
@@ -28,10 +30,7 @@ def study_document(result: StudyResult) -> dict[str, Any]:
             {
                 "name": each.kept.name,
                 "member": each.member + 1,
-                "beyond": each.beyond,
-                "count": each.count,
-                "share": each.share,
-                "interval": list(each.interval),
+                **figures(each, "beyond count share interval"),
             }
             for each in result.by_choice
         ],
@@ -63,10 +62,7 @@ def _statistic(each: Statistic, result: StudyResult) -> dict[str, Any]:
         "name": each.kept.name,
         "unit": each.kept.measure.si_unit,
         "members": each.count,
-        "mean": each.mean,
-        "deviation": each.deviation,
-        "least": each.least,
-        "largest": each.largest,
+        **figures(each, "mean deviation least largest"),
         "levels": [
             {"share": share, "value": value}
             for share, value in zip(result.levels, each.levels, strict=True)
@@ -84,8 +80,7 @@ def _statistic(each: Statistic, result: StudyResult) -> dict[str, Any]:
         "first_order": None
         if order is None
         else {
-            "index": order.index,
-            "probability": order.probability,
+            **figures(order, "index probability"),
             "point": [
                 {"key": key, "value": value, "importance": order.importance[key]}
                 for key, value in order.point.items()
