@@ -34,6 +34,7 @@ from catopt.catenary.state import (
     GROUNDED_BETWEEN,
     GROUNDED_IN_PARTS,
     IN_PARTS,
+    NO_DERIVATIVES,
     NOT_CONVERGED,
     ON_BED,
     SLACK,
@@ -77,6 +78,7 @@ def without_force(state: State, span: float) -> State:
     return State(
         state.status,
         SLACK,
+        state.touchdown,
         0.0,
         state.V,
         span,
@@ -84,11 +86,7 @@ def without_force(state: State, span: float) -> State:
         state.grounded,
         0.0,
         state.V_anchor,
-        state.touchdown,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
+        *NO_DERIVATIVES,
     )
 
 
@@ -144,6 +142,7 @@ def hung_state(
     return State(
         CONVERGED,
         regime,
+        hung.touchdown,
         H,
         V,
         hung.x + bed_x,
@@ -151,7 +150,6 @@ def hung_state(
         grounded,
         H_anchor,
         V_anchor,
-        hung.touchdown,
         hung.x_H + bed_x_H,
         hung.z_H + friction * bed_x_H,
         hung.z_H,
@@ -172,7 +170,8 @@ def in_parts(upper: Part, problem: LineProblem) -> State:
     # How the horizontal force of a part, and the weight that it lifts off the bed above its
     # touchdown, follow H and V at the fairlead.
     H_by_H, H_by_V, lift_by_H, lift_by_V = 1.0, 0.0, 0.0, 1.0
-    grounded, stretches = 0.0, 0
+    grounded, stretches, lies = 0.0, 0, False
+    H_anchor, V_anchor = upper.H, reach.V_bottom
     part = upper
     while part.touchdown != NO_TOUCHDOWN:
         down = touchdown_of(part, reach.V_bottom, pieces)
@@ -190,10 +189,10 @@ def in_parts(upper: Part, problem: LineProblem) -> State:
         x += bed.x
         x_H += bed.x_H * H_by_H
         x_V += bed.x_H * H_by_V
-        if part.bottom < 0:
-            return _state(
-                stretches, True, upper, V, x, error, grounded, bed.H, 0.0, x_H, x_V, z_H, z_V
-            )
+        lies = part.bottom < 0
+        if lies:
+            H_anchor, V_anchor = bed.H, 0.0
+            break
         reach = part_reach(part, pieces)
         # The part's height is held: what it lifts follows its horizontal force by `gain`, and
         # friction passes on what that takes off the bed.
@@ -204,39 +203,8 @@ def in_parts(upper: Part, problem: LineProblem) -> State:
         x += reach.x
         x_H += (reach.x_H - reach.z_H * gain) * H_by_H
         x_V += (reach.x_H - reach.z_H * gain) * H_by_V
-    return _state(
-        stretches,
-        False,
-        upper,
-        V,
-        x,
-        error,
-        grounded,
-        part.H,
-        reach.V_bottom,
-        x_H,
-        x_V,
-        z_H,
-        z_V,
-    )
-
-
-def _state(
-    stretches: int,
-    lies: bool,
-    upper: Part,
-    V: float,
-    x: float,
-    error: float,
-    grounded: float,
-    H_anchor: float,
-    V_anchor: float,
-    x_H: float,
-    x_V: float,
-    z_H: float,
-    z_V: float,
-) -> State:
-    """Name the regime and put the state together."""
+        H_anchor, V_anchor = part.H, reach.V_bottom
+    regime = GROUNDED_BETWEEN
     if stretches == 0:
         # An anchor pulled down by less than the rounding of V is not pulled down.
         below = V_anchor < -1e-12 * (upper.H + abs(V) + abs(V_anchor))
@@ -245,13 +213,12 @@ def _state(
         regime = GROUNDED_IN_PARTS
     elif lies:
         regime = GROUNDED if V > 0.0 else ON_BED
-    else:
-        regime = GROUNDED_BETWEEN
     if upper.H == 0.0:
         x_H = x_V = z_H = z_V = 0.0
     return State(
         CONVERGED,
         regime,
+        IN_PARTS,
         upper.H,
         V,
         x,
@@ -259,7 +226,6 @@ def _state(
         grounded,
         H_anchor,
         V_anchor,
-        IN_PARTS,
         x_H,
         x_V,
         z_H,

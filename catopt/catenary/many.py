@@ -25,21 +25,8 @@ from catopt.catenary.tension import given_tension
 RESIDUAL_LIMIT: Final = 1e-9
 """How far the line, laid out from its anchor, may miss its fairlead, as a part of its length."""
 
-COLUMNS: Final = (
-    "H",
-    "V",
-    "span",
-    "height_error",
-    "grounded",
-    "H_anchor",
-    "V_anchor",
-    "x_H",
-    "x_V",
-    "z_H",
-    "z_V",
-    "force_uncertainty",
-)
-"""Names of the columns that `fill` writes, as in State."""
+COLUMNS: Final = (*State._fields[3:], "force_uncertainty")
+"""Names of the columns that `fill` writes: all numbers of State, and one more."""
 
 
 def fill(
@@ -110,20 +97,9 @@ def fill(
             state = failed(NOT_CONVERGED)
         status[i] = state.status
         regime[i] = state.regime
-        out[i, 0] = state.H
-        out[i, 1] = state.V
-        out[i, 2] = state.span
-        out[i, 3] = state.height_error
-        out[i, 4] = state.grounded
-        out[i, 5] = state.H_anchor
-        out[i, 6] = state.V_anchor
-        out[i, 7] = state.x_H
-        out[i, 8] = state.x_V
-        out[i, 9] = state.z_H
-        out[i, 10] = state.z_V
-        out[i, 11] = math.nan
-        if state.status == CONVERGED:
-            out[i, 11] = force_uncertainty(state, problem, known)
+        for column, number in enumerate(state[3:]):
+            out[i, column] = number
+        out[i, -1] = force_uncertainty(state, problem, known) if state.status == CONVERGED else nan
 
 
 def _take(

@@ -47,32 +47,12 @@ TO_THE_ANCHOR = Part(0.0, 0.0, 0, 0.0, -1, 0.0, 0, 0.0, NO_TOUCHDOWN)
 
 def with_force(part: Part, piece: int, V: float) -> Part:
     """Return the same part with the vertical force known in another place."""
-    return Part(
-        part.H,
-        part.slope,
-        part.top,
-        part.top_length,
-        part.bottom,
-        part.bottom_length,
-        piece,
-        V,
-        part.touchdown,
-    )
+    return Part(*part[:6], piece, V, part.touchdown)
 
 
 def with_slope(part: Part, slope: float) -> Part:
     """Return the same part with its loose pieces inclined."""
-    return Part(
-        part.H,
-        slope,
-        part.top,
-        part.top_length,
-        part.bottom,
-        part.bottom_length,
-        part.piece,
-        part.V,
-        part.touchdown,
-    )
+    return Part(part.H, slope, *part[2:])
 
 
 class PartReach(NamedTuple):

@@ -111,6 +111,7 @@ def _with_tension(state: State, wanted: float, error: float, length: float) -> t
     shifted = State(
         state.status,
         state.regime,
+        state.touchdown,
         state.H,
         V,
         state.span + state.x_V * shift,
@@ -118,7 +119,6 @@ def _with_tension(state: State, wanted: float, error: float, length: float) -> t
         state.grounded,
         state.H_anchor,
         state.V_anchor + shift,
-        state.touchdown,
         state.x_H,
         state.x_V,
         state.z_H,

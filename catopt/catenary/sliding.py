@@ -28,6 +28,7 @@ from catopt.catenary.state import (
     GROUNDED_BETWEEN,
     GROUNDED_IN_PARTS,
     LOOSE,
+    NO_DERIVATIVES,
     NOT_CONVERGED,
     ON_BED,
     TURNED,
@@ -69,6 +70,7 @@ def turned_back(state: State) -> State:
     return State(
         state.status,
         state.regime,
+        TURNED,
         state.H_anchor,
         -state.V_anchor,
         state.span,
@@ -76,11 +78,7 @@ def turned_back(state: State) -> State:
         state.grounded,
         state.H,
         -state.V,
-        TURNED,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
+        *NO_DERIVATIVES,
     )
 
 
@@ -187,6 +185,7 @@ def loose(onset: Onset, problem: LineProblem) -> State:
     return State(
         CONVERGED,
         regime,
+        LOOSE,
         tight.H_anchor,
         -tight.V_anchor,
         tight.span + rest.span,
@@ -194,11 +193,7 @@ def loose(onset: Onset, problem: LineProblem) -> State:
         tight.grounded + rest.grounded,
         rest.H_anchor,
         rest.V_anchor,
-        LOOSE,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
+        *NO_DERIVATIVES,
     )
 
 

@@ -49,6 +49,10 @@ TURNED: Final = -4
 LOOSE: Final = -5
 """Touchdown of a line in parts that lies loose up to where its tension begins (sliding.py)."""
 
+NO_DERIVATIVES: Final = (0.0, 0.0, 0.0, 0.0)
+"""x_H, x_V, z_H and z_V of a State that has none."""
+_NO_NUMBERS: Final = (math.nan,) * 11
+
 
 class State(NamedTuple):
     """Equilibrium of one line; status and regime are codes above.
@@ -62,6 +66,7 @@ class State(NamedTuple):
 
     status: int
     regime: int
+    touchdown: int
     H: float
     V: float
     span: float
@@ -69,7 +74,6 @@ class State(NamedTuple):
     grounded: float
     H_anchor: float
     V_anchor: float
-    touchdown: int
     x_H: float
     x_V: float
     z_H: float
@@ -78,5 +82,4 @@ class State(NamedTuple):
 
 def failed(status: int) -> State:
     """Return a state that carries no answer."""
-    nan = math.nan
-    return State(status, 0, nan, nan, nan, nan, nan, nan, nan, NO_TOUCHDOWN, nan, nan, nan, nan)
+    return State(status, 0, NO_TOUCHDOWN, *_NO_NUMBERS)

@@ -159,6 +159,7 @@ def _nearly(span: float, problem: LineProblem, H: float, V: float) -> State:
             return State(
                 state.status,
                 state.regime,
+                state.touchdown,
                 H,
                 V,
                 span,
@@ -166,7 +167,6 @@ def _nearly(span: float, problem: LineProblem, H: float, V: float) -> State:
                 state.grounded,
                 state.H_anchor,
                 state.V_anchor,
-                state.touchdown,
                 state.x_H,
                 state.x_V,
                 state.z_H,
