@@ -47,7 +47,7 @@ _DEEPEST = 20
 """Tables and arrays within each other; a case file needs 6, a document of catopt's own 8."""
 
 _PLACE = re.compile(r" \(at (line (\d+), column \d+|end of document)\)$")
-_UNIT = re.compile("_(m|N|kg|rad|USD)(_per_(m|m3|s))?$")
+_UNIT = re.compile("_(m|N|kg|rad|s|J|USD)(_per_(m|m3|s))?$")
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 
 _HINTS = (

@@ -254,7 +254,7 @@ def _extremes(part: DynamicPart) -> Iterator[Table]:
 
 def _runs(moved: InMotion, part: DynamicPart) -> Iterator[Block]:
     waves, every = moved.found.case.waves, part.runs
-    seed = waves.seed if part.is_random and waves is not None else None
+    seed = waves.seed if part.drive.is_random and waves is not None else None
     of = Rows(every)
     histories = Rows(of.read("history"))
     largest = Rows(of.read(methodcaller("statistics", "fairlead_tension")))
@@ -287,7 +287,7 @@ def _known(note: Note, moved: InMotion, part: DynamicPart) -> Iterator[Message]:
         since=f"{part.runs[0].history.since:g}",
         end=f"{moved.drive.dynamics.duration:g}",
     )
-    if part.is_random:
+    if part.drive.is_random:
         peaks = sum(run.statistics("fairlead_tension").peaks for run in part.runs)
         if len(part.runs) == 1:
             yield Message("note_motion.one_seed", peaks=peaks)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from decimal import Decimal
 from typing import TYPE_CHECKING, Any, Literal
 
+from catopt.documents import figures
 from catopt.words import Message, Several, term
 
 if TYPE_CHECKING:
@@ -99,12 +100,7 @@ class Item:
 
     def to_dict(self) -> dict[str, Any]:
         """Build this item's part of the document catopt.reproduction/1."""
-        return {
-            "source": self.source,
-            "name": self.name,
-            "quantity": self.quantity,
-            "method": self.method,
-            "published": self.published,
+        return figures(self, "source name quantity method published") | {
             "published_text": self.printed.text,
             "computed": self.computed,
             "computed_text": self.judgement.computed_text,
@@ -218,9 +214,7 @@ class Study:
 
     def to_dict(self) -> dict[str, Any]:
         """Build this study's part of the document: everything but its items."""
-        heading = ("name", "title", "source", "source_title", "source_where", "where")
-        return {
-            **{key: getattr(self, key) for key in heading},
+        return figures(self, "name title source source_title source_where where") | {
             "inputs": [dict(vars(given)) for given in self.inputs],
             "findings": list(self.findings),
             "side_by_side": [table.to_dict() for table in self.side_by_side],

@@ -11,7 +11,7 @@ from catopt.catenary.warnings import check_buoys, named_line
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.model import Case
 from catopt.units import as_written
-from catopt.verify.line import Moored, verify_line
+from catopt.verify.line import verify_line
 from catopt.verify.result import VERDICTS, StaticComparison, Verification, least_agreeing
 from catopt.verify.settings import ELEMENTS, TOLERANCE, check_settings
 from catopt.verify.system import verify_system
@@ -111,18 +111,10 @@ def _named(case: Case) -> Iterator[tuple[str, Case]]:
 def _verified(name: str, case: Case, elements: int, tolerance: float) -> StaticComparison:
     if case.system is not None:
         part = verify_system(case.system, elements=elements, tolerance=tolerance, name=name)
-        _check_buoys(part, case.site.water_depth)
-        return part
-    case = as_found(case)
-    assert case.load is not None
-    moored = Moored(
-        line=case.line,
-        height=case.fairlead_height,
-        load=case.load,
-        anchor_height=case.anchor_height,
-        seabed_friction=case.site.seabed_friction,
-    )
-    part = verify_line(moored, solve_case(case), elements=elements, tolerance=tolerance, name=name)
+    else:
+        case = as_found(case)
+        closed = solve_case(case)
+        part = verify_line(case, closed, elements=elements, tolerance=tolerance, name=name)
     _check_buoys(part, case.site.water_depth)
     return part
 

@@ -6,10 +6,10 @@ All in SI, the unit in the key; lives in years.
 from __future__ import annotations
 
 from collections.abc import Callable
-from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 from catopt.constants import YEAR
+from catopt.documents import figures
 
 if TYPE_CHECKING:
     from catopt.fem.extremes import Extreme
@@ -25,23 +25,7 @@ if TYPE_CHECKING:
     from catopt.verify.result import StaticComparison, Verification
 
 _SCHEMA = "catopt.verify/1"
-_ENERGIES = (
-    "put_in",
-    "ends",
-    "water",
-    "kinetic",
-    "elastic",
-    "potential",
-    "drag",
-    "bed",
-    "friction",
-)
-
-
-def laid(thing: object, *names: str, **paths: str) -> dict[str, Any]:
-    """Lay attributes of a thing out by their names, and by other keys those at a path."""
-    found = {name: getattr(thing, name) for name in names}
-    return found | {key: attrgetter(path)(thing) for key, path in paths.items()}
+_ENERGIES = "put_in_J ends_J water_J kinetic_J elastic_J potential_J drag_J bed_J friction_J"
 
 
 # ------------------------------------------------------------------ at rest
@@ -88,14 +72,13 @@ def _static(part: StaticComparison) -> dict[str, Any]:
     """Build the part of one load case."""
     return {
         "load_case": part.name,
-        **laid(part, "kind", "verdict", "tolerance"),
+        **figures(part, "kind verdict tolerance"),
         "closed_form": _by_key(part, lambda each: each.closed_form),
         "fem": _by_key(part, lambda each: each.extrapolated),
         "difference": _by_key(part, lambda each: each.difference),
         "worst": _name(part.worst) | {"gap": part.worst.gap},
         "meshes": [
-            laid(mesh, "elements", "iterations", "residual", penetration_m="penetration")
-            for mesh in part.meshes
+            figures(mesh, "elements iterations residual penetration_m") for mesh in part.meshes
         ],
         "quantities": [_compared(each) for each in part.quantities],
         "remarks": list(part.remarks),
@@ -119,9 +102,8 @@ def _name(each: Compared) -> dict[str, Any]:
 
 
 def _compared(each: Compared) -> dict[str, Any]:
-    own = ("order", "is_smooth", "extrapolated", "difference_before", "difference", "scale")
-    values = {"closed_form": each.closed_form, "fem": list(each.fem)}
-    return _name(each) | values | laid(each, *own, "allowed", "agrees")
+    own = "closed_form fem order is_smooth extrapolated difference_before difference scale"
+    return _name(each) | figures(each, f"{own} allowed agrees")
 
 
 # ------------------------------------------------------------------ in motion
@@ -142,15 +124,12 @@ def dynamic_document(found: DynamicVerification) -> dict[str, Any]:
 def _part(part: DynamicPart) -> dict[str, Any]:
     return {
         "load_case": part.name,
-        **laid(part, "line", "is_complete", "elements"),
+        **figures(part, "line is_complete elements"),
         "quantities": [_quantity(each) for each in part.quantities],
         "max_tension_N": part.max_tension,
         "quasi_static_max_tension_N": part.quasi_static_max,
-        "amplification": part.amplification,
-        "slack_time_s": part.slack_time,
-        "longest_slack_s": part.longest_slack,
-        **laid(part, "verdict", "proof"),
-        "changes": [laid(each, "quantity", "way", change="size") for each in part.changes],
+        **figures(part, "amplification slack_time_s longest_slack_s verdict proof"),
+        "changes": [figures(each, "quantity way") | {"change": each.size} for each in part.changes],
         "anchor_at_rest": {f"{key}_N": value for key, value in part.anchor_at_rest.items()} or None,
         "numerical_part": part.numerical_part,
         "runs": [_run(run) for run in part.runs],
@@ -160,14 +139,19 @@ def _part(part: DynamicPart) -> dict[str, Any]:
 
 def _quantity(each: OverRuns) -> dict[str, Any]:
     tail, runs = each.tail, each.gumbel
-    found = laid(each, "quantity", "unit", "mean", "std", max="maximum", min="minimum")
-    found |= {"most_probable_max": each.most_probable_maximum, "tail": None, "gumbel": None}
+    found = figures(each, "quantity unit mean std") | {
+        "max": each.maximum,
+        "min": each.minimum,
+        "most_probable_max": each.most_probable_maximum,
+        "tail": None,
+        "gumbel": None,
+    }
     if tail is not None:
-        fit = laid(tail, "mean", "threshold", "scale", "shape", "peaks")
+        fit = figures(tail, "mean threshold scale shape peaks")
         above = {"peaks_above": len(tail.clusters), "time_s": tail.time}
         found["tail"] = _extreme(tail.extreme) | fit | above
     if runs is not None:
-        found["gumbel"] = _extreme(runs.extreme) | laid(runs, "mode", "scale", "runs", run_s="run")
+        found["gumbel"] = _extreme(runs.extreme) | figures(runs, "mode scale runs run_s")
     return found
 
 
@@ -175,7 +159,7 @@ def _extreme(extreme: Extreme) -> dict[str, Any]:
     return {
         "duration_s": extreme.duration,
         "most_probable_max": extreme.most_probable,
-        **laid(extreme, "low", "high", "confidence"),
+        **figures(extreme, "low high confidence"),
         "expected_max": extreme.expected,
     }
 
@@ -187,15 +171,16 @@ def _run(run: DynamicRun) -> dict[str, Any]:
         "run": run.number + 1,
         "is_complete": history.is_complete,
         "reached_s": float(history.time[-1]),
-        **laid(history, since_s="since", time_step_s="step", shortest_step_s="shortest_step"),
-        **laid(history, "steps", "iterations", "halvings"),
+        "since_s": history.since,
+        "time_step_s": history.step,
+        **figures(history, "shortest_step_s steps iterations halvings"),
         "max_fairlead_tension_N": tension.maximum,
         "time_of_max_s": tension.time_of_maximum,
         "slack_time_s": history.line_slack_time(),
         "longest_slack_s": history.line_longest_slack(),
         "refinements": history.refinements,
         "energy": {
-            **{f"{name}_J": getattr(history.balance, name) for name in _ENERGIES},
+            **figures(history.balance, _ENERGIES),
             "line_damping_J": history.balance.damping,
             "numerical_J": history.balance.numerical,
         },
@@ -203,9 +188,7 @@ def _run(run: DynamicRun) -> dict[str, Any]:
             {
                 "way": again.way,
                 "time_step_s": again.step,
-                "elements": again.elements,
-                "maxima": dict(again.maxima),
-                "failure": again.failure,
+                **figures(again, "elements maxima failure"),
             }
             for again in run.again
         ],
@@ -225,12 +208,8 @@ def fatigue_document(report: FatigueReport) -> dict[str, Any]:
         "counting": "rainflow, ASTM E1049, what is left over as half cycles",
         "share_of_year": report.share,
         "sea_states": [
-            laid(state, height_m="height", period_s="period", share="share")
-            | {
-                "direction_rad": state.direction,
-                "verdict": run.verdict,
-                "runs": len(run.parts[0].runs),
-            }
+            figures(state, "height_m period_s share direction_rad")
+            | {"verdict": run.verdict, "runs": len(run.parts[0].runs)}
             for state, run in zip(report.states, report.runs, strict=True)
         ],
         "segments": [_segment(each) for each in report.segments],
@@ -246,13 +225,12 @@ def _segment(each: SegmentFatigue) -> dict[str, Any]:
         "segment": each.number,
         "component": each.segment.component,
         "curve": curve.source.code,
-        **laid(curve, "kind", "factor", "slope", "per_mean"),
+        **figures(curve, "kind factor slope per_mean"),
         "source": curve.source.text,
         "diameter_m": each.strength.diameter,
         "area_m2": each.strength.reference if is_stress else None,
         "strength_N": None if is_stress else each.strength.reference,
-        "arc_m": each.arc,
-        "along": each.along,
+        **figures(each, "arc_m along"),
         "damage_per_year": each.damage,
         "life_years": each.years,
         "wanted_years": each.life / YEAR,
@@ -262,14 +240,13 @@ def _segment(each: SegmentFatigue) -> dict[str, Any]:
         "change_of_ranges": each.change,
         "worst_sea_state": each.worst + 1,
         "sea_states": [
-            laid(
-                state,
-                damage_per_year="damage",
-                mean_tension_N="mean",
-                cycles_per_year="cycles",
-                damage_per_year_at_half_step="at_half_step",
-                damage_per_year_by_spectrum="by_spectrum",
-            )
+            {
+                "damage_per_year": state.damage,
+                "mean_tension_N": state.mean,
+                "cycles_per_year": state.cycles,
+                "damage_per_year_at_half_step": state.at_half_step,
+                "damage_per_year_by_spectrum": state.by_spectrum,
+            }
             for state in each.states
         ],
     }

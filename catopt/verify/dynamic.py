@@ -193,13 +193,10 @@ def _parts(
     return [
         DynamicPart(
             name,
+            drive,
             of_line,
-            drive.is_random,
-            drive.is_led_at_random,
-            drive.dynamics.duration_of_interest,
             leg.line.length,
             proof,
-            drive.dynamics.bars,
             (*remarks, *lines.remarks(), *_remarks(drive, of_line)),
             None if drive.case.system is None else k,
             lines.anchor_at_rest() if drive.compares_at_rest else {},

@@ -21,6 +21,7 @@ from catopt.model import Case
 from catopt.model.dynamics import InitialFriction
 from catopt.shown import Shown
 from catopt.ties import largest
+from catopt.verify.dynamic_setup import Drive
 from catopt.verify.proof import LEAST_TENSION, LIMIT, Again, Change, Proof, added, largest_changes
 from catopt.words import Message
 
@@ -199,23 +200,17 @@ class Envelope(NamedTuple):
 class DynamicPart:
     """A line in motion under one load.
 
-    `name`: of the load case; `runs`: one a seed; `is_random`: whether the runs are drawn from a
-    random sea; `is_led_at_random`: whether the fairlead's motion follows from that sea, or is
-    prescribed; `duration_of_interest`: of the storm for which extremes are given, s; `line_length`:
-    unstretched, m; `proof`: how the runs were to be proven; `elements`: bars; `remarks`: what to
-    know before the figures are used; `line`: of a body with several lines, which one, from 1;
-    `anchor_at_rest`: tension at the anchor at rest, N, by the initial friction; empty where nothing
-    rubs.
+    `name`: of the load case; `drive`: what drove it; `runs`: one a seed; `line_length`:
+    unstretched, m; `proof`: how the runs were to be proven; `remarks`: what to know before the
+    figures are used; `line`: of a body with several lines, which one, from 1; `anchor_at_rest`:
+    tension at the anchor at rest, N, by the initial friction; empty where nothing rubs.
     """
 
     name: str
+    drive: Drive
     runs: tuple[DynamicRun, ...]
-    is_random: bool
-    is_led_at_random: bool
-    duration_of_interest: float
     line_length: float
     proof: Proof
-    elements: int
     remarks: tuple[str, ...] = ()
     line: int | None = None
     anchor_at_rest: Mapping[InitialFriction, float] = field(default_factory=dict)
@@ -337,7 +332,17 @@ class DynamicPart:
         """Whether a quantity has extremes: not the grounded length, which ends with the line."""
         if quantity == "grounded_length":
             return False
-        return self.is_led_at_random if quantity == "offset" else self.is_random
+        return self.drive.is_led_at_random if quantity == "offset" else self.drive.is_random
+
+    @property
+    def elements(self) -> int:
+        """Bars of a line."""
+        return self.drive.dynamics.bars
+
+    @property
+    def duration_of_interest(self) -> float:
+        """Of the storm for which extremes are given, s."""
+        return self.drive.dynamics.duration_of_interest
 
     def _tail(self, quantity: str, each: list[SeriesStatistics]) -> TailFit | None:
         if not self.varies_at_random(quantity):

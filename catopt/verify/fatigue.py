@@ -304,6 +304,7 @@ _UNITS = {
     "share": {"": 1.0, "-": 1.0, "%": 0.01},
     "occurrences": {OF_TOTAL: 1.0},
 }
+"""Columns of a file of sea states, and their units."""
 _LASTING = ("share", "time", "occurrences")
 """Columns of which one says how long a sea state lasts."""
 
@@ -315,8 +316,7 @@ def sea_states(case: Case) -> tuple[FatigueSeaState, ...]:
     path = fatigue.sea_states_file
     if not path:
         return fatigue.sea_states
-    needed = ("height", "period")
-    columns = read_columns(path, needed=needed, known=tuple(_UNITS), some_of=_LASTING, units=_UNITS)
+    columns = read_columns(path, _UNITS, needed=("height", "period"), some_of=_LASTING)
     given = [key for key in _LASTING if key in columns]
     if len(given) > 1:
         raise InputError([Problem("headings", " and ".join(given), "one of them is wanted")], path)

@@ -13,7 +13,7 @@ import numpy as np
 from catopt.catenary.solution import Solution
 from catopt.errors import NotConvergedError
 from catopt.fem import LineMesh, TrussSolution, mesh_line, solve_line
-from catopt.model import Line, Load
+from catopt.model import Case
 from catopt.verify.compared import ORDER, Compared, Unit
 from catopt.verify.result import LinePair, Mesh, StaticComparison, largest_distances
 from catopt.words import Message, Several
@@ -33,28 +33,8 @@ _AT_END = 1e-9
 """How far beyond its end, over its length, a stretch may be level."""
 
 
-@dataclass(frozen=True)
-class Moored:
-    """A line, where it is moored and what is known of its load.
-
-    `height`, `anchor_height`: of the fairlead and the anchor above the seabed, m; `load`: what is
-    known at the fairlead.
-    """
-
-    line: Line
-    height: float
-    load: Load
-    anchor_height: float = 0.0
-    seabed_friction: float = 0.0
-
-
 def verify_line(
-    moored: Moored,
-    closed: Solution,
-    *,
-    elements: int,
-    tolerance: float,
-    name: str = "",
+    case: Case, closed: Solution, *, elements: int, tolerance: float, name: str = ""
 ) -> StaticComparison:
     """Solve a line by the truss model on three meshes and hold it against the closed form.
 
@@ -62,10 +42,10 @@ def verify_line(
     """
     trusses = on_meshes(
         elements,
-        lambda bars: [mesh_line(moored.line, bars, bends=bends(closed))],
-        lambda meshes: _under_load(moored, meshes[0], closed),
+        lambda bars: [mesh_line(case.line, bars, bends=bends(closed))],
+        lambda meshes: _under_load(case, meshes[0], closed),
     )
-    return compare_line(moored, closed, trusses, tolerance=tolerance, name=name)
+    return compare_line(case, closed, trusses, tolerance=tolerance, name=name)
 
 
 def bends(closed: Solution) -> list[tuple[float, float]]:
@@ -102,7 +82,7 @@ def on_meshes(
 
 
 def compare_line(
-    moored: Moored,
+    case: Case,
     closed: Solution,
     trusses: Sequence[TrussSolution],
     *,
@@ -113,14 +93,11 @@ def compare_line(
     return StaticComparison(
         name=name,
         kind="line",
-        quantities=tuple(_quantities(moored, closed, trusses, tolerance)),
-        meshes=tuple(
-            Mesh(truss.mesh.elements, truss.iterations, truss.residual, truss.penetration + 0.0)
-            for truss in trusses
-        ),
+        quantities=tuple(_quantities(case, closed, trusses, tolerance)),
+        meshes=tuple(Mesh.of(truss, [truss]) for truss in trusses),
         lines=(LinePair(closed, tuple(trusses)),),
         tolerance=tolerance,
-        remarks=tuple(_remarks(moored, closed)),
+        remarks=tuple(_remarks(case, closed)),
     )
 
 
@@ -175,11 +152,12 @@ class Comparing:
 
 
 def _quantities(
-    moored: Moored, closed: Solution, trusses: Sequence[TrussSolution], tolerance: float
+    case: Case, closed: Solution, trusses: Sequence[TrussSolution], tolerance: float
 ) -> Iterator[Compared]:
     both = Comparing(closed, trusses, tolerance)
     force, reach = both.scales
-    if moored.load.span is None:
+    assert case.load is not None
+    if case.load.span is None:
         yield both.of("span", "m", reach)
     else:
         yield both.of("horizontal_force", "N", force)
@@ -192,7 +170,7 @@ def _quantities(
     yield both.of("grounded_length", "m", reach)
     if not both.is_slack:
         distances, limit = largest_distances(closed, trusses)
-        length = moored.line.length
+        length = case.line.length
         yield Compared("shape", "m", 0.0, distances, length, tolerance, limit=limit)
 
 
@@ -204,10 +182,10 @@ def angle_scale(tension: float, there: float, tolerance: float) -> float:
     return min(tension / there if there > 0.0 else math.inf, math.pi / tolerance)
 
 
-def _remarks(moored: Moored, closed: Solution) -> Iterator[str]:
+def _remarks(case: Case, closed: Solution) -> Iterator[str]:
     if closed.regime == "slack":
         yield Several((Message(SLACK), Message("truss.bights")))
-    if moored.load.fairlead_tension is not None:
+    if case.load is not None and case.load.fairlead_tension is not None:
         yield Message("truss.tension_given")
 
 
@@ -215,7 +193,7 @@ def _remarks(moored: Moored, closed: Solution) -> Iterator[str]:
 
 
 def _solved(
-    moored: Moored,
+    case: Case,
     mesh: LineMesh,
     *,
     horizontal_force: float | None = None,
@@ -223,28 +201,29 @@ def _solved(
     start: TrussSolution | None = None,
 ) -> TrussSolution:
     return solve_line(
-        moored.line,
-        height=moored.height,
+        case.line,
+        height=case.fairlead_height,
         horizontal_force=horizontal_force,
         span=span,
-        seabed_friction=moored.seabed_friction,
-        anchor_height=moored.anchor_height,
+        seabed_friction=case.site.seabed_friction,
+        anchor_height=case.anchor_height,
         mesh=mesh,
         start=start,
     )
 
 
-def _under_force(moored: Moored, mesh: LineMesh, H: float) -> TrussSolution:
+def _under_force(case: Case, mesh: LineMesh, H: float) -> TrussSolution:
     """Solve from straight, or where that fails from twice the force, which bends the line less."""
     try:
-        return _solved(moored, mesh, horizontal_force=H)
+        return _solved(case, mesh, horizontal_force=H)
     except NotConvergedError:
-        if H > abs(moored.line.submerged_weight):
+        if H > abs(case.line.submerged_weight):
             raise
-    return _solved(moored, mesh, horizontal_force=H, start=_under_force(moored, mesh, 2.0 * H))
+    return _solved(case, mesh, horizontal_force=H, start=_under_force(case, mesh, 2.0 * H))
 
 
-def _under_load(moored: Moored, mesh: LineMesh, closed: Solution) -> TrussSolution:
-    if moored.load.span is not None:
-        return _solved(moored, mesh, span=moored.load.span)
-    return _under_force(moored, mesh, closed.horizontal_force)
+def _under_load(case: Case, mesh: LineMesh, closed: Solution) -> TrussSolution:
+    assert case.load is not None
+    if case.load.span is not None:
+        return _solved(case, mesh, span=case.load.span)
+    return _under_force(case, mesh, closed.horizontal_force)

@@ -20,17 +20,24 @@ from catopt.waves import CurrentSeries, ElevationRecord, Waves
 
 Array = npt.NDArray[np.float64]
 
-_AXES = ("x", "y", "z")
-_FORCES = ("fx", "fy", "fz")
+Units = Mapping[str, Mapping[str, float] | None]
+"""Headings that a file may have, with the units that each may name and their sizes in SI.
+
+None: what stands in brackets is not read.
+"""
+
 _MOTIONS = ("surge", "sway", "heave")
-OF_TOTAL = "of N"
-"""Unit of a column of parts of a total, which its heading has: ``occurrences (of 1000)``."""
-_SEA = {
-    "time": UNITS[Dimension.TIME],
-    "elevation": UNITS[Dimension.LENGTH],
+_TIME, _LENGTH = UNITS[Dimension.TIME], UNITS[Dimension.LENGTH]
+_PLACE: Units = dict.fromkeys(("t", "x", "y", "z"))
+_FORCE: Units = {"t": _TIME, **dict.fromkeys(("fx", "fy", "fz"), UNITS[Dimension.FORCE])}
+_ELEVATION: Units = {"time": _TIME, "elevation": _LENGTH}
+_CURRENT: Units = {
+    "time": _TIME,
     "speed": UNITS[Dimension.SPEED],
     "direction": UNITS[Dimension.ANGLE],
 }
+OF_TOTAL = "of N"
+"""Unit of a column of parts of a total, which its heading has: ``occurrences (of 1000)``."""
 SHOWN = 10
 """Faulty cells that are told of one file."""
 
@@ -81,8 +88,7 @@ def read_motion(path: str, duration: float) -> Sampled:
     of the run, s; the record may not end before it. Raises InputError for a file that cannot be
     read, wrong headings or cells, times that do not rise, a gap, or a record that is too short.
     """
-    columns = read_columns(path, needed=("t",), known=("t", *_AXES), some_of=_AXES)
-    return _sampled(path, columns, _AXES, duration)
+    return _sampled(path, _PLACE, duration)
 
 
 def read_force(path: str, duration: float) -> Sampled:
@@ -91,15 +97,15 @@ def read_force(path: str, duration: float) -> Sampled:
     `path`: CSV with a row of headings: ``t (s)``, and any of ``Fx``, ``Fy``, ``Fz`` with the unit
     of a force; else as `read_motion`.
     """
-    units = {"t": UNITS[Dimension.TIME], **dict.fromkeys(_FORCES, UNITS[Dimension.FORCE])}
-    columns = read_columns(path, needed=("t",), known=tuple(units), some_of=_FORCES, units=units)
-    return _sampled(path, columns, _FORCES, duration)
+    return _sampled(path, _FORCE, duration)
 
 
-def _sampled(path: str, columns: dict[str, Array], axes: Sequence[str], duration: float) -> Sampled:
-    t = columns["t"]
+def _sampled(path: str, known: Units, duration: float) -> Sampled:
+    key, *axes = known
+    columns = read_columns(path, known, needed=(key,), some_of=axes)
+    t = columns[key]
     values = np.column_stack([columns.get(axis, np.zeros(t.size)) for axis in axes])
-    with _record_of(path, "t", t, duration):
+    with _record_of(path, key, t, duration):
         return Sampled(t - t[0], values)
 
 
@@ -109,8 +115,7 @@ def read_elevation(path: str, duration: float) -> ElevationRecord:
     `path`: CSV with a row of headings, ``time (s)`` and ``elevation (m)``, or in other units; else
     as `read_motion`.
     """
-    needed = ("time", "elevation")
-    columns = read_columns(path, needed=needed, known=needed, some_of=needed, units=_SEA)
+    columns = read_columns(path, _ELEVATION, needed=tuple(_ELEVATION))
     with _record_of(path, "time", columns["time"], duration):
         return ElevationRecord(columns["time"], columns["elevation"])
 
@@ -121,9 +126,7 @@ def read_current(path: str, duration: float) -> CurrentSeries:
     `path`: CSV with a row of headings, ``time (min)``, ``speed (m/s)`` and, where it turns,
     ``direction (deg)``, or in other units; else as `read_motion`, and gaps are no matter.
     """
-    needed = ("time", "speed")
-    known = (*needed, "direction")
-    columns = read_columns(path, needed=needed, known=known, some_of=needed, units=_SEA)
+    columns = read_columns(path, _CURRENT, needed=("time", "speed"))
     t = columns["time"]
     with _record_of(path, "time", t, duration):
         return CurrentSeries(t - t[0], columns["speed"], columns.get("direction"))
@@ -150,8 +153,8 @@ def read_raos(path: str) -> Raos:
     InputError for a file that cannot be read, wrong headings or cells, or a period twice.
     """
     phases = tuple(f"{each}_phase" for each in _MOTIONS)
-    known = ("period", *_MOTIONS, *phases)
-    columns = read_columns(path, needed=("period",), known=known, some_of=_MOTIONS)
+    known: Units = dict.fromkeys(("period", *_MOTIONS, *phases))
+    columns = read_columns(path, known, needed=("period",), some_of=_MOTIONS)
     columns |= {each: np.radians(columns[each]) for each in phases if each in columns}
     period = columns["period"]
     if not (period > 0.0).all():
@@ -179,20 +182,14 @@ def responses(
 
 
 def read_columns(
-    path: str,
-    *,
-    needed: Sequence[str],
-    known: Sequence[str],
-    some_of: Sequence[str],
-    units: Mapping[str, Mapping[str, float]] | None = None,
+    path: str, known: Units, *, needed: Sequence[str], some_of: Sequence[str] = ()
 ) -> dict[str, Array]:
     """Read the columns of a file of numbers; every problem at once.
 
-    `path`: CSV with a row of headings, such as ``Fx (kN)``; `needed`, `known`, `some_of`: headings
-    that have to be there, that may be, and of which one at least has to; `units`: units that each
-    heading may name, one of which it has to, with their sizes in SI; `OF_TOTAL` stands for every
-    total. Without, what stands in brackets is not read. Raises InputError for a file that cannot
-    be read, wrong headings or cells.
+    `path`: CSV with a row of headings, such as ``Fx (kN)``; `known`: headings that may be there,
+    with the units one of which each has to name; `OF_TOTAL` stands for every total; `needed`,
+    `some_of`: those that have to be there, and of which one at least has to, else of the needed.
+    Raises InputError for a file that cannot be read, wrong headings or cells.
     """
     rows = _rows(path)
     if len(rows) < 2:
@@ -210,10 +207,11 @@ def read_columns(
         Problem("headings", each, "twice")
         for each in sorted({h for h in heads if heads.count(h) > 1})
     ]
-    sizes, wrong = _sizes(rows[0][1], heads, units or {})
+    sizes, wrong = _sizes(rows[0][1], heads, known)
     problems += wrong
-    if not any(each in heads for each in some_of):
-        problems.append(Problem("headings", "", f"one of {', '.join(some_of)} is missing"))
+    some = some_of or needed
+    if not any(each in heads for each in some):
+        problems.append(Problem("headings", "", f"one of {', '.join(some)} is missing"))
     if problems:
         raise InputError(problems, path)
     values = np.full((len(rows) - 1, len(heads)), np.nan)
@@ -225,7 +223,7 @@ def read_columns(
 
 
 def _sizes(
-    cells: Sequence[str], heads: Sequence[str], units: Mapping[str, Mapping[str, float]]
+    cells: Sequence[str], heads: Sequence[str], units: Units
 ) -> tuple[list[float], list[Problem]]:
     """Size in SI of the unit that each heading names, and what is wrong with them."""
     sizes, problems = [], []

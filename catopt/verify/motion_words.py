@@ -58,7 +58,7 @@ def motion_sentences(part: DynamicPart) -> list[str]:
 
 def _extremes(part: DynamicPart) -> Iterator[str]:
     """Say what the largest values are in the duration of interest, and how far that is known."""
-    if not part.is_random:
+    if not part.drive.is_random:
         yield Message("motion.not_random")
         return
     for each in part.quantities:

@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from catopt.catenary.layout import end_of, tension_at
 from catopt.catenary.solution import Solution
-from catopt.fem import TrussSolution
+from catopt.fem import SystemSolution, TrussSolution
 from catopt.model import Case
 from catopt.shown import Shown
 from catopt.ties import largest
@@ -91,6 +91,13 @@ class Mesh:
     """Largest force left over at a node, over the largest tension."""
     penetration: float
     """Largest depth of a node below the bed, m."""
+
+    @classmethod
+    def of(cls, truss: TrussSolution | SystemSolution, lines: Sequence[TrussSolution]) -> Mesh:
+        """Tell of a solution of one line, or of a body with several."""
+        elements = sum(line.mesh.elements for line in lines)
+        penetration = max(line.penetration for line in lines) + 0.0
+        return cls(elements, truss.iterations, truss.residual, penetration)
 
 
 class Gap(NamedTuple):

@@ -55,15 +55,7 @@ def verify_system(
             *_body(system, closed, trusses, tolerance),
             *(each for k in range(count) for each in _line(k, closed, trusses, tolerance)),
         ),
-        meshes=tuple(
-            Mesh(
-                elements=sum(line.mesh.elements for line in truss.lines),
-                iterations=truss.iterations,
-                residual=truss.residual,
-                penetration=max(line.penetration for line in truss.lines) + 0.0,
-            )
-            for truss in trusses
-        ),
+        meshes=tuple(Mesh.of(truss, truss.lines) for truss in trusses),
         lines=tuple(
             LinePair(closed.lines[k].solution, tuple(truss.lines[k] for truss in trusses))
             for k in range(count)

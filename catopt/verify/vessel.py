@@ -99,9 +99,7 @@ def read_vessel_raos(motion: Motion) -> VesselRaos:
             **{each: {motion.rao_rotation: _ANGLES[motion.rao_rotation[:3]]} for each in _TURNS},
             **{f"{each}_phase": _ANGLES for each in FREEDOMS},
         }
-        columns = read_columns(
-            path, needed=("heading",), known=tuple(units), some_of=FREEDOMS, units=units
-        )
+        columns = read_columns(path, units, needed=("heading",), some_of=FREEDOMS)
     omega = _frequencies(path, columns)
     lag = 1.0 if motion.rao_phase == "lag" else -1.0
     to_amplitude = 1.0 if motion.rao_per == "amplitude" else 2.0

@@ -15,7 +15,7 @@ from catopt.errors import InputError, NoEquilibriumError, NotConvergedError
 from catopt.fem import mesh_line, solve_line
 from catopt.model import Case, Line, Load, Segment
 from catopt.verify import line as line_module
-from catopt.verify.line import Moored, compare_line, on_meshes, verify_line
+from catopt.verify.line import compare_line, on_meshes, verify_line
 from catopt.verify.result import StaticComparison, closed_form_at, largest_distances
 from catopt.verify.truss_words import part_sentence
 from catopt.words import say
@@ -70,7 +70,6 @@ def tampered(solution: Solution, what: str, part: float) -> Solution:
 
 def comparison(closed: Solution, case: Case) -> StaticComparison:
     assert case.load is not None
-    given = Moored(case.line, case.fairlead_height, case.load)
     mesh = mesh_line(case.line, 100)
     trusses = []
     for _ in range(3):
@@ -79,7 +78,7 @@ def comparison(closed: Solution, case: Case) -> StaticComparison:
                        horizontal_force=case.load.horizontal_force)
         )  # fmt: skip
         mesh = mesh.refined()
-    return compare_line(given, closed, trusses, tolerance=1e-4)
+    return compare_line(case, closed, trusses, tolerance=1e-4)
 
 
 @pytest.mark.parametrize(
@@ -108,11 +107,9 @@ SHARP = [(8.0, 3.0), (11.0, 4.0), (22.0, 8.0), (100.0, 50.0)]
 """Length and fairlead height, m, of lines of 1000 N/m that 6 N draw into a bend of 6 mm."""
 
 
-def sharp(length: float, height: float) -> tuple[Moored, Solution]:
-    line = Line([Segment(length, 1000.0, EA=2e7 * length)])
-    return Moored(line, height, Load(horizontal_force=6.0)), solve(
-        line, height=height, horizontal_force=6.0
-    )
+def sharp(length: float, height: float) -> tuple[Case, Solution]:
+    case = moored([(length, 1000.0, 2e7 * length)], height, force(6.0))
+    return case, solve(case.line, height=height, horizontal_force=6.0)
 
 
 @pytest.mark.slow

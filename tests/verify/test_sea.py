@@ -181,7 +181,7 @@ def test_the_step_follows_the_fastest_of_the_energy() -> None:
 def test_a_line_in_a_wind_sea_and_a_swell_runs() -> None:
     waves = WaveState(trains=(WIND_SEA, SWELL))
     part = run(chain(None, 20.0, waves=waves, time_step=0.2, elements=20))
-    assert part.is_random
+    assert part.drive.is_random
     assert np.ptp(part.runs[0].history.fairlead_force[:, 0, 1]) > 10.0  # waves from the side
 
 

@@ -16,8 +16,8 @@ import pytest
 
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
-from catopt.model import Line, Load, PointLoad, Segment
-from catopt.verify.line import Moored, verify_line
+from catopt.model import Case, Line, Load, PointLoad, Segment, Site
+from catopt.verify.line import verify_line
 
 WITH_ARCH = {"grounded-in-parts", "grounded-between"}
 BY_MESHES = 1e-6
@@ -26,7 +26,7 @@ LINES = 200
 MOST_DRAWS = 1000
 
 
-def drawn(rng: np.random.Generator) -> Moored:
+def drawn(rng: np.random.Generator) -> Case:
     """Draw chain with one or two buoys, most of it on the bed.
 
     On the bed a buoy of lift B hangs B/(2 w) up on each side. The last part, of sqrt(h2 + 2 h H/w),
@@ -47,16 +47,17 @@ def drawn(rng: np.random.Generator) -> Moored:
     EA = math.inf if rng.random() < 0.3 else w * length * float(10.0 ** rng.uniform(1.0, 3.5))
     line = Line([Segment(length, w, EA)], loads)
     friction = 0.0 if rng.random() < 0.4 else float(rng.uniform(0.1, 1.0))
-    return Moored(line, height, Load(horizontal_force=w * a), seabed_friction=friction)
+    return Case(Site(height, friction), line, Load(horizontal_force=w * a), height)
 
 
-def closed_form(moored: Moored) -> Solution:
+def closed_form(case: Case) -> Solution:
+    assert case.load is not None
     return solve(
-        moored.line,
-        height=moored.height,
-        seabed_friction=moored.seabed_friction,
-        horizontal_force=moored.load.horizontal_force,
-        span=moored.load.span,
+        case.line,
+        height=case.fairlead_height,
+        seabed_friction=case.site.seabed_friction,
+        horizontal_force=case.load.horizontal_force,
+        span=case.load.span,
     )
 
 
@@ -71,24 +72,24 @@ def is_comparable(closed: Solution) -> bool:
     return closed.regime in WITH_ARCH and all(each.horizontal_force > 0.0 for each in hanging)
 
 
-def lifted(seed: int) -> tuple[Moored, Solution]:
+def lifted(seed: int) -> tuple[Case, Solution]:
     """Return the first line of a seed that can be compared; of odd seeds its span is given."""
     rng = np.random.default_rng([20260, seed])
     for _ in range(MOST_DRAWS):
-        moored = drawn(rng)
-        closed = closed_form(moored)
+        case = drawn(rng)
+        closed = closed_form(case)
         if is_comparable(closed):
             if seed % 2 == 0:
-                return moored, closed
-            moored = replace(moored, load=Load(span=closed.span))
-            return moored, closed_form(moored)
+                return case, closed
+            case = replace(case, load=Load(span=closed.span))
+            return case, closed_form(case)
     raise AssertionError
 
 
 def test_both_regimes_are_among_them_with_and_without_friction() -> None:
     kinds: Counter[tuple[str, bool, int]] = Counter(
-        (closed.regime, moored.seabed_friction > 0.0, len(moored.line.point_loads))
-        for moored, closed in map(lifted, range(LINES))
+        (closed.regime, case.site.seabed_friction > 0.0, len(case.line.point_loads))
+        for case, closed in map(lifted, range(LINES))
     )
     parts = [("grounded-in-parts", rubs, buoys) for rubs in (False, True) for buoys in (1, 2)]
     between = [("grounded-between", rubs, 1) for rubs in (False, True)]
@@ -101,8 +102,8 @@ def test_both_regimes_are_among_them_with_and_without_friction() -> None:
     [*range(10), *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(10, LINES))],
 )
 def test_random_lines_with_arches_agree(seed: int) -> None:
-    moored, closed = lifted(seed)
-    part = verify_line(moored, closed, elements=200, tolerance=1e-4)
+    case, closed = lifted(seed)
+    part = verify_line(case, closed, elements=200, tolerance=1e-4)
     assert part.verdict == "agrees"
     for each in part.quantities:
         # Where the order is not that of theory nothing is extrapolated: then what counts is how
