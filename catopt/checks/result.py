@@ -151,12 +151,8 @@ class CheckReport(Shown):
     def used(self, *, line: int | None = None, missing: int | None = None) -> float | None:
         """Return the largest utilisation of a tension; None where none is limited.
 
-        Parameters
-        ----------
-        line : int, optional
-            Of one line of a body, from 1; of any when left out.
-        missing : int, optional
-            The line that is gone, from 1; with all there when left out.
+        `line`: of one line of a body, from 1; of any when left out; `missing`: the line that is
+        gone, from 1; with all there when left out.
         """
         known = [
             each.demand / each.capacity

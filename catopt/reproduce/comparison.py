@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any
 
-from catopt.reproduce.items import Input, Item, Judgement, Printed, Study
+from catopt.reproduce.items import Heading, Input, Item, Judgement, Printed, Study
 from catopt.reproduce.published import Published
 from catopt.words import Message, term
 
@@ -85,12 +85,7 @@ def study_of(
     `ours`: what went in beside what the source states; `more`: further fields of the study.
     """
     return Study(
-        name=source.name,
-        title=source.title,
-        source=source.source,
-        source_title=source.source_title,
-        source_where=source.source_where,
-        where=source.where,
+        **{each.name: getattr(source, each.name) for each in fields(Heading)},
         inputs=(*source.stated, *ours),
         items=tuple(items),
         findings=tuple(findings),

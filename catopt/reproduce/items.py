@@ -185,8 +185,8 @@ class Drawn:
 
 
 @dataclass(frozen=True)
-class Study:
-    """One published calculation, recomputed."""
+class Heading:
+    """What a calculation is about, and where it was published."""
 
     name: str
     """By which `reproduce` knows it."""
@@ -196,6 +196,12 @@ class Study:
     source_where: str
     where: str
     """Short name and title of the source, its publication, and the place in it."""
+
+
+@dataclass(frozen=True)
+class Study(Heading):
+    """One published calculation, recomputed."""
+
     inputs: tuple[Input, ...]
     items: tuple[Item, ...]
     """Every printed number, in the source's order."""

@@ -9,7 +9,7 @@ from functools import cache
 from importlib.resources import files
 from typing import Any, Final
 
-from catopt.reproduce.items import Input, Printed
+from catopt.reproduce.items import Heading, Input, Printed
 from catopt.units import UNITS, Dimension
 from catopt.words import Cited, Language, Told
 
@@ -20,7 +20,7 @@ Given = Mapping[str, float | tuple[float, ...]]
 
 
 @dataclass(frozen=True)
-class Published:
+class Published(Heading):
     """One table of ``published.toml`` with its source.
 
     `inputs`, `series`: numbers that went in, and those that were varied, with the unit in the key;
@@ -28,12 +28,6 @@ class Published:
     unit.
     """
 
-    name: str
-    title: str
-    where: str
-    source: str
-    source_title: str
-    source_where: str
     inputs: dict[str, float]
     series: dict[str, tuple[float, ...]]
     stated: tuple[Input, ...]

@@ -231,16 +231,9 @@ def verify_fatigue(
     is that of its bar that is damaged most. Its curve and its reference are those at half the loss
     of diameter; the line that is run is new.
 
-    Parameters
-    ----------
-    case : Case
-        With `fatigue`, `dynamics`, `waves` and `service`.
-    load_case : str, optional
-        Name of the load case under which the line lies; needed where there are several.
-    announce : callable, optional
-        Told beforehand, in words, what all sea states take, where that is minutes.
-
-    The other parameters, and what is raised, are as for `verify_dynamic`.
+    `case`: with `fatigue`, `dynamics`, `waves` and `service`; `load_case`: under which the line
+    lies, needed where there are several; `announce`: told beforehand, in words, what all sea states
+    take, where that is minutes. The others, and what is raised, are as for `verify_dynamic`.
     """
     if case.fatigue is None:
         raise InputError([Problem("fatigue", "", "[fatigue] is missing; the sea states are there")])

@@ -51,24 +51,10 @@ class LinearLine:
 def linear_lines(case: Case) -> tuple[LinearLine, ...]:
     """Find the standard deviation of the tension at every fairlead in the sea of a case.
 
-    Parameters
-    ----------
-    case : Case
-        With `waves`, `dynamics`, and a `motion` by `rao_file` or none; with `system`, all lines of
-        the body, which is led by its RAOs.
-
-    Returns
-    -------
-    tuple of LinearLine
-        One a line.
-
-    Raises
-    ------
-    InputError
-        For what a line in motion lacks, and what has no linear form: a body that moves under
-        forces, a motion over time, a line that is lost.
-    NoEquilibriumError, NotConvergedError
-        As for `verify_dynamic`.
+    `case`: with `waves`, `dynamics`, and a `motion` by `rao_file` or none; with `system`, all lines
+    of the body, which is led by its RAOs. InputError for what a line in motion lacks, and what has
+    no linear form: a body that moves under forces, a motion over time, a line that is lost; else
+    what `verify_dynamic` raises.
 
     Examples
     --------

@@ -196,15 +196,7 @@ class StaticComparison:
         return max(abs(each.fem[mesh] - each.closed_form) / each.scale for each in self.quantities)
 
     def of(self, quantity: str, line: int | None = None) -> Compared:
-        """Look a quantity up.
-
-        Parameters
-        ----------
-        quantity : str
-            Such as ``"fairlead_tension"``.
-        line : int, optional
-            Of a system: which line, from 0.
-        """
+        """Look a quantity up, such as ``"fairlead_tension"``; of a system by the line, from 0."""
         return next(q for q in self.quantities if (q.quantity, q.line) == (quantity, line))
 
 
