@@ -27,7 +27,7 @@ from typing import NamedTuple
 ROOT = Path(__file__).parents[1]
 _COMMANDS = ("tests/cli/test_transcripts.py", "tests/cli/test_every_command.py")
 BESIDE = {
-    "checks": ("tests/cli/test_check.py", *_COMMANDS),
+    "checks": _COMMANDS,
     "sizing": ("tests/cli/test_size.py", *_COMMANDS),
     "loads": ("tests/cli/test_loads.py", *_COMMANDS),
     "design": ("tests/cli/test_design.py", *_COMMANDS),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from tests.catalogue.test_user_families import GOOD
 from tests.decks.own import BRIDLE, MAP, MAP_BRIDLE, MOORDYN
 
 from .conftest import CASES, OWN
@@ -25,6 +26,7 @@ FILES = {path.name: path.read_text("utf-8") for path in sorted(OWN.iterdir())} |
     "oc3.map": MAP.format(**OC3),
     "bridle.txt": BRIDLE,
     "bridle.map": MAP_BRIDLE,
+    "own-families.toml": GOOD,
 }
 LED, SHIP, PUSHED, FORCE = (
     FILES[name] for name in ("led.toml", "ship.csv", "pushed.toml", "force.csv")

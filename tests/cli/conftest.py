@@ -44,8 +44,9 @@ OPTIONS = {
     "LOADS_SHIP": "loads ship --length '234 m' --breadth '31.3 m' --draught '12.4 m' "
     "--frontal-area '582.18 m^2' --lateral-area '1217.4 m^2' --propeller tanker --depth '20 m' "
     "--wind '20 m/s' --current '1.2 m/s' --hmax '3.5 m' --period '8 s'",
-    "SIZE_BUOY": "size buoy 'pillar 2.4 m' --depth '12 m' --low-water '10 m' --wind '25 m/s' "
-    "--current '1.5 m/s' --hs '1.5 m' --period '6 s' --soil 'clean fine to medium sand'",
+    "FAIRWAY": "buoy 'pillar 2.4 m' --depth '12 m' --low-water '10 m' --wind '25 m/s' "
+    "--current '1.5 m/s' --hs '1.5 m' --period '6 s'",
+    "SIZE_BUOY": "size FAIRWAY --soil 'clean fine to medium sand'",
     "SIZE_OWN": "size buoy --depth '9.5 m' --force '0.343 tf' --reserve-buoyancy '12 kN'",
     "SIZE_SHIP": "size tanker --length '234 m' --breadth '31.3 m' --draught '12.4 m' "
     "--moulded-depth '16 m' --depth '22 m' --low-water '20 m' --wind '20 m/s' "

@@ -7,17 +7,9 @@ from pathlib import Path
 import pytest
 
 from catopt import catalogue
-from tests.catalogue.test_user_families import GOOD
 
 from .commands import QUESTIONS
-from .conftest import Run, document_of, refused, rows, typed, words
-
-
-@pytest.fixture
-def own(tmp_path: Path) -> Path:
-    path = tmp_path / "own.toml"
-    path.write_text(GOOD, encoding="utf-8")
-    return path
+from .conftest import Run, document_of, rows, typed, words
 
 
 def test_list_names_every_family_and_range(run: Run, tmp_path: Path) -> None:
@@ -82,23 +74,3 @@ def test_every_figure_in_the_files_has_its_source(run: Run, tmp_path: Path) -> N
         assert row["Confidence"] in "ABCR"
         assert row["Sources"]
         assert row["Place"]
-
-
-def test_one_s_own_families_stand_beside_catopt_s(run: Run, own: Path) -> None:
-    assert "aramid rope" in run("catalog", "list", "--families", own).out
-    shown, found = (
-        document_of(run, *typed(f"catalog {question}"), "--families", own)["components"]
-        for question in (
-            "show 'aramid rope T1' --diameter '40 mm'", "search --mbl '3 MN' --family 'aramid rope'"
-        )
-    )  # fmt: skip
-    assert shown[0]["mass_kg_per_m"] == 1.4
-    assert [component["grade"] for component in found] == ["T1", "T2"]
-
-
-def test_a_broken_file_of_families_is_2_with_every_error(run: Run, own: Path) -> None:
-    own.write_text(GOOD.replace("1440", "0").replace('confidence = "C"', ""), encoding="utf-8")
-    ran = refused(run, "catalog", "list", "--families", own, "--json")
-    assert "3 errors" in ran.err
-    assert "figure[1].formula.density: found 0; must be above 0" in ran.err
-    assert "figure[3].confidence: missing" in ran.err

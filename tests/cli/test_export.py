@@ -71,15 +71,6 @@ def test_it_expects_what_solve_finds(run: Run) -> None:
     assert line["anchor_vertical_force_N"] == solved["anchor"]["vertical_force_N"]
 
 
-def test_a_load_case_by_name_or_the_first_with_a_note(run: Run) -> None:
-    export = ("export", STATES, "--to", "dxf", "--json")
-    named, first = run(*export, "--load-case", "low water"), run(*export)
-    assert json.loads(named.out)["lines"][0]["horizontal_force_N"] == 3000.0
-    assert named.err == ""
-    assert json.loads(first.out)["lines"][0]["horizontal_force_N"] == 4000.0
-    assert 'note: solved under the first load case, "high water"' in first.err
-
-
 @pytest.mark.usefixtures("inside")
 def test_a_design_of_a_result_directory(run: Run) -> None:
     assert run("design", DESIGN, "--out", "front").status == 0

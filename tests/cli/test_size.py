@@ -39,14 +39,6 @@ def test_the_document_and_the_view(run: Run, arguments: list[str]) -> None:
         )
 
 
-def test_what_is_not_given_is_told(run: Run) -> None:
-    told = document_of(run, *typed("size buoy 'pillar 3.0 m' --depth '15 m'"))["defaults"]
-    for default in ("wind 25 m/s", "current 1 m/s", "Hs 2 m", "no tide", "code IALA-CALMAR"):
-        assert default in told
-    assert "wave period 5.1 s" in told  # 3.6 sqrt(2), to the printed digit
-    assert not any(each.startswith("wind") for each in document_of(run, *OWN)["defaults"])
-
-
 def test_a_saved_case_gives_the_same_answer_to_every_command(run: Run, tmp_path: Path) -> None:
     place = tmp_path / "buoy.toml"
     ran = run(*BUOY, "--save", str(place), "--json")

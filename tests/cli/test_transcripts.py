@@ -1,24 +1,57 @@
 """Sessions as they are typed, in transcripts/*.txt, and what each command says.
 
 Sessions have an empty line between them; ``# slow`` goes before one that takes long. ``$`` begins
-a command; words in capitals are those of conftest.py, other files those of cases.py. The lines
-below it are found in what it prints, whatever the breaks of lines are; those after ``2>`` in what
-it says beside the answer, and those after ``!`` are not found. A command ends with 0 unless
-``exit N`` stands below it; then it has no answer, and all lines are of what it says of that.
+a command; words in capitals are those of conftest.py, other files those of cases.py, and settings
+of the environment may stand before it. ``$ edit FILE OLD NEW`` writes changed.toml, that file with
+some of its text replaced. A command ends with 0; where ``exit N`` stands below it, it has no
+answer, unless ``with an answer`` stands there, too. Each other line below a command is one of
+
+======================== ==========================================================================
+``text``                 found in its answer, whatever the breaks of lines are; in what it says of
+                         its failure where it has no answer
+``! text``               not found in all that it says
+``2> text``              found in what it says beside the answer
+``1= text``, ``2= text`` all of the answer, all of what it says beside it
+``= path: value``        a value of its document, as Python writes it and other keys of it; ``abs``
+                         or ``rel`` and a tolerance may follow. ``[*]`` is every item,
+                         ``[key=text]`` those that have it
+``== command``           prints the same answer, to the byte
+``< text``               what somebody answers at the terminal, until all answers are used up;
+                         ``nobody`` does not answer
+``@ files: text``        found in each of the files that it wrote; ``@! files: text`` is not found
+======================== ==========================================================================
 """
 
 from __future__ import annotations
 
+import math
+import re
+import sys
 from collections.abc import Iterator
+from itertools import takewhile
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from .cases import write_files
-from .conftest import NAMED, Run, fits, typed, words
+from .conftest import NAMED, Ran, Run, changed, fits, read_document, sheets, typed, words
 
 TRANSCRIPTS = Path(__file__).parent / "transcripts"
+MARKS = ("exit ", "! ", "2> ", "1= ", "2= ", "= ", "== ", "< ", "@ ", "@! ")
+
+
+class Terminal:
+    """Standard input of somebody who answers."""
+
+    def __init__(self, answers: list[str]) -> None:
+        self.answers = [answer for answer in answers if answer != "nobody"]
+
+    def isatty(self) -> bool:
+        return True
+
+    def readline(self) -> str:
+        return self.answers.pop(0) + "\n" if self.answers else ""
 
 
 def sessions() -> Iterator[Any]:
@@ -31,45 +64,111 @@ def sessions() -> Iterator[Any]:
                 yield pytest.param(lines, marks=marks, id=lines[0].removeprefix("$ "))
 
 
-def steps(session: list[str]) -> Iterator[tuple[str, int, list[str]]]:
-    """Yield each command, how it ends, and what it says."""
+def steps(session: list[str]) -> Iterator[tuple[list[str], dict[str, list[str]]]]:
+    """Yield the words of each command, and the lines below it by their mark."""
     for part in "\n".join(session).removeprefix("$ ").split("\n$ "):
-        command, *said = part.splitlines()
-        ends = [line for line in said if line.startswith("exit ")]
-        yield (
-            command,
-            int(ends[0].split()[1]) if ends else 0,
-            [each for each in said if each not in ends],
-        )
+        command, *lines = part.splitlines()
+        said: dict[str, list[str]] = {mark: [] for mark in ("", *MARKS)}
+        for line in lines:
+            for name, path in NAMED.items():
+                line = line.replace(f"{{{name}}}", str(path))
+            mark = next((mark for mark in MARKS if line.startswith(mark)), "")
+            said[mark].append(line.removeprefix(mark))
+        yield typed(command), said
 
 
 @pytest.mark.parametrize("session", list(sessions()))
-def test_what_is_said(run: Run, inside: Path, session: list[str]) -> None:
+def test_what_is_said(
+    run: Run, inside: Path, monkeypatch: pytest.MonkeyPatch, session: list[str]
+) -> None:
     write_files(inside)
-    for command, status, said in steps(session):
+    for command, said in steps(session):
+        if command[0] == "edit":
+            texts = [text.replace("\\n", "\n") for text in command[2:]]
+            changed(Path(command[1]), inside, *zip(texts[::2], texts[1::2], strict=True))
+            continue
         before = contents(inside)
-        ran = run(*typed(command))
-        assert ran.status == status, ran.err
+        ran, left = run_as_typed(run, monkeypatch, command, said["< "])
+        status, _, answered = (said["exit "] or ["0"])[0].partition(" ")
+        assert (ran.status, left) == (int(status), []), ran.err
         assert "Traceback" not in ran.err
-        out, err = words(ran.out), words(ran.err)
-        if status:
-            assert (ran.out, bool(said)) == ("", True)
+        if ran.status and not answered:
+            assert (ran.out, bool(said[""])) == ("", True)
             assert contents(inside) == before
             assert ran.err.startswith("catopt: ") or "--json" not in command
-        elif not any(word in command for word in ("--json", "export", "import")):
+            ran = Ran(0, ran.err, ran.err)
+        elif "--json" in command and "import" not in command:
+            document = read_document(ran.out)
+            for line in said["= "]:
+                compare(document, line)
+        elif not {"export", "import", "--json"} & set(command):
             assert fits(ran.out) or not ran.out
-        for line in said:
-            for name, path in NAMED.items():
-                line = line.replace(f"{{{name}}}", str(path))
-            if line.startswith("! "):
-                assert line[2:] not in out + err
-            elif line.startswith("2> "):
-                assert line[3:] in err
-            else:
-                assert line in (err if status else out)
-        assert not ran.err or status or "--out" in command or "\n2> " in "\n".join(session)
+        compare_words(ran, said)
+        assert not ran.err or status != "0" or "--out" in command or said["2> "] or said["2= "]
+        for line in said["== "]:
+            assert run(*typed(line)).out == ran.out != ""
+        for mark, wanted in (("@ ", True), ("@! ", False)):
+            for line in said[mark]:
+                files, _, text = line.partition(": ")
+                written = [contents_in_words(path) for path in inside.glob(files)]
+                assert [text in each for each in written] == [wanted] * len(written) != [], line
+
+
+def run_as_typed(
+    run: Run, monkeypatch: pytest.MonkeyPatch, command: list[str], answers: list[str]
+) -> tuple[Ran, list[str]]:
+    """Run a command in its environment; what is left of the answers comes with it."""
+    settings = list(takewhile(lambda word: "=" in word, command))
+    with monkeypatch.context() as patch:
+        for name, _, value in (setting.partition("=") for setting in settings):
+            patch.setenv(name, value)
+        if answers:
+            patch.setattr(sys, "stdin", terminal := Terminal(answers))
+        ran = run(*command[len(settings) :])
+    return ran, terminal.answers if answers else []
+
+
+def compare_words(ran: Ran, said: dict[str, list[str]]) -> None:
+    out, err = words(ran.out), words(ran.err)
+    assert [text for text in said[""] if text not in out] == [], out
+    assert [text for text in said["! "] if text in out + err] == []
+    assert [text for text in said["2> "] if text not in err] == [], err
+    assert said["1= "] in ([], [out])
+    assert said["2= "] in ([], [err])
+
+
+def compare(document: dict[str, Any], line: str) -> None:
+    """Compare one value of a document with what a line says of it."""
+    path, _, rest = line.partition(": ")
+    value, *tolerance = re.split(r" (abs|rel) (?=\S+$)", rest)
+    wanted = eval(value, vars(math) | document)
+    if tolerance:
+        size = float(tolerance[1])
+        absolute = size if tolerance[0] == "abs" else None
+        wanted = pytest.approx(wanted, abs=absolute, rel=None if absolute else size)
+    assert at(document, re.findall(r"[^.\[\]]+", path)) == wanted, line
+
+
+def at(node: Any, keys: list[str]) -> Any:
+    """Follow keys into a document."""
+    if not keys:
+        return node
+    key, *rest = keys
+    if isinstance(node, dict):
+        return at(node[key], rest)
+    if key.lstrip("-").isdigit():
+        return at(node[int(key)], rest)
+    name, _, value = key.partition("=")
+    return [at(each, rest) for each in node if key == "*" or each[name] == value]
 
 
 def contents(folder: Path) -> dict[Path, bytes]:
     """Read all files of a folder and of those in it; the folders stand there, too."""
     return {path: path.read_bytes() if path.is_file() else b"" for path in folder.rglob("*")}
+
+
+def contents_in_words(path: Path) -> str:
+    """Read a file; of a workbook all its cells."""
+    if path.suffix != ".xlsx":
+        return words(path.read_text("utf-8"))
+    return words(str([cell for rows in sheets(path).values() for row in rows for cell in row]))

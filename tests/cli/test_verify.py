@@ -34,11 +34,6 @@ def off(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("catopt.verify.case.solve_case", wrong)
 
 
-def test_one_load_case(run: Run) -> None:
-    found = document_of(run, "verify", DESIGN, "--load-case", "everyday")
-    assert [part["load_case"] for part in found["load_cases"]] == ["everyday"]
-
-
 @pytest.mark.usefixtures("off")
 def test_models_that_differ_are_an_answer_and_with_strict_3(run: Run) -> None:
     ran = run("verify", BUOY)

@@ -51,14 +51,6 @@ def test_codes_judge_the_tensions_by_their_factors_for_motion(run: Run, tmp_path
     assert "Checks of" not in printed
 
 
-def test_a_case_without_codes_says_so(run: Run) -> None:
-    checks = in_motion(run, MOVING)["checks"]
-    assert (checks["passes"], checks["checks"]) == (None, [])
-    assert checks["warnings"] == [
-        "no code is named in [checks] codes: no code judges the tensions in motion"
-    ]
-
-
 def test_more_that_the_storm_is_likely_to_bring_is_said(run: Run, tmp_path: Path) -> None:
     """A random sea of 60 s, judged by its own largest tension; 3 h bring more."""
     sea = '[waves]\nspectrum = "jonswap"\nheight = "2 m"\nperiod = "8 s"\ndirection = "180 deg"\n'
