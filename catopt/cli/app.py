@@ -2,39 +2,68 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Annotated
+from importlib import import_module
+from typing import Annotated, Any
 
 import typer
-import typer.main
 
 from catopt._version import __version__
-from catopt.cli.catalog import catalog
-from catopt.cli.check import check
-from catopt.cli.compile import compile_all
-from catopt.cli.curve import curve
-from catopt.cli.design import design
-from catopt.cli.export import export
-from catopt.cli.fatigue import fatigue
-from catopt.cli.help_words import GroupWithWords, WithWords, in_vietnamese
-from catopt.cli.import_deck import import_deck
-from catopt.cli.loads import loads
-from catopt.cli.new import new
-from catopt.cli.options import in_environment
+from catopt.cli.help_words import GroupWithWords, WithWords, built
 from catopt.cli.output import Output
-from catopt.cli.report import report
-from catopt.cli.reproduce import reproduce
-from catopt.cli.size import size
-from catopt.cli.solve import solve
-from catopt.cli.study import study
-from catopt.cli.system import system
-from catopt.cli.verify import verify
-from catopt.cli.web import page_app, web
+
+_PLACES = {
+    "new": "new.new",
+    "solve": "solve.solve",
+    "curve": "curve.curve",
+    "check": "check.check",
+    "design": "design.design",
+    "system": "system.system",
+    "verify": "verify.verify",
+    "fatigue": "fatigue.fatigue",
+    "study": "study.study",
+    "report": "report.report",
+    "export": "export.export",
+    "import": "import_deck.import_deck",
+    "reproduce": "reproduce.reproduce",
+    "app": "web.page_app",
+    "web": "web.web",
+    "compile": "compile.compile_all",
+    "size": "size.size",
+    "loads": "loads.loads",
+    "catalog": "catalog.catalog",
+}
+"""Each command as it is listed, with the module of this folder and what it is called there."""
+
+
+class _Listed(WithWords):
+    """A command of which only its line in the list is there."""
+
+
+class _Commands(GroupWithWords):
+    """All commands; the module of one is loaded when it is asked for."""
+
+    def resolve_command(self, ctx: Any, args: Any) -> Any:
+        name, found, rest = super().resolve_command(ctx, args)
+        if name is not None and isinstance(found, _Listed):
+            found = self.commands[name] = _loaded(name)
+        return name, found, rest
+
+
+def _loaded(name: str) -> Any:
+    """Load a command, or a group with its commands."""
+    module, _, function = _PLACES[name].partition(".")
+    found = getattr(import_module(f"catopt.cli.{module}"), function)
+    if isinstance(found, typer.Typer):
+        return built(found)
+    alone = typer.Typer(rich_markup_mode=None, add_completion=False)
+    alone.command(name, cls=WithWords)(found)
+    return built(alone)
+
 
 # Without rich markup the help imports no rich, and its text is the same on every terminal.
 app = typer.Typer(
     name="catopt",
-    cls=GroupWithWords,
+    cls=_Commands,
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
     no_args_is_help=True,
@@ -63,30 +92,6 @@ def catopt(
     output.listen()
 
 
-_COMMANDS: dict[str, Callable[..., None]] = {
-    "new": new,
-    "solve": solve,
-    "curve": curve,
-    "check": check,
-    "design": design,
-    "system": system,
-    "verify": verify,
-    "fatigue": fatigue,
-    "study": study,
-    "report": report,
-    "export": export,
-    "import": import_deck,
-    "reproduce": reproduce,
-    "app": page_app,
-    "web": web,
-    "compile": compile_all,
-}
-for _name, _command in _COMMANDS.items():
-    app.command(_name, cls=WithWords)(_command)
-for _group in (size, loads, catalog):  # groups come last, as typer lists them
-    app.add_typer(_group)
-
-command = typer.main.get_command(app)
+command = built(app)
 """The command line, built once: that takes longer than most answers."""
-if in_environment() == "vi":
-    in_vietnamese(command)
+command.commands |= {name: _Listed(name) for name in _PLACES}

@@ -8,6 +8,7 @@ from importlib.resources import files
 from typing import Any, Final
 
 import typer
+import typer.main
 from typer.core import TyperCommand, TyperGroup
 
 from catopt.cli.options import in_environment
@@ -76,10 +77,24 @@ class GroupWithWords(_WithWords, TyperGroup):
 
 def group(name: str) -> typer.Typer:
     """Make a group of commands."""
-    return typer.Typer(name=name, cls=GroupWithWords, rich_markup_mode=None, no_args_is_help=True)
+    return typer.Typer(
+        name=name,
+        cls=GroupWithWords,
+        rich_markup_mode=None,
+        no_args_is_help=True,
+        add_completion=False,
+    )
 
 
-def in_vietnamese(command: Any) -> None:
+def built(app: typer.Typer) -> Any:
+    """Build a command, or a group with all below it, in the language of the environment."""
+    command = typer.main.get_command(app)
+    if in_environment() == "vi":
+        _in_vietnamese(command)
+    return command
+
+
+def _in_vietnamese(command: Any) -> None:
     """Make typer's own words Vietnamese, of a command and of all below it."""
     command.options_metavar = "[TÙY CHỌN]"
     context = command.context_class
@@ -89,7 +104,7 @@ def in_vietnamese(command: Any) -> None:
     if below:
         command.subcommand_metavar = "LỆNH [THAM SỐ]..."
     for each in below.values():
-        in_vietnamese(each)
+        _in_vietnamese(each)
 
 
 def _formatter(kind: Any) -> Any:

@@ -11,12 +11,11 @@ from collections.abc import Iterator
 from contextlib import redirect_stdout
 from io import StringIO
 from pathlib import Path
+from typing import Any
 from unittest import mock
 
-import typer
-
 from catopt.__main__ import main
-from catopt.cli.app import app
+from catopt.cli.app import command
 
 PAGE = Path(__file__).parents[2] / "docs" / "commands.md"
 
@@ -25,19 +24,20 @@ _BLOCK = re.compile(r"```text\n\$ (catopt[a-z ]*) --help\n(.*?)```", re.DOTALL)
 
 def commands() -> list[str]:
     """Every command that has a help of its own, as it is typed; a group before its commands."""
-    return list(_commands_below(app, "catopt"))
+    return list(_typed(whole(), "catopt"))
 
 
-def _commands_below(group: typer.Typer, typed: str) -> Iterator[str]:
+def whole() -> Any:
+    """Return the command line with every command loaded."""
+    for name in command.commands:
+        command.resolve_command(None, [name])
+    return command
+
+
+def _typed(one: Any, typed: str) -> Iterator[str]:
     yield typed
-    for info in group.registered_commands:
-        if info.callback:
-            yield f"{typed} {info.name or info.callback.__name__}"
-    for below in group.registered_groups:
-        if below.typer_instance:
-            yield from _commands_below(
-                below.typer_instance, f"{typed} {below.typer_instance.info.name}"
-            )
+    for name, below in getattr(one, "commands", {}).items():
+        yield from _typed(below, f"{typed} {name}")
 
 
 def help_of(command: str) -> str:

@@ -7,10 +7,9 @@ from typing import Any
 import pytest
 import typer
 
-from catopt.cli.app import command as catopt_command
 from catopt.cli.help_words import put_words
 
-from .command_page import PAGE, blocks, commands, help_of
+from .command_page import PAGE, blocks, commands, help_of, whole
 from .conftest import Run
 
 WRITTEN_WITH = "0.29"
@@ -43,8 +42,8 @@ def test_the_help_on_the_page_is_the_real_one(command: str) -> None:
 @pytest.mark.parametrize("command", commands()[1:])
 def test_every_option_and_its_help_is_on_the_page(command: str) -> None:
     """Whatever lays the help out, these words are ours."""
-    put_words(catopt_command)
-    found: Any = catopt_command
+    found: Any = whole()
+    put_words(found)
     for name in command.split()[1:]:
         found = found.commands[name]
     text = words(shown()[command])

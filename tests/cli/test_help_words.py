@@ -11,16 +11,17 @@ from typing import Any
 
 import pytest
 
-from catopt.cli.app import command
 from catopt.cli.help_words import put_words, table
+
+from .command_page import whole
 
 TELL = """
 import json
-from catopt.cli.app import command
 from catopt.cli.help_words import put_words
+from tests.cli.command_page import whole
 from tests.cli.test_help_words import texts_of
-put_words(command)
-print(json.dumps(texts_of(command)))
+put_words(whole())
+print(json.dumps(texts_of(whole())))
 """
 
 
@@ -67,8 +68,8 @@ def in_vietnamese(*arguments: str) -> str:
 def in_both() -> list[tuple[str, str, str]]:
     """Where each help stands, in English and in Vietnamese."""
     said = json.loads(in_vietnamese("-c", TELL))
-    put_words(command)
-    english = texts_of(command)
+    put_words(whole())
+    english = texts_of(whole())
     assert said.keys() == english.keys()
     return [(where, english[where], said[where]) for where in english]
 
