@@ -7,6 +7,8 @@ from typing import Annotated
 
 import typer
 
+from catopt.answers.check import check_answer, verdict_sentence
+from catopt.casefile.design_directory import read_case_or_design
 from catopt.cli.answering import FAILED, Asked, answering
 from catopt.cli.completion import completed
 from catopt.cli.options import CaseArgument, DesignOption, StrictOption, TablesOutOption
@@ -25,8 +27,6 @@ def check(
     strict: StrictOption = False,
 ) -> None:
     """Check a line under every load case, or the lines of a body in every state."""
-    from catopt.answers.check import check_answer, verdict_sentence
-    from catopt.casefile.design_directory import read_case_or_design
     from catopt.checks.case import check_case
     from catopt.checks.profiles import profiles_of
 

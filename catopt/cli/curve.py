@@ -8,6 +8,8 @@ from typing import Annotated, Literal
 
 import typer
 
+from catopt.answers.curve import curve_answer
+from catopt.casefile import read_case
 from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CaseArgument, OutOption
 from catopt.cli.values import in_si, with_known_codes
@@ -32,8 +34,6 @@ def curve(
     points: Annotated[int, typer.Option(metavar="N")] = 50,
 ) -> None:
     """Compute a line's load curve: its forces over its span."""
-    from catopt.answers.curve import curve_answer
-    from catopt.casefile import read_case
     from catopt.catenary.case_curve import curve_case
     from catopt.report.bundle import curve_pictures
 

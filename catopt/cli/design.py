@@ -8,15 +8,18 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
+from catopt.answers.design import design_answer
+from catopt.casefile import read_case, write_case
+from catopt.casefile.design_directory import DESIGN_CASE
 from catopt.cli.answering import INTERRUPTED, Asked, answering, refuse_own_case
 from catopt.cli.options import CaseArgument, CountOption, OutOption
 from catopt.cli.output import Output
 from catopt.cli.values import by_option, given_ones
 from catopt.errors import InputError, Problem
+from catopt.model import Case
 
 if TYPE_CHECKING:
     from catopt.design.result import DesignResult
-    from catopt.model import Case
 
 SearchMethod = Literal["auto", "enumeration", "nsga2", "swarm"]
 
@@ -30,9 +33,6 @@ def design(
     seed: CountOption = None,
 ) -> None:
     """Search the lines that are best in mass and offset at once."""
-    from catopt.answers.design import design_answer
-    from catopt.casefile import read_case
-
     asked.check_place()
     if asked.out is not None:
         refuse_own_case(asked.out)
@@ -70,8 +70,6 @@ def _searched(case: Case, output: Output) -> DesignResult:
 
 def _further(result: DesignResult) -> dict[str, bytes]:
     """Draw the front, and write the case that ``catopt solve DIR --design K`` needs."""
-    from catopt.casefile import write_case
-    from catopt.casefile.design_directory import DESIGN_CASE
     from catopt.report.bundle import design_pictures
 
     return design_pictures(result) | {DESIGN_CASE: write_case(result.case).encode()}

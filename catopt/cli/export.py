@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Literal, get_args
+from typing import Annotated, Literal, get_args
 
 import typer
 
+from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
 from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CaseArgument, CountOption, DesignOption, LoadCaseOption, PlaceOption
 from catopt.cli.values import in_state, positive, read_known, refused
 from catopt.errors import InputError, Problem
+from catopt.export.exported import Source
+from catopt.model import Case
+from catopt.model.validity import Findings
+from catopt.notes.origin import file_name, read_source
 from catopt.units import Dimension
-
-if TYPE_CHECKING:
-    from catopt.model import Case
-
 
 Target = Literal["moordyn", "map", "moorpy", "ontology", "orcaflex", "dxf"]
 """What reads the file."""
@@ -39,14 +40,11 @@ def export(
     true_depth: Annotated[bool, typer.Option("--true-depth")] = False,
 ) -> None:
     """Write the line of a case, or the lines of its body, for another program."""
-    from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
     from catopt.export.dxf import dxf_drawing
-    from catopt.export.exported import Source
     from catopt.export.exported_line import exported_lines
     from catopt.export.moordyn import moordyn_input
     from catopt.export.moordyn_model import ELEMENTS
     from catopt.export.programs import program_input
-    from catopt.notes.origin import file_name, read_source
 
     EA = _settings(to, stiffness, elements, true_depth=true_depth)
     read = in_state(read_known(case, design), load_case)
@@ -71,8 +69,6 @@ def _settings(
     to: Target, stiffness: str | None, elements: int | None, *, true_depth: bool
 ) -> float | None:
     """Check the options and return EA; everything that is wrong with them is reported at once."""
-    from catopt.model.validity import Findings
-
     found = Findings("options")
     EA = positive(found, "--EA", stiffness, Dimension.FORCE, "N")
     if elements is not None:

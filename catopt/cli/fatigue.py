@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from catopt.answers.fatigue import fatigue_answer, fatigue_sentence
+from catopt.casefile import read_case
 from catopt.cli import options
 from catopt.cli.answering import FAILED, STOPPED, Asked, answering
 from catopt.cli.values import with_known_codes
@@ -18,8 +20,6 @@ def fatigue(
     strict: options.StrictOption = False,
 ) -> None:
     """Find the damage of each segment in a year of the sea states of [fatigue], and its life."""
-    from catopt.answers.fatigue import fatigue_answer, fatigue_sentence
-    from catopt.casefile import read_case
     from catopt.verify.fatigue import verify_fatigue
 
     asked.check_place()

@@ -7,9 +7,14 @@ from typing import Annotated, Any
 
 import typer
 
+from catopt.casefile import write_case
 from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CountOption, LengthOption, PlaceOption
 from catopt.cli.values import positive, refused
+from catopt.decks.reading import Asked as Missing
+from catopt.decks.reading import is_deck, read_any_deck
+from catopt.documents import read_text
+from catopt.model.validity import Findings
 from catopt.units import Dimension
 
 
@@ -23,12 +28,6 @@ def import_deck(
     line: CountOption = None,
 ) -> None:
     """Read an input file of another mooring program, and write it as a case file."""
-    from catopt.casefile import write_case
-    from catopt.decks.reading import Asked as Missing
-    from catopt.decks.reading import is_deck, read_any_deck
-    from catopt.documents import read_text
-    from catopt.model.validity import Findings
-
     found = Findings("options")
     missing = Missing(
         gravity=positive(found, "--gravity", gravity, Dimension.NUMBER, "m/s^2"),

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from catopt.casefile.new_case import TEMPLATES, template
 from catopt.cli.completion import completed
 from catopt.cli.options import JsonOption
 from catopt.cli.output import Output
@@ -22,8 +23,6 @@ def new(
     as_json: JsonOption = False,
 ) -> None:
     """Write a commented file to start from."""
-    from catopt.casefile.new_case import TEMPLATES, template
-
     output: Output = context.obj
     place = path or Path(f"{name}.toml")
     _create(place, template(name))
@@ -41,8 +40,6 @@ def new(
 
 def _command(name: str, place: Path) -> str:
     """Say what to type next; options go behind the file."""
-    from catopt.casefile.new_case import TEMPLATES
-
     command, *options = TEMPLATES[name].command.split(" --")
     return " --".join([f"{command} {place}", *options])
 

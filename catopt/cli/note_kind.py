@@ -6,18 +6,24 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from catopt.answers.blocks import Answer
+from catopt.answers.note_line import line_note_answer
+from catopt.answers.note_size import size_note_answer
+from catopt.answers.note_system import system_note_answer
+from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
+from catopt.casefile.sizing_file import Moored, moored_in
+from catopt.cli.output import Progress
 from catopt.cli.values import refuse
+from catopt.documents import parse_toml, read_text
 from catopt.errors import InputError, Problem
+from catopt.notes.directory import Asked, asked_in
+from catopt.notes.line import Note, read_note
+from catopt.notes.origin import read_source
+from catopt.notes.size import Given, SizeNote, size_note
+from catopt.notes.system import SystemNote, read_system_note
+from catopt.sizing.file import read_file, sized
 
 if TYPE_CHECKING:
-    from catopt.answers.blocks import Answer
-    from catopt.casefile.sizing_file import Moored
-    from catopt.cli.output import Progress
-    from catopt.notes.directory import Asked
-    from catopt.notes.line import Note
-    from catopt.notes.size import SizeNote
-    from catopt.notes.system import SystemNote
-
     AnyNote = Note | SizeNote | SystemNote
 
 
@@ -38,12 +44,6 @@ def note_of_file(
     None is what was asked for in a result directory. Raises InputError, NoAnswerError and
     NotConvergedError as the readers of the three kinds do.
     """
-    from catopt.casefile.design_directory import DESIGN_DOCUMENT
-    from catopt.casefile.sizing_file import moored_in
-    from catopt.notes.directory import Asked, asked_in
-    from catopt.notes.line import read_note
-    from catopt.notes.system import read_system_note
-
     moored = moored_in(path)
     if moored is not None:
         why = (
@@ -75,9 +75,6 @@ def is_of_a_body(path: Path) -> bool:
 
     What cannot be read, or is no TOML, has none: reading it as a line says what is wrong.
     """
-    from catopt.casefile.design_directory import DESIGN_CASE
-    from catopt.documents import parse_toml, read_text
-
     place = path / DESIGN_CASE if path.is_dir() else path
     try:
         return "system" in parse_toml(read_text(place, str(place)), str(place))
@@ -87,10 +84,6 @@ def is_of_a_body(path: Path) -> bool:
 
 def note_of_sizing(path: Path, moored: Moored, asked: Asked | None = None) -> SizeNote:
     """Size what a file for ``catopt size`` describes, and make the note of it."""
-    from catopt.notes.origin import read_source
-    from catopt.notes.size import Given, size_note
-    from catopt.sizing.file import read_file, sized
-
     given = Given(read_source(path))
     return size_note(sized(read_file(path, moored)), given, asked)
 
@@ -109,12 +102,6 @@ def _of_a_line_alone(
 
 def answer_of(note: AnyNote) -> Answer:
     """Lay a note out."""
-    from catopt.answers.note_line import line_note_answer
-    from catopt.answers.note_size import size_note_answer
-    from catopt.answers.note_system import system_note_answer
-    from catopt.notes.size import SizeNote
-    from catopt.notes.system import SystemNote
-
     if isinstance(note, SizeNote):
         return size_note_answer(note)
     if isinstance(note, SystemNote):

@@ -13,6 +13,8 @@ from catopt.cli.options import CaseArgument, DesignOption, OnceOption, PlaceOpti
 from catopt.cli.solve import Method
 from catopt.cli.values import refused
 from catopt.cli.verify import stop_in_doubt
+from catopt.notes.origin import file_name
+from catopt.verify.motion_words import stopped_words
 
 if TYPE_CHECKING:
     from catopt.cli.note_kind import AnyNote
@@ -42,7 +44,6 @@ def report(
     """Write the calculation note of a case: one HTML page for a checker, and a workbook."""
     from catopt.cli.note_kind import answer_of, note_of_file
     from catopt.notes.line import Note
-    from catopt.notes.origin import file_name
     from catopt.notes.system import SystemNote
     from catopt.render.page import page
     from catopt.report.files import write_files
@@ -93,8 +94,6 @@ def report(
 def _stop_if_interrupted(asked: Asked, moved: DynamicVerification | None) -> None:
     """Write nothing after Ctrl-C: a note of half a run is none, and an older one is worth more."""
     if moved is not None and not moved.is_complete:
-        from catopt.verify.motion_words import stopped_words
-
         asked.leave(
             INTERRUPTED,
             f"{stopped_words(moved)}; no note was written. "

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from catopt.answers.reproduction import reproduction_answer
 from catopt.cli.answering import Asked, answering
 from catopt.cli.completion import completed
 from catopt.cli.options import OutOption
@@ -20,7 +21,6 @@ _NAME = typer.Argument(metavar="NAME", autocompletion=completed("study"))
 @answering(OutOption, without=["units"])
 def reproduce(asked: Asked, name: Annotated[str | None, _NAME] = None) -> None:
     """Recompute published figures and judge each printed number."""
-    from catopt.answers.reproduction import reproduction_answer
     from catopt.reproduce import reproduce as recompute
 
     asked.check_place()

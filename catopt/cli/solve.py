@@ -8,6 +8,7 @@ from typing import Annotated, Literal
 
 import typer
 
+from catopt.answers.solution import solution_answer
 from catopt.cli import values
 from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CaseArgument, CountOption, DesignOption, LoadCaseOption, OutOption
@@ -31,7 +32,6 @@ def solve(
     profile: Annotated[bool, typer.Option("--profile")] = False,
 ) -> None:
     """Solve one mooring line at rest."""
-    from catopt.answers.solution import solution_answer
     from catopt.catenary.case import solve_case, under_a_load
     from catopt.report.bundle import solution_pictures
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from catopt.answers.study import members_table, plan_answer, study_answer
 from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CountOption, OutOption
 from catopt.cli.values import refuse, refused
@@ -36,7 +37,6 @@ def study(
     parquet: Annotated[bool, typer.Option("--parquet")] = False,
 ) -> None:
     """Compute a case again and again, with what varies in it."""
-    from catopt.answers.study import plan_answer, study_answer
     from catopt.study.file import read_study
     from catopt.study.result import StudyResult
     from catopt.study.store import Store
@@ -121,7 +121,6 @@ def _run(
 
 def _write(asked: Asked, result: StudyResult, *, parquet: bool) -> None:
     """Write the table of members as it is read from the store, and the tables of the answer."""
-    from catopt.answers.study import members_table, study_answer
     from catopt.render.files import files_of, write_table
     from catopt.report.bundle import study_pictures
 

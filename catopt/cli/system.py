@@ -7,10 +7,14 @@ from typing import Annotated, Any
 
 import typer
 
+from catopt.answers.system import network_answer, system_answer
+from catopt.casefile import read_mooring
+from catopt.casefile.design_directory import read_case_or_design
 from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CaseArgument, DesignOption, OutOption
 from catopt.cli.values import in_si, refuse, refused
 from catopt.errors import Problem
+from catopt.model.network import Network
 from catopt.units import Dimension
 from catopt.words import Message, say
 
@@ -28,11 +32,7 @@ def system(
     held: Annotated[list[str] | None, typer.Option(metavar="SIX")] = None,
 ) -> None:
     """Find where a moored body comes to rest, and what each of its lines carries."""
-    from catopt.answers.system import network_answer, system_answer
-    from catopt.casefile import read_mooring
-    from catopt.casefile.design_directory import read_case_or_design
     from catopt.checks.system import check_system
-    from catopt.model.network import Network
     from catopt.mooring.case import report_system
     from catopt.report.bundle import system_pictures
 

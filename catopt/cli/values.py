@@ -6,14 +6,14 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from catopt.casefile.design_directory import read_case_or_design
 from catopt.errors import InputError, Problem
-from catopt.units import Dimension, as_written
-
-if TYPE_CHECKING:
-    from catopt.model import Case
-    from catopt.model.validity import Findings
+from catopt.model import Case
+from catopt.model.validity import Findings
+from catopt.numerals import bare_number
+from catopt.units import Dimension, as_written, to_si
 
 
 def refused(option: str, found: str, allowed: str) -> InputError:
@@ -33,9 +33,6 @@ def in_si(given: Mapping[str, tuple[str | None, Dimension]]) -> dict[str, float]
 
     Raises InputError with every one that is wrong.
     """
-    from catopt.numerals import bare_number
-    from catopt.units import to_si
-
     values: dict[str, float] = {}
     problems: list[Problem] = []
     for option, (text, dimension) in given.items():
@@ -82,8 +79,6 @@ def by_option(
 
 def read_known(path: Path, design: int | None = None) -> Case:
     """Read a case, or a design of a result directory, whose codes all are known and allowed."""
-    from catopt.casefile.design_directory import read_case_or_design
-
     return with_known_codes(read_case_or_design(path, design))
 
 

@@ -10,6 +10,16 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from catopt.answers.blocks import Answer
+from catopt.answers.motion import front_in_motion_answer, motion_answer
+from catopt.answers.verification import (
+    front_answer,
+    front_sentence,
+    verdict_sentence,
+    verification_answer,
+)
+from catopt.casefile import read_case
+from catopt.casefile.design_directory import DESIGN_CASE, read_design, read_design_document
 from catopt.cli import options
 from catopt.cli.answering import (
     FAILED,
@@ -22,16 +32,16 @@ from catopt.cli.answering import (
 )
 from catopt.cli.values import read_known, refuse
 from catopt.errors import Problem
+from catopt.model import Case
+from catopt.verify.motion_words import not_converged_sentence, stopped_sentence
+from catopt.verify.proof import Proof
 from catopt.verify.settings import ELEMENTS, TOLERANCE, check_settings
 from catopt.words import say
 
 if TYPE_CHECKING:
-    from catopt.answers.blocks import Answer
-    from catopt.model import Case
     from catopt.notes.front_in_motion import FrontInMotion
     from catopt.verify.case import Design, FrontVerification
     from catopt.verify.dynamic_result import DynamicVerification
-    from catopt.verify.proof import Proof
     from catopt.verify.result import Verification
 
 
@@ -123,7 +133,6 @@ def _case(
     moving: dict[str, Any] | None,
 ) -> _Found:
     """Verify a case; what a line in motion lacks is told before anything is solved."""
-    from catopt.answers.verification import verdict_sentence, verification_answer
     from catopt.report import bundle
     from catopt.verify.case import verify_case
     from catopt.verify.result import Verification
@@ -140,7 +149,6 @@ def _case(
     found = _Found(case, at_rest, verdict_sentence(at_rest), answers, pictures)
     if moving is None:
         return found
-    from catopt.answers.motion import motion_answer
     from catopt.notes.motion import checks_in_motion
     from catopt.verify.dynamic import verify_dynamic
 
@@ -163,8 +171,6 @@ def _case(
 
 def stop_in_doubt(asked: Asked, moved: DynamicVerification) -> None:
     """Leave where a line in motion was stopped, or its solver did not converge."""
-    from catopt.verify.motion_words import not_converged_sentence, stopped_sentence
-
     if not moved.is_complete:
         asked.leave(INTERRUPTED, say(stopped_sentence(moved), asked.language))
     if moved.verdict == "not converged":
@@ -187,9 +193,6 @@ def _front(
     asked: Asked, directory: Path, how: dict[str, Any], moving: dict[str, Any] | None
 ) -> _Found:
     """Verify every design of a front in the load case that governs it, and in motion."""
-    from catopt.answers.verification import front_answer, front_sentence
-    from catopt.casefile import read_case
-    from catopt.casefile.design_directory import DESIGN_CASE, read_design_document
     from catopt.verify.case import verify_front
 
     document = read_design_document(directory)
@@ -201,7 +204,6 @@ def _front(
     found.stop = partial(_stop_front, asked, front, None)
     if moving is None:
         return found
-    from catopt.answers.motion import front_in_motion_answer
     from catopt.notes.front_in_motion import front_in_motion
 
     for each in designs:
@@ -234,7 +236,6 @@ def _stop_front(asked: Asked, front: FrontVerification, moved: FrontInMotion | N
 
 def _designs(directory: Path, front: list[dict[str, Any]]) -> Iterator[Design]:
     """Read every design of a front with the load case of the check that governs it, if any."""
-    from catopt.casefile.design_directory import read_design
     from catopt.verify.case import Design
 
     for number, entry in enumerate(front, start=1):

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
+from catopt.casefile.sizing_file import Moored
 from catopt.errors import InputError, Problem
 from catopt.sizing.inputs import Input, inputs_of
-from catopt.words import Message, say, term
-
-if TYPE_CHECKING:
-    from catopt.casefile.sizing_file import Moored
-    from catopt.sizing.telling import Spelling
-    from catopt.words import Language
+from catopt.sizing.kinds import choices_of, from_text, kind_of
+from catopt.sizing.known import is_needless
+from catopt.sizing.telling import Spelling
+from catopt.words import Language, Message, say, term
 
 _OWN = "own"
 """Answer of one whose buoy is not in the library."""
@@ -31,8 +29,6 @@ def answered(
     `typed` are inputs as they were typed, `given` all that are known, those of a file among them.
     Returns what was typed with the answers, defaults among them.
     """
-    from catopt.sizing.known import is_needless
-
     answers = dict(typed)
     inputs = inputs_of(moored)
     is_known = {**given, **answers}
@@ -61,8 +57,6 @@ def _offered(each: Input, known: Mapping[str, object]) -> str:
 
 def _answer(each: Input, spelled: str, default: str, language: Language) -> object:
     """Ask until the answer can be read."""
-    from catopt.sizing.kinds import choices_of, from_text
-
     choices = (*choices_of(each), *([_OWN] if each.name == "buoy" else []))
     if choices:
         _say(f"  {say(term('one of'), language)}: {'; '.join(choices)}\n")
@@ -90,8 +84,6 @@ def _wrong(each: Input, spelled: str, answer: object, choices: tuple[str, ...]) 
         return term("an answer is wanted") if each.required else ""
     if choices:
         return "" if answer in choices else Message("answers.none_of_them", answer=answer)
-    from catopt.sizing.kinds import kind_of
-
     try:
         kind_of(each).read(answer)
     except InputError as error:
