@@ -9,14 +9,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from catopt.answers.catalogue import catalogue_answer
 from catopt.cli.answering import Asked, answering
 from catopt.cli.completion import completed
 from catopt.cli.help_words import WithWords, group
 from catopt.cli.options import ForceOption, LengthOption, TablesOutOption
 from catopt.cli.values import by_option, given_ones, in_si, refuse
 from catopt.errors import NoAnswerError, Problem
-from catopt.quantities import QUANTITIES
 from catopt.units import Dimension, as_written
 
 if TYPE_CHECKING:
@@ -155,6 +153,7 @@ def _search(
 ) -> tuple[Component, ...]:
     """Search; an empty answer is an error that names the nearest miss."""
     from catopt import catalogue
+    from catopt.quantities import QUANTITIES
 
     limits: dict[str, Any] = {
         name: values[option] for option, name in _LIMITS.items() if option in values
@@ -192,6 +191,7 @@ def _by_option(names: dict[str, str]) -> AbstractContextManager[None]:
 
 
 def _give(asked: Asked, *parts: Any, in_full: bool = False) -> None:
+    from catopt.answers.catalogue import catalogue_answer
     from catopt.catalogue.document import Answer
 
     asked.check_place()

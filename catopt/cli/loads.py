@@ -11,8 +11,6 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
 
 import typer
 
-from catopt.answers.loads import loads_answer
-from catopt.casefile.sizing_file import Moored
 from catopt.cli.answering import Asked, answering
 from catopt.cli.help_words import WithWords, group
 from catopt.cli.options import LengthOption, TablesOutOption
@@ -20,16 +18,16 @@ from catopt.cli.size import BuoyArgument, is_file
 from catopt.cli.size_options import as_option, by_option, typed, with_inputs
 from catopt.cli.values import given_ones, in_si
 from catopt.errors import InputError, Problem
-from catopt.sizing.inputs import inputs_of
-from catopt.sizing.telling import Spelling
 from catopt.ties import largest
 from catopt.units import Dimension
 from catopt.words import Cited, Measure, Message, term
 
 if TYPE_CHECKING:
+    from catopt.casefile.sizing_file import Moored
     from catopt.loads import Afloat, Loads, Lying, SeaState, Turning
     from catopt.loads.ship_estimate import Condition
     from catopt.sizing.known import Known
+    from catopt.sizing.telling import Spelling
 
 loads = group("loads")
 
@@ -273,6 +271,8 @@ def _of_levels(every: Sequence[Loads], of: Known) -> Iterator[Message]:
 
 def _no_part(of: Known, counted: Collection[str]) -> Iterator[Message]:
     """Say what was given, mostly by a sizing's file, that is no part of the loads."""
+    from catopt.sizing.inputs import inputs_of
+
     names = [
         of.telling.spell(name) if name in (*_BUOY, *_SHIP) else each.key
         for name, each in inputs_of(of.moored).items()
@@ -362,6 +362,7 @@ def _what_is_taken(form: _Form, worst: Lying, turning: Turning | None) -> Iterat
 
 
 def _give(asked: Asked, *results: Loads, lyings: Sequence[Lying] = ()) -> None:
+    from catopt.answers.loads import loads_answer
     from catopt.loads.document import loads_document
 
     asked.check_place()

@@ -9,21 +9,18 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from catopt.answers.size import size_answer
-from catopt.casefile import write_case
-from catopt.casefile.sizing_file import Moored
 from catopt.cli.answering import Asked, answering, refuse_own_case
 from catopt.cli.completion import completed
 from catopt.cli.help_words import WithWords, group
 from catopt.cli.options import OutOption
 from catopt.cli.size_options import as_option, by_option, typed, with_inputs
 from catopt.cli.values import refused
-from catopt.notes.origin import read_source
-from catopt.sizing.telling import Spelling
 
 if TYPE_CHECKING:
+    from catopt.casefile.sizing_file import Moored
     from catopt.notes.size import Given
     from catopt.sizing import Sizing
+    from catopt.sizing.telling import Spelling
 
 size = group("size")
 
@@ -103,6 +100,8 @@ def _check_places(asked: Asked, save: Path | None) -> None:
 
 def _give(asked: Asked, found: Sizing, save: Path | None, given: Given) -> None:
     """Write the files and the case, then print the document or the answer."""
+    from catopt.answers.size import size_answer
+
     answer = size_answer(found)
     if asked.out is not None:
         from catopt.render.files import files_of
@@ -111,6 +110,7 @@ def _give(asked: Asked, found: Sizing, save: Path | None, given: Given) -> None:
         files = files_of(answer, found.to_dict(), asked.language)
         asked.write(files | size_files(found, asked.language, given))
     if save is not None:
+        from catopt.casefile import write_case
         from catopt.report.files import write_files
 
         write_files(save.parent, {save.name: write_case(found.case).encode()})
@@ -120,6 +120,7 @@ def _give(asked: Asked, found: Sizing, save: Path | None, given: Given) -> None:
 
 def _as_given(place: str | None, options: Mapping[str, object], spell: Spelling) -> Given:
     """Say for the note what was asked for: by a file, and by what was typed or answered."""
+    from catopt.notes.origin import read_source
     from catopt.notes.size import Given
 
     source = None if place is None else read_source(Path(place))
