@@ -1,24 +1,22 @@
 """Sessions as they are typed, in transcripts/*.txt, and what each command says.
 
 Sessions have an empty line between them; ``# slow`` goes before one that takes long. ``$`` begins
-a command; words in capitals are those of conftest.py, other files those of cases.py, and settings
-of the environment may stand before it. ``$ edit FILE OLD NEW`` writes changed.toml, that file with
-some of its text replaced. A command ends with 0; where ``exit N`` stands below it, it has no
-answer, unless ``with an answer`` stands there, too. Each other line below a command is one of
+a command; words in capitals are those of conftest.py, other files those of cases.py.
+``$ edit FILE OLD NEW`` writes changed.toml, that file with some of its text replaced. A command
+ends with 0; where ``exit N`` stands below it, it has no answer, unless ``with an answer`` stands
+there, too. Each other line below a command is one of
 
 ======================== ==========================================================================
 ``text``                 found in its answer, whatever the breaks of lines are; in what it says of
                          its failure where it has no answer
 ``! text``               not found in all that it says
 ``2> text``              found in what it says beside the answer
-``1= text``, ``2= text`` all of the answer, all of what it says beside it
+``2= text``              all of what it says beside the answer
 ``= path: value``        a value of its document, as Python writes it and other keys of it; ``abs``
                          or ``rel`` and a tolerance may follow. ``[*]`` is every item,
                          ``[key=text]`` those that have it
 ``== command``           prints the same answer, to the byte
-``< text``               what somebody answers at the terminal, until all answers are used up;
-                         ``nobody`` does not answer
-``@ files: text``        found in each of the files that it wrote; ``@! files: text`` is not found
+``@ files: text``        found in each of the files that it wrote
 ======================== ==========================================================================
 """
 
@@ -26,9 +24,7 @@ from __future__ import annotations
 
 import math
 import re
-import sys
 from collections.abc import Iterator
-from itertools import takewhile
 from pathlib import Path
 from typing import Any
 
@@ -38,20 +34,7 @@ from .cases import write_files
 from .conftest import NAMED, Ran, Run, changed, fits, read_document, sheets, typed, words
 
 TRANSCRIPTS = Path(__file__).parent / "transcripts"
-MARKS = ("exit ", "! ", "2> ", "1= ", "2= ", "= ", "== ", "< ", "@ ", "@! ")
-
-
-class Terminal:
-    """Standard input of somebody who answers."""
-
-    def __init__(self, answers: list[str]) -> None:
-        self.answers = [answer for answer in answers if answer != "nobody"]
-
-    def isatty(self) -> bool:
-        return True
-
-    def readline(self) -> str:
-        return self.answers.pop(0) + "\n" if self.answers else ""
+MARKS = ("exit ", "! ", "2> ", "2= ", "= ", "== ", "@ ")
 
 
 def sessions() -> Iterator[Any]:
@@ -78,9 +61,7 @@ def steps(session: list[str]) -> Iterator[tuple[list[str], dict[str, list[str]]]
 
 
 @pytest.mark.parametrize("session", list(sessions()))
-def test_what_is_said(
-    run: Run, inside: Path, monkeypatch: pytest.MonkeyPatch, session: list[str]
-) -> None:
+def test_what_is_said(run: Run, inside: Path, session: list[str]) -> None:
     write_files(inside)
     for command, said in steps(session):
         if command[0] == "edit":
@@ -88,9 +69,9 @@ def test_what_is_said(
             changed(Path(command[1]), inside, *zip(texts[::2], texts[1::2], strict=True))
             continue
         before = contents(inside)
-        ran, left = run_as_typed(run, monkeypatch, command, said["< "])
+        ran = run(*command)
         status, _, answered = (said["exit "] or ["0"])[0].partition(" ")
-        assert (ran.status, left) == (int(status), []), ran.err
+        assert ran.status == int(status), ran.err
         assert "Traceback" not in ran.err
         if ran.status and not answered:
             assert (ran.out, bool(said[""])) == ("", True)
@@ -107,25 +88,10 @@ def test_what_is_said(
         assert not ran.err or status != "0" or "--out" in command or said["2> "] or said["2= "]
         for line in said["== "]:
             assert run(*typed(line)).out == ran.out != ""
-        for mark, wanted in (("@ ", True), ("@! ", False)):
-            for line in said[mark]:
-                files, _, text = line.partition(": ")
-                written = [contents_in_words(path) for path in inside.glob(files)]
-                assert [text in each for each in written] == [wanted] * len(written) != [], line
-
-
-def run_as_typed(
-    run: Run, monkeypatch: pytest.MonkeyPatch, command: list[str], answers: list[str]
-) -> tuple[Ran, list[str]]:
-    """Run a command in its environment; what is left of the answers comes with it."""
-    settings = list(takewhile(lambda word: "=" in word, command))
-    with monkeypatch.context() as patch:
-        for name, _, value in (setting.partition("=") for setting in settings):
-            patch.setenv(name, value)
-        if answers:
-            patch.setattr(sys, "stdin", terminal := Terminal(answers))
-        ran = run(*command[len(settings) :])
-    return ran, terminal.answers if answers else []
+        for line in said["@ "]:
+            files, _, text = line.partition(": ")
+            written = [contents_in_words(path) for path in inside.glob(files)]
+            assert [text in each for each in written] == [True] * len(written) != [], line
 
 
 def compare_words(ran: Ran, said: dict[str, list[str]]) -> None:
@@ -133,7 +99,6 @@ def compare_words(ran: Ran, said: dict[str, list[str]]) -> None:
     assert [text for text in said[""] if text not in out] == [], out
     assert [text for text in said["! "] if text in out + err] == []
     assert [text for text in said["2> "] if text not in err] == [], err
-    assert said["1= "] in ([], [out])
     assert said["2= "] in ([], [err])
 
 
