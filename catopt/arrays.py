@@ -8,4 +8,3 @@ import numpy.typing as npt
 Array = npt.NDArray[np.float64]
 Codes = npt.NDArray[np.int64]
 Flags = npt.NDArray[np.bool_]
-Complex = npt.NDArray[np.complex128]

@@ -21,13 +21,14 @@ from typing import Any, Final, NamedTuple
 
 import numpy as np
 
-from catopt.arrays import Array, Codes, Complex
+from catopt.arrays import Array, Codes
 from catopt.compiled import compiled
 from catopt.errors import NotConvergedError
 from catopt.fem.block_tridiagonal import back_substitute_blocks, eliminate_blocks
 from catopt.fem.equivalent_drag import equivalent_drag
 from catopt.fem.mesh import bar_nodes
 from catopt.fem.moving import Blend, Equations
+from catopt.fem.series import Complex
 from catopt.fem.simulation import Simulation
 from catopt.model.validity import Findings
 from catopt.waves import Sea

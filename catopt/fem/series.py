@@ -13,12 +13,15 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
-from catopt.arrays import Array, Complex
+from catopt.arrays import Array
 from catopt.compiled import compiled
 from catopt.model.validity import Findings
 from catopt.waves.fast_functions import cos_sin
 from catopt.waves.kinematics import row_at
+
+Complex = npt.NDArray[np.complex128]
 
 _GAP = 5.0
 """A step of time longer than this many of the usual ones is taken for a gap in the record."""
