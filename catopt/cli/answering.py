@@ -7,22 +7,20 @@ from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass
 from functools import wraps
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import typer
 
-from catopt.answers.blocks import Answer
-from catopt.casefile import parse_case, read_case, write_case
-from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
 from catopt.cli import options as option
 from catopt.cli.output import Output
 from catopt.cli.values import refused
 from catopt.errors import InputError
-from catopt.model import Case
 from catopt.quantities import Units
-from catopt.render.terminal import show
-from catopt.render.units import UNITS
 from catopt.words import Language, say
+
+if TYPE_CHECKING:
+    from catopt.answers.blocks import Answer
+    from catopt.model import Case
 
 FAILED = 3
 """The input is right, but the answer is not what ``--strict`` asks for."""
@@ -84,6 +82,8 @@ class Asked:
         if self.as_json:
             self.output.json(document())
             return
+        from catopt.render.terminal import show
+
         show(self.output, answer, self.language)
 
     def write(
@@ -100,6 +100,9 @@ class Asked:
         assert self.out is not None
         whole, text, stays = dict(files), None, ""
         if case is not None:
+            from catopt.casefile import write_case
+            from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
+
             text = write_case(case).encode()
             stays = _stays(self.out, with_front=front is not None)
             if not stays:
@@ -159,6 +162,8 @@ def answering(
             units: Units | None = None,
             **options: Any,
         ) -> None:
+            from catopt.render.units import UNITS
+
             before = UNITS.set(units or "")
             try:
                 command(Asked(context.obj, lang, as_json, out), **options)
@@ -206,6 +211,9 @@ def refuse_own_case(directory: Path) -> None:
 
 def _stays(directory: Path, *, with_front: bool) -> str:
     """Say why the case file in a directory must not be replaced; empty where it may."""
+    from catopt.casefile import parse_case, write_case
+    from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
+
     place = directory / DESIGN_CASE
     if not place.exists():
         return ""
@@ -221,6 +229,8 @@ def _stays(directory: Path, *, with_front: bool) -> str:
 
 def _is_of(place: Path, case: Case) -> bool:
     """Whether a case file says what a case is."""
+    from catopt.casefile import read_case
+
     try:
         return read_case(place) == case
     except InputError:

@@ -5,17 +5,18 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Collection, Mapping
 from types import MappingProxyType
-from typing import Annotated, Any, TypeVar
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 import typer
 
-from catopt.casefile.sizing_file import Moored
 from catopt.cli.answering import keyword
 from catopt.cli.completion import of_input
 from catopt.cli.options import in_environment
 from catopt.sizing.inputs import Input, inputs_of
-from catopt.sizing.kinds import from_text
 from catopt.words import Message, say
+
+if TYPE_CHECKING:
+    from catopt.casefile.sizing_file import Moored
 
 Command = TypeVar("Command", bound=Callable[..., None])
 
@@ -88,6 +89,8 @@ def _parameter(each: Input, words: str) -> inspect.Parameter:
 
 def typed(moored: Moored, options: Mapping[str, Any]) -> dict[str, object]:
     """Take what was typed, by input; options that are None, empty or False are left out."""
+    from catopt.sizing.kinds import from_text
+
     inputs = inputs_of(moored)
     found: dict[str, object] = {}
     for name, value in options.items():

@@ -6,14 +6,15 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from catopt.casefile.design_directory import read_case_or_design
 from catopt.errors import InputError, Problem
-from catopt.model import Case
 from catopt.model.validity import Findings
 from catopt.numerals import bare_number
 from catopt.units import Dimension, as_written, to_si
+
+if TYPE_CHECKING:
+    from catopt.model import Case
 
 
 def refused(option: str, found: str, allowed: str) -> InputError:
@@ -79,6 +80,8 @@ def by_option(
 
 def read_known(path: Path, design: int | None = None) -> Case:
     """Read a case, or a design of a result directory, whose codes all are known and allowed."""
+    from catopt.casefile.design_directory import read_case_or_design
+
     return with_known_codes(read_case_or_design(path, design))
 
 
