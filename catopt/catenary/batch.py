@@ -13,6 +13,7 @@ from typing import Any, TypeVar
 import numpy as np
 import numpy.typing as npt
 
+from catopt.arrays import Array, Codes, Flags
 from catopt.catenary.many import COLUMNS, fill
 from catopt.catenary.pieces import Pieces
 from catopt.catenary.root_search import BY_FORCE, BY_SPAN, BY_TENSION
@@ -31,7 +32,6 @@ _A_LOOK = 0.1
 """Time after which it is asked anew whether compiling is the sooner done, s."""
 
 Numbers = npt.ArrayLike
-Array = npt.NDArray[np.float64]
 Result = TypeVar("Result")
 
 
@@ -39,8 +39,8 @@ Result = TypeVar("Result")
 class Solutions:
     """Answers for many lines; every array has the shape (n,), and nan where there is no answer."""
 
-    status: npt.NDArray[np.int64]  # 0 where solved; `reason` puts the others into words
-    regime_code: npt.NDArray[np.int64]  # index into state.REGIMES, see `regime`
+    status: Codes  # 0 where solved; `reason` puts the others into words
+    regime_code: Codes  # index into state.REGIMES, see `regime`
     horizontal_force: Array  # at the fairlead, N
     vertical_force: Array  # at the fairlead, N
     span: Array  # m
@@ -52,7 +52,7 @@ class Solutions:
     force_uncertainty: Array  # what rounding of the input may move the fairlead's forces by, N
 
     @property
-    def converged(self) -> npt.NDArray[np.bool_]:
+    def converged(self) -> Flags:
         """Which lines have an answer."""
         return np.equal(self.status, CONVERGED)
 

@@ -9,11 +9,11 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 
+from catopt.arrays import Array
 from catopt.catenary.case import solve_case, under_a_load
 from catopt.catenary.curve import (
     BEYOND,
     LEAST,
-    Array,
     Curve,
     Over,
     check_range,

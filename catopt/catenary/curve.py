@@ -14,8 +14,8 @@ from itertools import pairwise
 from typing import Literal
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array
 from catopt.catenary.equilibrium import given_force
 from catopt.catenary.find import find_limit_force
 from catopt.catenary.pieces import LineProblem, cut
@@ -38,7 +38,6 @@ from catopt.words import Message, Several, term
 
 __all__ = ["Curve", "Mark", "check_range", "load_curve"]
 
-Array = npt.NDArray[np.float64]
 Over = Literal["span", "horizontal_force"]
 MarkKind = Literal["regime", "clump_weight", "limit"]
 

@@ -9,8 +9,8 @@ from types import MappingProxyType
 from typing import Final, Literal
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array
 from catopt.catalogue.figure import Confidence
 from catopt.checks.criterion import USER, CheckSource, LineKind, line_kind
 from catopt.checks.spectral_fatigue import Band, bands, range_moment
@@ -19,8 +19,6 @@ from catopt.constants import YEAR
 from catopt.errors import InputError, Problem, need_package
 from catopt.model import Case, Segment, SegmentCurve
 from catopt.words import Message
-
-Array = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -19,9 +19,8 @@ import math
 from typing import Final, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
-Array = npt.NDArray[np.float64]
+from catopt.arrays import Array
 
 _WIDTH: Final = 0.1
 """Vanmarcke's width of the fast band."""

@@ -45,15 +45,15 @@ if TYPE_CHECKING:
     from catopt.verify.result import Verification
 
 
-@dataclass
+@dataclass(frozen=True)
 class _Found:
     """What came of a case, or of every design of a front."""
 
     case: Case
     at_rest: Verification | FrontVerification
     sentence: str
-    answers: list[Answer]
-    pictures: list[Files]
+    answers: tuple[Answer, ...]
+    pictures: tuple[Files, ...] = ()
     in_motion: Documents = dict
     stop: Callable[[], None] = lambda: None
     """Leaves where a solver did not converge or was stopped."""
@@ -144,8 +144,8 @@ def _case(
     else:
         with asked.output.progress("Load cases") as tell:
             at_rest = verify_case(case, load_case=load_case, progress=tell, **how)
-    answers = [verification_answer(at_rest)] if at_rest.parts else []
-    pictures: list[Files] = [partial(bundle.verification_pictures, at_rest)]
+    answers = (verification_answer(at_rest),) if at_rest.parts else ()
+    pictures = (partial(bundle.verification_pictures, at_rest),)
     found = _Found(case, at_rest, verdict_sentence(at_rest), answers, pictures)
     if moving is None:
         return found
@@ -162,11 +162,14 @@ def _case(
         )
     checks = checks_in_motion(moved)
     own = {"checks": checks.motion_document()}
-    found.answers.append(motion_answer(moved, checks, with_series=asked.out is not None))
-    found.pictures.append(partial(bundle.motion_pictures, moved))
-    found.in_motion = lambda: {"dynamic": moved.to_dict() | own}
-    found.stop = partial(stop_in_doubt, asked, moved)
-    return found
+    answer = motion_answer(moved, checks, with_series=asked.out is not None)
+    return replace(
+        found,
+        answers=(*found.answers, answer),
+        pictures=(*found.pictures, partial(bundle.motion_pictures, moved)),
+        in_motion=lambda: {"dynamic": moved.to_dict() | own},
+        stop=partial(stop_in_doubt, asked, moved),
+    )
 
 
 def stop_in_doubt(asked: Asked, moved: DynamicVerification) -> None:
@@ -200,8 +203,8 @@ def _front(
     case = read_case(directory / DESIGN_CASE)
     with asked.output.progress("Designs") as tell:
         front = verify_front(case.title, designs, progress=tell, **how)
-    found = _Found(case, front, front_sentence(front), [front_answer(front)], [])
-    found.stop = partial(_stop_front, asked, front, None)
+    stop = partial(_stop_front, asked, front, None)
+    found = _Found(case, front, front_sentence(front), (front_answer(front),), stop=stop)
     if moving is None:
         return found
     from catopt.notes.front_in_motion import front_in_motion
@@ -218,10 +221,12 @@ def _front(
             progress=tell,
             **moving,
         )
-    found.answers.append(front_in_motion_answer(moved))
-    found.in_motion = lambda: {"dynamic": moved.to_dict()}
-    found.stop = partial(_stop_front, asked, front, moved)
-    return found
+    return replace(
+        found,
+        answers=(*found.answers, front_in_motion_answer(moved)),
+        in_motion=lambda: {"dynamic": moved.to_dict()},
+        stop=partial(_stop_front, asked, front, moved),
+    )
 
 
 def _stop_front(asked: Asked, front: FrontVerification, moved: FrontInMotion | None) -> None:

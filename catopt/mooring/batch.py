@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from catopt.arrays import Array, Codes, Flags
 from catopt.catenary.state import CONVERGED, REASONS
 from catopt.compiled import compiled
 from catopt.errors import InputError, Problem
@@ -18,8 +19,6 @@ from catopt.mooring.many import BODY, PER_LINE, static_equilibria
 from catopt.mooring.zero_load import zero_load_position
 
 __all__ = ["Batch", "SystemSolutions", "solve_system_many"]
-
-Array = npt.NDArray[np.float64]
 
 _A_LINE = 4e-4
 """Time that a line of the system takes under one load as plain Python, s."""
@@ -47,9 +46,9 @@ class SystemSolutions:
         Unbalanced force (N) and moment (N m).
     """
 
-    status: npt.NDArray[np.int64]
-    line: npt.NDArray[np.int64]
-    steps: npt.NDArray[np.int64]
+    status: Codes
+    line: Codes
+    steps: Codes
     position: Array
     offset: Array
     horizontal_force: Array
@@ -62,7 +61,7 @@ class SystemSolutions:
     residual: Array
 
     @property
-    def converged(self) -> npt.NDArray[np.bool_]:
+    def converged(self) -> Flags:
         """Which loads have an answer."""
         return np.equal(self.status, CONVERGED)
 

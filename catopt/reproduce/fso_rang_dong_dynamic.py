@@ -20,9 +20,7 @@ from catopt.units import UNITS, Dimension
 from catopt.words import Message, term
 
 if TYPE_CHECKING:
-    import numpy as np
-    import numpy.typing as npt
-
+    from catopt.arrays import Array
     from catopt.fem import Harmonic, LineProperties
     from catopt.waves import Waves
 
@@ -169,12 +167,12 @@ def _origin(waves: Waves) -> float:
         first = moved
 
 
-def _elevation(waves: Waves, times: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+def _elevation(waves: Waves, times: Array) -> Array:
     """Sum of a cos(phase - omega t), m, at each time."""
     import numpy as np
 
     angles = waves.phase - np.outer(times, waves.omega)
-    level: npt.NDArray[np.float64] = np.cos(angles) @ waves.amplitude
+    level: Array = np.cos(angles) @ waves.amplitude
     return level
 
 

@@ -8,9 +8,8 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 import numpy as np
-import numpy.typing as npt
 
-Array = npt.NDArray[np.float64]
+from catopt.arrays import Array, Codes
 
 DistributionKind = Literal["normal", "lognormal", "uniform", "gumbel"]
 
@@ -110,7 +109,7 @@ class Axis:
         shares: Array = self.weights / self.weights.sum()
         return shares
 
-    def take(self, at: npt.NDArray[np.int64]) -> dict[str, Sequence[Any] | Array]:
+    def take(self, at: Codes) -> dict[str, Sequence[Any] | Array]:
         """Return the values at some places, by key."""
         return {
             key: column[at] if isinstance(column, np.ndarray) else [column[k] for k in at.tolist()]

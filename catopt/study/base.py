@@ -7,12 +7,9 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any, Final, Literal
 
-import numpy as np
-import numpy.typing as npt
-
+from catopt.arrays import Array, Flags
 from catopt.casefile.sizing_file import Moored
 from catopt.quantities import QUANTITIES, Quantity
-from catopt.study.axis import Array
 from catopt.words import Message
 
 Computed = Literal["statics", "checks", "motion", "linear", "sizing"]
@@ -44,7 +41,7 @@ class Kept:
         """What it is called."""
         return Message(f"study.{self.name}")
 
-    def beyond(self, values: Array, limit: float) -> npt.NDArray[np.bool_]:
+    def beyond(self, values: Array, limit: float) -> Flags:
         """Which values are beyond a limit, on its bad side."""
         return values > limit if self.high_is_worse else values < limit
 

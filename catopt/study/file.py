@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from catopt.arrays import Array
 from catopt.casefile.location import refuse
 from catopt.casefile.schema import entries
 from catopt.casefile.sizing_file import moored_of
@@ -20,7 +21,7 @@ from catopt.documents import parse_toml, read_text
 from catopt.errors import InputError, Problem
 from catopt.model import Case
 from catopt.model.kinds import Measured
-from catopt.study.axis import Array, Axis, Distribution
+from catopt.study.axis import Axis, Distribution
 from catopt.study.base import Base
 from catopt.study.member import kind_of_key, read_member
 from catopt.study.schema import StudyTable, VaryTable

@@ -14,8 +14,8 @@ from typing import Final
 
 import numpy as np
 
+from catopt.arrays import Array
 from catopt.errors import InputError, NoAnswerError, NotConvergedError
-from catopt.study.axis import Array
 from catopt.study.base import Kept
 from catopt.study.member import compute_member
 from catopt.study.statics import at_rest

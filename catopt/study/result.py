@@ -10,11 +10,10 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array, Codes
 from catopt.errors import InputError, Problem, need_package
 from catopt.shown import Shown
-from catopt.study.axis import Array
 from catopt.study.base import Kept
 from catopt.study.reliability import FirstOrder, counted_interval, first_order
 from catopt.study.store import Store
@@ -264,7 +263,7 @@ class StudyResult(Shown):
         ]
         return tuple(sorted(found, key=lambda each: -each.share))
 
-    def _groups(self) -> Iterator[tuple[tuple[str, ...], npt.NDArray[np.int64]]]:
+    def _groups(self) -> Iterator[tuple[tuple[str, ...], Codes]]:
         """Yield keys with the group of each member by their values."""
         study = self.study
         for axis, places in zip(study.axes, study.places(0, len(study)), strict=True):
@@ -303,7 +302,7 @@ class StudyResult(Shown):
         return study_document(self)
 
 
-def _parted(column: Sequence[Any] | Array) -> npt.NDArray[np.int64]:
+def _parted(column: Sequence[Any] | Array) -> Codes:
     """Part values into groups of equal count, or by value where they are few or no numbers."""
     values, code = np.unique(np.asarray(column), return_inverse=True)
     if len(values) <= _BINS or values.dtype.kind != "f":
@@ -312,9 +311,7 @@ def _parted(column: Sequence[Any] | Array) -> npt.NDArray[np.int64]:
     return np.asarray(ranks * _BINS // len(ranks), dtype=np.int64)
 
 
-def _influence(
-    keys: tuple[str, ...], code: npt.NDArray[np.int64], values: Array, shares: Array
-) -> Influence:
+def _influence(keys: tuple[str, ...], code: Codes, values: Array, shares: Array) -> Influence:
     total = shares.sum()
     mean = shares @ values / total
     variance = shares @ (values - mean) ** 2 / total

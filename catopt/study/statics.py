@@ -8,8 +8,8 @@ from dataclasses import replace
 from typing import Any, Final, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array, Codes, Flags
 from catopt.catenary.batch import Solutions, solve_many
 from catopt.catenary.case import solve_case
 from catopt.catenary.solution import Solution
@@ -19,7 +19,6 @@ from catopt.model.kinds import Measured
 from catopt.model.load import LOADS as OF_A_LINE
 from catopt.mooring.batch import SystemSolutions, solve_system_many
 from catopt.mooring.case import report_system
-from catopt.study.axis import Array
 from catopt.study.base import Base
 from catopt.study.member import kind_of_key, read_member, reason_of
 from catopt.study.study import Piece
@@ -36,7 +35,7 @@ class Group(NamedTuple):
     `at`: which they are, within the piece; `changes`: values of the first of them.
     """
 
-    at: npt.NDArray[np.int64]
+    at: Codes
     changes: dict[str, Any]
 
 
@@ -101,7 +100,7 @@ def _solve(base: Base, piece: Piece, group: Group, found: AtRest) -> None:
     found.reasons.update({int(at[member]): reason for member, reason in solved[1].items()})
 
 
-def _beyond(base: Base, key: str, values: Array) -> npt.NDArray[np.bool_]:
+def _beyond(base: Base, key: str, values: Array) -> Flags:
     """Which loads the key does not take."""
     kind = kind_of_key(base, key)
     assert isinstance(kind, Measured)

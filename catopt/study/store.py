@@ -12,8 +12,8 @@ from weakref import finalize
 
 import numpy as np
 
+from catopt.arrays import Array
 from catopt.errors import InputError, Problem
-from catopt.study.axis import Array
 from catopt.study.study import Study
 
 STORE: Final = "study.sqlite"

@@ -15,10 +15,11 @@ from typing import Any
 import numpy as np
 
 from catopt._version import __version__
+from catopt.arrays import Array
 from catopt.constants import YEAR
 from catopt.model.kinds import Measured
 from catopt.quantities import Quantity
-from catopt.study.axis import Array, Axis, Distribution
+from catopt.study.axis import Axis, Distribution
 from catopt.study.base import Base
 from catopt.study.member import kind_of_key
 

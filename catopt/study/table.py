@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from catopt.arrays import Array
 from catopt.documents import MOST_BYTES_OF_DATA, read_text
 from catopt.errors import InputError, Problem, need_package
 from catopt.model.kinds import Kind, Measured, Whole
-from catopt.study.axis import Array, Axis
+from catopt.study.axis import Axis
 from catopt.study.base import Base
 from catopt.study.member import in_file, kind_of_key
 from catopt.units import as_written, to_si

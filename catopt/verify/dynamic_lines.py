@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from typing import get_args
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array
 from catopt.catenary.batch import solve_many
 from catopt.catenary.case import solve_case
 from catopt.errors import InputError, Problem
@@ -29,7 +29,6 @@ from catopt.verify.system import truss_legs
 from catopt.waves import Sea, Waves
 from catopt.words import Message
 
-Array = npt.NDArray[np.float64]
 Progress = Callable[[float], None]
 
 

@@ -10,8 +10,8 @@ from types import MappingProxyType
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array, Flags
 from catopt.checks.fatigue import Cycles
 from catopt.fem.extremes import GumbelFit, TailFit, weibull_tail
 from catopt.fem.extremes import gumbel as gumbel_of
@@ -24,8 +24,6 @@ from catopt.ties import largest
 from catopt.verify.dynamic_setup import Drive
 from catopt.verify.proof import LEAST_TENSION, LIMIT, Again, Change, Proof, added, largest_changes
 from catopt.words import Message
-
-Array = npt.NDArray[np.float64]
 
 SERIES: Mapping[str, Callable[[History], Array]] = MappingProxyType(
     {
@@ -114,7 +112,7 @@ class DynamicRun:
         return self.history.is_complete and (proof == "none" or bool(self.again))
 
     @cached_property
-    def counted(self) -> npt.NDArray[np.bool_]:
+    def counted(self) -> Flags:
         """Which samples count: those after the ramp; all, if hardly any are."""
         counted = self.history.counted
         return counted if counted.sum() > 1 else np.ones(counted.size, dtype=bool)

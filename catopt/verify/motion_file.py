@@ -12,13 +12,12 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
+from catopt.arrays import Array
 from catopt.documents import MOST_BYTES_OF_DATA, read_text
 from catopt.errors import InputError, Problem
 from catopt.fem.series import Harmonic, Sampled
 from catopt.units import UNITS, Dimension, as_written
 from catopt.waves import CurrentSeries, ElevationRecord, Waves
-
-Array = npt.NDArray[np.float64]
 
 Units = Mapping[str, Mapping[str, float] | None]
 """Headings that a file may have, with the units that each may name and their sizes in SI.

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from catopt.arrays import Array
 from catopt.catenary.layout import end_of, tension_at
 from catopt.catenary.solution import Solution
 from catopt.fem import SystemSolution, TrussSolution
@@ -17,8 +17,6 @@ from catopt.model import Case
 from catopt.shown import Shown
 from catopt.ties import largest
 from catopt.verify.compared import ORDER, ROUNDING, Compared, worst_of
-
-Array = npt.NDArray[np.float64]
 
 __all__ = [
     "VERDICTS",

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
+from catopt.arrays import Array
 from catopt.documents import MOST_BYTES_OF_DATA, read_text
 from catopt.errors import InputError, Problem
 from catopt.units import as_written
@@ -18,8 +19,6 @@ from catopt.verify.motion_file import SHOWN, Raos, few, read_columns, refused, r
 
 if TYPE_CHECKING:
     from catopt.model import Motion
-
-Array = npt.NDArray[np.float64]
 
 FREEDOMS: Final = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 
