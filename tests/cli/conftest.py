@@ -34,31 +34,15 @@ NAMED = {
     "FLEET": CASES / "study-fleet" / "study.toml",
     "STUDY": CASES / "study-buoy-9.5m" / "study.toml",
     "CASES": CASES,
+    "NOTES": Path(__file__).parents[1] / "report" / "cases",
     "BROKEN": BROKEN,
 }
 BUOY, SLACK, TANKER, SOUGHT, FSO, DESIGN, *_ = NAMED.values()
 
-OPTIONS = {
-    "LOADS_BUOY": "loads buoy 'pillar 1.8 m' --depth '12 m' --low-water '10 m' --wind '25 m/s' "
-    "--current '1.5 m/s' --hs '2 m' --period '6 s' --chain '25 mm'",
-    "LOADS_SHIP": "loads ship --length '234 m' --breadth '31.3 m' --draught '12.4 m' "
-    "--frontal-area '582.18 m^2' --lateral-area '1217.4 m^2' --propeller tanker --depth '20 m' "
-    "--wind '20 m/s' --current '1.2 m/s' --hmax '3.5 m' --period '8 s'",
-    "FAIRWAY": "buoy 'pillar 2.4 m' --depth '12 m' --low-water '10 m' --wind '25 m/s' "
-    "--current '1.5 m/s' --hs '1.5 m' --period '6 s'",
-    "SIZE_BUOY": "size FAIRWAY --soil 'clean fine to medium sand'",
-    "SIZE_OWN": "size buoy --depth '9.5 m' --force '0.343 tf' --reserve-buoyancy '12 kN'",
-    "SIZE_SHIP": "size tanker --length '234 m' --breadth '31.3 m' --draught '12.4 m' "
-    "--moulded-depth '16 m' --depth '22 m' --low-water '20 m' --wind '20 m/s' "
-    "--current '1.2 m/s' --hmax '3.5 m' --period '8 s'",
-    "AT_REST": "--line-out --watch-circle --curve '180 deg' --curve 1.0 --level '-2 m' --level 2",
-    "EVERYTHING": "AT_REST --stiffness --held '5 m, 0, -1 m, 0, 2 deg, 0'",
-    "VANE": "--weathervane --current-yaw series-60",
-    "SEA": "--wind '25 m/s' --current '1 m/s' --hs '7 m' --period '12 s'",
-    "SHIP": "--length '234 m' --breadth '31.3 m' --draught '12.4 m' --frontal-area '580 m^2' "
-    "--lateral-area '1200 m^2' --depth '14 m'",
-    "SMALL": "size tanker --length '120 m' --breadth '18 m' --draught '7 m' --depth '22 m'",
-}
+OPTIONS = dict(
+    line.split(": ", 1)
+    for line in Path(__file__).with_name("options.txt").read_text("utf-8").splitlines()[1:]
+)
 """What many commands begin with."""
 
 

@@ -12,8 +12,13 @@ from .conftest import Run, document_of
 
 
 def note_of(run: Run, *arguments: object) -> tuple[dict[str, Any], ReadPage]:
-    """Write a note; every file is as its document says, and so are the sections of the page."""
+    """Write a note that is as its document says."""
     document = document_of(run, "report", *arguments)
+    return document, compare_files(document)
+
+
+def compare_files(document: dict[str, Any]) -> ReadPage:
+    """Every file is as its document says, and so are the sections of the page."""
     for told in (document, document["workbook"]):
         if told is not None:
             content = Path(told["path"]).read_bytes()
@@ -22,7 +27,7 @@ def note_of(run: Run, *arguments: object) -> tuple[dict[str, Any], ReadPage]:
     page = page_at(document["path"])
     assert document["sections"] == list(page.sections)
     assert page.tagged("html")[0].attributes["lang"] == document["language"]
-    return document, page
+    return page
 
 
 def page_at(path: str) -> ReadPage:

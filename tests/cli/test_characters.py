@@ -10,34 +10,12 @@ from pathlib import Path
 import openpyxl
 import pytest
 
-from .conftest import BUOY, Run, changed, refused
+from .conftest import BUOY, Run, changed
 
 
 def named(tmp_path: Path, name: str, title: str = "Marker buoy, 9.5 m") -> Path:
     changes = (('name = "chain"', f'name = "{name}"'), ("Marker buoy, 9.5 m", title))
     return changed(BUOY, tmp_path, *changes)
-
-
-@pytest.mark.parametrize(
-    ("character", "said"),
-    [
-        ("\\u0007", "U+0007, a control character"),
-        ("\\u001b[31m", "U+001B, a control character"),
-        ("\\u0000", "U+0000, a control character"),
-        ("\\u202e", "U+202E, right-to-left override"),
-        ("\u2066", "U+2066, left-to-right isolate"),
-        ("\\ufffe", "U+FFFE, no character"),
-        ("\\U0001ffff", "U+1FFFF, no character"),
-        ("\\ufdd0", "U+FDD0, no character"),
-        ("\u2028", "U+2028, line separator"),
-    ],
-)
-def test_what_a_terminal_would_obey_is_refused(
-    run: Run, tmp_path: Path, character: str, said: str
-) -> None:
-    for path in (named(tmp_path, f"a{character}b"), named(tmp_path, "chain", f"a{character}b")):
-        ran = refused(run, "solve", path)
-        assert f"found {said}; take it out of the text" in ran.err
 
 
 @pytest.mark.parametrize("name", ["=1+1", "+cmd", "-cmd", "@SUM(A1)", "\\t=1"])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import subprocess
 import sys
@@ -11,14 +10,6 @@ from pathlib import Path
 import pytest
 
 from .conftest import BUOY, Run, changed, fits, refused
-
-
-@pytest.mark.usefixtures("inside")
-def test_a_page_never_takes_the_place_of_its_case(run: Run) -> None:
-    Path("line.html").write_bytes(BUOY.read_bytes())
-    ran = refused(run, "report", "line.html", "--no-verify")
-    assert "is the file that is read" in ran.err
-    assert Path("line.html").read_bytes() == BUOY.read_bytes()
 
 
 def test_a_place_that_no_note_can_go_to_is_told_before_anything_is_computed(
@@ -32,25 +23,6 @@ def test_a_place_that_no_note_can_go_to_is_told_before_anything_is_computed(
     for place in ("file", "file/page.html"):
         ran = refused(run, "report", BUOY, "--out", tmp_path / place)
         assert "is a file; give a directory" in ran.err
-
-
-@pytest.mark.parametrize(
-    ("content", "told"),
-    [
-        (b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", "file: found no text; give a case file"),
-        (b"<!DOCTYPE html>\n<html>\n", "this is no TOML; give a case file"),
-        (b'{\n  "schema": "catopt.solution/1"\n}\n', "this is no TOML; give a case file"),
-        (b'{"schema": "catopt.solution/1"}\n', "this is no TOML; give a case file"),
-    ],
-)
-def test_what_is_no_case_file_is_told_as_such(
-    run: Run, tmp_path: Path, content: bytes, told: str
-) -> None:
-    path = tmp_path / "given"
-    path.write_bytes(content)
-    for command in ("solve", "report"):
-        ran = refused(run, command, path)
-        assert told in ran.err
 
 
 def test_a_long_name_without_a_space_is_not_cut_off(run: Run, tmp_path: Path) -> None:
@@ -71,24 +43,6 @@ def test_a_name_that_is_no_text_is_replaced(run: Run, tmp_path: Path) -> None:
     assert "phao s?.toml" in page.read_text("utf-8")
     assert "ng?y 1" in page.read_text("utf-8")
     assert run("export", case, "--to", "dxf").status == 0
-
-
-@pytest.mark.parametrize(
-    ("document", "told"),
-    [
-        ({"schema": "catopt.design/1", "recommended": 0}, "11 errors\n  title: missing\n"),
-        ({"schema": "catopt.solution/1"}, "'catopt.design/1' is wanted"),
-        ([], "file: an object in braces is wanted"),
-    ],
-)
-def test_a_damaged_result_directory_is_told_as_one(
-    run: Run, tmp_path: Path, document: object, told: str
-) -> None:
-    (tmp_path / "case.toml").write_bytes(BUOY.read_bytes())
-    (tmp_path / "design.json").write_text(json.dumps(document))
-    for command in (["report", tmp_path], ["solve", tmp_path, "--design", "1"]):
-        ran = refused(run, *command)
-        assert told in ran.err
 
 
 INTERRUPTED_AT = """

@@ -2,9 +2,9 @@
 
 Sessions have an empty line between them; ``# slow`` goes before one that takes long. ``$`` begins
 a command; words in capitals are those of conftest.py, other files those of cases.py.
-``$ edit FILE OLD NEW`` writes changed.toml, that file with some of its text replaced. A command
-ends with 0; where ``exit N`` stands below it, it has no answer, unless ``with an answer`` stands
-there, too. Each other line below a command is one of
+``$ edit FILE OLD NEW`` writes changed.toml, that file with some of its text replaced; ``$ write``,
+``$ copy`` and ``$ mkdir`` make others. A command ends with 0; where ``exit N`` stands below it, it
+has no answer, unless ``with an answer`` stands there, too. Each other line below it is one of
 
 ======================== ==========================================================================
 ``text``                 found in its answer, whatever the breaks of lines are; in what it says of
@@ -17,14 +17,16 @@ there, too. Each other line below a command is one of
                          ``[key=text]`` those that have it
 ``== command``           prints the same answer, to the byte
 ``@ files: text``        found in each of the files that it wrote
+``@= file: other``       a file that is the same as another one, to the byte
 ======================== ==========================================================================
 """
 
 from __future__ import annotations
 
 import math
+import os
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -32,9 +34,10 @@ import pytest
 
 from .cases import write_files
 from .conftest import NAMED, Ran, Run, changed, fits, read_document, sheets, typed, words
+from .notes import compare_files
 
 TRANSCRIPTS = Path(__file__).parent / "transcripts"
-MARKS = ("exit ", "! ", "2> ", "2= ", "= ", "== ", "@ ")
+MARKS = ("exit ", "! ", "2> ", "2= ", "= ", "== ", "@ ", "@= ")
 
 
 def sessions() -> Iterator[Any]:
@@ -64,9 +67,8 @@ def steps(session: list[str]) -> Iterator[tuple[list[str], dict[str, list[str]]]
 def test_what_is_said(run: Run, inside: Path, session: list[str]) -> None:
     write_files(inside)
     for command, said in steps(session):
-        if command[0] == "edit":
-            texts = [text.replace("\\n", "\n") for text in command[2:]]
-            changed(Path(command[1]), inside, *zip(texts[::2], texts[1::2], strict=True))
+        if make := MAKES.get(command[0]):
+            make(*(text.replace("\\n", "\n") for text in command[1:]))
             continue
         before = contents(inside)
         ran = run(*command)
@@ -79,9 +81,7 @@ def test_what_is_said(run: Run, inside: Path, session: list[str]) -> None:
             assert ran.err.startswith("catopt: ") or "--json" not in command
             ran = Ran(0, ran.err, ran.err)
         elif "--json" in command and "import" not in command:
-            document = read_document(ran.out)
-            for line in said["= "]:
-                compare(document, line)
+            compare_document(read_document(ran.out), said["= "])
         elif not {"export", "import", "--json"} & set(command):
             assert fits(ran.out) or not ran.out
         compare_words(ran, said)
@@ -89,9 +89,31 @@ def test_what_is_said(run: Run, inside: Path, session: list[str]) -> None:
         for line in said["== "]:
             assert run(*typed(line)).out == ran.out != ""
         for line in said["@ "]:
-            files, _, text = line.partition(": ")
-            written = [contents_in_words(path) for path in inside.glob(files)]
-            assert [text in each for each in written] == [True] * len(written) != [], line
+            compare_written(*line.split(": ", 1))
+        for line in said["@= "]:
+            one, other = map(Path, line.split(": "))
+            assert one.read_bytes() == other.read_bytes(), line
+
+
+def edit(file: str, *texts: str) -> None:
+    changed(Path(file), Path(), *zip(texts[::2], texts[1::2], strict=True))
+
+
+def write(file: str, text: str) -> None:
+    Path(file).parent.mkdir(exist_ok=True)
+    Path(file).write_text(text, encoding="utf-8")
+
+
+def copy(file: str, to: str) -> None:
+    Path(to).write_bytes(Path(file).read_bytes())
+
+
+MAKES: dict[str, Callable[..., None]] = {
+    "edit": edit,
+    "write": write,
+    "copy": copy,
+    "mkdir": os.mkdir,
+}
 
 
 def compare_words(ran: Ran, said: dict[str, list[str]]) -> None:
@@ -100,6 +122,18 @@ def compare_words(ran: Ran, said: dict[str, list[str]]) -> None:
     assert [text for text in said["! "] if text in out + err] == []
     assert [text for text in said["2> "] if text not in err] == [], err
     assert said["2= "] in ([], [err])
+
+
+def compare_written(files: str, text: str) -> None:
+    written = [contents_in_words(path) for path in Path().glob(files)]
+    assert [text in each for each in written] == [True] * len(written) != [], (files, text)
+
+
+def compare_document(document: dict[str, Any], lines: list[str]) -> None:
+    if document["schema"] == "catopt.report/1":
+        compare_files(document)
+    for line in lines:
+        compare(document, line)
 
 
 def compare(document: dict[str, Any], line: str) -> None:
