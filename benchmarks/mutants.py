@@ -31,7 +31,7 @@ BESIDE = {
     "sizing": ("tests/cli/test_size.py", *_COMMANDS),
     "loads": ("tests/cli/test_loads.py", *_COMMANDS),
     "design": ("tests/cli/test_design.py", *_COMMANDS),
-    "mooring": ("tests/cli/test_system.py", *_COMMANDS),
+    "mooring": ("tests/cli/test_json.py", *_COMMANDS),
     "study": ("tests/cli/test_study.py", *_COMMANDS),
 }
 """Tests of a part that stand elsewhere."""

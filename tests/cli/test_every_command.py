@@ -47,14 +47,15 @@ def commands() -> Iterator[Command]:
         yield Command(line, **{key: value.strip() for key, _, value in told})
 
 
-each_command = pytest.mark.parametrize("command", list(commands()), ids=lambda each: each.line)
+COMMANDS = list(commands())
+each_command = pytest.mark.parametrize("command", COMMANDS, ids=lambda each: each.line)
 SAID_BEFORE = {"design", "study"}
 """Commands that say on standard error how much they have to compute."""
 MOORINGS = ("oc3", "oc4", "volturnus", "steep_chain", "hanging_cable", "moordyn_line")
 COMPUTES = {
     "solve": "catopt.catenary.case.solve_case", "check": "catopt.checks.case.check_case",
     "curve": "catopt.catenary.case_curve.curve_case", "verify": "catopt.verify.case.verify_case",
-    "reproduce": "catopt.reproduce.reproduce",
+    "reproduce": "catopt.reproduce.reproduce", "report": "catopt.cli.note_kind.note_of_file",
 }  # fmt: skip
 
 
@@ -116,19 +117,19 @@ def png_size(path: Path) -> tuple[int, int]:
     return width, height
 
 
-@each_command
+@pytest.mark.parametrize("line", [*(each.line for each in COMMANDS), "report BUOY"])
 def test_a_file_in_the_way_is_2_before_anything_is_computed(
-    run: Run, inside: Path, monkeypatch: pytest.MonkeyPatch, command: Command
+    run: Run, inside: Path, monkeypatch: pytest.MonkeyPatch, line: str
 ) -> None:
     def never(*_: object, **__: object) -> None:
         raise AssertionError("computed, although nothing can be written")
 
-    if computes := COMPUTES.get(command.line.split()[0]):
+    if computes := COMPUTES.get(line.split()[0]):
         monkeypatch.setattr(computes, never)
     path = inside / "file"
     path.write_text("mine", encoding="utf-8")
     for out in (path, path / "below"):
-        ran = run(*typed(command.line), "--json", "--out", out)
+        ran = run(*typed(line), "--json", "--out", out)
         assert (ran.status, ran.out) == (2, "")
         assert "--out: " in ran.err
     assert path.read_text("utf-8") == "mine"

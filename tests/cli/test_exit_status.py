@@ -43,6 +43,25 @@ def test_an_interrupt_is_130_and_one_line(run: Run, monkeypatch: pytest.MonkeyPa
     assert (ran.status, ran.out, ran.err) == (130, "", "catopt: interrupted\n")
 
 
+INTERRUPTED_AT = """
+import sys
+class Interrupt:
+    def find_spec(self, name, path=None, target=None):
+        if name == "{module}":
+            raise KeyboardInterrupt
+sys.meta_path.insert(0, Interrupt())
+from catopt.__main__ import main
+sys.exit(main(["--version"]))
+"""
+
+
+@pytest.mark.parametrize("module", ["catopt.errors", "catopt.cli.output", "catopt.cli.app"])
+def test_an_interrupt_while_the_program_is_loaded_is_told_in_one_line(module: str) -> None:
+    code = INTERRUPTED_AT.format(module=module)
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert (ran.returncode, ran.stdout, ran.stderr) == (130, "", "catopt: interrupted\n")
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="pipes break otherwise there")
 @pytest.mark.parametrize("arguments", [["solve", str(BUOY)], ["solve", str(BUOY), "--json"]])
 def test_a_reader_that_goes_away_is_no_error_message(arguments: list[str]) -> None:

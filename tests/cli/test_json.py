@@ -15,7 +15,7 @@ from catopt import schemas
 from catopt.errors import InputError
 from catopt.model import Case
 
-from .conftest import BUOY, OWN, SLACK, Run, document_of
+from .conftest import BUOY, FSO, OWN, SLACK, Run, document_of
 from .conftest import validate as validate
 
 
@@ -42,6 +42,15 @@ def test_a_command_prints_what_python_gives(
     run: Run, command: list[object], computed: Callable[[Case], Any]
 ) -> None:
     assert document_of(run, *command) == computed(catopt.read_case(str(command[1]))).to_dict()
+
+
+def test_a_body_rests_where_python_has_it(run: Run) -> None:
+    """With what the case says beside it, and nothing that was not asked for."""
+    document = document_of(run, "system", FSO)
+    system = catopt.read_case(FSO).system
+    assert system is not None
+    of_case = {key: document[key] for key in ("title", "sharing_rule", "checks")}
+    assert document == catopt.solve_system(system).to_dict() | of_case
 
 
 def test_a_case_is_solved_under_its_first_load_case() -> None:
