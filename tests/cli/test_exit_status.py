@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 
 from catopt import __version__
-from catopt.errors import CatoptError
+from catopt.errors import CatoptError, InputError, Problem
 
-from .conftest import BUOY, Run
+from .conftest import BUOY, NAMED, Run, refused
 
 
 @pytest.mark.parametrize("error", [RuntimeError("a bolt\nis loose"), CatoptError("a bolt")])
@@ -32,6 +32,37 @@ def test_a_fault_of_ours_is_1_and_asks_for_debug(
     ran = run("--debug", "solve", BUOY)
     assert (ran.status, ran.out) == (1, "")
     assert "Traceback" in ran.err
+
+
+def test_another_function_s_input_error_is_passed_on(
+    run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Only problems of the range take the names of the options."""
+
+    def refuse(*_: object, **__: object) -> None:
+        raise InputError([Problem("site.water_depth", "0", "must be above 0 m")], "Site")
+
+    monkeypatch.setattr("catopt.catenary.case_curve.solve_case", refuse)
+    ran = run("curve", BUOY)
+    assert (ran.status, "site.water_depth: found 0" in ran.err) == (2, True)
+
+
+@pytest.mark.slow
+def test_a_damage_that_hangs_on_the_step_is_status_4(
+    run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """By a limit that nothing keeps: the runs themselves have converged."""
+    monkeypatch.setattr("catopt.verify.fatigue.LIMIT", -1.0)
+    ran = run("fatigue", NAMED["FATIGUE"])
+    assert ran.status == 4
+    assert "NOT PROVEN; the runs in time: NOT CONVERGED" in ran.out
+    assert "NOT CONVERGED" in ran.err
+
+
+def test_without_rainflow_the_way_out_is_named(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("importlib.util.find_spec", lambda _: None)
+    ran = refused(run, "fatigue", NAMED["FATIGUE"])
+    assert "pip install 'catopt[fatigue]'" in ran.err
 
 
 def test_an_interrupt_is_130_and_one_line(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:

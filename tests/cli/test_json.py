@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 import jsonschema
@@ -15,17 +14,8 @@ from catopt import schemas
 from catopt.errors import InputError
 from catopt.model import Case
 
-from .conftest import BUOY, FSO, OWN, SLACK, Run, document_of
+from .conftest import BUOY, FSO, OWN, Run, document_of
 from .conftest import validate as validate
-
-
-@pytest.mark.parametrize("further", [(), ("--profile",), ("--method", "pso", "--profile")])
-@pytest.mark.parametrize("case", [BUOY, SLACK], ids=["suspended", "grounded"])
-def test_solve(run: Run, case: Path, further: tuple[str, ...]) -> None:
-    document = document_of(run, "solve", case, *further)
-    assert document["method"] == ("pso" if "pso" in further else "closed-form")
-    assert ("profile" in document) == ("--profile" in further)
-    assert ("pso" in document) == ("pso" in further)
 
 
 @pytest.mark.parametrize(

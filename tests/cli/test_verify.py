@@ -16,7 +16,7 @@ from catopt.errors import NotConvergedError
 from catopt.model import Case, Line
 from catopt.verify.case import verify_case
 
-from .conftest import BUOY, DESIGN, Run, document_of, fits, names, read_document, words
+from .conftest import BUOY, DESIGN, Run, document_of, fits, read_document, words
 from .test_cold_start import loaded
 
 
@@ -80,10 +80,6 @@ def test_every_design_of_a_front(run: Run, front: Path) -> None:
         assert design["governing"].endswith(f"({part['load_case']})")
 
 
-def test_one_design_in_all_its_load_cases(run: Run, front: Path) -> None:
-    assert len(document_of(run, "verify", front, "--design", 1)["load_cases"]) == 3
-
-
 @pytest.mark.slow
 def test_a_design_that_does_not_converge_is_4_and_the_others_are_shown(
     run: Run, front: Path, monkeypatch: pytest.MonkeyPatch
@@ -103,15 +99,6 @@ def test_a_design_that_does_not_converge_is_4_and_the_others_are_shown(
     assert "NO ANSWER" in ran.out
     assert "did not converge" in ran.err
     assert fits(ran.out)
-
-
-@pytest.mark.slow
-def test_out_of_a_front(run: Run, front: Path, tmp_path: Path) -> None:
-    assert run("verify", front, "--all", "--out", tmp_path / "out").status == 0
-    assert names(tmp_path / "out") == {
-        "verify.json", "verify.xlsx", "designs.csv", "verdicts.csv", "quantities.csv",
-        "meshes.csv", "case.toml", "design.json",
-    }  # fmt: skip
 
 
 @pytest.mark.slow

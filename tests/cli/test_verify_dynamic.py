@@ -10,7 +10,7 @@ import pytest
 from catopt.casefile.design_directory import read_case_or_design
 from catopt.cli import answering as command
 
-from .conftest import OWN, Run, changed, document_of, names, read_document, rows, sheets, words
+from .conftest import OWN, Run, changed, document_of, names, read_document, rows, words
 
 MOVING, CODED, DESIGN = (OWN / f"{name}.toml" for name in ("moving", "coded", "design-in-motion"))
 
@@ -34,36 +34,6 @@ def test_the_series_has_the_largest_tension(run: Run, tmp_path: Path) -> None:
     assert max(tensions) == pytest.approx(ran["max_fairlead_tension_N"], rel=1e-5)
 
 
-def test_codes_judge_the_tensions_by_their_factors_for_motion(run: Run, tmp_path: Path) -> None:
-    """By 1.67, in every face."""
-    found = in_motion(run, CODED, "--out", tmp_path)
-    (made,) = found["checks"]["checks"]
-    largest = found["load_cases"][0]["max_tension_N"]
-    assert made["demand"] == largest
-    assert made["utilisation"] == pytest.approx(1.67 * largest / 3000e3, rel=1e-12)
-    assert found["checks"]["passes"] is True
-    assert (made["state"], made["code"]) == ("intact", "API-RP-2SK")
-    (row,) = rows(tmp_path / "dynamic_checks.csv")
-    assert float(row["Demand (unit of the row)"]) == pytest.approx(largest / 1e3, rel=1e-9)
-    assert row["Code"] == "API-RP-2SK"
-    printed = run("verify", CODED, "--dynamic", "--lang", "vi").out
-    assert "Kiểm tra lực căng khi chuyển động" in printed
-    assert "Checks of" not in printed
-
-
-def test_more_that_the_storm_is_likely_to_bring_is_said(run: Run, tmp_path: Path) -> None:
-    """A random sea of 60 s, judged by its own largest tension; 3 h bring more."""
-    sea = '[waves]\nspectrum = "jonswap"\nheight = "2 m"\nperiod = "8 s"\ndirection = "180 deg"\n'
-    still = '[motion]\nperiod = "8 s"\nsurge = "0.5 m"\n'
-    path = changed(CODED, tmp_path, (still, sea), ('"24 s"', '"2 min"'))
-    found = in_motion(run, path, "--once")
-    fairlead = found["load_cases"][0]["quantities"][0]
-    assert fairlead["most_probable_max"] > fairlead["max"]
-    (told,) = [each for each in found["checks"]["warnings"] if "the most probable one" in each]
-    assert told.startswith("load case load: the largest tension at the fairlead of the runs")
-    assert f"{fairlead['most_probable_max'] / 1e3:.3f} kN" in told
-
-
 @pytest.mark.usefixtures("stopped")
 def test_ctrl_c_keeps_what_was_computed_and_says_so(run: Run, tmp_path: Path) -> None:
     ran = run("verify", MOVING, "--dynamic", "--json", "--out", tmp_path)
@@ -83,43 +53,6 @@ def test_a_design_has_the_drag_of_its_components(run: Run, tmp_path: Path) -> No
     ran = run("verify", tmp_path, "--design", "1", "--dynamic")
     assert ran.status == 0
     assert "Load case storm: line in motion" in ran.out
-
-
-@pytest.mark.slow
-def test_a_maximum_that_hangs_on_the_bars_ends_with_4(run: Run) -> None:
-    ran = run("verify", OWN / "snapping.toml", "--dynamic", "--json")
-    assert ran.status == command.STOPPED == 4
-    assert "catopt: load case load: NOT CONVERGED: run again " in ran.err
-    found = read_document(ran.out)["dynamic"]
-    assert found["verdict"] == "not converged"
-    (part,) = found["load_cases"]
-    assert max(each["change"] for each in part["changes"]) > 0.05
-
-
-def test_the_proof_stands_beside_the_maxima(run: Run) -> None:
-    found = in_motion(run, MOVING)
-    (part,) = found["load_cases"]
-    assert (found["verdict"], part["proof"]) == ("converged", "step")
-    (ran,) = part["runs"]
-    (again,) = ran["again"]
-    assert again["time_step_s"] == ran["time_step_s"] / 2
-    lost = ran["energy"]["numerical_J"] / ran["energy"]["put_in_J"]
-    assert abs(lost) == pytest.approx(part["numerical_part"])
-    (twice,) = in_motion(run, MOVING, "--twice-the-bars")["load_cases"][0]["runs"]
-    assert [each["elements"] for each in twice["again"]] == [20, 40]
-
-
-def test_once_says_so_in_every_form(run: Run, tmp_path: Path) -> None:
-    out = tmp_path / "out"
-    assert in_motion(run, MOVING, "--once", "--out", out)["verdict"] == "not proven"
-    (row,) = rows(out / "dynamic_summary.csv")
-    assert (row["Verdict"], row["Proof"]) == ("not proven", "run once")
-    summary = sheets(out / "dynamic.xlsx")["Summary"]
-    assert "not proven" in [cell for row in summary for cell in row]
-    # The note of the directory is of the run that was asked for there.
-    assert run("report", out, "--out", tmp_path / "note").status == 0
-    (page,) = (tmp_path / "note").glob("*.html")
-    assert "NOT PROVEN: it was run once" in page.read_text(encoding="utf-8")
 
 
 @pytest.mark.slow
@@ -179,11 +112,3 @@ def test_a_front_in_motion_names_what_fails_there_alone(run: Run, tmp_path: Path
     once = run("verify", out, "--all", "--dynamic", "--once").out
     assert "NOT PROVEN: it was run once" in once
     assert "front_in_motion.csv" in names(moved)
-
-
-def test_a_front_in_motion_needs_a_limit_of_the_tension(run: Run, tmp_path: Path) -> None:
-    path = changed(DESIGN, tmp_path, ("safety_factor = 2.0", 'max_span = "200 m"'))
-    assert run("design", path, "--out", tmp_path / "front").status == 0
-    ran = run("verify", tmp_path / "front", "--all", "--dynamic")
-    assert (ran.status, ran.out) == (2, "")
-    assert "codes or a safety_factor are wanted" in words(ran.err)
