@@ -41,6 +41,7 @@ def loaded(*arguments: str) -> set[str]:
         ("solve BUOY --profile", HEAVY),
         ("solve BUOY --json", HEAVY | {"rich"}),
         ("check CASES/tanker-20m/case.toml", HEAVY),
+        ("check DESIGN", HEAVY),
         ("verify BUOY", {"jinja2", "matplotlib", "pandas", "xlsxwriter"}),
         ("system FSO --line-out --watch-circle", HEAVY),
         ("system FSO --json", HEAVY | {"rich"}),
@@ -54,3 +55,4 @@ def test_nothing_heavy_is_loaded(line: str, absent: set[str]) -> None:
 
 def test_the_guard_sees_what_is_loaded() -> None:
     assert {"numpy", "pyswarms", "rich"} <= loaded(*typed("solve BUOY --method pso"))
+    assert "numba" in loaded(*typed("verify BUOY --json"))

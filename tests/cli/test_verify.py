@@ -17,7 +17,6 @@ from catopt.model import Case, Line
 from catopt.verify.case import verify_case
 
 from .conftest import BUOY, DESIGN, Run, document_of, fits, read_document, words
-from .test_cold_start import loaded
 
 
 @pytest.fixture
@@ -99,10 +98,3 @@ def test_a_design_that_does_not_converge_is_4_and_the_others_are_shown(
     assert "NO ANSWER" in ran.out
     assert "did not converge" in ran.err
     assert fits(ran.out)
-
-
-@pytest.mark.slow
-def test_the_truss_model_is_loaded_by_verify_alone() -> None:
-    """With the compiler, which may have its machine code on disk."""
-    assert "numba" in loaded("verify", str(BUOY), "--json")
-    assert "numba" not in loaded("check", str(DESIGN))
