@@ -22,6 +22,7 @@ from catopt.mooring.restoring import offset_curve, restoring_curve
 from catopt.mooring.sharing_rule import sharing_rule
 from catopt.mooring.watch_circle import watch_circle
 from catopt.mooring.water_level import at_levels
+from catopt.words import Message
 from tests.mooring.layouts import CHAIN, fso, spread
 
 
@@ -176,6 +177,7 @@ def test_where_the_rule_does_not_apply(system: System, why: str) -> None:
     rule = sharing_rule(system)
     assert rule.horizontal_force is None
     assert why in rule.why_not
+    assert isinstance(rule.why_not, Message)
 
 
 def test_refused_directions_and_forces() -> None:
