@@ -7,12 +7,11 @@ from typing import Any
 
 import pytest
 
-from catopt.casefile.design_directory import read_case_or_design
 from catopt.cli import answering as command
 
 from .conftest import OWN, Run, changed, document_of, names, read_document, rows, words
 
-MOVING, CODED, DESIGN = (OWN / f"{name}.toml" for name in ("moving", "coded", "design-in-motion"))
+MOVING = OWN / "moving.toml"
 
 
 def in_motion(run: Run, case: Path, *further: object) -> dict[str, Any]:
@@ -45,16 +44,6 @@ def test_ctrl_c_keeps_what_was_computed_and_says_so(run: Run, tmp_path: Path) ->
     assert "dynamic_series.csv" in names(tmp_path)
 
 
-def test_a_design_has_the_drag_of_its_components(run: Run, tmp_path: Path) -> None:
-    assert run("design", DESIGN, "--out", tmp_path).status == 0
-    (segment,) = read_case_or_design(tmp_path, 1).line.segments
-    # The catalogue's 2.4 on the nominal diameter, not the line's own 76 mm.
-    assert (segment.drag_normal, segment.drag_diameter) == (2.4, segment.nominal_diameter)
-    ran = run("verify", tmp_path, "--design", "1", "--dynamic")
-    assert ran.status == 0
-    assert "Load case storm: line in motion" in ran.out
-
-
 @pytest.mark.slow
 def test_extremes_are_in_every_form_with_their_duration_and_interval(
     run: Run, tmp_path: Path
@@ -84,31 +73,3 @@ def test_extremes_are_in_every_form_with_their_duration_and_interval(
     vietnamese = words(run("verify", path, "--dynamic", "--once", "--lang", "vi").out)
     assert "Trong 90 min, cực đại khả dĩ nhất của lực căng tại điểm treo là" in vietnamese
     assert f"(khoảng tin cậy 90% từ {low} đến {high} kN)" in vietnamese
-
-
-def test_a_front_in_motion_names_what_fails_there_alone(run: Run, tmp_path: Path) -> None:
-    """With a factor of 12 both pass at rest; in motion 12 times the tension breaks the first."""
-    path = changed(DESIGN, tmp_path, ("safety_factor = 2.0", "safety_factor = 12.0"))
-    out, moved = tmp_path / "front", tmp_path / "moved"
-    assert run("design", path, "--out", out).status == 0
-    used = [
-        12.0 * max(
-            part["max_tension_N"] for part in in_motion(run, out, "--design", k)["load_cases"]
-        ) / read_case_or_design(out, k).line.segments[0].MBL
-        for k in (1, 2)
-    ]  # fmt: skip
-    assert used[0] > 1.0 > used[1]
-    ran = run("verify", out, "--all", "--dynamic", "--out", moved)
-    assert ran.status == 0
-    shown = words(ran.out)
-    assert "but in motion fail or have no answer that can be relied on: 1." in shown
-    assert "Recommended: design 2, the knee of those that pass in motion" in shown
-    assert "NOT PROVEN" not in shown
-    found = read_document((moved / "verify.json").read_text("utf-8"))["dynamic"]
-    assert (found["recommended_by_search"], found["recommended"]) == (1, 2)
-    assert [each["passes"] for each in found["designs"]] == [False, True]
-    checks = [each["checks"]["checks"][0]["utilisation"] for each in found["designs"]]
-    assert checks == pytest.approx(used, rel=1e-12)
-    once = run("verify", out, "--all", "--dynamic", "--once").out
-    assert "NOT PROVEN: it was run once" in once
-    assert "front_in_motion.csv" in names(moved)
