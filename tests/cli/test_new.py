@@ -30,14 +30,6 @@ def test_what_it_says_to_type_next_works(run: Run, name: str, inside: Path) -> N
     assert "FAIL" not in (checked.partition("\n\n")[2] if allowance else answer.out)
 
 
-def test_what_a_study_varies_is_kept_where_it_is_there(run: Run, tmp_path: Path) -> None:
-    (tmp_path / "buoy.toml").write_text("my own work\n", encoding="utf-8")
-    ran = run("new", "study", tmp_path / "mine.toml")
-    assert ran.status == 0
-    assert "buoy.toml" not in ran.out
-    assert (tmp_path / "buoy.toml").read_text("utf-8") == "my own work\n"
-
-
 def test_a_disk_that_fills_leaves_no_half_a_file(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
