@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from catopt.__main__ import main
 from catopt.catenary.case import solve_case
 from catopt.catenary.solution import Solution
 from catopt.errors import NotConvergedError
@@ -68,32 +66,9 @@ def test_not_converged_is_4_and_no_answer(run: Run, monkeypatch: pytest.MonkeyPa
     assert "did not come to rest" in ran.err
 
 
-@pytest.fixture(scope="module")
-def front(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Search a small front once, and keep its directory."""
-    directory = tmp_path_factory.mktemp("front")
-    options = ["--method", "nsga2", "--evaluations", "400", "--seed", "3", "--out"]
-    assert main(["design", str(DESIGN), *options, str(directory)]) == 0
-    return directory
-
-
-@pytest.mark.slow
-def test_every_design_of_a_front(run: Run, front: Path) -> None:
-    designs = json.loads((front / "design.json").read_text("utf-8"))["front"]
-    ran = run("verify", front, "--all", "--strict", "--elements", 40)
-    assert ran.status == 0
-    assert f"The two models agree on all {len(designs)} designs." in ran.out
-    assert fits(ran.out)
-    found = document_of(run, "verify", front, "--all", "--elements", 20)["designs"]
-    assert [each["design"] for each in found] == list(range(1, len(designs) + 1))
-    for each, design in zip(found, designs, strict=True):
-        (part,) = each["load_cases"]
-        assert design["governing"].endswith(f"({part['load_case']})")
-
-
 @pytest.mark.slow
 def test_a_design_that_does_not_converge_is_4_and_the_others_are_shown(
-    run: Run, front: Path, monkeypatch: pytest.MonkeyPatch
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     seen = []
 
@@ -104,7 +79,8 @@ def test_a_design_that_does_not_converge_is_4_and_the_others_are_shown(
         return verify_case(case, **settings)
 
     monkeypatch.setattr("catopt.verify.case.verify_case", first_fails)
-    ran = run("verify", front, "--all")
+    assert run("design", DESIGN, "--out", tmp_path).status == 0
+    ran = run("verify", tmp_path, "--all")
     assert ran.status == 4
     assert "Design 1: stopped short" in ran.out
     assert "NO ANSWER" in ran.out
