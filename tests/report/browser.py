@@ -6,6 +6,7 @@ import base64
 import itertools
 import json
 import os
+import shlex
 import shutil
 import signal
 import subprocess
@@ -17,35 +18,16 @@ from typing import Any, Literal
 FONTS = ("DejaVu Sans", "Liberation Sans", "Noto Sans")
 """What a page may be read in: a wide font, a narrow one, a tall one (packages in .ci/run)."""
 
-_FONTCONFIG = """<?xml version="1.0"?>
-<!DOCTYPE fontconfig SYSTEM "urn:fontconfig:fonts.dtd">
-<fontconfig>
-  <dir>/usr/share/fonts</dir>
-  <cachedir>{cache}</cachedir>
-  <selectfont>
-    <rejectfont><pattern/></rejectfont>
-    <acceptfont>
-      <pattern><patelt name="family"><string>{font}</string></patelt></pattern>
-      <pattern><patelt name="family"><string>Noto Serif</string></patelt></pattern>
-    </acceptfont>
-  </selectfont>
-  <match target="pattern">
-    <edit name="family" mode="append_last" binding="strong"><string>{font}</string></edit>
-  </match>
-</fontconfig>
-"""
-"""One family, whatever a page asks for, and another for Vietnamese letters that it may lack."""
-
 CHROMIUM = next(
     (found for name in ("chromium", "google-chrome") if (found := shutil.which(name))), ""
 )
 """Where it is; empty when it is not installed."""
 
-_FLAGS = (
-    "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-    "--disable-background-networking", "--disable-component-update", "--disable-sync",
-    "--disable-dev-shm-usage", "--hide-scrollbars", "--remote-debugging-pipe",
-)  # fmt: skip
+_FLAGS = shlex.split("""
+--headless --no-sandbox --disable-gpu --disable-quic --no-first-run --hide-scrollbars
+--disable-background-networking --disable-component-update --disable-sync --disable-dev-shm-usage
+--remote-debugging-pipe
+""")
 
 
 class Tab:
@@ -75,8 +57,7 @@ class Tab:
             answer = self._next()
             if answer.get("id") == number:
                 assert "error" not in answer, answer
-                result: dict[str, Any] = answer["result"]
-                return result
+                return dict(answer["result"])
 
     def open(
         self,
@@ -89,10 +70,8 @@ class Tab:
     ) -> None:
         """Open a file at a width, in a colour scheme, with or without scripts."""
         self.call("Emulation.setScriptExecutionDisabled", value=not scripts)
-        self.call(
-            "Emulation.setDeviceMetricsOverride",
-            width=width, height=height, deviceScaleFactor=1, mobile=width < 600,
-        )  # fmt: skip
+        screen = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 600}
+        self.call("Emulation.setDeviceMetricsOverride", **screen)
         features = [{"name": "prefers-color-scheme", "value": scheme}]
         self.call("Emulation.setEmulatedMedia", features=features)
         self._loaded = False
@@ -103,8 +82,7 @@ class Tab:
     def awaited(self, script: str) -> str:
         """Wait for the text that a script comes to."""
         asked = {"expression": script, "awaitPromise": True, "returnByValue": True}
-        text: str = self.call("Runtime.evaluate", **asked)["result"]["value"]
-        return text
+        return str(self.call("Runtime.evaluate", **asked)["result"]["value"])
 
     def value(self, expression: str) -> Any:
         """Evaluate an expression in the page."""
@@ -152,12 +130,8 @@ class Tab:
         match method:
             case "Page.loadEventFired":
                 self._loaded = True
-            case "Runtime.consoleAPICalled":
-                self.messages.append(json.dumps(told["args"]))
-            case "Runtime.exceptionThrown":
-                self.messages.append(json.dumps(told["exceptionDetails"]))
-            case "Log.entryAdded":
-                self.messages.append(told["entry"]["text"])
+            case "Runtime.consoleAPICalled" | "Runtime.exceptionThrown" | "Log.entryAdded":
+                self.messages.append(json.dumps(told))
             case "Network.requestWillBeSent":
                 self.requests.append(told["request"]["url"])
 
@@ -171,7 +145,8 @@ def chromium(folder: Path, font: str = "") -> Iterator[Tab]:
     surroundings = dict(os.environ)
     if font:
         chosen = folder / "fonts.conf"
-        chosen.write_text(_FONTCONFIG.format(font=font, cache=folder / "fonts"))
+        template = Path(__file__).with_name("fonts.conf").read_text("utf-8")
+        chosen.write_text(template.format(font=font, cache=folder / "fonts"))
         surroundings["FONTCONFIG_FILE"] = str(chosen)
     to_browser, write = os.pipe()
     read, from_browser = os.pipe()

@@ -70,3 +70,37 @@ function place(name, share) {
   const near = (each) => Math.hypot(each.x - at.x, each.y - at.y) < 1.5;
   return [at.x, at.y, texts.filter((_, index) => near(shown[index]))];
 }
+
+// Figures of the page with the heights of their drawings.
+function figures() {
+  return [...document.querySelectorAll("figure")].map((each) =>
+    [each.dataset.figure, each.querySelector("svg").getBoundingClientRect().height]);
+}
+
+// What stands below a figure of what is pointed at, and the same once the keys belong to it.
+function readout(name) {
+  return document.querySelector(`figure[data-figure=${name}] .readout`).textContent;
+}
+
+function focused(name) {
+  document.querySelector(`figure[data-figure=${name}] svg`).focus();
+  return readout(name);
+}
+
+function styleOf(selector) {
+  return getComputedStyle(document.querySelector(selector));
+}
+
+// All that is to be read, whether scripts run or not.
+function words() {
+  return [...document.querySelectorAll("h1, h2, table, figcaption, pre")]
+    .map((each) => each.innerText);
+}
+
+// Tables that are wider than their boxes.
+function wideTables() {
+  const width = (element) => element.getBoundingClientRect().width;
+  return [...document.querySelectorAll(".scroll > table")]
+    .filter((each) => width(each) > width(each.parentElement) + 1)
+    .map((each) => each.dataset.key);
+}
