@@ -12,6 +12,7 @@ import pytest
 from catopt.answers.blocks import Answer
 from catopt.casefile.sizing_file import moored_in
 from catopt.cli.note_kind import answer_of, is_of_a_body, note_of_sizing
+from catopt.errors import NotConvergedError
 from catopt.notes.line import Note, read_note
 from catopt.notes.size import SizeNote
 from catopt.notes.system import SystemNote, read_system_note
@@ -30,24 +31,19 @@ RESULT = OWN / "result"
 
 TURRET = "fso-rang-dong"
 """Nine lines in three bundles, force along one of them."""
-LINES = (
-    "buoy-9.5m", "buoy-9.5m-slack", "ship-200m-sinker", "tanker-20m", "tanker-20m-sinker",
-    "leg", "raised", "slack", "friction", "states",
-)  # fmt: skip
+SHIPPED = ("buoy-9.5m", "buoy-9.5m-slack", "ship-200m-sinker", "tanker-20m", "tanker-20m-sinker")
+LINES = (*SHIPPED, "leg", "raised", "slack", "friction", "states")
 IN_MOTION = ("harmonic", "random")
 """Two load cases in two seas each, led by a ship."""
 MOVING = (*IN_MOTION, "regular", "recorded", "overloaded", "by-code", "one-draw", "sought")
-BODIES = (TURRET, "arms", "raised-anchors", "idle", "pulled", "lee", "lone")
-SIZINGS = ("size-buoy", "size-tanker", "given", "hawser", "six", "sinker")
-NOTES = (
-    "leg", "states", "slack", "friction", "designed", "swarm", *IN_MOTION,
-    "arms", "raised-anchors", "idle", "pulled", "lone",
-    "size-buoy", "given", "hawser", "six", "sinker",
-)  # fmt: skip
+OWN_BODIES = ("arms", "raised-anchors", "idle", "pulled", "lone")
+BODIES = (TURRET, "lee", *OWN_BODIES)
+OWN_SIZINGS = ("given", "hawser", "six", "sinker")
+SIZINGS = ("size-buoy", "size-tanker", *OWN_SIZINGS)
+OF_LINES = ("leg", "states", "slack", "friction", "designed", "swarm", *IN_MOTION)
+NOTES = (*OF_LINES, *OWN_BODIES, "size-buoy", *OWN_SIZINGS)
 """Notes of every kind, of which every face is looked at."""
-LONG = (
-    "leg", "states", *IN_MOTION, "arms", "raised-anchors", "pulled", "hawser", "six",
-)  # fmt: skip
+LONG = ("leg", "states", *IN_MOTION, "arms", "raised-anchors", "pulled", "hawser", "six")
 """They take seconds each; in motion, and verified under many loads."""
 
 
@@ -65,8 +61,8 @@ def each_note(names: Sequence[str] = NOTES) -> list[Any]:
 
 
 @cache
-def note_named(name: str) -> Note | SystemNote | SizeNote:
-    """Compute the note of a line, of a body or of a sizing."""
+def note_named(name: str) -> Any:
+    """Compute the note of a line, of a body or of a sizing: who names it knows its kind."""
     path = case_path(name)
     moored = moored_in(path)
     if moored is not None:
@@ -78,25 +74,19 @@ def note_named(name: str) -> Note | SystemNote | SizeNote:
     return read_note(path)
 
 
-def line_note(name: str) -> Note:
-    """Return the note of a line."""
-    note = note_named(name)
-    assert isinstance(note, Note)
-    return note
-
-
 def body_note(name: str) -> SystemNote:
     """Return the note of a moored body."""
-    note = note_named(name)
-    assert isinstance(note, SystemNote)
+    note: SystemNote = note_named(name)
     return note
 
 
-def size_note_named(name: str) -> SizeNote:
-    """Return the note of a sizing."""
-    note = note_named(name)
-    assert isinstance(note, SizeNote)
-    return note
+def stop(monkeypatch: pytest.MonkeyPatch, place: str, why: str) -> None:
+    """Let a solver have no answer."""
+
+    def stops(*_: object, **__: object) -> None:
+        raise NotConvergedError(why)
+
+    monkeypatch.setattr(place, stops)
 
 
 @cache

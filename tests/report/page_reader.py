@@ -6,6 +6,7 @@ import math
 import re
 from dataclasses import dataclass, field
 from html.parser import HTMLParser
+from typing import Any
 
 VOID = {"meta", "link", "br", "img", "input", "hr"}
 
@@ -15,7 +16,7 @@ class ReadCell:
     """A cell: its text, and the value behind it."""
 
     text: str = ""
-    value: float | None = None
+    value: Any = None
 
 
 @dataclass

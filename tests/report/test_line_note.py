@@ -10,24 +10,16 @@ from pathlib import Path
 import pytest
 
 from catopt.casefile.schema import CaseTable
-from catopt.catenary import case_curve
-from catopt.errors import NotConvergedError
 from catopt.notes.directory import Asked
 from catopt.notes.line import read_note
 from catopt.notes.origin import file_name, inputs_of
 from catopt.notes.system import read_system_note
 from tests.answers.results import report_with
 
-from .notes import CASES, LINES, OWN, RESULT, TURRET, case_path, line_note, page_named, shown
+from .notes import CASES, LINES, OWN, RESULT, TURRET, case_path, note_named, page_named, shown, stop
 from .page_reader import ReadPage
-from .said import assert_said, blocks
 
 BUOY = case_path("buoy-9.5m")
-
-
-@pytest.mark.parametrize(("name", "place", "lines"), blocks("lines"))
-def test_what_is_said(name: str, place: str, lines: list[str]) -> None:
-    assert_said(name, place, lines)
 
 
 def test_a_date_stands_only_where_one_is_given() -> None:
@@ -48,21 +40,17 @@ def test_a_line_that_is_just_level_at_its_anchor_is_not_said_to_lie_on_the_bed()
 
 
 def test_sections_are_there_only_where_there_is_something_to_show() -> None:
-    few = set(page_named("buoy-9.5m-slack").sections)
-    every = page_named("designed").sections
-    optional = {"checks", "load_cases", "front", "warnings"}
-    assert not optional & few
-    assert optional | few == set(every)
+    few, every = (set(page_named(name).sections) for name in ("buoy-9.5m-slack", "designed"))
+    assert every - few == {"checks", "load_cases", "front", "warnings"}
+    assert few < every
 
 
 @pytest.mark.parametrize("name", LINES)
 def test_utilisation_bars_are_as_long_as_the_utilisation(name: str) -> None:
     """In percent, to a tenth; a bar ends at the full width, in another colour."""
-    bars = [
-        each.attributes for each in page_named(name).tagged("rect")
-        if each.attributes.get("class") in ("used", "over")
-    ]  # fmt: skip
-    results = line_note(name).checks.results
+    drawn = [each.attributes for each in page_named(name).tagged("rect")]
+    bars = [each for each in drawn if each.get("class") in ("used", "over")]
+    results = note_named(name).checks.results
     used = [each.utilisation for each in results if each.utilisation is not None]
     for bar, utilisation in zip(bars, used, strict=True):
         width = 100.0 * min(max(utilisation, 0.0), 1.0)
@@ -71,17 +59,16 @@ def test_utilisation_bars_are_as_long_as_the_utilisation(name: str) -> None:
 
 
 def test_the_load_case_that_governs_is_drawn_and_verified() -> None:
-    note = line_note("states")
+    note = note_named("states")
     states = dict(note.checks.solutions)
     assert note.load_case == "storm (high water)"
     assert note.solution.span == states[note.load_case].span
     assert note.case.site.water_depth == 11.0
-    assert note.verification is not None
     assert [part.name for part in note.verification.parts] == [note.load_case]
 
 
 def test_inputs_of_many_values_are_shown_by_their_ends() -> None:
-    note = line_note("buoy-9.5m")
+    note = note_named("buoy-9.5m")
     lengths = [f"{length} m" for length in range(10, 40)]
     design = {"design": {"segments": [{"lengths": lengths}]}}
     given_so = replace(note, origin=replace(note.origin, inputs=inputs_of(design, CaseTable)))
@@ -107,15 +94,12 @@ def test_a_case_file_with_a_byte_order_mark_is_read_shown_and_hashed_as_it_is(
 
 
 def test_warnings_of_a_line_come_without_the_name_of_its_only_load() -> None:
-    (warning,) = line_note("slack").warnings
+    (warning,) = note_named("slack").warnings
     assert warning.startswith("the line is slack")
 
 
 def test_a_curve_that_cannot_be_is_left_out_and_said(monkeypatch: pytest.MonkeyPatch) -> None:
-    def fail(*_: object, **__: object) -> None:
-        raise NotConvergedError("it wanders")
-
-    monkeypatch.setattr(case_curve, "curve_case", fail)
+    stop(monkeypatch, "catopt.catenary.case_curve.curve_case", "it wanders")
     note = read_note(CASES / "ship-200m" / "case.toml")
     assert note.curve is None
     assert note.warnings == ("the load curve is left out: it wanders",)
@@ -123,8 +107,7 @@ def test_a_curve_that_cannot_be_is_left_out_and_said(monkeypatch: pytest.MonkeyP
 
 
 def test_the_front_is_that_of_the_document() -> None:
-    designed, page = line_note("designed"), page_named("designed")
-    assert designed.chosen is not None
+    designed, page = note_named("designed"), page_named("designed")
     front = designed.chosen.document["front"]
     table = page.table("front")
     for row, point in zip(table.rows, front, strict=True):
@@ -136,7 +119,7 @@ def test_the_front_is_that_of_the_document() -> None:
 
 
 def test_the_recommended_design_is_taken_unless_another_is_named() -> None:
-    assert line_note("designed").solution.line.length == 46.0
+    assert note_named("designed").solution.line.length == 46.0
     third = read_note(RESULT, 3)
     assert third.solution.line.length == 47.0
     page = shown(third)
@@ -175,28 +158,22 @@ def test_a_page_is_named_after_its_case(tmp_path: Path) -> None:
 
 
 def test_allowed_tensions_are_those_of_the_checks() -> None:
-    note = line_note("states")
-    tensions = [
-        check.capacity
-        for check in note.checks.results
-        if check.kind == "tension" and check.load_case == note.load_case
-    ]
+    note = note_named("states")
+    governing = [each for each in note.checks.results if each.load_case == note.load_case]
+    tensions = [each.capacity for each in governing if each.kind == "tension"]
     assert len(tensions) == 2  # by the code, and by the case's own factor, which is stricter
     assert note.allowed == [min(tensions)]
-    assert line_note("leg").allowed == [6140e3 / 2.0, 2500e3 / 2.0]
-    assert line_note("slack").allowed == [None]
+    assert note_named("leg").allowed == [6140e3 / 2.0, 2500e3 / 2.0]
+    assert note_named("slack").allowed == [None]
 
 
 def test_many_runs_are_left_out_and_none_converged_is_said() -> None:
-    note = line_note("swarm")
-    assert note.swarm is not None
-    many = replace(
-        report_with((1.0, 1e-7)), runs=40, objectives=(1e-7,) * 40, converged_runs=0,
-        iterations_flown=(2,) * 40,
-    )  # fmt: skip
+    note = note_named("swarm")
+    many = replace(report_with((1.0, 1e-7)), runs=40, converged_runs=0)
+    many = replace(many, objectives=(1e-7,) * 40, iterations_flown=(2,) * 40)
     page = shown(replace(note, swarm=replace(note.swarm, swarm=many)))
     assert len(page.table("swarm_runs").rows) == 30
-    assert f"{40 - 30} more runs" in page.sections["swarm"]
+    assert "10 more runs" in page.sections["swarm"]
     (verdict,) = page.styled("verdict", "swarm")
     assert "fails" in verdict.attributes["class"]
     assert "0 of 40 runs" in verdict.text

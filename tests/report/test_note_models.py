@@ -18,16 +18,15 @@ import pandas as pd
 import pytest
 
 from catopt.casefile import read_case
-from catopt.errors import NotConvergedError
+from catopt.figures import motion as figures
 from catopt.figures.chart import legend
-from catopt.figures.motion import around_the_largest, history
+from catopt.figures.motion import around_the_largest
 from catopt.model import Case
 from catopt.notes.directory import Asked
 from catopt.notes.line import Note, note_of, read_note
-from catopt.notes.motion import InMotion, motion_warnings
+from catopt.notes.motion import motion_warnings
 from catopt.notes.system import SystemNote, read_system_note
 from catopt.quantities import QUANTITIES
-from catopt.verify import case as verify_module
 from catopt.verify.case import verify_case
 from catopt.verify.result import StaticComparison
 from catopt.verify.truss_words import part_sentence, rough_sentence
@@ -37,20 +36,20 @@ from tests.cli.conftest import Run, run
 from tests.cli.test_json import validate
 from tests.verify.cases import TOUCHES_TWICE
 
-from .notes import IN_MOTION, LINES, case_path, line_note, page_named, shown, workbook_of
+from .notes import IN_MOTION, LINES, case_path, note_named, page_named, shown, stop, workbook_of
 from .page_reader import ReadPage
-from .said import assert_said, blocks
 
 __all__ = ["run"]
 
 BUOY = case_path("buoy-9.5m")
+VERIFY = "catopt.verify.case.verify_case"
 ROUNDING = 1e-10
 
 
 def document_of(name: str) -> dict[str, Any]:
     """Verify a case as ``catopt verify`` does, in the load case that its note draws."""
     case = read_case(case_path(name))
-    document = verify_case(case, load_case=line_note(name).load_case or None).to_dict()
+    document = verify_case(case, load_case=note_named(name).load_case or None).to_dict()
     (part,) = document["load_cases"]
     return dict(part)
 
@@ -95,11 +94,7 @@ def test_a_truss_that_does_not_converge_stands_in_place_of_the_table(
     monkeypatch: pytest.MonkeyPatch, language: Language
 ) -> None:
     why = "Newton's method stopped after 500 iterations"
-
-    def stops(*_: object, **__: object) -> None:
-        raise NotConvergedError(why)
-
-    monkeypatch.setattr(verify_module, "verify_case", stops)
+    stop(monkeypatch, VERIFY, why)
     page, sheet = seen(read_note(BUOY), language)
     (loud,) = page.styled("fails", "verification")
     assert loud.text == say(Message("note.verification_no_answer"), language)
@@ -126,7 +121,7 @@ def test_models_that_differ_are_told_loudly(
 ) -> None:
     honest = verify_case(read_case(BUOY))
     found = replace(honest, parts=(off(honest.static, "span", "fairlead_angle"),))
-    monkeypatch.setattr(verify_module, "verify_case", lambda _: found)
+    monkeypatch.setattr(VERIFY, lambda _: found)
     page, sheet = seen(read_note(BUOY), language)
     sentence = say(part_sentence(found.static), language)
     assert sentence in page.sections["verification"]
@@ -138,8 +133,7 @@ def test_models_that_differ_are_told_loudly(
 
 
 def test_a_quantity_that_is_not_smooth_is_named() -> None:
-    note = line_note("buoy-9.5m")
-    assert note.verification is not None
+    note = note_named("buoy-9.5m")
     part = note.verification.static
     first, *others = part.quantities
     rough = replace(first, fem=(first.fem[2], first.fem[0], first.fem[2]))
@@ -153,15 +147,14 @@ def test_a_quantity_that_is_not_smooth_is_named() -> None:
 
 @pytest.mark.parametrize("case", TOUCHES_TWICE.values(), ids=TOUCHES_TWICE)
 def test_the_note_of_a_line_that_touches_twice_shows_that_the_models_agree(case: Case) -> None:
-    note = note_of(case, line_note("buoy-9.5m").origin.files)
+    note = note_of(case, note_named("buoy-9.5m").origin.files)
     assert note.solution.regime == "grounded-in-parts"
     assert {row[-1].text for row in shown(note).table("verification").rows} == {"agrees"}
 
 
 def test_of_a_slack_line_the_difference_is_not_said_to_be_of_the_tension() -> None:
     """Its scale is a bar's weight over the tolerance, far above the tension."""
-    note = line_note("slack")
-    assert note.verification is not None
+    note = note_named("slack")
     part = note.verification.static
     assert part.worst.scale > 10.0 * note.solution.fairlead.tension
     english = part_sentence(part)
@@ -173,10 +166,8 @@ def test_of_a_slack_line_the_difference_is_not_said_to_be_of_the_tension() -> No
 # ------------------------------------------------------------------ in motion
 
 
-def moved(name: str) -> InMotion:
-    found = line_note(name).motion
-    assert found is not None
-    return found
+def moved(name: str) -> Any:
+    return note_named(name).motion
 
 
 def points(key: str, page: ReadPage) -> list[str]:
@@ -184,19 +175,13 @@ def points(key: str, page: ReadPage) -> list[str]:
     elements = iter(page.elements)
     next(each for each in elements if each.attributes.get("data-figure") == key)
     words = next(e for e in elements if e.attributes.get("type") == "application/json")
-    found: list[str] = json.loads(words.text)
-    return found
-
-
-@pytest.mark.parametrize(("name", "place", "lines"), blocks("motion"))
-def test_what_is_said(name: str, place: str, lines: list[str]) -> None:
-    assert_said(name, place, lines)
+    return list(json.loads(words.text))
 
 
 @pytest.mark.slow
 def test_of_several_load_cases_the_one_that_is_used_most_is_shown() -> None:
     found, page = moved("random"), page_named("random")
-    used = [found.used(0) or 0.0, found.used(1) or 0.0]
+    used = [found.used(0), found.used(1)]
     assert min(used) > 0.0
     assert found.governing == (0 if used[0] > used[1] else 1) == 0
     table = page.table("motion_cases")
@@ -213,17 +198,15 @@ def test_of_several_load_cases_the_one_that_is_used_most_is_shown() -> None:
 @pytest.mark.parametrize("name", IN_MOTION)
 def test_each_segment_is_held_against_what_it_is_allowed(name: str) -> None:
     """MBL over the safety factor of these cases, which have no code."""
-    note, found = line_note(name), moved(name)
+    note, found = note_named(name), moved(name)
     table = page_named(name).table("motion_use")
     for row, segment in zip(table.rows, note.case.line.segments, strict=True):
         largest, quasi_static, allowed, utilisation = (cell.value for cell in row[2:6])
-        assert segment.MBL is not None
         assert allowed == segment.MBL / note.case.checks.safety_factor
-        assert largest is not None
         assert quasi_static is not None
         assert utilisation == largest / allowed
         assert row[6].text == "passes"
-    worst = max(float(row[2].value or 0.0) for row in table.rows)
+    worst = max(row[2].value for row in table.rows)
     assert worst == found.found.parts[found.governing].max_tension
 
 
@@ -235,10 +218,10 @@ def test_factors_of_a_code_for_dynamic_analysis_judge_a_tension_in_motion() -> N
 
 @pytest.mark.slow
 def test_more_than_is_allowed_in_motion_may_pass_at_rest() -> None:
-    assert line_note("overloaded").checks.passes
+    assert note_named("overloaded").checks.passes
 
 
-def with_history(**changes: Any) -> InMotion:
+def with_history(**changes: Any) -> Any:
     """Change the history of the only run of the harmonic case, and say whether it is complete."""
     found = moved("harmonic")
     (part,) = found.found.parts
@@ -255,7 +238,7 @@ def test_slack_is_told_at_the_top() -> None:
 
 def test_a_run_that_was_stopped_says_so() -> None:
     stopped = with_history(is_complete=False)
-    page = shown(replace(line_note("harmonic"), motion=stopped))
+    page = shown(replace(note_named("harmonic"), motion=stopped))
     first, _ = page.styled("verdict", "in_motion")
     assert first.text.startswith("stopped in load case load, run 1 of 1")
     assert next(motion_warnings(stopped)).startswith("the line in motion is not complete")
@@ -263,37 +246,27 @@ def test_a_run_that_was_stopped_says_so() -> None:
 
 @pytest.mark.slow
 def test_what_drives_it_with_its_figures() -> None:
-    page = page_named("random")
-    drive = {name: row[1] for name, row in page.table("motion_drive").by_name().items()}
-    assert drive["Significant wave height Hs"].value == 2.0
-    assert drive["Peak period Tp"].value == 7.0
-    assert drive["Waves travel to (from the axis anchor to fairlead)"].value == math.pi
     # S4's rule: x = Tp/sqrt(Hs) = 4.95, and gamma = exp(5.75 - 1.15 x) between 3.6 and 5.
-    gamma = drive["Peak enhancement γ, by the rule on Tp/√Hs"]
-    assert gamma.value == pytest.approx(math.exp(5.75 - 1.15 * 7.0 / math.sqrt(2.0)), rel=1e-12)
-    harmonic = page_named("harmonic").table("motion_drive")
-    assert harmonic.row("Surge: amplitude")[1].value == 0.5
+    drive = page_named("random").table("motion_drive")
+    gamma = drive.row("Peak enhancement γ, by the rule on Tp/√Hs")[1].value
+    assert gamma == pytest.approx(math.exp(5.75 - 1.15 * 7.0 / math.sqrt(2.0)), rel=1e-12)
     # Its file is among the sources.
-    assert [file.name for file in line_note("random").origin.files] == ["random.toml", "rao.csv"]
+    assert [file.name for file in note_named("random").origin.files] == ["random.toml", "rao.csv"]
 
 
 def test_the_model_with_drag_and_added_mass_on_their_diameters() -> None:
-    note, page = line_note("random"), page_named("random")
+    note, page = note_named("random"), page_named("random")
     table = page.table("motion_segments")
     for row, segment in zip(table.rows, note.case.line.segments, strict=True):
-        assert segment.mass is not None
         displaced = segment.mass - segment.submerged_weight / 9.80665
         diameter = math.sqrt(4.0 * displaced / (math.pi * 1025.0))
         assert row[4].value == segment.drag_diameter
         assert row[5].value == segment.drag_normal
         assert row[7].value == pytest.approx(diameter, rel=1e-12)  # rounding
         assert row[8].value == 1.0
-    model = {name: row[1].value for name, row in page.table("motion_model").by_name().items()}
-    run = moved("random").found.parts[0].runs[0]
-    assert model["Bars of the line"] == 12
-    assert model["Ramp, over which motion and waves grow"] == 15.0
-    assert model["Statistics begin at"] == run.history.since == 15.0
-    assert model["Time step"] == run.history.step
+    history = moved("random").found.parts[0].runs[0].history
+    assert history.since == 15.0
+    assert page.table("motion_model").row("Time step")[1].value == history.step
 
 
 @pytest.mark.parametrize("name", IN_MOTION)
@@ -311,7 +284,7 @@ def test_the_series_is_around_the_largest_value(name: str) -> None:
         t = f"{run.history.time[k]:.2f}"
         assert text.startswith(f"t = {t} s, T = {written[k]}, quasi-static ")
     largest = QUANTITIES["tension"].format(most, unit=True)
-    assert any(largest in label for _, label in legend(history(part, 1.0)))
+    assert any(largest in label for _, label in legend(figures.history(part, 1.0)))
 
 
 @pytest.mark.parametrize("name", IN_MOTION)
@@ -330,7 +303,7 @@ def test_the_envelope_holds_what_the_runs_reached(name: str) -> None:
 def test_what_was_sought_is_put_in_its_place() -> None:
     """The length that just lies down at the anchor, not the one in the file, is run."""
     arc = moved("sought").found.parts[0].envelope.arc
-    length = line_note("sought").solution.line.length
+    length = note_named("sought").solution.line.length
     assert length < 119.0
     assert arc[-1] == pytest.approx(length * (1.0 - 0.5 / 20), rel=1e-12)  # the last bar's middle
 

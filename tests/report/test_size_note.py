@@ -9,12 +9,11 @@ from typing import Any
 import pytest
 
 from catopt.notes.directory import Asked
-from catopt.notes.size import Given, SizeNote, size_note
+from catopt.notes.size import Given, size_note
 from catopt.words import Message, say, term
 
-from .notes import SIZINGS, page_named, shown, size_note_named
+from .notes import SIZINGS, note_named, page_named, shown
 from .page_reader import ReadPage, ReadTable, calculate
-from .said import assert_said, blocks
 
 NINE_DIGITS = 1e-8
 """Relative: numbers that are put in are written with nine digits, five or fewer a product."""
@@ -30,8 +29,8 @@ def name(request: pytest.FixtureRequest) -> str:
 
 
 @pytest.fixture
-def note(name: str) -> SizeNote:
-    return size_note_named(name)
+def note(name: str) -> Any:
+    return note_named(name)
 
 
 @pytest.fixture
@@ -41,24 +40,18 @@ def page(name: str) -> ReadPage:
 
 def by_heading(table: ReadTable, row: int = 0) -> dict[str, float | None]:
     """Return the values of a row by their headings."""
-    return {
-        heading: cell.value for heading, cell in zip(table.headings, table.rows[row], strict=True)
-    }
+    values = [cell.value for cell in table.rows[row]]
+    return dict(zip(table.headings, values, strict=True))
 
 
-@pytest.mark.parametrize(("name", "place", "lines"), blocks("sizings"))
-def test_what_is_said(name: str, place: str, lines: list[str]) -> None:
-    assert_said(name, place, lines)
-
-
-def test_forces_add_up_to_that_of_the_load_case(note: SizeNote, page: ReadPage) -> None:
+def test_forces_add_up_to_that_of_the_load_case(note: Any, page: ReadPage) -> None:
     """All act along one direction, so that sizes add up with their signs."""
     tables = iter(page.all("size_load"))
     sums = page.table("size_sums")
     for index, at in enumerate(note.sizing.settled.posed.loads):
         forces = [at.given]
         for _ in at.parts:
-            forces += [cells[2].value or 0.0 for cells in next(tables).rows[:-1]]
+            forces += [cells[2].value for cells in next(tables).rows[:-1]]
         row = by_heading(sums, index)
         assert math.fsum(forces) == pytest.approx(at.horizontal_force, rel=ROUNDING)
         assert row["Sum (kN)"] == at.horizontal_force
@@ -66,7 +59,7 @@ def test_forces_add_up_to_that_of_the_load_case(note: SizeNote, page: ReadPage) 
     assert len(sums.rows) == len(note.sizing.settled.posed.loads)
 
 
-def test_the_load_case_carries_what_the_loads_add_up_to(name: str, note: SizeNote) -> None:
+def test_the_load_case_carries_what_the_loads_add_up_to(name: str, note: Any) -> None:
     """Of several lines each carries no less than the equilibrium gives the most loaded one."""
     states = {each.name: each.horizontal_force for each in note.line.checks.load_cases}
     for at in note.sizing.settled.posed.loads:
@@ -75,7 +68,6 @@ def test_the_load_case_carries_what_the_loads_add_up_to(name: str, note: SizeNot
             continue
         sums = page_named(name).table("size_sums").row(at.load_case)
         assert sums[-1].value == states[at.load_case]
-        assert note.sizing.pattern is not None
         around = {each.load_case: each.line_force for each in note.sizing.pattern.states}
         assert states[at.load_case] >= around[at.load_case]
 
@@ -85,7 +77,7 @@ def test_formulas_with_their_numbers_put_in_give_the_forces(page: ReadPage) -> N
         for row in table.rows[:-1]:
             _, _, numbers = row[1].text.partition("= ")
             assert numbers, row[0].text
-            force = abs(row[2].value or 0.0)
+            force = abs(row[2].value)
             assert abs(calculate(numbers)) == pytest.approx(force, rel=FIVE_DIGITS)
 
 
@@ -102,13 +94,10 @@ def test_a_force_that_is_given_stands_for_the_loads() -> None:
 
 
 def test_a_candidate_that_fails_says_why() -> None:
-    note = size_note_named("size-buoy")
+    note = note_named("size-buoy")
     first, *rest = note.sizing.candidates
-    check = Message(
-        "checks.in_case",
-        check=Message("checks.sliding"),
-        load_case=Message("sizing.storm_high"),
-    )
+    which = {"check": Message("checks.sliding"), "load_case": Message("sizing.storm_high")}
+    check = Message("checks.in_case", **which)
     why = Message("sizing.fails", what=check)
     assert why == "fails: sliding of the sinker (storm, high water)"
     failing = replace(first, settled=None, reason=why)
@@ -120,7 +109,7 @@ def test_a_candidate_that_fails_says_why() -> None:
 
 
 def test_of_the_lightest_line_the_knees_neighbours_are_left_out() -> None:
-    note = size_note_named("hawser")
+    note = note_named("hawser")
     assert note.sizing.settled.index == 0
     assert note.sizing.settled.result.recommended != 0
     assert page_named("hawser").all("neighbours") == []
@@ -137,7 +126,7 @@ SAME_OF_BOTH = (
 
 @pytest.mark.parametrize("name", ["size-buoy", "given", "sinker"])
 def test_the_sinker_is_worked_out_step_by_step(name: str) -> None:
-    document = size_note_named(name).sizing.to_dict()["sinker"]
+    document = note_named(name).sizing.to_dict()["sinker"]
     rows = page_named(name).table("size_hold").by_name()
     for label, key in (
         *SAME_OF_BOTH,
@@ -149,8 +138,6 @@ def test_the_sinker_is_worked_out_step_by_step(name: str) -> None:
     # From mu (W - V) >= SF H, worked out here once more.
     H = rows["Largest horizontal pull of the line at its anchor"][2].value
     V = rows["Largest lift of the line at its anchor"][2].value
-    assert H is not None
-    assert V is not None
     W = V + document["wanted_factor"] * H / document["friction"]
     assert rows["Weight in water that is needed"][2].value == pytest.approx(W, rel=ROUNDING)
     mass = W / (9.80665 * (1.0 - 1025.0 / document["density_kg_per_m3"]))
@@ -170,7 +157,7 @@ def test_the_steps_with_their_numbers_put_in_give_their_values(page: ReadPage) -
 
 @pytest.mark.parametrize("name", ["size-tanker", "six", "hawser"])
 def test_the_drag_anchor_is_worked_out_step_by_step(name: str) -> None:
-    page, sizing = page_named(name), size_note_named(name).sizing
+    page, sizing = page_named(name), note_named(name).sizing
     document = sizing.to_dict()["drag_anchor"]
     rows = page.table("size_hold").by_name()
     for label, key in (
@@ -179,64 +166,58 @@ def test_the_drag_anchor_is_worked_out_step_by_step(name: str) -> None:
         ("Its ultimate holding capacity", "holding_capacity_N"),
     ):
         assert rows[label][2].value == document[key]
-    assert sizing.drag_anchor is not None
     assert sizing.drag_anchor.capacity.curve.source.text in page.sections["size_hold"]
     reference = "of the reference anchor"
     for label in (f"Holding capacity {reference}", f"Mass {reference}", "Exponent"):
         assert "DTOcean" in rows[label][3].text
 
 
-def test_the_swing_radius_is_the_sum_of_its_parts(note: SizeNote, page: ReadPage) -> None:
+def test_the_swing_radius_is_the_sum_of_its_parts(note: Any, page: ReadPage) -> None:
     document = note.sizing.to_dict()["swing_radius"]
     *parts, total = page.table("size_swing").rows
     assert [(row[0].text, row[1].value) for row in parts] == [
         (each["name"], each["length_m"]) for each in document["parts"]
     ]
     assert total[1].value == document["total_m"]
-    assert math.fsum(row[1].value or 0.0 for row in parts) == total[1].value
+    assert math.fsum(row[1].value for row in parts) == total[1].value
     assert document["load_case"] in page.table("size_swing").caption
 
 
 def test_the_pattern_has_the_rule_beside_the_equilibrium() -> None:
     """Hardest on a line is the force against it; the body goes farthest between two lines."""
-    page, note = page_named("six"), size_note_named("six")
+    page, note = page_named("six"), note_named("six")
     table, document = page.table("pattern"), note.sizing.to_dict()["pattern"]
-    keys = (
-        "force_N", "rule_force_N", "line_force_N", "tension_N", "direction_rad", "offset_m",
-        "pull_N",
-    )  # fmt: skip
+    forces = ("force_N", "rule_force_N", "line_force_N", "tension_N")
+    keys = (*forces, "direction_rad", "offset_m", "pull_N")
     for row, state in zip(table.rows, document["states"], strict=True):
         assert [cell.value for cell in row[1:]] == [state[key] for key in keys]
         # S4's rule for six lines, worked out here.
         assert state["rule_force_N"] == pytest.approx(state["force_N"] / 1.5, rel=ROUNDING)
     assert f"{document['anchor_radius_m']:.3f} m" in page.sections["size_pattern"]
-    assert note.sizing.pattern is not None
-    assert note.around is not None
     index = note.sizing.pattern.states.index(note.sizing.pattern.hardest)
     drawn = math.hypot(*note.around.offset)
     offset = next(k for k, each in enumerate(table.headings) if "offset of the body" in each)
-    assert (table.rows[index][offset].value or 0.0) > 1.01 * drawn
+    assert table.rows[index][offset].value > 1.01 * drawn
     assert table.headings[offset].startswith("Largest")
     assert table.headings[offset + 1].startswith("Largest pull")
     assert f"{drawn:.3f} m" in page.sections["size_pattern"]
 
 
 def test_the_lines_of_the_pattern_balance_the_load() -> None:
-    pattern = size_note_named("six").sizing.pattern
-    assert pattern is not None
+    pattern = note_named("six").sizing.pattern
     *lines, total, load = page_named("six").table("size_lines").rows
     assert len(lines) == 6
-    largest = max(row[2].value or 0.0 for row in lines)
+    largest = max(row[2].value for row in lines)
     assert largest == pytest.approx(pattern.hardest.line_force, rel=1e-9)
     for axis in (4, 5):
-        values = [row[axis].value or 0.0 for row in lines]
+        values = [row[axis].value for row in lines]
         assert total[axis].value == pytest.approx(math.fsum(values), rel=ROUNDING, abs=1e-6)
         # The solver's own residual, of forces of 1e5 N.
-        assert total[axis].value == pytest.approx(-(load[axis].value or 0.0), abs=1e-2)
+        assert total[axis].value == pytest.approx(-load[axis].value, abs=1e-2)
 
 
 def test_without_a_file_the_options_are_the_inputs() -> None:
-    sizing = size_note_named("size-buoy").sizing
+    sizing = note_named("size-buoy").sizing
     options = (("BUOY", "pillar 2.4 m"), ("--depth", "12 m"))
     page = shown(size_note(sizing, Given(None, options), Asked(verify=False)))
     assert page.table("size_options").texts() == [list(pair) for pair in options]
@@ -244,7 +225,7 @@ def test_without_a_file_the_options_are_the_inputs() -> None:
     assert not {"size_file", "verification"} & set(page.sections)
 
 
-def test_warnings_of_the_sizing_stand_once_each(note: SizeNote, page: ReadPage) -> None:
+def test_warnings_of_the_sizing_stand_once_each(note: Any, page: ReadPage) -> None:
     listed = [each.text for each in page.tagged("li", "warnings")]
     assert listed[: len(note.sizing.warnings)] == list(note.sizing.warnings)
     bare = [text.rstrip(".").casefold() for text in listed]
@@ -254,14 +235,14 @@ def test_warnings_of_the_sizing_stand_once_each(note: SizeNote, page: ReadPage) 
 @pytest.mark.parametrize(("language", "said"), [("en", "this note"), ("vi", "bản thuyết minh này")])
 def test_limits_that_no_document_has_are_from_the_note(name: str, language: Any, said: str) -> None:
     """Holding capacity and buoyancy come out of the sizing: there is no case file to look into."""
-    own = [each for each in size_note_named(name).line.checks.results if not each.source.confidence]
+    own = [each for each in note_named(name).line.checks.results if not each.source.confidence]
     tables = page_named(name, language).all("checks")
     sources = [row[5].text for table in tables for row in table.rows]
     assert sources.count(said) == len(own)
     assert not {"case file", "tệp số liệu"} & set(sources)
 
 
-def test_load_cases_have_vietnamese_names_in_every_section(name: str, note: SizeNote) -> None:
+def test_load_cases_have_vietnamese_names_in_every_section(name: str, note: Any) -> None:
     """For catopt made them, and no user did."""
     page = page_named(name, "vi")
     cited = ("warnings", "size_file")

@@ -6,14 +6,11 @@ import math
 
 import pytest
 
-from catopt.answers.note_system import system_note_answer
-from catopt.errors import NotConvergedError
 from catopt.notes.directory import Asked
 from catopt.notes.system import directions_of, heading_of, read_system_note
 
-from .notes import BODIES, TURRET, body_note, case_path, page_named, shown
+from .notes import BODIES, TURRET, case_path, note_named, page_named, shown, stop
 from .page_reader import calculate
-from .said import assert_said, blocks
 
 LAST_DIGIT = 1e-15
 """Relative: sums in another order, and a change of unit."""
@@ -23,27 +20,18 @@ NINE_DIGITS = 1e-8
 """Relative, of the largest term: numbers that are put in are written with nine digits."""
 
 
-@pytest.mark.parametrize(("name", "place", "lines"), blocks("bodies"))
-def test_what_is_said(name: str, place: str, lines: list[str]) -> None:
-    assert_said(name, place, lines)
-
-
 def test_a_line_that_is_gone_loads_the_others_more() -> None:
     """The utilisation is that of the fairlead's segment at least, by API 1.43 with a line out."""
-    note = body_note(TURRET)
-    MBL = note.case.line.segments[-1].MBL
-    assert MBL is not None
-    allowed = MBL / 1.43
+    note = note_named(TURRET)
+    allowed = note.case.line.segments[-1].MBL / 1.43
     for each, used in zip(note.report.line_out, note.left, strict=True):
-        assert each.response is not None
-        assert used is not None
         assert used >= each.response.largest_tension / allowed * (1.0 - SOLVED)
 
 
 def test_a_restoring_curve_goes_half_as_far_again_as_the_load_or_nearly_as_far() -> None:
     """Lines that do not stretch and are nearly taut are too short for more."""
     for name, share in ((TURRET, 1.5), ("lee", 0.9)):
-        note = body_note(name)
+        note = note_named(name)
         far = share * math.hypot(*note.solution.offset)
         for curve in note.report.curves:
             assert curve.offset[-1] == pytest.approx(far, rel=LAST_DIGIT)
@@ -69,18 +57,16 @@ def test_curves_go_along_the_force_and_across_it(
 
 def test_a_body_that_turns_is_free_to_turn_along_the_curves() -> None:
     """The moments of its lines vanish on both curves, whatever the moment of the case."""
-    system = body_note("arms").solution.system
+    system = note_named("arms").solution.system
     assert system.turns
     assert system.moment != 0.0
     # Its four lines are alike, so that all sides are: a moment would break the mirror.
-    circle = body_note("arms").report.circle
-    assert circle is not None
-    mirrored = [circle.responses[k].largest_tension for k in (10, 20)]
-    assert mirrored[0] == pytest.approx(mirrored[1], rel=SOLVED)
+    around = note_named("arms").report.circle.responses
+    assert around[10].largest_tension == pytest.approx(around[20].largest_tension, rel=SOLVED)
 
 
 def test_the_rule_of_practice_stands_beside_the_balance() -> None:
-    note, page = body_note("pulled"), page_named("pulled")
+    note, page = note_named("pulled"), page_named("pulled")
     H = note.solution.lines[0].horizontal_force
     told = f"line 1 would carry H = 666.667 kN; by the balance it carries {H / 1e3:.3f} kN"
     assert told in page.sections["system_results"]
@@ -88,29 +74,25 @@ def test_the_rule_of_practice_stands_beside_the_balance() -> None:
 
 @pytest.mark.parametrize("name", BODIES)
 def test_the_pulls_balance_the_force_with_the_numbers_of_the_page(name: str) -> None:
-    system, table = body_note(name).solution.system, page_named(name).table("pulls")
+    system, table = note_named(name).solution.system, page_named(name).table("pulls")
     H, angle, along, across = (
         [row[table.headings.index(name)].value for row in table.rows]
         for name in ("H (N)", "φ (deg)", "H cos φ (N)", "H sin φ (N)")
     )
-    largest = max(value for value in H if value is not None)
     for force, turn, x, y in zip(H, angle, along, across, strict=True):
-        assert force is not None
-        assert turn is not None
         assert (x, y) == (force * math.cos(turn), force * math.sin(turn))
     for axis, values in enumerate((along, across)):
-        total = math.fsum(value for value in values if value is not None)
-        assert total + system.force[axis] == pytest.approx(0.0, abs=1e-9 * largest)
+        total = math.fsum(values)
+        assert total + system.force[axis] == pytest.approx(0.0, abs=1e-9 * max(H))
 
 
 @pytest.mark.parametrize("name", BODIES)
 def test_every_step_of_the_balance_gives_what_it_says(name: str) -> None:
-    solution = body_note(name).solution
+    solution = note_named(name).solution
     largest = max(line.horizontal_force for line in solution.lines)
     for row in page_named(name).table("balance").rows:
         put_in = row[1].text.split("=")[-1]
         value = row[2].value
-        assert value is not None
         if "…" not in put_in:
             arm = max(leg.anchor_radius for leg in solution.system.legs)
             scale = {"m": arm, "N": largest, "N m": largest * arm}[row[2].text.partition(" ")[2]]
@@ -122,24 +104,15 @@ def test_every_step_of_the_balance_gives_what_it_says(name: str) -> None:
 
 
 def test_a_truss_without_an_answer_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    def stops(*_: object, **__: object) -> None:
-        raise NotConvergedError("it stopped short")
-
-    monkeypatch.setattr("catopt.verify.case.verify_case", stops)
-    note = read_system_note(case_path("idle"))
-    page = shown(note)
+    stop(monkeypatch, "catopt.verify.case.verify_case", "it stopped short")
+    page = shown(read_system_note(case_path("idle")))
     assert "it stopped short" in page.sections["warnings"]
     assert "NOT VERIFIED" in page.sections["system_verification"]
 
 
-def test_what_cannot_be_computed_is_left_out_and_said(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    def stops(*_: object, **__: object) -> None:
-        raise NotConvergedError("it wanders")
-
-    monkeypatch.setattr("catopt.mooring.case.watch_circle", stops)
-    monkeypatch.setattr("catopt.mooring.case.restoring_curve", stops)
+def test_what_cannot_be_computed_is_left_out_and_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    for curve in ("watch_circle", "restoring_curve"):
+        stop(monkeypatch, f"catopt.mooring.case.{curve}", "it wanders")
     beside = "is left out, for somewhere on it it wanders"
     note = read_system_note(case_path(TURRET), asked=Asked(verify=False))
     of_codes = note.checks.warnings
@@ -151,8 +124,7 @@ def test_what_cannot_be_computed_is_left_out_and_said(
         f"the restoring curve towards 180.00 deg {beside}",
         f"the restoring curve towards 90.00 deg {beside}",
     )
-    shown = {section.name for section in system_note_answer(note).sections}
-    assert not {"system_watch_circle", "system_restoring"} & shown
+    assert not {"system_watch_circle", "system_restoring"} & set(shown(note).sections)
 
 
 def test_what_rounding_leaves_is_no_direction() -> None:

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -14,10 +15,9 @@ from catopt.answers.blocks import Step
 from catopt.answers.trail import Piece, is_uniform, pieces_of, steps_of
 from catopt.catenary.solve import solve
 from catopt.model import Line, PointLoad, Segment
-from catopt.notes.line import Note
 from catopt.words import Message
 
-from .notes import LINES, line_note, page_named
+from .notes import LINES, note_named, page_named
 from .page_reader import calculate
 
 THEORY = (Path(__file__).parents[2] / "docs" / "theory.md").read_text("utf-8")
@@ -29,17 +29,17 @@ def name(request: pytest.FixtureRequest) -> str:
 
 
 @pytest.fixture
-def note(name: str) -> Note:
-    return line_note(name)
+def note(name: str) -> Any:
+    return note_named(name)
 
 
 @pytest.fixture
-def steps(note: Note) -> tuple[Step, ...]:
+def steps(note: Any) -> tuple[Step, ...]:
     return steps_of(note.solution)
 
 
 @pytest.fixture
-def pieces(note: Note) -> tuple[Piece, ...]:
+def pieces(note: Any) -> tuple[Piece, ...]:
     return pieces_of(note.solution)
 
 
@@ -119,7 +119,7 @@ def test_a_line_that_touches_twice_is_followed(friction: float) -> None:
 def test_a_wrong_solution_does_not_pass() -> None:
     """The trail works the span out by itself: it does not repeat what the solver has."""
     for name in ("buoy-9.5m", "buoy-9.5m-slack", "leg"):
-        solution = line_note(name).solution
+        solution = note_named(name).solution
         wrong = steps_of(replace(solution, span=1.01 * solution.span))
         (step,) = (each for each in wrong if key_of(each) == "span")
         assert step.value == pytest.approx(solution.span, rel=1e-9)
@@ -147,7 +147,7 @@ def test_one_plain_line_is_followed_by_the_sources_own_equations(
 ) -> None:
     """A line of one segment without point loads, with or without friction on a flat bed."""
     uniform = name in ("buoy-9.5m", "buoy-9.5m-slack", "tanker-20m", "friction")
-    assert is_uniform(line_note(name).solution) == uniform
+    assert is_uniform(note_named(name).solution) == uniform
     assert bool(pieces) != uniform
     sources = {step.equation.split()[0] for step in steps if step.equation}
     assert bool(sources & {"S1", "S2"}) == uniform
@@ -155,13 +155,13 @@ def test_one_plain_line_is_followed_by_the_sources_own_equations(
 
 def test_s1s_own_numbers_stand_in_the_trail_of_its_example() -> None:
     """S1 prints an offset of 17.430 m and a tension of 0.446 tf for its buoy."""
-    steps = steps_of(line_note("buoy-9.5m").solution)
+    steps = steps_of(note_named("buoy-9.5m").solution)
     values = {key_of(step): step.value or 0.0 for step in steps}
     assert round(values["span"], 3) == 17.430
     assert round(values["fairlead_tension"] / 9806.65, 3) == 0.446
 
 
-def test_pieces_follow_each_other(pieces: tuple[Piece, ...], note: Note) -> None:
+def test_pieces_follow_each_other(pieces: tuple[Piece, ...], note: Any) -> None:
     """V goes on from piece to piece, but for the point loads; T and lengths add up."""
     if not pieces:
         return

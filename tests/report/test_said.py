@@ -2,13 +2,14 @@
 
 The lines below ``NOTE > SECTION`` are found in its text, those after ``!`` are not. ``[STYLE]``
 begins all that the section has of a style, one after another. Of a table, ``A | B`` are the first
-cells of a row, and of a ``(whole)`` one all rows stand there. A ``*`` stands for anything;
-``# slow`` goes before a note that takes long.
+cells of a row, and of a ``(whole)`` one all rows stand there; ``{2.0}`` is the value behind a cell,
+to its last digit. A ``*`` stands for anything; ``# slow`` goes before a note that takes long.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import Any
@@ -16,26 +17,26 @@ from typing import Any
 import pytest
 
 from .notes import page_named
+from .page_reader import ReadCell
 
 SAID = Path(__file__).parent / "said"
 
 
-def blocks(of: str) -> list[Any]:
-    """List what is said in the notes of lines, bodies or sizings, or of motion."""
-    found = []
-    for block in (SAID / f"{of}.txt").read_text("utf-8").rstrip("\n").split("\n\n"):
+def blocks() -> Iterator[Any]:
+    """Yield what is said in the notes of lines, bodies and sizings, and of motion."""
+    told = (path.read_text("utf-8").rstrip("\n") for path in sorted(SAID.glob("*.txt")))
+    for block in "\n\n".join(told).split("\n\n"):
         heading, *lines = (each for each in block.split("\n") if not each.startswith("# "))
         marks = [pytest.mark.slow] if block.startswith("# slow") else []
-        found.append(pytest.param(*heading.split(" > "), lines, id=heading, marks=marks))
-    return found
+        yield pytest.param(*heading.split(" > "), lines, id=heading, marks=marks)
 
 
-def assert_said(name: str, place: str, lines: list[str]) -> None:
-    """Look whether a note says what it must."""
+@pytest.mark.parametrize(("name", "place", "lines"), list(blocks()))
+def test_what_is_said(name: str, place: str, lines: list[str]) -> None:
     page = page_named(name)
     key, *whole = place.split(" (")
     if whole or " | " in lines[0]:
-        told_in_table(page.table(key).texts(), [each.split(" | ") for each in lines], bool(whole))
+        told_in_table(page.table(key).rows, [each.split(" | ") for each in lines], bool(whole))
         return
     text = page.sections[place].replace("\N{NO-BREAK SPACE}", " ")
     styled: dict[str, list[str]] = {}
@@ -51,7 +52,7 @@ def assert_said(name: str, place: str, lines: list[str]) -> None:
             assert fnmatchcase(each.text, words)
 
 
-def told_in_table(rows: list[list[str]], told: list[list[str]], whole: bool) -> None:
+def told_in_table(rows: list[list[ReadCell]], told: list[list[str]], whole: bool) -> None:
     if whole:
         assert [len(row) for row in rows] == [len(wanted) for wanted in told]
         assert all(map(is_told, rows, told))
@@ -59,5 +60,9 @@ def told_in_table(rows: list[list[str]], told: list[list[str]], whole: bool) -> 
         assert any(is_told(row, wanted) for row in rows), wanted
 
 
-def is_told(row: list[str], wanted: list[str]) -> bool:
-    return len(row) >= len(wanted) and all(map(fnmatchcase, row, wanted))
+def is_told(row: list[ReadCell], wanted: list[str]) -> bool:
+    """Compare the first cells of a row, by what they show or by the values behind them."""
+    return len(row) >= len(wanted) and all(
+        cell.value == float(each[1:-1]) if each.startswith("{") else fnmatchcase(cell.text, each)
+        for cell, each in zip(row, wanted, strict=False)
+    )
