@@ -37,6 +37,11 @@ class ReadTable:
         """Return all rows by their first cells."""
         return {row[0].text: row for row in reversed(self.rows)}
 
+    def column(self, heading: str) -> list[Any]:
+        """Return the values below a heading."""
+        index = self.headings.index(heading)
+        return [row[index].value for row in self.rows]
+
     def texts(self) -> list[list[str]]:
         """Return what all cells show."""
         return [[cell.text for cell in row] for row in self.rows]
@@ -76,11 +81,8 @@ class ReadPage:
 
     def styled(self, style: str, section: str = "") -> list[Element]:
         """Return all elements of a class, in a section when one is given."""
-        return [
-            each
-            for each in self.elements
-            if style in each.attributes.get("class", "").split() and section in ("", each.section)
-        ]
+        there = [each for each in self.elements if section in ("", each.section)]
+        return [each for each in there if style in each.attributes.get("class", "").split()]
 
 
 class _Reader(HTMLParser):

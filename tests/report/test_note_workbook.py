@@ -39,8 +39,8 @@ def opened(workbook: bytes, *, values: bool = False) -> Any:
     return openpyxl.load_workbook(BytesIO(workbook), data_only=values)
 
 
-def cells_of(sheet: Any) -> Iterator[Any]:
-    return (cell for row in sheet.iter_rows() for cell in row)
+def cells_of(*sheets: Any) -> Iterator[Any]:
+    return (cell for sheet in sheets for row in sheet.iter_rows() for cell in row)
 
 
 def charts_of(workbook: bytes) -> list[str]:
@@ -71,17 +71,16 @@ def test_formulas_give_what_stands_beside_them(name: str) -> None:
     """No cell is an error, and a formula's own value is that of the cells that it names."""
     values = opened(made(name), values=True)
     count = 0
-    for sheet in opened(made(name)):
-        there = values[sheet.title]
-        for cell in cells_of(sheet):
-            assert there[cell.coordinate].data_type != "e", (sheet.title, cell.coordinate)
-            if cell.data_type == "f":
-                found = re.fullmatch(r"=([A-Z]\d+)([/-])([A-Z]\d+)", str(cell.value))
-                assert found is not None, cell.value
-                a, b = there[found[1]].value, there[found[3]].value
-                expected = a / b if found[2] == "/" else a - b
-                assert there[cell.coordinate].value == pytest.approx(expected, rel=1e-13)
-                count += 1
+    for cell in cells_of(*opened(made(name))):
+        there = values[cell.parent.title]
+        assert there[cell.coordinate].data_type != "e", cell
+        if cell.data_type == "f":
+            found = re.fullmatch(r"=([A-Z]\d+)([/-])([A-Z]\d+)", str(cell.value))
+            assert found is not None, cell.value
+            a, b = there[found[1]].value, there[found[3]].value
+            expected = a / b if found[2] == "/" else a - b
+            assert there[cell.coordinate].value == pytest.approx(expected, rel=1e-13)
+            count += 1
     tables = [each for each in answer_named(name).blocks if isinstance(each, Table)]
     computed = [each for table in tables for each in table.columns if each.formula is not None]
     assert count == sum(value is not None for each in computed for value in each.values)
@@ -101,7 +100,7 @@ def test_charts_read_cells_that_hold_the_figure() -> None:
     (chart,) = (b.chart for b in answer.blocks if isinstance(b, Figure) and b.chart.name == "line")
     sheet = opened(made("leg")).worksheets[-1]
     shown = {(row[0].value, row[1].value) for row in sheet.iter_rows(max_col=2)}
-    series = next(each for each in chart.series)
+    series = next(iter(chart.series))
     places = set(zip(map(float, series.x), map(float, series.y), strict=True))
     assert {(float(f"{x:.16g}"), float(f"{y:.16g}")) for x, y in places} <= shown
 
@@ -138,16 +137,12 @@ def test_the_same_note_gives_the_same_bytes() -> None:
 
 
 SOFFICE = shutil.which("soffice") or shutil.which("libreoffice")
-
-
 ALWAYS_RECALCULATE = """<?xml version="1.0" encoding="UTF-8"?>
 <oor:items xmlns:oor="http://openoffice.org/2001/registry">
 <item oor:path="/org.openoffice.Office.Calc/Formula/Load"><prop oor:name="OOXMLRecalcMode"
 oor:op="fuse"><value>0</value></prop></item>
 </oor:items>
 """
-
-
 FIFTEEN_DIGITS = 1e-14
 
 
@@ -156,13 +151,17 @@ def converted(folder: Path, target: str) -> Path:
     profile = folder / "profile"
     (profile / "user").mkdir(parents=True, exist_ok=True)
     (profile / "user" / "registrymodifications.xcu").write_text(ALWAYS_RECALCULATE, "utf-8")
-    command = [
-        str(SOFFICE), f"-env:UserInstallation={profile.as_uri()}", "--headless",
-        "--convert-to", target, "--outdir", str(folder / "made"),
-        *(str(path) for path in sorted(folder.glob("*.xlsx"))),
-    ]  # fmt: skip
-    subprocess.run(command, check=True, capture_output=True, timeout=300)
-    return folder / "made"
+    made = folder / "made"
+    settings = ["--headless", f"-env:UserInstallation={profile.as_uri()}"]
+    asked: list[str | Path] = [
+        "--convert-to",
+        target,
+        "--outdir",
+        made,
+        *sorted(folder.glob("*.xlsx")),
+    ]
+    subprocess.run([str(SOFFICE), *settings, *asked], check=True, capture_output=True, timeout=300)
+    return made
 
 
 @pytest.mark.slow
@@ -178,12 +177,10 @@ def test_libreoffice_opens_recalculates_and_prints_it(tmp_path: Path) -> None:
         ours = opened(made(name), values=True)
         theirs = opened((written / f"{name}.xlsx").read_bytes(), values=True)
         assert theirs.sheetnames == ours.sheetnames
-        for sheet in ours:
-            for cell in cells_of(sheet):
-                there = theirs[sheet.title][cell.coordinate]
-                where = f"{name}, {sheet.title}!{cell.coordinate}"
-                assert there.data_type != "e", where
-                if isinstance(cell.value, int | float):
-                    assert math.isclose(there.value, cell.value, rel_tol=FIFTEEN_DIGITS), where
+        for cell in cells_of(*ours):
+            there = theirs[cell.parent.title][cell.coordinate]
+            assert there.data_type != "e", (name, cell)
+            if isinstance(cell.value, int | float):
+                assert math.isclose(there.value, cell.value, rel_tol=FIFTEEN_DIGITS), (name, cell)
         pages = (written / f"{name}.pdf").read_bytes()
         assert len(re.findall(rb"/Type\s*/Page\b", pages)) >= len(ours.sheetnames)

@@ -50,10 +50,10 @@ def test_only_the_pages_own_script_may_run(page: ReadPage) -> None:
 FIELD = {
     **{unit: factor for table in UNITS.values() for unit, factor in table.items()},
     **{each.field_unit: each.factor for each in QUANTITIES.values()},
-    "°": math.pi / 180.0, "": 1.0, "kg/m^3": 1.0,
-    "J": 1.0, "kJ": 1e3, "kg/m³": 1.0, "m/m": 1.0,
-    "kN/rad": 1e3, "kN*m/rad": 1e3, "N m": 1.0, "N*m": 1.0, "kg/m3": 1.0, "m2": 1.0,
-}  # fmt: skip
+    **dict.fromkeys(("", "J", "m/m", "N m", "N*m", "m2", "kg/m^3", "kg/m³", "kg/m3"), 1.0),
+    **dict.fromkeys(("kJ", "kN/rad", "kN*m/rad"), 1e3),
+    "°": math.pi / 180.0,
+}
 
 
 NUMBER = re.compile(

@@ -13,7 +13,7 @@ from catopt.notes.size import Given, size_note
 from catopt.words import Message, say, term
 
 from .notes import SIZINGS, note_named, page_named, shown
-from .page_reader import ReadPage, ReadTable, calculate
+from .page_reader import ReadPage, calculate
 
 NINE_DIGITS = 1e-8
 """Relative: numbers that are put in are written with nine digits, five or fewer a product."""
@@ -38,25 +38,18 @@ def page(name: str) -> ReadPage:
     return page_named(name)
 
 
-def by_heading(table: ReadTable, row: int = 0) -> dict[str, float | None]:
-    """Return the values of a row by their headings."""
-    values = [cell.value for cell in table.rows[row]]
-    return dict(zip(table.headings, values, strict=True))
-
-
 def test_forces_add_up_to_that_of_the_load_case(note: Any, page: ReadPage) -> None:
     """All act along one direction, so that sizes add up with their signs."""
     tables = iter(page.all("size_load"))
     sums = page.table("size_sums")
-    for index, at in enumerate(note.sizing.settled.posed.loads):
+    loads = note.sizing.settled.posed.loads
+    for at in loads:
         forces = [at.given]
         for _ in at.parts:
             forces += [cells[2].value for cells in next(tables).rows[:-1]]
-        row = by_heading(sums, index)
         assert math.fsum(forces) == pytest.approx(at.horizontal_force, rel=ROUNDING)
-        assert row["Sum (kN)"] == at.horizontal_force
-        assert row["Depth of still water (m)"] == at.depth
-    assert len(sums.rows) == len(note.sizing.settled.posed.loads)
+    assert sums.column("Sum (kN)") == [at.horizontal_force for at in loads]
+    assert sums.column("Depth of still water (m)") == [at.depth for at in loads]
 
 
 def test_the_load_case_carries_what_the_loads_add_up_to(name: str, note: Any) -> None:
@@ -90,7 +83,7 @@ def test_what_every_load_case_assumes_is_said_once(page: ReadPage) -> None:
 def test_a_force_that_is_given_stands_for_the_loads() -> None:
     page = page_named("given")
     assert page.all("size_load") == []
-    assert by_heading(page.table("size_sums"))["Given (kN)"] == 15e3
+    assert page.table("size_sums").column("Given (kN)")[0] == 15e3
 
 
 def test_a_candidate_that_fails_says_why() -> None:
@@ -167,9 +160,6 @@ def test_the_drag_anchor_is_worked_out_step_by_step(name: str) -> None:
     ):
         assert rows[label][2].value == document[key]
     assert sizing.drag_anchor.capacity.curve.source.text in page.sections["size_hold"]
-    reference = "of the reference anchor"
-    for label in (f"Holding capacity {reference}", f"Mass {reference}", "Exponent"):
-        assert "DTOcean" in rows[label][3].text
 
 
 def test_the_swing_radius_is_the_sum_of_its_parts(note: Any, page: ReadPage) -> None:
