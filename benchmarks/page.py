@@ -84,14 +84,14 @@ def rows(made: dict[str, bytes], folder: Path) -> Iterator[tuple[str, str, str]]
         began = time.monotonic()
         tab.open(page, 1280)
         yield "first answer after opening, s", f"{waited(tab, began):.1f}", "8"
-        steps = sorted(json.loads(tab.awaited(SLIDER)))
+        steps = sorted(json.loads(tab.value(SLIDER)))
         yield "step of the slider, median, ms", f"{steps[STEPS // 2]:.0f}", "40"
         yield "step of the slider, 95th percentile, ms", f"{steps[STEPS * 95 // 100]:.0f}", "100"
         tab.value(FRAMES)
         yield "a buoy's mooring, s", f"{chosen(tab, 'buoy'):.1f}", "5"
         longest = tab.value("Math.max(...gaps)")
         yield "longest frame meanwhile, ms", f"{longest:.0f}", "50"
-        both = chosen(tab, "tanker") + float(tab.awaited(NOTE)) / 1e3
+        both = chosen(tab, "tanker") + float(tab.value(NOTE)) / 1e3
         yield "a tanker's mooring and its note, s", f"{both:.1f}", "3"
 
 

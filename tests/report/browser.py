@@ -18,6 +18,7 @@ from typing import Any, Literal
 FONTS = ("DejaVu Sans", "Liberation Sans", "Noto Sans")
 """What a page may be read in: a wide font, a narrow one, a tall one (packages in .ci/run)."""
 
+Scheme = Literal["light", "dark"]
 CHROMIUM = next(
     (found for name in ("chromium", "google-chrome") if (found := shutil.which(name))), ""
 )
@@ -60,17 +61,11 @@ class Tab:
                 return dict(answer["result"])
 
     def open(
-        self,
-        page: Path,
-        width: int,
-        height: int = 900,
-        scheme: Literal["light", "dark"] = "light",
-        *,
-        scripts: bool = True,
+        self, page: Path, width: int, *, scheme: Scheme = "light", scripts: bool = True
     ) -> None:
         """Open a file at a width, in a colour scheme, with or without scripts."""
         self.call("Emulation.setScriptExecutionDisabled", value=not scripts)
-        screen = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 600}
+        screen = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 600}
         self.call("Emulation.setDeviceMetricsOverride", **screen)
         features = [{"name": "prefers-color-scheme", "value": scheme}]
         self.call("Emulation.setEmulatedMedia", features=features)
@@ -79,14 +74,10 @@ class Tab:
         while not self._loaded:
             self._next()
 
-    def awaited(self, script: str) -> str:
-        """Wait for the text that a script comes to."""
-        asked = {"expression": script, "awaitPromise": True, "returnByValue": True}
-        return str(self.call("Runtime.evaluate", **asked)["result"]["value"])
-
     def value(self, expression: str) -> Any:
-        """Evaluate an expression in the page."""
-        found = self.call("Runtime.evaluate", expression=expression, returnByValue=True)
+        """Evaluate an expression in the page; a promise is waited for."""
+        how = {"awaitPromise": True, "returnByValue": True}
+        found = self.call("Runtime.evaluate", expression=expression, **how)
         assert "exceptionDetails" not in found, found
         return found["result"].get("value")
 

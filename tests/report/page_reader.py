@@ -92,15 +92,12 @@ class _Reader(HTMLParser):
         self._open: list[Element] = []
         self._section = ""
 
-    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        element = self._add(tag, attrs)
-        if tag not in VOID:
-            self._open.append(element)
-
     def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self._add(tag, attrs)
+        self.handle_starttag(tag, attrs)
+        if tag not in VOID:
+            self._open.pop()
 
-    def _add(self, tag: str, attrs: list[tuple[str, str | None]]) -> Element:
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         given = {key: value or "" for key, value in attrs}
         if tag == "section" and "id" in given:
             self._section = given["id"]
@@ -120,7 +117,8 @@ class _Reader(HTMLParser):
             tables[-1].headings.append("")
         elif tag == "data":
             tables[-1].rows[-1][-1].value = float(given["value"])
-        return element
+        if tag not in VOID:
+            self._open.append(element)
 
     def handle_endtag(self, tag: str) -> None:
         while self._open:

@@ -153,14 +153,11 @@ def converted(folder: Path, target: str) -> Path:
     (profile / "user" / "registrymodifications.xcu").write_text(ALWAYS_RECALCULATE, "utf-8")
     made = folder / "made"
     settings = ["--headless", f"-env:UserInstallation={profile.as_uri()}"]
-    asked: list[str | Path] = [
-        "--convert-to",
-        target,
-        "--outdir",
-        made,
-        *sorted(folder.glob("*.xlsx")),
-    ]
-    subprocess.run([str(SOFFICE), *settings, *asked], check=True, capture_output=True, timeout=300)
+    asked = ["--convert-to", target, "--outdir", str(made)]
+    books = map(str, sorted(folder.glob("*.xlsx")))
+    subprocess.run(
+        [str(SOFFICE), *settings, *asked, *books], check=True, capture_output=True, timeout=300
+    )
     return made
 
 

@@ -10,7 +10,7 @@ import pytest
 
 from catopt.notes.directory import Asked
 from catopt.notes.size import Given, size_note
-from catopt.words import Message, say, term
+from catopt.words import LANGUAGES, Message, say, term
 
 from .notes import SIZINGS, note_named, page_named, shown
 from .page_reader import ReadPage, calculate
@@ -95,16 +95,15 @@ def test_a_candidate_that_fails_says_why() -> None:
     assert why == "fails: sliding of the sinker (storm, high water)"
     failing = replace(first, settled=None, reason=why)
     told = replace(note, sizing=replace(note.sizing, candidates=(failing, *rest)))
-    row = shown(told).table("candidates").texts()[0]
-    assert row[3:9] == ["-"] * 5 + [why]
-    row = shown(told, "vi").table("candidates").texts()[0]
-    assert row[8] == "không đạt: trượt của rùa neo (bão, mực nước cao)"
+    english, vietnamese = (shown(told, each).table("candidates").texts()[0] for each in LANGUAGES)
+    assert english[3:9] == ["-"] * 5 + [why]
+    assert vietnamese[8] == "không đạt: trượt của rùa neo (bão, mực nước cao)"
 
 
 def test_of_the_lightest_line_the_knees_neighbours_are_left_out() -> None:
-    note = note_named("hawser")
-    assert note.sizing.settled.index == 0
-    assert note.sizing.settled.result.recommended != 0
+    settled = note_named("hawser").sizing.settled
+    assert settled.index == 0
+    assert settled.result.recommended != 0
     assert page_named("hawser").all("neighbours") == []
     assert page_named("size-buoy").all("neighbours") != []
 

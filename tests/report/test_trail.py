@@ -7,7 +7,6 @@ import re
 from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -29,18 +28,13 @@ def name(request: pytest.FixtureRequest) -> str:
 
 
 @pytest.fixture
-def note(name: str) -> Any:
-    return note_named(name)
+def steps(name: str) -> tuple[Step, ...]:
+    return steps_of(note_named(name).solution)
 
 
 @pytest.fixture
-def steps(note: Any) -> tuple[Step, ...]:
-    return steps_of(note.solution)
-
-
-@pytest.fixture
-def pieces(note: Any) -> tuple[Piece, ...]:
-    return pieces_of(note.solution)
+def pieces(name: str) -> tuple[Piece, ...]:
+    return pieces_of(note_named(name).solution)
 
 
 def key_of(step: Step) -> str:
@@ -82,9 +76,7 @@ def test_the_printed_numbers_give_the_printed_value(name: str) -> None:
     place = table.headings.index("With numbers put in")
     for row in table.rows:
         printed = row[place].text.split("\n= ")[1]
-        cell = row[place + 1]
-        assert cell.value is not None
-        value = calculate(printed)
+        cell, value = row[place + 1], calculate(printed)
         if printed.startswith("atan"):
             assert value == pytest.approx(cell.value, rel=1e-7, abs=1e-12)
             continue
@@ -161,11 +153,11 @@ def test_s1s_own_numbers_stand_in_the_trail_of_its_example() -> None:
     assert round(values["fairlead_tension"] / 9806.65, 3) == 0.446
 
 
-def test_pieces_follow_each_other(pieces: tuple[Piece, ...], note: Any) -> None:
+def test_pieces_follow_each_other(pieces: tuple[Piece, ...], name: str) -> None:
     """V goes on from piece to piece, but for the point loads; T and lengths add up."""
     if not pieces:
         return
-    solution = note.solution
+    solution = note_named(name).solution
     assert math.fsum(row.length for row in pieces) == pytest.approx(solution.line.length)
     for row in pieces:
         if not row.on_bed:

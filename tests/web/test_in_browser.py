@@ -193,9 +193,9 @@ def test_every_door_leads_to_its_note_and_nothing_keeps_people_from_it(
             choose(tab, "lang", language)
             assert tab.value("document.querySelector('.compared').textContent.trim()") != ""
             if axe:
-                assert json.loads(tab.awaited(VIOLATIONS)) == [], (door, language)
+                assert json.loads(tab.value(VIOLATIONS)) == [], (door, language)
             question = {"door": door, "values": START[door], "lang": language}
-            assert words_in(tab.awaited(DOWNLOADED)) == words_in(ask("note", question)["html"])
+            assert words_in(tab.value(DOWNLOADED)) == words_in(ask("note", question)["html"])
     assert tab.messages == []
 
 
