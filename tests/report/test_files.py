@@ -21,14 +21,6 @@ def contents(directory: Path) -> dict[str, bytes]:
     return {path.name: path.read_bytes() for path in directory.iterdir()}
 
 
-def test_files_are_written_and_replaced(tmp_path: Path) -> None:
-    directory = tmp_path / "a" / "b"
-    assert write_files(directory, OLD) == (directory / "a.csv", directory / "b.csv")
-    assert contents(directory) == OLD
-    write_files(directory, NEW)
-    assert contents(directory) == NEW
-
-
 @pytest.mark.parametrize("fails_at", [1, 2])
 def test_a_disk_that_fills_leaves_what_was_there(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, fails_at: int
@@ -47,22 +39,24 @@ def test_a_disk_that_fills_leaves_what_was_there(
     assert contents(tmp_path) == OLD
 
 
-def test_a_file_never_stands_there_half_written(
+def test_files_are_written_and_replaced_and_never_stand_there_half_written(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Whatever is in the directory while files are written, each name shows old or new, whole."""
-    write_files(tmp_path, OLD)
+    directory = tmp_path / "a" / "b"
+    assert write_files(directory, OLD) == (directory / "a.csv", directory / "b.csv")
+    assert contents(directory) == OLD
     seen = []
     sync = os.fsync
 
     def look(descriptor: int) -> None:
         sync(descriptor)
-        seen.append({name: (tmp_path / name).read_bytes() for name in OLD})
+        seen.append({name: (directory / name).read_bytes() for name in OLD})
 
     monkeypatch.setattr(os, "fsync", look)
-    write_files(tmp_path, NEW)
+    write_files(directory, NEW)
     assert seen == [OLD, OLD]
-    assert contents(tmp_path) == NEW
+    assert contents(directory) == NEW
 
 
 def test_a_directory_in_the_place_of_a_file(tmp_path: Path) -> None:
