@@ -10,8 +10,7 @@ from typing import Any, TypeVar
 from catopt.answers.blocks import Column, Fact, Table
 from catopt.figures.chart import Axis
 from catopt.quantities import Quantity, Units
-from catopt.words import Language, Listed, Measure, Message, Sentence, Several, Told, say
-from catopt.words.labels import Term
+from catopt.words import Language, Measure, Message, say
 
 UNITS: ContextVar[Units] = ContextVar("UNITS", default="")
 """What the reader of this run asks for; empty: each quantity in its own unit."""
@@ -69,20 +68,11 @@ def _converted(thing: Any, units: Units) -> Any:
         return thing.in_units(units)
     if isinstance(thing, Measure):
         return replace(thing, units=units)
-    return _message(thing, units) if isinstance(thing, str) else _without_doubles(thing)
-
-
-def _message(said: str, units: Units) -> str:
-    """Say a message with its measures in other units; any other text stays as it is."""
-    if isinstance(said, Several):
-        return Several(in_units(said.parts, units), said.separator)
-    if isinstance(said, Listed):
-        return Listed(in_units(said.parts, units), said.last)
-    if isinstance(said, Sentence):
-        return Sentence(in_units(said.words, units), capital=said.capital)
-    if not isinstance(said, Message) or isinstance(said, Told | Term):
-        return said
-    return Message(said.key, **in_units(dict(said.values), units))
+    if isinstance(thing, Message):
+        kind: Any = type(thing)
+        made = in_units(vars(thing), units)
+        return kind(made["key"], **made["values"]) if thing.key else kind(**made)
+    return _without_doubles(thing)
 
 
 def _without_doubles(made: Any) -> Any:

@@ -17,9 +17,9 @@ class Term(Message):
     names of quantities and the group ``terms``; what is in none of them stays as it is.
     """
 
-    def __new__(cls, english: str) -> Term:
+    def __new__(cls, term: str) -> Term:
         """Take the word."""
-        return cls.made_of(english)
+        return cls.made_of(term, term=term)
 
     def said(self, language: Language) -> str:
         """Say it in a language."""

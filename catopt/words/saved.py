@@ -52,8 +52,6 @@ def _walk(document: object) -> Iterator[Message]:
 def _saved(value: object) -> object:
     if isinstance(value, Measure):
         return {"quantity": value.quantity, "value": value.value}
-    if isinstance(value, Term):
-        return {"term": str(value)}
     if isinstance(value, Message):
         return {name: _saved(part) for name, part in vars(value).items()}
     if isinstance(value, dict):
@@ -69,8 +67,6 @@ def _restored(saved: Any) -> Any:
     if "key" in saved:
         values = {name: _restored(value) for name, value in saved["values"].items()}
         return Message(saved["key"], **values)
-    if "term" in saved:
-        return Term(saved["term"])
     if "texts" in saved:
         return Told(saved["texts"])
     kind = _KINDS[(_KINDS.keys() & saved.keys()).pop()]
@@ -78,6 +74,7 @@ def _restored(saved: Any) -> Any:
 
 
 _KINDS: dict[str, Callable[..., object]] = {
+    "term": Term,
     "quantity": Measure,
     "words": Sentence,
     "last": Listed,
