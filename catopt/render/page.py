@@ -11,7 +11,7 @@ from functools import cache
 from importlib.resources import files
 from typing import Any, NamedTuple
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
+from jinja2 import Environment, PackageLoader, StrictUndefined, Template
 
 from catopt._version import __version__
 from catopt.answers.blocks import (
@@ -83,10 +83,9 @@ def page(answer: Answer, language: Language = "en") -> bytes:
     network.
     """
     answer, script = as_wanted(answer, language), _file("script.js")
-    template = _environment().get_template("page.html")
     # The page's own policy runs the script of this hash and no other.
     script_hash = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
-    return template.render(
+    rendered = template("catopt.render", "page.html").render(
         language=language,
         version=__version__,
         title=answer.title,
@@ -97,14 +96,15 @@ def page(answer: Answer, language: Language = "en") -> bytes:
         style=stylesheet() + _file("style.css"),
         script=script,
         script_hash=script_hash,
-    ).encode()
+    )
+    return rendered.encode()
 
 
 def fragment(answer: Answer, language: Language = "en") -> str:
     """Render the sections of an answer that show something, to be put into another page."""
     laid = _sections(as_wanted(answer, language), language)
     shown, hover = [each for each in laid if each.blocks], say(Message("page.hover"), language)
-    return _environment().get_template("sections.html").render(sections=shown, hover=hover)
+    return template("catopt.render", "sections.html").render(sections=shown, hover=hover)
 
 
 def _sections(answer: Answer, language: Language) -> list[Section]:
@@ -118,16 +118,17 @@ def _sections(answer: Answer, language: Language) -> list[Section]:
 
 
 @cache
-def _environment() -> Environment:
-    """Make the templates' environment: all that is put in is escaped, and nothing may lack."""
-    return Environment(
-        loader=PackageLoader("catopt.render", ""),
+def template(package: str, name: str) -> Template:
+    """Read a template of a package: all that is put in is escaped, and nothing may lack."""
+    environment = Environment(
+        loader=PackageLoader(package, ""),
         autoescape=True,
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
+    return environment.get_template(name)
 
 
 def _file(name: str) -> str:
