@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import chain, cycle
 from typing import TYPE_CHECKING
 
 from catopt.figures.chart import (
@@ -332,30 +333,23 @@ def restoring(
     """
     force = math.hypot(*solution.system.force)
     limit = most * force if force > 0.0 else math.inf
-    drawn = [[k for k, each in enumerate(curve.force) if abs(each) <= limit] for curve in curves]
-    chosen = [(curve, k) for curve, ks in zip(curves, drawn, strict=True) for k in ks]
-    wide = 1.03 * max(abs(curve.offset[k]) for curve, k in chosen) or 1.0
-    tall = 1.05 * max(abs(curve.force[k]) for curve, k in chosen) or 1.0
-    is_whole = len(chosen) == sum(len(curve.offset) for curve in curves)
+    drawn = [_held(curve, limit) for curve in curves]
+    points = tuple(chain.from_iterable(drawn))
+    wide = 1.03 * max(abs(each.x) for each in points) or 1.0
+    tall = 1.05 * max(abs(each.y) for each in points) or 1.0
+    is_whole = len(points) == sum(len(curve.offset) for curve in curves)
     return Chart(
         "system_restoring",
         Message("figures.restoring"),
         axis("offset", (-wide, wide), Message("figures.offset_along")),
         axis("horizontal_force", (-tall, tall), Message("figures.force_along")),
         series=tuple(
-            Series(
-                _ROLES[number % len(_ROLES)],
-                [curve.offset[k] for k in ks],
-                [curve.force[k] for k in ks],
-                _towards(curve),
-            )
-            for number, (curve, ks) in enumerate(zip(curves, drawn, strict=True))
+            Series(role, [each.x for each in held], [each.y for each in held], _towards(curve))
+            for role, curve, held in zip(cycle(_ROLES), curves, drawn, strict=False)
         ),
         marks=tuple(_case_on(solution, force)),
         levels=(Level("zero", "x", 0.0), Level("zero", "y", 0.0)),
-        points=tuple(
-            point for curve, ks in zip(curves, drawn, strict=True) for point in _held(curve, ks)
-        ),
+        points=points,
         notes=() if is_whole else (Message("figures.beyond", times=most),),
     )
 
@@ -372,8 +366,9 @@ def _towards(curve: RestoringCurve) -> str:
     return Message("figures.towards", angle=Measure("angle", curve.direction))
 
 
-def _held(curve: RestoringCurve, ks: Sequence[int]) -> tuple[Point, ...]:
-    """Say what is known at places of a curve."""
+def _held(curve: RestoringCurve, limit: float) -> tuple[Point, ...]:
+    """Say what is known at the places of a curve whose force is within a limit."""
+    ks = [k for k, force in enumerate(curve.force) if abs(force) <= limit]
     offsets, forces = [curve.offset[k] for k in ks], [curve.force[k] for k in ks]
     return pointed(
         "figures.held",
