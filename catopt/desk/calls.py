@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from functools import lru_cache, wraps
+from functools import lru_cache, partial, wraps
 from typing import TYPE_CHECKING, Any, Final, TypeVar, cast
 
 from catopt.answers.blocks import (
@@ -142,22 +142,15 @@ def _door(text: str) -> Door:
 # ------------------------------------------------------------------ the commands' documents
 
 
-def _solve(text: str) -> Reply:
+def _of_a_line(call: str, text: str) -> Reply:
     from catopt.catenary.case import solve_case
-
-    return solve_case(_case(text)).to_dict()
-
-
-def _check(text: str) -> Reply:
+    from catopt.catenary.case_curve import curve_case
     from catopt.checks.case import check_case
 
-    return check_case(_case(text)).to_dict()
-
-
-def _curve(text: str) -> Reply:
-    from catopt.catenary.case_curve import curve_case
-
-    return curve_case(_case(text)).to_dict()
+    answered: dict[str, Callable[[Case], Any]]
+    answered = {"solve": solve_case, "check": check_case, "curve": curve_case}
+    reply: Reply = answered[call](_case(text)).to_dict()
+    return reply
 
 
 def _system(text: str) -> Reply:
@@ -337,9 +330,7 @@ def _noted(text: str, door: Door, file: SourceFile) -> Answer:
 
 
 _DOCUMENTS: Final[Mapping[str, Callable[[str], Reply]]] = {
-    "solve": _solve,
-    "check": _check,
-    "curve": _curve,
+    **{call: partial(_of_a_line, call) for call in ("solve", "check", "curve")},
     "system": _system,
     "size": _size,
     "open": _open,
