@@ -308,16 +308,12 @@ def ptp(values: ndarray, axis: int | None = None) -> Any:
     return values.max(axis) - values.min(axis)
 
 
-def argmin(values: ndarray) -> int:
-    """Find the first of the smallest."""
-    flat = values._flat()
-    return flat.index(min(flat))
+def _first(which: Callable[[list[Any]], Any]) -> Callable[[ndarray], int]:
+    """Make the operation that finds the first of the smallest or of the largest."""
+    return lambda values: values._flat().index(which(values._flat()))
 
 
-def argmax(values: ndarray) -> int:
-    """Find the first of the largest."""
-    flat = values._flat()
-    return flat.index(max(flat))
+argmin, argmax = _first(min), _first(max)
 
 
 def flatnonzero(values: ndarray) -> ndarray:
