@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator
 
 import pytest
 
@@ -11,20 +11,23 @@ from catopt.answers.blocks import Table
 from catopt.answers.reproduction import notes_of, reproduction_answer
 from catopt.cli.output import Output
 from catopt.render.terminal import show
-from catopt.reproduce import Item, Reproduction, fso_rang_dong_dynamic, names, reproduce
+from catopt.reproduce import Reproduction, fso_rang_dong_dynamic, names, reproduce
 from catopt.reproduce.fso_rang_dong_dynamic import Maxima
 from catopt.words import Language, say
 
 pytestmark = pytest.mark.slow  # every study is recomputed
 
-PROPER = {
-    "catopt", "MOORING_2017", "OrcaFlex", "MOORING_2017, Pierson-Moskowitz",
-    "MOORING_2017, JONSWAP", "MoorDyn-C", "S4, PM", "S4, JONSWAP",
-    "UFC-Blendermann", "UFC-4-159-03", "22TCN-222-95",
-}  # fmt: skip
-"""Names of programs and of sources, which are the same in both languages."""
-UNITS = re.compile(r"[-\d., ]+ (kN/m3|kN|kg/m3|kg/m|kgf/m|N/m|deg|rad|mm|tf)")
-"""Numbers with a unit."""
+PROPER = (
+    "catopt|MoorDyn-C|OrcaFlex|S4, JONSWAP|S4, PM|22TCN-222-95|UFC-4-159-03|UFC-Blendermann|"
+    "MOORING_2017(, JONSWAP|, Pierson-Moskowitz)?"
+)
+UNITS = r"[-\d., ]+ (kN/m3|kN|kg/m3|kg/m|kgf/m|N/m|deg|rad|mm|tf)"
+SAME = re.compile(f"{PROPER}|{UNITS}")
+"""Names of programs and of sources, and numbers with a unit: the same in both languages."""
+WORDS = re.compile(r"[^\W\d_]{2}")
+"""What tells words from a number, with its exponent or without."""
+KEYS = {"Source", "Name", "Quantity", "Unit", "Study"}
+"""Columns of names that are the same in both languages."""
 
 
 @pytest.fixture(scope="module")
@@ -36,49 +39,39 @@ def everything() -> Iterator[Reproduction]:
         yield reproduce()
 
 
-def shown_of(result: Reproduction, language: Language, capsys: pytest.CaptureFixture[str]) -> str:
-    capsys.readouterr()
-    show(Output(), reproduction_answer(result), language)
-    return capsys.readouterr().out
-
-
-@pytest.fixture(autouse=True)
-def narrow(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Print on a terminal of 80 columns."""
+@pytest.fixture
+def shown(
+    everything: Reproduction, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> Callable[[Language], str]:
+    """Print all of it in a language on a terminal of 80 columns."""
     monkeypatch.setenv("COLUMNS", "80")
 
+    def printed(language: Language) -> str:
+        show(Output(), reproduction_answer(everything), language)
+        return capsys.readouterr().out
 
-WORDS = re.compile(r"[^\W\d_]{2}")
-"""What tells words from a number, with its exponent or without."""
-KEYS = {"Source", "Name", "Quantity", "Unit", "Study"}
-"""Columns of names that are the same in both languages."""
+    return printed
 
 
 def test_no_text_is_missing(everything: Reproduction) -> None:
     """Every sentence and name has its Vietnamese, but for those of programs and sources."""
-    english = set()
     for block in reproduction_answer(everything).blocks:
         for column in block.columns if isinstance(block, Table) else ():
-            if str(column.name) not in KEYS:
-                texts = [each for each in column.values if isinstance(each, str)]
-                english |= {
-                    text for text in texts if WORDS.search(text) and say(text, "vi") == text
-                }
-    assert {text for text in english if not UNITS.fullmatch(text)} <= PROPER
+            texts = (each for each in column.values if isinstance(each, str))
+            english = (each for each in texts if WORDS.search(each) and say(each, "vi") == each)
+            assert str(column.name) in KEYS or all(map(SAME.fullmatch, english))
 
 
-def test_it_fits_the_terminal(everything: Reproduction, capsys: pytest.CaptureFixture[str]) -> None:
+def test_it_fits_the_terminal(everything: Reproduction, shown: Callable[[Language], str]) -> None:
     assert {study.name for study in everything.studies} == set(names())
     for language in ("en", "vi"):
-        shown = shown_of(everything, language, capsys)
-        assert "…" not in shown
-        assert max(map(len, shown.splitlines())) <= 80
+        printed = shown(language)
+        assert "…" not in printed
+        assert max(map(len, printed.splitlines())) <= 80
 
 
-def test_what_is_found_is_in_vietnamese_with_its_numbers(
-    everything: Reproduction, capsys: pytest.CaptureFixture[str]
-) -> None:
-    shown = " ".join(shown_of(everything, "vi", capsys).split())
+def test_what_is_found_is_in_vietnamese_with_its_numbers(shown: Callable[[Language], str]) -> None:
+    printed = " ".join(shown("vi").split())
     for part in (
         "Trong 180 số công bố, 97 trùng khớp, 52 không khớp, 31 không tái lập được.",
         "lực căng 0.446 tf cần 9.386 đến 9.526.",
@@ -86,48 +79,35 @@ def test_what_is_found_is_in_vietnamese_with_its_numbers(
         "lệch -0.066 m (-0.26 %); 554.5 - 529.5 theo các độ dạt ngang công bố",
         "Cả 10 số: thiếu số liệu: chuỗi lực FT(t) là một hình đã mất.",
     ):
-        assert part in shown
-
-
-# ------------------------------------------------------------------ the same reason once
+        assert part in printed
 
 
 LOST = "inputs missing: the load series FT(t) is a lost figure"
 
 
 def test_a_reason_is_printed_once_for_the_rows_that_share_it(
-    everything: Reproduction, capsys: pytest.CaptureFixture[str]
+    everything: Reproduction, shown: Callable[[Language], str]
 ) -> None:
     """Thirty numbers in three tables have it; the document has it with each of them."""
     assert [item.to_dict()["note"] for item in everything.items].count(LOST) == 30
-    shown = shown_of(everything, "en", capsys)
-    assert shown.count(f"All 10 numbers: {LOST}.") == 3
-    assert shown.count("FT(t) is a lost figure") == 3
-
-
-def described(items: Sequence[Item], language: Language = "en") -> list[str]:
-    return [say(which, language) for which, _ in notes_of(items)]
+    printed = shown("en")
+    assert printed.count(f"All 10 numbers: {LOST}.") == 3
+    assert printed.count("FT(t) is a lost figure") == 3
+    for item in everything.items:
+        if item.note:
+            assert f"{item.note}." in " ".join(printed.split())
 
 
 def test_rows_that_share_a_reason_are_named(everything: Reproduction) -> None:
     lost = [item for item in everything.items if item.note == LOST][:10]
     plain = next(item for item in everything.items if not item.note)
-    assert described(lost[:1]) == ["line_1_tension_max_kN"]
-    assert described(lost) == ["All 10 numbers"]
-    assert described([plain, *lost[:3], plain, lost[4]]) == [
-        "line_1_tension_max_kN to line_3_tension_max_kN",
-        "line_5_tension_max_kN",
-    ]
-    assert described([plain, *lost[:2]], "vi") == [
-        "line_1_tension_max_kN đến line_2_tension_max_kN"
-    ]
-    assert described([plain, plain]) == []
-
-
-def test_reasons_that_differ_are_all_printed(
-    everything: Reproduction, capsys: pytest.CaptureFixture[str]
-) -> None:
-    shown = " ".join(shown_of(everything, "en", capsys).split())
-    for item in everything.items:
-        if item.note:
-            assert f"{item.note}." in shown
+    first, of = "line_1_tension_max_kN", "line_{}_tension_max_kN".format
+    for items, named in (
+        (lost[:1], [first]),
+        (lost, ["All 10 numbers"]),
+        ([plain, *lost[:3], plain, lost[4]], [f"{first} to {of(3)}", of(5)]),
+        ([plain, plain], []),
+    ):
+        assert [which for which, _ in notes_of(items)] == named
+    ((which, _),) = notes_of([plain, *lost[:2]])
+    assert say(which, "vi") == f"{first} đến {of(2)}"

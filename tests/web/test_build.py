@@ -24,20 +24,16 @@ PART = Part(
 """SHA-256 of "abc" as FIPS 180-2, appendix B.1, has it."""
 
 
-def test_a_part_with_its_digest_is_taken(tmp_path: Path) -> None:
-    (tmp_path / "a.whl").write_bytes(b"abc")
-    assert fetched(PART, tmp_path) == b"abc"
-
-
-def test_another_file_of_that_name_is_refused(tmp_path: Path) -> None:
+def test_a_part_is_taken_with_its_digest_and_another_file_or_none_is_refused(
+    tmp_path: Path,
+) -> None:
+    with pytest.raises(InputError, match=r"--from; it is at https://example\.org/a\.whl"):
+        fetched(PART, tmp_path)
     (tmp_path / "a.whl").write_bytes(b"abd")
     with pytest.raises(InputError, match=r"a\.whl: found SHA-256 .*must be ba7816bf"):
         fetched(PART, tmp_path)
-
-
-def test_a_part_that_is_missing_is_told_with_its_place(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match=r"--from; it is at https://example\.org/a\.whl"):
-        fetched(PART, tmp_path)
+    (tmp_path / "a.whl").write_bytes(b"abc")
+    assert fetched(PART, tmp_path) == b"abc"
 
 
 def test_every_part_comes_from_a_registry_with_its_digest() -> None:

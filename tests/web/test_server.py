@@ -8,6 +8,7 @@ import random
 import socket
 import struct
 from collections.abc import Iterator
+from contextlib import closing
 from threading import Thread
 from typing import Any
 
@@ -20,7 +21,7 @@ from catopt.web.server import PageServer
 QUESTION: dict[str, Any] = {"door": "line", "values": START["line"]}
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def server() -> Iterator[PageServer]:
     with PageServer() as made:
         thread = Thread(target=made.serve_forever)
@@ -33,16 +34,12 @@ def server() -> Iterator[PageServer]:
 def reply(
     server: PageServer, method: str, path: str, body: str = "", **headers: str
 ) -> tuple[int, bytes]:
-    connection = http.client.HTTPConnection("127.0.0.1", server.server_port, timeout=30)
-    connection.putrequest(method, path, skip_host=True)
     told = {"Host": server.host, "Content-Length": str(len(body)), **headers}
-    for name, value in told.items():
-        connection.putheader(name, value)
-    connection.endheaders(body.encode() or None)
-    answer = connection.getresponse()
-    found = answer.status, answer.read()
-    connection.close()
-    return found
+    connection = http.client.HTTPConnection("127.0.0.1", server.server_port, timeout=30)
+    with closing(connection):
+        connection.request(method, path, body.encode() or None, told)
+        answer = connection.getresponse()
+        return answer.status, answer.read()
 
 
 def answered(server: PageServer, call: str = "solve", question: dict[str, Any] = QUESTION) -> Any:
@@ -62,54 +59,46 @@ def test_it_gives_the_page_and_answers_its_questions(server: PageServer) -> None
     assert answered(server, "compare", compared) == ask("compare", compared)
 
 
-def test_it_listens_on_this_machine_alone(server: PageServer) -> None:
+def test_it_listens_on_this_machine_alone_and_two_have_two_tokens(server: PageServer) -> None:
     assert server.server_address[0] == "127.0.0.1"
-
-
-@pytest.mark.parametrize("method", ["GET", "POST"])
-@pytest.mark.parametrize(
-    "headers",
-    [
-        {"Host": "example.org"},
-        {"Host": "127.0.0.1"},
-        {"Origin": "http://example.org"},
-        {"Origin": "null"},
-    ],
-)
-def test_another_host_or_origin_is_refused(
-    server: PageServer, method: str, headers: dict[str, str]
-) -> None:
-    path = f"/{server.token}/" + ("ask/solve" if method == "POST" else "")
-    assert reply(server, method, path, json.dumps(QUESTION), **headers)[0] == 403
-
-
-@pytest.mark.parametrize("path", ["/", "/wrong/", "/wrong/ask/solve", "//", "/%00/"])
-@pytest.mark.parametrize("method", ["GET", "POST"])
-def test_another_token_is_refused(server: PageServer, method: str, path: str) -> None:
-    assert reply(server, method, path, "{}")[0] == 403
-
-
-def test_two_servers_have_two_tokens(server: PageServer) -> None:
     with PageServer() as other:
         assert other.token != server.token
         assert len(other.token) >= 32
 
 
-@pytest.mark.parametrize(
-    ("path", "body", "headers", "status"),
-    [
-        ("ask/eval", "{}", {}, 404),
-        ("other", "{}", {}, 404),
-        ("ask/solve", "{", {}, 400),
-        ("ask/solve", "[]", {}, 400),
-        ("ask/solve", "", {"Content-Length": "99999999999"}, 413),
-        ("ask/solve", "", {"Content-Length": "-1"}, 413),
-    ],
-)
-def test_what_is_no_question_is_refused(
-    server: PageServer, path: str, body: str, headers: dict[str, str], status: int
+ELSEWHERE: list[dict[str, str]] = [
+    {"Host": "example.org"},
+    {"Host": "127.0.0.1"},
+    {"Origin": "http://example.org"},
+    {"Origin": "null"},
+]
+REFUSED: list[tuple[str, str, dict[str, str], int]] = [
+    *(
+        (line, json.dumps(QUESTION), headers, 403)
+        for line in ("GET /TOKEN/", "POST /TOKEN/ask/solve")
+        for headers in ELSEWHERE
+    ),
+    *(
+        (f"{method} {path}", "{}", {}, 403)
+        for method in ("GET", "POST")
+        for path in ("/", "/wrong/", "/wrong/ask/solve", "//", "/%00/")
+    ),
+    ("POST /TOKEN/ask/eval", "{}", {}, 404),
+    ("POST /TOKEN/other", "{}", {}, 404),
+    ("POST /TOKEN/ask/solve", "{", {}, 400),
+    ("POST /TOKEN/ask/solve", "[]", {}, 400),
+    ("POST /TOKEN/ask/solve", "", {"Content-Length": "99999999999"}, 413),
+    ("POST /TOKEN/ask/solve", "", {"Content-Length": "-1"}, 413),
+]
+"""What another host, origin or token asks, and what is no question."""
+
+
+@pytest.mark.parametrize(("line", "body", "headers", "status"), REFUSED)
+def test_what_is_not_its_own_page_s_question_is_refused(
+    server: PageServer, line: str, body: str, headers: dict[str, str], status: int
 ) -> None:
-    assert reply(server, "POST", f"/{server.token}/{path}", body, **headers)[0] == status
+    method, path = line.replace("TOKEN", server.token).split()
+    assert reply(server, method, path, body, **headers)[0] == status
     assert reply(server, "GET", f"/{server.token}/")[0] == 200
 
 
@@ -148,12 +137,11 @@ def test_it_survives_a_thousand_requests_at_random(
 ) -> None:
     """Words of a request in any order, cut anywhere, with bytes that belong nowhere."""
     draw = random.Random(29)
-    words = [
-        b"GET ", b"POST ", b"PUT ", b"HEAD ", b"/", server.token.encode(), b"/ask/solve",
-        b"/ask/eval", b" HTTP/1.1", b" HTTP/9.9", b"\r\n", b"\r\n\r\n", b"Host: ",
-        server.host.encode(), b"Content-Length: 5", b"Content-Length: -5", b"Origin: null", b"{}",
-        b'{"text": 3}', b"\x00\xff", b"\xe1\xba\xbf", b": ", b"[" * 3000,
-    ]  # fmt: skip
+    words = (
+        b"GET |POST |PUT |HEAD |/|/ask/solve|/ask/eval| HTTP/1.1| HTTP/9.9|\r\n|\r\n\r\n|Host: |"
+        b'Content-Length: 5|Content-Length: -5|Origin: null|{}|{"text": 3}|\x00\xff|\xe1\xba\xbf|: '
+    ).split(b"|")
+    words += [server.token.encode(), server.host.encode(), b"[" * 3000]
     for _ in range(1000):
         sent = b"".join(draw.choices(words, k=draw.randint(1, 16)))
         with socket.create_connection(("127.0.0.1", server.server_port)) as connection:

@@ -16,22 +16,9 @@ from string import Formatter
 import pytest
 
 import catopt
+from catopt import words
 from catopt.quantities import QUANTITIES
-from catopt.words import (
-    LANGUAGES,
-    Listed,
-    Measure,
-    Message,
-    Sentence,
-    Several,
-    Told,
-    heading,
-    is_said,
-    is_term,
-    quantity_name,
-    say,
-    term,
-)
+from catopt.words import LANGUAGES, Listed, Measure, Message, Sentence, Several, Told, say, term
 from catopt.words.saved import messages_in, with_messages
 from catopt.words.texts import group, groups
 
@@ -68,10 +55,8 @@ def texts_in_code() -> tuple[set[str], list[list[str]]]:
             if isinstance(node, ast.Constant) and isinstance(node.value, str):
                 plain.add(node.value)
             elif isinstance(node, ast.JoinedStr):
-                built.append([
-                    str(each.value) if isinstance(each, ast.Constant) else ""
-                    for each in node.values
-                ])  # fmt: skip
+                parts = (getattr(each, "value", "") for each in node.values)
+                built.append([each if isinstance(each, str) else "" for each in parts])
     return plain, built
 
 
@@ -139,7 +124,7 @@ def test_every_text_is_used() -> None:
         for path in PACKAGE.rglob("*.toml")
         if path.parent.name != "texts"
     ]
-    words = {folded(each) for each in (*code, *words_of_data(data))}
+    known = {folded(each) for each in (*code, *words_of_data(data))}
     built = built_in_code()
     composed = composed_in_code()
 
@@ -148,7 +133,7 @@ def test_every_text_is_used() -> None:
             return True
         group, _, name = key.partition(".")
         english = str(TEXTS[key]["en"])
-        if group in SAID_BY_WORD and (folded(english) in words or built.fullmatch(english)):
+        if group in SAID_BY_WORD and (folded(english) in known or built.fullmatch(english)):
             return True
         if group in COMPOSED and (name in code or built.fullmatch(name) is not None):
             return True
@@ -167,20 +152,6 @@ def test_a_term_has_one_translation() -> None:
             assert isinstance(english, str)
             assert isinstance(vietnamese, str)
             assert found.setdefault(english, vietnamese) == vietnamese
-
-
-def test_a_text_of_a_data_file_is_said() -> None:
-    told = Told({"en": "no figure", "vi": "không có số liệu"})
-    assert told == "no figure"
-    assert say(told, "vi") == "không có số liệu"
-    with pytest.raises(KeyError):
-        Told({"en": "no figure"})
-
-
-def test_a_sentence_ends_with_one_full_stop() -> None:
-    assert Sentence(RISES) == f"{RISES}."
-    assert Sentence("it holds.", capital=True) == "It holds."
-    assert say(Sentence(RISES, capital=True), "vi") == f"D{RISES_VI[1:]}."
 
 
 def test_messages_are_found_again_in_a_document() -> None:
@@ -205,40 +176,60 @@ def test_messages_are_found_again_in_a_document() -> None:
 def test_every_quantity_has_its_name() -> None:
     assert set(group("quantities")) == set(QUANTITIES)
     for key, quantity in QUANTITIES.items():
-        assert quantity_name(key) == quantity.name
+        assert words.quantity_name(key) == quantity.name
+
+
+RISES_EN = "the line rises 0.25 m above the water surface; its weight there is taken as submerged"
+
+
+@pytest.mark.parametrize(
+    ("message", "english", "vietnamese"),
+    [
+        (RISES, RISES_EN, RISES_VI),
+        (
+            Message("checks.in_load_case", name="storm", said=RISES),
+            f'load case "storm": {RISES_EN}',
+            f'trường hợp tải trọng "storm": {RISES_VI}',
+        ),
+        (
+            Several((RISES, "the user's own"), " | "),
+            f"{RISES_EN} | the user's own",
+            f"{RISES_VI} | the user's own",
+        ),
+        (Sentence(RISES), f"{RISES_EN}.", f"{RISES_VI}."),
+        (Sentence(RISES, capital=True), f"T{RISES_EN[1:]}.", f"D{RISES_VI[1:]}."),
+        (Sentence("it holds.", capital=True), "It holds.", "It holds."),
+        (Told({"en": "no figure", "vi": "không có số liệu"}), "no figure", "không có số liệu"),
+        (term("sand"), "sand", "cát"),
+        (term("a user's own"), "a user's own", "a user's own"),
+        ("made fast {here}", "made fast {here}", "made fast {here}"),
+        (
+            Message("checks.named_segment", number=2, name="{braces}"),
+            "segment 2 ({braces})",
+            "đoạn 2 ({braces})",
+        ),
+        (
+            Message("columns.of_row", name=Message("columns.demand")),
+            "Demand (unit of the row)",
+            "Giá trị tính toán (đơn vị theo hàng)",
+        ),
+    ],
+)
+def test_a_message_is_its_english_and_is_said_in_vietnamese_with_what_it_holds(
+    message: str, english: str, vietnamese: str
+) -> None:
+    assert message == english == say(message, "en")
+    assert json.dumps([message]) == json.dumps([english])
+    assert say(message, "vi") == vietnamese
 
 
 def test_headings_are_said_with_symbol_and_unit() -> None:
-    tension = Message("columns.fairlead_tension")
-    assert heading(tension, QUANTITIES["tension"]) == "Fairlead tension T (kN)"
-    assert heading(tension, QUANTITIES["tension"], "vi") == "Lực căng tại điểm treo T (kN)"
-    assert heading(quantity_name("cost"), QUANTITIES["cost"], si=True) == "Cost (USD)"
-    demand = Message("columns.of_row", name=Message("columns.demand"))
-    assert demand == "Demand (unit of the row)"
-    assert say(demand, "vi") == "Giá trị tính toán (đơn vị theo hàng)"
-
-
-def test_a_message_is_its_english_and_is_said_in_vietnamese_with_what_it_holds() -> None:
-    english = (
-        "the line rises 0.25 m above the water surface; its weight there is taken as submerged"
-    )
-    assert english == RISES == say(RISES, "en")
-    assert json.dumps([RISES]) == json.dumps([english])
-    assert say(RISES, "vi") == RISES_VI
-    held = Message("checks.in_load_case", name="storm", said=RISES)
-    assert say(held, "vi") == f'trường hợp tải trọng "storm": {RISES_VI}'
-    both = Several((RISES, "the user's own"), " | ")
-    assert both == f"{RISES} | the user's own"
-    assert say(both, "vi") == f"{RISES_VI} | the user's own"
-
-
-def test_other_words_stay_as_they_are() -> None:
-    assert say("made fast {here}", "vi") == "made fast {here}"
-    named = Message("checks.named_segment", number=2, name="{braces}")
-    assert say(named, "vi") == "đoạn 2 ({braces})"
-    assert term("a user's own") == "a user's own"
-    assert is_term("Fairlead tension")
-    assert say(term("sand"), "vi") == "cát"
+    tension, heading = QUANTITIES["tension"], words.heading
+    fairlead = Message("columns.fairlead_tension")
+    assert heading(fairlead, tension) == "Fairlead tension T (kN)"
+    assert heading(fairlead, tension, "vi") == "Lực căng tại điểm treo T (kN)"
+    assert heading(words.quantity_name("cost"), QUANTITIES["cost"], si=True) == "Cost (USD)"
+    assert words.is_term("Fairlead tension")
 
 
 def test_number_chooses_the_text() -> None:
@@ -261,12 +252,14 @@ def test_a_message_without_its_value_is_a_fault() -> None:
         Message("catenary.rises")
     with pytest.raises(KeyError):
         Message("catenary.no_such_text")
+    with pytest.raises(KeyError):
+        Told({"en": "no figure"})
 
 
 def test_a_message_is_known_by_its_key() -> None:
-    assert is_said(RISES, "catenary.rises")
-    assert not is_said(RISES, "catenary.slack")
-    assert not is_said(str(RISES), "catenary.rises")
+    assert words.is_said(RISES, "catenary.rises")
+    assert not words.is_said(RISES, "catenary.slack")
+    assert not words.is_said(str(RISES), "catenary.rises")
 
 
 def test_a_measure_is_said_in_the_unit_of_the_field() -> None:
