@@ -6,17 +6,16 @@ import csv
 import io
 import math
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Iterable, Iterator
 from functools import cache
 from pathlib import Path
-from typing import Any, Literal
+from tempfile import TemporaryDirectory
+from typing import Any
 
-import numpy as np
 import openpyxl
 import pytest
 
-from catopt import catalogue, check_case, read_case
+from catopt.__main__ import main
 from catopt.answers.blocks import (
     Answer,
     Facts,
@@ -31,179 +30,86 @@ from catopt.answers.blocks import (
     Verdict,
     Warnings,
 )
-from catopt.answers.catalogue import catalogue_answer
-from catopt.answers.check import check_answer
-from catopt.answers.curve import curve_answer
-from catopt.answers.design import design_answer
-from catopt.answers.fatigue import fatigue_answer
-from catopt.answers.loads import loads_answer
-from catopt.answers.motion import front_in_motion_answer, motion_answer
-from catopt.answers.reproduction import reproduction_answer
+from catopt.answers.motion import front_in_motion_answer
 from catopt.answers.size import size_answer
-from catopt.answers.solution import solution_answer
-from catopt.answers.study import plan_answer, study_answer
-from catopt.answers.system import system_answer
-from catopt.answers.verification import front_answer, verification_answer
+from catopt.answers.verification import front_answer
 from catopt.casefile import parse_case
-from catopt.catalogue.components import Component
-from catopt.catalogue.document import Answer as Found
-from catopt.catenary.case import solve_case
-from catopt.catenary.case_curve import curve_case
-from catopt.design.search import design_case
-from catopt.loads import Headings, SeaState, Ship, SurfaceCurrent, Wind, ship_loads
+from catopt.cli.answering import STOPPED
 from catopt.model import Case
-from catopt.mooring.case import report_system
 from catopt.notes.front_in_motion import front_in_motion
 from catopt.render.files import csv_files
 from catopt.render.terminal import show
 from catopt.render.trail import in_numbers, in_symbols
 from catopt.render.workbook import workbook
-from catopt.reproduce import reproduce
-from catopt.study.axis import Axis
-from catopt.study.file import read_study
-from catopt.study.run import plan_study, run_study
-from catopt.study.study import Study
-from catopt.verify.case import Design, verify_case, verify_front
-from catopt.verify.dynamic import verify_dynamic
-from catopt.verify.fatigue import verify_fatigue
+from catopt.verify.case import Design, verify_front
 from catopt.words import LANGUAGES, Cited, Language, Message, say
-from tests.cli.conftest import CHAIN_IN_MOTION
+from tests.cli.conftest import OWN, typed
 from tests.report.notes import LONG, NOTES, answer_named, page_named
 
 from .results import around, by_force
 
-CASES = Path(__file__).parents[2] / "cases"
+CASES = Path(__file__).parent / "cases"
+COMMANDS = dict(
+    line.split(": ", 1)
+    for line in Path(__file__).with_name("commands.txt").read_text("utf-8").splitlines()[1:]
+)
+"""What is typed for an answer of each kind."""
 
 
-def case(name: str) -> Case:
-    return read_case(CASES / name / "case.toml")
+def told(line: str) -> Answer:
+    """Type a command and take the answer that it would print."""
+    given: list[Answer] = []
+    with pytest.MonkeyPatch.context() as patch, TemporaryDirectory() as out:
+        patch.chdir(CASES)
+        patch.setattr("catopt.render.terminal.show", lambda _, answer, __: given.append(answer))
+        status = main([out if word == "OUT" else word for word in typed(line)])
+    assert status in (0, STOPPED)  # where half the step makes a difference, the answer says so
+    (answer,) = given
+    return answer
 
 
-_LOADED = '[load]\nhorizontal_force = "300 kN"\n'
-MOVING = CHAIN_IN_MOTION.replace(_LOADED, "").replace("elements = 20", "elements = 6")
-AT_SEA = """
-duration_of_interest = "1 h"
-runs = 5
-[waves]
-spectrum = "jonswap"
-height = "2 m"
-period = "3 s"
-components = 10
-[load]
-horizontal_force = "300 kN"
-"""
-ON_THREE = """
-[system]
-anchor_radius = "117 m"
-fairlead_radius = "4 m"
-azimuths = ["180 deg", "60 deg", "-60 deg"]
-force = ["30 kN", "0 kN"]
-"""
-
-
-def _solution() -> Answer:
-    buoy = case("buoy-9.5m")
-    return solution_answer(buoy, solve_case(buoy, "pso"), with_profile=True)
-
-
-def _system() -> Answer:
-    body = case("fso-rang-dong")
-    report = report_system(
-        body, with_line_out=True, with_circle=True, directions=[math.pi], levels=[1.0]
-    )
-    return system_answer(report, check_case(body))
-
-
-def _loads() -> Answer:
-    ship = Ship("ship", 234.0, 227.0, 31.3, 12.4, 70e3, 380.0, 1200.0, 580.0, "tanker")
-    wind, current, sea = Wind(20.0), SurfaceCurrent(1.0), SeaState(8.0, 2.0)
-    askew = Headings(0.5, 0.0, 0.3)
-    return loads_answer(
-        ship_loads(ship, wind, current, sea, 20.0, wind_on="tanker loaded", headings=askew)
-    )
-
-
-def _families(way: Literal["show", "search", "list"], name: str = "", *found: Component) -> Answer:
-    families = (catalogue.standard().family(name),) if name else tuple(catalogue.families())
-    return catalogue_answer(Found(way, families, found), in_full=len(found) == 1)
+def _two() -> list[Case]:
+    """Two designs, of which one has no answer."""
+    text = (OWN / "coded.toml").read_text("utf-8").replace("elements = 20", "elements = 6")
+    return [parse_case(text), parse_case(text.replace("120 m", "19 m"))]
 
 
 def _front() -> Answer:
-    """Two designs, of which one has no answer."""
-    buoy = case("buoy-9.5m")
-    designs = [Design(1, buoy), Design(2, replace(buoy, fairlead_height=30.0))]
+    designs = [Design(number, case) for number, case in enumerate(_two(), 1)]
     return front_answer(verify_front("Front", designs, elements=20))
 
 
 def _front_in_motion() -> Answer:
-    """Two designs, of which one has no answer."""
-    strong = MOVING.replace('mass = "130 kg/m"', 'mass = "130 kg/m"\nMBL = "3000 kN"')
-    moving = strong + _LOADED + "[checks]\nsafety_factor = 2.0\n"
-    able, too_short = parse_case(moving), parse_case(moving.replace("120 m", "19 m"))
+    able, too_short = _two()
     designs = [(1, able, (1.0, 2.0)), (2, too_short, (2.0, 1.0))]
     return front_in_motion_answer(front_in_motion(designs, 2, proof="none"))
 
 
-def _studied() -> Study:
-    """Lengths of which one does not reach, with a limit."""
-    base = read_study(CASES / "study-buoy-9.5m" / "study.toml").base
-    axes = (
-        Axis({"line.segments[0].length": np.array([9.0, 20.0, 21.0])}, np.array([1.0, 2.0, 3.0])),
-        Axis({"load.horizontal_force": np.array([2e3, 3e3])}),
-    )
-    return Study("Marker buoy", base, axes, {"anchor_uplift": 500.0})
-
-
-def _in_motion(text: str, **options: Any) -> Answer:
-    return motion_answer(verify_dynamic(parse_case(MOVING + text), **options), with_series=True)
-
-
-ANSWERS: dict[str, Callable[[], Answer]] = {
-    "solution": _solution,
-    "check": lambda: check_answer(check_case(case("design-tanker-20m"))),
-    "checks of a body": lambda: check_answer(check_case(case("fso-rang-dong"))),
-    "curve": lambda: curve_answer(curve_case(case("tanker-20m-sinker"))),
-    "system": _system,
-    "loads": _loads,
-    "component": lambda: _families(
-        "show", "chain studless", catalogue.component("chain studless R4", 0.076)
-    ),
-    "sizes": lambda: _families("show", "nylon", *catalogue.standard().sold("nylon")),
-    "search": lambda: _families("search", "", *catalogue.search(MBL_at_least=1e6)),
-    "list": lambda: _families("list"),
-    "design": lambda: design_answer(design_case(case("design-buoy-9.5m"))),
-    "reproduction": lambda: reproduction_answer(reproduce("load_sharing")),
+FROM_PYTHON: dict[str, Callable[[], Answer]] = {
     "size": lambda: size_answer(around()),
     "size by force": lambda: size_answer(by_force()),
-    "verification": lambda: verification_answer(  # of three load cases
-        verify_case(case("design-buoy-9.5m"), elements=20)
-    ),
-    "verified body": lambda: verification_answer(verify_case(case("fso-rang-dong"), elements=40)),
     "verified front": _front,
-    "motion": lambda: _in_motion(AT_SEA, proof="none"),  # five short runs in random waves
-    "body in motion": lambda: _in_motion(ON_THREE),
-    "fatigue": lambda: fatigue_answer(verify_fatigue(case("fatigue-chain-20m"), proof="none")),
     "front in motion": _front_in_motion,
-    "study": lambda: study_answer(run_study(_studied(), workers=1)),
-    "fleet": lambda: study_answer(run_study(CASES / "study-fleet" / "study.toml", workers=1)),
-    "plan of a study": lambda: plan_answer(plan_study(_studied())),
 }
+ANSWERS = (*COMMANDS, *FROM_PYTHON)
 
 
 @cache
 def made(kind: str) -> Answer:
-    return answer_named(kind) if kind in NOTES else ANSWERS[kind]()
+    if kind in NOTES:
+        return answer_named(kind)
+    return FROM_PYTHON[kind]() if kind in FROM_PYTHON else told(COMMANDS[kind])
 
 
-BY_TRUSS = (
-    "verified body", "motion", "body in motion", "front in motion", "fatigue", "fleet", *LONG,
-)  # fmt: skip
+BY_TRUSS = ("verified body", "motion", "body in motion", "front in motion", "fatigue", "fleet")
 """They run the truss model, or take seconds each."""
 
 
 def each_of(kinds: Iterable[str]) -> list[Any]:
     """List kinds, with those that take long among the slow tests."""
-    return [pytest.param(k, marks=pytest.mark.slow) if k in BY_TRUSS else k for k in kinds]
+    return [
+        pytest.param(k, marks=pytest.mark.slow) if k in (*BY_TRUSS, *LONG) else k for k in kinds
+    ]
 
 
 of_an_answer = pytest.mark.parametrize("kind", each_of(ANSWERS))
@@ -218,19 +124,14 @@ class Paper:
     def __init__(self) -> None:
         self.lines: list[str] = []
 
-    def text(self, text: str, *, bold: bool = False) -> None:  # noqa: ARG002 - as printed
+    def text(self, text: str, **_: object) -> None:
         self.lines.append(text)
 
     def line(self) -> None:
         self.lines.append("")
 
     def table(
-        self,
-        columns: Sequence[str],
-        rows: Sequence[Sequence[str]],
-        *,
-        title: str = "",
-        numbers: Sequence[int] = (),  # noqa: ARG002 - as printed
+        self, columns: Iterable[str], rows: Iterable[Iterable[str]], *, title: str = "", **_: object
     ) -> None:
         self.lines += [title, *columns, *(cell for row in rows for cell in row)]
 
@@ -302,25 +203,11 @@ def users_words(value: Value) -> bool:
     )
 
 
-OWN = {
-    "Title", "Source", "Name", "Load case", "Code", "By", "Capacity and source", "Note",
-    "Method", "Boundary handling", "Refusal", "Formula", "Numbers", "Symbol", "Unit", "Conf.",
-    "Component", "Family", "Grade", "Grades", "Variant", "Also", "Sources", "Sizes", "Place",
-    "Confidence", "Confidence of MBL", "Confidence of the sizes", "Sources of the sizes",
-    "Quantity", "Study", "Recalled, read in no document", "Also published: --variant",
-    "Reference point (SI units)",
-    "Chain", "On", "Governing load case", "Design factor by",
-}  # fmt: skip
-"""Columns that may hold the user's own words, keys of documents, or what is cited."""
-
-USERS = {
-    "Name", "Load case", "File", "Source", "Date", "Seed", "Chain", "Line", "By", "Formula",
-    "Boundary handling", "Code", "Confidence", "Segments from the anchor; clump weights",
-    "Sinker (mass in air)", "Design",
-    "Governing check", "Change", "Verdict", "Symbol", "Mooring lines", "Title",
-    "Fails by",
-}  # fmt: skip
-"""Headings over what users wrote, documents that are cited, or a document read from a file."""
+PLAIN, MORE_IN_NOTES = (
+    set(part.splitlines()[1:])
+    for part in Path(__file__).with_name("headings.txt").read_text("utf-8").split("\n\n")
+)
+"""Headings over what is no message."""
 
 
 @of_an_answer
@@ -331,7 +218,7 @@ def test_all_other_words_are_messages(kind: str) -> None:
             assert isinstance(block.said, Message), block.said
     for table in tables(made(kind)):
         assert isinstance(table.caption, Message) or not table.caption
-        assert plain_words(table, OWN) == []
+        assert plain_words(table, PLAIN) == []
 
 
 @pytest.mark.slow
@@ -339,7 +226,7 @@ def test_all_other_words_are_messages(kind: str) -> None:
 def test_all_other_words_of_notes_are_messages(kind: str) -> None:
     for table in tables(made(kind)):
         if table.name != "pieces":  # the equations that they are by
-            found = plain_words(table, OWN | USERS)
+            found = plain_words(table, PLAIN | MORE_IN_NOTES)
             assert not [each for each in found if not re.match(r"[\d(<]", each)]
     assert all(isinstance(step.name, Message) for step in steps(made(kind)))
 
@@ -463,9 +350,8 @@ def test_the_workbook_of_a_note_holds_every_word(kind: str, language: Language) 
 
 @of_a_note
 def test_both_languages_have_the_same_numbers(kind: str) -> None:
+    read = (page_named(kind, language).tables for language in LANGUAGES)
     english, vietnamese = (
-        [cell.value for table in page_named(kind, language).tables for row in table.rows
-         for cell in row]
-        for language in LANGUAGES
-    )  # fmt: skip
+        [cell.value for table in page for row in table.rows for cell in row] for page in read
+    )
     assert english == vietnamese
