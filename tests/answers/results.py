@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from functools import cache
 
 from catopt.catenary.case import solve_case
 from catopt.catenary.solution import Solution, SwarmReport
 from catopt.loads import SeaState, SurfaceCurrent, WaterLevels, Wind, buoy, estimated_tanker
-from catopt.model import Case, Checks, Line, Load, Segment, Site
+from catopt.model import Case, Checks, Line, Load, PointLoad, Segment, Site
 from catopt.sizing import (
     BuoyRequest,
     Environment,
@@ -21,6 +22,17 @@ from catopt.sizing import (
 )
 
 G0 = 9.80665
+CURVED = Case(
+    Site(20.0),
+    Line(
+        [Segment(55.0, 2100.0, MBL=7.5e6, name="chain")],
+        [PointLoad(7.0, 200e3, name="sinker"), PointLoad(9.0, 5e4)],
+    ),
+    Load(horizontal_force=4.5e5),
+    20.0,
+    checks=Checks(5.0, math.radians(3.0)),
+    title="Bến phao $20$ m",
+)
 
 
 def buoy_case(**changes: object) -> Case:

@@ -33,29 +33,14 @@ from catopt.checks.case import check_case
 from catopt.checks.kinds import CHECK_KINDS, QUANTITY_OF
 from catopt.checks.result import CheckReport
 from catopt.loads import compare_tanker
-from catopt.model import Case, Checks, Line, Load, PointLoad, Segment, Site
+from catopt.model import Checks, Line, Load, Segment
 from catopt.mooring.case import SystemReport, report_system
 from tests.figures.kinds import leg
 
-from .results import around, buoy_case, by_force, solved, swarm
+from .results import CURVED, around, buoy_case, by_force, solved, swarm
 from .tables import tables_of
 
 FSO = Path(__file__).parents[2] / "cases" / "fso-rang-dong" / "case.toml"
-CURVED = Case(
-    Site(20.0),
-    Line(
-        [Segment(55.0, 2100.0, MBL=7.5e6, name="chain")],
-        [
-            PointLoad(7.0, 200e3, name="a sinker with a name far longer than any legend is wide"),
-            PointLoad(9.0, 5e4),
-        ],
-    ),
-    Load(horizontal_force=4.5e5),
-    20.0,
-    checks=Checks(5.0, math.radians(3.0)),
-    title="Bến phao $20$ m",
-)
-
 Held = tuple[Answer, Mapping[str, Mapping[str, Sequence[Any]]]]
 """An answer, and what the columns of some of its tables must hold."""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 
 from catopt.catenary.case_curve import curve_case
 from catopt.catenary.solution import Solution
@@ -22,6 +22,8 @@ LONG = (
     "Phao $dấu hiệu$ luồng số 1, độ sâu 9,5 m: a title that somebody made far longer than any "
     "page is wide, so that it folds twice and is then cut off at its end, which is here"
 )
+turret = partial(body_note, TURRET)
+"""The note of a ship on a turret, computed once."""
 
 
 def short(height: float, force: float) -> Solution:
@@ -65,16 +67,14 @@ def front_document(objectives: tuple[str, ...]) -> dict[str, object]:
 
 def _busy() -> Case:
     loads = [PointLoad(7.0 + k, 4e4, name=LONG) for k in range(4)]
-    return Case(
-        Site(20.0), Line([Segment(55.0, 2100.0, MBL=7.5e6, name=LONG)], loads),
-        Load(horizontal_force=3e5), 20.0, title=LONG,
-    )  # fmt: skip
+    busy = Line([Segment(55.0, 2100.0, MBL=7.5e6, name=LONG)], loads)
+    return Case(Site(20.0), busy, Load(horizontal_force=3e5), 20.0, title=LONG)
 
 
 def _circle() -> tuple[SystemSolution, WatchCircle]:
-    note = body_note(TURRET)
-    assert note.report.circle is not None
-    return note.solution, note.report.circle
+    circle = turret().report.circle
+    assert circle is not None
+    return turret().solution, circle
 
 
 def _there(chart: Chart | None) -> Chart:
@@ -82,17 +82,13 @@ def _there(chart: Chart | None) -> Chart:
     return chart
 
 
-def _flat() -> Solution:
-    return body_note(TURRET).loaded.solution
-
-
 KINDS: dict[str, Callable[[], Chart]] = {
     "suspended": lambda: line.line_in_water(short(28.0, 4e3), 28.0),
     "on the bed": lambda: line.line_in_water(leg(), 56.0),
     "upright": lambda: line.line_in_water(short(28.0, 10.0), 28.0),
     "nearly on the bed": lambda: line.line_in_water(short(0.1, 1e3), 3.0),
-    "flat": lambda: line.line_in_water(_flat(), 56.0),
-    "magnified": lambda: _there(line.magnified(_flat(), 56.0)),
+    "flat": lambda: line.line_in_water(turret().loaded.solution, 56.0),
+    "magnified": lambda: _there(line.magnified(turret().loaded.solution, 56.0)),
     "tension": lambda: line.tension_along(leg(), (3.07e6, None)),
     "tension far below": lambda: line.tension_along(short(28.0, 4e3), (9e9,), "MBL / 5"),
     "curve": lambda: curve.load_curve(curve_case(_busy())),
@@ -101,13 +97,11 @@ KINDS: dict[str, Callable[[], Chart]] = {
     "front": lambda: front.front(front_document(("mass_kg", "offset_m")), 3),
     "front of three": lambda: front.front(front_document(("mass_kg", "offset_m", "cost_USD"))),
     "lines": lambda: studies.lines_to_scale([("first", short(28.0, 4e3)), (LONG, leg())], 71.4),
-    "plan": lambda: mooring.plan(body_note(TURRET).solution),
-    "near": lambda: _there(mooring.near(body_note(TURRET).solution)),
+    "plan": lambda: mooring.plan(turret().solution),
+    "near": lambda: _there(mooring.near(turret().solution)),
     "track": lambda: mooring.watch_track(*_circle()),
     "round": lambda: mooring.watch_round(*_circle(), 3e6),
-    "restoring": lambda: mooring.restoring(
-        body_note(TURRET).report.curves, body_note(TURRET).solution, 4.0
-    ),
+    "restoring": lambda: mooring.restoring(turret().report.curves, turret().solution, 4.0),
 }
 """What makes a chart of each kind, by names of their own."""
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterator
 from itertools import pairwise
+from typing import Any
 
 import pytest
 
@@ -18,11 +18,11 @@ from catopt.figures.curve import load_curve
 from catopt.figures.line import grounded_ends, line_in_water, magnified, tension_along, touchdowns
 from catopt.figures.mooring import near, plan, restoring, spread, watch_round, watch_track
 from catopt.figures.swarm import fitness
-from catopt.model import Case, Checks, Line, Load, PointLoad, Segment, Site
+from catopt.model import Case, Checks, Line, Load, Segment, Site
 from catopt.quantities import QUANTITIES
 from catopt.render.looks import LOOKS
 from catopt.words import Message
-from tests.answers.results import report_with
+from tests.answers.results import CURVED, report_with
 from tests.report.notes import BODIES, TURRET, body_note
 
 from .kinds import KINDS, LONG, leg, made, short
@@ -36,13 +36,9 @@ def chart(request: pytest.FixtureRequest) -> Chart:
     return made(request.param)
 
 
-def roles(chart: Chart) -> Iterator[str]:
-    for each in (chart.series, chart.marks, chart.levels, chart.areas, chart.arrows):
-        yield from (one.role for one in each)
-
-
 def test_every_role_has_a_look(chart: Chart) -> None:
-    assert set(roles(chart)) <= set(LOOKS)
+    drawn: list[Any] = [*chart.series, *chart.marks, *chart.levels, *chart.areas, *chart.arrows]
+    assert {each.role for each in drawn} <= set(LOOKS)
     assert all(f"{arrow.role}-head" in LOOKS for arrow in chart.arrows)
 
 
@@ -54,13 +50,11 @@ def test_all_that_is_said_can_be_said_in_another_language(chart: Chart) -> None:
 
 
 def test_what_is_drawn_is_within_the_axes(chart: Chart) -> None:
-    for series in chart.series:
-        assert all(0.0 <= chart.x.place(x) <= 1.0 for x in series.x), series.role
-        assert all(0.0 <= chart.y.place(y) <= 1.0 for y in series.y), series.role
     places = [(mark.x, mark.y) for mark in chart.marks]
     places += [(point.x, point.y) for point in chart.points]
-    assert all(0.0 <= chart.x.place(x) <= 1.0 for x, _ in places)
-    assert all(0.0 <= chart.y.place(y) <= 1.0 for _, y in places)
+    for series in chart.series:
+        places += zip(series.x, series.y, strict=True)
+    assert all(0.0 <= chart.x.place(x) <= 1.0 >= chart.y.place(y) >= 0.0 for x, y in places)
 
 
 def test_the_line_is_that_of_the_solution() -> None:
@@ -112,17 +106,9 @@ def test_a_capacity_is_drawn_near_the_curve_and_said_when_far_above_or_not_known
     assert far.y.high < 1.2 * largest, "the curve fills the frame"
 
 
-CURVE = Case(
-    Site(20.0),
-    Line([Segment(55.0, 2100.0, MBL=7.5e6)], [PointLoad(7.0, 200e3), PointLoad(9.0, 5e4)]),
-    Load(horizontal_force=4.5e5),
-    20.0,
-)
-
-
 @pytest.fixture(scope="module")
 def curve() -> CaseCurve:
-    return curve_case(CURVE)
+    return curve_case(CURVED)
 
 
 def test_the_load_curve_has_both_forces_the_case_and_every_mark(curve: CaseCurve) -> None:
@@ -131,9 +117,9 @@ def test_the_load_curve_has_both_forces_the_case_and_every_mark(curve: CaseCurve
     assert [list(each.y) for each in chart.series] == [forces, tensions]
     assert all(list(each.x) == spans for each in chart.series)
     reference = curve.reference
-    places = [(reference.span, reference.horizontal_force),
-              (reference.span, reference.fairlead.tension)]  # fmt: skip
-    assert [(mark.x, mark.y) for mark in chart.marks] == places
+    assert {mark.x for mark in chart.marks} == {reference.span}
+    held = [reference.horizontal_force, reference.fairlead.tension]
+    assert [mark.y for mark in chart.marks] == held
     assert [level.at for level in chart.levels] == [mark.span for mark in curve.curve.marks]
     for number, (mark, note) in enumerate(zip(curve.curve.marks, chart.notes, strict=True), 1):
         assert note.startswith(f"{number}: {mark.event}: H = ")
@@ -159,7 +145,7 @@ def test_the_numbers_of_marks_are_clear_of_each_other_and_of_the_curves(curve: C
 
 
 def test_a_case_outside_the_range_of_its_curve_is_not_drawn() -> None:
-    assert load_curve(curve_case(CURVE, stop=1e5)).marks == ()
+    assert load_curve(curve_case(CURVED, stop=1e5)).marks == ()
 
 
 def test_what_rounding_decides_is_not_drawn() -> None:
@@ -270,9 +256,8 @@ def test_numbers_are_spread_as_far_as_they_need_and_no_further(degrees: list[flo
         default=math.inf,
     )
     if apart >= room:
-        assert [
-            math.remainder(a - b, 2.0 * math.pi) for a, b in zip(found, given, strict=True)
-        ] == (pytest.approx([0.0] * len(given), abs=1e-12))
+        turned = [math.remainder(a - b, 2.0 * math.pi) for a, b in zip(found, given, strict=True)]
+        assert turned == pytest.approx([0.0] * len(given), abs=1e-12)
 
 
 def test_a_check_that_fails_is_marked_where_it_fails() -> None:
