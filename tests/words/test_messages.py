@@ -265,3 +265,4 @@ def test_a_message_is_known_by_its_key() -> None:
 def test_a_measure_is_said_in_the_unit_of_the_field() -> None:
     assert f"{Measure('tension', 7.3e6):.4g}" == "7300 kN"
     assert str(Measure("nominal_diameter", 0.0761)) == "76.1 mm"
+    assert str(Measure("nominal_diameter", 0.019)) == "19.0 mm"
