@@ -13,12 +13,7 @@ import pytest
 
 import catopt
 from catopt.answers.check import check_answer
-from catopt.answers.design import (
-    clump_weight_words,
-    design_answer,
-    segment_words,
-    shown_designs,
-)
+from catopt.answers.design import clump_weight_words, design_answer, segment_words, shown_designs
 from catopt.checks.kinds import CHECK_KINDS
 from catopt.design.document import design_document
 from catopt.design.result import DesignResult
@@ -73,30 +68,23 @@ def test_a_line_in_words() -> None:
     assert clump_weight_words(point.line) == [f"{load.mass / 1e3:g} t at {load.position:g} m"]
 
 
-def test_every_check_of_every_design_has_a_row(name: str) -> None:
-    frame = tables(name)["checks"]
-    assert len(frame) == sum(len(point.checks.results) for point in result_of(name).front)
-    assert set(frame["Passes"]) == {"yes"}
-
-
 def test_checks_of_a_design_are_those_of_the_command_check(name: str) -> None:
     """One heading, one unit, whichever command wrote ``checks.csv``."""
     result, frame = result_of(name), tables(name)["checks"]
+    assert len(frame) == sum(len(point.checks.results) for point in result.front)
+    assert set(frame["Passes"]) == {"yes"}
     for number, point in enumerate(result.front, start=1):
         alone = tables_of(check_answer(point.checks))["checks"]
         found = frame[frame["Design"] == number].drop(columns="Design").reset_index(drop=True)
         pd.testing.assert_frame_equal(found, alone, check_exact=True)
 
 
-def test_every_segment_has_a_row(name: str) -> None:
-    frame = tables(name)["components"]
-    lengths = [s.length for point in result_of(name).front for s in point.line.segments]
+def test_every_segment_and_every_step_around_the_recommended_design_has_a_row(name: str) -> None:
+    result, frame = result_of(name), tables(name)["components"]
+    lengths = [s.length for point in result.front for s in point.line.segments]
     assert list(frame["Length L (m)"]) == lengths
     assert not frame["Minimum breaking load MBL (kN)"].isna().any()
-
-
-def test_the_steps_around_the_recommended_design(name: str) -> None:
-    result, frame = result_of(name), tables(name)["neighbours"]
+    frame = tables(name)["neighbours"]
     steps = (*result.neighbours, result.present)
     assert len(frame) == len(steps) > 1
     assert frame["Verdict"].str.len().min() > 0

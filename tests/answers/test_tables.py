@@ -78,20 +78,20 @@ def degrees(angles: Iterable[float]) -> list[Any]:
 
 
 def _checks() -> Held:
+    assert set(QUANTITY_OF) == set(CHECK_KINDS)
     tension, angle, span = checked().results
+    demands = [tension.demand / 1e3, *degrees([angle.demand]), span.demand]
     return check_answer(checked()), {
         "checks": {
             "Unit": ["kN", "deg", "m"],
-            "Demand (unit of the row)": [
-                tension.demand / 1e3, *degrees([angle.demand]), span.demand,
-            ],
+            "Demand (unit of the row)": demands,
             "Capacity (unit of the row)": [46.0, 0.0, 20.0],
             "Passes": ["yes", "no", "yes"],
             "Source": ["case file"] * 3,
             "Code": ["user"] * 3,
         },
         "load_cases": {"Load case": ["load"], "Kind": ["extreme"]},
-    }  # fmt: skip
+    }
 
 
 def _system() -> Held:
@@ -122,14 +122,9 @@ def _by_force() -> Held:
     return size_answer(by_force()), {"forces": {"Force F, given (kN)": rounded([3.3637] * 2)}}
 
 
-HELD: dict[str, Callable[[], Held]] = {
-    "checks": _checks, "system": _system, "pattern": _pattern, "by force": _by_force,
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("kind", HELD)
-def test_columns_hold_the_numbers_in_the_unit_of_their_heading(kind: str) -> None:
-    answer, held = HELD[kind]()
+@pytest.mark.parametrize("held_by", [_checks, _system, _pattern, _by_force])
+def test_columns_hold_the_numbers_in_the_unit_of_their_heading(held_by: Callable[[], Held]) -> None:
+    answer, held = held_by()
     made = tables_of(answer)
     for name, columns in held.items():
         assert made[name].columns.is_unique
@@ -263,10 +258,6 @@ def test_a_stiffness_without_end_is_empty() -> None:
 # ------------------------------------------------------------------ checks, and a moored body
 
 
-def test_every_kind_of_check_has_a_unit() -> None:
-    assert set(QUANTITY_OF) == set(CHECK_KINDS)
-
-
 def test_a_moored_body_has_the_tables_of_what_was_computed() -> None:
     answer, held = _system()
     made = tables_of(answer)
@@ -290,9 +281,10 @@ def test_the_last_row_of_loads_is_the_force_that_the_mooring_holds() -> None:
     assert len(made["numbers"]) == sum(len(each.numbers) for each in of.components)
 
 
-def test_the_summary_of_a_sizing_is_in_the_units_of_its_rows() -> None:
+def test_a_sizing_and_its_candidates_are_in_the_units_of_the_field() -> None:
     of = around()
-    rows = tables_of(size_answer(of))["sizing"].set_index("What")
+    found = tables_of(size_answer(of))
+    rows = found["sizing"].set_index("What")
     value, unit = rows["Value (unit of the row)"], rows["Unit"]
     diameter = of.point.line.segments[0].nominal_diameter
     assert diameter is not None
@@ -303,6 +295,15 @@ def test_the_summary_of_a_sizing_is_in_the_units_of_its_rows() -> None:
     assert (unit["Lines, evenly spaced"], value["Lines, evenly spaced"]) == ("-", 4.0)
     assert unit["Tension at the fairlead"] == "kN"
     assert value["Tension at the fairlead"] == of.hardest[1].fairlead.tension / 1e3
+    frame = found["candidates"]
+    best = frame[frame["Which"] == "recommended"].iloc[0]
+    mass, anchor = of.point.line.mass, of.point.anchor
+    assert mass is not None
+    assert anchor is not None
+    assert anchor.mass is not None
+    assert best["Mass in air (t)"] == pytest.approx(mass / 1e3, rel=1e-15)
+    assert best["Anchor, mass in air (t)"] == pytest.approx(anchor.mass / 1e3, rel=1e-15)
+    assert best["Largest span S (m)"] == of.point.objectives["offset_m"]
 
 
 def test_checks_and_loads_of_a_sizing_are_those_of_the_commands() -> None:
@@ -325,16 +326,3 @@ def test_a_force_that_was_given_stands_alone() -> None:
     assert found["numbers"].empty
     assert "Symbol" in found["numbers"]
     assert "pattern" not in found
-
-
-def test_candidates_are_in_the_units_of_the_field() -> None:
-    of = around()
-    frame = tables_of(size_answer(of))["candidates"]
-    best = frame[frame["Which"] == "recommended"].iloc[0]
-    mass, anchor = of.point.line.mass, of.point.anchor
-    assert mass is not None
-    assert anchor is not None
-    assert anchor.mass is not None
-    assert best["Mass in air (t)"] == pytest.approx(mass / 1e3, rel=1e-15)
-    assert best["Anchor, mass in air (t)"] == pytest.approx(anchor.mass / 1e3, rel=1e-15)
-    assert best["Largest span S (m)"] == of.point.objectives["offset_m"]

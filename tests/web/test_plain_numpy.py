@@ -135,13 +135,13 @@ def test_rows_and_parts_are_views_and_masks_choose_what_is_changed() -> None:
     "wrong",
     [
         lambda n: n.array(ROW)[len(ROW)],
-        lambda n: n.array(ROW)[: 3][3],
+        lambda n: n.array(ROW)[:3][3],
         lambda n: n.array(TABLE)[0, 3],
         lambda n: n.array(TABLE)[4],
         lambda n: n.array(ROW) + n.array(ROW[:3]),
         lambda n: n.polynomial.legendre,
     ],
-)  # fmt: skip
+)
 def test_what_is_not_there_is_an_error(wrong: Any) -> None:
     with pytest.raises((IndexError, ValueError, AttributeError)):
         wrong(plain_numpy)
