@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from functools import cache
 from io import BytesIO
-from pathlib import Path
 from typing import Any, cast
 
 import openpyxl
@@ -20,10 +19,9 @@ from catopt.design.result import DesignResult
 from catopt.figures.front import ends, front, front_lines
 from catopt.render.workbook import workbook
 from catopt.words import Message
+from tests.cli.conftest import CASES
 
 from .tables import tables_of
-
-CASES = Path(__file__).parents[2] / "cases"
 
 
 @cache

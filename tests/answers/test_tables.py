@@ -7,7 +7,6 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import pandas as pd
@@ -35,12 +34,12 @@ from catopt.checks.result import CheckReport
 from catopt.loads import compare_tanker
 from catopt.model import Checks, Line, Load, Segment
 from catopt.mooring.case import SystemReport, report_system
+from tests.cli.conftest import FSO
 from tests.figures.kinds import leg
 
 from .results import CURVED, around, buoy_case, by_force, solved, swarm
 from .tables import tables_of
 
-FSO = Path(__file__).parents[2] / "cases" / "fso-rang-dong" / "case.toml"
 Held = tuple[Answer, Mapping[str, Mapping[str, Sequence[Any]]]]
 """An answer, and what the columns of some of its tables must hold."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
@@ -21,11 +20,10 @@ from catopt.verify.case import Design, verify_case, verify_front
 from catopt.verify.compared import ROUNDING
 from catopt.verify.result import StaticComparison, Verification
 from catopt.verify.truss_words import QUANTITY_OF, in_parts, name_of, part_sentence, rough_sentence
+from tests.cli.conftest import FSO
 from tests.verify.cases import CASES
 
 from .tables import tables_of
-
-FSO = Path(__file__).parents[2] / "cases" / "fso-rang-dong" / "case.toml"
 
 
 @pytest.fixture(scope="module")
