@@ -14,7 +14,7 @@ from catopt.cli.output import Output
 from catopt.design.document import design_document
 from catopt.design.enumeration import enumerate_designs
 
-from .conftest import CASES, DESIGN, Run, changed, read_document, words
+from .conftest import DESIGN, Run, changed, read_document, words
 
 IMPOSSIBLE = ('"12 kN"', '"0.5 kN"')
 
@@ -56,13 +56,6 @@ def test_a_design_is_a_case_of_its_own(run: Run, tmp_path: Path) -> None:
             # The same solver on the same numbers.
             assert json.loads(solved.out)["span_m"] == span
         assert json.loads(run("check", *of_it).out)["checks"] == design["checks"]
-
-
-def test_a_bed_that_slopes_is_refused(run: Run, tmp_path: Path) -> None:
-    leg = CASES / "design-leg-56m" / "case.toml"
-    ran = run("design", changed(leg, tmp_path, ("[site]\n", '[site]\nseabed_slope = "-2 deg"\n')))
-    assert (ran.status, ran.out) == (2, "")
-    assert "site.seabed_slope: found -2 deg" in ran.err
 
 
 def test_no_design_passes(run: Run, tmp_path: Path) -> None:
