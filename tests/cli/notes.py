@@ -34,6 +34,7 @@ def page_at(path: str) -> ReadPage:
     return read_page(Path(path).read_bytes())
 
 
-def digest(path: Path) -> list[dict[str, str]]:
+def digest(file: str) -> list[dict[str, str]]:
     """Say what a document says of the one file that it is of."""
+    path = Path(file)
     return [{"name": path.name, "sha256": hashlib.sha256(path.read_bytes()).hexdigest()}]

@@ -18,7 +18,8 @@ has no answer, unless ``with an answer`` stands there, too. Each other line belo
 ``= path: value``        a value of its document, as Python writes it and other keys of it; ``abs``
                          or ``rel`` and a tolerance may follow. ``[*]`` is every item,
                          ``[key=text]`` those that have it; ``told[0]`` is the first document of
-                         the session, ``told[-1]`` this one
+                         the session, ``told[-1]`` this one; ``digest(file)`` is what it says
+                         of a file
 ``? expression``         true of its document, in the same words
 ``== command``           prints the same answer, to the byte
 ``+ files``              all that it made and no other
@@ -42,7 +43,7 @@ import pytest
 
 from .cases import write_files
 from .conftest import NAMED, Ran, Run, changed, fits, read_document, sheets, typed, words
-from .notes import compare_files
+from .notes import compare_files, digest
 
 TRANSCRIPTS = Path(__file__).parent / "transcripts"
 MARKS = ["exit", "!", "2>", "2=", "1=", "<", "=", "?", "==", "+", "@", "@!", "@="]
@@ -184,7 +185,7 @@ def compare_document(told: list[dict[str, Any]], said: dict[str, list[str]]) -> 
     document = told[-1]
     if document["schema"] == "catopt.report/1":
         compare_files(document)
-    known = vars(math) | {"told": told} | document
+    known = vars(math) | {"told": told, "digest": digest} | document
     for line in said["="]:
         compare(document, line, known)
     for line in said["?"]:
@@ -222,7 +223,7 @@ def contents(folder: Path) -> dict[Path, bytes]:
 
 
 def contents_in_words(path: Path) -> str:
-    """Read a file; of a workbook all its cells."""
+    """Read a file; of a workbook its sheets with all their cells."""
     if path.suffix != ".xlsx":
         return words(path.read_text("utf-8"))
-    return words(str([cell for rows in sheets(path).values() for row in rows for cell in row]))
+    return words(str(sheets(path)))
