@@ -1,4 +1,4 @@
-"""``catopt study``: its document, its members, and that it goes on where it was stopped."""
+"""``catopt study``: several processes and machines, and that it goes on where it was stopped."""
 
 from __future__ import annotations
 
@@ -14,52 +14,10 @@ from pathlib import Path
 
 import pytest
 
-from .conftest import (
-    CASES,
-    NAMED,
-    OWN,
-    Run,
-    changed,
-    names,
-    read_document,
-    refused,
-    rows,
-)
+from .conftest import CASES, NAMED, OWN, Run, refused
 
-BUOY, FLEET = NAMED["STUDY"], NAMED["FLEET"]
 CHAIN = CASES / "study-chain-56m" / "study.toml"
 MANY = OWN / "many.toml"
-
-
-def test_every_member_has_a_row_and_is_stored(run: Run, tmp_path: Path) -> None:
-    assert run("study", FLEET, "--out", tmp_path, "--workers", "1").status == 0
-    members = rows(tmp_path / "members.csv")
-    assert [row["title"] for row in members] == ["Km 2 port", "Km 2 starboard", "Km 7", "Bar"]
-    assert float(members[2]["site.water_depth (m)"]) == 12.0
-    status = run("study", FLEET, "--out", tmp_path, "--status", "--json")
-    assert read_document(status.out)["done"] == 4
-
-
-@pytest.mark.slow
-def test_each_sizing_has_its_note(run: Run, tmp_path: Path) -> None:
-    ran = run("study", FLEET, "--out", tmp_path, "--notes", "--workers", "2")
-    assert ran.status == 0
-    assert names(tmp_path / "notes") == {
-        "0001-km-2-port.html", "0002-km-2-starboard.html", "0003-km-7.html", "0004-bar.html",
-    }  # fmt: skip
-    text = (tmp_path / "notes" / "0004-bar.html").read_text("utf-8")
-    assert "environment.current" in text
-    assert "Bar" in text
-
-
-@pytest.mark.slow
-def test_a_limit_that_nothing_has_is_told(run: Run, tmp_path: Path) -> None:
-    study = changed(
-        CHAIN, tmp_path, ("../", f"{CASES.as_posix()}/"),
-        ('"sea-states.csv"', f'"{CHAIN.parent.as_posix()}/sea-states.csv"'),
-        ("proof =", "limits = { utilisation = 1 }\nproof ="), ("[1, 2]", "[1]"),
-    )  # fmt: skip
-    assert "No member has utilisation" in run("study", study).out  # the case has no checks
 
 
 def started(study: Path, out: Path, *options: str) -> subprocess.Popen[str]:
@@ -143,7 +101,7 @@ def test_no_scheduler_answers(run: Run) -> None:
 def test_parquet_is_the_table_of_members(run: Run, tmp_path: Path) -> None:
     pytest.importorskip("pyarrow")
     pandas = pytest.importorskip("pandas")
-    ran = run("study", BUOY, "--out", tmp_path, "--parquet")
+    ran = run("study", NAMED["STUDY"], "--out", tmp_path, "--parquet")
     assert ran.status == 0
     found = pandas.read_parquet(tmp_path / "members.parquet")
     assert found.equals(pandas.read_csv(tmp_path / "members.csv"))
