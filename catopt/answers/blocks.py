@@ -374,14 +374,14 @@ def texts(name: str, values: Iterable[Value], **how: Any) -> Column:
     return Column(column_name(name), tuple(values), **how)
 
 
-def of_row(name: str, values: Iterable[Value], **how: Any) -> Column:
-    """Make a column of values in the units of a column beside it, as they are."""
-    return Column(Message("columns.of_row", name=column_name(name)), tuple(values), **how)
-
-
 def if_known(*columns: Column) -> Iterator[Column]:
     """Yield the columns that have a value in any row."""
     return (column for column in columns if column.is_known)
+
+
+def largest(values: Iterable[float | None]) -> float | None:
+    """Find the largest of the values that are known; None where none is."""
+    return max((value for value in values if value is not None), default=None)
 
 
 class Rows:
@@ -423,8 +423,9 @@ class Rows:
         return texts(name, self.read(what or name), **how)
 
     def of_row(self, name: str, what: str | Callable[[Any], Any] = "", **how: Any) -> Column:
-        """Make a column of values in the units of a column beside it."""
-        return of_row(name, self.read(what or name), **how)
+        """Make a column of values in the units of a column beside it, as they are."""
+        said = Message("columns.of_row", name=column_name(name))
+        return Column(said, tuple(self.read(what or name)), **how)
 
 
 def fact(

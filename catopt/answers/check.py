@@ -4,11 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from functools import partial
 from typing import TYPE_CHECKING
 
 from catopt.answers import blocks
-from catopt.answers.blocks import Rows, answered, section, tabulate, texts, yes_or_no
+from catopt.answers.blocks import (
+    Rows,
+    answered,
+    largest,
+    measured,
+    section,
+    tabulate,
+    texts,
+    yes_or_no,
+)
 from catopt.checks.kinds import QUANTITY_OF
 from catopt.figures.line import Failing
 from catopt.words import Measure, Message, Several, term
@@ -49,15 +57,12 @@ def failing_checks(report: CheckReport) -> tuple[Failing, ...]:
 
 def checked(report: CheckReport) -> tuple[blocks.Table, blocks.Table]:
     """Tabulate the checks of a line by load case, and once each criterion."""
+    results, of = report.results, [each.load_case for each in report.results]
     parts = tuple(
-        (
-            load_case_words(report, index),
-            tuple(row for row, each in enumerate(report.results) if each.load_case == name),
-        )
-        for index, (name, _) in enumerate(report.solutions)
+        (load_case_words(report, k), tuple(row for row, own in enumerate(of) if own == name))
+        for k, (name, _) in enumerate(report.solutions)
     )
-    table = blocks.Table("checks", check_columns(report.results), parts=parts)
-    return table, _criteria(report.results)
+    return blocks.Table("checks", check_columns(results), parts=parts), _criteria(results)
 
 
 def checked_body(report: CheckReport) -> tuple[blocks.Block, ...]:
@@ -193,23 +198,24 @@ def _states(report: CheckReport) -> blocks.Table:
     for each in report.results:
         by_state.setdefault(each.load_case, []).append(each)
     codes = {each.source.code: each.source for each in report.results}
-    of = Rows(by_state.values())
-    names = [each.text if each.confidence is None else each.code for each in codes.values()]
+    used = (
+        measured(
+            "utilisation",
+            [
+                largest(each.utilisation for each in results if each.source.code == code)
+                for results in by_state.values()
+            ],
+            Message("checks.by_code", code=source.text if source.confidence is None else code),
+        )
+        for code, source in codes.items()
+    )
     return tabulate(
         "states",
         texts("state", by_state),
-        *(
-            of.measured("utilisation", partial(_most, code), Message("checks.by_code", code=name))
-            for code, name in zip(codes, names, strict=True)
-        ),
+        *used,
         verdict_column(all(each.passes for each in checks) for checks in by_state.values()),
         caption=Message("captions.states"),
     )
-
-
-def _most(code: str, results: Sequence[CheckResult]) -> float | None:
-    used = (each.utilisation for each in results if each.source.code == code)
-    return max((each for each in used if each is not None), default=None)
 
 
 def _by(source: CheckSource) -> str:
@@ -267,11 +273,9 @@ def load_case_table(report: CheckReport) -> blocks.Table:
 def verdict_sentence(report: CheckReport) -> Message:
     """Say whether all checks are passed: ``"2 of 9 checks fail."``."""
     count, failed = len(report.results), len(report.failed)
-    if not count:
-        return Message("checks.nothing")
     if failed:
         return Message("checks.some_fail", count=failed, checks=count)
-    return Message("checks.all_pass", count=count)
+    return Message("checks.all_pass", count=count) if count else Message("checks.nothing")
 
 
 def governing_sentence(report: CheckReport) -> str:
@@ -294,9 +298,13 @@ def _used(result: CheckResult) -> str:
         return result.note
     if result.utilisation is not None:
         return Message("checks.utilisation", used=result.utilisation)
+    return Message("checks.beside", **demand_and_capacity(result))
+
+
+def demand_and_capacity(result: CheckResult) -> dict[str, Measure]:
+    """Say what is wanted and what there is, each with its unit."""
     key = QUANTITY_OF[result.kind].key
-    demand, capacity = (Measure(key, value) for value in (result.demand, result.capacity))
-    return Message("checks.beside", demand=demand, capacity=capacity)
+    return {name: Measure(key, getattr(result, name)) for name in ("demand", "capacity")}
 
 
 def load_case_words(report: CheckReport, index: int) -> Message:

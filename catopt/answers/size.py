@@ -7,10 +7,9 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from catopt.answers import blocks
-from catopt.answers.blocks import Rows, answered, named, section, tabulate, texts
-from catopt.answers.check import check_columns, tightest_table
+from catopt.answers.blocks import Rows, answered, largest, named, section, tabulate, texts
+from catopt.answers.check import check_columns, demand_and_capacity, tightest_table
 from catopt.answers.loads import forces_table, notes_table, numbers_table
-from catopt.checks.kinds import QUANTITY_OF
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.units import UNITS, Dimension
 from catopt.words import Cited, Measure, Message, Several, term
@@ -18,7 +17,9 @@ from catopt.words import Cited, Measure, Message, Several, term
 if TYPE_CHECKING:
     from catopt.sizing import Sizing
     from catopt.sizing.alternatives import Candidate
-    from catopt.sizing.pattern import Pattern
+    from catopt.sizing.pattern import Pattern, PatternState
+
+_FORCE = named("horizontal_force", "")
 
 
 class _Row(NamedTuple):
@@ -32,13 +33,15 @@ class _Row(NamedTuple):
 
 def size_answer(of: Sizing) -> blocks.Answer:
     """Lay out a sizing."""
+    own = tuple(k for k, each in enumerate(of.inputs) if each.origin != "taken")
     said = blocks.Text(steady_sentence(of))
+    why = blocks.Text(Several((*_governing(of), of.why), "\n"), term("What governs"))
     checks = blocks.Table("checks", check_columns(of.point.checks.results), only="files")
     return answered(
         "size",
         of.case.title,
-        *_inputs(of),
-        section(term("Sizing"), said, _summary(of), _why(of), alternatives_table(of)),
+        *([section("sizing.inputs", replace(read_table(of), shown=own))] if of.inputs else []),
+        section(term("Sizing"), said, _summary(of), why, alternatives_table(of)),
         section(term("Candidates"), candidates_table(of)),
         section("captions.checks", tightest_table(of.point.checks), checks),
         *_pattern(of),
@@ -46,13 +49,6 @@ def size_answer(of: Sizing) -> blocks.Answer:
         section("columns.numbers", _stacked(of, "numbers", numbers_table)),
         section(term("Notes"), _notes_table(of), *_notes(of)),
     )
-
-
-def _inputs(of: Sizing) -> Iterator[blocks.Section]:
-    """Begin with what was given and what was estimated from it; none where a request was made."""
-    if of.inputs:
-        own = tuple(k for k, each in enumerate(of.inputs) if each.origin != "taken")
-        yield section("sizing.inputs", replace(read_table(of), shown=own))
 
 
 def read_table(of: Sizing) -> blocks.Table:
@@ -82,9 +78,7 @@ def steady_sentence(of: Sizing) -> Message:
         for kind, value in of.in_motion.items()
     ]
     for each in of.fails_in_motion:
-        key = QUANTITY_OF[each.kind].key
-        demand, capacity = (Measure(key, value) for value in (each.demand, each.capacity))
-        values = {"check": each.name, "demand": demand, "capacity": capacity}
+        values = {"check": each.name, **demand_and_capacity(each)}
         used.append(Message("sizing.fails_in_motion", **values))
     return Message(
         "sizing.steady",
@@ -100,11 +94,10 @@ def _summary(of: Sizing) -> blocks.Table:
     """Tabulate what was found; people see what is said in words."""
     rows = [*_line(of), *_holding(of), *_positions(of), *_forces_found(of), *_pattern_found(of)]
     found = Rows(rows)
-    units = tuple(row.quantity for row in rows)
     return tabulate(
         "sizing",
         found.texts("what", "name"),
-        found.texts("value", units=units, only="files"),
+        found.texts("value", units=tuple(found.read("quantity")), only="files"),
         found.texts("in_words", "words"),
         caption=Message("captions.recommended"),
         shown=tuple(index for index, row in enumerate(rows) if row.words),
@@ -214,10 +207,6 @@ def _pattern_found(of: Sizing) -> Iterator[_Row]:
     yield _measured("Pull of all lines on the body", "vertical_force", found.largest_pull)
 
 
-def _why(of: Sizing) -> blocks.Text:
-    return blocks.Text(Several((*_governing(of), of.why), "\n"), term("What governs"))
-
-
 def _governing(of: Sizing) -> Iterator[Message]:
     """Say what each step to less runs into, and which check is nearest to its limit."""
     for each in of.limits:
@@ -277,17 +266,14 @@ def _pattern(of: Sizing) -> Iterator[blocks.Section]:
 
 def pattern_table(of: Pattern) -> blocks.Table:
     """Tabulate the body on its lines in each load case."""
-    states, force = Rows(of.states), named("horizontal_force", "")
+    states = Rows(of.states)
     return tabulate(
         "pattern",
         states.texts("load_case"),
-        states.measured(force, "force", "force_on_the_body"),
-        states.measured(force, "rule_force", "most_loaded_line_by_rule"),
-        states.measured(force, "line_force", "most_loaded_line"),
-        states.measured(force, "tension", "its_tension"),
-        states.measured("angle", "direction", "force_off_that_line", symbol="", priority=2),
-        states.measured("offset", "offset", "largest_offset_of_the_body", symbol=""),
-        states.measured(force, "pull", "pull_of_all_lines", priority=1),
+        states.measured(_FORCE, "force", "force_on_the_body"),
+        states.measured(_FORCE, "rule_force", "most_loaded_line_by_rule"),
+        *_most_loaded(states),
+        *_where(states, "force_off_that_line"),
         caption=Message("captions.pattern"),
     )
 
@@ -295,28 +281,34 @@ def pattern_table(of: Pattern) -> blocks.Table:
 def without_line_table(of: Sizing) -> blocks.Table:
     """Tabulate the body of several lines with the worst of them gone, in each load case."""
     assert of.pattern is not None
-    states, force = Rows(of.pattern.states), named("horizontal_force", "")
+    states = Rows(of.pattern.states)
     gone = Rows(states.read("line_out"))
+    of_lines = [each for each in of.point.checks.results if each.kind == "tension"]
+
+    def tension_used(state: PatternState) -> float | None:
+        name = Message("sizing.one_line_out", load_case=state.load_case)
+        return largest(each.utilisation for each in of_lines if each.load_case == name)
+
     return tabulate(
         "pattern_line_out",
         states.texts("load_case"),
         gone.texts("line_out", "missing"),
-        gone.measured(force, "line_force", "most_loaded_line"),
-        gone.measured(force, "tension", "its_tension"),
-        states.measured("utilisation", lambda each: _tension_used(of, each.load_case), symbol=""),
-        gone.measured("angle", "direction", "force_off_line_1", symbol="", priority=2),
-        gone.measured("offset", "offset", "largest_offset_of_the_body", symbol=""),
-        gone.measured(force, "pull", "pull_of_all_lines", priority=1),
+        *_most_loaded(gone),
+        states.measured("utilisation", tension_used, symbol=""),
+        *_where(gone, "force_off_line_1"),
         caption=Message("captions.pattern_line_out"),
     )
 
 
-def _tension_used(of: Sizing, load_case: str) -> float | None:
-    """Largest utilisation of the tension with one line out, under what the line is sized for."""
-    name = Message("sizing.one_line_out", load_case=load_case)
-    results = of.point.checks.results
-    used = (e.utilisation for e in results if (e.kind, e.load_case) == ("tension", name))
-    return max((each for each in used if each is not None), default=None)
+def _most_loaded(of: Rows) -> Iterator[blocks.Column]:
+    yield of.measured(_FORCE, "line_force", "most_loaded_line")
+    yield of.measured(_FORCE, "tension", "its_tension")
+
+
+def _where(of: Rows, off: str) -> Iterator[blocks.Column]:
+    yield of.measured("angle", "direction", off, symbol="", priority=2)
+    yield of.measured("offset", "offset", "largest_offset_of_the_body", symbol="")
+    yield of.measured(_FORCE, "pull", "pull_of_all_lines", priority=1)
 
 
 # ------------------------------------------------------------------ loads and notes

@@ -13,7 +13,7 @@ from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution, SwarmReport
-    from catopt.model import Case, Line, Load, SwarmSettings
+    from catopt.model import Case, Line, SwarmSettings
 
 _NO_LENGTH = 1e-9
 """Of the line's length: what lies on the bed then is rounding."""
@@ -27,24 +27,35 @@ def solution_answer(case: Case, solution: Solution, *, with_profile: bool = Fals
     """
     inputs = blocks.Facts("inputs", tuple(given_facts(case)), Message("captions.given"))
     results: list[blocks.Block] = []
-    if solution.found is not None:  # files have it with the results
-        caption = Message("captions.found_for", condition=solution.found.condition)
+    closing: list[blocks.Block] = []
+    found = solution.found
+    if found is not None:  # files have it with the results
+        caption = Message("captions.found_for", condition=found.condition)
         results.append(blocks.Facts("found", found_facts(solution), caption, only="people"))
+        closing.append(blocks.Text(Message("solution.residual_of_condition", value=found.residual)))
+    for key in ("height", "span"):
+        value = Measure("residual", getattr(solution.residual, key))
+        closing.append(blocks.Text(Message(f"solution.residual_of_{key}", value=value)))
     results += [summary(solution), segments_table(solution)]
     if solution.safety_factor != 1.0 and any(each.MBL is not None for each in solution.segments):
         results.append(blocks.Text(Message("solution.utilisation", factor=solution.safety_factor)))
     if solution.point_loads:
         results.append(point_loads_table(solution))
-    method = method_name(solution.method)
+    method, shape = method_name(solution.method), Message("captions.line_shape")
     solved = Message("solution.solved", method=method, hangs=how_it_hangs(solution))
     return blocks.answered(
         "solution",
         case.title or Message("captions.mooring_line"),
         section("captions.inputs", blocks.Text(solved), inputs, *given_tables(case.line)),
         section("captions.results", *results),
-        _shape(solution, with_profile=with_profile),
+        section(
+            shape,
+            profile_table(solution, only="all" if with_profile else "files"),
+            blocks.Graph(shape, "profile", x=1, y=(2,)),
+            blocks.Graph(Message("captions.tension_along_the_line"), "profile", x=0, y=(3,)),
+        ),
         *_swarm(case, solution),
-        section("captions.residuals", *_closing(solution)),
+        section("captions.residuals", *closing, blocks.Warnings(tuple(solution.warnings))),
     )
 
 
@@ -63,25 +74,20 @@ def given_facts(case: Case) -> Iterator[blocks.Fact]:
         yield fact("contact_offset", site.contact_offset)
     yield fact("friction", case.site.seabed_friction)
     yield fact("density", case.site.water_density, "water_density")
-    yield from _load(case.load)
+    load = case.load
+    if load is not None:  # there is none where the force itself is sought
+        given = (
+            _force("horizontal_force", load.horizontal_force, "given_horizontal_force"),
+            fact("span", load.span, "given_span"),
+            _force("tension", load.fairlead_tension, "given_fairlead_tension"),
+        )
+        yield from (each for each in given if each.value is not None)
     limit = case.checks.max_anchor_uplift_angle
     for each in (
         fact("safety_factor", case.checks.safety_factor),
         fact("angle", limit, "allowed_inclination_at_the_anchor", symbol=""),
     ):
-        yield _for_files(each) if each.value is None else each
-
-
-def _load(load: Load | None) -> Iterator[blocks.Fact]:
-    """List the one known quantity; none where the force itself is sought."""
-    if load is None:
-        return
-    if load.horizontal_force is not None:
-        yield _force("horizontal_force", load.horizontal_force, "given_horizontal_force")
-    if load.span is not None:
-        yield fact("span", load.span, "given_span")
-    if load.fairlead_tension is not None:
-        yield _force("tension", load.fairlead_tension, "given_fairlead_tension")
+        yield replace(each, only="files") if each.value is None else each
 
 
 def given_tables(line: Line) -> Iterator[blocks.Table]:
@@ -89,8 +95,7 @@ def given_tables(line: Line) -> Iterator[blocks.Table]:
     segments = Rows(line.segments)
     yield tabulate(
         "segments_given",
-        texts("segment", range(1, len(line.segments) + 1)),
-        _names(segments),
+        *_named("segment", segments),
         *segments.own("length", "submerged_weight", "EA"),
         segments.measured("mass_per_length", "mass"),
         *segments.own("MBL"),
@@ -100,8 +105,7 @@ def given_tables(line: Line) -> Iterator[blocks.Table]:
         loads = Rows(line.point_loads)
         yield tabulate(
             "point_loads_given",
-            texts("point_load", range(1, len(line.point_loads) + 1)),
-            _names(loads),
+            *_named("point_load", loads),
             *loads.own("position"),
             loads.measured("point_weight", "submerged_weight"),
             *loads.own("mass"),
@@ -110,8 +114,9 @@ def given_tables(line: Line) -> Iterator[blocks.Table]:
         )
 
 
-def _names(of: Rows) -> blocks.Column:
-    return of.texts("name", only="all" if any(of.read("name")) else "files")
+def _named(what: str, of: Rows) -> Iterator[blocks.Column]:
+    yield texts(what, range(1, len(of.rows) + 1))
+    yield of.texts("name", only="all" if any(of.read("name")) else "files")
 
 
 # ------------------------------------------------------------------ what came out
@@ -142,12 +147,9 @@ def summary(solution: Solution) -> blocks.Facts:
         opening += [stated("condition", found.condition), *found_facts(solution)]
         closing.append(fact("coefficient", found.residual, "residual_of_the_condition_relative"))
     closing.append(stated("warnings", Several(solution.warnings)))
-    facts = (*map(_for_files, opening), *result_facts(solution), *map(_for_files, closing))
+    before, after = ((replace(each, only="files") for each in own) for own in (opening, closing))
+    facts = (*before, *result_facts(solution), *after)
     return blocks.Facts("summary", facts, Message("captions.result"))
-
-
-def _for_files(given: blocks.Fact) -> blocks.Fact:
-    return replace(given, only="files")
 
 
 def result_facts(solution: Solution) -> tuple[blocks.Fact, ...]:
@@ -182,23 +184,21 @@ def residual_facts(solution: Solution) -> tuple[blocks.Fact, ...]:
 
 def segments_table(solution: Solution) -> blocks.Table:
     """Tabulate the segments under load, from the anchor to the fairlead."""
-    parts, factor = solution.segments, solution.safety_factor
-    of = Rows(parts)
+    of, factor = Rows(solution.segments), solution.safety_factor
     files, largest = (
         of.measured("tension", "max_tension", "largest_tension", only=only)
         for only in ("files", "people")
     )
     return tabulate(
         "segments",
-        texts("segment", range(1, len(parts) + 1)),
-        _names(of),
+        *_named("segment", of),
         *of.own("length"),
         files,
         _in_tf(files),
         largest,
         _in_tf(largest),
         *of.own("MBL"),
-        measured("safety_factor", [factor] * len(parts), only="files"),
+        measured("safety_factor", [factor] * len(of.rows), only="files"),
         of.measured("utilisation", lambda each: each.utilisation(factor)),
         caption=Message("captions.segments_under_load"),
     )
@@ -209,8 +209,7 @@ def point_loads_table(solution: Solution) -> blocks.Table:
     of = Rows(solution.point_loads)
     return tabulate(
         "point_loads",
-        texts("point_load", range(1, len(of.rows) + 1)),
-        _names(of),
+        *_named("point_load", of),
         *of.own("position", "x", "z", "seabed_reaction"),
         caption=Message("captions.point_loads_under_load"),
     )
@@ -234,17 +233,6 @@ def profile_table(solution: Solution, *, only: blocks.For = "all") -> blocks.Tab
     )
 
 
-def _shape(solution: Solution, *, with_profile: bool) -> blocks.Section:
-    table = profile_table(solution, only="all" if with_profile else "files")
-    title = Message("captions.line_shape")
-    tension = Message("captions.tension_along_the_line")
-    graphs = (
-        blocks.Graph(title, "profile", x=1, y=(2,)),
-        blocks.Graph(tension, "profile", x=0, y=(3,)),
-    )
-    return blocks.Section(title, (table, *graphs))
-
-
 def how_it_hangs(solution: Solution) -> Message:
     """Say how the line hangs; with the touchdown at its anchor nothing of it lies on the bed."""
     at_anchor = solution.grounded_length <= _NO_LENGTH * solution.line.length
@@ -258,15 +246,6 @@ def method_name(method: str) -> Message:
     return Message("solution.closed_form" if method == "closed-form" else "solution.swarm")
 
 
-def _closing(solution: Solution) -> Iterator[blocks.Block]:
-    if solution.found is not None:
-        yield blocks.Text(Message("solution.residual_of_condition", value=solution.found.residual))
-    for key in ("height", "span"):
-        value = Measure("residual", getattr(solution.residual, key))
-        yield blocks.Text(Message(f"solution.residual_of_{key}", value=value))
-    yield blocks.Warnings(tuple(solution.warnings))
-
-
 # ------------------------------------------------------------------ the swarm
 
 
@@ -275,16 +254,17 @@ def _swarm(case: Case, solution: Solution) -> Iterator[blocks.Section]:
     if swarm is None:
         return
     history, runs = swarm_tables(swarm)
-    objective = swarm.best_objective_history
-    graphs = (
-        blocks.Graph(
-            history.columns[1].name, "swarm_history", x=0, y=(1,), log=_decades(objective)
-        ),
-        blocks.Graph(history.columns[2].name, "swarm_history", x=0, y=(2,)),
+    _, objective, tension, *_ = (each.name for each in history.columns)
+    decades, caption = _decades(swarm.best_objective_history), Message("captions.particle_swarm")
+    yield section(
+        "captions.swarm",
+        history,
+        runs,
+        swarm_settings(case.swarm),
+        blocks.Facts("swarm", tuple(flown_facts(swarm)), caption, only="people"),
+        blocks.Graph(objective, "swarm_history", x=0, y=(1,), log=decades),
+        blocks.Graph(tension, "swarm_history", x=0, y=(2,)),
     )
-    caption = Message("captions.particle_swarm")
-    facts = blocks.Facts("swarm", tuple(flown_facts(swarm)), caption, only="people")
-    yield section("captions.swarm", history, runs, swarm_settings(case.swarm), facts, *graphs)
 
 
 def swarm_settings(settings: SwarmSettings) -> blocks.Facts:

@@ -6,13 +6,22 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Literal
 
 from catopt.answers import blocks
-from catopt.answers.blocks import Rows, fact, if_known, measured, section, stated, tabulate, texts
+from catopt.answers.blocks import (
+    Rows,
+    fact,
+    if_known,
+    largest,
+    measured,
+    section,
+    stated,
+    tabulate,
+    texts,
+)
 from catopt.answers.check import verdict_blocks
 from catopt.quantities import QUANTITIES
 from catopt.words import Measure, Message
 
 if TYPE_CHECKING:
-    from catopt.catenary.solution import Solution
     from catopt.checks.result import CheckReport
     from catopt.mooring.case import SystemReport
     from catopt.mooring.held import HeldBody, NetworkAtRest
@@ -41,12 +50,16 @@ def system_answer(report: SystemReport, checks: CheckReport) -> blocks.Answer:
     freedom = "mooring.x_y_and_yaw" if report.solution.system.turns else "mooring.x_and_y"
     count, circle = len(report.solution.lines), report.circle
     solved = Message("mooring.solved", count=count, freedom=Message(freedom))
+    table = lines_table(report, checks)
+    lines: list[blocks.Block] = [table]
+    if table.columns[-1].quantity is QUANTITIES["utilisation"]:
+        lines.append(blocks.Text(lines_used(checks), only="people", is_small=True))
     judged = blocks.Text(Message("mooring.all_checks"), only="people", is_small=True)
     return blocks.answered(
         "system",
         report.case.title or Message("captions.moored_body"),
         section("captions.body", blocks.Text(solved), _body(report)),
-        section("captions.lines", *_lines(report, checks)),
+        section("captions.lines", *lines),
         section("captions.checks", *verdict_blocks(checks), *([judged] if checks.results else [])),
         *_line_out(report),
         *([section("captions.watch_circle", circle_table(circle))] if circle else []),
@@ -115,13 +128,6 @@ def lines_used(checks: CheckReport) -> Message:
     """Say what the utilisation of a line is of."""
     judged = checks.used() is not None
     return Message("mooring.used_by_checks" if judged else "mooring.used_of_MBL")
-
-
-def _lines(report: SystemReport, checks: CheckReport) -> Iterator[blocks.Block]:
-    table = lines_table(report, checks)
-    yield table
-    if table.columns[-1].quantity is QUANTITIES["utilisation"]:
-        yield blocks.Text(lines_used(checks), only="people", is_small=True)
 
 
 def line_out_table(report: SystemReport) -> blocks.Table:
@@ -297,6 +303,7 @@ def _joints(rest: NetworkAtRest, name: str) -> blocks.Table:
 
 def _meeting(rest: NetworkAtRest, name: str) -> blocks.Table:
     points, runs, of = rest.network.points, Rows(rest.runs), Rows(rest.lines)
+    used = (largest(each.utilisation() for each in line.segments) for line in rest.lines)
     return tabulate(
         name,
         runs.texts("line", "name"),
@@ -306,11 +313,6 @@ def _meeting(rest: NetworkAtRest, name: str) -> blocks.Table:
         of.measured("tension", "anchor.tension", "tension_there", symbol="T1"),
         of.measured("tension", "fairlead.tension", "tension_here", symbol="T2"),
         *of.own("grounded_length"),
-        *if_known(of.measured("utilisation", _most_used)),
+        *if_known(measured("utilisation", used)),
         caption=Message("captions.lines"),
     )
-
-
-def _most_used(line: Solution) -> float | None:
-    used = (each.utilisation() for each in line.segments)
-    return max((each for each in used if each is not None), default=None)
