@@ -8,7 +8,7 @@ whom it is.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -61,13 +61,8 @@ class Column:
         """Return what the number in a row is."""
         return self.units[row] if self.units else self.quantity
 
-    @property
-    def heading(self) -> str:
-        """In files, in English: ``Fairlead tension T (kN)``."""
-        return self.said_heading("en")
-
-    def said_heading(self, language: Language) -> str:
-        """In files, in a language."""
+    def said_heading(self, language: Language = "en") -> str:
+        """In files, in a language: ``Fairlead tension T (kN)``."""
         if self.units:
             return say(Message("columns.of_row", name=self.name), language)
         if self.quantity is None:
@@ -115,7 +110,7 @@ class Table:
         """Return it as it stands in files, in the field's units, with English headings."""
         import pandas as pd
 
-        return pd.DataFrame({each.heading: _series(each) for each in self.for_files()})
+        return pd.DataFrame({each.said_heading(): _series(each) for each in self.for_files()})
 
 
 @dataclass(frozen=True)
@@ -384,6 +379,13 @@ def largest(values: Iterable[float | None]) -> float | None:
     return max((value for value in values if value is not None), default=None)
 
 
+def stacked(tables: Sequence[Table]) -> Iterator[Column]:
+    """Yield the columns of tables that have the same ones, one table below the other."""
+    for same in zip(*(each.columns for each in tables), strict=True):
+        _, values = Rows(same).within("values")
+        yield replace(same[0], values=values.rows)
+
+
 class Rows:
     """The rows of a table; makes a column of what it reads of each.
 
@@ -421,6 +423,15 @@ class Rows:
     def texts(self, name: str, what: str | Callable[[Any], Any] = "", **how: Any) -> Column:
         """Make a column of words or counts, under the name of the attribute where none is given."""
         return texts(name, self.read(what or name), **how)
+
+    def within(self, what: str | Callable[[Any], Any]) -> tuple[Rows, Rows]:
+        """Take the rows that each has within it: its own, as often as needed, and these."""
+        pairs = [
+            (row, each)
+            for row, inner in zip(self.rows, self.read(what), strict=True)
+            for each in inner
+        ]
+        return Rows(row for row, _ in pairs), Rows(each for _, each in pairs)
 
     def of_row(self, name: str, what: str | Callable[[Any], Any] = "", **how: Any) -> Column:
         """Make a column of values in the units of a column beside it, as they are."""

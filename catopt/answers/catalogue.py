@@ -8,7 +8,7 @@ from operator import itemgetter
 from typing import TYPE_CHECKING, NamedTuple
 
 from catopt.answers import blocks
-from catopt.answers.blocks import Rows, answered, if_known, measured, section, tabulate, texts
+from catopt.answers.blocks import Rows, answered, if_known, measured, section, tabulate
 from catopt.catalogue.figure import SPECS, weakest
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.words import Measure, Message, Several, quantity_name, term
@@ -102,10 +102,10 @@ def _coefficients(of: Rows) -> Iterator[blocks.Column]:
 
 
 def _figures(families: Sequence[Family]) -> blocks.Table:
-    of = Rows(figure for family in families for figure in family.figures)
+    each_family, of = Rows(families).within("figures")
     return tabulate(
         "figures",
-        texts("family", [family.name for family in families for _ in family.figures]),
+        each_family.texts("family", "name"),
         *of.own("quantity"),
         of.texts("grades", lambda each: ", ".join(each.grades)),
         *of.own("variant"),
@@ -160,15 +160,16 @@ def _list(families: Sequence[Family]) -> blocks.Table:
         of.texts("family", "name"),
         of.texts("grades", lambda each: ", ".join(each.grades) or "-"),
         blocks.Column(quantity_name("nominal_diameter"), ranges, shortest),
-        of.texts("sizes", _count),
+        blocks.texts(
+            "sizes",
+            [
+                f"{len(s.diameters)} ({s.confidence})" if s.diameters else "-"
+                for s in of.read("sizes")
+            ],
+        ),
         of.texts("conf", _strength),
         only="people",
     )
-
-
-def _count(family: Family) -> str:
-    count = len(family.sizes.diameters)
-    return f"{count} ({family.sizes.confidence})" if count else "-"
 
 
 def _strength(family: Family) -> str:
@@ -247,11 +248,10 @@ def _one(family: Family, component: Component) -> Iterator[blocks.Block]:
 
 def _rows(name: str, heading: str, rows: Sequence[_Row]) -> blocks.Table:
     of = Rows(rows)
-    units = tuple(each.quantity for each in rows)
     return tabulate(
         name,
         of.texts(heading, "name"),
-        of.texts("value", units=units),
+        of.texts("value", units=tuple(of.read("quantity"))),
         of.texts("conf", lambda each: each.origin.confidence if each.origin else ""),
         of.texts("sources", lambda each: _keys(each.origin.sources) if each.origin else ""),
         only="people",
@@ -333,14 +333,16 @@ def _by_grade(
     strengths = {(each.nominal_diameter, each.grade): each.MBL for each in components}
     quantity = replace(blocks.named("MBL", ""), digits=0)
     diameters = one_each.read("nominal_diameter")
-    columns = (
-        blocks.Column(
-            Several((grade,)), tuple(strengths.get((d, grade)) for d in diameters), quantity
-        )
-        for grade in grades
+    return tabulate(
+        "by_grade",
+        _diameters(one_each),
+        *(
+            measured(quantity, [strengths.get((d, grade)) for d in diameters], Several((grade,)))
+            for grade in grades
+        ),
+        caption=Message("captions.mbl_by_grade"),
+        only="people",
     )
-    caption = Message("captions.mbl_by_grade")
-    return tabulate("by_grade", _diameters(one_each), *columns, caption=caption, only="people")
 
 
 def _sizes(of: Rows) -> Iterator[blocks.Column]:
@@ -419,20 +421,18 @@ def _documents(found: Found) -> Iterator[blocks.Text]:
             for each in _cited(found)
         )
         yield blocks.Text(Several(said, "\n"), Message("columns.sources"), "people")
-    yield blocks.Text(Message("answers.confidence"), only="people")
+    yield _said("answers.confidence")
 
 
-def _cited(found: Found) -> Iterator[Source]:
-    """Yield the documents that the components rest on; of several, all of their family's."""
+def _cited(found: Found) -> Sequence[Source]:
+    """List the documents that the components rest on; of several, all of their family's."""
     if len(found.components) != 1:
-        yield from found.sources
-        return
+        return found.sources
     (component,) = found.components
     origins = [*component.provenance.values()]
     origins += [each.provenance for each in component.alternatives]
-    used = {source for origin in origins for source in origin.sources}
-    used |= set(found.families[0].sizes.sources)
-    yield from (source for source in found.sources if source in used)
+    used = {*found.families[0].sizes.sources, *Rows(origins).within("sources")[1].rows}
+    return [each for each in found.sources if each in used]
 
 
 # ------------------------------------------------------------------ words

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from operator import methodcaller
+from collections.abc import Iterator
+from operator import itemgetter, methodcaller
 from typing import TYPE_CHECKING, Any
 
 from catopt.answers import blocks
@@ -21,7 +21,7 @@ from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:
     from catopt.design.result import DesignPoint, DesignResult, Neighbour
-    from catopt.model import Line, PointLoad
+    from catopt.model import Line
 
 _MOST = 25
 """Designs of a front that people see all of; of a longer one they see some."""
@@ -63,8 +63,7 @@ def shown_designs(count: int, *named: int) -> tuple[int, ...]:
 
 def _front(result: DesignResult) -> Iterator[blocks.Block]:
     """Tabulate the front, a row each design, with the tightest check of each kind in files."""
-    points = result.front
-    of, count = Rows(points), len(points)
+    of, count = Rows(result.front), len(result.front)
     shown = shown_designs(count, result.recommended)
     best = [Message("answers.yes") if k == result.recommended else "" for k in range(count)]
     caption = Message("captions.front_recommended")
@@ -77,9 +76,7 @@ def _front(result: DesignResult) -> Iterator[blocks.Block]:
         texts("recommended", best, only="files"),
         *_objectives(result, of),
         of.texts("line_from_the_anchor", _composition, only="people"),
-        *_in_words(of),
-        *_utilisations(points),
-        of.texts("governing_check", _governing, only="files"),
+        *_of_files(of),
         caption=caption,
         shown=shown,
         marked=result.recommended,
@@ -108,10 +105,9 @@ def _bounds(result: DesignResult) -> Several:
 
 def _objectives(result: DesignResult, of: Rows) -> Iterator[blocks.Column]:
     """Yield a column for each objective: those wanted first, then what else is known."""
-    every = of.read("objectives")
+    objectives = Rows(of.read("objectives"))
     for key, quantity in _known_objectives(result):
-        values = (None if each is None else each.get(key) for each in every)
-        yield blocks.Column(term(quantity.name), tuple(values), quantity)
+        yield objectives.measured(quantity, methodcaller("get", key), term(quantity.name))
 
 
 def _known_objectives(result: DesignResult) -> list[tuple[str, Quantity]]:
@@ -121,8 +117,11 @@ def _known_objectives(result: DesignResult) -> list[tuple[str, Quantity]]:
     return [(key, objective(key, of_body=of_body)) for key in keys]
 
 
-def _in_words(of: Rows) -> Iterator[blocks.Column]:
-    """Say of what each design is made, and of whole moorings the layout, in files."""
+def _of_files(of: Rows) -> Iterator[blocks.Column]:
+    """Say of what each design is made, of whole moorings the layout, and what governs.
+
+    Of each kind of check that was made, how far the tightest of each design is used.
+    """
     only: dict[str, Any] = {"only": "files"}
     yield of.texts("segments_from_the_anchor", lambda at: Several(segment_words(at.line)), **only)
     yield of.texts("clump_weights", lambda at: Several(clump_weight_words(at.line)), **only)
@@ -130,18 +129,13 @@ def _in_words(of: Rows) -> Iterator[blocks.Column]:
     if all(of.read("mooring")):
         yield of.texts("layout", lambda point: Several(_layout_words(point)), **only)
         yield of.texts("farthest_in", "mooring.state", **only)
-
-
-def _utilisations(points: Sequence[DesignPoint]) -> Iterator[blocks.Column]:
-    """Yield a column for each kind of check that was made: the tightest of each design."""
-    of = Rows(tightest_checks(each.checks) for each in points)
-    for kind in (kind for kind in QUANTITY_OF if any(kind in each for each in of.rows)):
-        checks = Rows(of.read(methodcaller("get", kind)))
-        yield checks.measured("utilisation", "utilisation", f"{kind}_utilisation", only="files")
-
-
-def _governing(point: DesignPoint) -> str:
-    return "" if point.governing is None else point.governing.in_case
+    tightest = Rows(tightest_checks(each) for each in of.read("checks"))
+    for kind in (kind for kind in QUANTITY_OF if any(kind in each for each in tightest.rows)):
+        checks = Rows(tightest.read(methodcaller("get", kind)))
+        yield checks.measured("utilisation", "utilisation", f"{kind}_utilisation", **only)
+    yield of.texts(
+        "governing_check", lambda at: at.governing.in_case if at.governing else "", **only
+    )
 
 
 def segment_words(line: Line) -> list[str]:
@@ -158,14 +152,16 @@ def segment_words(line: Line) -> list[str]:
 
 def clump_weight_words(line: Line) -> list[str]:
     """Say what hangs on the line: ``"2 t at 7 m"``, with the mass in air."""
-    return [_clump_weight(load) for load in line.point_loads]
-
-
-def _clump_weight(load: PointLoad) -> Message:
-    if load.mass is not None:
-        return Message("design.weight_at", mass=load.mass / 1e3, position=load.position)
-    force = Measure("point_weight", load.submerged_weight)
-    return Message("design.force_at", force=force, position=load.position)
+    return [
+        Message("design.weight_at", mass=load.mass / 1e3, position=load.position)
+        if load.mass is not None
+        else Message(
+            "design.force_at",
+            force=Measure("point_weight", load.submerged_weight),
+            position=load.position,
+        )
+        for load in line.point_loads
+    ]
 
 
 def _anchor_words(point: DesignPoint) -> str:
@@ -206,15 +202,14 @@ def _composition(point: DesignPoint) -> Several:
 
 def _recommended(result: DesignResult) -> Iterator[blocks.Block]:
     point = result.front[result.recommended]
-    yield blocks.Verdict(
-        Message("design.recommended", number=result.recommended + 1), point.checks.passes
-    )
+    said = Message("design.recommended", number=result.recommended + 1)
+    yield blocks.Verdict(said, point.checks.passes)
     yield blocks.Text(result.recommendation)
     yield blocks.Facts("recommended", tuple(_made_of(result, point)), only="not csv")
     yield tightest_table(point.checks)
     yield blocks.Text(governing_sentence(point.checks))
-    if point.mooring is not None:
-        far = point.mooring
+    far = point.mooring
+    if far is not None:
         yield blocks.Text(Message("design.farthest", offset=far.offset, state=far.state))
     yield from map(blocks.Text, result.ends)
     yield _neighbours(result)
@@ -268,17 +263,13 @@ def _verdict(step: Neighbour) -> str:
 
 def _components(result: DesignResult) -> blocks.Table:
     """Tabulate the segments of every design, a row each from the anchor to the fairlead."""
-    rows = [
-        (number, place, segment)
-        for number, point in enumerate(result.front, start=1)
-        for place, segment in enumerate(point.line.segments, start=1)
-    ]
-    numbers, places, segments = zip(*rows, strict=True)
-    of = Rows(segments)
+    front = Rows(enumerate(result.front, start=1))
+    designs, places = front.within(lambda row: enumerate(row[1].line.segments, start=1))
+    of = Rows(segment for _, segment in places.rows)
     return tabulate(
         "components",
-        texts("design", numbers),
-        texts("segment", places),
+        designs.texts("design", itemgetter(0)),
+        places.texts("segment", itemgetter(0)),
         of.texts("component", lambda each: each.component or each.name),
         *of.own("nominal_diameter", "length", "submerged_weight"),
         of.measured("mass_per_length", "mass"),
@@ -288,10 +279,9 @@ def _components(result: DesignResult) -> blocks.Table:
 
 
 def _checks(result: DesignResult) -> blocks.Table:
-    every = [point.checks.results for point in result.front]
-    numbers = [number for number, results in enumerate(every, start=1) for _ in results]
-    columns = check_columns([check for results in every for check in results])
-    return tabulate("checks", texts("design", numbers), *columns, only="files")
+    of, checks = Rows(enumerate(result.front, start=1)).within(lambda row: row[1].checks.results)
+    columns = check_columns(checks.rows)
+    return tabulate("checks", of.texts("design", itemgetter(0)), *columns, only="files")
 
 
 def _loads(result: DesignResult) -> Iterator[blocks.Section]:

@@ -150,12 +150,11 @@ def _states(report: FatigueReport) -> blocks.Table:
 
 
 def _damages(report: FatigueReport) -> blocks.Table:
-    rows = [(each, k) for each in report.segments for k in range(len(report.states))]
-    of = Rows(each.states[k] for each, k in rows)
+    segments, of = Rows(report.segments).within("states")
     return tabulate(
         "fatigue_damage",
-        texts("segment", [_name(each) for each, _ in rows]),
-        texts("fatigue.sea_state", [k + 1 for _, k in rows]),
+        segments.texts("segment", _name),
+        texts("fatigue.sea_state", [*range(1, len(report.states) + 1)] * len(report.segments)),
         of.measured(_DAMAGE, "damage", "fatigue.damage"),
         of.measured("tension", "mean", "fatigue.mean"),
         of.measured(_DAMAGE, "cycles", "fatigue.cycles"),

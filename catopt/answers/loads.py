@@ -23,11 +23,16 @@ def loads_answer(of: Loads, *others: Loads, lyings: Sequence[Lying] = ()) -> blo
     worst is laid out.
     """
     every = (of, *others)
+    how = Several(map(_explained, _components(every)), "\n")
     return answered(
         "loads",
         of.title,
         *_headings(of, lyings),
-        section("terms.forces", forces_table(*every), _how(every)),
+        section(
+            "terms.forces",
+            forces_table(*every),
+            blocks.Text(how, Message("loads.how"), "people"),
+        ),
         section("columns.numbers", numbers_table(*every)),
         section("terms.notes", _notes_table(every), *_notes(every)),
     )
@@ -93,11 +98,10 @@ def forces_table(*by: Loads) -> blocks.Table:
 
 def numbers_table(*by: Loads) -> blocks.Table:
     """Tabulate every number that was put in, in SI and with all digits."""
-    components = _components(by)
-    numbers = Rows(number for each in components for number in each.numbers)
+    of, numbers = Rows(_components(by)).within("numbers")
     return tabulate(
         "numbers",
-        texts("force", [each.name for each in components for _ in each.numbers]),
+        of.texts("force", "name"),
         *numbers.own("symbol", "meaning"),
         numbers.of_row("value"),
         numbers.texts("unit", lambda each: each.unit or "-"),
@@ -126,13 +130,8 @@ def notes_table(rows: Iterable[tuple[str, str]]) -> blocks.Table:
     return tabulate("notes", texts("kind", kinds), texts("text", said), only="files")
 
 
-def _how(by: Sequence[Loads]) -> blocks.Text:
-    """Explain each force: its formula, the numbers put in and the source."""
-    explained = Several((_explained(each) for each in _components(by)), "\n")
-    return blocks.Text(explained, Message("loads.how"), "people")
-
-
 def _explained(of: LoadComponent) -> Message:
+    """Explain a force: its formula, the numbers put in and the source."""
     head = Message("loads.follows", force=of.name, formula=of.formula)
     below = (of.numbers_text, of.source.text, of.note)
     return Several((head, *(part for part in below if part)), "\n  ")

@@ -113,13 +113,13 @@ def _of_line(part: DynamicPart, said: str) -> str:
 
 
 def _quantities(part: DynamicPart, caption: str) -> blocks.Table:
-    of = Rows(part.quantities)
-    units = tuple(blocks.bare(DYNAMIC_QUANTITY_OF[each.quantity]) for each in part.quantities)
+    of, (*columns, largest) = Rows(part.quantities), _over_runs(part.quantities)
     probable = Message("columns.most_prob_in", time=lasting(part.duration_of_interest))
     return tabulate(
         "motion",
-        *_over_runs(part.quantities),
-        of.texts(probable, "most_probable_maximum", units=units),
+        *columns,
+        largest,
+        of.texts(probable, "most_probable_maximum", units=largest.units),
         of.measured(_PERCENT, lambda each: part.change_of(each.quantity), "change"),
         caption=caption,
         only="people",
@@ -181,9 +181,8 @@ def _files(found: DynamicVerification, *, with_series: bool) -> Iterator[blocks.
         yield section(f"captions.{key}", tabulate(f"dynamic_{key}", *columns, only="files"))
 
 
-def _of(parts: Iterable[DynamicPart]) -> blocks.Column:
+def _of(of: Rows) -> blocks.Column:
     """Say what each row is of: a load case, or a line of a body."""
-    of = Rows(parts)
     return of.texts("load_case", "name") if of.rows[0].line is None else of.texts("line")
 
 
@@ -196,11 +195,11 @@ _STILL = "largest_quasi_static_fairlead_tension"
 
 
 def _statistics(parts: Sequence[DynamicPart]) -> Iterator[blocks.Column]:
-    found = [each for part in parts for each in part.quantities]
-    of = Rows(found)
-    yield _of(part for part in parts for _ in part.quantities)
-    names = (term(DYNAMIC_QUANTITY_OF[each.quantity].name) for each in found)
-    yield texts("quantity", map(blocks.keyed, of.read("quantity"), names))
+    parts_of, of = Rows(parts).within("quantities")
+    yield _of(parts_of)
+    quantities = of.read("quantity")
+    names = (term(DYNAMIC_QUANTITY_OF[each].name) for each in quantities)
+    yield texts("quantity", map(blocks.keyed, quantities, names))
     yield from of.own("unit")
     yield of.of_row("mean")
     yield of.of_row("standard_deviation", "std")
@@ -226,7 +225,7 @@ def _statistics(parts: Sequence[DynamicPart]) -> Iterator[blocks.Column]:
 
 def _summary(parts: Sequence[DynamicPart]) -> Iterator[blocks.Column]:
     of = Rows(parts)
-    yield _of(parts)
+    yield _of(of)
     yield of.texts("runs", lambda part: len(part.runs))
     yield of.texts("bars", "elements")
     yield of.texts("complete", lambda part: yes_or_no(part.is_complete))
@@ -247,10 +246,10 @@ def _summary(parts: Sequence[DynamicPart]) -> Iterator[blocks.Column]:
 
 
 def _runs_in_files(parts: Sequence[DynamicPart]) -> Iterator[blocks.Column]:
-    runs = Rows(run for part in parts for run in part.runs)
+    parts_of, runs = Rows(parts).within("runs")
     largest = Rows(run.statistics("fairlead_tension") for run in runs.rows)
     of = Rows(runs.read("history"))
-    yield _of(part for part in parts for _ in part.runs)
+    yield _of(parts_of)
     yield runs.texts("run", lambda run: run.number + 1)
     yield of.measured(_TIME, lambda each: each.time[-1], "reached")
     yield of.measured(_TIME, "since", "statistics_since")
@@ -271,7 +270,7 @@ def _runs_in_files(parts: Sequence[DynamicPart]) -> Iterator[blocks.Column]:
 
 def _envelope(parts: Sequence[DynamicPart]) -> Iterator[blocks.Column]:
     of = Rows(part.envelope for part in parts)
-    yield _of(part for part in parts for _ in part.envelope.arc)
+    yield _of(Rows(parts).within("envelope.arc")[0])
     yield _joined(_in_si("s"), of.read("arc"))
     yield _joined(_NEWTON, of.read("largest"), "largest_tension")
     yield _joined(_NEWTON, of.read("smallest"), "smallest_tension")
@@ -289,7 +288,7 @@ def _joined(
 def _series(parts: Sequence[DynamicPart]) -> Iterator[blocks.Column]:
     runs = [run for part in parts for run in part.runs]
     of = [run.history for run in runs]
-    yield _of(part for part in parts for run in part.runs for _ in run.history.time)
+    yield _of(Rows(part for part in parts for run in part.runs for _ in run.history.time))
     yield from _times(runs)
     tension, at_anchor = _in_si("tension"), _in_si("tension", "TA")
     lying, offset = _in_si("grounded_length"), _in_si("offset")

@@ -18,15 +18,23 @@ _NUMBER = named("coefficient")
 """What makes numbers that are written with the digits of a print stand flush right."""
 
 _BY = {
-    "pso": "reproduction.by_swarm",
-    "closed-form": "reproduction.by_closed_form",
-    "truss": "reproduction.by_truss",
+    "pso": Message("reproduction.by_swarm"),
+    "closed-form": Message("reproduction.by_closed_form"),
+    "truss": Message("reproduction.by_truss"),
 }
 """Short words for how a number was computed: 80 columns carry the longest quantity beside them."""
 
 
 def reproduction_answer(result: Reproduction) -> blocks.Answer:
     """Lay out studies: what went in, each printed number beside ours, and what was found."""
+    verdicts: list[str] = [item.verdict for item in result.items]
+    tally = Message(
+        "reproduction.tally",
+        numbers=len(verdicts),
+        reproduce=verdicts.count("reproduces"),
+        differ=verdicts.count("differs"),
+        neither=verdicts.count("not reproducible"),
+    )
     return answered(
         "reproduction",
         term("Published figures beside catopt's"),
@@ -34,7 +42,7 @@ def reproduction_answer(result: Reproduction) -> blocks.Answer:
         section("captions.inputs", _inputs(result.studies)),
         section("terms.findings", _findings(result.studies)),
         *(blocks.Section(study.name, tuple(_study(study))) for study in result.studies),
-        section("terms.findings", _tally(result.items)),
+        section("terms.findings", blocks.Verdict(tally, "differs" not in verdicts)),
     )
 
 
@@ -59,10 +67,10 @@ def _comparison(items: Sequence[Item]) -> blocks.Table:
 
 
 def _inputs(studies: Sequence[Study]) -> blocks.Table:
-    of = Rows(given for study in studies for given in study.inputs)
+    each_study, of = Rows(studies).within("inputs")
     return tabulate(
         "inputs",
-        texts("study", [study.name for study in studies for _ in study.inputs]),
+        each_study.texts("study", "name"),
         *of.own("quantity"),
         of.of_row("value"),
         *of.own("unit", "origin"),
@@ -71,9 +79,9 @@ def _inputs(studies: Sequence[Study]) -> blocks.Table:
 
 
 def _findings(studies: Sequence[Study]) -> blocks.Table:
-    names = texts("study", [study.name for study in studies for _ in study.findings])
-    findings = texts("finding", [each for study in studies for each in study.findings])
-    return tabulate("findings", names, findings, only="workbook")
+    of, findings = Rows(studies).within("findings")
+    columns = (of.texts("study", "name"), texts("finding", findings.rows))
+    return tabulate("findings", *columns, only="workbook")
 
 
 # ------------------------------------------------------------------ what people see of a study
@@ -121,20 +129,16 @@ def _printed_for(method: str, items: Sequence[Item]) -> Iterator[blocks.Block]:
             quantity=_NUMBER,
         ),
         of.texts("unit"),
-        of.texts("catopt_by", lambda item: _short(item.computed_by)),
+        of.texts(
+            "catopt_by", lambda item: _BY.get(item.computed_by, term(item.computed_by or "-"))
+        ),
         of.texts("verdict", lambda item: term(item.verdict)),
         caption=Message("reproduction.printed_for", method=term(method)),
         only="people",
     )
-    notes = [
-        Message("reproduction.note", which=which, note=note) for which, note in notes_of(items)
-    ]
+    notes = [Message("reproduction.note", which=of, note=note) for of, note in notes_of(items)]
     if notes:
         yield blocks.Text(Several(notes, "\n"), only="people")
-
-
-def _short(computed_by: str) -> str:
-    return Message(_BY[computed_by]) if computed_by in _BY else term(computed_by or "-")
 
 
 def notes_of(items: Sequence[Item]) -> Iterator[tuple[str, str]]:
@@ -143,46 +147,24 @@ def notes_of(items: Sequence[Item]) -> Iterator[tuple[str, str]]:
     What numbers it is of, and the note.
     """
     for note, run in groupby(items, key=lambda item: item.note):
+        first, *others = (item.quantity for item in run)
+        which = first
+        if others:
+            which = Message("reproduction.from_to", first=first, last=others[-1])
+        if 1 < len(items) == 1 + len(others):
+            which = Message("reproduction.all", numbers=len(items))
         if note:
-            yield _which(list(run), items), note
-
-
-def _which(run: Sequence[Item], items: Sequence[Item]) -> str:
-    first, last = run[0].quantity, run[-1].quantity
-    if len(run) == 1:
-        return first
-    if len(run) == len(items):
-        return Message("reproduction.all", numbers=len(run))
-    return Message("reproduction.from_to", first=first, last=last)
+            yield which, note
 
 
 def _side_by_side(study: Study) -> Iterator[blocks.Table]:
     """Yield the answers of several models; a file of their own (CSV) they have not."""
     for number, each in enumerate(study.side_by_side, start=1):
-        first, *others = (Several((name,)) for name in each.header)
-        words, *cells = zip(*each.rows, strict=True)
-        columns = (
-            blocks.Column(first, words),
-            *(
-                blocks.Column(name, below, _NUMBER)
-                for name, below in zip(others, cells, strict=True)
-            ),
+        headings = [Several((name,)) for name in each.header]
+        columns = tuple(map(texts, headings, zip(*each.rows, strict=True)))
+        table = tabulate(
+            f"{study.name}_{number}", *columns, caption=Several((each.title,)), only="workbook"
         )
-        table = blocks.Table(
-            f"{study.name}_{number}", columns, Several((each.title,)), only="people"
-        )
-        plain = tuple(replace(column, quantity=None) for column in columns)
+        flush_right = (replace(column, quantity=_NUMBER) for column in columns[1:])
+        yield replace(table, columns=(columns[0], *flush_right), only="people")
         yield table
-        yield replace(table, columns=plain, only="workbook")
-
-
-def _tally(items: Sequence[Item]) -> blocks.Verdict:
-    verdicts: list[str] = [item.verdict for item in items]
-    said = Message(
-        "reproduction.tally",
-        numbers=len(verdicts),
-        reproduce=verdicts.count("reproduces"),
-        differ=verdicts.count("differs"),
-        neither=verdicts.count("not reproducible"),
-    )
-    return blocks.Verdict(said, "differs" not in verdicts)

@@ -347,15 +347,11 @@ def _stacked(of: Sizing, name: str, table_of: Callable[..., blocks.Table]) -> bl
     parts = [(each.load_case, part) for each in of.settled.posed.loads for part in each.parts]
     tables, none = [table_of(part) for _, part in parts], table_of()
     rows = [place for place, table in zip(parts, tables, strict=True) for _ in range(table.length)]
-    columns = (
-        replace(same[0], values=tuple(value for each in same for value in each.values))
-        for same in zip(none.columns, *(table.columns for table in tables), strict=True)
-    )
     return tabulate(
         name,
         texts("load_case", (load_case for load_case, _ in rows), only="files"),
         texts("on", (part.title for _, part in rows), only="files"),
-        *columns,
+        *blocks.stacked((none, *tables)),
         only=none.only,
     )
 

@@ -82,12 +82,8 @@ _TOLD = {"title", "line", "holding_mass", "fairlead_tension", "fairlead_probable
 def _few(result: StudyResult) -> blocks.Table:
     """Tabulate few members, for people: files have them in a table of their own."""
     parts = [members_table(result.study, each) for each in result.store.pieces()]
-    columns = [
-        replace(column, values=tuple(value for part in parts for value in part.columns[at].values))
-        for at, column in enumerate(parts[0].columns)
-    ]
     names = ["no", *result.study.keys, *(each.name for each in _in_table(result.study)), "reason"]
-    every = zip(names, columns, strict=True)
+    every = zip(names, blocks.stacked(parts), strict=True)
     told = [(name, each) for name, each in every if any(map(_is_known, each.values))]
     shown = tuple(
         replace(each, priority=0 if name in _TOLD | {"no"} else at)
@@ -108,9 +104,7 @@ def _in_table(study: Study) -> list[Kept]:
 def _state(result: StudyResult) -> blocks.Verdict:
     values = {"members": len(result.study), "failed": len(result.reasons)}
     if result.is_complete:
-        return blocks.Verdict(
-            Message("study.done", **values), passes=True if not result.reasons else None
-        )
+        return blocks.Verdict(Message("study.done", **values), None if result.reasons else True)
     return blocks.Verdict(Message("study.not_done", done=result.done, **values), passes=False)
 
 
@@ -233,20 +227,14 @@ def _first_orders(result: StudyResult) -> Iterator[blocks.Block]:
 
 
 def _worst(result: StudyResult) -> blocks.Table:
-    rows = [
-        (each, key, value)
-        for each in result.statistics
-        if each.least < each.largest
-        for key, value in result.study.told_of(each.worst).items()
-    ]
-    of = Rows(each for each, _, _ in rows)
-    written = _cells(result.study.written(key, value) for _, key, value in rows)
+    study, varied = result.study, Rows(e for e in result.statistics if e.least < e.largest)
+    of, told = varied.within(lambda each: study.told_of(each.worst).items())
     return tabulate(
         "study_worst",
         of.texts("study.at", "kept.words"),
         of.texts("study.member", lambda each: each.worst + 1),
-        _keys([(key,) for _, key, _ in rows]),
-        texts("study.value", written),
+        _keys((key,) for key, _ in told.rows),
+        texts("study.value", _cells(study.written(*each) for each in told.rows)),
         caption=Message("study.worst_members"),
     )
 

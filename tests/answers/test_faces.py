@@ -172,9 +172,9 @@ def test_csv_holds_every_number(kind: str) -> None:
         assert len(rows) == table.length
         for column in table.for_files():
             for place, row in enumerate(rows):
-                value, kept = column.in_files(place), row[column.heading]
+                value, kept = column.in_files(place), row[column.said_heading()]
                 if isinstance(value, int | float) and not isinstance(value, str):
-                    assert alike(kept, value), column.heading
+                    assert alike(kept, value), column.said_heading()
                 else:
                     assert kept in {value or "", f"'{value}"}  # where it began a formula
 
@@ -193,7 +193,7 @@ def test_people_see_every_number_that_is_for_them(kind: str, language: Language)
             for row in rows:
                 value, quantity = column.values[row], column.quantity_of(row)
                 if isinstance(value, float) and quantity is not None and math.isfinite(value):
-                    assert quantity.format(value) in printed, column.heading
+                    assert quantity.format(value) in printed, column.said_heading()
 
 
 def users_words(value: Value) -> bool:

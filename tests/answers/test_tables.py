@@ -187,7 +187,7 @@ def test_swarm_tables() -> None:
 )
 def test_only_the_load_that_is_given_is_listed(load: Load, heading: str) -> None:
     facts = given_facts(buoy_case(load=load))
-    laid = [column.heading for fact in facts for column in fact.columns()]
+    laid = [column.said_heading() for fact in facts for column in fact.columns()]
     listed = [name for name in laid if name.startswith("Given") and "(tf)" not in name]
     assert listed == [heading]
 
@@ -211,7 +211,7 @@ def test_what_was_found_comes_with_its_condition(
 
 
 def test_no_two_facts_share_a_heading() -> None:
-    headings = [column.heading for fact in result_facts(leg()) for column in fact.columns()]
+    headings = [column.said_heading() for fact in result_facts(leg()) for column in fact.columns()]
     assert len(set(headings)) == len(headings)
 
 
