@@ -263,12 +263,12 @@ def _verdicts(parts: Sequence[_Named]) -> blocks.Table:
 
 
 def _quantities(parts: Sequence[_Named]) -> blocks.Table:
-    found = [each for _, part in parts for each in part.quantities]
-    of, fem = Rows(found), Rows(each.fem for each in found)
-    meshes = range(max((len(each.fem) for each in found), default=0))
+    named, of = Rows(parts).within(lambda row: row[1].quantities)
+    fem = Rows(of.read("fem"))
+    meshes = range(max(map(len, fem.rows), default=0))
     return tabulate(
         "quantities",
-        texts("load_case", [name for name, part in parts for _ in part.quantities]),
+        named.texts("load_case", itemgetter(0)),
         of.texts("line", lambda each: None if each.line is None else each.line + 1),
         of.texts("quantity", lambda each: blocks.keyed(each.quantity, _said_name(each.quantity))),
         of.texts("unit"),
@@ -341,12 +341,11 @@ def _shapes(parts: Sequence[_Named]) -> blocks.Table:
 def verdict_sentence(found: Verification) -> Message:
     """Say in one line what came of a case."""
     count = len(found.parts)
-    settled = sum(part.is_settled for part in found.parts)
+    differing = sum(not part.is_settled for part in found.parts)
     if count == 1:
         return part_sentence(found.parts[0])
-    if settled == count:
-        return Message("truss.all_cases_agree", count=count)
-    return Message("truss.cases_differ", differing=count - settled, count=count)
+    key = "cases_differ" if differing else "all_cases_agree"
+    return Message(f"truss.{key}", differing=differing, count=count)
 
 
 def front_sentence(front: FrontVerification) -> Message:
