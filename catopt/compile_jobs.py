@@ -14,8 +14,6 @@ from catopt.compiled import VARIABLE
 if TYPE_CHECKING:
     from catopt.model import Case
 
-__all__ = ["JOBS", "compile_always"]
-
 
 @contextmanager
 def compile_always() -> Iterator[None]:

@@ -18,15 +18,6 @@ from typing import Any, Final, TypeVar
 
 from catopt.errors import InputError, Problem
 
-__all__ = [
-    "VARIABLE",
-    "compiled",
-    "inlined",
-    "is_compiled",
-    "when_cache_is_damaged",
-    "when_compiling",
-]
-
 F = TypeVar("F", bound=Callable[..., Any])
 
 VARIABLE: Final = "CATOPT_COMPILE"

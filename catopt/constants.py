@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-__all__ = ["SEA_WATER_DENSITY", "STANDARD_GRAVITY", "YEAR"]
-
 STANDARD_GRAVITY = 9.80665
 """g0 in m/s2: the exact standard value (CGPM 1901). It defines kgf and tf."""
 

@@ -21,19 +21,6 @@ from typing import Any
 
 from catopt.errors import InputError, Problem
 
-__all__ = [
-    "MOST_BYTES",
-    "MOST_BYTES_OF_DATA",
-    "Path",
-    "attributes",
-    "dotted",
-    "figures",
-    "parse_json",
-    "parse_toml",
-    "read_text",
-    "unfit",
-]
-
 Path = tuple[str | int, ...]
 """Keys and array indices from the top of a document: ``("line", "segments", 0, "length")``."""
 

@@ -13,17 +13,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-__all__ = [
-    "CatoptError",
-    "FloatsUpError",
-    "InputError",
-    "NoAnswerError",
-    "NoEquilibriumError",
-    "NotConvergedError",
-    "Problem",
-    "need_package",
-]
-
 
 class CatoptError(Exception):
     """Any failure that catopt announces."""

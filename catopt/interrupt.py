@@ -17,16 +17,6 @@ from functools import wraps
 from types import FrameType
 from typing import Any, TypeVar
 
-__all__ = [
-    "asked_to_stop",
-    "heed_signals",
-    "no_interrupt_from_now",
-    "signals_wait",
-    "uninterrupted",
-    "waiting_interrupt",
-    "was_interrupted",
-]
-
 F = TypeVar("F", bound=Callable[..., Any])
 
 _pressed: list[tuple[int, FrameType | None]] = []

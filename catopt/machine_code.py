@@ -26,8 +26,6 @@ from numba.core.serialize import dumps
 
 from catopt.interrupt import asked_to_stop, uninterrupted
 
-__all__ = ["cost", "dispatcher", "is_kept", "listen"]
-
 _PACKAGE = __name__.partition(".")[0] + "."
 _A_BYTE = 8e-4
 """Processor time that a byte of bytecode takes to compile, s: 6e-4 to 1.1e-3 over all of them."""

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import re
 
-__all__ = ["bare_number", "readings"]
-
 _NUMERAL = re.compile(r"([+-]?)(\d[\d.,]*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 _THOUSANDS = {
     mark: re.compile(rf"[1-9]\d{{0,2}}(?:{re.escape(mark)}\d{{3}})+", re.ASCII) for mark in ".,"

@@ -12,8 +12,6 @@ from typing import Literal
 from catopt.constants import YEAR
 from catopt.units import UNITS, Dimension
 
-__all__ = ["GREEK", "QUANTITIES", "Quantity", "Units"]
-
 Units = Literal["", "tf", "kN", "si"]
 """In which forces are shown: each quantity in its own unit of the table, tonne-force, kN, or all of
 SI."""

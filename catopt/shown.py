@@ -10,8 +10,6 @@ if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
 
-__all__ = ["Shown"]
-
 LONGEST = 60
 """Letters of a text that still go into a line."""
 

@@ -10,8 +10,6 @@ import math
 from collections.abc import Callable, Iterable, Sequence
 from typing import Final, TypeVar
 
-__all__ = ["RESOLVED", "first_largest", "largest"]
-
 RESOLVED: Final = 1e-9
 """Part of the largest value within which others are as large: a thousand times solvers' error."""
 

@@ -20,8 +20,6 @@ from catopt.constants import STANDARD_GRAVITY, YEAR
 from catopt.errors import InputError, Problem
 from catopt.numerals import readings
 
-__all__ = ["UNITS", "Dimension", "as_written", "lasting", "to_si"]
-
 
 class Dimension(Enum):
     """What a quantity is: its noun for messages, its SI unit, and a value as a case file has it.

@@ -25,8 +25,6 @@ from catopt.mooring.joints import (
 )
 from catopt.mooring.line_ends import Matrix, Vector
 
-__all__ = ["FREEDOMS", "HeldBody", "HeldLine", "NetworkAtRest", "held_body", "hold"]
-
 FREEDOMS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 """Along x, y and z (up), and about them in the sense of the right hand."""
 

@@ -15,8 +15,6 @@ from catopt.catenary.pieces import LineProblem, Pieces, turned
 from catopt.catenary.span import given_span
 from catopt.catenary.state import CONVERGED, State
 
-__all__ = ["NEAREST", "Ends", "ends_of"]
-
 Vector = tuple[float, float, float]
 Matrix = tuple[tuple[float, ...], ...]
 

@@ -9,8 +9,6 @@ from typing import Any
 from catopt.documents import Path, dotted
 from catopt.errors import Problem
 
-__all__ = ["misfits"]
-
 Schema = Mapping[str, Any] | bool
 
 _TYPES: Mapping[str, type | tuple[type, ...]] = {

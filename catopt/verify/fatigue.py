@@ -32,8 +32,6 @@ from catopt.verify.motion_file import OF_TOTAL, lines_of, read_columns
 from catopt.verify.proof import LIMIT, Proof
 from catopt.words import Message
 
-__all__ = ["FatigueReport", "SegmentFatigue", "StateDamage", "sea_states", "verify_fatigue"]
-
 _LONG = 60.0
 """Seconds from which what all takes is announced."""
 
