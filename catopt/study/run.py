@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import os
-import signal
-import threading
 from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, wait
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from functools import partial
 from itertools import islice
-from multiprocessing import connection, get_context, parent_process
+from multiprocessing import get_context
 from pathlib import Path
 from time import perf_counter
 from typing import Any
@@ -26,7 +24,7 @@ from catopt.study.result import StudyResult
 from catopt.study.statics import at_rest
 from catopt.study.store import Computed, Store
 from catopt.study.study import Piece, Study
-from catopt.verify.side_by_side import no_script
+from catopt.verify.side_by_side import begin_process, no_script
 
 Progress = Callable[[int, int], None]
 
@@ -169,25 +167,12 @@ def worth(study: Study) -> int:
 @contextmanager
 def processes(count: int) -> Iterator[tuple[Executor, int]]:
     """Run pieces in processes; yield what runs them, and the pieces to give it at a time."""
-    with no_script(), ProcessPoolExecutor(count, get_context("spawn"), _begin) as pool:
+    with no_script(), ProcessPoolExecutor(count, get_context("spawn"), begin_process) as pool:
         try:
             yield pool, _AHEAD * count
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
             raise
-
-
-def _begin() -> None:
-    """Set a process up: Ctrl-C is for the one that started it, with which it ends."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    starter = parent_process()
-    if starter is not None:
-        threading.Thread(target=_end_with, args=(starter.sentinel,), daemon=True).start()
-
-
-def _end_with(sentinel: int) -> None:
-    connection.wait([sentinel])
-    os._exit(1)
 
 
 @contextmanager

@@ -5,11 +5,12 @@ from __future__ import annotations
 import os
 import signal
 import sys
+import threading
 from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
-from multiprocessing import get_context, parent_process
+from multiprocessing import connection, get_context, parent_process
 from time import monotonic
 from types import ModuleType
 from typing import Any, TypeVar
@@ -80,10 +81,22 @@ def side_by_side(
 
 
 def _begin(told: Any, stop: Any) -> None:
-    """Set a new process up: Ctrl-C is for the one that started it."""
     global _told, _stop
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    begin_process()
     _told, _stop = told, stop
+
+
+def begin_process() -> None:
+    """Set a new process up: Ctrl-C is for the one that started it, with which it ends."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    starter = parent_process()
+    if starter is not None:
+        threading.Thread(target=_end_with, args=(starter.sentinel,), daemon=True).start()
+
+
+def _end_with(sentinel: int) -> None:
+    connection.wait([sentinel])
+    os._exit(1)
 
 
 def _do(task: Callable[[int, Progress], T], number: int) -> T:
@@ -95,9 +108,6 @@ def _do(task: Callable[[int, Progress], T], number: int) -> T:
             raise KeyboardInterrupt
         now = monotonic()
         if now - last >= _LOOK or at >= end:
-            starter = parent_process()
-            if starter is not None and not starter.is_alive():
-                os._exit(1)  # nobody is left to be told
             last = now
             _told.put((number, at / end))
 
