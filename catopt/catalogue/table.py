@@ -17,14 +17,9 @@ _MM = 1e3
 
 
 class Table:
-    """A table of a file with the path at which it stands.
+    """A table of a file, as the TOML reader returns it, with the path at which it stands.
 
-    Attributes
-    ----------
-    values : dict
-        As the TOML reader returns it.
-    path : str
-        Such as ``figure[3]``; empty for the file itself.
+    Such as ``figure[3]``; empty for the file itself.
     """
 
     def __init__(self, values: dict[str, Any], path: str, findings: Findings) -> None:

@@ -162,12 +162,9 @@ class Solution(Shown):
         return self.fairlead.horizontal_force
 
     def profile(self, points: int = 101) -> Profile:
-        """Sample the shape and the tension.
+        """Sample the shape and the tension at about so many points, evenly along the arc.
 
-        Parameters
-        ----------
-        points : int
-            About how many, evenly along the arc; every joint and touchdown is always among them.
+        Every joint and touchdown is always among them.
         """
         return sample(self.stretches, points)
 

@@ -33,12 +33,8 @@ def evaluate(
 
     Strengths are those of its segments, from the anchor to the fairlead; results come in the order
     of `CHECK_KINDS`, tensions by segment. By `place` it is a line of a body, in a state; then
-    nothing is compared with the reserve of buoyancy, which all lines share.
-
-    Raises
-    ------
-    InputError
-        A strength that a criterion needs is not known.
+    nothing is compared with the reserve of buoyancy, which all lines share. InputError: a strength
+    that a criterion needs is not known.
     """
     largest = [(each.max_tension, 1.0) for each in solution.segments]
     of_tension = list(criteria.of("tension", kind, place.state))

@@ -61,21 +61,9 @@ def is_deck(text: str) -> bool:
 
 
 def read_deck(text: str, source: str = "", asked: Asked | None = None) -> Imported:
-    """Read a deck.
+    """Read the text of a deck; `asked` says what it lacks, and of several lines which one.
 
-    Parameters
-    ----------
-    text : str
-        Of the file.
-    source : str
-        Its name.
-    asked : Asked, optional
-        What the deck lacks; of several lines, which one.
-
-    Raises
-    ------
-    InputError
-        With everything that is wrong, or that no case can say, by the line of the file.
+    InputError has everything that is wrong, or that no case can say, by the line of the file.
 
     Examples
     --------

@@ -47,13 +47,8 @@ def program_input(
     """Write lines for a program.
 
     `solved`: the lines where they hang; every segment has an EA; `sources`: what the case was read
-    from.
-
-    Raises
-    ------
-    InputError
-        When a segment does not stretch, or its mass is missing or too small, with every one; for
-        the ontology, when the anchor stands above the bed.
+    from. InputError: a segment does not stretch, or its mass is missing or too small, with every
+    one; for the ontology, the anchor stands above the bed.
 
     Examples
     --------

@@ -273,24 +273,10 @@ class Simulation:
     ) -> tuple[Record, bool]:
         """Step in time and take samples, the first of them of the present state.
 
-        Parameters
-        ----------
-        stepping : TimeStepping
-            How long, in which steps, and what is kept.
-        breaks : Break, optional
-            Where a line parts, and after which sample.
-        progress : callable, optional
-            Called with the time reached, s, some times a second.
-
-        Returns
-        -------
-        record, complete : Record, bool
-            Samples, and whether all were taken: Ctrl-C stops a run and keeps what is there.
-
-        Raises
-        ------
-        NotConvergedError
-            With the time, the node and the force left over there.
+        `breaks`: where a line parts, and after which sample; `progress`: called with the time
+        reached, s, some times a second. Says, too, whether all samples were taken: Ctrl-C stops a
+        run and keeps what is there. NotConvergedError has the time, the node and the force left
+        over there.
         """
         how, ways, step = stepping.scheme, stepping.controls, float(stepping.step)
         samples, every = stepping.samples, stepping.every

@@ -99,10 +99,7 @@ class BuoyShape:
     def afloat(self, pull: float = 0.0, water_density: float = SEA_WATER_DENSITY) -> Floating:
         """Float it under the vertical pull of its mooring, N, downwards; the density in kg/m3.
 
-        Raises
-        ------
-        InputError
-            When the pull is above the reserve buoyancy.
+        InputError: the pull is above the reserve buoyancy.
         """
         found = Findings(f"buoy {self.name}".rstrip())
         found.number("pull", pull, "N", at_least=0.0)

@@ -194,14 +194,9 @@ class System(Checked):
         return replace(self, force=force, moment=moment)
 
     def without(self, legs: Iterable[int]) -> System:
-        """Return the system with some lines gone, counted from 0.
+        """Return the system with some lines gone, counted from 0; InputError when none is left.
 
         The body's freedom in yaw stays as it was, unless no fairlead is left off its origin.
-
-        Raises
-        ------
-        InputError
-            When no line is left.
         """
         gone = set(legs)
         left = tuple(leg for index, leg in enumerate(self.legs) if index not in gone)

@@ -173,12 +173,8 @@ def held_body(
     water depth for the waterline; `displacement`: surge, sway, heave (m), roll, pitch, yaw (rad);
     the body is turned by roll first, then pitch, then yaw.
 
-    Raises
-    ------
-    InputError
-        A fairlead is straight above its anchor or below the bed, or a line hangs slack.
-    NoEquilibriumError, NotConvergedError
-        As for `solve` of that line.
+    InputError: a fairlead is straight above its anchor or below the bed, or a line hangs slack.
+    NoEquilibriumError, NotConvergedError: as for `solve` of that line.
 
     Examples
     --------
@@ -213,13 +209,8 @@ def hold(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> Netw
     turning the force F on it about the origin adds [F][r] (cross-product matrices).
 
     The origin of the body is at x = y = 0, on the water surface; `displacement` as for `held_body`.
-
-    Raises
-    ------
-    InputError
-        A fairlead is below the bed, or a line hangs slack.
-    NoEquilibriumError, NotConvergedError, FloatsUpError
-        As for `joints_at_rest`.
+    InputError: a fairlead is below the bed, or a line hangs slack. NoEquilibriumError,
+    NotConvergedError, FloatsUpError: as for `joints_at_rest`.
 
     Examples
     --------

@@ -34,22 +34,9 @@ _MOST = 100_000_000
 
 
 def read_study(path: str | os.PathLike[str]) -> Study:
-    """Read a study file.
+    """Read a study file, TOML in UTF-8, with its case and its tables; paths count from where it is.
 
-    Parameters
-    ----------
-    path : str or path
-        The file, TOML in UTF-8; paths in it count from where it is.
-
-    Returns
-    -------
-    Study
-        With its case and its tables read.
-
-    Raises
-    ------
-    InputError
-        With every problem of the file, of its case or of its tables.
+    InputError has every problem of the file, of its case or of its tables.
     """
     source = os.fspath(path)
     document = parse_toml(read_text(Path(path), source, kind="study file"), source)

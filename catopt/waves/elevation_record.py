@@ -98,13 +98,9 @@ class ElevationRecord:
     def waves(self, *, direction: float = 0.0, shortest_period: float | None = None) -> Waves:
         """Find the waves that the record is the sum of; its first sample is t = 0 at the origin.
 
-        Parameters
-        ----------
-        direction : float
-            Where they travel to, rad from the x axis.
-        shortest_period : float, optional
-            s; faster waves are left out; InputError when none is left. Without it the fastest that
-            together have no more than 0.1 % of the variance are.
+        They travel to `direction`, rad from the x axis. Waves faster than `shortest_period`, s, are
+        left out; InputError when none is left. Without it the fastest that together have no more
+        than 0.1 % of the variance are.
         """
         N, T = self.times.size, self.times.size * self.step
         X = np.fft.rfft(self._even - self.mean)[1:]

@@ -53,17 +53,10 @@ def solve_swarm(
     answer is from its own; it has no part in the search. Run k depends only on the seed and k; the
     answer is that of the best run, with its `swarm` report.
 
-    Raises
-    ------
-    InputError
-        When a number is out of range.
-    NoEquilibriumError
-        When the line does not reach up to the fairlead.
-    NoAnswerError
-        When a buoyant part lifts the line off the bed between its touchdown and the anchor: f
-        holds for one stretch on the bed.
-    NotConvergedError
-        When no run came below f = 1e-6 m, or its span misses S1 (5) by 1e-3 m or more.
+    InputError: a number is out of range. NoEquilibriumError: the line does not reach up to the
+    fairlead. NoAnswerError: a buoyant part lifts the line off the bed between its touchdown and
+    the anchor; f holds for one stretch on the bed. NotConvergedError: no run came below f = 1e-6 m,
+    or its span misses S1 (5) by 1e-3 m or more.
     """
     _check(line, height, horizontal_force, seabed_friction)
     closed_form = solve(
