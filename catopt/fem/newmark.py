@@ -44,20 +44,12 @@ class Scheme:
 
     @classmethod
     def average_acceleration(cls) -> Scheme:
-        """Newmark's method that neither damps nor feeds a linear vibration: S4's."""
-        return cls()
+        """Newmark's method that neither damps nor feeds a linear vibration: S4's, delta = 0.5.
 
-    @classmethod
-    def newmark(cls, delta: float) -> Scheme:
-        """Newmark's method with S4's parameters: gamma = delta, beta = (delta + 0.5)^2/4.
-
-        `delta`: 0.5 for average acceleration; above it high frequencies are damped, and the order
-        falls to one.
+        S4 has gamma = delta, beta = (delta + 0.5)^2/4; a larger delta damps high frequencies, and
+        the order falls to one.
         """
-        found = Findings("Scheme.newmark")
-        found.number("delta", delta, "", at_least=0.5)
-        found.raise_if_any()
-        return cls(beta=0.25 * (delta + 0.5) ** 2, gamma=delta)
+        return cls()
 
     @classmethod
     def generalised_alpha(cls, spectral_radius: float = 0.5) -> Scheme:

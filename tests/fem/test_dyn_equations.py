@@ -242,10 +242,9 @@ def test_spectral_radius_at_infinity(radius: float) -> None:
 
 @pytest.mark.parametrize("omega_h", [0.1, 1.0, 10.0, 1e3])
 def test_average_acceleration_neither_damps_nor_grows(omega_h: float) -> None:
-    """Spectral radius 1 at every step; S4's delta = 0.5 is the same scheme."""
+    """Spectral radius 1 at every step; less with a larger delta of S4's, here 0.7."""
     assert _spectral_radius(Scheme.average_acceleration(), omega_h) == pytest.approx(1.0, abs=1e-6)
-    assert Scheme.newmark(0.5) == Scheme.average_acceleration()
-    assert _spectral_radius(Scheme.newmark(0.7), omega_h) < 1.0
+    assert _spectral_radius(Scheme(beta=0.36, gamma=0.7), omega_h) < 1.0
 
 
 def _spectral_radius(scheme: Scheme, omega_h: float) -> float:
