@@ -42,9 +42,9 @@ def cost(function: Any) -> float:
 
 
 def is_kept(function: Callable[..., Any]) -> bool:
-    """Whether machine code of a function lies on disk."""
+    """Whether machine code of a function that this machine may run lies on disk."""
     kept = _dispatcher(function)._cache
-    return isinstance(kept, _Cache) and kept.has_entries()
+    return isinstance(kept, _Cache) and any(kept._cache_file.all())
 
 
 def dispatcher(function: Callable[..., Any]) -> Callable[..., Any]:
@@ -109,10 +109,6 @@ class _Cache(FunctionCache):
         machine = _digest_of((numba.__version__, codegen.magic_tuple()))
         name = f"{self._impl.filename_base}.{machine}"
         self._cache_file: Any = _Files(Path(self._cache_path), name)
-
-    def has_entries(self) -> bool:
-        """Whether anything is kept that this machine may run."""
-        return any(self._cache_file.all())
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
         """Read an entry; None where there is none, or none of any use."""

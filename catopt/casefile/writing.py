@@ -217,7 +217,9 @@ def _written(value: Any, unit: str | None) -> str:
         digits = repr(float(value))  # the shortest text that reads back as the same number
         return f'"{digits} {unit}"' if unit else digits
     if isinstance(value, str):
-        return _quoted(value)
+        if unfit(value):
+            raise InputError([Problem("text", unfit(value), f"take it out of {value[:40]!r}")])
+        return f'"{"".join(_ESCAPES.get(character, character) for character in value)}"'
     return str(value).lower() if isinstance(value, bool) else str(int(value))
 
 
@@ -232,9 +234,3 @@ def _array(key: str, values: Sequence[str]) -> str:
             row = ""
         row += f"{value}, "
     return "\n".join([*lines, f"  {row.rstrip()}", "]"])
-
-
-def _quoted(value: str) -> str:
-    if unfit(value):
-        raise InputError([Problem("text", unfit(value), f"take it out of {value[:40]!r}")])
-    return f'"{"".join(_ESCAPES.get(character, character) for character in value)}"'

@@ -94,7 +94,9 @@ class Catalogue:
         found = self.family(parsed.family)
         check = Findings(f"component {found.name}")
         wanted = grade if grade is not None else parsed.grade
-        grades = _grades(found) if wanted is None else (_grade(check, found, wanted),)
+        grades: tuple[str | None, ...] = found.grades or (None,)
+        if wanted is not None:
+            grades = (_grade(check, found, wanted),)
         check.number("water_density", water_density, "kg/m3", above=0.0)
         chosen = {each: _choose(check, found, each, variants, allow_recalled) for each in grades}
         check.raise_if_any()
@@ -108,10 +110,6 @@ class Catalogue:
 
 def _asked(variants: Mapping[str, str]) -> frozenset[str]:
     return frozenset(variants) - {ALL}
-
-
-def _grades(family: Family) -> tuple[str | None, ...]:
-    return family.grades or (None,)
 
 
 def _grade(check: Findings, family: Family, grade: str | None) -> str | None:

@@ -363,22 +363,14 @@ def _angle_of(angle: float) -> Condition:
         if solution.regime in ("grounded", "on-bed", "slack"):
             V = solution.fairlead.vertical_force - solution.line.submerged_weight
         elif solution.stretches[0].on_bed:
-            V = -_weight_at_anchor(solution)
+            # Less the weight on the bed between the anchor and where the line first leaves it.
+            lying = takewhile(lambda stretch: stretch.on_bed, solution.stretches)
+            V = -math.fsum(each.submerged_weight * each.length for each in lying)
         wanted = solution.horizontal_force * math.tan(angle)
         return V - wanted, solution.fairlead.tension
 
     said = Message("catenary.angle_given", angle=math.degrees(angle))
-    return Condition(said, miss, _angle_text)
-
-
-def _weight_at_anchor(solution: Solution) -> float:
-    """Weight of the line on the bed between the anchor and where it first leaves the bed, N."""
-    lying = list(takewhile(lambda stretch: stretch.on_bed, solution.stretches))
-    return math.fsum(stretch.submerged_weight * stretch.length for stretch in lying)
-
-
-def _angle_text(solution: Solution) -> str:
-    return f"{math.degrees(solution.anchor.angle):.4g} deg"
+    return Condition(said, miss, lambda solution: f"{math.degrees(solution.anchor.angle):.4g} deg")
 
 
 def _angle_over_clump(index: int) -> Callable[[Solution], str]:

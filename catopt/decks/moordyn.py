@@ -106,7 +106,9 @@ def _sections(text: str, notes: Notes) -> dict[str, list[Row]]:
             if name and not name.startswith("?"):
                 found.setdefault(name, [])
         elif heading:
-            heading -= not _is_count(words)
+            # Version 1 says how many there are: ``3 NTypes``.
+            is_count = len(words) > 1 and re.fullmatch(r"N[A-Z]\w+", words[1]) is not None
+            heading -= not is_count
         elif words[:1] == ("END",) and name == "outputs":
             name = ""
         elif words and name.startswith("?"):
@@ -117,11 +119,6 @@ def _sections(text: str, notes: Notes) -> dict[str, list[Row]]:
                 notes.say("tab", line=number)
             found[name].append(Row(number, words))
     return found
-
-
-def _is_count(words: tuple[str, ...]) -> bool:
-    """Whether a line of version 1 says how many there are: ``3 NTypes``."""
-    return len(words) > 1 and re.fullmatch(r"N[A-Z]\w+", words[1]) is not None
 
 
 def _named(head: str, *, begun: bool) -> str:

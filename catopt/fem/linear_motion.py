@@ -248,7 +248,8 @@ def linear_motion(model: LinearModel, sea: Sea, led: Complex) -> LinearMotion:
     blocks, rows = np.zeros((3, nodes, 3, 3), complex), np.zeros((2, nodes, 3), complex)
     equations = Equations(*blocks, *rows)
     tension = np.zeros((waves.omega.size, model.tension.size), complex)
-    room = Room(equations, _covariance(flow), np.zeros(nodes), tension)
+    covariance = 0.5 * np.einsum("wni,wnj->nij", flow, flow.conj()).real
+    room = Room(equations, covariance, np.zeros(nodes), tension)
     solve = compiled(respond_linearly, _A_BAR * tension.size)
     fairleads = model.start[1:] - 1
     last, change = np.full(fairleads.size, np.inf), math.inf
@@ -278,12 +279,6 @@ def _velocities(model: LinearModel, sea: Sea) -> Complex:
     here = here * (waves.amplitude * waves.omega)[:, np.newaxis] / (1.0 - mirror)
     along, up = here * (decay + mirror / decay), -1j * here * (decay - mirror / decay)
     return np.ascontiguousarray(np.stack([along * cos, along * sin, up], axis=2))
-
-
-def _covariance(velocity: Complex) -> Array:
-    """Covariance of a sum of waves at each node, shape (nodes, 3, 3)."""
-    found: Array = 0.5 * np.einsum("wni,wnj->nij", velocity, velocity.conj()).real
-    return found
 
 
 def _drag(model: LinearModel, spread: Array) -> Array:

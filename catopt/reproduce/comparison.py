@@ -108,14 +108,9 @@ def by_digits(printed: Printed, computed: float, unit: str) -> Judgement:
         return Judgement("reproduces", text)
     difference = computed - printed.value
     relative = f" ({100.0 * difference / printed.value:+.2f} %)" if printed.value else ""
-    amount = f"{_two_digits(difference)} {unit}".rstrip()
+    decimals = max(1 - math.floor(math.log10(abs(difference))), 0)  # two digits, or whole units
+    amount = f"{difference:+.{decimals}f} {unit}".rstrip()
     return Judgement("differs", text, Message("reproduce.differs_by", amount=f"{amount}{relative}"))
-
-
-def _two_digits(difference: float) -> str:
-    """Write a difference with its sign and two digits, or to whole units where it has more."""
-    decimals = 1 - math.floor(math.log10(abs(difference)))
-    return f"{difference:+.{max(decimals, 0)}f}"
 
 
 def by_order(printed: Printed, computed: float, limit: float, unit: str) -> Judgement:

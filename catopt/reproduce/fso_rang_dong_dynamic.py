@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cache
+from itertools import product
 from typing import TYPE_CHECKING, Literal
 
 from catopt.reproduce import fso_rang_dong
@@ -299,13 +300,13 @@ def _beside_the_prints(source: Published) -> SideBySide:
     tables = list(source.printed.values())
     rows: list[tuple[str, ...]] = []
     for index, quantity in enumerate(tables[0]):
-        printed = [f"{table[quantity].value:g}" for table in tables]
         if quantity.endswith("_m"):
-            ours = [_shown(answer.offset) for answer in answers]
-            rows.append((in_unit("turret offset", "m"), *printed, *ours))
+            name, ours = in_unit("turret offset", "m"), [each.offset for each in answers]
         else:
-            ours = [_shown(answer.tension[index] / KN) for answer in answers]
-            rows.append((Message("reproduce.line_force", number=index + 1), *printed, *ours))
+            name = Message("reproduce.line_force", number=index + 1)
+            ours = [each.tension[index] / KN for each in answers]
+        printed = (f"{table[quantity].value:g}" for table in tables)
+        rows.append((name, *printed, *map(_shown, ours)))
     return SideBySide(
         "Largest in 1,200 s: orders of magnitude, not a reproduction",
         ("largest of", "S4, PM", "S4, JONSWAP", "OrcaFlex", "synthetic, PM", "synthetic, JONSWAP"),
@@ -320,18 +321,11 @@ def _both_beds() -> SideBySide:
         "pushes only": "pushes only, printed EA",
     }
     rows: list[tuple[str, ...]] = []
-    for of in _SPECTRA:
-        for bed, words in beds.items():
-            answer = run(of, bed)
-            windward, leeward = max(answer.tension[:3]), max(answer.tension[3:])
-            forces = _shown(windward / KN), _shown(leeward / KN)
-            rows.append(
-                (
-                    Message("reproduce.spectrum_on", spectrum=of, bed=term(words)),
-                    *forces,
-                    _shown(answer.offset),
-                )
-            )
+    for of, (bed, words) in product(_SPECTRA, beds.items()):
+        answer = run(of, bed)
+        windward, leeward = max(answer.tension[:3]) / KN, max(answer.tension[3:]) / KN
+        name = Message("reproduce.spectrum_on", spectrum=of, bed=term(words))
+        rows.append((name, *map(_shown, (windward, leeward, answer.offset))))
     return SideBySide(
         "The synthetic force on two beds",
         (

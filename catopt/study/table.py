@@ -19,13 +19,12 @@ from catopt.study.axis import Axis
 from catopt.study.base import Base
 from catopt.study.member import in_file, kind_of_key
 from catopt.units import as_written, to_si
+from catopt.verify.motion_file import few
 
 if TYPE_CHECKING:
     import pandas as pd
 
 _HEADING = re.compile(r"\s*(?P<name>[^()]*?)\s*(\((?P<unit>.*)\))?\s*")
-_SHOWN = 10
-"""Faulty cells that are told of one column."""
 
 
 def read_table(base: Base, path: Path, columns: Mapping[str, str], weight: str | None) -> Axis:
@@ -183,7 +182,7 @@ def _read_each(kind: Kind, cells: Iterable[Any], name: str) -> list[Any]:
         except InputError as error:
             problems += [replace(p, key=f"{name}, value {row + 1}") for p in error.problems]
     if problems:
-        raise InputError(_few(problems))
+        raise InputError(few(problems, "table"))
     return found
 
 
@@ -193,10 +192,4 @@ def _refuse(name: str, rows: Sequence[int], cells: pd.Series[Any], allowed: str)
             Problem(f"{name}, value {row + 1}", as_written(cells.iloc[row]), allowed)
             for row in rows
         ]
-        raise InputError(_few(found))
-
-
-def _few(problems: list[Problem]) -> list[Problem]:
-    more = len(problems) - _SHOWN
-    rest = [Problem("table", "", f"{more} more of the kind")] if more > 0 else []
-    return [*problems[:_SHOWN], *rest]
+        raise InputError(few(found, "table"))

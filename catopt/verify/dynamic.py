@@ -36,8 +36,8 @@ _MILLI = 1000
 _WORTH = 4e6
 """Bars times steps from which seeds are run side by side: some 15 to 30 s on one core."""
 
-_LONG = 60.0
-"""Seconds from which what a load case takes is announced."""
+LONG = 60.0
+"""Seconds from which what a load case, or a year, takes is announced."""
 
 LEAST_RANGE = 1e-9
 """Range of a tension that is none, N."""
@@ -177,7 +177,7 @@ def _parts(
     task = partial(_seed, lines, proof)
     effort = effort_of(lines, proof)
     effort.check(drive.dynamics.duration)
-    if effort.seconds > _LONG:
+    if effort.seconds > LONG:
         announce(f"{name}: {effort}" if name else str(effort))
     # More processes than one save nothing where there is little to do.
     worth = 1 if effort.work < _WORTH else os.cpu_count() or 1

@@ -23,7 +23,7 @@ from catopt.model.fatigue import share_misfits
 from catopt.ties import largest
 from catopt.units import UNITS, Dimension
 from catopt.verify.case import load_states
-from catopt.verify.dynamic import Progress, share_of, verify_dynamic
+from catopt.verify.dynamic import LONG, Progress, share_of, verify_dynamic
 from catopt.verify.dynamic_lines import lines_at_rest
 from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, Verdict, worst_verdict
 from catopt.verify.dynamic_setup import check_for_motion, read_drive
@@ -31,9 +31,6 @@ from catopt.verify.effort import effort_of
 from catopt.verify.motion_file import OF_TOTAL, lines_of, read_columns
 from catopt.verify.proof import LIMIT, Proof
 from catopt.words import Message
-
-_LONG = 60.0
-"""Seconds from which what all takes is announced."""
 
 _WHOLE = 1e-6
 """By which the shares may miss the whole year before that is said."""
@@ -250,7 +247,7 @@ def verify_fatigue(
     states = sea_states(case)
     seas = [_in_sea(case, state) for state in states]
     seconds = sum(_seconds(sea, load_case, proof) for sea in seas)
-    if seconds > _LONG:
+    if seconds > LONG:
         announce(Message("fatigue.takes", count=len(states), minutes=seconds / 60.0))
     run = partial(
         verify_dynamic,

@@ -165,21 +165,15 @@ def _quantities(
         yield both.of(f"{end}_tension", "N", force, f"{end}.tension")
         yield both.of(f"{end}_vertical_force", "N", force, f"{end}.vertical_force")
         if not both.is_slack:
-            scale = angle_scale(closed.fairlead.tension, there.tension, tolerance)
+            # What turns the force at that end by the same part of the tension at the fairlead.
+            turns = closed.fairlead.tension / there.tension if there.tension > 0.0 else math.inf
+            scale = min(turns, math.pi / tolerance)
             yield both.of(f"{end}_angle", "rad", scale, f"{end}.angle")
     yield both.of("grounded_length", "m", reach)
     if not both.is_slack:
         distances, limit = largest_distances(closed, trusses)
         length = case.line.length
         yield Compared("shape", "m", 0.0, distances, length, tolerance, limit=limit)
-
-
-def angle_scale(tension: float, there: float, tolerance: float) -> float:
-    """Scale of an angle, rad: what turns the force at an end by the same part of the tension.
-
-    `tension`, `there`: at the fairlead and at the end in question, N.
-    """
-    return min(tension / there if there > 0.0 else math.inf, math.pi / tolerance)
 
 
 def _remarks(case: Case, closed: Solution) -> Iterator[str]:

@@ -268,10 +268,10 @@ def _fill(row: Array, line: int, cells: list[str], heads: list[str]) -> list[Pro
     return problems
 
 
-def few(problems: Sequence[Problem]) -> list[Problem]:
-    """Keep the first problems of a file, and say how many more there are."""
+def few(problems: Sequence[Problem], of: str = "file") -> list[Problem]:
+    """Keep the first problems of a file or a table, and say how many more there are."""
     more = len(problems) - SHOWN
-    rest = [Problem("file", "", f"{more} more of the kind")] if more > 0 else []
+    rest = [Problem(of, "", f"{more} more of the kind")] if more > 0 else []
     return [*problems[:SHOWN], *rest]
 
 
