@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import partial
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import Annotated, Literal
 
 import typer
 
@@ -13,13 +12,8 @@ from catopt.casefile import read_case, write_case
 from catopt.casefile.design_directory import DESIGN_CASE
 from catopt.cli.answering import INTERRUPTED, Asked, answering, refuse_own_case
 from catopt.cli.options import CaseArgument, CountOption, OutOption
-from catopt.cli.output import Output
 from catopt.cli.values import by_option, given_ones
 from catopt.errors import InputError, Problem
-from catopt.model import Case
-
-if TYPE_CHECKING:
-    from catopt.design.result import DesignResult
 
 SearchMethod = Literal["auto", "enumeration", "nsga2", "swarm"]
 
@@ -33,6 +27,10 @@ def design(
     seed: CountOption = None,
 ) -> None:
     """Search the lines that are best in mass and offset at once."""
+    from catopt.design.near_miss import NoFeasibleDesignError
+    from catopt.design.search import design_case
+    from catopt.report.bundle import design_pictures
+
     asked.check_place()
     if asked.out is not None:
         refuse_own_case(asked.out)
@@ -43,33 +41,22 @@ def design(
         raise InputError([Problem("design", "", allowed)], str(case))
     with by_option():
         read = replace(read, design=replace(read.design, **how))
-    result = _searched(read, asked.output)
-    asked.give(design_answer(result), result.to_dict, further=partial(_further, result))
-    if result.interrupted:
-        asked.output.note("The front is that of the designs evaluated so far.")
-        raise typer.Exit(INTERRUPTED)
-
-
-def _searched(case: Case, output: Output) -> DesignResult:
-    from catopt.design.near_miss import NoFeasibleDesignError
-    from catopt.design.search import design_case
-
     try:
-        with output.progress("Designs") as tell:
-            result = design_case(case, progress=tell, announce=output.note)
+        with asked.output.progress("Designs") as tell:
+            result = design_case(read, progress=tell, announce=asked.output.note)
     except NoFeasibleDesignError as error:
         if not error.interrupted:
             raise
         # Of those that were not evaluated one may pass, which status 3 would deny.
-        output.note(f"catopt: {error}")
+        asked.output.note(f"catopt: {error}")
         raise typer.Exit(INTERRUPTED) from None
     # Beside the answer, not in it: the same seed is to give the same answer to the last byte.
-    output.note(f"{result.evaluations:,} designs evaluated in {result.seconds:.1f} s")
-    return result
+    asked.output.note(f"{result.evaluations:,} designs evaluated in {result.seconds:.1f} s")
 
+    def further() -> dict[str, bytes]:  # with the case, which catopt solve DIR --design K needs
+        return design_pictures(result) | {DESIGN_CASE: write_case(result.case).encode()}
 
-def _further(result: DesignResult) -> dict[str, bytes]:
-    """Draw the front, and write the case that ``catopt solve DIR --design K`` needs."""
-    from catopt.report.bundle import design_pictures
-
-    return design_pictures(result) | {DESIGN_CASE: write_case(result.case).encode()}
+    asked.give(design_answer(result), result.to_dict, further=further)
+    if result.interrupted:
+        asked.output.note("The front is that of the designs evaluated so far.")
+        raise typer.Exit(INTERRUPTED)

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from functools import partial
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
@@ -12,26 +11,21 @@ from catopt.cli.answering import Asked, answering
 from catopt.cli.completion import completed
 from catopt.cli.options import OutOption
 
-if TYPE_CHECKING:
-    from catopt.reproduce import Reproduction
-
 _NAME = typer.Argument(metavar="NAME", autocompletion=completed("study"))
 
 
 @answering(OutOption, without=["units"])
 def reproduce(asked: Asked, name: Annotated[str | None, _NAME] = None) -> None:
     """Recompute published figures and judge each printed number."""
+    from catopt.report.bundle import reproduction_pictures
+    from catopt.reproduce import book
     from catopt.reproduce import reproduce as recompute
 
     asked.check_place()
     with asked.output.progress("Swarm runs") as tell:
         result = recompute(name, progress=tell)
-    asked.give(reproduction_answer(result), result.to_dict, further=partial(_further, result))
-
-
-def _further(result: Reproduction) -> dict[str, bytes]:
-    """Make the book, and the drawings of the studies."""
-    from catopt.report.bundle import reproduction_pictures
-    from catopt.reproduce import book
-
-    return {"reproduction.md": book(result).encode()} | reproduction_pictures(result)
+    asked.give(
+        reproduction_answer(result),
+        result.to_dict,
+        further=lambda: {"reproduction.md": book(result).encode()} | reproduction_pictures(result),
+    )
