@@ -35,7 +35,7 @@ def curve(
 ) -> None:
     """Compute a line's load curve: its forces over its span."""
     from catopt.catenary.case_curve import curve_case
-    from catopt.report.bundle import curve_pictures
+    from catopt.report.bundle import pictures_of
 
     asked.check_place()
     read = with_known_codes(read_case(case))
@@ -54,4 +54,4 @@ def curve(
             for each in error.problems
         ]
         raise InputError(problems, "options") from error
-    asked.give(curve_answer(result), result.to_dict, read, partial(curve_pictures, result))
+    asked.give(curve_answer(result), result.to_dict, read, partial(pictures_of, "curve", result))

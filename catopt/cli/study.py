@@ -122,7 +122,7 @@ def _run(
 def _write(asked: Asked, result: StudyResult, *, parquet: bool) -> None:
     """Write the table of members as it is read from the store, and the tables of the answer."""
     from catopt.render.files import files_of, write_table
-    from catopt.report.bundle import study_pictures
+    from catopt.report.bundle import pictures_of
 
     if asked.out is None:
         return
@@ -131,7 +131,7 @@ def _write(asked: Asked, result: StudyResult, *, parquet: bool) -> None:
         parts = (members_table(result.study, each) for each in result.store.pieces())
         write_table(place, parts, tell, result.study.pieces)
     files = files_of(study_answer(result), result.to_dict(), asked.language)
-    asked.write(files | study_pictures(result))
+    asked.write(files | pictures_of("study", result))
     if parquet:
         import pandas as pd
 

@@ -108,11 +108,6 @@ def _of_curve(result: CaseCurve) -> Drawing:
     return Drawing((load_curve(result),), result.case.title)
 
 
-def curve_pictures(result: CaseCurve) -> dict[str, bytes]:
-    """Draw a load curve."""
-    return _pictures({"curve": _of_curve(result)})
-
-
 # ------------------------------------------------------------------ bodies and designs
 
 
@@ -296,11 +291,6 @@ def _of_study(result: StudyResult) -> Drawing:
     return Drawing(tuple(exceedance(result, each) for each in drawn), result.study.title)
 
 
-def study_pictures(result: StudyResult) -> dict[str, bytes]:
-    """Draw how often values are exceeded; nothing where all members are alike."""
-    return _pictures({"study": _of_study(result)})
-
-
 def reproduction_pictures(result: Reproduction) -> dict[str, bytes]:
     """Draw the studies; of a swarm with the tables of its runs."""
     from catopt.answers.solution import swarm_tables
@@ -350,6 +340,11 @@ _DRAWN: dict[str, Callable[[Any], Drawing]] = {
     "Verification": lambda found: _of_comparison(found, found.parts[0]),
 }
 """What draws a result, by the name of its class."""
+
+
+def pictures_of(name: str, result: Any) -> dict[str, bytes]:
+    """Draw what `figure_of` draws, as files; none where nothing is worth a chart."""
+    return _pictures({name: _DRAWN[type(result).__name__](result)})
 
 
 def figure_of(result: Any) -> Figure:
