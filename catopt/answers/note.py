@@ -50,7 +50,7 @@ def note_answer(
     every = (*sections, section(file or "case_file", first))
     shown = tuple(each for each in every if each.blocks)
     return blocks.Answer(
-        "note", note.title or Message(untitled or "note.untitled"), shown, Message(kind)
+        "note", note.case.title or Message(untitled or "note.untitled"), shown, Message(kind)
     )
 
 
@@ -115,7 +115,7 @@ def opening(
         blocks.Points(tuple(_not_covered(sheet, in_motion)), Message("note_first.not_covered")),
     )
     yield section("summary", answer, "note_first")
-    yield section("identity", [_signed(), _title_block(facts, note.origin)])
+    yield section("identity", [_signed(), _title_block(facts, note)])
     yield section("warnings", [blocks.Warnings(note.warnings)] if note.warnings else [])
 
 
@@ -161,10 +161,12 @@ def _signed() -> Table:
     return from_rows("signed", keys, [[Cited("\N{NO-BREAK SPACE}")] * len(keys)])
 
 
-def _title_block(facts: Sequence[tuple[str, str]], origin: Origin) -> blocks.Facts:
+def _title_block(facts: Sequence[tuple[str, str]], note: AnyNote) -> blocks.Facts:
     """Lay out what is calculated, when, from which files and by which version."""
+    origin = note.origin
     files = [Cited(f"{each.name}, SHA-256 {each.sha256}") for each in origin.files]
     every = (
+        ("note.identity_source", note.case.source),
         *facts,
         ("note.identity_date", origin.date),
         ("note.identity_version", Cited(f"catopt {origin.version}")),

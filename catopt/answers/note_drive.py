@@ -32,7 +32,7 @@ def fixed(unit: str, digits: int) -> Quantity:
 _DEGREES = Quantity("", "", "", "rad", "deg", math.pi / 180.0, 4, "significant")
 _S, _M, _NUMBER, _SPEED = (significant(unit) for unit in ("s", "m", "-", "m/s"))
 _S4, _M4 = significant("s", 4), significant("m", 4)
-_PERCENT = Quantity("", "", "", "-", "%", 0.01, 2)
+PERCENT = Quantity("", "", "", "-", "%", 0.01, 2)
 _MOST_RAOS, _MOST_SEEDS = 40, 4
 _SEVENTH = 1.0 / 7.0
 _AXES = ("surge", "sway", "heave")
@@ -92,7 +92,7 @@ def _recorded(waves: WaveState, moved: InMotion) -> Iterator[Fact]:
     yield _fact("wave_direction", waves.direction, _DEGREES)
     yield _fact("components", kept.count)
     yield _fact("shortest_kept", 2.0 * math.pi / float(kept.omega[-1]), _S4)
-    yield _fact("variance_left_out", record.left_out(kept), _PERCENT)
+    yield _fact("variance_left_out", record.left_out(kept), PERCENT)
     yield _fact("mean_taken_off", record.mean, _M4)
 
 

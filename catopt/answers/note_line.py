@@ -78,7 +78,6 @@ def _opening(note: Note) -> Iterator[Section]:
         tension=about("tension", solution.fairlead.tension),
     )
     facts = (
-        ("note.identity_source", note.case.source),
         ("note.identity_load_case", note.load_case if note.case.load is not None else ""),
         ("note.identity_design", "" if note.chosen is None else str(note.chosen.number)),
         ("note.identity_regime", solved.how_it_hangs(solution)),

@@ -21,7 +21,7 @@ from catopt.answers.blocks import (
 )
 from catopt.answers.motion import ENERGIES
 from catopt.answers.note import small
-from catopt.answers.note_drive import drive_blocks, fixed, significant
+from catopt.answers.note_drive import PERCENT, drive_blocks, fixed, significant
 from catopt.answers.verification import quantity_in_note
 from catopt.figures.motion import envelope_chart, exceedance, history, track
 from catopt.quantities import Quantity
@@ -45,7 +45,6 @@ if TYPE_CHECKING:
 _BARE = blocks.named("tension", "")
 _FACTOR = fixed("-", 3)
 _SLACK = fixed("s", 2)
-_PERCENT = replace(fixed("%", 2), si_unit="-", factor=0.01)
 _ENERGY = replace(significant("kJ", 4), si_unit="J", factor=1e3)
 _PART = replace(blocks.named("residual", ""), si_unit="-", field_unit="-", digits=1)
 _MOST_RUNS = 30
@@ -133,7 +132,7 @@ def _statistics(part: DynamicPart, solution: Solution) -> Table:
     return tabulate(
         "motion_statistics",
         *_numbers(part, Rows(part.quantities), [rest[name] for name in names], **_own(names)),
-        measured(_PERCENT, map(part.change_of, names), "note_motion.change"),
+        measured(PERCENT, map(part.change_of, names), "note_motion.change"),
         caption=Message("note_motion.statistics"),
     )
 
@@ -154,10 +153,8 @@ def _numbers(
         yield texts("quantity", map(quantity_in_note, what["units"]))
     if rest is not None:
         yield texts("note_motion.rest", rest, **what)
-    yield of.texts("note_motion.mean", "mean", **what)
-    yield of.texts("note_motion.std", "std", **what)
-    yield of.texts("note_motion.min", "minimum", **what)
-    yield of.texts("note_motion.max", "maximum", **what)
+    for key, name in (("mean", "mean"), ("std", "std"), ("min", "minimum"), ("max", "maximum")):
+        yield of.texts(f"note_motion.{key}", name, **what)
     if rest is not None:
         probable = Message("note_motion.most_probable", time=lasting(part.duration_of_interest))
         yield of.texts(probable, "most_probable_maximum", **what)
@@ -168,7 +165,7 @@ def _fairleads(parts: Sequence[DynamicPart], rest: Sequence[float]) -> Iterator[
     of = Rows(part.of("fairlead_tension") for part in parts)
     yield from _numbers(parts[0], of, rest, quantity=_BARE)
     changes = (part.change_of("fairlead_tension") for part in parts)
-    yield measured(_PERCENT, changes, "note_motion.change")
+    yield measured(PERCENT, changes, "note_motion.change")
 
 
 def _cases(moved: InMotion) -> Table:
@@ -303,9 +300,7 @@ def _known(note: Note, moved: InMotion, part: DynamicPart) -> Iterator[Message]:
     else:
         factor = f"{note.solution.safety_factor:g}"
         yield Message("note_motion.allowed_by_mbl", factor=factor)
-    yield Message("note_motion.led")
-    yield Message("note_motion.ends")
-    yield Message("note_motion.grounded")
+    yield from (Message(f"note_motion.{key}") for key in ("led", "ends", "grounded"))
 
 
 # ------------------------------------------------------------------ a body's lines

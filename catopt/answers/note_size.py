@@ -75,7 +75,7 @@ def _opening(note: SizeNote) -> Iterator[Section]:
     of = note.sizing
     return opening(
         note,
-        (("note.identity_source", note.line.case.source),),
+        (),
         _recommendation(note),
         sized.steady_sentence(of),
         drawing=drawn(note.line),

@@ -82,7 +82,6 @@ def _opening(note: SystemNote) -> Iterator[Section]:
     moment = Message("sizing.measure", value=Measure("moment", system.moment))
     freedom = "note_system.identity_turns" if system.turns else "note_system.identity_held"
     facts = (
-        ("note.identity_source", note.case.source),
         ("note_system.identity_lines", f"{len(system.legs)}"),
         ("note_system.identity_freedom", Message(freedom)),
         ("note_system.identity_force", _force(note)),
@@ -145,12 +144,10 @@ def _one_out(note: SystemNote) -> Iterator[Verdict]:
         if each.response is None:
             refused = Message("note_system.line_out_refused", line=each.missing + 1)
             yield Verdict(Sentence(refused), passes=False)
-    if note.hardest_out is None or note.farthest_out is None:
+    most_tension, most_offset = note.worst_out("largest_tension"), note.worst_out("offset")
+    if most_tension is None or most_offset is None:
         return
-    hardest, farthest = (
-        note.report.line_out[note.hardest_out],
-        note.report.line_out[note.farthest_out],
-    )
+    hardest, farthest = note.report.line_out[most_tension], note.report.line_out[most_offset]
     assert hardest.response is not None
     assert farthest.response is not None
     said = Message(
@@ -264,9 +261,10 @@ def _line_out(note: SystemNote) -> Iterator[Block]:
         return
     table = body.line_out_table(note.report)
     yield Text(Message("note_system.line_out_about"))
+    hardest = note.worst_out("largest_tension")
     columns = (*table.columns[:-1], blocks.measured("utilisation", note.left), table.columns[-1])
     further = _further(each.response for each in gone)
-    yield replace(table, columns=(*columns, *further), caption="", marked=note.hardest_out)
+    yield replace(table, columns=(*columns, *further), caption="", marked=hardest)
     for each in gone:
         if each.response is None:
             lost = Message("mooring.lost", number=each.missing + 1, refusal=each.refusal)

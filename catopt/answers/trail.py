@@ -153,9 +153,8 @@ def _grounded(solution: Solution) -> Iterator[Step]:
     span = d + a * math.asinh(least / a)
     tension = max(0.0, H - mu * w * d)
     lift = 0.5 * w * (L * L / h - h)
-    step = partial(
-        step_of, {"H": H, "w": w, "L": L, "h": h, "μ": mu, "a": a, "L_min": least, "d": d}
-    )
+    numbers = {"H": H, "w": w, "L": L, "h": h, "μ": mu, "a": a, "L_min": least, "d": d}
+    step = partial(step_of, numbers)
     yield step("trail.parameter", "a", _M, a, "{H} / {w}")
     root, hung = "√({h} ({h} + 2 · {a}))", solution.suspended_length
     yield step("trail.suspended", "L_min", _M, least, root, hung, "S2 (1)")
@@ -244,9 +243,8 @@ def _sums(solution: Solution, pieces: tuple[Piece, ...]) -> Iterator[Step]:
     H, V = forces.values()
     if H > 0.0:
         angle = math.atan(V / H)
-        yield step_of(
-            forces, "trail.anchor_angle", "θ₀", DEGREES, angle, "atan({V} / {H})", anchor.angle
-        )
+        step = partial(step_of, forces)
+        yield step("trail.anchor_angle", "θ₀", DEGREES, angle, "atan({V} / {H})", anchor.angle)
 
 
 def _mass(solution: Solution) -> Iterator[Step]:

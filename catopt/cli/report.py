@@ -140,7 +140,7 @@ def _document(
     governing = checks.governing
     return {
         "schema": "catopt.report/1",
-        "title": note.title,
+        "title": note.case.title,
         **page,
         "workbook": workbook,
         "language": language,

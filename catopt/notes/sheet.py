@@ -107,11 +107,6 @@ class AnyNote:
     origin: Origin
     warnings: tuple[str, ...] = ()
 
-    @property
-    def title(self) -> str:
-        """Title of the case; empty when it has none."""
-        return self.case.title
-
 
 def sheet_of(
     case: Case,

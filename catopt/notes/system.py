@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from catopt.checks.remarks import NO_CHECK
 from catopt.checks.system import check_system
@@ -25,7 +25,6 @@ from catopt.words import Message, is_said
 if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
     from catopt.model import Case
-    from catopt.mooring.response import Response
     from catopt.mooring.solution import LegState, SystemSolution
     from catopt.verify.dynamic_result import DynamicVerification
     from catopt.verify.result import Verification
@@ -95,19 +94,10 @@ class SystemNote(AnyNote):
         """Where the body has gone, rad."""
         return heading_of(*self.solution.offset)
 
-    @property
-    def hardest_out(self) -> int | None:
-        """Which of the lines gone, counted as in the report, leaves the largest tension."""
-        return self._worst_out(lambda response: response.largest_tension)
-
-    @property
-    def farthest_out(self) -> int | None:
-        """Which of them lets the body go farthest."""
-        return self._worst_out(lambda response: response.offset)
-
-    def _worst_out(self, of: Callable[[Response], float]) -> int | None:
+    def worst_out(self, what: Literal["largest_tension", "offset"]) -> int | None:
+        """Which of the lines gone, counted as in the report, leaves the most of something."""
         responses = [gone.response for gone in self.report.line_out]
-        known = [-math.inf if each is None else of(each) for each in responses]
+        known = [-math.inf if each is None else getattr(each, what) for each in responses]
         return first_largest(known) if any(responses) else None
 
     @property
