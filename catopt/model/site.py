@@ -62,6 +62,7 @@ class Site(Checked):
     def check_level(self) -> None:
         """Raise InputError where the bed slopes, for what takes it to be level."""
         if self.seabed_slope != 0.0:
-            allowed = "must be 0 or left out: only catopt verify --dynamic has a bed that slopes"
+            who = "only catopt verify --dynamic without [find] has a bed that slopes"
+            allowed = f"must be 0 or left out: {who}"
             found = f"{math.degrees(self.seabed_slope):g} deg"
             raise InputError([Problem("site.seabed_slope", found, allowed)])
