@@ -27,10 +27,6 @@ def design(
     seed: CountOption = None,
 ) -> None:
     """Search the lines that are best in mass and offset at once."""
-    from catopt.design.near_miss import NoFeasibleDesignError
-    from catopt.design.search import design_case
-    from catopt.report.bundle import design_pictures
-
     asked.check_place()
     if asked.out is not None:
         refuse_own_case(asked.out)
@@ -41,6 +37,9 @@ def design(
         raise InputError([Problem("design", "", allowed)], str(case))
     with by_option():
         read = replace(read, design=replace(read.design, **how))
+    from catopt.design.near_miss import NoFeasibleDesignError
+    from catopt.design.search import design_case
+
     try:
         with asked.output.progress("Designs") as tell:
             result = design_case(read, progress=tell, announce=asked.output.note)
@@ -54,6 +53,8 @@ def design(
     asked.output.note(f"{result.evaluations:,} designs evaluated in {result.seconds:.1f} s")
 
     def further() -> dict[str, bytes]:  # with the case, which catopt solve DIR --design K needs
+        from catopt.report.bundle import design_pictures
+
         return design_pictures(result) | {DESIGN_CASE: write_case(result.case).encode()}
 
     asked.give(design_answer(result), result.to_dict, further=further)
