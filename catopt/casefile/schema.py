@@ -195,7 +195,7 @@ class LoadCaseTable(Table):
     """A state of the sea that the line has to meet."""
 
     model = model.LoadCase
-    keys = "name horizontal_force water_level fairlead_rise kind state"
+    keys = "name horizontal_force water_level fairlead_rise kind state condition"
     symbols: ClassVar = {"H": "horizontal_force"}
 
 

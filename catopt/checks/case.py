@@ -71,6 +71,10 @@ def check_case(case: Case) -> CheckReport:
     states = case.load_cases or (LoadCase(LOAD, 1.0),)
     kinds, of_mooring = {each.kind for each in states}, {each.state for each in states}
     strengths = criteria.strengths(case.line, kinds, of_mooring)
+    of_condition = {
+        each: criteria.in_condition(each).strengths(case.line, kinds, of_mooring)
+        for each in {state.condition for state in states}
+    }
     results: list[CheckResult] = []
     solutions: list[tuple[str, Solution]] = []
     lifted: list[Lifted] = []
@@ -82,7 +86,13 @@ def check_case(case: Case) -> CheckReport:
         where = Message("checks.named_case" if case.load_cases else "checks.under_load", name=name)
         lifted.append(Lifted(where, each.state, kind, solution))
         results += evaluate(
-            solution, criteria, strengths, case.anchor, load_case=name, kind=kind, place=place
+            solution,
+            criteria,
+            of_condition[each.condition],
+            case.anchor,
+            load_case=name,
+            kind=kind,
+            place=place,
         )
     return CheckReport(
         title=case.title,

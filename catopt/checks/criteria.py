@@ -23,6 +23,7 @@ from catopt.errors import InputError, Problem
 from catopt.model import Anchor, Case, CatalogueChoice, Line, Segment, Service
 from catopt.model.checks import Checks
 from catopt.model.load_case import LoadCaseKind
+from catopt.model.wear import Condition
 from catopt.words import Cited, Message
 
 HORIZONTAL_PULL = CheckSource(
@@ -91,6 +92,10 @@ class Criteria:
             for each in self.all
             if each.check == check and kind in each.kinds and state in each.states
         )
+
+    def in_condition(self, condition: Condition | None) -> Criteria:
+        """Return the criteria for the line in a condition: a new one has all its strength."""
+        return replace(self, service=None) if condition == "new" else self
 
     def strength(self, segment: Segment, key: str = "segment") -> Strength:
         """Find the strength of a segment at the end of the service life; see `strength_of`."""

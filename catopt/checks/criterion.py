@@ -7,6 +7,7 @@ from typing import Literal, get_args
 
 from catopt.catalogue.figure import Confidence
 from catopt.checks.kinds import CheckKind
+from catopt.model.line_kind import LINE_KINDS, LineKind, line_kind
 from catopt.model.load_case import LoadCaseKind
 from catopt.words import Message
 
@@ -22,24 +23,6 @@ StrengthKind = Literal["MBL", "proof_load"]
 STRENGTHS: tuple[StrengthKind, ...] = get_args(StrengthKind)
 
 LOAD_KINDS: tuple[LoadCaseKind, ...] = get_args(LoadCaseKind)
-
-LineKind = Literal["chain", "wire", "rope"]
-"""Chain, steel wire rope of any make, fibre rope: codes have factors of their own for each."""
-LINE_KINDS: tuple[LineKind, ...] = get_args(LineKind)
-
-_ROPES = "rope polyester nylon polyamide polypropylene polyethylene hmpe aramid"
-_WORDS: dict[LineKind, str] = {"chain": "chain", "wire": "wire spiral", "rope": _ROPES}
-"""Words in a component's name by the kind of line; wire comes before rope, for "wire rope"."""
-
-
-def line_kind(component: str) -> LineKind | None:
-    """Return the kind of line by the name of a component; None when it does not say."""
-    name = component.casefold()
-    for kind, words in _WORDS.items():
-        if any(word in name for word in words.split()):
-            return kind
-    return None
-
 
 @dataclass(frozen=True)
 class Place:

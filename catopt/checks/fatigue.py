@@ -12,12 +12,13 @@ import numpy as np
 
 from catopt.arrays import Array
 from catopt.catalogue.figure import Confidence
-from catopt.checks.criterion import USER, CheckSource, LineKind, line_kind
+from catopt.checks.criterion import USER, CheckSource
 from catopt.checks.spectral_fatigue import Band, bands, range_moment
 from catopt.checks.strength import strength_of
 from catopt.constants import YEAR
 from catopt.errors import InputError, Problem, need_package
 from catopt.model import Case, Segment, SegmentCurve
+from catopt.model.line_kind import LineKind, line_kind
 from catopt.words import Message
 
 

@@ -12,7 +12,6 @@ from catopt.catalogue.names import nearest
 from catopt.catalogue.table import Table
 from catopt.checks.criterion import (
     ANALYSES,
-    LINE_KINDS,
     LOAD_KINDS,
     STATES,
     STRENGTHS,
@@ -22,6 +21,7 @@ from catopt.checks.criterion import (
 )
 from catopt.checks.kinds import CHECK_KINDS, CheckKind
 from catopt.model.checks import Checks
+from catopt.model.line_kind import LINE_KINDS
 from catopt.model.validity import Findings
 from catopt.units import as_written
 from catopt.words import Cited

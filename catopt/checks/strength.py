@@ -6,10 +6,12 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import TYPE_CHECKING
 
-from catopt.checks.criterion import LineKind, StrengthKind, line_kind
+from catopt.checks.criterion import StrengthKind
 from catopt.constants import SEA_WATER_DENSITY, YEAR
 from catopt.errors import InputError, Problem
 from catopt.model import CatalogueChoice, Segment, Service
+from catopt.model.line_kind import LineKind, line_kind
+from catopt.model.wear import end_diameter
 from catopt.words import Measure, Message
 
 if TYPE_CHECKING:
@@ -79,10 +81,13 @@ def strength_of(
     zone for the table of wear, or the wear takes all of it, or the catalogue has no such component.
     """
     kind = line_kind(segment.component)
-    loss = _loss(segment, service, kind, key)
     new = segment.nominal_diameter
-    end = _end_diameter(new, loss, key)
-    component = _component(segment, catalogue, loss)
+    try:
+        end = end_diameter(segment, service)
+    except InputError as error:
+        problems = [replace(each, key=f"{key}.{each.key}") for each in error.problems]
+        raise InputError(problems, "checks") from None
+    component = _component(segment, catalogue, is_worn=end != new)
     MBL, proof_load = segment.MBL, segment.proof_load
     if component is not None:
         MBL = component.MBL_in_water if MBL is None else MBL
@@ -100,37 +105,11 @@ def strength_of(
     )
 
 
-def _loss(segment: Segment, service: Service | None, kind: LineKind | None, key: str) -> float:
-    """Loss of nominal diameter, m."""
-    has_own = segment.wear_rate is not None or segment.wear_zone
-    if service is None or (kind == "rope" and not has_own):
-        return 0.0
-    try:
-        return service.diameter_loss(segment.wear_rate, segment.wear_zone)
-    except InputError as error:
-        problems = [replace(each, key=f"{key}.{each.key}") for each in error.problems]
-        raise InputError(problems, "checks") from None
-
-
-def _end_diameter(new: float | None, loss: float, key: str) -> float | None:
-    if loss == 0.0:
-        return new
-    if new is None:
-        allowed = "missing; wear is taken off it: give the nominal diameter, or leave the wear out"
-        raise InputError([Problem(f"{key}.diameter", "", allowed)], "checks")
-    if not new > loss:
-        problem = Problem(
-            f"{key}.diameter",
-            f"{new * 1e3:g} mm",
-            Message("checks.worn_away", loss=loss * 1e3),
-        )
-        raise InputError([problem], "checks")
-    return new - loss
-
-
-def _component(segment: Segment, choice: CatalogueChoice | None, loss: float) -> Component | None:
+def _component(
+    segment: Segment, choice: CatalogueChoice | None, *, is_worn: bool
+) -> Component | None:
     """Look the component up, if its figures are wanted beside the segment's own."""
-    known = segment.MBL is not None and segment.proof_load is not None and loss == 0.0
+    known = segment.MBL is not None and segment.proof_load is not None and not is_worn
     if known or not segment.component or segment.nominal_diameter is None:
         return None
     return _looked_up(segment.component, segment.nominal_diameter, choice or CatalogueChoice())

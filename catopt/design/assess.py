@@ -31,6 +31,7 @@ MASS: Final = 0
 OFFSET: Final = 1
 EXCURSION: Final = 2
 COST: Final = 3
+LENGTH: Final = 4
 """Columns of the objectives."""
 
 UPLIFT_ANGLE: Final = Limits._fields.index("uplift_angle")
@@ -64,14 +65,14 @@ def assess(
     """Build, solve and check designs number `first` to `end` (not included) of shape (n, genes).
 
     With `stops_early` a design that has failed one check is left: its objectives are nan then, and
-    its excess is above ROUNDING but not the largest. Written to: `objectives`, shape (n, 4): mass,
-    offset, excursion and cost, nan where there is no equilibrium; `excess`, shape (n,): the largest
-    of all checks, -1 where there is none; `sinker`, shape (n,): the lightest that holds, or the
-    heaviest, -1 where there is none; `unsolved`, shape (1,), raised by the number of lines that did
-    not converge.
+    its excess is above ROUNDING but not the largest. Written to: `objectives`, shape (n, 5): mass,
+    offset, excursion, cost and length, nan where there is no equilibrium; `excess`, shape (n,): the
+    largest of all checks, -1 where there is none; `sinker`, shape (n,): the lightest that holds, or
+    the heaviest, -1 where there is none; `unsolved`, shape (1,), raised by the number of lines that
+    did not converge.
     """
     for i in range(first, end):
-        for k in range(4):
+        for k in range(5):
             objectives[i, k] = math.nan
         sinker[i] = -1
         segments = take_segments(genes[i], tables, room)
@@ -111,12 +112,17 @@ def _in_all_load_cases(
 ) -> _Found:
     """Solve and check the line that lies in the work space."""
     pieces = pieces_in(room, segments, weights)
+    is_worn = 0
     worst = -math.inf
     needed = -math.inf
     largest = 0.0
     reference = math.inf
     unsolved = 0
     for c in range(len(tables.force)):
+        if tables.is_worn[c] != is_worn:
+            is_worn = tables.is_worn[c]
+            wear(tables, room, segments, is_worn)
+            pieces = pieces_in(room, segments, weights)
         problem = LineProblem(pieces, tables.anchor_height, tables.height[c], tables.friction)
         state = given_force(tables.force[c], problem)
         if state.status != CONVERGED:
@@ -180,6 +186,17 @@ def take_segments(genes: Any, tables: Tables, room: Room) -> int:
             room.option[count] = option
             count += 1
     return count
+
+
+@inlined
+def wear(tables: Tables, room: Room, segments: int, is_worn: int) -> None:
+    """Give the segments in the work space what they weigh worn, or new again."""
+    for s in range(segments):
+        row = room.place[s]
+        option = room.option[s]
+        left = tables.left[row, option] if is_worn == 1 else 1.0
+        room.weight[s] = left * tables.weight[row, option]
+        room.compliance[s] = tables.compliance[row, option] / left
 
 
 @inlined
@@ -275,12 +292,14 @@ def _lightest(needed: float, weights: Any) -> int:
 def weigh(
     tables: Tables, room: Room, segments: int, genes: Any, lines: int, objectives: Any
 ) -> None:
-    """Write mass and cost of a number of equal lines."""
+    """Write mass, cost and length of a number of equal lines."""
     mass = 0.0
     cost = 0.0
+    length = 0.0
     for s in range(segments):
         mass += room.length[s] * tables.mass[room.place[s], room.option[s]]
         cost += room.length[s] * tables.price[room.place[s], room.option[s]]
+        length += room.length[s]
     first = 2 * len(tables.segment_optional)
     for c in range(len(tables.clump_optional)):
         k = genes[first + 2 * c] - tables.clump_optional[c]
@@ -288,6 +307,7 @@ def weigh(
             mass += tables.clump_mass[c, k]
     objectives[MASS] = rounded(lines * mass, tables.step[MASS])
     objectives[COST] = rounded(lines * cost, tables.step[COST])
+    objectives[LENGTH] = rounded(lines * length, tables.step[LENGTH])
 
 
 @inlined

@@ -15,7 +15,7 @@ from catopt.checks.case import LOAD, check_line
 from catopt.checks.criteria import criteria_of
 from catopt.checks.remarks import NO_CHECK
 from catopt.compiled import compiled
-from catopt.design.assess import COST, EXCURSION, MASS, OFFSET, assess
+from catopt.design.assess import COST, EXCURSION, LENGTH, MASS, OFFSET, assess
 from catopt.design.options import resolve
 from catopt.design.problem import Evaluated, Floats, Genes
 from catopt.design.result import DesignPoint, Neighbour
@@ -32,13 +32,20 @@ OBJECTIVE_KEYS: Final = {
     "offset": "offset_m",
     "excursion": "excursion_m",
     "cost": "cost_USD",
+    "length": "length_m",
 }
 """Key of each objective in results and documents."""
 
 _A_PIECE = 4e-5
 """Time that a segment or clump weight of a design takes in one load case as plain Python, s."""
 
-_COLUMNS: Final = {"mass": MASS, "offset": OFFSET, "excursion": EXCURSION, "cost": COST}
+_COLUMNS: Final = {
+    "mass": MASS,
+    "offset": OFFSET,
+    "excursion": EXCURSION,
+    "cost": COST,
+    "length": LENGTH,
+}
 
 AGREEMENT = 1e-8
 """By how much the compiled loop and the closed form in plain Python may differ, relatively: both
@@ -56,7 +63,8 @@ def objective_words(name: str) -> Message:
 class Assessed(NamedTuple):
     """All that one pass over designs gives."""
 
-    objectives: Floats  # shape (n, 4): mass (kg), offset, excursion (m), cost (USD), wanted or not
+    # shape (n, 5): mass (kg), offset, excursion (m), cost (USD), length (m), wanted or not
+    objectives: Floats
     excess: Floats  # shape (n,): as in `Evaluated`
     # shape (n,): the lightest that holds, or the heaviest; -1: there is none
     sinker: NDArray[np.int64]
@@ -228,6 +236,7 @@ class DesignProblem:
             cost = lines * math.fsum(length * price for length, price in priced)
         mass = None if line.mass is None else lines * line.mass
         values = {"mass": mass, "offset": offset, "excursion": excursion, "cost": cost}
+        values["length"] = lines * line.length
         named = ((OBJECTIVE_KEYS[name], values[name]) for name in self.known)
         return {key: value for key, value in named if value is not None}
 

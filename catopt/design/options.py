@@ -11,11 +11,11 @@ from catopt.catalogue import Catalogue, Component
 from catopt.catalogue.choice import ChosenCatalogue, chosen
 from catopt.catalogue.figure import RECALLED, within
 from catopt.checks.criteria import Criteria
-from catopt.checks.criterion import line_kind
 from catopt.design.space import ClumpWeightVariable, DesignSpace, SegmentVariable
 from catopt.errors import InputError, Problem
 from catopt.model import Case, ClumpWeightChoice, LoadCase, Segment, SegmentChoice
 from catopt.model.immersion import weight_in_water
+from catopt.model.line_kind import line_kind
 from catopt.model.validity import Findings
 from catopt.words import Listed, Message
 

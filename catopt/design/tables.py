@@ -17,6 +17,7 @@ from catopt.design.space import DesignSpace
 from catopt.design.symmetry import states_of, widest_gap
 from catopt.model import Case, DesignLoad, LoadCase, SinkerChoice
 from catopt.model.immersion import weight_in_water
+from catopt.model.wear import left_of_section
 from catopt.mooring.arrangement import Arrangement, Lines
 
 RESOLUTION = 2.0**-40
@@ -43,6 +44,8 @@ class Tables(NamedTuple):
     compliance: Any
     mass: Any
     price: Any
+    # shape (segments, options): share of the cross-section left at the end of the service life
+    left: Any
     # shape (load cases, segments, options): largest tension allowed, N; infinite: not checked
     allowed: Any
     # shape (clump weights,): 1 where it may be absent; the segment at whose upper end it hangs or 0
@@ -59,6 +62,7 @@ class Tables(NamedTuple):
     force: Any
     height: Any
     is_reference: Any
+    is_worn: Any  # shape (load cases,): 1 where the line is at the end of its service life
     # shape (load cases, 7): the columns of `catopt.checks.criteria.Limits`
     limit: Any
     # shape (sinkers,): in water, N, rising; the anchor's own where nothing is to be chosen
@@ -67,7 +71,7 @@ class Tables(NamedTuple):
     holding_capacity: float  # of the drag anchor, N, infinite when there is none
     anchor_height: float  # m above the bed
     friction: float  # Coulomb coefficient of the bed
-    # shape (4,): what mass (kg), offset, excursion (m) and cost (USD) are rounded to
+    # shape (5,): what mass (kg), offset, excursion (m), cost (USD) and length (m) are rounded to
     step: Any
 
 
@@ -208,6 +212,11 @@ def tables_of(
         compliance=1.0 / of_options("EA"),
         mass=of_options("mass"),
         price=of_options("price"),
+        left=_padded(
+            [[left_of_section(x, case.service) for x in each.options] for each in segments]
+        )
+        if any(state.condition == "worn" for state in states)
+        else np.ones_like(of_options("submerged_weight")),
         allowed=_allowed(states, space, criteria),
         clump_optional=np.array([v.is_optional for v in weights], dtype=np.int64),
         joint=np.array([v.joint for v in weights], dtype=np.int64),
@@ -218,6 +227,7 @@ def tables_of(
         force=np.array([state.horizontal_force for state in states]),
         height=np.array([case.fairlead_height + each.lift for each in states]),
         is_reference=np.array([state.kind == "reference" for state in states], dtype=np.int64),
+        is_worn=np.array([state.condition == "worn" for state in states], dtype=np.int64),
         limit=np.array(
             [criteria.limits(state.kind, state.state) for state in states], dtype=np.float64
         ),
@@ -315,8 +325,12 @@ def _allowed(states: Sequence[LoadCase], space: DesignSpace, criteria: Criteria)
     allowed = np.full((len(states), len(space.segments), width), np.inf)
     for row, variable in enumerate(space.segments):
         for column, option in enumerate(variable.options):
-            strength = criteria.strength(option)
+            strengths = {
+                each: criteria.in_condition(each).strength(option)
+                for each in {state.condition for state in states}
+            }
             for state, of_state in zip(states, allowed, strict=True):
+                strength = strengths[state.condition]
                 allowed_here = criteria.allowed_tension(strength, state.kind, state.state)
                 of_state[row, column] = allowed_here.tension
     return allowed
@@ -331,6 +345,6 @@ def _steps(space: DesignSpace) -> Floats:
     lines = 1 if space.layout is None else max(map(len, space.layout.azimuths))
     mass = lines * (sum(m * length for m, length in zip(masses, lengths, strict=True)) + clumps)
     cost = lines * sum(p * length for p, length in zip(prices, lengths, strict=True))
-    largest = [mass, sum(lengths), sum(lengths), cost]
+    largest = [mass, sum(lengths), sum(lengths), cost, lines * sum(lengths)]
     powers = [2.0 ** math.floor(math.log2(x)) if x > 0.0 else 1.0 for x in largest]
     return np.array(powers) * RESOLUTION

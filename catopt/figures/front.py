@@ -24,6 +24,7 @@ OBJECTIVES: Mapping[str, Quantity] = MappingProxyType(
         "offset_m": replace(QUANTITIES["offset"], name="Largest span", symbol="S"),
         "excursion_m": QUANTITIES["excursion"],
         "cost_USD": QUANTITIES["cost"],
+        "length_m": QUANTITIES["length"],
     }
 )
 """What each objective is called and measured in, by its key in the document of a search."""

@@ -24,6 +24,7 @@ from catopt.model.service import Service, wear_misfits
 from catopt.model.site import Site
 from catopt.model.system import System, system_misfits
 from catopt.model.validity import Checked, Findings
+from catopt.model.wear import worn_line
 from catopt.model.wave_state import WaveState
 from catopt.units import Dimension
 
@@ -152,6 +153,10 @@ class Case(Checked):
                 len(self.line.segments),
             )
         self._check_levels("load_cases", self.load_cases, found)
+        for index, state in enumerate(self.load_cases):
+            if state.condition is not None and self.service is None:
+                allowed = "goes with [service], which is missing: nothing wears without it"
+                found.add(f"load_cases[{index}].condition", f'"{state.condition}"', allowed)
         if self.design is not None:
             self._check_levels("design.loads", self.design.loads, found)
 
@@ -197,11 +202,15 @@ class Case(Checked):
         }
 
     def under(self, state: LoadCase) -> Case:
-        """Return the case in one of its states, with water and fairlead at its levels."""
+        """Return the case in one of its states, with water and fairlead at its levels.
+
+        The line is the worn one where the state is one at the end of its service life.
+        """
         depth = self.site.water_depth + state.water_level
         return replace(
             self,
             site=replace(self.site, water_depth=depth),
+            line=worn_line(self.line, self.service) if state.condition == "worn" else self.line,
             fairlead_height=self.fairlead_height + state.lift,
             load=Load(horizontal_force=state.horizontal_force),
             load_cases=(),

@@ -29,7 +29,7 @@ from catopt.model.kinds import (
 from catopt.model.system import System
 from catopt.model.validity import Checked, Findings
 
-Objective = Literal["mass", "offset", "excursion", "cost"]
+Objective = Literal["mass", "offset", "excursion", "cost", "length"]
 OBJECTIVES: tuple[str, ...] = get_args(Objective)
 
 SearchMethod = Literal["auto", "enumeration", "nsga2", "swarm"]
@@ -169,7 +169,7 @@ class Design(Checked):
     objectives: tuple[Annotated[str, OneOf(OBJECTIVES)], ...] = ("mass", "offset")
     """Two or three of: "mass", in air, of segments and clump weights; "offset", the largest span
     over the load cases; "excursion", the largest span less that of the reference case; "cost", of
-    the segments' material."""
+    the segments' material; "length", of the line."""
     method: SearchMethod = "auto"
     """"enumeration" of every design, "nsga2", "swarm", or "auto"."""
     evaluations: Annotated[int, Whole("evaluations", example=10_000)] = 10_000

@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 
 from catopt.model.kinds import Place, Strength, Text
 from catopt.model.validity import Checked, Findings
+from catopt.model.wear import Condition
 
 LoadCaseKind = Literal["extreme", "reference"]
 LoadCaseState = Literal["intact", "one_line_out"]
@@ -32,6 +33,10 @@ class LoadCase(Checked):
     fairlead_rise: Place = 0.0
     """Of the fairlead above its place on the case's body, m: a ship at another draught."""
 
+    condition: Condition | None = None
+    """Of the line, for a case with a service life: new in weight and strength, or worn in both.
+    Left out: the weight of the new line with the strength of the worn one."""
+
     @property
     def lift(self) -> float:
         """How much higher the fairlead is than in the case: by the water and by its rise, m."""
@@ -40,4 +45,5 @@ class LoadCase(Checked):
     def _check(self, found: Findings) -> None:
         if not self.name.strip():
             found.add("name", repr(self.name), "a name is wanted")
-        found.check("horizontal_force", "water_level", "fairlead_rise", "kind", "state")
+        found.check("horizontal_force", "water_level", "fairlead_rise")
+        found.check("kind", "state", "condition")

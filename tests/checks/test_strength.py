@@ -8,7 +8,7 @@ import pytest
 
 from catopt import catalogue
 from catopt.checks.case import check_case
-from catopt.checks.criterion import CheckSource, line_kind
+from catopt.checks.criterion import CheckSource
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.checks.strength import strength_of
 from catopt.constants import YEAR
