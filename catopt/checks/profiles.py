@@ -7,7 +7,7 @@ from functools import cache
 from importlib.resources import files
 from typing import Literal, TypeVar
 
-from catopt.catalogue.figure import CONFIDENCES, RECALLED
+from catopt.catalogue.figure import CONFIDENCES, RECALLED, Confidence
 from catopt.catalogue.names import nearest
 from catopt.catalogue.table import Table
 from catopt.checks.criterion import (
@@ -36,6 +36,24 @@ SCHEMA = "catopt.profiles/1"
 
 
 @dataclass(frozen=True)
+class Method:
+    """What a code has beside its criteria, so that it is applied whole in a sizing."""
+
+    dynamic_factor: float
+    """Allowance for motion on the steady forces, which every check then sees."""
+    motion: str
+    """What stands for motion, with its place: for the answer."""
+    confidence: Confidence
+    """Of the factor."""
+    prefer: str
+    """Which line a sizing recommends: a preference of `catopt.sizing`."""
+    soil: str = ""
+    """Friction of a sinker: a soil of `catopt.loads.sinker`; empty: that of the place."""
+    loads: str = ""
+    """Method of the loads on a buoy that belongs to it; empty: it has none."""
+
+
+@dataclass(frozen=True)
 class Profile:
     """A named set of criteria."""
 
@@ -48,6 +66,8 @@ class Profile:
     """What an engineer should know of it."""
     aliases: tuple[str, ...] = ()
     """Names that it had before."""
+    method: Method | None = None
+    """What it has beside its criteria; None: nothing."""
 
     @property
     def is_recalled(self) -> bool:
@@ -106,7 +126,9 @@ def parse_profiles(text: str, source: str = "") -> tuple[Profile, ...]:
 
 
 def _profile(table: Table) -> Profile:
-    table.only("name", "title", "document", "edition", "note", "aliases", "criterion")
+    table.only(
+        "name", "title", "document", "edition", "note", "aliases", "criterion", "method"
+    )
     name, edition = table.text("name") or "", table.text("edition", required=False)
     document = table.text("document") or ""
     document += f" ({edition})" if edition else ""
@@ -118,7 +140,20 @@ def _profile(table: Table) -> Profile:
         tuple(each for each in criteria if each is not None),
         table.said("note", required=False) or "",
         tuple(table.texts("aliases")),
+        _method(table.table("method")),
     )
+
+
+def _method(table: Table | None) -> Method | None:
+    if table is None:
+        return None
+    table.only("dynamic_factor", "motion", "confidence", "prefer", "soil", "loads")
+    factor, confidence = table.number("dynamic_factor"), table.word("confidence", CONFIDENCES)
+    motion, prefer = table.said("motion"), table.text("prefer")
+    if factor is None or confidence is None or motion is None or prefer is None:
+        return None
+    soil, loads = (table.text(key, required=False) or "" for key in ("soil", "loads"))
+    return Method(factor, motion, confidence, prefer, soil, loads)
 
 
 def _criterion(table: Table, code: str, document: str) -> Criterion | None:

@@ -28,7 +28,11 @@ HEAVY_SINKERS: Final = (
 )
 """kg, in air: `SINKER_MASSES` and what is cast for ships; catopt's own list."""
 
-_CALMAR_SOIL: Final = "IALA default"
+CALMAR_SOIL: Final = "IALA default"
+"""The friction of IALA's CALMAR, 1.0 on any ground."""
+
+SAND: Final = "fine or silty sand"
+"""Taken of a ground of which nothing is said, by a code that has no friction of its own."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +40,7 @@ class SinkerGround:
     """A sinker on a soil."""
 
     # a key of `catopt.loads.sinker.SOIL_FRICTION`; None where `friction` is given
-    soil: str | None = field(default_factory=lambda: usual("soil"))
+    soil: str | None = CALMAR_SOIL
     friction: float | None = None  # tan(delta) of one's own
     material: Material = "concrete"  # of the sinker
     density: float | None = None  # kg/m3; None: that of the material
@@ -83,7 +87,7 @@ class SinkerGround:
         One rule takes the friction of the soil (NAVFAC), the other phi = 45 deg whatever the soil
         (IALA CALMAR). They differ by a factor of two and more.
         """
-        soil = usual("soil") if self.soil == _CALMAR_SOIL else _CALMAR_SOIL
+        soil = SAND if self.soil == CALMAR_SOIL else CALMAR_SOIL
         steel = self.material == "steel"  # CALMAR's angle is that of any sinker
         rule = {"soil": None, "friction": 1.0} if steel else {"soil": soil, "friction": None}
         try:

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from dataclasses import replace
 from typing import Any, Literal
 
 from catopt.loads.buoy import buoy_loads
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.component import Loads
 from catopt.loads.environment import WaterLevels
-from catopt.model import Case, Site
+from catopt.model import Case, LoadCase, Service, Site
 from catopt.sizing.alternatives import alternatives, candidates, limits
 from catopt.sizing.anchorage import SinkerGround
 from catopt.sizing.buoy_request import BuoyRequest
@@ -42,6 +43,26 @@ def case_of(
         catalogue=line.catalogue,
         **own,
     )
+
+
+def worn_name(load_case: str) -> Message:
+    """Name a load case of the line at the end of its service life."""
+    return Message("sizing.worn_chain", load_case=load_case)
+
+
+def new_and_worn(states: Iterable[LoadCase], service: Service | None) -> tuple[LoadCase, ...]:
+    """Put each state on the new line, and on the worn one where it wears.
+
+    An everyday state is one of the new line alone.
+    """
+    if service is None:
+        return tuple(states)
+    made = []
+    for each in states:
+        made.append(replace(each, condition="new"))
+        if each.kind == "extreme":
+            made.append(replace(each, name=worn_name(each.name), condition="worn"))
+    return tuple(made)
 
 
 def loads_on(
@@ -90,10 +111,11 @@ def sizing_of(
         kind=kind,
         settled=settled,
         candidates=candidates(settled, lambda name, size: of_size(line.only(name, size), size)),
-        alternatives=alternatives(line.prefer, by, priced=request.is_priced),
+        alternatives=alternatives(line.looks_for, by, priced=request.is_priced),
         limits=limits(settled),
         swing=swing(settled),
-        dynamic_factor=line.dynamic_factor,
+        dynamic_factor=line.allowance,
+        motion=line.motion,
         reserve_buoyancy=request.reserve_buoyancy,
         defaults=request.defaults,
         inputs=request.inputs,

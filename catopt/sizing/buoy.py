@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import replace
 
+from catopt.design.near_miss import NoFeasibleDesignError
 from catopt.design.result import DesignPoint
 from catopt.errors import InputError, Problem
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.environment import WaterLevels
 from catopt.model import Buoy, Design, LoadCase
-from catopt.sizing.answer import case_of, loads_on, sizing_of
+from catopt.sizing.answer import case_of, loads_on, new_and_worn, sizing_of, worn_name
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.line_choice import sold
 from catopt.sizing.posed import Assumed, LoadsAt, Posed, rounded_up
 from catopt.sizing.result import Sizing, SwingRadius
 from catopt.sizing.settle import Settled, point_diameter, point_pull, settle
+from catopt.ties import largest
 from catopt.words import Measure, Message
 
 
@@ -28,7 +31,7 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
     buoyancy below the weight of any chain. NoFeasibleDesignError: nothing that is sold passes.
     """
     _check_reserve(request)
-    settled = _settled(request)
+    request, settled = _within_scope(request)
     return sizing_of(
         "buoy",
         request,
@@ -42,10 +45,27 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
     )
 
 
+def _within_scope(request: BuoyRequest) -> tuple[BuoyRequest, Settled]:
+    """Settle loads and line within the scope of practice, or beyond it where nothing passes.
+
+    With what was asked for in the end.
+    """
+    try:
+        return request, _settled(request)
+    except NoFeasibleDesignError:
+        least, most = request.line.scope
+        if math.isinf(most):
+            raise
+        longer = replace(request, line=replace(request.line, scope=(least, math.inf)))
+        said = Message("sizing.beyond_scope", scope=most)
+        return replace(longer, defaults=(*request.defaults, said)), _settled(longer)
+
+
 def _swing(settled: Settled) -> SwingRadius:
     low = Message("sizing.storm_low")
-    span = dict(settled.point.checks.solutions)[low].span
-    return SwingRadius(low, ((Message("sizing.line_at_low_water"), span),))
+    spans = {name: solution.span for name, solution in settled.point.checks.solutions}
+    widest = largest((low, worn_name(low)), lambda name: spans.get(name, 0.0))
+    return SwingRadius(widest, ((Message("sizing.line_at_low_water"), spans[widest]),))
 
 
 def _settled(request: BuoyRequest, start: Assumed | None = None) -> Settled:
@@ -84,13 +104,16 @@ def pose_buoy(request: BuoyRequest, assumed: Assumed) -> Posed:
         length=2.0 * height,
         rest=0.0,
         fairlead_height=levels.high - keel,
-        load_cases=tuple(
-            LoadCase(each.load_case, each.horizontal_force, rise)
-            for each, rise in zip(loads, rises, strict=True)
+        load_cases=new_and_worn(
+            (
+                LoadCase(each.load_case, line.allowance * each.horizontal_force, rise)
+                for each, rise in zip(loads, rises, strict=True)
+            ),
+            line.service,
         ),
         buoy=Buoy(request.reserve_buoyancy),
         design=Design(
-            segments=(line.segment(height),),
+            segments=(line.segment(height, depth=levels.high),),
             objectives=line.objectives,
             sinker=request.ground.choice(coded=line.has_factor("sliding")),
         ),

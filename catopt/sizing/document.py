@@ -56,7 +56,7 @@ def sizing_document(of: Sizing) -> dict[str, Any]:
             "parts": [{"name": name, "length_m": length} for name, length in of.swing.parts],
         },
         **figures(of, "excursion_m largest_tension_N dynamic_factor"),
-        "utilisation_in_motion": {key: of.in_motion.get(key) for key in ("tension", "holding")},
+        "motion": of.motion,
         **figures(of, "break_factor proof_factor reserve_buoyancy_N"),
         "load_cases": [_load_case(index, of) for index in range(len(point.checks.solutions))],
         "loads": [_loads(each) for each in settled.posed.loads],

@@ -232,9 +232,16 @@ INPUTS: Final = (
     ),
     Input(
         "prefer", "line.prefer", "WHICH", "balanced", left_out="left_out.prefer",
-        words=("cheapest", "lightest", "balanced", "least-swing"),
+        words=("shortest", "cheapest", "lightest", "balanced", "least-swing"),
     ),
     Input("max_swing", "line.max_swing", "LENGTH", "450 m", above=0.0),
+    # Sealite's manual of the Nautilus-2200, page 11: two to three depths (A).
+    Input(
+        "scope_min", "line.scope_min", "NUMBER", 2.5, "2", of=_BUOY, at_least=0.0, most="20",
+    ),
+    Input(
+        "scope_max", "line.scope_max", "NUMBER", 4, "3", of=_BUOY, above=0.0, most="20",
+    ),
     Input("swing_price", "line.swing_price", "NUMBER", 50, at_least=0.0),
     Input(
         "clump_weight", "line.clump_weights", "MASS", ("5 t", "10 t"), of=_TANKER, above=0.0,
@@ -259,8 +266,8 @@ INPUTS: Final = (
         most="20000 kg/m^3", called=("density",), left_out="left_out.sinker_density",
     ),
     Input(
-        "soil", "sinker.soil", "NAME", "fine or silty sand", "fine or silty sand", asked=True,
-        not_with=("friction",), tanker=(("asked", False),),
+        "soil", "sinker.soil", "NAME", "fine or silty sand", asked=True,
+        not_with=("friction",), left_out="left_out.sinker_soil", tanker=(("asked", False),),
     ),
     Input(
         "friction", "sinker.friction", "NUMBER", 0.4, above=0.0, most="1.5", also=("mu",),
@@ -279,9 +286,9 @@ INPUTS: Final = (
         "wear", "service.wear_rate", "SPEED", "0.4 mm/year", "0.4 mm/year", at_least=0.0,
         most="10 mm/year", called=("wear_rate",), taken="sizing.taken_wear",
     ),
-    # API RP 2SK's factors on quasi-static over those on dynamic analysis, 2.00 / 1.67.
     Input(
-        "dynamic_factor", "service.dynamic_factor", "NUMBER", 1.5, "1.2", at_least=1.0, most="10",
+        "dynamic_factor", "service.dynamic_factor", "NUMBER", 1.5, at_least=1.0, most="10",
+        left_out="left_out.dynamic_factor",
     ),
 )  # fmt: skip
 """In the order in which they are asked for and listed."""

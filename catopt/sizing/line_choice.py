@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field, replace
 from functools import cache
-from typing import Final, Literal, get_args
+from typing import Final, Literal, cast, get_args
 
 from catopt.catalogue.choice import chosen
 from catopt.catalogue.figure import within
-from catopt.checks.profiles import profiles_of
+from catopt.checks.profiles import Method, profiles_of
 from catopt.constants import YEAR
 from catopt.errors import InputError, Problem
 from catopt.model import CatalogueChoice, Checks, Line, Segment, SegmentChoice, Service
@@ -17,7 +17,7 @@ from catopt.model.validity import Findings
 from catopt.sizing.kinds import usual
 from catopt.words import Message
 
-Prefer = Literal["cheapest", "lightest", "balanced", "least-swing"]
+Prefer = Literal["shortest", "cheapest", "lightest", "balanced", "least-swing"]
 PREFERENCES: tuple[Prefer, ...] = get_args(Prefer)
 
 _STEPS: Final = (0.25, 0.5, 1.0, 2.5, 5.0, 10.0)
@@ -31,6 +31,8 @@ _FASTEST_WEAR: Final = 10e-3
 """m a year."""
 _ON_THE_BED: Final = 30.0
 """m."""
+_ROUNDING: Final = 1e-9
+"""Of a number of steps."""
 
 
 @dataclass(frozen=True)
@@ -45,9 +47,12 @@ class LineChoice:
     diameters: tuple[float, ...] = ()
     # step of the length, m; None: a round one near a 25th of the height that the line spans
     length_step: float | None = None
-    # which design of the front is recommended: one of its ends, or its knee. The cheapest is
-    # that of a front in the price of the line and swing, the others of one in mass and swing
-    prefer: Prefer = "lightest"
+    # least and largest length, in depths at high water: of a buoy's chain
+    scope: tuple[float, float] = (0.0, math.inf)
+    # which design of the front is recommended: one of its ends, or its knee. The cheapest is that
+    # of a front in price and swing, the shortest of one in mass and length (of equally short ones
+    # the lightest), the others of one in mass and swing. None: that of the code's method
+    prefer: Prefer | None = None
     # largest swing radius that the place allows, m: designs beyond it do not pass
     max_swing: float | None = None
     # what a metre of swing radius costs, USD/m, beside the price of the line: of the cheapest
@@ -55,9 +60,9 @@ class LineChoice:
     life: float = field(default_factory=lambda: usual("life"))  # service life, s
     # loss of nominal diameter, m/s
     wear_rate: float = field(default_factory=lambda: usual("wear"))
-    # allowance for motion: tension in waves over that under the steady forces. The answer is
-    # shown with and without it; the checks are by the steady forces
-    dynamic_factor: float = field(default_factory=lambda: usual("dynamic_factor"))
+    # allowance for motion on the steady forces, which every check sees. None: that of the code's
+    # method
+    dynamic_factor: float | None = None
     # whether figures and criteria that were read in no document may be used
     allow_recalled: bool = False
 
@@ -71,8 +76,11 @@ class LineChoice:
         least, most = self.diameter_min, self.diameter_max
         if not found.problems and least is not None and most is not None and most < least:
             found.add("diameter_max", f"{most * 1e3:g} mm", f"below diameter_min, {least * 1e3:g}")
-        if self.prefer not in PREFERENCES:
+        if self.prefer not in (None, *PREFERENCES):
             found.add("prefer", repr(self.prefer), "one of " + ", ".join(PREFERENCES))
+        lowest, highest = self.scope
+        if not 0.0 <= lowest <= highest:
+            found.add("scope_max", f"{highest:g}", f"below scope_min, {lowest:g}")
         if self.swing_price and self.prefer != "cheapest":
             allowed = 'leave it out: prefer = "cheapest" alone weighs it, and wants known prices'
             found.add("swing_price", f"{self.swing_price:g} USD/m", allowed)
@@ -84,7 +92,8 @@ class LineChoice:
         if self.wear_rate > _FASTEST_WEAR / YEAR:
             rate = f"{self.wear_rate * YEAR * 1e3:g} mm/year"
             found.add("wear_rate", rate, f"must be {_FASTEST_WEAR * 1e3:g} mm/year or less")
-        found.number("dynamic_factor", self.dynamic_factor, "", at_least=1.0, at_most=10.0)
+        if self.dynamic_factor is not None:
+            found.number("dynamic_factor", self.dynamic_factor, "", at_least=1.0, at_most=10.0)
         try:
             profiles_of(self.checks)
         except InputError as error:
@@ -111,9 +120,36 @@ class LineChoice:
         return replace(self.checks, max_span=longest)
 
     @property
+    def method(self) -> Method:
+        """What the code has beside its criteria; of one that has nothing, API RP 2SK's."""
+        own = profiles_of(self.checks)[0].method
+        return own or _method_of("API-RP-2SK")
+
+    @property
+    def allowance(self) -> float:
+        """For motion, on the steady forces."""
+        own = self.dynamic_factor
+        return self.method.dynamic_factor if own is None else own
+
+    @property
+    def motion(self) -> str:
+        """What stands for motion: the user's factor, or what the code's method says of its own."""
+        if self.dynamic_factor is not None:
+            return Message("sizing.factor_given")
+        code = self.code if profiles_of(self.checks)[0].method else "API-RP-2SK"
+        return Message("sizing.factor_of_code", code=code, motion=self.method.motion)
+
+    @property
+    def looks_for(self) -> Prefer:
+        """Which design of the front is recommended."""
+        return self.prefer or cast("Prefer", self.method.prefer)
+
+    @property
     def objectives(self) -> tuple[str, str]:
         """What the front is of."""
-        return ("cost" if self.prefer == "cheapest" else "mass", "offset")
+        if self.looks_for == "shortest":
+            return "mass", "length"
+        return ("cost" if self.looks_for == "cheapest" else "mass", "offset")
 
     @property
     def service(self) -> Service | None:
@@ -141,14 +177,21 @@ class LineChoice:
             diameter_max=None,
         )
 
-    def segment(self, height: float, longest: float = 0.0) -> SegmentChoice:
+    def segment(
+        self, height: float, *, depth: float = 0.0, longest: float = 0.0
+    ) -> SegmentChoice:
         """Make the design's segment for the largest height that the line spans, m.
 
-        `longest` is the length to look at, m, where that is more than 12 heights.
+        The scope is in depths, m; `longest` is the length to look at, m, where that is more than
+        12 heights.
         """
         step = self.length_step or round_step(height)
-        first = math.floor(height / step) + 1
-        last = max(math.ceil(max(_LONGEST * height, longest) / step), first)
+        least, most = (each * depth if each else 0.0 for each in self.scope)
+        first = max(math.floor(height / step) + 1, math.ceil(least / step - _ROUNDING))
+        last = math.ceil(max(_LONGEST * height, longest) / step)
+        if most < math.inf:
+            last = min(last, math.floor(most / step + _ROUNDING))
+        last = max(last, first)
         return SegmentChoice(
             name=Message("sizing.chain_part"),
             lengths=tuple(round(step * k, 9) for k in range(first, last + 1)),
@@ -162,6 +205,12 @@ class LineChoice:
 def round_step(height: float) -> float:
     """Pick a round step of length near a 25th of the height that a line spans, m."""
     return next((step for step in _STEPS if step >= height / _STEPS_A_HEIGHT), _STEPS[-1])
+
+
+def _method_of(code: str) -> Method:
+    (found,) = profiles_of(Checks(codes=(code,)))
+    assert found.method is not None
+    return found.method
 
 
 # ------------------------------------------------------------------ what is sold

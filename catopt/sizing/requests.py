@@ -13,7 +13,10 @@ from catopt.loads.buoy_library import buoy as look_up
 from catopt.loads.environment import HMAX_OVER_HS
 from catopt.loads.ship import Ship
 from catopt.loads.ship_estimate import MOULDED, Condition, estimated_tanker, estimates
-from catopt.sizing.anchorage import DragGround, SinkerGround
+from catopt.checks.profiles import profiles_of
+from catopt.errors import InputError
+from catopt.model import Checks
+from catopt.sizing.anchorage import CALMAR_SOIL, SAND, DragGround, SinkerGround
 from catopt.sizing.buoy import sized_buoy
 from catopt.sizing.buoy_request import BuoyRequest, GivenBuoy
 from catopt.sizing.environment import Environment, mean_over, usual_period
@@ -257,6 +260,8 @@ def _line(of: Known, least: float | None, most: float | None) -> LineChoice | No
         "allow_recalled": bool(of["recalled"]),
     }
     make = of.telling.make
+    if of.moored == "buoy":
+        choice["scope"] = of["scope_min"] or 0.0, of["scope_max"] or math.inf
     # With the usual code, so that a wrong code and a wrong chain are reported at once.
     usual_code = usual("code", of.moored)
     usual_line = make(lambda: LineChoice(of["chain"], usual_code, **choice))
@@ -267,10 +272,11 @@ def _line(of: Known, least: float | None, most: float | None) -> LineChoice | No
 
 
 def _preference(of: Known, line: LineChoice | None) -> dict[str, Any]:
-    """Say which design is recommended: unless one asks, the cheapest where every price is known."""
+    """Say which design is recommended: unless one asks, a buoy's shortest, a ship's balanced."""
     prefer, swing_price = of["prefer"], of["swing_price"] or 0.0
+    own = "shortest" if of.moored == "buoy" else "balanced"
     if line is None:
-        return {"prefer": prefer or "lightest"}
+        return {"prefer": prefer or own}
     unpriced = list(unpriced_components(line, of["water_density"]))
     if of["clump_weight"]:
         unpriced.append("clump weights")
@@ -280,8 +286,8 @@ def _preference(of: Known, line: LineChoice | None) -> dict[str, Any]:
             of.telling.add("prefer", '"cheapest"', f"{allowed}: take lightest")
         if swing_price:
             of.telling.add("swing_price", f"{swing_price:g}", f"{allowed}: leave it out")
-        return {"prefer": "lightest" if prefer in (None, "cheapest") else prefer}
-    return {"prefer": prefer or "cheapest", "swing_price": swing_price}
+        return {"prefer": own if prefer in (None, "cheapest") else prefer}
+    return {"prefer": prefer or ("cheapest" if swing_price else own), "swing_price": swing_price}
 
 
 _AS_CLAY: Final = MappingProxyType({"mud": "soft clay", "soft mud": "soft clay"})
@@ -294,8 +300,18 @@ def _ground(of: Known) -> DragGround | SinkerGround | None:
     if of.moored == "tanker" and of["anchor"] != SINKER:
         soil = _AS_CLAY.get(of["soil"], of["soil"])
         return of.telling.make(partial(DragGround, of["anchor"], soil, allow_recalled=recalled))
-    figures = of["soil"], of["friction"], of["sinker"], of["sinker_density"]
+    soil = of["soil"] or (None if of["friction"] is not None else _soil_of(of["code"]))
+    figures = soil, of["friction"], of["sinker"], of["sinker_density"]
     return of.telling.make(partial(SinkerGround, *figures, allow_recalled=recalled))
+
+
+def _soil_of(code: str) -> str:
+    """Name the soil whose friction a sinker has that nothing is said of: the code's, or sand."""
+    try:
+        (profile,) = profiles_of(Checks(codes=(code,), allow_recalled=True))
+    except InputError:  # which is told of the code
+        return SAND
+    return (profile.method.soil if profile.method else "") or SAND
 
 
 def _taken(
@@ -312,7 +328,8 @@ def _taken(
     if "low_water" not in of.given:
         words.append(Message("sizing.no_tide"))
     if of.given.isdisjoint({"soil", "friction"}) and ground is not None:
-        words.append(Message("sizing.taken_soil", soil=term(str(ground.soil))))
+        key = "sizing.taken_friction" if ground.soil == CALMAR_SOIL else "sizing.taken_soil"
+        words.append(Message(key, soil=term(str(ground.soil))))
     if of["soil"] in _AS_CLAY and isinstance(ground, DragGround):
         words.append(Message("sizing.mud_as_clay", soil=term(of["soil"])))
     if "return_period" not in of.given:

@@ -29,10 +29,6 @@ from catopt.words import Cited, Measure, Message, Sentence, Several
 SHOT: Final = UNITS[Dimension.LENGTH]["shot"]
 """m: a shot of chain."""
 
-_WITH_PULL: Final = ("tension", "holding")
-"""Checks whose utilisation goes with the pull."""
-
-
 @dataclass(frozen=True)
 class SwingRadius:
     """How far the floating end swings round the anchor."""
@@ -56,7 +52,8 @@ class Sizing(Shown):
     alternatives: tuple[Alternative, ...]  # the lines that other preferences would recommend
     limits: tuple[Limit, ...]  # steps to less that fail
     swing: SwingRadius  # at low water
-    dynamic_factor: float  # allowance for motion, on tensions and pulls under the steady forces
+    dynamic_factor: float  # allowance for motion on the steady forces, in all load cases
+    motion: str  # where it is from, and what stands for motion
     # for the pull of the recommended line; its mass is that of the design's sinker
     sinker: SinkerSize | None = None
     # by the rule that was not chosen, for comparison; None where there is none
@@ -93,9 +90,11 @@ class Sizing(Shown):
     @property
     def why(self) -> str:
         """Why this design of the front is recommended."""
-        prefer, result = self.settled.choice.prefer, self.settled.result
+        prefer, result = self.settled.choice.looks_for, self.settled.result
         if prefer == "least-swing":
             return Message("sizing.least_swing")
+        if prefer == "shortest":
+            return Message("sizing.shortest")
         if prefer == "balanced":
             at_knee = self.settled.index == result.recommended
             return result.recommendation if at_knee else Message("sizing.near_knee")
@@ -148,40 +147,6 @@ class Sizing(Shown):
         return max(
             segment.max_tension for _, solution in self.intact for segment in solution.segments
         )
-
-    @property
-    def is_usual_factor(self) -> bool:
-        """Whether the allowance for motion is the one that is taken unless another is given."""
-        return bool(self.dynamic_factor == usual("dynamic_factor"))
-
-    @property
-    def in_motion(self) -> dict[str, float]:
-        """Largest utilisation of tension and of holding with the allowance for motion, by kind.
-
-        Both go with the pull; those that do not are in `fails_in_motion`.
-        """
-        used: dict[str, float] = {}
-        for each in self.point.checks.results:
-            if each.kind in _WITH_PULL and each.utilisation is not None:
-                used[each.kind] = max(used.get(each.kind, 0.0), each.utilisation)
-        return {kind: self.dynamic_factor * value for kind, value in used.items()}
-
-    @property
-    def fails_in_motion(self) -> tuple[CheckResult, ...]:
-        """Other checks that fail under the extreme forces times that factor, the worst of a kind.
-
-        What lies on the bed, how far the anchor is lifted and the sinker that is needed do not go
-        with the pull: the line is solved anew.
-        """
-        factors = {"extreme": self.dynamic_factor}
-        load_cases = tuple(
-            replace(each, horizontal_force=factors.get(each.kind, 1.0) * each.horizontal_force)
-            for each in self.case.load_cases
-        )
-        pulled = replace(self.case, load_cases=load_cases)
-        failed = check_line(self.point.line, pulled, self.point.anchor).failed
-        worst = {each.kind: each for each in reversed(failed) if each.kind not in _WITH_PULL}
-        return tuple(reversed(worst.values()))
 
     @property
     def break_factor(self) -> float | None:

@@ -111,11 +111,11 @@ def point_pull(point: DesignPoint) -> float:
 
 def _preferred(objectives: Floats, choice: LineChoice) -> int:
     """Pick a design of a front that rises in mass or cost: its knee, its first or its last."""
-    if choice.prefer == "balanced":
+    if choice.looks_for == "balanced":
         return knee(objectives).index
-    if choice.prefer == "cheapest":
+    if choice.looks_for == "cheapest":
         return int(np.argmin(objectives[:, 0] + choice.swing_price * objectives[:, 1]))
-    return 0 if choice.prefer == "lightest" else len(objectives) - 1
+    return 0 if choice.looks_for == "lightest" else len(objectives) - 1  # shortest, least swing
 
 
 def _best(case: Case, choice: LineChoice) -> DesignPoint:

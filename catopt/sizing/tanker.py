@@ -15,7 +15,7 @@ from catopt.loads.environment import WaterLevels
 from catopt.loads.weathervane import Afloat, Lying, every_lying
 from catopt.model import Buoy, ClumpWeightChoice, Design, LoadCase
 from catopt.sizing.anchorage import DragGround
-from catopt.sizing.answer import case_of, loads_on, sizing_of
+from catopt.sizing.answer import case_of, loads_on, new_and_worn, sizing_of, worn_name
 from catopt.sizing.environment import Environment
 from catopt.sizing.headings import Weathervaning, turning_words
 from catopt.sizing.line_choice import longest_useful
@@ -49,6 +49,7 @@ class _State(NamedTuple):
     depth: float
     level: float
     rise: float
+    is_low: bool  # whether it is at low water
 
 
 def sized_tanker(request: TankerRequest) -> Sizing:
@@ -111,7 +112,7 @@ def pose_tanker(request: TankerRequest, assumed: Assumed, reserve: float | None 
         length=3.0 * height,
         rest=request.beyond_the_line,
         fairlead_height=base,
-        load_cases=tuple(cases),
+        load_cases=new_and_worn(cases, request.line.service),
         buoy=None if reserve is None else Buoy(reserve),
         anchor=anchor,
         design=_design(request, height),
@@ -166,11 +167,11 @@ def _states(request: TankerRequest) -> Iterator[_State]:
     for each in request.ships:
         higher = _fairlead(request, each) - first
         high = Message(f"sizing.{each.condition}_high")
-        yield _State(high, each, levels.high, crest, higher)
+        yield _State(high, each, levels.high, crest, higher, is_low=False)
         fall = levels.high - levels.low
         if fall or crest:
             low = Message(f"sizing.{each.condition}_low")
-            yield _State(low, each, levels.low, -fall, higher)
+            yield _State(low, each, levels.low, -fall, higher, is_low=True)
 
 
 def _fairlead(request: TankerRequest, moored: MooredShip) -> float:
@@ -226,7 +227,7 @@ def _line_forces(
     request: TankerRequest, loads: tuple[LoadsAt, ...], assumed: Assumed
 ) -> tuple[float, ...]:
     """Horizontal force of one line in each load case, N: of several, then with one line out."""
-    totals = [each.horizontal_force for each in loads]
+    totals = [request.line.allowance * each.horizontal_force for each in loads]
     if request.lines == 1:
         return tuple(totals)
     totals *= 2
@@ -255,7 +256,7 @@ def _design(request: TankerRequest, height: float) -> Design:
         sinker = request.ground.choice(coded=line.has_factor("sliding"), heavy=True)
     longest = longest_useful(line, request.environment.water_density, height)
     return Design(
-        segments=(line.segment(height, longest),),
+        segments=(line.segment(height, longest=longest),),
         objectives=line.objectives,
         clump_weights=weights,
         sinker=sinker,
@@ -270,9 +271,12 @@ def _around(request: TankerRequest, settled: Settled) -> Pattern | None:
 def _pattern(request: TankerRequest, posed: Posed, point: DesignPoint) -> Pattern:
     """Solve the equilibrium of all lines, each like a design's."""
     case = posed.case
-    extreme = [each for each in case.load_cases if each.state == "intact"]
+    extreme = [
+        each for each in case.load_cases if each.state == "intact" and each.condition != "worn"
+    ]
+    factor = request.line.allowance
     states = [
-        BodyState(each.load_case, each.horizontal_force, case.under(state).fairlead_height)
+        BodyState(each.load_case, factor * each.horizontal_force, case.under(state).fairlead_height)
         for each, state in zip(posed.loads, extreme, strict=True)
     ]
     return pattern(
@@ -288,14 +292,17 @@ def _pattern(request: TankerRequest, posed: Posed, point: DesignPoint) -> Patter
 def _swing(request: TankerRequest, settled: Settled, around: Pattern | None) -> SwingRadius:
     """Add up how far the stern swings round the anchor, or round the middle of the pattern."""
     if around is not None:
-        states = [state for state in around.states if state.load_case.endswith("low water")]
+        low = {each.name for each in _states(request) if each.is_low}
+        states = [state for state in around.states if state.load_case in low]
         widest = largest(states or around.states, lambda state: state.offset)
         first = (Message("sizing.offset_of_body"), widest.offset)
         name = widest.load_case
     else:
         every = settled.point.checks.solutions
-        low = [each for each in every if each[0].endswith("low water")]
-        name, solution = largest(low or every, lambda each: each[1].span)
+        names = [each.name for each in _states(request) if each.is_low]
+        low = {*names, *map(worn_name, names)}
+        at_low = [each for each in every if each[0] in low]
+        name, solution = largest(at_low or every, lambda each: each[1].span)
         first = (Message("sizing.line_at_low_water"), solution.span)
     parts = [first]
     if request.hawser > 0.0:

@@ -14,6 +14,7 @@ from catopt.checks.strength import strength_of
 from catopt.constants import YEAR
 from catopt.errors import InputError
 from catopt.model import CatalogueChoice, Checks, Line, Segment, Service
+from catopt.model.line_kind import line_kind
 
 from .lines import CLOSE, GROUNDED, PLAIN, asking
 
