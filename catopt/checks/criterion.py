@@ -7,7 +7,7 @@ from typing import Literal, get_args
 
 from catopt.catalogue.figure import Confidence
 from catopt.checks.kinds import CheckKind
-from catopt.model.line_kind import LINE_KINDS, LineKind, line_kind
+from catopt.model.line_kind import LINE_KINDS, LineKind
 from catopt.model.load_case import LoadCaseKind
 from catopt.words import Message
 
@@ -23,6 +23,7 @@ StrengthKind = Literal["MBL", "proof_load"]
 STRENGTHS: tuple[StrengthKind, ...] = get_args(StrengthKind)
 
 LOAD_KINDS: tuple[LoadCaseKind, ...] = get_args(LoadCaseKind)
+
 
 @dataclass(frozen=True)
 class Place:

@@ -126,9 +126,7 @@ def parse_profiles(text: str, source: str = "") -> tuple[Profile, ...]:
 
 
 def _profile(table: Table) -> Profile:
-    table.only(
-        "name", "title", "document", "edition", "note", "aliases", "criterion", "method"
-    )
+    table.only("name", "title", "document", "edition", "note", "aliases", "criterion", "method")
     name, edition = table.text("name") or "", table.text("edition", required=False)
     document = table.text("document") or ""
     document += f" ({edition})" if edition else ""

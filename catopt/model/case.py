@@ -24,8 +24,8 @@ from catopt.model.service import Service, wear_misfits
 from catopt.model.site import Site
 from catopt.model.system import System, system_misfits
 from catopt.model.validity import Checked, Findings
-from catopt.model.wear import worn_line
 from catopt.model.wave_state import WaveState
+from catopt.model.wear import worn_line
 from catopt.units import Dimension
 
 Boundary = Literal["nearest", "reflective", "shrink", "random", "intermediate", "periodic"]

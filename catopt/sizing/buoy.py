@@ -130,9 +130,12 @@ def _check_reserve(request: BuoyRequest) -> None:
     if weight >= request.reserve_buoyancy:
         name = lightest.name or lightest.component
         values = {"weight": weight / 1e3, "height": height, "name": name}
-        allowed = Message("sizing.below_lightest", **values)
-        found = f"{request.reserve_buoyancy / 1e3:.3g} kN"
-        raise InputError([Problem("reserve_buoyancy", found, allowed)], "BuoyRequest")
+        allowed: str = Message("sizing.below_lightest", **values)
+        reserve = f"{request.reserve_buoyancy / 1e3:.3g} kN"
+        if not isinstance(request.buoy, BuoyShape):
+            raise InputError([Problem("reserve_buoyancy", reserve, allowed)], "BuoyRequest")
+        allowed = Message("sizing.buoy_carries", reserve=reserve, allowed=allowed)
+        raise InputError([Problem("buoy", f'"{request.buoy.name}"', allowed)], "BuoyRequest")
 
 
 def _assumptions(request: BuoyRequest, assumed: Assumed) -> Iterator[str]:

@@ -177,9 +177,7 @@ class LineChoice:
             diameter_max=None,
         )
 
-    def segment(
-        self, height: float, *, depth: float = 0.0, longest: float = 0.0
-    ) -> SegmentChoice:
+    def segment(self, height: float, *, depth: float = 0.0, longest: float = 0.0) -> SegmentChoice:
         """Make the design's segment for the largest height that the line spans, m.
 
         The scope is in depths, m; `longest` is the length to look at, m, where that is more than

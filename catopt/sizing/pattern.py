@@ -3,22 +3,28 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Final, NamedTuple
 
 from catopt.catenary.solve import solve
 from catopt.errors import InputError, NoAnswerError
 from catopt.model import Case, Line, System
-from catopt.mooring.line_out import one_line_out
+from catopt.mooring.arrangement import Lines
+from catopt.mooring.descent import Rest
 from catopt.mooring.sharing_rule import load_sharing_factor
 from catopt.mooring.solution import SystemSolution
-from catopt.mooring.solve import solve_system
+from catopt.mooring.solve import solution_at
+from catopt.mooring.zero_load import ZeroLoadPosition, zero_load_position
 from catopt.ties import largest
 from catopt.words import Message, Sentence
 
-_DIRECTIONS: Final = 3
-"""From against a line to half way to the next one; the rest follows by symmetry."""
+_SAMPLES: Final = 5
+"""Directions of the force from against a line to half way to the next one."""
+
+_GOLDEN: Final = (math.sqrt(5.0) - 1.0) / 2.0
+_SECTIONS: Final = 20
+"""Golden sections: to a ten thousandth of a sample's step, where a largest value is flat."""
 
 
 class BodyState(NamedTuple):
@@ -41,6 +47,7 @@ class AtRest:
     # comes from and whichever line is gone
     offset: float
     pull: float  # the largest of the lines together downwards on the body, N
+    solution: SystemSolution  # under the force that is hardest on a line
 
 
 @dataclass(frozen=True)
@@ -70,8 +77,17 @@ class Pattern:
     pretension: float  # horizontal, of every line under no load, at high water without a crest, N
     anchor_radius: float  # from the body to the anchors, m
     states: tuple[PatternState, ...]  # one for each load case
-    system: System  # under the load case of the largest force in a line
-    warnings: tuple[str, ...] = ()
+
+    @property
+    def system(self) -> System:
+        """With all lines, under the load case of the largest force in a line."""
+        return self.hardest.solution.system
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What is to be known of the equilibrium, each once."""
+        said = (w for each in self.states for w in each.solution.warnings)
+        return tuple(dict.fromkeys(map(Sentence, said)))
 
     @property
     def hardest(self) -> PatternState:
@@ -119,19 +135,10 @@ def pattern(
         fairlead_height=still_height,
         seabed_friction=seabed_friction,
     )
-    hardest: list[tuple[PatternState, SystemSolution]] = [
-        _hardest(base.raised(state.fairlead_height - still_height), state, lines)
-        for state in states
-    ]
-    worst = largest(hardest, lambda each: each[0].line_force)
-    return Pattern(
-        lines,
-        pretension,
-        reach,
-        tuple(state for state, _ in hardest),
-        worst[1].system,
-        tuple(dict.fromkeys(Sentence(w) for _, solution in hardest for w in solution.warnings)),
+    found = (
+        _state(base.raised(each.fairlead_height - still_height), each, lines) for each in states
     )
+    return Pattern(lines, pretension, reach, tuple(found))
 
 
 def system_case(case: Case, of: Pattern) -> Case:
@@ -149,63 +156,116 @@ def system_case(case: Case, of: Pattern) -> Case:
     )
 
 
-class _Solved(NamedTuple):
-    """The body under the force from one side, rad off line 1, and its offset, m."""
+class _Under(NamedTuple):
+    """The body at rest under the force towards an angle, counter-clockwise from line 1, rad."""
 
-    off: float
-    solution: SystemSolution
-    offset: float
-    missing: int = 0
+    towards: float
+    rest: Rest
+    lines: Lines
+    offset: float  # from where it rests with all lines and no load, m
+
+    @property
+    def line_force(self) -> float:
+        """Horizontal force of the most loaded line, N."""
+        return float(max(self.lines.H))
+
+    @property
+    def pull(self) -> float:
+        """Of all lines downwards, N."""
+        return math.fsum(self.lines.V)
 
 
-def _hardest(system: System, state: BodyState, lines: int) -> tuple[PatternState, SystemSolution]:
-    """Let the force come from against a line, and on to half way to the next one."""
-    pushed = [
-        (off, system.under(_from(off, state.force)))
-        for off in (math.pi / lines * step / (_DIRECTIONS - 1) for step in range(_DIRECTIONS))
-    ]
-    solutions = [(off, solve_system(each)) for off, each in pushed]
-    worst, figures = _worst([_Solved(*each, math.hypot(*each[1].offset)) for each in solutions])
-    made = PatternState(
-        **figures,
+def _state(system: System, state: BodyState, lines: int) -> PatternState:
+    """Find what is hardest on the lines in a load case, with all of them and without any one.
+
+    Equal lines evenly spaced: with all there a force from between a line and half way to the next
+    says all, and with one gone it does not matter which, so that line 1 goes and the force comes
+    from either side of it.
+    """
+    zero = zero_load_position(system)
+    whole = _hardest(zero, zero, state.force, (0.0, math.pi / lines), _SAMPLES)
+    try:
+        left = zero_load_position(system.without([0]))
+        without = _hardest(left, zero, state.force, (0.0, math.pi), 4 * lines + 1)
+    except NoAnswerError as error:
+        values = {"number": 1, "load_case": state.load_case, "why": error.args[0]}
+        raise NoAnswerError(Message("sizing.no_rest", **values)) from error
+    missing, off = _seen_from_nearest(without.pop("towards"), lines)
+    towards = whole.pop("towards")
+    return PatternState(
+        **whole,
         **state._asdict(),
+        direction=abs(math.remainder(towards + math.pi, 2.0 * math.pi / lines)),
         rule_force=_rule(state.force, lines),
-        line_out=_without_line(pushed, state.load_case),
+        line_out=WithoutLine(**without, direction=off, missing=missing),
     )
-    return made, worst.solution
 
 
-def _worst(found: Sequence[_Solved]) -> tuple[_Solved, dict[str, Any]]:
-    """Pick the side of the largest force in a line, with the figures of `AtRest`."""
-    worst = largest(found, lambda each: _line_force(each.solution))
-    return worst, {
-        "direction": worst.off,
-        "line_force": _line_force(worst.solution),
-        "tension": max(line.tension for line in worst.solution.lines),
-        "offset": max(each.offset for each in found),
-        "pull": max(_pull(each.solution) for each in found),
+def _hardest(
+    of: ZeroLoadPosition,
+    whole: ZeroLoadPosition,
+    force: float,
+    between: tuple[float, float],
+    samples: int,
+) -> dict[str, Any]:
+    """Find the figures of `AtRest`, each towards the direction that makes it the largest."""
+    neutral = whole.neutral
+
+    def under(towards: float) -> _Under:
+        pushed = force * math.cos(towards), force * math.sin(towards)
+        rest, lines = of.under(pushed)
+        return _Under(towards, rest, lines, math.hypot(rest.x - neutral.x, rest.y - neutral.y))
+
+    first, last = between
+    step = (last - first) / (samples - 1)
+    sampled = [under(first + step * k) for k in range(samples)]
+
+    def worst(measure: Callable[[_Under], float]) -> _Under:
+        best = largest(sampled, measure)
+        low, high = max(first, best.towards - step), min(last, best.towards + step)
+        return largest((best, _climbed(under, measure, low, high)), measure)
+
+    hardest = worst(lambda each: each.line_force)
+    pushed = force * math.cos(hardest.towards), force * math.sin(hardest.towards)
+    at = replace(of, system=of.system.under(pushed))
+    solution = solution_at(at, hardest.rest, hardest.lines, looks_round=False)
+    return {
+        "towards": hardest.towards,
+        "line_force": hardest.line_force,
+        "tension": max(line.tension for line in solution.lines),
+        "offset": worst(lambda each: each.offset).offset,
+        "pull": worst(lambda each: each.pull).pull,
+        "solution": solution,
     }
 
 
-def _from(off: float, force: float) -> tuple[float, float]:
-    """Force on the body from a direction off that of the first line, N."""
-    towards = math.pi + off
-    return force * math.cos(towards), force * math.sin(towards) if off else 0.0
+def _climbed(
+    under: Callable[[float], _Under], measure: Callable[[_Under], float], low: float, high: float
+) -> _Under:
+    """Climb to the largest value between two directions by golden sections."""
+    inner = [high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)]
+    found = [under(each) for each in inner]
+    for _ in range(_SECTIONS):
+        if measure(found[0]) >= measure(found[1]):
+            high = found[1].towards
+            found = [under(high - _GOLDEN * (high - low)), found[0]]
+        else:
+            low = found[0].towards
+            found = [found[1], under(low + _GOLDEN * (high - low))]
+    return largest(found, measure)
 
 
-def _without_line(pushed: Sequence[tuple[float, System]], load_case: str) -> WithoutLine:
-    """Take each line away under the force from each side; what symmetry adds is the same again."""
-    found = []
-    for off, system in pushed:
-        for each in one_line_out(system):
-            if each.solution is None or each.response is None:
-                number, why = each.missing + 1, each.refusal
-                raise NoAnswerError(
-                    Message("sizing.no_rest", number=number, load_case=load_case, why=why)
-                )
-            found.append(_Solved(off, each.solution, each.response.offset, each.missing + 1))
-    worst, figures = _worst(found)
-    return WithoutLine(**figures, missing=worst.missing)
+def _seen_from_nearest(towards: float, lines: int) -> tuple[int, float]:
+    """Number the lost line, from 1, so that the force comes nearest to line 1; and how far off it.
+
+    `towards` is where the force acts where line 1 is the one that is gone, rad.
+    """
+    gap = 2.0 * math.pi / lines
+    comes_from = towards + math.pi
+    nearest = round(comes_from / gap)
+    off = comes_from - nearest * gap
+    gone = -nearest if off >= 0.0 else nearest  # the mirror image, so that it comes from one side
+    return gone % lines + 1, abs(off)
 
 
 def _rule(force: float, lines: int) -> float | None:
@@ -213,11 +273,3 @@ def _rule(force: float, lines: int) -> float | None:
         return force / load_sharing_factor(lines)
     except InputError:
         return None
-
-
-def _line_force(solution: SystemSolution) -> float:
-    return max(line.horizontal_force for line in solution.lines)
-
-
-def _pull(solution: SystemSolution) -> float:
-    return math.fsum(line.solution.fairlead.vertical_force for line in solution.lines)

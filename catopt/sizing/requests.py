@@ -8,13 +8,13 @@ from functools import partial
 from types import MappingProxyType
 from typing import Any, Final
 
+from catopt.checks.profiles import profiles_of
+from catopt.errors import InputError
 from catopt.loads import BuoyShape, SeaState, SurfaceCurrent, WaterLevels, Wind, buoys, read_buoys
 from catopt.loads.buoy_library import buoy as look_up
 from catopt.loads.environment import HMAX_OVER_HS
 from catopt.loads.ship import Ship
 from catopt.loads.ship_estimate import MOULDED, Condition, estimated_tanker, estimates
-from catopt.checks.profiles import profiles_of
-from catopt.errors import InputError
 from catopt.model import Checks
 from catopt.sizing.anchorage import CALMAR_SOIL, SAND, DragGround, SinkerGround
 from catopt.sizing.buoy import sized_buoy

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, Final, Literal
 
 from catopt.catalogue.choice import chosen
 from catopt.catenary.solution import Solution
-from catopt.checks.case import check_line
-from catopt.checks.result import CheckResult
 from catopt.design.result import DesignPoint
 from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.sinker import SinkerSize
@@ -18,7 +16,6 @@ from catopt.model import Case
 from catopt.shown import Shown
 from catopt.sizing.alternatives import Alternative, Candidate, Limit, trade
 from catopt.sizing.document import sizing_document
-from catopt.sizing.kinds import usual
 from catopt.sizing.known import ReadInput, estimated_dimensions
 from catopt.sizing.pattern import Pattern
 from catopt.sizing.settle import Settled, point_diameter
@@ -28,6 +25,7 @@ from catopt.words import Cited, Measure, Message, Sentence, Several
 
 SHOT: Final = UNITS[Dimension.LENGTH]["shot"]
 """m: a shot of chain."""
+
 
 @dataclass(frozen=True)
 class SwingRadius:
