@@ -68,7 +68,7 @@ _OF_SHIPS = {
 KindOption = Annotated[str | None, typer.Option(metavar="KIND")]
 
 
-ChainSpeed = Literal["surface", "current"]
+WaveHeight = Literal["hs", "hmax"]
 Drift = Literal["sea-state", "largest-wave"]
 
 
@@ -81,7 +81,8 @@ def buoy(
     *,
     chain: Annotated[str, typer.Option(metavar="LENGTH")] = "0 mm",
     pull: Annotated[str, typer.Option(metavar="FORCE")] = "0 kN",
-    chain_speed: Annotated[ChainSpeed, typer.Option(metavar="WHICH")] = "surface",
+    wave_height: Annotated[WaveHeight, typer.Option(metavar="WHICH")] = "hs",
+    chain_waves: Annotated[bool, typer.Option("--chain-waves")] = False,
     **inputs: Any,
 ) -> None:
     """Compute the loads on a buoy and its chain, after IALA's CALMAR reference."""
@@ -111,7 +112,8 @@ def buoy(
                     chain_diameter=own["--chain"],
                     pull=own["--pull"],
                     marine_growth=of["growth"],
-                    chain_speed=chain_speed,
+                    wave_height=wave_height,
+                    chain_waves=chain_waves,
                     water_density=of["water_density"],
                 )
                 for each in dict.fromkeys((levels, WaterLevels.steady(levels.low)))

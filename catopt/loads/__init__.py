@@ -7,7 +7,7 @@ one) or R (recalled, read in none: used only when asked for, or where nothing el
 
 from catopt.loads.buoy import buoy_loads, surface_speed
 from catopt.loads.buoy_library import buoy, buoys, read_buoys
-from catopt.loads.buoy_shape import BuoyShape, Floating
+from catopt.loads.buoy_shape import BuoyShape, BuoySlice, Floating
 from catopt.loads.component import LoadComponent, Loads, Number
 from catopt.loads.drag_anchor import (
     DragAnchorSize,
@@ -40,6 +40,7 @@ __all__ = [
     "YAW_TYPES",
     "Afloat",
     "BuoyShape",
+    "BuoySlice",
     "CurrentYaw",
     "DragAnchorSize",
     "Floating",

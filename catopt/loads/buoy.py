@@ -7,7 +7,7 @@ from typing import Final, Literal, get_args
 
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import InputError, Problem
-from catopt.loads.buoy_shape import BuoyShape, Floating
+from catopt.loads.buoy_shape import DRAG_COEFFICIENT, BuoyShape, Floating
 from catopt.loads.component import LoadComponent, Loads, Number
 from catopt.loads.drag import drag_component
 from catopt.loads.environment import SeaState, SurfaceCurrent, WaterLevels, Wind
@@ -21,9 +21,6 @@ Stream = tuple[float, float]
 AIR_DENSITY: Final = 1.29
 """kg/m3; CALMAR prints "129", a misprint."""
 
-DRAG_COEFFICIENT: Final = 1.2
-"""Of hull in water, hull in air, pylon, topmark and chain (CALMAR, A)."""
-
 CHAIN_WIDTH: Final = 2.65
 """Width of a chain as the current sees it, in nominal diameters (CALMAR 5.2.1, A)."""
 
@@ -33,21 +30,35 @@ DEEPEST: Final = 200.0
 FASTEST: Final = 7.0
 """m/s: the limit that CALMAR states for the current."""
 
-ChainSpeed = Literal["surface", "current"]
+WaveHeight = Literal["hs", "hmax"]
+
+WHOLE, OURS = "IALA-CALMAR", "catopt-buoy"
+"""Methods: CALMAR's as it is, and ours, which has something else somewhere."""
 
 _FORCES = LoadSource(CALMAR, "section 5", "A")
 _CHAIN = LoadSource(CALMAR, "5.2.1", "A")
 
 
-def surface_speed(wind: Wind, current: SurfaceCurrent, sea: SeaState, depth: float) -> float:
+def surface_speed(
+    wind: Wind,
+    current: SurfaceCurrent,
+    sea: SeaState,
+    depth: float,
+    wave_height: WaveHeight = "hs",
+) -> float:
     """Speed of the water at the surface, m/s: tide + 0.015 wind + wave (CALMAR, A).
 
-    All are from one side; the depth of the water in m.
+    All are from one side. The wave is CALMAR's, pi Hs/T, or catopt's own: the largest that does not
+    break, in water of a depth, m (`SeaState.surface_velocity`).
     """
     from catopt.waves.current import wind_driven_speed
 
     driven = wind_driven_speed(wind.speed, "CALMAR")
-    return current.speed + driven + sea.surface_velocity(depth)
+    return current.speed + driven + _wave_speed(sea, depth, wave_height)
+
+
+def _wave_speed(sea: SeaState, depth: float, wave_height: WaveHeight) -> float:
+    return sea.surface_velocity(depth) if wave_height == "hmax" else sea.deep_water_velocity
 
 
 def buoy_loads(
@@ -60,13 +71,15 @@ def buoy_loads(
     chain_diameter: float,
     pull: float = 0.0,
     marine_growth: float = 0.0,
-    chain_speed: ChainSpeed = "surface",
+    wave_height: WaveHeight = "hs",
+    chain_waves: bool = False,
     water_density: float = SEA_WATER_DENSITY,
 ) -> Loads:
     """Add up the forces of wind, current and waves on a buoy and its chain.
 
     All are from one side, at the same time, and so are the loads. Static: no motion of the buoy, no
-    vortex shedding.
+    vortex shedding. The method is CALMAR's; with growth, largest wave, waves on the chain or a wave
+    that breaks it is `"catopt-buoy"`, and its assumptions say what departs.
 
     Parameters
     ----------
@@ -78,9 +91,12 @@ def buoy_loads(
         Vertical, of the line on the buoy, N: it adds to the draught.
     marine_growth : float
         Thickness on hull and chain, m. CALMAR has none; the rule D + 2 t is catopt's own.
-    chain_speed : {"surface", "current"}
-        Speed of the water at the chain, over its whole height: that at the surface, on the safe
-        side, or that of tide and wind alone. CALMAR's own choice was not read.
+    wave_height : {"hs", "hmax"}
+        Velocity of the waves: CALMAR's pi Hs/T in deep water; or catopt's own, of the largest wave
+        that does not break, in the depth of high water.
+    chain_waves : bool
+        Whether the chain is in the speed of the surface, over its whole height, and not in the tide
+        alone as CALMAR has it.
     water_density : float
         kg/m3.
 
@@ -90,27 +106,42 @@ def buoy_loads(
         Deeper than 200 m, faster than 7 m/s, a pull above the reserve buoyancy, a draught deeper
         than the water.
     """
-    _check(current, levels, chain_diameter, marine_growth, chain_speed)
+    _check(current, levels, chain_diameter, marine_growth, wave_height)
     floating = shape.afloat(pull, water_density)
     keel = floating.keel_depth
     if keel >= levels.low:
         refused = f"the buoy reaches {keel:.2f} m below the water: it would touch the bed"
         raise InputError([Problem("levels.low", f"{levels.low:g} m", refused)], "buoy loads")
-    steady = surface_speed(wind, current, SeaState(sea.period, 0.0), levels.high)
-    speed = surface_speed(wind, current, sea, levels.high)
-    at_chain = speed if chain_speed == "surface" else steady
+    speed = surface_speed(wind, current, sea, levels.high, wave_height)
+    at_chain = speed if chain_waves else current.speed
     water, air = (water_density, speed), (AIR_DENSITY, wind.speed)
     components = list(_above_and_on_hull(floating, water, air, marine_growth))
     if chain_diameter > 0.0:
-        height = levels.deepest(sea) - keel
+        height = levels.deepest(sea) - floating.eye_depth
         components.append(_chain((water_density, at_chain), chain_diameter, height, marine_growth))
     weather = {"wind": wind.speed, "tide": current.speed, "height": sea.hmax}
+    departures = tuple(
+        Message(f"loads.departs_{key}")
+        for key, departs in (
+            ("hmax", wave_height == "hmax"),
+            ("chain_waves", chain_waves and chain_diameter > 0.0),
+            ("growth", marine_growth > 0.0),
+            ("breaking", sea.breaks(levels)),
+        )
+        if departs
+    )
     return Loads(
         Message("loads.buoy_in", buoy=shape.name, **weather),
         tuple(components),
-        (*_assumptions(wind, current, sea, levels, speed), _afloat(floating)),
-        _warnings(sea, levels),
-        "IALA-CALMAR",
+        (
+            Message("loads.one_side"),
+            _speeds(wind, current, sea, levels.high, wave_height),
+            Message("loads.chain_in_surface" if chain_waves else "loads.chain_in_tide"),
+            *departures,
+            _afloat(floating),
+        ),
+        _warnings(sea, levels, wave_height),
+        OURS if departures else WHOLE,
     )
 
 
@@ -119,19 +150,23 @@ def _above_and_on_hull(
 ) -> Iterator[LoadComponent]:
     """Make the current on the hull, and the wind on what of the buoy is above the water."""
     wet, note = of.hull_area_in_water(growth), next(iter(_grown(growth)), "")
-    yield _drag("loads.current_on_hull", water, wet, "loads.hull_in_water", note=note)
-    yield _drag("loads.wind_on_hull", air, of.hull_area_in_air, "loads.hull_in_air")
-    if of.shape.tower_area > 0.0:
-        yield _drag("loads.wind_on_tower", air, of.shape.tower_area, "loads.tower")
-    if of.shape.topmark_area > 0.0:
-        yield _drag("loads.wind_on_topmark", air, of.shape.topmark_area, "loads.topmark")
+    shape, in_air = of.shape, of.shape.drag_in_air
+    in_water = shape.drag_in_water
+    yield _drag("loads.current_on_hull", water, wet, "loads.hull_in_water", in_water, note=note)
+    yield _drag("loads.wind_on_hull", air, of.hull_area_in_air, "loads.hull_in_air", in_air)
+    if shape.tower_area > 0.0:
+        yield _drag("loads.wind_on_tower", air, shape.tower_area, "loads.tower", in_air)
+    if shape.marks_area > 0.0:
+        yield _drag("loads.wind_on_topmark", air, shape.marks_area, "loads.topmark", in_air)
 
 
 def _chain(water: Stream, diameter: float, height: float, growth: float) -> LoadComponent:
     area = (CHAIN_WIDTH * diameter + 2.0 * growth) * height
     said = Message("loads.chain_note", diameter=diameter * 1e3, height=height)
     note = Several((said, *_grown(growth)))
-    return _drag("loads.current_on_chain", water, area, "loads.chain_area", _CHAIN, note)
+    return _drag(
+        "loads.current_on_chain", water, area, "loads.chain_area", source=_CHAIN, note=note
+    )
 
 
 def _grown(growth: float) -> list[Message]:
@@ -139,22 +174,29 @@ def _grown(growth: float) -> list[Message]:
 
 
 def _drag(
-    name: str, stream: Stream, area: float, what: str, source: LoadSource = _FORCES, note: str = ""
+    name: str,
+    stream: Stream,
+    area: float,
+    what: str,
+    coefficient: float = DRAG_COEFFICIENT,
+    source: LoadSource = _FORCES,
+    note: str = "",
 ) -> LoadComponent:
-    """Make a force by the one coefficient of drag; what the area, m2, is of has a key."""
+    """Make a force by a coefficient of drag; what the area, m2, is of has a key."""
     of = Number("A", area, "m2", Message(what))
-    drag = Number("Cd", DRAG_COEFFICIENT, "", Message("loads.drag_coefficient"))
+    said = "loads.drag_coefficient" if coefficient == DRAG_COEFFICIENT else "loads.own_coefficient"
+    drag = Number("Cd", coefficient, "", Message(said))
     kind: Literal["wind", "current"] = "wind" if ".wind_" in name else "current"
     return drag_component(Message(name), kind, stream, of, drag, source, note=note)
 
 
 def _check(
-    current: SurfaceCurrent, levels: WaterLevels, diameter: float, growth: float, at: str
+    current: SurfaceCurrent, levels: WaterLevels, diameter: float, growth: float, wave_height: str
 ) -> None:
     found = Findings("buoy loads")
     found.number("chain_diameter", diameter, "m", at_least=0.0, at_most=0.2)
     found.number("marine_growth", growth, "m", at_least=0.0, at_most=0.5)
-    found.word("chain_speed", at, get_args(ChainSpeed))
+    found.word("wave_height", wave_height, get_args(WaveHeight))
     if levels.high > DEEPEST:
         limit = f"CALMAR holds down to {DEEPEST:g} m of water"
         found.add("levels.high", f"{levels.high:g} m", limit)
@@ -163,20 +205,17 @@ def _check(
     found.raise_if_any()
 
 
-def _assumptions(
-    wind: Wind, current: SurfaceCurrent, sea: SeaState, levels: WaterLevels, speed: float
-) -> tuple[str, ...]:
-    orbital = sea.surface_velocity(levels.high)
-    said = Message(
-        "loads.surface_speed",
-        speed=speed,
-        tide=current.speed,
-        wind=wind.speed,
-        driven=speed - current.speed - orbital,
-        orbital=orbital,
-        depth=levels.high,
-    )
-    return Message("loads.one_side"), said
+def _speeds(
+    wind: Wind, current: SurfaceCurrent, sea: SeaState, depth: float, wave_height: WaveHeight
+) -> str:
+    speed = surface_speed(wind, current, sea, depth, wave_height)
+    orbital = _wave_speed(sea, depth, wave_height)
+    driven = speed - current.speed - orbital
+    values = {"speed": speed, "tide": current.speed, "wind": wind.speed, "driven": driven}
+    if wave_height == "hmax":
+        return Message("loads.surface_speed", orbital=orbital, depth=depth, **values)
+    waves = {"orbital": orbital, "height": sea.hs, "period": sea.period}
+    return Message("loads.surface_speed_hs", **waves, **values)
 
 
 def _afloat(floating: Floating) -> str:
@@ -191,9 +230,12 @@ def _afloat(floating: Floating) -> str:
     )
 
 
-def _warnings(sea: SeaState, levels: WaterLevels) -> tuple[str, ...]:
+def _warnings(sea: SeaState, levels: WaterLevels, wave_height: WaveHeight) -> tuple[str, ...]:
+    values = {"height": sea.hmax, "depth": levels.high, "period": sea.period}
     limit = sea.breaking_height(levels.high)
-    if sea.hmax <= limit:
-        return ()
-    values = {"height": sea.hmax, "depth": levels.high, "period": sea.period, "limit": limit}
-    return (Message("loads.breaks", **values),)
+    warned = []
+    if sea.breaks(levels):
+        warned.append(Message("loads.calmar_stops", limit=sea.breaking_at(levels), **values))
+    if wave_height == "hmax" and sea.hmax > limit:
+        warned.append(Message("loads.breaks", limit=limit, **values))
+    return tuple(warned)

@@ -1,19 +1,23 @@
-"""Buoys by name: catopt's generic ones, and a user's own file of the same form."""
+"""Buoys by name: real and generic ones that come with catopt, and a user's own file."""
 
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from dataclasses import MISSING, fields
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
+from typing import Any, Final, TypeVar
 
 from catopt.catalogue.names import nearest
 from catopt.catalogue.table import Table
 from catopt.documents import read_text
 from catopt.errors import InputError, Problem
-from catopt.loads.buoy_shape import BuoyShape
+from catopt.loads.buoy_shape import BuoyShape, BuoySlice
 from catopt.model.validity import Findings
+
+Made = TypeVar("Made")
 
 SCHEMA = "catopt.buoys/1"
 """What a file of buoys has under its key ``schema``."""
@@ -21,9 +25,13 @@ SCHEMA = "catopt.buoys/1"
 
 @cache
 def buoys() -> tuple[BuoyShape, ...]:
-    """Return the buoys that come with catopt, generic ones of its own geometry; read once."""
-    text = files("catopt.loads").joinpath("data").joinpath("buoys.toml").read_text("utf-8")
-    return parse_buoys(text, "catopt's buoys.toml")
+    """Return the buoys that come with catopt: generic ones of its own geometry, and real ones."""
+    data = files("catopt.loads").joinpath("data")
+    return tuple(
+        shape
+        for name in ("buoys.toml", "real_buoys.toml")
+        for shape in parse_buoys(data.joinpath(name).read_text("utf-8"), f"catopt's {name}")
+    )
 
 
 def buoy(name: str, among: tuple[BuoyShape, ...] | None = None) -> BuoyShape:
@@ -67,20 +75,47 @@ def parse_buoys(text: str, source: str = "") -> tuple[BuoyShape, ...]:
     return found
 
 
+_SLICES: Final = ("hull", "structure", "pylons", "topmarks")
+_WORDS: Final = ("name", "origin", "chain_source")
+
+
 def _read(table: Table, origin: str, findings: Findings) -> BuoyShape | None:
     """Make a buoy; None where something is wrong with it."""
-    allowed = {each.name: each for each in fields(BuoyShape)}
     before = len(findings.problems)
-    table.only(*allowed)
-    table.text("name")
-    table.text("origin", required=False)
-    for key, each in allowed.items():
-        if each.default is MISSING and key not in {"name", "origin"} and not table.has(key):
+    table.only(*(each.name for each in fields(BuoyShape)))
+    for key in _WORDS:
+        table.text(key, required=key == "name")
+    table.flag("generic")
+    short = () if table.has("hull") else ("hull_diameter", "hull_depth")
+    for key in ("mass", *short):
+        if not table.has(key):
             table.problem(key, "a number is wanted")
+    slices = {key: _slices(table, key, findings) for key in _SLICES if table.has(key)}
     if len(findings.problems) > before:
         return None
+    values: dict[str, Any] = {"origin": origin, **table.values, **slices}
+    return _made(table, BuoyShape, values, findings)
+
+
+def _slices(table: Table, key: str, findings: Findings) -> tuple[BuoySlice, ...]:
+    """Read an array of slices, from the lowest upwards."""
+    made = []
+    for each in table.tables(key):
+        before = len(findings.problems)
+        each.only(*(field.name for field in fields(BuoySlice)))
+        for field in fields(BuoySlice):
+            if field.default is MISSING and not each.has(field.name):
+                each.problem(field.name, "a number is wanted")
+        if len(findings.problems) == before:
+            made.append(_made(each, BuoySlice, each.values, findings))
+    return tuple(slice_ for slice_ in made if slice_ is not None)
+
+
+def _made(
+    table: Table, maker: Callable[..., Made], values: dict[str, Any], findings: Findings
+) -> Made | None:
     try:
-        return BuoyShape(**{"origin": origin, **table.values})
+        return maker(**values)
     except InputError as error:
         for problem in error.problems:
             findings.add(table.at(problem.key), problem.found, problem.allowed)

@@ -3,26 +3,126 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
+from typing import Final
 
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.model.validity import Findings
 from catopt.words import Message
 
+CAST_IRON: Final = 7320.0
+"""kg/m3, of ballast (CALMAR 7.2, A)."""
+
+DRAG_COEFFICIENT: Final = 1.2
+"""Of hull in water, hull in air, pylon, topmark and chain (CALMAR 7.2, A)."""
+
+_ROUNDS: Final = 100
+"""Of the search for a waterline, which stops long before: at the accuracy of a double."""
+
+
+@dataclass(frozen=True)
+class BuoySlice:
+    """A truncated cone of a buoy, or a tapered part of its superstructure; lengths in m."""
+
+    height: float
+    lower: float
+    """Outer diameter, or width, at its foot."""
+    upper: float
+    """The same at its top."""
+    inner: float = 0.0
+    """Diameter of the hole through it."""
+    volume: float | None = None
+    """That it displaces when it is under water, m3: spread over the height as that of the geometry
+    is. None: that of the geometry."""
+
+    def __post_init__(self) -> None:
+        found = Findings("slice of a buoy")
+        found.number("height", self.height, "m", above=0.0, at_most=60.0)
+        found.numbers(self, "m", "lower", "upper", "inner", at_least=0.0, at_most=60.0)
+        found.numbers(self, "m3", "volume", at_least=0.0, at_most=1e5)
+        found.raise_if_any()
+        narrow, wide = sorted((self.lower, self.upper))
+        if self.volume is None and narrow < self.inner < wide:
+            allowed = "wider than one end and narrower than the other: state the volume"
+            found.add("inner", f"{self.inner:g} m", allowed)
+        if self.volume and not wide:
+            found.add("volume", f"{self.volume:g} m3", "it has no width to displace water with")
+        found.raise_if_any()
+
+    def _width(self, height: float) -> float:
+        return self.lower + (self.upper - self.lower) * height / self.height
+
+    @property
+    def _hole(self) -> float:
+        """Square of the hole's diameter, as far as it is one through the whole slice, m2.
+
+        Where a volume is stated and the hole is wider than an end, it is left out: a hull of plates
+        is written so, and the outside alone says how its volume is spread.
+        """
+        narrow, wide = sorted((self.lower, self.upper))
+        if self.inner >= wide and self.volume is None:
+            return math.inf
+        return self.inner**2 if self.inner < narrow else 0.0
+
+    def _geometric(self, height: float) -> float:
+        if self._hole == math.inf:
+            return 0.0
+        low, up = self.lower, self._width(height)
+        return math.pi / 12.0 * height * (low**2 + low * up + up**2 - 3.0 * self._hole)
+
+    def displaced(self, level: float) -> float:
+        """Volume below a level above its foot, m3."""
+        below = self._geometric(min(max(level, 0.0), self.height))
+        if not self.volume:
+            return below if self.volume is None else 0.0
+        return below / self._geometric(self.height) * self.volume
+
+    def waterplane(self, level: float) -> float:
+        """How much a metre more of water would displace at a level above its foot, m2."""
+        if not 0.0 <= level < self.height or self._hole == math.inf:
+            return 0.0
+        area = 0.25 * math.pi * (self._width(level) ** 2 - self._hole)
+        if not self.volume:
+            return area if self.volume is None else 0.0
+        return area / self._geometric(self.height) * self.volume
+
+    def outline(self, low: float = 0.0, high: float = math.inf) -> float:
+        """Area seen from the side between two levels above its foot, m2."""
+        low, high = (min(max(each, 0.0), self.height) for each in (low, high))
+        return 0.5 * (high - low) * (self._width(low) + self._width(high))
+
+
+Stack = tuple[tuple[float, BuoySlice], ...]
+"""Slices, each with the level of its foot above the hull's bottom, m."""
+
+
+def _cylinder(height: float, diameter: float) -> BuoySlice:
+    return BuoySlice(height, diameter, diameter)
+
+
+def _stacked(slices: tuple[BuoySlice, ...], foot: float) -> Iterator[tuple[float, BuoySlice]]:
+    for each in slices:
+        yield foot, each
+        foot += each.height
+
 
 @dataclass(frozen=True)
 class BuoyShape:
-    """A buoy: an upright cylinder with, if any, a closed tail tube below and a tower above.
+    """A buoy as stacks of truncated cones: a hull, and a structure below, through or above it.
 
-    Lengths in m; the tail tube has none where there is none.
+    In short, an upright cylinder with, if any, a closed tail tube below: `hull_diameter`,
+    `hull_depth`, `tube_diameter` and `tube_length` stand for the stacks. Lengths in m; the tail
+    tube has none where there is none.
     """
 
     name: str
-    hull_diameter: float
-    hull_depth: float
+    hull_diameter: float = 0.0
+    hull_depth: float = 0.0
     """From bottom to deck."""
-    mass: float
-    """With everything on it, without the mooring, kg."""
+    mass: float = 0.0
+    """With everything on it but ballast, without the mooring, kg."""
     least_freeboard: float = 0.0
     """That the mooring must leave."""
     tower_height: float = 0.0
@@ -36,11 +136,38 @@ class BuoyShape:
     tube_length: float = 0.0
     origin: str = "the user's own"
     """Whose geometry this is."""
+    hull: tuple[BuoySlice, ...] = ()
+    """From the bottom upwards, as is the structure."""
+    structure: tuple[BuoySlice, ...] = ()
+    structure_depth: float = 0.0
+    """Of the structure's foot below the hull's bottom; below 0 it stands higher."""
+    eye_offset: float = 0.0
+    """Of the mooring eye below the hull's bottom; a tail tube of the short form has it at its
+    foot."""
+    pylons: tuple[BuoySlice, ...] = ()
+    """As the wind sees them, beside the tower."""
+    topmarks: tuple[BuoySlice, ...] = ()
+    """The same, beside `topmark_area`."""
+    ballast_mass: float = 0.0
+    """Of one piece, kg."""
+    ballast_pieces: int = 0
+    ballast_density: float = CAST_IRON
+    """kg/m3: ballast hangs in the water and loses its buoyancy."""
+    drag_in_water: float = DRAG_COEFFICIENT
+    """Of the hull, on its area from the side."""
+    drag_in_air: float = DRAG_COEFFICIENT
+    """Of hull, tower and topmark."""
+    chain_min: float | None = None
+    """Smallest and largest chain that the buoy is made for, nominal; None: not known."""
+    chain_max: float | None = None
+    chain_source: str = ""
+    """Whose limits of the chain these are, where the origin does not say it."""
+    generic: bool = False
+    """Whether it is no product but of catopt's own proportions."""
 
     def __post_init__(self) -> None:
         found = Findings(f"buoy {self.name}".rstrip())
-        found.number("hull_diameter", self.hull_diameter, "m", at_least=0.1, at_most=30.0)
-        found.number("hull_depth", self.hull_depth, "m", at_least=0.1, at_most=60.0)
+        self._check_form(found)
         found.number("mass", self.mass, "kg", above=0.0, at_most=1e7)
         for key in ("least_freeboard", "tower_height", "tower_width"):
             found.number(key, getattr(self, key), "m", at_least=0.0)
@@ -48,35 +175,133 @@ class BuoyShape:
         found.number("topmark_area", self.topmark_area, "m2", at_least=0.0)
         for key in ("tube_diameter", "tube_length"):
             found.number(key, getattr(self, key), "m", at_least=0.0, at_most=60.0)
+        for key in ("structure_depth", "eye_offset"):
+            found.number(key, getattr(self, key), "m", at_least=-60.0, at_most=60.0)
+        found.number("ballast_mass", self.ballast_mass, "kg", at_least=0.0, at_most=1e6)
+        found.number("ballast_pieces", self.ballast_pieces, "", at_least=0, at_most=1000)
+        if self.ballast_pieces != int(self.ballast_pieces or 0):
+            found.add("ballast_pieces", f"{self.ballast_pieces!r}", "a whole number is wanted")
+        found.number("ballast_density", self.ballast_density, "kg/m3", above=1100.0, at_most=2e4)
+        for key in ("drag_in_water", "drag_in_air"):
+            found.number(key, getattr(self, key), "", above=0.0, at_most=5.0)
+        found.numbers(self, "m", "chain_min", "chain_max", above=0.0, at_most=0.2)
         if not found.problems:
-            self._check_floats(found)
+            self._check_together(found)
         found.raise_if_any()
 
-    def _check_floats(self, found: Findings) -> None:
-        if self.tube_diameter > self.hull_diameter:
+    def _check_form(self, found: Findings) -> None:
+        """Note what is wrong with the hull: it is a stack, or the cylinder in short."""
+        if not self.hull:
+            found.number("hull_diameter", self.hull_diameter, "m", at_least=0.1, at_most=30.0)
+            found.number("hull_depth", self.hull_depth, "m", at_least=0.1, at_most=60.0)
+            for key in ("structure", "structure_depth", "eye_offset"):
+                if value := getattr(self, key):
+                    found.add(key, f"{value!r}", "it belongs to a hull of slices, which is missing")
+            return
+        for key in ("hull_diameter", "hull_depth", "tube_diameter", "tube_length"):
+            if value := getattr(self, key):
+                found.add(key, f"{value!r}", "leave it out: the hull is given by its slices")
+
+    def _check_together(self, found: Findings) -> None:
+        if self.chain_min and self.chain_max and self.chain_max < self.chain_min:
+            allowed = f"not below chain_min, {self.chain_min:g} m"
+            found.add("chain_max", f"{self.chain_max:g} m", allowed)
+        if not self.hull and self.tube_diameter > self.hull_diameter:
             found.add("tube_diameter", f"{self.tube_diameter:g} m", "wider than the hull")
         draught = self._draught(SEA_WATER_DENSITY, 0.0)
+        freeboard = self.deck - draught
         if draught <= 0.0:
             light = "less than its tail tube displaces: the hull would float above the water"
             found.add("mass", f"{self.mass:g} kg", light)
-        elif self.hull_depth - draught <= self.least_freeboard:
+        elif freeboard <= self.least_freeboard:
+            most = SEA_WATER_DENSITY * (self._most_volume + self._ballast_volume)
             heavy = (
-                f"floats, without a mooring, with a freeboard of {self.hull_depth - draught:.2f} m,"
+                f"floats, without a mooring, with a freeboard of {freeboard:.2f} m,"
                 f" not above the least one of {self.least_freeboard:g} m: "
-                f"below {SEA_WATER_DENSITY * self._most_volume:.0f} kg"
+                f"below {most - self.ballast:.0f} kg"
             )
             found.add("mass", f"{self.mass:g} kg", heavy)
+
+    # ---------------------------------------------------------------- stacks
+
+    @cached_property
+    def _hull(self) -> Stack:
+        short = () if self.hull else (_cylinder(self.hull_depth, self.hull_diameter),)
+        return tuple(_stacked(self.hull or short, 0.0))
+
+    @cached_property
+    def _structure(self) -> Stack:
+        if self.hull:
+            return tuple(_stacked(self.structure, -self.structure_depth))
+        if not self.tube_length:
+            return ()
+        return ((-self.tube_length, _cylinder(self.tube_length, self.tube_diameter)),)
+
+    @cached_property
+    def deck(self) -> float:
+        """Level of the hull's top above its bottom, m."""
+        foot, top = self._hull[-1]
+        return foot + top.height
+
+    @cached_property
+    def lowest(self) -> float:
+        """Level of the lowest point above the hull's bottom, m: 0 or below."""
+        return min([0.0, *(foot for foot, _ in self._structure)])
+
+    @property
+    def eye(self) -> float:
+        """Level of the mooring eye above the hull's bottom, m."""
+        return -self.eye_offset if self.hull else self.lowest
+
+    def volume_below(self, level: float) -> float:
+        """Volume of hull and structure below a level above the hull's bottom, m3."""
+        return math.fsum(
+            each.displaced(level - foot) for foot, each in (*self._hull, *self._structure)
+        )
+
+    @cached_property
+    def volume(self) -> float:
+        """Volume of hull and structure, m3."""
+        return self.volume_below(math.inf)
+
+    def waterplane_at(self, level: float) -> float:
+        """Area of the waterline at a level above the hull's bottom, m2."""
+        stacks = (*self._hull, *self._structure)
+        return math.fsum(each.waterplane(level - foot) for foot, each in stacks)
+
+    def outline(self, low: float = -math.inf, high: float = math.inf) -> float:
+        """Area of hull and structure from the side between two levels, m2.
+
+        What of the structure is inside the hull counts too, as CALMAR's printed results have it.
+        """
+        stacks = (*self._hull, *self._structure)
+        return math.fsum(each.outline(low - foot, high - foot) for foot, each in stacks)
+
+    # ---------------------------------------------------------------- afloat
+
+    @property
+    def ballast(self) -> float:
+        """Mass of the ballast, kg."""
+        return self.ballast_mass * self.ballast_pieces
+
+    @property
+    def total_mass(self) -> float:
+        """With everything on it and with ballast, without the mooring, kg."""
+        return self.mass + self.ballast
+
+    @property
+    def _ballast_volume(self) -> float:
+        return self.ballast / self.ballast_density
 
     @property
     def _most_volume(self) -> float:
         """Displaced at the least freeboard, m3."""
-        depth = self.hull_depth - self.least_freeboard
-        return self.tube_volume + depth * self.waterplane_area
+        return self.volume_below(self.deck - self.least_freeboard)
 
     @property
     def waterplane_area(self) -> float:
-        """Area of the waterline, pi D^2/4, m2."""
-        return 0.25 * math.pi * self.hull_diameter**2
+        """Area of the waterline, afloat without a mooring, m2."""
+        return self.afloat().waterplane_area
 
     @property
     def tube_volume(self) -> float:
@@ -85,16 +310,43 @@ class BuoyShape:
 
     @property
     def tower_area(self) -> float:
-        """Of the tower, as the wind sees it, m2."""
-        return self.tower_height * self.tower_width * self.tower_solidity
+        """Of tower and pylons, as the wind sees them, m2."""
+        tower = self.tower_height * self.tower_width * self.tower_solidity
+        return math.fsum((tower, *(each.outline() for each in self.pylons)))
+
+    @property
+    def marks_area(self) -> float:
+        """Of all topmarks, as the wind sees them, m2."""
+        return math.fsum((self.topmark_area, *(each.outline() for each in self.topmarks)))
 
     def _draught(self, water_density: float, pull: float) -> float:
-        volume = (self.mass + pull / STANDARD_GRAVITY) / water_density
-        return (volume - self.tube_volume) / self.waterplane_area
+        """Level of the water above the hull's bottom at which it floats, m."""
+        mass = self.total_mass + pull / STANDARD_GRAVITY
+        volume = mass / water_density - self._ballast_volume
+        return self._level(volume)
+
+    def _level(self, volume: float) -> float:
+        """Level below which hull and structure have a volume, m: by Newton's steps in a bracket."""
+        stacks = (*self._hull, *self._structure)
+        ends = sorted({foot + h for foot, each in stacks for h in (0.0, each.height)})
+        below = sum(self.volume_below(z) < volume for z in ends)
+        low, high = ends[max(below - 1, 0)], ends[min(below, len(ends) - 1)]
+        level = low
+        for _ in range(_ROUNDS):
+            over = self.volume_below(level) - volume
+            low, high = (low, min(high, level)) if over > 0.0 else (max(low, level), high)
+            area = self.waterplane_at(level)
+            step = level - over / area if area > 0.0 else math.nan
+            new = step if low <= step <= high else 0.5 * (low + high)
+            if abs(new - level) <= 4e-16 * max(1.0, abs(level)):
+                return new
+            level = new
+        return level
 
     def reserve_buoyancy(self, water_density: float = SEA_WATER_DENSITY) -> float:
         """Vertical pull that leaves it its least freeboard, N: rho g (volume up to that) - m g."""
-        return STANDARD_GRAVITY * (water_density * self._most_volume - self.mass)
+        most = water_density * (self._most_volume + self._ballast_volume)
+        return STANDARD_GRAVITY * (most - self.total_mass)
 
     def afloat(self, pull: float = 0.0, water_density: float = SEA_WATER_DENSITY) -> Floating:
         """Float it under the vertical pull of its mooring, N, downwards; the density in kg/m3.
@@ -129,31 +381,53 @@ class Floating:
     @property
     def freeboard(self) -> float:
         """From the water to the deck, m."""
-        return self.shape.hull_depth - self.draught
+        return self.shape.deck - self.draught
 
     @property
     def keel_depth(self) -> float:
-        """From the water to the lowest point, where the chain is made fast, m."""
-        return self.draught + self.shape.tube_length
+        """From the water to the lowest point, m."""
+        return self.draught - self.shape.lowest
+
+    @property
+    def eye_depth(self) -> float:
+        """From the water to the mooring eye, where the chain is made fast, m."""
+        return self.draught - self.shape.eye
+
+    @property
+    def volume(self) -> float:
+        """Of hull and structure under water, m3."""
+        return self.shape.volume_below(self.draught)
 
     @property
     def displacement(self) -> float:
-        """Mass of the water displaced, kg."""
-        volume = self.shape.tube_volume + self.draught * self.shape.waterplane_area
-        return self.water_density * volume
+        """Mass of the water displaced by hull, structure and ballast, kg."""
+        return self.water_density * (self.volume + self.shape.ballast / self.shape.ballast_density)
+
+    @property
+    def reserve_share(self) -> float:
+        """Share of the volume of hull and structure that is not under water (CALMAR 8.1.9)."""
+        return 1.0 - self.volume / self.shape.volume
+
+    @property
+    def waterplane_area(self) -> float:
+        """Area of the waterline, m2."""
+        return self.shape.waterplane_at(self.draught)
+
+    @property
+    def waterline_diameter(self) -> float:
+        """Of a circle with the area of the waterline, m."""
+        return 2.0 * math.sqrt(self.waterplane_area / math.pi)
 
     def hull_area_in_water(self, growth: float = 0.0) -> float:
-        """Seen by the current: hull and tail tube, m2, with a marine growth (m) all round."""
-        tube = self.shape.tube_length * (self.shape.tube_diameter + 2.0 * growth)
-        hull = self.draught * (self.shape.hull_diameter + 2.0 * growth)
-        return hull + tube if self.shape.tube_length > 0.0 else hull
+        """Seen by the current: hull and structure, m2, with a marine growth (m) all round."""
+        return self.shape.outline(high=self.draught) + 2.0 * growth * self.keel_depth
 
     @property
     def hull_area_in_air(self) -> float:
-        """Of the hull, seen by the wind, m2."""
-        return self.freeboard * self.shape.hull_diameter
+        """Of hull and structure, seen by the wind, m2."""
+        return self.shape.outline(low=self.draught)
 
     @property
     def windage(self) -> float:
-        """Hull, tower and topmark, seen by the wind, m2."""
-        return self.hull_area_in_air + self.shape.tower_area + self.shape.topmark_area
+        """Hull, tower and topmarks, seen by the wind, m2."""
+        return self.hull_area_in_air + self.shape.tower_area + self.shape.marks_area

@@ -116,8 +116,24 @@ class SeaState:
         The lower of 0.14 x 1.56 T^2 (steepness) and 0.78 of the water depth, m. CALMAR takes the
         second only for waves that keep the first; both limit a wave, and so they do here.
         """
-        steep = _STEEPEST * _DEEP_WATER_LENGTH * self.period * self.period
-        return min(steep, _DEPTH_LIMIT * depth)
+        return min(self._steepest, _DEPTH_LIMIT * depth)
+
+    @property
+    def _steepest(self) -> float:
+        return _STEEPEST * _DEEP_WATER_LENGTH * self.period * self.period
+
+    def breaking_at(self, levels: WaterLevels) -> float:
+        """Height at which the largest wave breaks by CALMAR 6.3.1, m (A).
+
+        Its depth reaches from the bed to the crest at high water: H = 0.78 (high + H/2), unless the
+        steepness is the lower limit.
+        """
+        shallow = _DEPTH_LIMIT * levels.high / (1.0 - 0.5 * _DEPTH_LIMIT)
+        return min(self._steepest, shallow)
+
+    def breaks(self, levels: WaterLevels) -> bool:
+        """Whether the largest wave reaches the height at which it breaks by CALMAR 6.3.1."""
+        return self.hmax >= self.breaking_at(levels)
 
     def height_in(self, depth: float) -> float:
         """Height of the largest wave that does not break in water of a depth, m."""
@@ -128,6 +144,15 @@ class SeaState:
         from catopt.waves.dispersion import wave_number
 
         return wave_number(2.0 * math.pi / self.period, depth)
+
+    @property
+    def deep_water_velocity(self) -> float:
+        """Velocity that CALMAR takes a sea for, pi Hs/T, m/s: deep water, amplitude Hs/2.
+
+        CALMAR 5.1.5 names Hs, the period and Morison's equation; the form is that of its manuals'
+        printed results.
+        """
+        return math.pi * self.hs / self.period
 
     def surface_velocity(self, depth: float) -> float:
         """Largest horizontal velocity at the still water level of water of a depth (m), m/s.
@@ -162,5 +187,8 @@ class WaterLevels:
         return cls(depth, depth)
 
     def deepest(self, sea: SeaState) -> float:
-        """Depth under the largest crest at high water: high + Hmax/2, m (IALA CALMAR, A)."""
-        return self.high + 0.5 * sea.height_in(self.high)
+        """Depth under the largest crest at high water: high + Hmax/2, m (IALA CALMAR, A).
+
+        A wave that would break is as high as it can be, `SeaState.breaking_at`.
+        """
+        return self.high + 0.5 * min(sea.hmax, sea.breaking_at(self))

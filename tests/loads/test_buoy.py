@@ -13,6 +13,7 @@ import pytest
 from catopt.errors import InputError
 from catopt.loads import (
     BuoyShape,
+    BuoySlice,
     Loads,
     SeaState,
     SurfaceCurrent,
@@ -135,11 +136,11 @@ def test_a_pull_at_the_reserve_floats_and_one_above_is_refused() -> None:
 @pytest.mark.parametrize("shape", buoys(), ids=lambda shape: shape.name)
 def test_every_buoy_of_the_library_balances(shape: BuoyShape) -> None:
     """Weight and pull equal the water displaced, at rest and at the reserve."""
-    assert "generic" in shape.origin
+    assert shape.generic == ("generic" in shape.origin)
     reserve = shape.reserve_buoyancy()
     for pull in (0.0, 0.4 * reserve, reserve):
         afloat = shape.afloat(pull)
-        assert afloat.displacement * G == pytest.approx(shape.mass * G + pull, rel=ROUNDING)
+        assert afloat.displacement * G == pytest.approx(shape.total_mass * G + pull, rel=ROUNDING)
         assert afloat.freeboard >= shape.least_freeboard - 1e-12
     assert shape.afloat().windage > 0.0
 
@@ -202,6 +203,155 @@ def test_what_cannot_float_is_refused(change: dict[str, float], words: str) -> N
         replace(PLAIN, **change)  # type: ignore[arg-type]
 
 
+# ------------------------------------------------------------------ stacks of slices
+
+CONE = BuoySlice(1.5, 0.0, 2.0)
+"""Point down: pi/12 x 1.5 x 4 = pi/2 m3 in all, a share of (h/1.5)^3 below h."""
+
+STACK = BuoyShape(
+    "cone and drum",
+    hull=(CONE, BuoySlice(1.0, 2.0, 2.0)),
+    structure=(BuoySlice(3.0, 0.2, 0.2, volume=0.03),),
+    structure_depth=1.0,
+    eye_offset=0.75,
+    mass=1025.0 * (0.0625 * math.pi + 0.0175),
+)
+"""It floats with half of the cone under water, 1/8 of pi/2 m3, and 1.75 m of a flooded pole."""
+
+
+def test_a_cone_and_a_pole_by_hand() -> None:
+    afloat = STACK.afloat()
+    assert afloat.draught == pytest.approx(0.75, rel=ROUNDING)
+    assert afloat.keel_depth == pytest.approx(1.75, rel=ROUNDING)
+    assert afloat.eye_depth == pytest.approx(1.5, rel=ROUNDING)
+    assert afloat.freeboard == pytest.approx(1.75, rel=ROUNDING)
+    # The cone is 1 m wide there; the flooded pole is a hundredth of a square metre.
+    assert afloat.waterplane_area == pytest.approx(0.25 * math.pi + 0.01, rel=ROUNDING)
+
+
+def test_what_of_a_pole_is_hidden_in_the_hull_counts_from_the_side() -> None:
+    """Under water: cone 0.75 x 1/2 and pole 1.75 x 0.2; above, 1.125 + 2 and 1.25 x 0.2 m2."""
+    afloat = STACK.afloat()
+    assert afloat.hull_area_in_water() == pytest.approx(0.375 + 0.35, rel=ROUNDING)
+    assert afloat.hull_area_in_air == pytest.approx(1.125 + 2.0 + 0.25, rel=ROUNDING)
+    assert afloat.hull_area_in_water(0.1) == pytest.approx(0.725 + 0.2 * 1.75, rel=ROUNDING)
+
+
+def test_a_stated_volume_scales_that_of_the_geometry() -> None:
+    """Twice the volume of the cone: half of its height displaces a quarter of pi/2 m3."""
+    twice = replace(CONE, volume=math.pi)
+    assert twice.displaced(0.75) == pytest.approx(math.pi / 8.0, rel=ROUNDING)
+    assert twice.displaced(9.0) == pytest.approx(math.pi, rel=ROUNDING)
+    assert twice.waterplane(0.75) == pytest.approx(0.5 * math.pi, rel=ROUNDING)
+
+
+def test_a_hole_displaces_nothing_and_its_width_is_seen() -> None:
+    ring = BuoySlice(1.0, 2.0, 2.0, inner=1.0)
+    assert ring.displaced(1.0) == pytest.approx(0.75 * math.pi, rel=ROUNDING)
+    assert ring.outline() == 2.0
+    # A guard as thin as a line, and plates whose volume is stated: nothing, and that volume.
+    assert BuoySlice(1.0, 0.8, 0.6, inner=0.8).displaced(1.0) == 0.0
+    assert BuoySlice(1.0, 2.0, 3.0, inner=3.0, volume=2.5).displaced(1.0) == 2.5
+
+
+def test_ballast_of_cast_iron_loses_its_buoyancy() -> None:
+    """Two pieces of 366 kg displace a tenth of a cubic metre: 732 kg weigh 732 - 102.5 kg."""
+    ballast = replace(PLAIN, ballast_mass=366.0, ballast_pieces=2)
+    by_hand = 1.0 + (732.0 - 102.5) / 1025.0 / math.pi
+    assert ballast.afloat().draught == pytest.approx(by_hand, rel=ROUNDING)
+    lost = PLAIN.reserve_buoyancy() - ballast.reserve_buoyancy()
+    assert lost == pytest.approx(G * 629.5, rel=1e-11)  # a difference of near numbers
+
+
+def test_a_stack_and_the_cylinder_in_short_are_the_same_buoy() -> None:
+    short = replace(PLAIN, tube_diameter=0.5, tube_length=1.6)
+    stack = BuoyShape(
+        "drum",
+        mass=short.mass,
+        hull=(BuoySlice(2.0, 2.0, 2.0),),
+        structure=(BuoySlice(1.6, 0.5, 0.5),),
+        structure_depth=1.6,
+        eye_offset=1.6,
+    )
+    for pull in (0.0, 10e3):
+        one, other = short.afloat(pull), stack.afloat(pull)
+        for key in ("draught", "keel_depth", "eye_depth", "freeboard", "windage", "reserve_share"):
+            assert getattr(one, key) == getattr(other, key)
+        assert one.hull_area_in_water(0.03) == other.hull_area_in_water(0.03)
+
+
+@pytest.mark.parametrize(
+    ("name", "mass", "volume"), [("2S5PL", 3405.0, 12.7555), ("2S5PL +2", 4417.0, 14.1815)]
+)
+def test_trinity_house_prints_mass_and_volume(name: str, mass: float, volume: float) -> None:
+    """Its guide's totals of each body, less a dummy of 1 kg and 494.5 kg of superstructure."""
+    body = buoy(name)
+    assert body.mass - 494.5 - 1.0 == pytest.approx(mass, abs=1e-9)
+    # The printed digits, and the dummy's hundredth of a litre.
+    assert body.volume == pytest.approx(volume, abs=0.5e-4)
+    assert (body.chain_min, body.chain_max) == (0.032, 0.038)
+
+
+def test_real_buoys_displace_what_they_are_named_by() -> None:
+    """Litres of the float, to the 10 % that a name leaves open."""
+    named = {each.name: float(found[1]) for each in buoys() if (found := LITRES.search(each.name))}
+    assert len(named) == 7
+    for name, litres in named.items():
+        assert 1e3 * buoy(name).volume == pytest.approx(litres, rel=0.10)
+
+
+LITRES = re.compile(r"-(\d+)l-")
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"hull_diameter": 2.0}, "hull_diameter: found 2.0; leave it out"),
+        ({"mass": 10.0}, "less than its tail tube displaces"),
+        ({"ballast_pieces": 1.5}, "a whole number is wanted"),
+        ({"drag_in_water": 0.0}, "drag_in_water"),
+        ({"chain_min": 0.03, "chain_max": 0.02}, "not below chain_min, 0.03 m"),
+    ],
+)
+def test_what_a_stack_cannot_be_is_refused(change: dict[str, Any], words: str) -> None:
+    with pytest.raises(InputError, match=re.escape(words)):
+        replace(STACK, **change)
+
+
+def test_a_hole_between_both_ends_wants_its_volume() -> None:
+    with pytest.raises(InputError, match="state the volume"):
+        BuoySlice(1.0, 1.0, 2.0, inner=1.5)
+    with pytest.raises(InputError, match="no width to displace water with"):
+        BuoySlice(1.0, 0.0, 0.0, volume=1.0)
+
+
+def test_a_structure_belongs_to_a_hull_of_slices() -> None:
+    with pytest.raises(InputError, match=r"eye_offset: found 0\.5; it belongs to a hull of slices"):
+        replace(PLAIN, eye_offset=0.5)
+
+
+def test_a_stack_of_one_s_own_and_every_problem_of_its_slices() -> None:
+    head = 'schema = "catopt.buoys/1"\n[[buoy]]\nname = "mine"\nmass = 900\n'
+    (mine,) = parse_buoys(
+        head + "hull = [{ height = 0.5, lower = 1, upper = 2 }, { height = 1, lower = 2, upper = 2"
+        ", inner = 0.3, volume = 3 }]\nchain_min = 0.02\n"
+    )
+    assert [each.height for each in mine.hull] == [0.5, 1]
+    assert mine.hull[1].displaced(1.0) == 3.0
+    with pytest.raises(InputError) as caught:
+        parse_buoys(
+            head + "hull = [{ height = -1, lower = 1, upper = 2 }, { hight = 1, lower = 2 }]\n"
+        )
+    text = str(caught.value)
+    for words in (
+        "buoy[0].hull[0].height: found -1",
+        "buoy[0].hull[1].hight: found an unknown key; did you mean height",
+        "buoy[0].hull[1].height: missing",
+        "buoy[0].hull[1].upper: missing",
+    ):
+        assert words in text
+
+
 # ------------------------------------------------------------------ forces
 
 
@@ -233,7 +383,6 @@ def test_chain_hangs_under_the_crest_at_high_water() -> None:
         chain_diameter=0.04,
         sea=SeaState(6.0, maximum_height=2.0),
         levels=WaterLevels(18.0, 24.0),
-        chain_speed="current",
     )
     by_hand = 0.5 * 1025.0 * 1.2 * 2.65 * 0.04 * 24.0
     assert force(of, "current on the chain") == pytest.approx(by_hand, rel=ROUNDING)
@@ -241,15 +390,27 @@ def test_chain_hangs_under_the_crest_at_high_water() -> None:
 
 def test_the_depth_of_the_waves_is_told() -> None:
     """A load case at low water has steady levels: it must not be told to be at high water."""
-    of = loads(current=1.0, sea=SeaState(6.0, maximum_height=2.0), levels=WaterLevels.steady(10.0))
+    sea = SeaState(6.0, maximum_height=2.0)
+    of = loads(current=1.0, sea=sea, levels=WaterLevels.steady(10.0), wave_height="hmax")
     told = next(text for text in of.assumptions if text.startswith("Surface speed"))
     assert told.endswith(" in 10 m of water.")
 
 
-def test_waves_add_to_the_surface_speed() -> None:
+def test_calmar_takes_the_significant_height_in_deep_water() -> None:
+    """Its manuals' buoy: Hs 1.08 m and 12 s are pi x 1.08/12 = 0.282743 m/s in 6 m of water."""
+    sea = SeaState(12.0, significant_height=1.08, maximum_height=2.0)
+    of = loads(current=1.0, sea=sea, levels=WaterLevels.steady(6.0))
+    by_hand = 1230.0 * (1.0 + 0.09 * math.pi) ** 2
+    assert force(of, "current on the hull") == pytest.approx(by_hand, rel=ROUNDING)
+    assert of.method == "IALA-CALMAR"
+    told = next(text for text in of.assumptions if text.startswith("Surface speed"))
+    assert told.endswith("+ wave 0.283, pi Hs/T of Hs 1.08 m and 12 s.")
+
+
+def test_the_largest_wave_adds_to_the_surface_speed() -> None:
     """Deep water: 1 m/s and pi x 2/6 m/s; (1 + 1.047198)^2 = 4.191018 times 1230 N."""
     sea = SeaState(6.0, maximum_height=2.0)
-    of = loads(current=1.0, sea=sea, levels=WaterLevels.steady(190.0))
+    of = loads(current=1.0, sea=sea, levels=WaterLevels.steady(190.0), wave_height="hmax")
     # 190 m are deep for a wave of 56 m: tanh is 1 in double precision.
     by_hand = 1230.0 * (1.0 + math.pi / 3.0) ** 2
     assert force(of, "current on the hull") == pytest.approx(by_hand, rel=ROUNDING)
@@ -286,6 +447,7 @@ def test_what_went_into_the_speed_and_the_chain_is_told() -> None:
         chain_diameter=0.04,
         sea=SeaState(6.0, maximum_height=2.0),
         levels=WaterLevels.steady(190.0),
+        wave_height="hmax",
     )
     told = next(text for text in of.assumptions if text.startswith("Surface speed"))
     assert told == (
@@ -321,14 +483,73 @@ def test_every_force_carries_formula_numbers_and_source() -> None:
 
 
 def test_a_breaking_wave_is_told() -> None:
-    of = loads(sea=SeaState(4.0, maximum_height=6.0))
-    assert "3.49 m is taken" in of.warnings[0]
+    """0.14 x 1.56 x 16 = 3.494 m by steepness; CALMAR stops there, catopt's own wave is cut."""
+    steep = SeaState(4.0, maximum_height=6.0)
+    stopped, cut = loads(sea=steep, wave_height="hmax").warnings
+    assert "at 3.49 m (CALMAR 6.3.1): CALMAR gives no answer here" in stopped
+    assert "3.49 m is taken" in cut
+    assert loads(sea=steep).warnings == (stopped,)
+    assert loads(sea=steep).method == "catopt-buoy"
     assert loads(sea=SeaState(8.0, maximum_height=2.0)).warnings == ()
-    # 0.78 of 10 m; by steepness 0.14 x 1.56 x 64 = 13.98 m would stand
-    at_limit, above = 0.78 * 10.0, 7.81
+
+
+def test_the_depth_in_which_a_wave_breaks_has_its_crest() -> None:
+    """H = 0.78 (10 + H/2) is 12.787 m (CALMAR); catopt's own wave is cut at 0.78 of 10 m."""
     shallow = WaterLevels.steady(10.0)
-    assert loads(sea=SeaState(8.0, maximum_height=at_limit), levels=shallow).warnings == ()
-    assert len(loads(sea=SeaState(8.0, maximum_height=above), levels=shallow).warnings) == 1
+    reached = 7.8 / 0.61
+    for share, method in ((0.9999, "IALA-CALMAR"), (1.0001, "catopt-buoy")):
+        of = loads(sea=SeaState(12.0, maximum_height=share * reached), levels=shallow)
+        assert of.method == method
+        assert len(of.warnings) == (method == "catopt-buoy")
+    for height, cut in ((7.8, 0), (7.81, 1)):
+        sea = SeaState(8.0, maximum_height=height)
+        assert len(loads(sea=sea, levels=shallow, wave_height="hmax").warnings) == cut
+
+
+def test_the_chain_is_in_the_tide_alone_unless_waves_are_put_on_it() -> None:
+    """40 mm over 20 + 1 - 1 m; tide 1, drift 0.3, wave pi x (2/1.85)/6 = 0.566 m/s."""
+    sea = SeaState(6.0, maximum_height=2.0)
+    tide, all_of_it = (
+        loads(wind=20.0, current=1.0, sea=sea, chain_diameter=0.04, chain_waves=waves)
+        for waves in (False, True)
+    )
+    by_hand = 0.5 * 1025.0 * 1.2 * 2.65 * 0.04 * 20.0
+    assert force(tide, "current on the chain") == pytest.approx(by_hand, rel=ROUNDING)
+    speed = 1.3 + math.pi * (2.0 / 1.85) / 6.0
+    assert force(all_of_it, "current on the chain") == pytest.approx(
+        by_hand * speed**2, rel=ROUNDING
+    )
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"wave_height": "hmax"}, "the wave is the largest"),
+        ({"chain_waves": True}, "act on the chain, too"),
+        ({"marine_growth": 0.05}, "marine growth"),
+    ],
+)
+def test_what_departs_from_calmar_has_our_name_and_is_said(
+    change: dict[str, Any], said: str
+) -> None:
+    whole = loads(current=1.0, chain_diameter=0.04)
+    assert whole.method == "IALA-CALMAR"
+    assert not any(text.startswith("Not CALMAR's") for text in whole.assumptions)
+    ours = loads(current=1.0, chain_diameter=0.04, **change)
+    assert ours.method == "catopt-buoy"
+    (told,) = [text for text in ours.assumptions if text.startswith("Not CALMAR's")]
+    assert said in told
+
+
+def test_a_hull_has_its_own_coefficients() -> None:
+    """2767.5 N and 619.2 N with 1.2: times 0.55/1.2 in water, 0.40/1.2 in air; the chain keeps."""
+    own = replace(PLAIN, drag_in_water=0.55, drag_in_air=0.40)
+    of = loads(own, current=1.5, chain_diameter=0.04)
+    assert force(of, "current on the hull") == pytest.approx(2767.5 * 0.55 / 1.2, rel=ROUNDING)
+    assert force(of, "current on the chain") == force(
+        loads(current=1.5, chain_diameter=0.04), "current on the chain"
+    )
+    assert force(loads(own, wind=20.0), "wind on the hull") == pytest.approx(206.4, rel=ROUNDING)
 
 
 @pytest.mark.parametrize(
@@ -340,7 +561,7 @@ def test_a_breaking_wave_is_told() -> None:
         ({"pull": 40e3}, "reserve buoyancy"),
         ({"chain_diameter": 25.0}, "chain_diameter"),
         ({"marine_growth": -0.1}, "marine_growth"),
-        ({"chain_speed": "tide"}, "one of surface, current"),
+        ({"wave_height": "h10"}, "one of hs, hmax"),
     ],
 )
 def test_what_calmar_does_not_hold_for_is_refused(change: dict[str, Any], words: str) -> None:
