@@ -6,6 +6,7 @@ from types import MappingProxyType
 from typing import Final, Literal, get_args
 
 from catopt.loads.ship import Ship
+from catopt.loads.source import MARPOL, LoadSource
 from catopt.model.validity import Findings
 from catopt.words import Message
 
@@ -23,6 +24,9 @@ MIDSHIP: Final = 0.98
 MOULDED: Final = 1.3
 """Moulded depth in draughts of the loaded ship."""
 
+BALLAST_SOURCE: Final = LoadSource(MARPOL, "2.1, of tankers", "B")
+"""Of `ballast_draught`."""
+
 HOUSE_HEIGHT: Final = 15.0
 HOUSE_LENGTH: Final = 25.0
 """Of the deckhouse, m; it is as wide as the ship."""
@@ -36,6 +40,21 @@ def estimates() -> tuple[Message, Message]:
         ),
         Message("loads.estimated_house", height=HOUSE_HEIGHT, length=HOUSE_LENGTH),
     )
+
+
+def ballast_draught(length: float) -> float:
+    """Estimate the draught in ballast of a ship of a length over all, m: 2.0 + 0.02 L.
+
+    L is the length of the waterline, `WATERLINE` of the length over all. It is the least that
+    MARPOL wants of a tanker with segregated ballast; a ship may lie deeper.
+
+    Examples
+    --------
+    >>> from catopt.loads.ship_estimate import ballast_draught
+    >>> round(ballast_draught(210.0), 2)
+    6.07
+    """
+    return 2.0 + 0.02 * WATERLINE * length
 
 
 def estimated_tanker(

@@ -99,6 +99,11 @@ INPUTS: Final = (
     ),
     Input(
         "ballast_draught", "ship.ballast_draught", "LENGTH", "3.2 m", of=_TANKER, above=0.0,
+        left_out="left_out.ballast_draught",
+    ),
+    Input(
+        "condition", "ship.condition", "WHICH", ("loaded", "ballast"), of=_TANKER, several=True,
+        words=("loaded", "ballast"), left_out="left_out.condition",
     ),
     Input(
         "moulded_depth", "ship.moulded_depth", "LENGTH", "16 m", of=_TANKER, above=0.0,

@@ -12,7 +12,14 @@ from catopt.loads import BuoyShape, SeaState, SurfaceCurrent, WaterLevels, Wind,
 from catopt.loads.buoy_library import buoy as look_up
 from catopt.loads.environment import HMAX_OVER_HS
 from catopt.loads.ship import Ship
-from catopt.loads.ship_estimate import MOULDED, Condition, estimated_tanker, estimates
+from catopt.loads.ship_estimate import (
+    BALLAST_SOURCE,
+    MOULDED,
+    Condition,
+    ballast_draught,
+    estimated_tanker,
+    estimates,
+)
 from catopt.sizing.anchorage import DragGround, SinkerGround
 from catopt.sizing.buoy import sized_buoy
 from catopt.sizing.buoy_request import BuoyRequest, GivenBuoy
@@ -26,7 +33,7 @@ from catopt.sizing.result import Sizing
 from catopt.sizing.tanker import sized_tanker
 from catopt.sizing.tanker_request import MooredShip, TankerRequest, note_aground
 from catopt.units import lasting
-from catopt.words import Message, term
+from catopt.words import Cited, Message, term
 
 WIND_MEAN: Final = 30.0
 """s: the wind that loads on a ship are computed for is a mean over this (UFC 3-8.1, page 42)."""
@@ -90,7 +97,7 @@ def _of_a_tanker(of: Known) -> TankerRequest | None:
         title=of["title"] or "",
         source=of["source"] or "",
         defaults=words,
-        estimates=(*estimates(), *of_the_wind(of)),
+        estimates=(*estimates(), *of_the_ballast(of), *of_the_wind(of)),
         inputs=of.read,
     )
     is_found = of["buoy"] is None or shape is not None
@@ -173,19 +180,53 @@ def _ships(of: Known) -> tuple[MooredShip, ...] | None:
     """Make the ship in each condition, as far as its dimensions are known."""
     if None in (of["length"], of["breadth"], of["draught"]):
         return None
-    conditions: dict[str, str] = {"loaded": "draught", "ballast": "ballast_draught"}
-    if of["ballast_draught"] is not None and of["ballast_draught"] > of["draught"]:
-        allowed = f"not above the loaded draught, {of['draught']:g} m"
-        of.telling.add("ballast_draught", f"{of['ballast_draught']:g} m", allowed)
-        return None
-    ships = [
-        of.telling.make(lambda c=condition: _ship(of, c))
-        for condition, name in conditions.items()
-        if of[name] is not None
-    ]
+    draughts = draughts_of(of)
+    ships = [of.telling.make(lambda c=condition: _ship(of, c)) for condition in draughts]
     made = tuple(ship for ship in ships if ship is not None)
     note_aground(made, of["low_water"] or of["depth"] or math.inf, of.telling.add)
-    return made if len(made) == len(ships) else None
+    return made if made and len(made) == len(ships) else None
+
+
+def draughts_of(of: Known) -> dict[Condition, float]:
+    """Take the conditions that count, with their draughts, m; none where something is wrong.
+
+    Both count unless one is named. A draught in ballast that is not given is estimated; where that
+    is no less than the loaded one, the ship counts loaded alone.
+    """
+    loaded, ballast = of["draught"], of["ballast_draught"]
+    wanted: tuple[Condition, ...] = of["condition"] or ("loaded", "ballast")
+    if ballast is not None and "ballast" not in wanted:
+        allowed = f"leave it out, or name ballast with {of.telling.spell('condition')}"
+        of.telling.add("ballast_draught", f"{ballast:g} m", allowed)
+        return {}
+    if ballast is not None and ballast > loaded:
+        of.telling.add(
+            "ballast_draught", f"{ballast:g} m", f"not above the loaded draught, {loaded:g} m"
+        )
+        return {}
+    found: dict[Condition, float] = {"loaded": loaded} if "loaded" in wanted else {}
+    if "ballast" in wanted:
+        light = ballast_draught(of["length"]) if ballast is None else ballast
+        if ballast is not None or light < loaded:
+            found["ballast"] = light
+        elif not found:
+            allowed = f"missing; an estimate, {light:.3g} m, is not below the loaded {loaded:g} m"
+            of.telling.add("ballast_draught", "", allowed)
+    return found
+
+
+def of_the_ballast(of: Known) -> tuple[Message, ...]:
+    """Say which draught in ballast was estimated, or that none could be."""
+    if of["ballast_draught"] is not None or None in (of["length"], of["draught"]):
+        return ()
+    if "ballast" not in (of["condition"] or ("ballast",)):
+        return ()
+    draught = draughts_of(of).get("ballast")
+    if draught is None:
+        return (Message("sizing.no_ballast"),)
+    return (
+        Message("sizing.ballast_estimated", draught=draught, source=Cited(BALLAST_SOURCE.text)),
+    )
 
 
 TAKEN_FOR: Final = MappingProxyType(
@@ -204,8 +245,9 @@ def ship_at(of: Known, condition: Condition, name: str, propeller: str = "tanker
 
     Areas that are given are those of the loaded ship, which rises by the difference.
     """
-    loaded = of["draught"]
-    draught = loaded if condition == "loaded" else of["ballast_draught"]
+    loaded, given = of["draught"], of["ballast_draught"]
+    light = ballast_draught(of["length"]) if given is None else given
+    draught = loaded if condition == "loaded" else light
     risen = loaded - draught
     frontal, lateral = of["frontal_area"], of["lateral_area"]
     return estimated_tanker(

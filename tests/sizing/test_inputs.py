@@ -17,6 +17,7 @@ from catopt.cli.size_options import as_option, by_option, typed
 from catopt.errors import InputError
 from catopt.loads import METHODS, WaterLevels
 from catopt.loads.ship_dimensions import ShipKind
+from catopt.loads.ship_estimate import Condition
 from catopt.loads.sinker import DENSITIES
 from catopt.model.kinds import Measured
 from catopt.sizing import Environment, SinkerGround, TankerRequest
@@ -213,6 +214,7 @@ def test_one_of_several_words_is_one_of_the_model() -> None:
     words = {each.name: each.words for each in INPUTS if each.words}
     assert words == {
         "ship": get_args(ShipKind),
+        "condition": get_args(Condition),
         "prefer": PREFERENCES,
         "sinker": tuple(DENSITIES),
         "load_method": METHODS,
