@@ -42,6 +42,11 @@ def estimates() -> tuple[Message, Message]:
     )
 
 
+def box_estimates() -> tuple[Message, ...]:
+    """Say what is taken of a square-ended hull where nothing is given; catopt's own figures."""
+    return (Message("loads.estimated_box"),)
+
+
 def ballast_draught(length: float) -> float:
     """Estimate the draught in ballast of a ship of a length over all, m: 2.0 + 0.02 L.
 
@@ -67,14 +72,15 @@ def estimated_tanker(
     condition: Condition = "loaded",
     frontal_area: float | None = None,
     lateral_area: float | None = None,
-    propeller: str = "tanker",
+    propeller: str | None = "tanker",
     lateral_centre: float = 0.0,
+    is_square_ended: bool = False,
 ) -> Ship:
     """Make a tanker out of its main dimensions, in m: length over all, depth from deck to keel.
 
     The block coefficient is that of the condition. The areas above water, m2, are estimated when
     left out; `lateral_centre` is of an area that is given, m forward of midships: that of the
-    estimated one follows from a deckhouse at the stern.
+    estimated one follows from a deckhouse at the stern. A square-ended hull is a box without one.
 
     Raises
     ------
@@ -92,10 +98,12 @@ def estimated_tanker(
         found.add("moulded_depth", f"{moulded_depth:g} m", low)
     found.raise_if_any()
     freeboard = moulded_depth - draught
-    waterline = WATERLINE * length
+    waterline, block, midship, height = WATERLINE * length, BLOCK[condition], MIDSHIP, HOUSE_HEIGHT
+    if is_square_ended:
+        waterline, block, midship, height = length, 1.0, 1.0, 0.0
     section = breadth * draught
-    frontal = breadth * (freeboard + HOUSE_HEIGHT)
-    house = HOUSE_HEIGHT * HOUSE_LENGTH
+    frontal = breadth * (freeboard + height)
+    house = height * HOUSE_LENGTH
     lateral = length * freeboard + house
     house_lever = -house * 0.5 * (length - HOUSE_LENGTH) / lateral
     return Ship(
@@ -104,8 +112,8 @@ def estimated_tanker(
         length_waterline=waterline,
         breadth=breadth,
         draught=draught,
-        displacement=BLOCK[condition] * waterline * section,
-        midship_area=MIDSHIP * section,
+        displacement=block * waterline * section,
+        midship_area=midship * section,
         lateral_area=lateral if lateral_area is None else lateral_area,
         frontal_area=frontal if frontal_area is None else frontal_area,
         propeller=propeller,

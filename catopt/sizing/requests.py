@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from types import MappingProxyType
 from typing import Any, Final
@@ -12,14 +12,17 @@ from catopt.loads import BuoyShape, SeaState, SurfaceCurrent, WaterLevels, Wind,
 from catopt.loads.buoy_library import buoy as look_up
 from catopt.loads.environment import HMAX_OVER_HS
 from catopt.loads.ship import Ship
+from catopt.loads.ship_coefficients import SQUARE_ENDED, ShipCoefficients, read_ship_coefficients
 from catopt.loads.ship_estimate import (
     BALLAST_SOURCE,
     MOULDED,
     Condition,
     ballast_draught,
+    box_estimates,
     estimated_tanker,
     estimates,
 )
+from catopt.loads.weathervane import Afloat
 from catopt.sizing.anchorage import DragGround, SinkerGround
 from catopt.sizing.buoy import sized_buoy
 from catopt.sizing.buoy_request import BuoyRequest, GivenBuoy
@@ -30,6 +33,7 @@ from catopt.sizing.kinds import usual
 from catopt.sizing.known import Known
 from catopt.sizing.line_choice import LineChoice, sold, unpriced_components
 from catopt.sizing.result import Sizing
+from catopt.sizing.service_type import demands, left_out
 from catopt.sizing.tanker import sized_tanker
 from catopt.sizing.tanker_request import MooredShip, TankerRequest, note_aground
 from catopt.units import lasting
@@ -80,7 +84,7 @@ def _of_a_tanker(of: Known) -> TankerRequest | None:
     shape = None if of["buoy"] is None else shape_of(of)
     line = _line(of, of["diameter_min"], _largest_size(of))
     ground = _ground(of)
-    vane = weathervaning_of(of)
+    vane = weathervaning_of(of, is_turned=turns_by_itself(ships))
     words = _taken(of, place, ground)
     if of.given.isdisjoint({"diameter_min", "diameter_max"}):
         words = (*words, Message("sizing.sizes_up_to", most=of["diameter_max"] * 1e3))
@@ -97,7 +101,13 @@ def _of_a_tanker(of: Known) -> TankerRequest | None:
         title=of["title"] or "",
         source=of["source"] or "",
         defaults=words,
-        estimates=(*estimates(), *of_the_ballast(of), *of_the_wind(of)),
+        service_type=of["service_type"],
+        estimates=(
+            *of_the_hull(of),
+            *of_the_ballast(of),
+            *of_the_wind(of),
+            *of_the_service(of, place),
+        ),
         inputs=of.read,
     )
     is_found = of["buoy"] is None or shape is not None
@@ -124,6 +134,13 @@ def of_the_wind(of: Known) -> tuple[Message, ...]:
         return ()
     given = {"given": of["wind"], "mean": lasting(of["wind_mean"])}
     return (Message("sizing.wind_converted", speed=speed, **given),)
+
+
+def of_the_service(of: Known, place: Environment | None) -> tuple[Message, ...]:
+    """Say what the service type asks for, and which motions are left out."""
+    if place is None or of["service_type"] is None:
+        return ()
+    return (*demands(of["service_type"], place), left_out(place))
 
 
 def _environment(
@@ -191,7 +208,7 @@ def draughts_of(of: Known) -> dict[Condition, float]:
     """Take the conditions that count, with their draughts, m; none where something is wrong.
 
     Both count unless one is named. A draught in ballast that is not given is estimated; where that
-    is no less than the loaded one, the ship counts loaded alone.
+    is no less than the loaded one, and of a barge, the ship counts loaded alone.
     """
     loaded, ballast = of["draught"], of["ballast_draught"]
     wanted: tuple[Condition, ...] = of["condition"] or ("loaded", "ballast")
@@ -207,11 +224,10 @@ def draughts_of(of: Known) -> dict[Condition, float]:
     found: dict[Condition, float] = {"loaded": loaded} if "loaded" in wanted else {}
     if "ballast" in wanted:
         light = ballast_draught(of["length"]) if ballast is None else ballast
-        if ballast is not None or light < loaded:
+        if ballast is not None or (light < loaded and of["ship"] != BARGE):
             found["ballast"] = light
         elif not found:
-            allowed = f"missing; an estimate, {light:.3g} m, is not below the loaded {loaded:g} m"
-            of.telling.add("ballast_draught", "", allowed)
+            of.telling.add("ballast_draught", "", "missing; of this ship it cannot be estimated")
     return found
 
 
@@ -229,18 +245,53 @@ def of_the_ballast(of: Known) -> tuple[Message, ...]:
     )
 
 
-TAKEN_FOR: Final = MappingProxyType(
+BARGE: Final = "barge"
+
+TAKEN_FOR: Final[Mapping[str, tuple[str, str | None]]] = MappingProxyType(
     {
         "tanker": ("tanker {}", "tanker"),
         "bulk carrier": ("tanker {}", "cargo"),
         "general cargo": ("cargo loaded", "cargo"),
+        BARGE: ("cargo loaded", None),
     }
 )
 """For which kind of ship each is taken by wind, after Blendermann, and by propeller, after UFC. The
-first lacks bulk carriers; a tanker's bow has the largest coefficient."""
+first lacks bulk carriers; a tanker's bow has the largest coefficient. The wind on a barge is by
+`SQUARE_ENDED`."""
+
+_SHORT: Final = 4.5
+"""Length over breadth of a hull that may be a barge's; merchant ships have 5 to 7."""
 
 
-def ship_at(of: Known, condition: Condition, name: str, propeller: str = "tanker") -> Ship:
+def own_tables(of: Known, condition: str) -> ShipCoefficients | None:
+    """Take the coefficients of a ship's own in a condition, or those of square ends."""
+    is_barge = of["ship"] == BARGE
+    if of["coefficients"] is None:
+        return SQUARE_ENDED if is_barge else None
+    own = read_ship_coefficients(of["coefficients"]).in_condition(condition)
+    if is_barge and not (own.wind and own.current):
+        allowed = f"a barge wants tables of wind and current in it, {condition}"
+        of.telling.add("coefficients", str(of["coefficients"]), allowed)
+    return own
+
+
+def turns_by_itself(ships: Iterable[MooredShip | Afloat] | None) -> bool:
+    """Whether the tables of a ship's own have the moment of the current."""
+    tables = [each.coefficients for each in ships or ()]
+    return bool(tables) and all(each is not None and each.turns for each in tables)
+
+
+def of_the_hull(of: Known) -> tuple[Message, ...]:
+    """Say what was estimated of the hull, and what a square-ended one would have."""
+    if of["ship"] == BARGE:
+        return box_estimates()
+    is_short = None not in (of["length"], of["breadth"]) and of["length"] < _SHORT * of["breadth"]
+    if of["coefficients"] is None and (is_short or of["ship"] == "general cargo"):
+        return (*estimates(), Message("sizing.not_square_ended"))
+    return estimates()
+
+
+def ship_at(of: Known, condition: Condition, name: str, propeller: str | None = "tanker") -> Ship:
     """Estimate the ship at one of its draughts.
 
     Areas that are given are those of the loaded ship, which rises by the difference.
@@ -260,6 +311,7 @@ def ship_at(of: Known, condition: Condition, name: str, propeller: str = "tanker
         frontal_area=None if frontal is None else frontal + of["breadth"] * risen,
         lateral_area=None if lateral is None else lateral + of["length"] * risen,
         propeller=propeller,
+        is_square_ended=of["ship"] == BARGE,
     )
 
 
@@ -273,7 +325,12 @@ def _ship(of: Known, condition: Condition) -> MooredShip:
     fairlead = moulded - loaded if of["fairlead"] is None else of["fairlead"]
     fairlead += loaded - ship.draught
     return MooredShip(
-        condition, ship, wind_on.format(condition), fairlead, dwt if condition == "loaded" else None
+        condition,
+        ship,
+        wind_on.format(condition),
+        fairlead,
+        dwt if condition == "loaded" else None,
+        own_tables(of, condition),
     )
 
 

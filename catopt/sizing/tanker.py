@@ -185,7 +185,7 @@ def _loads_at(request: TankerRequest, state: _State, assumed: Assumed) -> LoadsA
     env = request.environment
     moored, vane = state.moored, request.weathervaning
     lying = _worst_lying(
-        Afloat(moored.condition, moored.ship, moored.wind_on),
+        Afloat(moored.condition, moored.ship, moored.wind_on, moored.coefficients),
         env,
         state.depth,
         vane,

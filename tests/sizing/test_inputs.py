@@ -27,6 +27,7 @@ from catopt.sizing.kinds import from_text, kind_of, schema_of, usual
 from catopt.sizing.known import Known, ReadInput, known
 from catopt.sizing.line_choice import PREFERENCES
 from catopt.sizing.requests import request_of, size
+from catopt.sizing.service_type import SERVICE_TYPES
 from catopt.units import as_written
 from catopt.words.texts import group
 from tests.sizing_page import PAGE, up_to_date
@@ -73,7 +74,9 @@ def examples(name: str) -> tuple[Moored, dict[str, Any]]:
     held_by = "sinker" if first.get("anchor") == "sinker" else "anchor"
     given: dict[str, Any] = {**first}
     for each in inputs_of(moored, held_by=held_by).values():
-        if each.name not in (*given, "buoys") and not any(given.get(o) for o in each.not_with):
+        if each.name not in (*given, "buoys", "coefficients") and not any(
+            given.get(o) for o in each.not_with
+        ):
             given[each.name] = each.example
     return moored, {key: value for key, value in given.items() if value is not None}
 
@@ -112,8 +115,11 @@ def test_keywords_options_and_a_file_come_to_the_same(name: str, tmp_path: Path)
     assert request_of(by_options(moored, given)) == request
 
 
-def test_the_examples_are_all_inputs_but_a_file_of_buoys() -> None:
-    given = {"buoy": {"buoys", "swing_price"}, "tanker": {"buoys"}}  # no buoy chain has a price
+def test_the_examples_are_all_inputs_but_files() -> None:
+    given = {
+        "buoy": {"buoys", "swing_price"},
+        "tanker": {"buoys", "coefficients"},
+    }  # no buoy chain has a price
     for name in FULL:
         moored, examples_of_it = examples(name)
         given[moored] |= set(examples_of_it)
@@ -218,6 +224,7 @@ def test_one_of_several_words_is_one_of_the_model() -> None:
         "prefer": PREFERENCES,
         "sinker": tuple(DENSITIES),
         "load_method": METHODS,
+        "service_type": SERVICE_TYPES,
     }
 
 
