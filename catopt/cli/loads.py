@@ -45,7 +45,7 @@ _WEATHER = ("depth", "low_water", "wind", "current", "hs", "hmax", "period", "wa
 _BUOY = (*_WEATHER, "growth", "buoys")
 _SHIP = (
     *(*_WEATHER, "length", "breadth", "draught", "ballast_draught"),
-    *("frontal_area", "lateral_area"),
+    *("frontal_area", "lateral_area", "condition", "coefficients"),
     *("load_method", "wave_coefficient", "wind_mean", "ship", "dwt"),
     *("wind_angle", "current_angle", "wave_angle", "current_yaw", "scan"),
 )
@@ -139,7 +139,7 @@ def ship(
     propeller: KindOption = None,
     waterline: LengthOption = None,
     block: Annotated[float | None, typer.Option(metavar="NUMBER")] = None,
-    midship: Annotated[float, typer.Option(metavar="NUMBER")] = 0.98,
+    midship: Annotated[float | None, typer.Option(metavar="NUMBER")] = None,
     weathervane: Annotated[bool, typer.Option("--weathervane")] = False,
     mooring_point: LengthOption = None,
     wind_centre: LengthOption = None,
@@ -149,10 +149,16 @@ def ship(
 ) -> None:
     """Compute the loads on a ship, from wind, current and waves."""
     from catopt.loads import METHODS, WaterLevels, every_lying, every_method
-    from catopt.loads.ship_estimate import estimates
+    from catopt.loads.ship_estimate import MIDSHIP, WATERLINE, box_estimates, estimates
     from catopt.sizing.headings import DIRECTIONS, directions_of, read_turning, turned_round
     from catopt.sizing.known import estimated_dimensions
-    from catopt.sizing.requests import TAKEN_FOR, of_the_wind, wind_of_30_s
+    from catopt.sizing.requests import (
+        BARGE,
+        TAKEN_FOR,
+        of_the_wind,
+        turns_by_itself,
+        wind_of_30_s,
+    )
 
     lengths = {
         "--waterline": waterline,
@@ -172,20 +178,22 @@ def ship(
                 of.telling.add(name, str(text), "leave it out, or give --weathervane with it")
         of.telling.raise_if_any()
         assert own is not None
-        yaw = of["current_yaw"] or ""
-        turned = partial(read_turning, yaw, own.get("--mooring-point"))
-        turning = of.telling.made(turned) if turns else None
         if file is not None:
             propeller = propeller or TAKEN_FOR[of["ship"] or "tanker"][1]
+        is_square = of["ship"] == BARGE
         form = _Form(
-            own.get("--waterline", 0.97 * of["length"]),
-            block,
-            midship,
+            own.get("--waterline", (1.0 if is_square else WATERLINE) * of["length"]),
+            1.0 if is_square and block is None else block,
+            (1.0 if is_square else MIDSHIP) if midship is None else midship,
             kind,
             propeller,
             own.get("--wind-centre"),
         )
         ships = list(_ships_afloat(of, form))
+        is_known = turns_by_itself(ships)
+        point, yaw = own.get("--mooring-point"), of["current_yaw"] or ""
+        turned = partial(read_turning, yaw, point, is_known=is_known)
+        turning = of.telling.made(turned) if turns else None
         how = {
             "reflection": reflection,
             "drift": drift.replace("-", " "),
@@ -227,7 +235,7 @@ def ship(
     has_areas = of["frontal_area"] is not None and of["lateral_area"] is not None
     said = (
         *_what_is_taken(form, worst, turning),
-        *(() if has_areas else estimates()[1:]),
+        *(() if has_areas else box_estimates() if is_square else estimates()[1:]),
         *of_the_wind(of),
         *_no_part(of, {*_SHIP, "moulded_depth"} - ({"hmax"} if by_hs else set())),
     )
@@ -318,15 +326,17 @@ def _ships_afloat(of: Known, form: _Form) -> Iterator[Afloat]:
     """Make the ship at each draught that is known."""
     from catopt.loads import Afloat, Ship
     from catopt.loads.ship_estimate import BLOCK
-    from catopt.sizing.requests import TAKEN_FOR, ship_at
+    from catopt.sizing.requests import TAKEN_FOR, draughts_of, own_tables, ship_at
     from catopt.sizing.tanker_request import check_deadweight
 
     wind_on, _ = TAKEN_FOR[of["ship"] or "tanker"]
-    has_ballast = of["ballast_draught"] is not None
-    key = "loads.ship_in_condition" if has_ballast else "loads.ship_of"
-    conditions: list[Condition] = ["loaded", "ballast"] if has_ballast else ["loaded"]
-    for condition in conditions:
-        draught = of["draught" if condition == "loaded" else "ballast_draught"]
+    is_named = of["ballast_draught"] is not None or of["condition"] is not None
+    draughts: dict[Condition, float] = {"loaded": of["draught"]}
+    if is_named:
+        draughts = draughts_of(of)
+    of.telling.raise_if_any()
+    key = "loads.ship_in_condition" if "ballast" in draughts else "loads.ship_of"
+    for condition, draught in draughts.items():
         windage = of.telling.made(partial(ship_at, of, condition, "tanker"))
         section = of["breadth"] * draught
         block = BLOCK[condition] if form.block is None else form.block
@@ -349,7 +359,12 @@ def _ships_afloat(of: Known, form: _Form) -> Iterator[Afloat]:
         if condition == "loaded" and of["dwt"] is not None:
             of.telling.make(check_deadweight, of["dwt"], body)
             of.telling.raise_if_any()
-        yield Afloat(condition, body, form.kind or wind_on.format(condition))
+        own = own_tables(of, condition)
+        if form.kind and own is not None:
+            allowed = "leave it out: this ship has coefficients of its own"
+            of.telling.add("kind", form.kind, allowed)
+        of.telling.raise_if_any()
+        yield Afloat(condition, body, form.kind or wind_on.format(condition), own)
 
 
 def _what_is_taken(form: _Form, worst: Lying, turning: Turning | None) -> Iterator[Message]:

@@ -18,6 +18,11 @@ from catopt.loads.drag_anchor import (
 from catopt.loads.environment import SeaState, SurfaceCurrent, WaterLevels, Wind
 from catopt.loads.heading import HEAD_ON, Headings
 from catopt.loads.ship import Ship
+from catopt.loads.ship_coefficients import (
+    ShipCoefficients,
+    parse_ship_coefficients,
+    read_ship_coefficients,
+)
 from catopt.loads.ship_estimate import estimated_tanker
 from catopt.loads.ship_loads import METHODS, every_method, governing_loads, ship_loads
 from catopt.loads.sinker import SinkerSize, size_sinker
@@ -53,6 +58,7 @@ __all__ = [
     "Number",
     "SeaState",
     "Ship",
+    "ShipCoefficients",
     "SinkerSize",
     "SurfaceCurrent",
     "TankerComparison",
@@ -70,7 +76,9 @@ __all__ = [
     "every_method",
     "governing_loads",
     "holding_capacity",
+    "parse_ship_coefficients",
     "read_buoys",
+    "read_ship_coefficients",
     "ship_loads",
     "size_drag_anchor",
     "size_sinker",

@@ -9,7 +9,8 @@ from typing import Final, Literal, NamedTuple, TypeAlias, get_args
 
 from catopt.model.validity import Findings
 
-ShipKind = Literal["tanker", "bulk carrier", "general cargo"]
+ShipKind = Literal["tanker", "bulk carrier", "general cargo", "barge"]
+"""A barge or a pontoon has square ends."""
 
 DIMENSIONS_SOURCE: Final = "PIANC 2002 / ROM 3.1 [R]"
 """Recalled, read in neither; checked by their block coefficients (0.71 to 0.84)."""
@@ -79,6 +80,9 @@ def ship_dimensions(kind: str, deadweight: float) -> ShipDimensions:
     """
     found = Findings("ship dimensions")
     found.word("kind", kind, get_args(ShipKind))
+    if kind == "barge":
+        allowed = "no table of barges and pontoons was read: give length, breadth and draught"
+        found.add("deadweight", f"{deadweight / _TONNE:.6g} t", allowed)
     found.raise_if_any()
     rows = _TABLE[kind]
     tonnes, known = deadweight / _TONNE, sorted(rows)

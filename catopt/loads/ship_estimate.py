@@ -6,6 +6,7 @@ from types import MappingProxyType
 from typing import Final, Literal, get_args
 
 from catopt.loads.ship import Ship
+from catopt.loads.source import MARPOL, LoadSource
 from catopt.model.validity import Findings
 from catopt.words import Message
 
@@ -23,6 +24,9 @@ MIDSHIP: Final = 0.98
 MOULDED: Final = 1.3
 """Moulded depth in draughts of the loaded ship."""
 
+BALLAST_SOURCE: Final = LoadSource(MARPOL, "2.1, of tankers", "B")
+"""Of `ballast_draught`."""
+
 HOUSE_HEIGHT: Final = 15.0
 HOUSE_LENGTH: Final = 25.0
 """Of the deckhouse, m; it is as wide as the ship."""
@@ -38,6 +42,26 @@ def estimates() -> tuple[Message, Message]:
     )
 
 
+def box_estimates() -> tuple[Message, ...]:
+    """Say what is taken of a square-ended hull where nothing is given; catopt's own figures."""
+    return (Message("loads.estimated_box"),)
+
+
+def ballast_draught(length: float) -> float:
+    """Estimate the draught in ballast of a ship of a length over all, m: 2.0 + 0.02 L.
+
+    L is the length of the waterline, `WATERLINE` of the length over all. It is the least that
+    MARPOL wants of a tanker with segregated ballast; a ship may lie deeper.
+
+    Examples
+    --------
+    >>> from catopt.loads.ship_estimate import ballast_draught
+    >>> round(ballast_draught(210.0), 2)
+    6.07
+    """
+    return 2.0 + 0.02 * WATERLINE * length
+
+
 def estimated_tanker(
     name: str,
     length: float,
@@ -48,14 +72,15 @@ def estimated_tanker(
     condition: Condition = "loaded",
     frontal_area: float | None = None,
     lateral_area: float | None = None,
-    propeller: str = "tanker",
+    propeller: str | None = "tanker",
     lateral_centre: float = 0.0,
+    is_square_ended: bool = False,
 ) -> Ship:
     """Make a tanker out of its main dimensions, in m: length over all, depth from deck to keel.
 
     The block coefficient is that of the condition. The areas above water, m2, are estimated when
     left out; `lateral_centre` is of an area that is given, m forward of midships: that of the
-    estimated one follows from a deckhouse at the stern.
+    estimated one follows from a deckhouse at the stern. A square-ended hull is a box without one.
 
     Raises
     ------
@@ -73,10 +98,12 @@ def estimated_tanker(
         found.add("moulded_depth", f"{moulded_depth:g} m", low)
     found.raise_if_any()
     freeboard = moulded_depth - draught
-    waterline = WATERLINE * length
+    waterline, block, midship, height = WATERLINE * length, BLOCK[condition], MIDSHIP, HOUSE_HEIGHT
+    if is_square_ended:
+        waterline, block, midship, height = length, 1.0, 1.0, 0.0
     section = breadth * draught
-    frontal = breadth * (freeboard + HOUSE_HEIGHT)
-    house = HOUSE_HEIGHT * HOUSE_LENGTH
+    frontal = breadth * (freeboard + height)
+    house = height * HOUSE_LENGTH
     lateral = length * freeboard + house
     house_lever = -house * 0.5 * (length - HOUSE_LENGTH) / lateral
     return Ship(
@@ -85,8 +112,8 @@ def estimated_tanker(
         length_waterline=waterline,
         breadth=breadth,
         draught=draught,
-        displacement=BLOCK[condition] * waterline * section,
-        midship_area=MIDSHIP * section,
+        displacement=block * waterline * section,
+        midship_area=midship * section,
         lateral_area=lateral if lateral_area is None else lateral_area,
         frontal_area=frontal if frontal_area is None else frontal_area,
         propeller=propeller,

@@ -13,6 +13,7 @@ from catopt.loads.component import LoadComponent, Loads
 from catopt.loads.environment import SeaState, SurfaceCurrent, Wind
 from catopt.loads.heading import HEAD_ON, Headings
 from catopt.loads.ship import Ship
+from catopt.loads.ship_coefficients import ShipCoefficients
 from catopt.loads.tcn_222_95 import tcn_loads
 from catopt.loads.ufc_current import FASTEST_SHALLOW, longitudinal_loads, transverse_load
 from catopt.loads.ufc_wind import RECALLED_LONGITUDINAL, UfcWind, ufc_wind_loads
@@ -51,6 +52,7 @@ def ship_loads(
     wave_coefficient: float | None = None,
     water_density: float = SEA_WATER_DENSITY,
     allow_recalled: bool = False,
+    coefficients: ShipCoefficients | None = None,
 ) -> Loads:
     """Add up the forces of wind, current and waves on a ship, by one method.
 
@@ -86,6 +88,9 @@ def ship_loads(
     allow_recalled : bool
         Whether recalled figures (R) may be used beside coefficients of one's own; UFC's transverse
         wind is one.
+    coefficients : ShipCoefficients, optional
+        Tables in place of UFC's current and Blendermann's wind, as far as they go: of the first of
+        `METHODS` alone, which is then called by their name.
 
     Raises
     ------
@@ -110,16 +115,25 @@ def ship_loads(
         stream = {"angle": headings.current, "water_density": water_density}
         waves: dict[str, Any] = {"reflection": reflection, "of": drift}
         size = (ship.length_waterline, ship.breadth)
+        table = coefficients if method == UFC_BLENDERMANN else None
         components = (
-            *_wind(ship, wind, blow, headings.wind, allow_recalled or is_recalled),
-            *longitudinal_loads(ship, current.speed, **stream),
-            transverse_load(ship, current.speed, depth, **stream),
+            *(
+                table.loads("wind", ship, wind.speed, AIR_DENSITY, headings.wind, depth)
+                if table is not None and table.wind
+                else _wind(ship, wind, blow, headings.wind, allow_recalled or is_recalled)
+            ),
+            *_current(ship, current.speed, depth, table, **stream),
             *ship_drift(
                 sea, *size, depth, angle=headings.waves, **waves, water_density=water_density
             ),
         )
         notes = (Message("loads.steady"), Message("loads.box_drift"))
-        warnings = _warnings(current, sea, depth, headings, drift)
+        is_ufc = table is None or not table.current
+        warnings = (
+            *_warnings(current, sea, depth, headings, drift, is_ufc=is_ufc),
+            *(_of_the_sine(ship, depth, headings.current) if is_ufc and current.speed else ()),
+        )
+        method = method if table is None else table.name
     # Across a ship that lies head on there is nothing.
     shown = (each for each in components if not (headings.head_on and each.axis == "sway"))
     weather = {"wind": wind.speed, "current": current.speed, "height": sea.hs}
@@ -198,6 +212,30 @@ def _wind(
     return blendermann_loads(ship, wind, wind_on, **air)
 
 
+def _current(
+    ship: Ship, speed: float, depth: float, own: ShipCoefficients | None, **stream: float
+) -> tuple[LoadComponent, ...]:
+    """Compute the current along and across, by tables or by UFC."""
+    across = transverse_load(ship, speed, depth, **stream)
+    if own is None or not own.current:
+        return (*longitudinal_loads(ship, speed, **stream), across)
+    by_table = own.loads("current", ship, speed, stream["water_density"], stream["angle"], depth)
+    is_larger = own.is_least_ufc and abs(across.force) > abs(by_table[1].force)
+    return (by_table[0], across if is_larger else by_table[1])
+
+
+_SINE_ANGLES: Final = (math.radians(5.0), math.radians(25.0))
+_SINE_DEPTH: Final = 1.5
+"""Off the bow, and in draughts: near OCIMF's example, which has 10 deg and a depth of 1.1."""
+
+
+def _of_the_sine(ship: Ship, depth: float, angle: float) -> tuple[Message, ...]:
+    """Say where a printed example has more current across than the sine law."""
+    low, high = _SINE_ANGLES
+    is_near = low <= abs(angle) <= high and depth < _SINE_DEPTH * ship.draught
+    return (Message("loads.sine_law", angle=math.degrees(abs(angle))),) if is_near else ()
+
+
 def _lie(headings: Headings, is_balanced: bool) -> Message:
     if headings.head_on:
         return Message("loads.collinear")
@@ -206,10 +244,16 @@ def _lie(headings: Headings, is_balanced: bool) -> Message:
 
 
 def _warnings(
-    current: SurfaceCurrent, sea: SeaState, depth: float, headings: Headings, drift: DriftWave
+    current: SurfaceCurrent,
+    sea: SeaState,
+    depth: float,
+    headings: Headings,
+    drift: DriftWave,
+    *,
+    is_ufc: bool,
 ) -> tuple[str, ...]:
     warnings = []
-    if current.speed > FASTEST_SHALLOW and abs(math.sin(headings.current)) > _ALONG:
+    if is_ufc and current.speed > FASTEST_SHALLOW and abs(math.sin(headings.current)) > _ALONG:
         values = {"limit": FASTEST_SHALLOW, "speed": current.speed}
         warnings.append(Message("loads.too_fast", **values))
     limit = sea.breaking_height(depth)

@@ -7,16 +7,18 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import product
 from types import MappingProxyType
-from typing import Any, Final, NamedTuple
+from typing import Any, Final, NamedTuple, TypeAlias
 
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import NoAnswerError
-from catopt.loads.blendermann import coefficients, pressure_centre, wind_type
+from catopt.loads.blendermann import coefficients as coefficients_of
+from catopt.loads.blendermann import pressure_centre, wind_type
 from catopt.loads.component import Loads
 from catopt.loads.drag import drag
 from catopt.loads.environment import SeaState, SurfaceCurrent, Wind
 from catopt.loads.heading import Headings
 from catopt.loads.ship import Ship
+from catopt.loads.ship_coefficients import ShipCoefficients
 from catopt.loads.ship_loads import AIR_DENSITY, governing_loads
 from catopt.loads.ufc_current import transverse_load, yaw_moment
 from catopt.loads.wave_drift import DriftWave, flat_side_drift, width_across
@@ -52,7 +54,8 @@ YAW_TYPES: Final = MappingProxyType(
 class Turning:
     """What a ship turns about, and what turns it."""
 
-    yaw: CurrentYaw
+    yaw: CurrentYaw | None
+    """None: the moment of the current is that of a table of the ship's own."""
     mooring_point: float | None = None
     """m forward of midships; None: the bow, half the waterline."""
 
@@ -69,6 +72,8 @@ class Afloat(NamedTuple):
     ship: Ship
     wind_on: str
     """Its kind for the wind, after Blendermann."""
+    coefficients: ShipCoefficients | None = None
+    """Tables of its own, in place of Blendermann's wind and UFC's current."""
 
 
 @dataclass(frozen=True)
@@ -102,6 +107,7 @@ def equilibrium_headings(
     reflection: float = 1.0,
     drift: DriftWave = "sea state",
     water_density: float = SEA_WATER_DENSITY,
+    coefficients: ShipCoefficients | None = None,
 ) -> tuple[float, ...]:
     """Find the headings at which a ship on one point stays, rad.
 
@@ -114,7 +120,7 @@ def equilibrium_headings(
     Raises
     ------
     InputError
-        A mooring point off the ship; nothing that pushes.
+        A mooring point off the ship; nothing that pushes; no moment of the current.
     NoAnswerError
         No heading is stable: the mooring point lies too near midships.
 
@@ -134,26 +140,16 @@ def equilibrium_headings(
     found = Findings("weathervaning")
     half = 0.5 * ship.length_overall
     found.number("mooring_point", lever, "m", at_least=-half, at_most=half)
+    own = coefficients
+    if turning.yaw is None and (own is None or not own.turns):
+        allowed = "missing; neither its coefficients nor a table of the ship's own has it"
+        found.add("current_yaw", "", allowed)
     found.raise_if_any()
-    beam = transverse_load(
-        ship, current.speed, depth, angle=0.5 * math.pi, water_density=water_density
-    ).force
     per_metre = flat_side_drift(
         sea, depth, reflection=reflection, of=drift, water_density=water_density
     )
-    type_ = wind_type(wind_on)
-    ratio = ship.frontal_area / ship.lateral_area
-
-    def by_wind(angle: float) -> float:
-        _, cy = coefficients(type_, angle, ratio)
-        force = drag(AIR_DENSITY, wind.speed, ship.lateral_area, cy)
-        centre = pressure_centre(angle, ship.length_overall, ship.lateral_centre)
-        return force * (centre - lever)
-
-    def by_current(angle: float) -> float:
-        force, length = beam * math.sin(angle), ship.length_waterline
-        theta = 180.0 - abs(math.degrees(angle))
-        return yaw_moment(force, length, *turning.yaw[:2], theta) - force * lever
+    by_wind = _wind_about(ship, wind, depth, wind_on, own)
+    by_current = _current_about(ship, current, depth, water_density, turning.yaw, own)
 
     def by_waves(angle: float) -> float:
         width = width_across(ship.length_waterline, ship.breadth, angle)
@@ -162,12 +158,67 @@ def equilibrium_headings(
     def turned(heading: float) -> float:
         """Moment about the mooring point, N m: positive turns the heading down."""
         seen = directions.seen_at(heading)
-        return by_wind(seen.wind) + by_current(seen.current) + by_waves(seen.waves)
+        pushes = by_wind(seen.wind), by_current(seen.current)
+        return sum(moment - force * lever for force, moment in pushes) + by_waves(seen.waves)
 
     if wind.speed == current.speed == sea.hmax == 0.0:
         found.add("wind", "no wind, no current and no waves", "something has to push the ship")
         found.raise_if_any()
     return _stable(turned)
+
+
+_Push: TypeAlias = Callable[[float], tuple[float, float]]
+"""Force across, N, and its moment about midships, N m, by the angle off the bow, rad."""
+
+
+def _wind_about(
+    ship: Ship, wind: Wind, depth: float, wind_on: str, own: ShipCoefficients | None
+) -> _Push:
+    """Make the push of the wind, by tables of the ship's own or by Blendermann."""
+    has_own = own is not None and bool(own.wind)
+    kind = None if has_own else wind_type(wind_on)
+    ratio = ship.frontal_area / ship.lateral_area
+
+    def push(angle: float) -> tuple[float, float]:
+        moment = None
+        if kind is None:
+            assert own is not None
+            force, moment = own.push("wind", ship, wind.speed, AIR_DENSITY, angle, depth)
+        else:
+            _, cy = coefficients_of(kind, angle, ratio)
+            force = drag(AIR_DENSITY, wind.speed, ship.lateral_area, cy)
+        if moment is None:
+            moment = force * pressure_centre(angle, ship.length_overall, ship.lateral_centre)
+        return force, moment
+
+    return push
+
+
+def _current_about(
+    ship: Ship,
+    current: SurfaceCurrent,
+    depth: float,
+    water_density: float,
+    yaw: CurrentYaw | None,
+    own: ShipCoefficients | None,
+) -> _Push:
+    """Make the push of the current, by tables of the ship's own or by UFC."""
+    how = {"angle": 0.5 * math.pi, "water_density": water_density}
+    beam = transverse_load(ship, current.speed, depth, **how).force
+
+    def push(angle: float) -> tuple[float, float]:
+        force, moment = beam * math.sin(angle), None
+        if own is not None and own.current:
+            of = own.push("current", ship, current.speed, water_density, angle, depth)
+            if not own.is_least_ufc or abs(of[0]) >= abs(force):
+                force, moment = of
+        if moment is None:
+            assert yaw is not None
+            theta = 180.0 - abs(math.degrees(angle))
+            moment = yaw_moment(force, ship.length_waterline, *yaw[:2], theta)
+        return force, moment
+
+    return push
 
 
 def _stable(turned: Callable[[float], float]) -> tuple[float, ...]:
@@ -216,16 +267,12 @@ def every_lying(
     found = []
     for each, depth, case in product(ships, depths, directions):
         on = (each.ship, wind, current, sea, depth)
-        stay = (
-            (0.0,)
-            if turning is None
-            else equilibrium_headings(*on, case, turning, wind_on=each.wind_on, **how)
-        )
+        how |= {"wind_on": each.wind_on, "coefficients": each.coefficients}
+        stay = (0.0,) if turning is None else equilibrium_headings(*on, case, turning, **how)
         for heading in stay:
             loads = governing_loads(
                 methods,
                 *on,
-                wind_on=each.wind_on,
                 headings=case.seen_at(heading),
                 is_balanced=turning is not None,
                 wave_coefficient=wave_coefficient,

@@ -15,7 +15,7 @@ from catopt.model import Buoy, Design, LoadCase
 from catopt.sizing.answer import case_of, loads_on, new_and_worn, sizing_of, worn_name
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.line_choice import sold
-from catopt.sizing.posed import Assumed, LoadsAt, Posed, rounded_up
+from catopt.sizing.posed import Assumed, LoadsAt, Posed, Water, rounded_up
 from catopt.sizing.result import Sizing, SwingRadius
 from catopt.sizing.settle import Settled, point_diameter, point_pull, settle
 from catopt.ties import largest
@@ -88,14 +88,15 @@ def pose_buoy(request: BuoyRequest, assumed: Assumed) -> Posed:
     env, line = request.environment, request.line
     keel, levels = _keel(request, assumed), env.levels
 
-    def loads_at(name: str, at: WaterLevels) -> LoadsAt:
+    def loads_at(water: Water, at: WaterLevels) -> LoadsAt:
+        name = Message(f"sizing.storm_{water}")
         if not isinstance(request.buoy, BuoyShape):
-            return LoadsAt(Message(name), at.high, given=request.buoy.horizontal_force)
+            return LoadsAt(name, at.high, water, given=request.buoy.horizontal_force)
         part = loads_on(request.buoy, env, at, assumed, request.marine_growth)
-        return LoadsAt(Message(name), at.high, (part,))
+        return LoadsAt(name, at.high, water, parts=(part,))
 
     low = WaterLevels.steady(levels.low)
-    loads = loads_at("sizing.storm_high", levels), loads_at("sizing.storm_low", low)
+    loads = loads_at("high", levels), loads_at("low", low)
     rises = (env.crest, levels.low - levels.high)
     height = levels.high + env.crest - keel
     case = case_of(

@@ -86,8 +86,9 @@ class SizingFile:
             is_before = any(other in before for other in (name, *each.not_with))
             if each.path[-1] in place and not is_before:
                 found.setdefault(name, place[each.path[-1]])
-        if isinstance(found.get("buoys"), str):
-            found["buoys"] = str(FilePath(self.folder) / str(found["buoys"]))
+        for name, each in self.inputs(before).items():
+            if each.takes == "FILE" and isinstance(found.get(name), str):
+                found[name] = str(FilePath(self.folder) / str(found[name]))
         return {**found, **before}
 
     @contextmanager

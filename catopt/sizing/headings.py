@@ -27,8 +27,11 @@ class Weathervaning(NamedTuple):
     turning: Turning | None = None  # None: all comes from one side, and the ship lies head to it
 
 
-def weathervaning_of(of: Known) -> Weathervaning | None:
-    """Make the directions that are known; None where something is wrong with them."""
+def weathervaning_of(of: Known, *, is_turned: bool = False) -> Weathervaning | None:
+    """Make the directions that are known; None where something is wrong with them.
+
+    `is_turned`: whether the ship's own tables have the moment of the current.
+    """
     make = of.telling.make
     if of.given.isdisjoint(DIRECTIONS):
         if "current_yaw" in of.given:
@@ -37,7 +40,7 @@ def weathervaning_of(of: Known) -> Weathervaning | None:
         return Weathervaning()
     if of.values.keys().isdisjoint(DIRECTIONS):
         return None  # what is wrong with them is told
-    turning = make(partial(read_turning, of["current_yaw"] or ""))
+    turning = make(partial(read_turning, of["current_yaw"] or "", is_known=is_turned))
     directions = make(partial(directions_of, of))
     turned = make(turned_round, directions, of["scan"] or math.inf)
     return make(Weathervaning, turned, turning)
@@ -48,8 +51,12 @@ def directions_of(of: Known) -> Headings:
     return Headings(*(of[name] or 0.0 for name in DIRECTIONS[:3]))
 
 
-def read_turning(current_yaw: str, mooring_point: float | None = None) -> Turning:
+def read_turning(
+    current_yaw: str, mooring_point: float | None = None, *, is_known: bool = False
+) -> Turning:
     """Read what turns a ship; anything else is refused.
+
+    `is_known`: whether the moment of the current is in tables of the ship's own.
 
     `current_yaw` is a key of `catopt.loads.YAW_TYPES`, or "a, b" of UFC's table 4-10, b per degree;
     the mooring point is in m forward of midships, the bow when left out.
@@ -57,6 +64,11 @@ def read_turning(current_yaw: str, mooring_point: float | None = None) -> Turnin
     allowed = (
         f'one of {", ".join(YAW_TYPES)} (recalled, R) or "a, b" of UFC\'s table 4-10 is wanted'
     )
+    if is_known:
+        if current_yaw:
+            own = "leave it out: the ship's own tables have the moment of the current"
+            raise InputError([Problem("current_yaw", f'"{current_yaw}"', own)], "heading")
+        return Turning(None, mooring_point)
     if not current_yaw:
         raise InputError([Problem("current_yaw", "", f"missing; {allowed}")], "heading")
     if current_yaw in YAW_TYPES:
@@ -87,10 +99,12 @@ def turned_round(directions: Headings, step: float) -> tuple[Headings, ...]:
 
 def turning_words(turning: Turning, ship: Ship) -> Message:
     """Say what turns a ship."""
+    held = {"point": turning.lever(ship), "centre": ship.lateral_centre}
+    if turning.yaw is None:
+        return Message("loads.turning_own", **held)
     return Message(
         "loads.turning_recalled" if turning.yaw.recalled else "loads.turning",
-        point=turning.lever(ship),
-        centre=ship.lateral_centre,
+        **held,
         intercept=turning.yaw.intercept,
         slope=turning.yaw.slope,
     )

@@ -76,7 +76,7 @@ INPUTS: Final = (
     Input("source", "source", "TEXT", "Harbour survey of 2024", left_out="left_out.source"),
     Input(
         "ship", "ship.kind", "WHICH", "bulk carrier", "tanker", of=_TANKER,
-        words=("tanker", "bulk carrier", "general cargo"), also=("type",),
+        words=("tanker", "bulk carrier", "general cargo", "barge"), also=("type",),
     ),
     Input(
         "dwt", "ship.deadweight", "MASS", "50000 t", of=_TANKER, above=0.0, asked=True,
@@ -99,6 +99,11 @@ INPUTS: Final = (
     ),
     Input(
         "ballast_draught", "ship.ballast_draught", "LENGTH", "3.2 m", of=_TANKER, above=0.0,
+        left_out="left_out.ballast_draught",
+    ),
+    Input(
+        "condition", "ship.condition", "WHICH", ("loaded", "ballast"), of=_TANKER, several=True,
+        words=("loaded", "ballast"), left_out="left_out.condition",
     ),
     Input(
         "moulded_depth", "ship.moulded_depth", "LENGTH", "16 m", of=_TANKER, above=0.0,
@@ -115,6 +120,11 @@ INPUTS: Final = (
     Input(
         "fairlead", "ship.fairlead_above_water", "LENGTH", "5 m", of=_TANKER, at_least=0.0,
         most="100 m", also=("fairlead_height",), left_out="left_out.fairlead",
+    ),
+    Input(
+        "coefficients", "ship.coefficients", "FILE", "coefficients.toml", of=_TANKER,
+        not_with=("load_method",), why=", in whose place it stands",
+        left_out="left_out.coefficients",
     ),
     Input(
         "buoy", "buoy.name", "NAME", "pillar 1.8 m", required=True, asked=True, not_with=_GIVEN,
@@ -285,6 +295,10 @@ INPUTS: Final = (
     Input(
         "wear", "service.wear_rate", "SPEED", "0.4 mm/year", "0.4 mm/year", at_least=0.0,
         most="10 mm/year", called=("wear_rate",), taken="sizing.taken_wear",
+    ),
+    Input(
+        "service_type", "service.type", "WHICH", "III", "II", of=_TANKER,
+        words=("I", "II", "III", "IV"), taken="sizing.taken_service_type",
     ),
     Input(
         "dynamic_factor", "service.dynamic_factor", "NUMBER", 1.5, at_least=1.0, most="10",

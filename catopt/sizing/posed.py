@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Literal
 
 from catopt.loads.component import Loads
 from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.weathervane import Lying
 from catopt.model import Case
+
+Water = Literal["high", "low"]
+"""At which level of the still water."""
 
 _ROUNDING = 1e-9
 
@@ -19,6 +23,8 @@ class LoadsAt:
 
     load_case: str
     depth: float  # of the still water, m
+    water: Water = "high"
+    condition: str = ""  # of a ship: ``"loaded"`` or ``"ballast"``
     parts: tuple[Loads, ...] = ()  # on the ship, on the buoy; empty where the force was given
     given: float = 0.0  # force that was given instead, N
     # how a ship lies under the largest force of all directions and stable headings

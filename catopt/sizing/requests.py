@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from types import MappingProxyType
 from typing import Any, Final
@@ -14,7 +14,17 @@ from catopt.loads import BuoyShape, SeaState, SurfaceCurrent, WaterLevels, Wind,
 from catopt.loads.buoy_library import buoy as look_up
 from catopt.loads.environment import HMAX_OVER_HS
 from catopt.loads.ship import Ship
-from catopt.loads.ship_estimate import MOULDED, Condition, estimated_tanker, estimates
+from catopt.loads.ship_coefficients import SQUARE_ENDED, ShipCoefficients, read_ship_coefficients
+from catopt.loads.ship_estimate import (
+    BALLAST_SOURCE,
+    MOULDED,
+    Condition,
+    ballast_draught,
+    box_estimates,
+    estimated_tanker,
+    estimates,
+)
+from catopt.loads.weathervane import Afloat
 from catopt.model import Checks
 from catopt.sizing.anchorage import CALMAR_SOIL, SAND, DragGround, SinkerGround
 from catopt.sizing.buoy import sized_buoy
@@ -26,10 +36,11 @@ from catopt.sizing.kinds import usual
 from catopt.sizing.known import Known
 from catopt.sizing.line_choice import LineChoice, sold, unpriced_components
 from catopt.sizing.result import Sizing
+from catopt.sizing.service_type import demands, left_out
 from catopt.sizing.tanker import sized_tanker
 from catopt.sizing.tanker_request import MooredShip, TankerRequest, note_aground
 from catopt.units import lasting
-from catopt.words import Message, term
+from catopt.words import Cited, Message, term
 
 WIND_MEAN: Final = 30.0
 """s: the wind that loads on a ship are computed for is a mean over this (UFC 3-8.1, page 42)."""
@@ -76,7 +87,7 @@ def _of_a_tanker(of: Known) -> TankerRequest | None:
     shape = None if of["buoy"] is None else shape_of(of)
     line = _line(of, of["diameter_min"], _largest_size(of))
     ground = _ground(of)
-    vane = weathervaning_of(of)
+    vane = weathervaning_of(of, is_turned=turns_by_itself(ships))
     words = _taken(of, place, ground)
     if of.given.isdisjoint({"diameter_min", "diameter_max"}):
         words = (*words, Message("sizing.sizes_up_to", most=of["diameter_max"] * 1e3))
@@ -93,7 +104,13 @@ def _of_a_tanker(of: Known) -> TankerRequest | None:
         title=of["title"] or "",
         source=of["source"] or "",
         defaults=words,
-        estimates=(*estimates(), *of_the_wind(of)),
+        service_type=of["service_type"],
+        estimates=(
+            *of_the_hull(of),
+            *of_the_ballast(of),
+            *of_the_wind(of),
+            *of_the_service(of, place),
+        ),
         inputs=of.read,
     )
     is_found = of["buoy"] is None or shape is not None
@@ -120,6 +137,13 @@ def of_the_wind(of: Known) -> tuple[Message, ...]:
         return ()
     given = {"given": of["wind"], "mean": lasting(of["wind_mean"])}
     return (Message("sizing.wind_converted", speed=speed, **given),)
+
+
+def of_the_service(of: Known, place: Environment | None) -> tuple[Message, ...]:
+    """Say what the service type asks for, and which motions are left out."""
+    if place is None or of["service_type"] is None:
+        return ()
+    return (*demands(of["service_type"], place), left_out(place))
 
 
 def _environment(
@@ -176,39 +200,108 @@ def _ships(of: Known) -> tuple[MooredShip, ...] | None:
     """Make the ship in each condition, as far as its dimensions are known."""
     if None in (of["length"], of["breadth"], of["draught"]):
         return None
-    conditions: dict[str, str] = {"loaded": "draught", "ballast": "ballast_draught"}
-    if of["ballast_draught"] is not None and of["ballast_draught"] > of["draught"]:
-        allowed = f"not above the loaded draught, {of['draught']:g} m"
-        of.telling.add("ballast_draught", f"{of['ballast_draught']:g} m", allowed)
-        return None
-    ships = [
-        of.telling.make(lambda c=condition: _ship(of, c))
-        for condition, name in conditions.items()
-        if of[name] is not None
-    ]
+    draughts = draughts_of(of)
+    ships = [of.telling.make(lambda c=condition: _ship(of, c)) for condition in draughts]
     made = tuple(ship for ship in ships if ship is not None)
     note_aground(made, of["low_water"] or of["depth"] or math.inf, of.telling.add)
-    return made if len(made) == len(ships) else None
+    return made if made and len(made) == len(ships) else None
 
 
-TAKEN_FOR: Final = MappingProxyType(
+def draughts_of(of: Known) -> dict[Condition, float]:
+    """Take the conditions that count, with their draughts, m; none where something is wrong.
+
+    Both count unless one is named. A draught in ballast that is not given is estimated; where that
+    is no less than the loaded one, and of a barge, the ship counts loaded alone.
+    """
+    loaded, ballast = of["draught"], of["ballast_draught"]
+    wanted: tuple[Condition, ...] = of["condition"] or ("loaded", "ballast")
+    if ballast is not None and "ballast" not in wanted:
+        allowed = f"leave it out, or name ballast with {of.telling.spell('condition')}"
+        of.telling.add("ballast_draught", f"{ballast:g} m", allowed)
+        return {}
+    if ballast is not None and ballast > loaded:
+        of.telling.add(
+            "ballast_draught", f"{ballast:g} m", f"not above the loaded draught, {loaded:g} m"
+        )
+        return {}
+    found: dict[Condition, float] = {"loaded": loaded} if "loaded" in wanted else {}
+    if "ballast" in wanted:
+        light = ballast_draught(of["length"]) if ballast is None else ballast
+        if ballast is not None or (light < loaded and of["ship"] != BARGE):
+            found["ballast"] = light
+        elif not found:
+            of.telling.add("ballast_draught", "", "missing; of this ship it cannot be estimated")
+    return found
+
+
+def of_the_ballast(of: Known) -> tuple[Message, ...]:
+    """Say which draught in ballast was estimated, or that none could be."""
+    if of["ballast_draught"] is not None or None in (of["length"], of["draught"]):
+        return ()
+    if "ballast" not in (of["condition"] or ("ballast",)):
+        return ()
+    draught = draughts_of(of).get("ballast")
+    if draught is None:
+        return (Message("sizing.no_ballast"),)
+    return (
+        Message("sizing.ballast_estimated", draught=draught, source=Cited(BALLAST_SOURCE.text)),
+    )
+
+
+BARGE: Final = "barge"
+
+TAKEN_FOR: Final[Mapping[str, tuple[str, str | None]]] = MappingProxyType(
     {
         "tanker": ("tanker {}", "tanker"),
         "bulk carrier": ("tanker {}", "cargo"),
         "general cargo": ("cargo loaded", "cargo"),
+        BARGE: ("cargo loaded", None),
     }
 )
 """For which kind of ship each is taken by wind, after Blendermann, and by propeller, after UFC. The
-first lacks bulk carriers; a tanker's bow has the largest coefficient."""
+first lacks bulk carriers; a tanker's bow has the largest coefficient. The wind on a barge is by
+`SQUARE_ENDED`."""
+
+_SHORT: Final = 4.5
+"""Length over breadth of a hull that may be a barge's; merchant ships have 5 to 7."""
 
 
-def ship_at(of: Known, condition: Condition, name: str, propeller: str = "tanker") -> Ship:
+def own_tables(of: Known, condition: str) -> ShipCoefficients | None:
+    """Take the coefficients of a ship's own in a condition, or those of square ends."""
+    is_barge = of["ship"] == BARGE
+    if of["coefficients"] is None:
+        return SQUARE_ENDED if is_barge else None
+    own = read_ship_coefficients(of["coefficients"]).in_condition(condition)
+    if is_barge and not (own.wind and own.current):
+        allowed = f"a barge wants tables of wind and current in it, {condition}"
+        of.telling.add("coefficients", str(of["coefficients"]), allowed)
+    return own
+
+
+def turns_by_itself(ships: Iterable[MooredShip | Afloat] | None) -> bool:
+    """Whether the tables of a ship's own have the moment of the current."""
+    tables = [each.coefficients for each in ships or ()]
+    return bool(tables) and all(each is not None and each.turns for each in tables)
+
+
+def of_the_hull(of: Known) -> tuple[Message, ...]:
+    """Say what was estimated of the hull, and what a square-ended one would have."""
+    if of["ship"] == BARGE:
+        return box_estimates()
+    is_short = None not in (of["length"], of["breadth"]) and of["length"] < _SHORT * of["breadth"]
+    if of["coefficients"] is None and (is_short or of["ship"] == "general cargo"):
+        return (*estimates(), Message("sizing.not_square_ended"))
+    return estimates()
+
+
+def ship_at(of: Known, condition: Condition, name: str, propeller: str | None = "tanker") -> Ship:
     """Estimate the ship at one of its draughts.
 
     Areas that are given are those of the loaded ship, which rises by the difference.
     """
-    loaded = of["draught"]
-    draught = loaded if condition == "loaded" else of["ballast_draught"]
+    loaded, given = of["draught"], of["ballast_draught"]
+    light = ballast_draught(of["length"]) if given is None else given
+    draught = loaded if condition == "loaded" else light
     risen = loaded - draught
     frontal, lateral = of["frontal_area"], of["lateral_area"]
     return estimated_tanker(
@@ -221,6 +314,7 @@ def ship_at(of: Known, condition: Condition, name: str, propeller: str = "tanker
         frontal_area=None if frontal is None else frontal + of["breadth"] * risen,
         lateral_area=None if lateral is None else lateral + of["length"] * risen,
         propeller=propeller,
+        is_square_ended=of["ship"] == BARGE,
     )
 
 
@@ -234,7 +328,12 @@ def _ship(of: Known, condition: Condition) -> MooredShip:
     fairlead = moulded - loaded if of["fairlead"] is None else of["fairlead"]
     fairlead += loaded - ship.draught
     return MooredShip(
-        condition, ship, wind_on.format(condition), fairlead, dwt if condition == "loaded" else None
+        condition,
+        ship,
+        wind_on.format(condition),
+        fairlead,
+        dwt if condition == "loaded" else None,
+        own_tables(of, condition),
     )
 
 

@@ -20,7 +20,7 @@ from catopt.sizing.environment import Environment
 from catopt.sizing.headings import Weathervaning, turning_words
 from catopt.sizing.line_choice import longest_useful
 from catopt.sizing.pattern import BodyState, Pattern, pattern, shared_force
-from catopt.sizing.posed import Assumed, LoadsAt, Posed, rounded_up
+from catopt.sizing.posed import Assumed, LoadsAt, Posed, Water, rounded_up
 from catopt.sizing.result import Sizing, SwingRadius
 from catopt.sizing.settle import Settled, point_diameter, point_pull, settle
 from catopt.sizing.tanker_request import MooredShip, TankerRequest
@@ -46,10 +46,10 @@ class _State(NamedTuple):
 
     name: str
     moored: MooredShip
+    water: Water
     depth: float
     level: float
     rise: float
-    is_low: bool  # whether it is at low water
 
 
 def sized_tanker(request: TankerRequest) -> Sizing:
@@ -167,11 +167,11 @@ def _states(request: TankerRequest) -> Iterator[_State]:
     for each in request.ships:
         higher = _fairlead(request, each) - first
         high = Message(f"sizing.{each.condition}_high")
-        yield _State(high, each, levels.high, crest, higher, is_low=False)
+        yield _State(high, each, "high", levels.high, crest, higher)
         fall = levels.high - levels.low
         if fall or crest:
             low = Message(f"sizing.{each.condition}_low")
-            yield _State(low, each, levels.low, -fall, higher, is_low=True)
+            yield _State(low, each, "low", levels.low, -fall, higher)
 
 
 def _fairlead(request: TankerRequest, moored: MooredShip) -> float:
@@ -185,7 +185,7 @@ def _loads_at(request: TankerRequest, state: _State, assumed: Assumed) -> LoadsA
     env = request.environment
     moored, vane = state.moored, request.weathervaning
     lying = _worst_lying(
-        Afloat(moored.condition, moored.ship, moored.wind_on),
+        Afloat(moored.condition, moored.ship, moored.wind_on, moored.coefficients),
         env,
         state.depth,
         vane,
@@ -195,7 +195,8 @@ def _loads_at(request: TankerRequest, state: _State, assumed: Assumed) -> LoadsA
     parts: list[Loads] = [lying.loads]
     if request.buoy is not None:
         parts.append(loads_on(request.buoy, env, WaterLevels.steady(state.depth), assumed))
-    return LoadsAt(state.name, state.depth, tuple(parts), lying=lying)
+    where = state.name, state.depth, state.water, moored.condition
+    return LoadsAt(*where, parts=tuple(parts), lying=lying)
 
 
 @lru_cache(maxsize=64)
@@ -291,18 +292,17 @@ def _pattern(request: TankerRequest, posed: Posed, point: DesignPoint) -> Patter
 
 def _swing(request: TankerRequest, settled: Settled, around: Pattern | None) -> SwingRadius:
     """Add up how far the stern swings round the anchor, or round the middle of the pattern."""
+    at_low = {each.load_case for each in settled.posed.loads if each.water == "low"}
     if around is not None:
-        low = {each.name for each in _states(request) if each.is_low}
-        states = [state for state in around.states if state.load_case in low]
+        states = [state for state in around.states if state.load_case in at_low]
         widest = largest(states or around.states, lambda state: state.offset)
         first = (Message("sizing.offset_of_body"), widest.offset)
         name = widest.load_case
     else:
         every = settled.point.checks.solutions
-        names = [each.name for each in _states(request) if each.is_low]
-        low = {*names, *map(worn_name, names)}
-        at_low = [each for each in every if each[0] in low]
-        name, solution = largest(at_low or every, lambda each: each[1].span)
+        low = {*at_low, *map(worn_name, at_low)}
+        there = [each for each in every if each[0] in low]
+        name, solution = largest(there or every, lambda each: each[1].span)
         first = (Message("sizing.line_at_low_water"), solution.span)
     parts = [first]
     if request.hawser > 0.0:

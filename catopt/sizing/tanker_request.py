@@ -8,6 +8,7 @@ from typing import Final, get_args
 
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.ship import Ship
+from catopt.loads.ship_coefficients import ShipCoefficients
 from catopt.loads.ship_estimate import Condition
 from catopt.loads.ship_loads import METHODS, TCN
 from catopt.model.validity import Findings
@@ -17,6 +18,7 @@ from catopt.sizing.headings import Weathervaning
 from catopt.sizing.kinds import usual
 from catopt.sizing.known import ReadInput
 from catopt.sizing.line_choice import LineChoice, unpriced_components
+from catopt.sizing.service_type import SERVICE_TYPES, ServiceType
 
 _LEAST_CARGO: Final = 0.4
 """Deadweight over displacement of a loaded ship at least; catopt's own. Merchant ships have 0.55 to
@@ -33,6 +35,8 @@ class MooredShip:
     fairlead: float  # height of the bow fairlead above the water, m
     # kg, to hold against the displacement; None where it is not known
     deadweight: float | None = None
+    # tables of its own, in place of Blendermann's wind and UFC's current
+    coefficients: ShipCoefficients | None = None
 
     def __post_init__(self) -> None:
         found = Findings("MooredShip")
@@ -51,7 +55,7 @@ def check_deadweight(deadweight: float, ship: Ship) -> None:
     of_it = f"what a ship of these dimensions displaces, {displaced / 1e3:.6g} t"
     own = f"{deadweight / 1e3:.6g} t"
     if not found.problems and deadweight >= displaced:
-        found.add("deadweight", own, f"not below {of_it}")
+        found.add("deadweight", own, f"not below {of_it}; of a square-ended hull: a barge")
     elif not found.problems and deadweight < _LEAST_CARGO * displaced:
         found.add("deadweight", own, f"below {_LEAST_CARGO:g} of {of_it}")
     found.raise_if_any()
@@ -99,6 +103,8 @@ class TankerRequest:
     # where wind, current and waves come from, and what turns the ship; of all directions and
     # stable headings the one of the largest force governs. All from one side when left out
     weathervaning: Weathervaning = field(default_factory=Weathervaning)
+    # of UFC 4-159-03: III and IV want dynamic methods
+    service_type: ServiceType = field(default_factory=lambda: usual("service_type", "tanker"))
     title: str = ""  # of the case; made of the ship and the depth when left out
     source: str = ""  # of the case: where its figures come from; the command when left out
     defaults: tuple[str, ...] = ()  # what was not given and was taken, in words; for the answer
@@ -120,6 +126,7 @@ class TankerRequest:
         found.number("clump_density", self.clump_density, "kg/m3", above=1100.0, at_most=20e3)
         if self.environment.is_calm:
             found.add("wind", "no wind, no current and no waves", "something has to push the ship")
+        found.word("service_type", self.service_type, SERVICE_TYPES)
         self._check_methods(found)
         if self.ships:
             self._check_swing(found)

@@ -17,6 +17,7 @@ from catopt.cli.size_options import as_option, by_option, typed
 from catopt.errors import InputError
 from catopt.loads import METHODS, WaterLevels
 from catopt.loads.ship_dimensions import ShipKind
+from catopt.loads.ship_estimate import Condition
 from catopt.loads.sinker import DENSITIES
 from catopt.model.kinds import Measured
 from catopt.sizing import Environment, SinkerGround, TankerRequest
@@ -26,6 +27,7 @@ from catopt.sizing.kinds import from_text, kind_of, schema_of, usual
 from catopt.sizing.known import Known, ReadInput, known
 from catopt.sizing.line_choice import PREFERENCES
 from catopt.sizing.requests import request_of, size
+from catopt.sizing.service_type import SERVICE_TYPES
 from catopt.units import as_written
 from catopt.words.texts import group
 from tests.sizing_page import PAGE, up_to_date
@@ -72,7 +74,9 @@ def examples(name: str) -> tuple[Moored, dict[str, Any]]:
     held_by = "sinker" if first.get("anchor") == "sinker" else "anchor"
     given: dict[str, Any] = {**first}
     for each in inputs_of(moored, held_by=held_by).values():
-        if each.name not in (*given, "buoys") and not any(given.get(o) for o in each.not_with):
+        if each.name not in (*given, "buoys", "coefficients") and not any(
+            given.get(o) for o in each.not_with
+        ):
             given[each.name] = each.example
     return moored, {key: value for key, value in given.items() if value is not None}
 
@@ -111,8 +115,11 @@ def test_keywords_options_and_a_file_come_to_the_same(name: str, tmp_path: Path)
     assert request_of(by_options(moored, given)) == request
 
 
-def test_the_examples_are_all_inputs_but_a_file_of_buoys() -> None:
-    given = {"buoy": {"buoys", "swing_price"}, "tanker": {"buoys"}}  # no buoy chain has a price
+def test_the_examples_are_all_inputs_but_files() -> None:
+    given = {
+        "buoy": {"buoys", "swing_price"},
+        "tanker": {"buoys", "coefficients"},
+    }  # no buoy chain has a price
     for name in FULL:
         moored, examples_of_it = examples(name)
         given[moored] |= set(examples_of_it)
@@ -213,9 +220,11 @@ def test_one_of_several_words_is_one_of_the_model() -> None:
     words = {each.name: each.words for each in INPUTS if each.words}
     assert words == {
         "ship": get_args(ShipKind),
+        "condition": get_args(Condition),
         "prefer": PREFERENCES,
         "sinker": tuple(DENSITIES),
         "load_method": METHODS,
+        "service_type": SERVICE_TYPES,
     }
 
 
