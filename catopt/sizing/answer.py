@@ -66,9 +66,20 @@ def new_and_worn(states: Iterable[LoadCase], service: Service | None) -> tuple[L
 
 
 def loads_on(
-    buoy: BuoyShape, env: Environment, levels: WaterLevels, assumed: Assumed, growth: float = 0.0
+    buoy: BuoyShape,
+    env: Environment,
+    levels: WaterLevels,
+    assumed: Assumed,
+    request: BuoyRequest | None = None,
 ) -> Loads:
-    """Compute the loads on a buoy and its chain, under marine growth of a thickness, m."""
+    """Compute the loads on a buoy and its chain; a ship's mooring buoy has the code's own."""
+    own: dict[str, Any] = {}
+    if request is not None:
+        own = {
+            "marine_growth": request.marine_growth,
+            "wave_height": request.wave_height,
+            "chain_waves": request.chain_waves,
+        }
     return buoy_loads(
         buoy,
         env.wind,
@@ -77,8 +88,8 @@ def loads_on(
         levels,
         chain_diameter=assumed.diameter,
         pull=assumed.pull,
-        marine_growth=growth,
         water_density=env.water_density,
+        **own,
     )
 
 

@@ -31,6 +31,9 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
     buoyancy below the weight of any chain. NoFeasibleDesignError: nothing that is sold passes.
     """
     _check_reserve(request)
+    env = request.environment
+    aim = request.scope * env.levels.deepest(env.sea)
+    request = replace(request, line=replace(request.line, aim=aim))
     request, settled = _within_scope(request)
     return sizing_of(
         "buoy",
@@ -78,33 +81,33 @@ def _settled(request: BuoyRequest, start: Assumed | None = None) -> Settled:
     return settle(lambda assumed: pose_buoy(request, assumed), needed, request.line, start)
 
 
-def _keel(request: BuoyRequest, assumed: Assumed) -> float:
+def _eye(request: BuoyRequest, assumed: Assumed) -> float:
     """From the water to where the chain is made fast, m."""
-    return request.keel_depth(min(assumed.pull, request.reserve_buoyancy))
+    return request.eye_depth(min(assumed.pull, request.reserve_buoyancy))
 
 
 def pose_buoy(request: BuoyRequest, assumed: Assumed) -> Posed:
     """Make the case of a buoy whose size of chain and pull are assumed."""
     env, line = request.environment, request.line
-    keel, levels = _keel(request, assumed), env.levels
+    eye, levels = _eye(request, assumed), env.levels
 
     def loads_at(water: Water, at: WaterLevels) -> LoadsAt:
         name = Message(f"sizing.storm_{water}")
         if not isinstance(request.buoy, BuoyShape):
             return LoadsAt(name, at.high, water, given=request.buoy.horizontal_force)
-        part = loads_on(request.buoy, env, at, assumed, request.marine_growth)
+        part = loads_on(request.buoy, env, at, assumed, request)
         return LoadsAt(name, at.high, water, parts=(part,))
 
     low = WaterLevels.steady(levels.low)
     loads = loads_at("high", levels), loads_at("low", low)
     rises = (env.crest, levels.low - levels.high)
-    height = levels.high + env.crest - keel
+    height = levels.high + env.crest - eye
     case = case_of(
         request,
         body=request.buoy.name,
         length=2.0 * height,
         rest=0.0,
-        fairlead_height=levels.high - keel,
+        fairlead_height=levels.high - eye,
         load_cases=new_and_worn(
             (
                 LoadCase(each.load_case, line.allowance * each.horizontal_force, rise)
@@ -126,7 +129,7 @@ def _check_reserve(request: BuoyRequest) -> None:
     """Refuse a buoy that the lightest chain would pull under, hanging straight down."""
     density = request.environment.water_density
     lightest = min(sold(request.line, density), key=lambda each: each.submerged_weight)
-    height = request.environment.levels.high + request.environment.crest - request.keel_depth(0.0)
+    height = request.environment.levels.high + request.environment.crest - request.eye_depth(0.0)
     weight = lightest.submerged_weight * height
     if weight >= request.reserve_buoyancy:
         name = lightest.name or lightest.component
@@ -140,8 +143,8 @@ def _check_reserve(request: BuoyRequest) -> None:
 
 
 def _assumptions(request: BuoyRequest, assumed: Assumed) -> Iterator[str]:
-    env, service, keel = request.environment, request.line.service, _keel(request, assumed)
-    levels = {"high": env.levels.high, "crest": env.crest, "low": env.levels.low, "keel": keel}
+    env, service, eye = request.environment, request.line.service, _eye(request, assumed)
+    levels = {"high": env.levels.high, "crest": env.crest, "low": env.levels.low, "keel": eye}
     yield Message("sizing.high_water", **levels)
     if isinstance(request.buoy, BuoyShape):
         pull = Measure("vertical_force", assumed.pull)
@@ -153,6 +156,7 @@ def _assumptions(request: BuoyRequest, assumed: Assumed) -> Iterator[str]:
     else:
         yield Message("sizing.worn", loss=service.diameter_loss() * 1e3)
     # Where a buoy that is afloat in still water touches the bed between two crests.
+    keel = request.keel_depth(min(assumed.pull, request.reserve_buoyancy))
     room = env.levels.low - 0.5 * env.sea.height_in(env.levels.low) - keel
     if room < 0.0:
         yield Message("sizing.touches_bed", depth=-room)

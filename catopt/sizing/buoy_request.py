@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from catopt.loads.buoy import WaveHeight
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.model.validity import Findings
 from catopt.sizing.anchorage import SinkerGround
@@ -45,6 +46,11 @@ class BuoyRequest:
     line: LineChoice = field(default_factory=lambda: LineChoice(usual("chain"), usual("code")))
     ground: SinkerGround = field(default_factory=SinkerGround)  # soil and sinker
     marine_growth: float = 0.0  # thickness on hull and chain, m
+    # departures from the code's own loads: see `catopt.loads.buoy_loads`
+    wave_height: WaveHeight = "hs"
+    chain_waves: bool = False
+    # length that practice keeps to where it can, in depths under the largest crest
+    scope: float = field(default_factory=lambda: usual("scope"))
     title: str = ""  # of the case; made of the buoy and the depth when left out
     source: str = ""  # of the case: where its figures come from; the command when left out
     defaults: tuple[str, ...] = ()  # what was not given and was taken, in words; for the answer
@@ -57,7 +63,7 @@ class BuoyRequest:
         if keel >= low:
             allowed = f"the water is {low:g} m deep at low water: the buoy would touch the bed"
             if isinstance(self.buoy, BuoyShape):
-                allowed = f"its chain is made fast {keel:.3g} m under water; {allowed}"
+                allowed = f"it reaches {keel:.3g} m under water; {allowed}"
                 found.add("buoy", f'"{self.buoy.name}"', allowed)
             else:
                 found.add("keel_depth", f"{keel:.3g} m", allowed)
@@ -77,8 +83,14 @@ class BuoyRequest:
             return self.buoy.reserve_buoyancy
         return self.buoy.reserve_buoyancy(self.environment.water_density)
 
-    def keel_depth(self, pull: float) -> float:
+    def eye_depth(self, pull: float) -> float:
         """From the water to where the chain is made fast, under a pull of the chain in N; m."""
+        if isinstance(self.buoy, GivenBuoy):
+            return self.buoy.keel_depth
+        return self.buoy.afloat(pull, self.environment.water_density).eye_depth
+
+    def keel_depth(self, pull: float) -> float:
+        """From the water to the buoy's lowest point, under a pull of the chain in N; m."""
         if isinstance(self.buoy, GivenBuoy):
             return self.buoy.keel_depth
         return self.buoy.afloat(pull, self.environment.water_density).keel_depth

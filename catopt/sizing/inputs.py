@@ -218,6 +218,14 @@ INPUTS: Final = (
         left_out="left_out.scan",
     ),
     Input(
+        "wave_height", "environment.wave_height", "WHICH", "hmax", "hs", of=_BUOY,
+        words=("hs", "hmax"), not_with=("force",), why=_IN_IT,
+    ),
+    Input(
+        "chain_waves", "environment.chain_waves", "FLAG", True, of=_BUOY, not_with=("force",),
+        why=_IN_IT,
+    ),
+    Input(
         "growth", "environment.marine_growth", "LENGTH", "50 mm", "0 mm", of=_BUOY, at_least=0.0,
         most="0.5 m", called=("marine_growth",), not_with=("force",), why=_IN_IT,
     ),
@@ -242,13 +250,14 @@ INPUTS: Final = (
     ),
     Input(
         "prefer", "line.prefer", "WHICH", "balanced", left_out="left_out.prefer",
-        words=("shortest", "cheapest", "lightest", "balanced", "least-swing"),
+        words=("practice", "shortest", "cheapest", "lightest", "balanced", "least-swing"),
     ),
     Input("max_swing", "line.max_swing", "LENGTH", "450 m", above=0.0),
     # Sealite's manual of the Nautilus-2200, page 11: two to three depths (A).
     Input(
         "scope_min", "line.scope_min", "NUMBER", 2.5, "2", of=_BUOY, at_least=0.0, most="20",
     ),
+    Input("scope", "line.scope", "NUMBER", 2, "2.5", of=_BUOY, above=0.0, most="20"),
     Input(
         "scope_max", "line.scope_max", "NUMBER", 4, "3", of=_BUOY, above=0.0, most="20",
     ),

@@ -17,7 +17,7 @@ from catopt.model.validity import Findings
 from catopt.sizing.kinds import usual
 from catopt.words import Message
 
-Prefer = Literal["shortest", "cheapest", "lightest", "balanced", "least-swing"]
+Prefer = Literal["practice", "shortest", "cheapest", "lightest", "balanced", "least-swing"]
 PREFERENCES: tuple[Prefer, ...] = get_args(Prefer)
 
 _STEPS: Final = (0.25, 0.5, 1.0, 2.5, 5.0, 10.0)
@@ -49,10 +49,12 @@ class LineChoice:
     length_step: float | None = None
     # least and largest length, in depths at high water: of a buoy's chain
     scope: tuple[float, float] = (0.0, math.inf)
-    # which design of the front is recommended: one of its ends, or its knee. The cheapest is that
-    # of a front in price and swing, the shortest of one in mass and length (of equally short ones
-    # the lightest), the others of one in mass and swing. None: that of the code's method
+    # which design of the front is recommended. Practice: the lightest that is no longer than the
+    # aim, or else the shortest; balanced: the lightest whose span is within the aim, or else the
+    # least product of mass and area of the swing circle; cheapest: by price and swing. None: that of the code's method
     prefer: Prefer | None = None
+    aim: float = math.inf  # length or span that a line keeps to where it can, m
+    rest: float = 0.0  # of the swing radius, what is hawser and ship, m
     # largest swing radius that the place allows, m: designs beyond it do not pass
     max_swing: float | None = None
     # what a metre of swing radius costs, USD/m, beside the price of the line: of the cheapest
@@ -147,7 +149,7 @@ class LineChoice:
     @property
     def objectives(self) -> tuple[str, str]:
         """What the front is of."""
-        if self.looks_for == "shortest":
+        if self.looks_for in ("practice", "shortest"):
             return "mass", "length"
         return ("cost" if self.looks_for == "cheapest" else "mass", "offset")
 

@@ -67,11 +67,14 @@ def _of_a_buoy(of: Known) -> BuoyRequest | None:
     of.want("depth")
     body = _body(of)
     place = _environment(of, is_pushed=of.given.isdisjoint({"force", "reserve_buoyancy"}))
-    line = _line(of, of["diameter_min"], of["diameter_max"])
+    line = _line(of, *_sizes_for(of, body))
     ground = _ground(of)
     maker = partial(
         BuoyRequest,
         marine_growth=of["growth"] or 0.0,
+        wave_height=of["wave_height"] or "hs",
+        chain_waves=bool(of["chain_waves"]),
+        scope=of["scope"],
         title=of["title"] or "",
         source=of["source"] or "",
         defaults=_taken(of, place, ground),
@@ -340,6 +343,20 @@ def _ship(of: Known, condition: Condition) -> MooredShip:
 # ------------------------------------------------------------------ line, and what holds it
 
 
+def _sizes_for(of: Known, body: BuoyShape | GivenBuoy | None) -> tuple[float | None, float | None]:
+    """Bound a buoy's chain, m: by what is given, or by what the buoy is made for."""
+    least, most = of["diameter_min"], of["diameter_max"]
+    if not isinstance(body, BuoyShape):
+        return least, most
+    made_from, made_to = body.chain_min, body.chain_max
+    # One bound that is given may lie beyond the other that the buoy has.
+    if least is None and made_from is not None and made_from <= (most or math.inf):
+        least = made_from
+    if most is None and made_to is not None and made_to >= (least or 0.0):
+        most = made_to
+    return least, most
+
+
 def _largest_size(of: Known) -> float:
     """Bound a ship's sizes of chain; a smallest one that is given moves the usual bound."""
     most = float(of["diameter_max"])
@@ -371,9 +388,9 @@ def _line(of: Known, least: float | None, most: float | None) -> LineChoice | No
 
 
 def _preference(of: Known, line: LineChoice | None) -> dict[str, Any]:
-    """Say which design is recommended: unless one asks, a buoy's shortest, a ship's balanced."""
+    """Say which design is recommended: unless one asks, a buoy's as in practice, a ship's balanced."""
     prefer, swing_price = of["prefer"], of["swing_price"] or 0.0
-    own = "shortest" if of.moored == "buoy" else "balanced"
+    own = "practice" if of.moored == "buoy" else "balanced"
     if line is None:
         return {"prefer": prefer or own}
     unpriced = list(unpriced_components(line, of["water_density"]))

@@ -88,14 +88,18 @@ class Sizing(Shown):
     @property
     def why(self) -> str:
         """Why this design of the front is recommended."""
-        prefer, result = self.settled.choice.looks_for, self.settled.result
+        prefer = self.settled.choice.looks_for
         if prefer == "least-swing":
             return Message("sizing.least_swing")
+        if prefer == "practice":
+            aim, length = self.settled.choice.aim, self.point.line.length
+            return Message("sizing.practice" if length <= aim else "sizing.shortest", aim=aim)
+        if prefer == "balanced":
+            aim = self.settled.choice.aim
+            is_short = self.point.objectives["offset_m"] <= aim
+            return Message("sizing.balanced" if is_short else "sizing.least_swept", aim=aim)
         if prefer == "shortest":
             return Message("sizing.shortest")
-        if prefer == "balanced":
-            at_knee = self.settled.index == result.recommended
-            return result.recommendation if at_knee else Message("sizing.near_knee")
         said = self._why_cheapest if prefer == "cheapest" else Message("sizing.lightest")
         if not self._is_smallest:
             return said

@@ -12,7 +12,6 @@ import numpy as np
 
 from catopt.design.enumeration import enumerate_designs
 from catopt.design.evaluation import OBJECTIVE_KEYS, DesignProblem, design_point
-from catopt.design.front import knee
 from catopt.design.near_miss import NoFeasibleDesignError, no_feasible_design
 from catopt.design.problem import Floats
 from catopt.design.result import DesignPoint, DesignResult
@@ -110,12 +109,25 @@ def point_pull(point: DesignPoint) -> float:
 
 
 def _preferred(objectives: Floats, choice: LineChoice) -> int:
-    """Pick a design of a front that rises in mass or cost: its knee, its first or its last."""
-    if choice.looks_for == "balanced":
-        return knee(objectives).index
-    if choice.looks_for == "cheapest":
-        return int(np.argmin(objectives[:, 0] + choice.swing_price * objectives[:, 1]))
-    return 0 if choice.looks_for == "lightest" else len(objectives) - 1  # shortest, least swing
+    """Pick a design of a front that rises in mass or cost and falls in length or swing.
+
+    Every way of choosing keeps to a line that is chosen when others no longer pass: a harder load
+    never leads to a line that withstands less.
+    """
+    mass, second = objectives.T
+    match choice.looks_for:
+        case "lightest":
+            return 0
+        case "practice":
+            short = second <= choice.aim
+            return int(np.argmax(short)) if short.any() else len(mass) - 1
+        case "balanced":
+            short = second <= choice.aim
+            swept = mass * (second + choice.rest) ** 2
+            return int(np.argmax(short) if short.any() else np.argmin(swept))
+        case "cheapest":
+            return int(np.argmin(mass + choice.swing_price * second))
+    return len(mass) - 1  # shortest, least swing
 
 
 def _best(case: Case, choice: LineChoice) -> DesignPoint:

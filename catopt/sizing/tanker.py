@@ -33,6 +33,9 @@ EVERYDAY_SHARE: Final = 0.1
 _CLUMP_PLACES: Final = (0.25, 0.5, 1.0, 1.5, 2.0, 3.0)
 """Where a clump weight may hang: from the anchor, in heights that the line spans."""
 
+_SCOPE: Final = 6.0
+"""Of a ship's cable, in depths: what UR A1 takes for her own anchors (C)."""
+
 _MOST_TRIES: Final = 8
 _LESS: Final = 0.98
 """Of the pull that would just do: less, for the other lines pull more where this one pulls less."""
@@ -62,6 +65,10 @@ def sized_tanker(request: TankerRequest) -> Sizing:
     for no less than that (`catopt.sizing.settle`). InputError: no such chain, a buoy that is pulled
     under. NoAnswerError: nothing that is sold passes; the buoy does not carry all lines.
     """
+    rest = request.beyond_the_line
+    aim = max(rest, _SCOPE * request.environment.levels.high)
+    line = replace(request.line, rest=rest, aim=aim)
+    request = replace(request, line=line)
     settled = _settled(request)
     around = _around(request, settled)
     masses = (load.mass for load in settled.point.line.point_loads)
@@ -178,7 +185,7 @@ def _fairlead(request: TankerRequest, moored: MooredShip) -> float:
     """Height of the fairlead above the still water, m: at the bow, or below the buoy."""
     if request.buoy is None:
         return moored.fairlead
-    return -request.buoy.afloat(0.0, request.environment.water_density).keel_depth
+    return -request.buoy.afloat(0.0, request.environment.water_density).eye_depth
 
 
 def _loads_at(request: TankerRequest, state: _State, assumed: Assumed) -> LoadsAt:
