@@ -8,6 +8,7 @@ one) or R (recalled, read in none: used only when asked for, or where nothing el
 from catopt.loads.buoy import buoy_loads, surface_speed
 from catopt.loads.buoy_library import buoy, buoys, read_buoys
 from catopt.loads.buoy_shape import BuoyShape, BuoySlice, Floating
+from catopt.loads.calmar_file import read_calmar_buoy
 from catopt.loads.component import LoadComponent, Loads, Number
 from catopt.loads.drag_anchor import (
     DragAnchorSize,
@@ -71,6 +72,7 @@ __all__ = [
     "governing_loads",
     "holding_capacity",
     "read_buoys",
+    "read_calmar_buoy",
     "ship_loads",
     "size_drag_anchor",
     "size_sinker",
