@@ -18,6 +18,7 @@ from catopt.loads.drag_anchor import (
 )
 from catopt.loads.environment import SeaState, SurfaceCurrent, WaterLevels, Wind
 from catopt.loads.heading import HEAD_ON, Headings
+from catopt.loads.laying import LayingCheck, laying_check
 from catopt.loads.ship import Ship
 from catopt.loads.ship_estimate import estimated_tanker
 from catopt.loads.ship_loads import METHODS, every_method, governing_loads, ship_loads
@@ -47,6 +48,7 @@ __all__ = [
     "Floating",
     "Headings",
     "HoldingCapacity",
+    "LayingCheck",
     "LoadComponent",
     "LoadSource",
     "Loads",
@@ -71,6 +73,7 @@ __all__ = [
     "every_method",
     "governing_loads",
     "holding_capacity",
+    "laying_check",
     "read_buoys",
     "read_calmar_buoy",
     "ship_loads",
