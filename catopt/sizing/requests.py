@@ -165,7 +165,7 @@ def _body(of: Known) -> BuoyShape | GivenBuoy | None:
 
 def shape_of(of: Known) -> BuoyShape | None:
     """Look a buoy up by its name, in the library and in a file of one's own; or read CALMAR's."""
-    if of["buoy"].lower().endswith(SUFFIX):
+    if of["buoy"] is not None and of["buoy"].lower().endswith(SUFFIX):
         return read_calmar_buoy(of["buoy"])
     own = of["buoys"]
     among = (*buoys(), *(() if own is None else read_buoys(own)))
