@@ -124,7 +124,10 @@ def buoy(
             *weather,
         )
     result = largest(every, lambda each: each.horizontal_force)
-    said = (*_of_levels(every, of), *_no_part(of, {*_BUOY, "buoy"}))
+    # CALMAR takes Hmax for the height of the chain alone.
+    by_hs = wave_height == "hs" and of["hs"] is not None and not own["--chain"]
+    counted = {*_BUOY, "buoy"} - ({"hmax"} if by_hs else set())
+    said = (*_of_levels(every, of), *_no_part(of, counted))
     _give(asked, replace(result, assumptions=(*said, *result.assumptions)))
 
 

@@ -58,8 +58,11 @@ def tanker(
 
 
 def is_file(name: str | None) -> bool:
-    """Say whether what stands where a buoy's name may stand is a file."""
-    if name is None:
+    """Say whether what stands where a buoy's name may stand is a file of a sizing.
+
+    A buoy that CALMAR saved is none: it takes the place of a name.
+    """
+    if name is None or name.lower().endswith(".xmlmb"):
         return False
     return name.endswith(".toml") or "/" in name or os.sep in name or Path(name).is_file()
 

@@ -8,6 +8,7 @@ one) or R (recalled, read in none: used only when asked for, or where nothing el
 from catopt.loads.buoy import buoy_loads, surface_speed
 from catopt.loads.buoy_library import buoy, buoys, read_buoys
 from catopt.loads.buoy_shape import BuoyShape, BuoySlice, Floating
+from catopt.loads.calmar_file import read_calmar_buoy
 from catopt.loads.component import LoadComponent, Loads, Number
 from catopt.loads.drag_anchor import (
     DragAnchorSize,
@@ -17,6 +18,7 @@ from catopt.loads.drag_anchor import (
 )
 from catopt.loads.environment import SeaState, SurfaceCurrent, WaterLevels, Wind
 from catopt.loads.heading import HEAD_ON, Headings
+from catopt.loads.laying import LayingCheck, laying_check
 from catopt.loads.ship import Ship
 from catopt.loads.ship_coefficients import (
     ShipCoefficients,
@@ -51,6 +53,7 @@ __all__ = [
     "Floating",
     "Headings",
     "HoldingCapacity",
+    "LayingCheck",
     "LoadComponent",
     "LoadSource",
     "Loads",
@@ -76,8 +79,10 @@ __all__ = [
     "every_method",
     "governing_loads",
     "holding_capacity",
+    "laying_check",
     "parse_ship_coefficients",
     "read_buoys",
+    "read_calmar_buoy",
     "read_ship_coefficients",
     "ship_loads",
     "size_drag_anchor",

@@ -214,7 +214,7 @@ class BuoyShape:
             light = "less than its tail tube displaces: the hull would float above the water"
             found.add("mass", f"{self.mass:g} kg", light)
         elif freeboard <= self.least_freeboard:
-            most = SEA_WATER_DENSITY * (self._most_volume + self._ballast_volume)
+            most = SEA_WATER_DENSITY * self.displaced_at(self.least_freeboard)
             heavy = (
                 f"floats, without a mooring, with a freeboard of {freeboard:.2f} m,"
                 f" not above the least one of {self.least_freeboard:g} m: "
@@ -289,14 +289,9 @@ class BuoyShape:
         """With everything on it and with ballast, without the mooring, kg."""
         return self.mass + self.ballast
 
-    @property
-    def _ballast_volume(self) -> float:
-        return self.ballast / self.ballast_density
-
-    @property
-    def _most_volume(self) -> float:
-        """Displaced at the least freeboard, m3."""
-        return self.volume_below(self.deck - self.least_freeboard)
+    def displaced_at(self, freeboard: float) -> float:
+        """Volume of hull, structure and ballast in the water at a freeboard, m; m3."""
+        return self.volume_below(self.deck - freeboard) + self.ballast / self.ballast_density
 
     @property
     def waterplane_area(self) -> float:
@@ -322,8 +317,7 @@ class BuoyShape:
     def _draught(self, water_density: float, pull: float) -> float:
         """Level of the water above the hull's bottom at which it floats, m."""
         mass = self.total_mass + pull / STANDARD_GRAVITY
-        volume = mass / water_density - self._ballast_volume
-        return self._level(volume)
+        return self._level(mass / water_density - self.ballast / self.ballast_density)
 
     def _level(self, volume: float) -> float:
         """Level below which hull and structure have a volume, m: by Newton's steps in a bracket."""
@@ -345,7 +339,7 @@ class BuoyShape:
 
     def reserve_buoyancy(self, water_density: float = SEA_WATER_DENSITY) -> float:
         """Vertical pull that leaves it its least freeboard, N: rho g (volume up to that) - m g."""
-        most = water_density * (self._most_volume + self._ballast_volume)
+        most = water_density * self.displaced_at(self.least_freeboard)
         return STANDARD_GRAVITY * (most - self.total_mass)
 
     def afloat(self, pull: float = 0.0, water_density: float = SEA_WATER_DENSITY) -> Floating:
@@ -401,7 +395,7 @@ class Floating:
     @property
     def displacement(self) -> float:
         """Mass of the water displaced by hull, structure and ballast, kg."""
-        return self.water_density * (self.volume + self.shape.ballast / self.shape.ballast_density)
+        return self.water_density * self.shape.displaced_at(self.freeboard)
 
     @property
     def reserve_share(self) -> float:

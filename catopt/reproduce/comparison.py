@@ -11,7 +11,7 @@ from catopt.reproduce.items import Heading, Input, Item, Judgement, Printed, Stu
 from catopt.reproduce.published import Published
 from catopt.words import Message, term
 
-_KNOWN = ("m", "N", "kN", "MN", "tf", "rad", "deg", "s", "kN/m", "MN/rad", "MN*m/rad")
+_KNOWN = ("m", "m2", "t", "N", "kN", "MN", "tf", "rad", "deg", "s", "kN/m", "MN/rad", "MN*m/rad")
 _UNITS = {unit: unit for unit in _KNOWN} | {"percent": "%"}
 _PURE_NUMBER = "-"
 

@@ -35,9 +35,9 @@ class Printed:
 
     @property
     def digits(self) -> int:
-        """Significant digits: 5 in ``17.430``. A printed zero counts its decimals."""
+        """Significant digits: 5 in ``17.430``. A printed zero counts its decimals, or one."""
         number = Decimal(self.text)
-        return len(number.as_tuple().digits) if number else self.decimals
+        return len(number.as_tuple().digits) if number else max(self.decimals, 1)
 
     def rounding(self, value: float, *, further: int = 0) -> str:
         """Write a value to the decimals of this print."""

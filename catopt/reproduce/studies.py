@@ -9,6 +9,7 @@ from catopt.errors import InputError, Problem
 from catopt.mooring.sharing_rule import load_sharing_factor
 from catopt.reproduce import (
     buoy_9p5m,
+    calmar,
     fso_rang_dong,
     fso_rang_dong_dynamic,
     lines_in_motion,
@@ -53,6 +54,7 @@ _STUDIES: dict[str, Callable[[], Study]] = {
     "bridle": reference_moorings.bridle,
     lines_in_motion.CHAIN: lines_in_motion.chain_study,
     lines_in_motion.CABLE: lines_in_motion.cable_study,
+    calmar.NAME: calmar.study,
 }
 
 

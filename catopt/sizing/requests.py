@@ -12,6 +12,7 @@ from catopt.checks.profiles import profiles_of
 from catopt.errors import InputError
 from catopt.loads import BuoyShape, SeaState, SurfaceCurrent, WaterLevels, Wind, buoys, read_buoys
 from catopt.loads.buoy_library import buoy as look_up
+from catopt.loads.calmar_file import SUFFIX, read_calmar_buoy
 from catopt.loads.environment import HMAX_OVER_HS
 from catopt.loads.ship import Ship
 from catopt.loads.ship_coefficients import SQUARE_ENDED, ShipCoefficients, read_ship_coefficients
@@ -193,7 +194,9 @@ def _body(of: Known) -> BuoyShape | GivenBuoy | None:
 
 
 def shape_of(of: Known) -> BuoyShape | None:
-    """Look a buoy up by its name, in the library and in a file of the user's own."""
+    """Look a buoy up by its name, in the library and in a file of one's own; or read CALMAR's."""
+    if of["buoy"] is not None and of["buoy"].lower().endswith(SUFFIX):
+        return read_calmar_buoy(of["buoy"])
     own = of["buoys"]
     among = (*buoys(), *(() if own is None else read_buoys(own)))
     return of.telling.make(lambda name: look_up(name, among), of["buoy"])

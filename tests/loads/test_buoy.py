@@ -22,6 +22,7 @@ from catopt.loads import (
     buoy,
     buoy_loads,
     buoys,
+    laying_check,
     read_buoys,
 )
 from catopt.loads.buoy_library import parse_buoys
@@ -567,3 +568,66 @@ def test_a_hull_has_its_own_coefficients() -> None:
 def test_what_calmar_does_not_hold_for_is_refused(change: dict[str, Any], words: str) -> None:
     with pytest.raises(InputError, match=words):
         loads(**change)
+
+
+# ------------------------------------------------------------------ others' worked examples
+
+
+def test_a_navigation_buoy_with_coefficients_of_its_own() -> None:
+    """Indonesia, 14 m: 98.09 N at 11.3 m/s with 0.40, 909.30 N at 0.85 m/s with 0.55.
+
+    The areas are not printed: 2.977 and 4.469 m2 follow from these figures and 1.29 and 1024 kg/m3,
+    here those of a drum 3 m wide. The example has no drift current: wind and tide act in turn.
+    """
+    wet, dry = 4.469 / 3.0, 2.977 / 3.0
+    drum = BuoyShape(
+        "drum",
+        hull_diameter=3.0,
+        hull_depth=wet + dry,
+        mass=1024.0 * math.pi / 4.0 * 9.0 * wet,
+        drag_in_water=0.55,
+        drag_in_air=0.40,
+    )
+    by_tide = loads(drum, current=0.85, water_density=1024.0)
+    by_wind = loads(drum, wind=11.3, water_density=1024.0)
+    # The areas have four digits, so have the forces.
+    assert force(by_tide, "current on the hull") == pytest.approx(909.30, rel=2e-4)
+    assert force(by_wind, "wind on the hull") == pytest.approx(98.09, rel=2e-4)
+
+
+EXAMPLE = BuoyShape(
+    "buoy on 110 m of 32 mm chain",
+    mass=1384.0,
+    hull=(BuoySlice(1.129, 2.4, 2.4, volume=5.105), BuoySlice(0.271, 2.4, 2.4)),
+)
+"""2.4 m x 1.4 m; it displaces 5.105 m3 at 1.129 m, as printed."""
+
+
+def test_a_buoy_carries_its_chain_and_sinker_while_it_is_laid() -> None:
+    """1384 + 1238 + 2602.6 kg beside 5.105 m3 of 1024 kg/m3 (51.28 kN): printed are 99.95 %.
+
+    The volume has four digits: half a unit of the last is 1e-4 of it, beside half a digit of the
+    share.
+    """
+    of = laying_check(
+        EXAMPLE, 2602.6 * G, 1238.0 * G, chain_in="air", freeboard=0.271, water_density=1024.0
+    )
+    assert of.utilisation == pytest.approx(0.9995, abs=0.5e-4 + 1e-4)
+    assert of.demand == pytest.approx((1384.0 + 1238.0 + 2602.6) * G, rel=ROUNDING)
+    assert of.name.endswith("the chain weighed in air")
+    assert of.source.confidence == "C"
+    awash = laying_check(EXAMPLE, 2602.6 * G, 1238.0 * G, chain_in="air", water_density=1024.0)
+    more = 1024.0 * G * (5.105 + 0.271 * math.pi * 1.44)
+    assert awash.capacity == pytest.approx(more, rel=ROUNDING)
+
+
+def test_a_laying_check_counts_ballast_and_refuses_what_cannot_be() -> None:
+    """Ballast of 732 kg, a tenth of a cubic metre, weighs and displaces."""
+    ballast = replace(PLAIN, ballast_mass=366.0, ballast_pieces=2)
+    of, bare = (laying_check(each, 1e3, 2e3) for each in (ballast, PLAIN))
+    assert of.demand - bare.demand == pytest.approx(732.0 * G, rel=1e-11)
+    assert of.capacity - bare.capacity == pytest.approx(102.5 * G, rel=1e-10)
+    with pytest.raises(InputError) as caught:
+        laying_check(PLAIN, -1.0, -1.0, chain_in="oil", freeboard=3.0)  # type: ignore[arg-type]
+    keys = {each.key for each in caught.value.problems}
+    assert keys == {"chain_weight", "sinker_weight", "chain_in", "freeboard"}

@@ -10,7 +10,14 @@ from catopt.reproduce.items import Printed
 
 @pytest.mark.parametrize(
     ("text", "decimals", "digits"),
-    [("17.430", 3, 5), ("0.272", 3, 3), ("0.00", 2, 2), ("31", 0, 2), ("3.55e-15", 17, 3)],
+    [
+        ("17.430", 3, 5),
+        ("0.272", 3, 3),
+        ("0.00", 2, 2),
+        ("31", 0, 2),
+        ("0", 0, 1),
+        ("3.55e-15", 17, 3),
+    ],
 )
 def test_the_digits_of_a_print(text: str, decimals: int, digits: int) -> None:
     assert (Printed(text).decimals, Printed(text).digits) == (decimals, digits)

@@ -36,6 +36,7 @@ NAMES = (
     "bridle",
     "chain_in_waves",
     "cable_in_waves",
+    "calmar",
 )
 WITHOUT_SWARM = NAMES[1:]
 STUDIES = [
@@ -120,6 +121,7 @@ def test_every_number_of_the_source_is_judged_once(name: str) -> None:
             "cable_in_waves",
             "Of 8 printed numbers 7 reproduce, 1 differ and 0 cannot be reproduced.",
         ),
+        ("calmar", "Of 28 printed numbers 28 reproduce, 0 differ and 0 cannot be reproduced."),
         pytest.param(
             "fso_rang_dong_dynamic",
             "Of 30 printed numbers 0 reproduce, 0 differ and 30 cannot be reproduced.",

@@ -1,0 +1,76 @@
+"""Whether a buoy floats while it is laid or lifted: with chain and sinker hung on it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final, Literal, get_args
+
+from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
+from catopt.loads.buoy_shape import BuoyShape
+from catopt.loads.source import LoadSource
+from catopt.model.validity import Findings
+from catopt.words import Message
+
+Medium = Literal["water", "air"]
+
+LAYING_SOURCE: Final = LoadSource(
+    "worked example of a navigation buoy on 110 m of 32 mm chain (Indonesia)",
+    "it floats with all chain and the sinker hung on it",
+    "C",
+)
+
+
+@dataclass(frozen=True)
+class LayingCheck:
+    """Weight of buoy, chain and sinker beside the buoyancy that the buoy has, N."""
+
+    name: str
+    demand: float
+    capacity: float
+    chain_in: Medium
+    """In what the chain is weighed: water, or air as the worked example does, on the safe side."""
+    source: LoadSource = LAYING_SOURCE
+
+    @property
+    def utilisation(self) -> float:
+        """Demand over capacity: it floats at 1 or below."""
+        return self.demand / self.capacity
+
+
+def laying_check(
+    shape: BuoyShape,
+    chain_weight: float,
+    sinker_weight: float,
+    *,
+    chain_in: Medium = "water",
+    freeboard: float = 0.0,
+    water_density: float = SEA_WATER_DENSITY,
+) -> LayingCheck:
+    """Hang the whole chain and the sinker on a buoy.
+
+    Parameters
+    ----------
+    chain_weight : float
+        Of the whole chain, in the medium of `chain_in`, N.
+    sinker_weight : float
+        In water, N.
+    chain_in : {"water", "air"}
+        In what the chain is weighed; the worked example takes it in air.
+    freeboard : float
+        That the buoy is to keep, m.
+    water_density : float
+        kg/m3.
+    """
+    found = Findings("laying check")
+    found.number("chain_weight", chain_weight, "N", at_least=0.0)
+    found.number("sinker_weight", sinker_weight, "N", at_least=0.0)
+    found.word("chain_in", chain_in, get_args(Medium))
+    found.number("freeboard", freeboard, "m", at_least=0.0, at_most=shape.deck)
+    found.number("water_density", water_density, "kg/m3", at_least=900.0, at_most=1100.0)
+    found.raise_if_any()
+    return LayingCheck(
+        Message(f"loads.laying_chain_in_{chain_in}"),
+        STANDARD_GRAVITY * shape.total_mass + chain_weight + sinker_weight,
+        STANDARD_GRAVITY * water_density * shape.displaced_at(freeboard),
+        chain_in,
+    )
