@@ -8,6 +8,7 @@ from functools import partial
 from types import MappingProxyType
 from typing import Any, Final
 
+from catopt.errors import InputError
 from catopt.loads import BuoyShape, SeaState, SurfaceCurrent, WaterLevels, Wind, buoys, read_buoys
 from catopt.loads.buoy_library import buoy as look_up
 from catopt.loads.environment import HMAX_OVER_HS
@@ -268,7 +269,12 @@ def own_tables(of: Known, condition: str) -> ShipCoefficients | None:
     is_barge = of["ship"] == BARGE
     if of["coefficients"] is None:
         return SQUARE_ENDED if is_barge else None
-    own = read_ship_coefficients(of["coefficients"]).in_condition(condition)
+    try:
+        own = read_ship_coefficients(of["coefficients"]).in_condition(condition)
+    except InputError as error:
+        for each in error.problems:
+            of.telling.add("coefficients", f"{each.key} {each.found}".strip(), each.allowed)
+        return None
     if is_barge and not (own.wind and own.current):
         allowed = f"a barge wants tables of wind and current in it, {condition}"
         of.telling.add("coefficients", str(of["coefficients"]), allowed)
