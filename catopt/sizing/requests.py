@@ -277,7 +277,12 @@ def own_tables(of: Known, condition: str) -> ShipCoefficients | None:
     is_barge = of["ship"] == BARGE
     if of["coefficients"] is None:
         return SQUARE_ENDED if is_barge else None
-    own = read_ship_coefficients(of["coefficients"]).in_condition(condition)
+    try:
+        own = read_ship_coefficients(of["coefficients"]).in_condition(condition)
+    except InputError as error:
+        for each in error.problems:
+            of.telling.add("coefficients", f"{each.key} {each.found}".strip(), each.allowed)
+        return None
     if is_barge and not (own.wind and own.current):
         allowed = f"a barge wants tables of wind and current in it, {condition}"
         of.telling.add("coefficients", str(of["coefficients"]), allowed)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 
 import pytest
@@ -92,6 +93,13 @@ def test_ocimf_s_printed_example_to_one_per_cent() -> None:
     assert found["current across the ship"] == pytest.approx(597.0 + 1534.0, rel=0.01)
     assert example().method == "250,000 dwt, loaded"
     assert {each.source.confidence for each in example().components[:4]} == {"A"}
+
+
+def test_the_page_s_file_is_that_example() -> None:
+    page = (Path(__file__).parents[2] / "docs" / "loads.md").read_text("utf-8")
+    (file,) = re.findall(r"```toml\n(schema      = .*?)```", page, re.DOTALL)
+    shown, own = parse_ship_coefficients(file), parse_ship_coefficients(OCIMF)
+    assert (shown.wind, shown.current) == (own.wind, own.current)
 
 
 def test_the_other_side_pushes_the_other_way() -> None:
