@@ -29,7 +29,7 @@ SaveOption = Annotated[Path | None, typer.Option("--save", metavar="CASE")]
 
 
 @size.command(cls=WithWords)
-@answering(OutOption)
+@answering(OutOption, has_card=True)
 @with_inputs("buoy")
 def buoy(
     asked: Asked,
@@ -44,7 +44,7 @@ def buoy(
 
 
 @size.command(cls=WithWords)
-@answering(OutOption)
+@answering(OutOption, has_card=True)
 @with_inputs("tanker")
 def tanker(
     asked: Asked,
@@ -72,18 +72,22 @@ def _size(
     from catopt.sizing.known import known
     from catopt.sizing.requests import size as size_known
 
+    from catopt.words import Message
+
     _check_places(asked, save)
     spell = by_option if moored == "buoy" else as_option
     given = typed(moored, options)
     if place is None:
         given = answered(moored, given, {}, spell, asked.language)
-        found = size_known(known(moored, given, spell, "options"))
+        with asked.working(Message("answers.sizing_now")):
+            found = size_known(known(moored, given, spell, "options"))
     else:
         file = read_file(place, moored)
         with file.telling():
             if not file.findings:
                 given = answered(moored, given, file.given(given), spell, asked.language)
-            found = size_known(file.known(given, spell))
+            with asked.working(Message("answers.sizing_now")):
+                found = size_known(file.known(given, spell))
     _give(asked, found, save, _as_given(place, given, spell))
 
 
