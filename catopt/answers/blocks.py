@@ -14,7 +14,17 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from catopt.figures.chart import Chart
 from catopt.quantities import QUANTITIES, Quantity
-from catopt.words import Language, Message, Several, Told, heading, quantity_name, say, term
+from catopt.words import (
+    Language,
+    Measure,
+    Message,
+    Several,
+    Told,
+    heading,
+    quantity_name,
+    say,
+    term,
+)
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -161,26 +171,17 @@ class Text:
 
 @dataclass(frozen=True)
 class Verdict:
-    """What an answer comes to: good, bad, neither where that is None, or good with a reserve."""
+    """What an answer comes to: good, bad, or neither where that is None."""
 
     said: str
     passes: bool | None
-    reserve: str = ""
-    """What is not good beside it, which is then said with it; empty where nothing is."""
 
     @property
-    def words(self) -> str:
-        """All that is said."""
-        return Several((self.said, self.reserve), " ") if self.reserve else self.said
-
-    @property
-    def kind(self) -> Literal["", "passes", "reserve", "fails"]:
+    def kind(self) -> Literal["", "passes", "fails"]:
         """How it looks."""
         if self.passes is None:
             return ""
-        if not self.passes:
-            return "fails"
-        return "reserve" if self.reserve else "passes"
+        return "passes" if self.passes else "fails"
 
 
 @dataclass(frozen=True)
@@ -214,6 +215,16 @@ class Points:
 
     said: tuple[str, ...]
     caption: str = ""
+
+
+@dataclass(frozen=True)
+class Brief:
+    """A line of a card: what is said under a label, as far as there is room; the rest is counted."""
+
+    said: tuple[str, ...]
+    label: str = ""
+    lines: int = 1
+    """That it takes at most."""
 
 
 @dataclass(frozen=True)
@@ -273,6 +284,10 @@ class FileText:
 Block = Table | Facts | Text | Verdict | Warnings | Graph | Points | Figure | Trail | FileText
 
 
+CardBlock = Text | Verdict | Facts | Brief
+"""What may stand on a card."""
+
+
 @dataclass(frozen=True)
 class Section:
     """Blocks that belong together: a sheet of a workbook, a part of a page."""
@@ -292,6 +307,8 @@ class Answer:
     sections: tuple[Section, ...]
     kind: str = ""
     """What kind of note it is, a message; empty where it is none."""
+    card: tuple[CardBlock, ...] = ()
+    """The same on one screen, for who does not ask for all of it; empty where it is short."""
 
     @property
     def blocks(self) -> tuple[Block, ...]:
@@ -321,6 +338,24 @@ def named(key: str, symbol: str | None = None) -> Quantity:
     """Take a quantity of the table, under another symbol where one is given."""
     quantity = QUANTITIES[key]
     return quantity if symbol is None else replace(quantity, symbol=symbol)
+
+
+_DIGITS = 4
+"""Of a number that people decide by: more than what it rests on is known to."""
+
+
+def rounded(key: str, value: float) -> Quantity:
+    """Take a quantity with the digits that a value of it, in SI, is known to."""
+    quantity = named(key, "")
+    if not value or not math.isfinite(value):
+        return quantity
+    before = 1 + math.floor(math.log10(abs(quantity.to_field(value))))
+    return replace(quantity, digits=min(quantity.digits, max(0, _DIGITS - before)))
+
+
+def about(key: str, value: float) -> Measure:
+    """Say a value in SI with the digits that it is known to."""
+    return Measure(key, value, digits=rounded(key, value).digits)
 
 
 def in_si(quantity: Quantity, digits: int) -> Quantity:

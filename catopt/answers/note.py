@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from catopt.answers import blocks
-from catopt.answers.blocks import Block, Rows, Section, Table, Text, Value, Verdict
+from catopt.answers.blocks import Block, Rows, Section, Table, Text, Value, Verdict, rounded
 from catopt.answers.check import governing_sentence, verdict_sentence
 from catopt.answers.solution import given_tables
 from catopt.answers.verification import closing_in_note, compared_in_note, lines_in_note
@@ -24,8 +24,6 @@ if TYPE_CHECKING:
     from catopt.notes.sheet import AnyNote, Sheet
     from catopt.notes.system import SystemNote
 
-_DIGITS = 4
-"""Of a number on the first page: more than what it rests on is known to."""
 _PREFIX = {"note_size": "size_", "note_system": "system_"}
 """Of the keys of sections that only one kind of note has."""
 
@@ -93,23 +91,24 @@ def opening(
     reach: Number,
     tension: float,
     in_motion: bool = False,
-    reserve: str = "",
+    verdict: Verdict | None = None,
 ) -> Iterator[Section]:
     """Begin a note: the first page, who answers for it, and what is to be known.
 
     A fact is the key of what it is called, and what is said; one that says nothing is left out. The
     answer is `said` in sentences, `force` pulls, `reach` is how far the mooring lets go, `tension`
     the largest at a fairlead (N). `in_motion` says whether the lines were run in time, too, and
-    `reserve` what fails beside checks that pass; empty where nothing does.
+    `verdict` goes in the place of that of the checks, in words of the answer's own.
     """
     sheet, report = note.sheet, note.sheet.report
-    verdict = [each for each in (verdict_sentence(report), governing_sentence(report)) if each]
+    words = [each for each in (verdict_sentence(report), governing_sentence(report)) if each]
+    verdict = verdict or Verdict(Several(words, " "), report.passes if report.results else None)
     largest = (Message("columns.largest_tension"), "tension", tension)
     four = (force, largest, reach, _reserve(sheet))
-    rows = [(name, (value, _rounded(key, value))) for name, key, value in four]
+    rows = [(name, (value, rounded(key, value))) for name, key, value in four]
     answer = (
         *(Text(each) for each in said),
-        Verdict(Several(verdict, " "), report.passes if report.results else None, reserve),
+        verdict,
         from_rows("four", ("page.what", "value"), rows),
         *drawing,
         blocks.Points(tuple(_not_covered(sheet, in_motion)), Message("note_first.not_covered")),
@@ -117,19 +116,6 @@ def opening(
     yield section("summary", answer, "note_first")
     yield section("identity", [_signed(), _title_block(facts, note)])
     yield section("warnings", [blocks.Warnings(note.warnings)] if note.warnings else [])
-
-
-def about(key: str, value: float) -> Measure:
-    """Say a value in SI with the digits that it is known to."""
-    return Measure(key, value, digits=_rounded(key, value).digits)
-
-
-def _rounded(key: str, value: float) -> Quantity:
-    quantity = blocks.named(key, "")
-    if not value or not math.isfinite(value):
-        return quantity
-    before = 1 + math.floor(math.log10(abs(quantity.to_field(value))))
-    return replace(quantity, digits=min(quantity.digits, max(0, _DIGITS - before)))
 
 
 def _reserve(sheet: Sheet) -> Number:

@@ -9,11 +9,22 @@ from typing import TYPE_CHECKING, Any
 
 from catopt.answers import blocks
 from catopt.answers import solution as solved
-from catopt.answers.blocks import Block, Column, Figure, Rows, Table, Text, Verdict, tabulate, texts
+from catopt.answers.blocks import (
+    Block,
+    Column,
+    Figure,
+    Rows,
+    Table,
+    Text,
+    Verdict,
+    about,
+    tabulate,
+    texts,
+)
 from catopt.answers.check import checked, failing_checks, load_case_table
 from catopt.answers.curve import marks_table, points_table
 from catopt.answers.design import shown_designs
-from catopt.answers.note import about, by_both, case_sections, note_answer, opening, section, small
+from catopt.answers.note import by_both, case_sections, note_answer, opening, section, small
 from catopt.answers.note_motion import motion_blocks
 from catopt.answers.note_sheet import basis_section, sheet_sections
 from catopt.answers.trail import equation_trail

@@ -25,6 +25,7 @@ from catopt.answers.note_hold import hold_blocks, what_holds
 from catopt.answers.note_line import drawn, of_the_front, of_the_line
 from catopt.answers.note_sheet import basis_section, described, sheet_sections
 from catopt.answers.note_system import near_blocks, plan_blocks, pull_of
+from catopt.answers.size_card import verdict
 from catopt.checks.kinds import QUANTITY_OF
 from catopt.constants import STANDARD_GRAVITY, YEAR
 from catopt.quantities import GREEK, QUANTITIES
@@ -77,26 +78,13 @@ def _opening(note: SizeNote) -> Iterator[Section]:
         note,
         (),
         _recommendation(note),
-        sized.steady_sentence(of),
+        *(sized.motion_sentence(of), *filter(None, (of.practice,))),
         drawing=drawn(note.line),
         force=(Message("note_size.identity_force"), "horizontal_force", _hardest(note)[0]),
         reach=(Message("note_size.identity_radius"), "length", of.swing.total),
         tension=of.largest_tension,
-        reserve=_fails_in_motion(note),
+        verdict=verdict(of),
     )
-
-
-def _fails_in_motion(note: SizeNote) -> str:
-    """Name the checks that fail with the allowance for motion; empty where none does."""
-    of = note.sizing
-    kinds = [kind for kind, used in of.in_motion.items() if used > 1.0]
-    names = [
-        *(Message(f"checks.{kind}_in_motion") for kind in kinds),
-        *(each.name for each in of.fails_in_motion),
-    ]
-    if not names:
-        return ""
-    return Message("sizing.fails_beyond", factor=of.dynamic_factor, names=Several(names))
 
 
 def _combined(note: SizeNote) -> tuple[str, str]:
@@ -421,6 +409,7 @@ def _lines(of: SystemSolution, load_case: str) -> Table:
 
 def _assumptions(note: SizeNote) -> Iterator[Block]:
     of = note.sizing
+    yield blocks.Points((*of.advice, *of.fittings), Message("note_size.assumptions_advice"))
     yield blocks.Points(tuple(of.assumptions))
     yield blocks.Points(tuple(of.defaults), Message("note_size.assumptions_defaults"))
     yield blocks.Points(tuple(of.recalled), Message("note_size.assumptions_recalled"))

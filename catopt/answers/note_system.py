@@ -11,9 +11,20 @@ from typing import TYPE_CHECKING, Any
 
 from catopt.answers import blocks
 from catopt.answers import system as body
-from catopt.answers.blocks import Block, Figure, Rows, Section, Text, Verdict, exact, named, texts
+from catopt.answers.blocks import (
+    Block,
+    Figure,
+    Rows,
+    Section,
+    Text,
+    Verdict,
+    about,
+    exact,
+    named,
+    texts,
+)
 from catopt.answers.check import checked_body
-from catopt.answers.note import about, by_both, case_sections, note_answer, opening, section, small
+from catopt.answers.note import by_both, case_sections, note_answer, opening, section, small
 from catopt.answers.note_motion import body_motion_blocks
 from catopt.answers.note_sheet import basis_section, sheet_sections
 from catopt.answers.solution import method_name, profile_table

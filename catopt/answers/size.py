@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from catopt.answers import blocks
 from catopt.answers.blocks import Rows, answered, largest, named, section, tabulate, texts
-from catopt.answers.check import check_columns, demand_and_capacity, tightest_table
+from catopt.answers.check import check_columns, tightest_table
 from catopt.answers.loads import forces_table, notes_table, numbers_table
+from catopt.answers.size_card import size_card, verdict
+from catopt.constants import YEAR
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.units import UNITS, Dimension
 from catopt.words import Cited, Measure, Message, Several, term
@@ -34,21 +36,29 @@ class _Row(NamedTuple):
 def size_answer(of: Sizing) -> blocks.Answer:
     """Lay out a sizing."""
     own = tuple(k for k, each in enumerate(of.inputs) if each.origin != "taken")
-    said = blocks.Text(steady_sentence(of))
     why = blocks.Text(Several((*_governing(of), of.why), "\n"), term("What governs"))
     checks = blocks.Table("checks", check_columns(of.point.checks.results), only="files")
-    return answered(
+    answer = answered(
         "size",
         of.case.title,
-        *([section("sizing.inputs", replace(read_table(of), shown=own))] if of.inputs else []),
-        section(term("Sizing"), said, _summary(of), why, alternatives_table(of)),
+        section(
+            term("Sizing"),
+            blocks.Text(of.one_line),
+            verdict(of),
+            *map(blocks.Text, _beside(of)),
+            _summary(of),
+            why,
+            alternatives_table(of),
+        ),
         section(term("Candidates"), candidates_table(of)),
         section("captions.checks", tightest_table(of.point.checks), checks),
         *_pattern(of),
         section(term("Forces"), *_forces(of)),
         section("columns.numbers", _stacked(of, "numbers", numbers_table)),
         section(term("Notes"), _notes_table(of), *_notes(of)),
+        *([section("sizing.inputs", replace(read_table(of), shown=own))] if of.inputs else []),
     )
+    return replace(answer, card=size_card(of))
 
 
 def read_table(of: Sizing) -> blocks.Table:
@@ -66,28 +76,19 @@ def read_table(of: Sizing) -> blocks.Table:
 # ------------------------------------------------------------------ what was found
 
 
-def steady_sentence(of: Sizing) -> Message:
-    """Say that the answer rests on steady forces, and what an allowance for motion makes of it."""
-    tension = of.hardest[1].fairlead.tension
-    used = [
-        Message(
-            "sizing.used_beyond" if value > 1.0 else "sizing.used_in_motion",
-            kind=Message(f"checks.{kind}_in_motion"),
-            used=value,
-        )
-        for kind, value in of.in_motion.items()
-    ]
-    for each in of.fails_in_motion:
-        values = {"check": each.name, **demand_and_capacity(each)}
-        used.append(Message("sizing.fails_in_motion", **values))
-    return Message(
-        "sizing.steady",
-        factor=of.dynamic_factor,
-        source=Message("sizing.factor_taken" if of.is_usual_factor else "sizing.factor_given"),
-        moving=Measure("tension", of.dynamic_factor * tension),
-        still=Measure("tension", tension),
-        used=Several(used, "; "),
-    )
+def motion_sentence(of: Sizing) -> Message:
+    """Say what stands for motion, and where that is from."""
+    return Message("sizing.motion", factor=of.dynamic_factor, source=of.motion)
+
+
+def _beside(of: Sizing) -> Iterator[str]:
+    """Yield what goes with the line: what stands for motion, practice, its life, its fittings."""
+    yield motion_sentence(of)
+    if of.practice:
+        yield of.practice
+    if of.chain_life is not None:
+        yield Message("sizing.life", years=of.chain_life / YEAR)
+    yield from of.fittings
 
 
 def _summary(of: Sizing) -> blocks.Table:
@@ -359,6 +360,9 @@ def _stacked(of: Sizing, name: str, table_of: Callable[..., blocks.Table]) -> bl
 def _notes_table(of: Sizing) -> blocks.Table:
     kinds = {
         "governs": _governing(of),
+        "practice": filter(None, (of.practice,)),
+        "fitting": of.fittings,
+        "advice": of.advice,
         "recommendation": (of.why,),
         "assumption": of.assumptions,
         "taken, not given": of.defaults,
@@ -373,7 +377,7 @@ def _notes_table(of: Sizing) -> blocks.Table:
 
 
 def _notes(of: Sizing) -> Iterator[blocks.Block]:
-    for said in of.assumptions:
+    for said in (*of.advice, *of.assumptions):
         yield blocks.Text(said, only="people")
     if of.defaults:
         yield blocks.Text(Message("sizing.taken", items=Several(of.defaults)), only="people")

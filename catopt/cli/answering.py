@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Collection, Iterable, Mapping
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from functools import wraps
 from pathlib import Path
@@ -35,12 +36,13 @@ Files = Callable[[], dict[str, bytes]]
 
 @dataclass(frozen=True)
 class Asked:
-    """How an answer is asked for: where it is printed, ``--lang``, ``--json`` and ``--out``."""
+    """How an answer is asked for: where it is printed, and by which of the common options."""
 
     output: Output
     language: Language
     as_json: bool
     out: Path | None
+    full: bool = False
 
     def check_place(self) -> None:
         """Refuse a place that no files can go to, before anything is computed."""
@@ -78,13 +80,27 @@ class Asked:
         self.show(answer, printed or document)
 
     def show(self, answer: Answer, document: Documents) -> None:
-        """Print the document or the answer."""
+        """Print the document or the answer: its card, where it has one and is not wanted in full."""
         if self.as_json:
             self.output.json(document())
+            return
+        if answer.card and not self.full:
+            from catopt.render.card import show_card
+            from catopt.words import Message
+
+            further = Message("answers.more_full" if self.out is None else "answers.more_full_alone")
+            show_card(self.output, answer, self.language, further)
             return
         from catopt.render.terminal import show
 
         show(self.output, answer, self.language)
+
+    def working(self, what: str) -> AbstractContextManager[object]:
+        """Say what is done while the body runs, once that has taken a second; see `Output.working`.
+
+        Nothing beside a document.
+        """
+        return nullcontext() if self.as_json else self.output.working(say(what, self.language))
 
     def write(
         self, files: Mapping[str, bytes], case: Case | None = None, front: Path | None = None
@@ -145,11 +161,16 @@ class Asked:
 
 
 def answering(
-    out: Any, *, without: Collection[str] = (), language_after: str = ""
+    out: Any,
+    *,
+    without: Collection[str] = (),
+    language_after: str = "",
+    has_card: bool = False,
 ) -> Callable[[Callable[..., None]], Callable[..., None]]:
     """Give a command ``--lang``, ``--units``, ``--json`` and `out` at its end, as its `asked`.
 
     But for those `without`; the first two follow the parameter `language_after`, if it is given.
+    One whose answer `has_card` has ``--full``, too.
     """
 
     def decorate(command: Callable[..., None]) -> Callable[..., None]:
@@ -160,13 +181,14 @@ def answering(
             out: Path | None,
             lang: Language = "en",
             units: Units | None = None,
+            full: bool = False,
             **options: Any,
         ) -> None:
             from catopt.render.units import UNITS
 
             before = UNITS.set(units or "")
             try:
-                command(Asked(context.obj, lang, as_json, out), **options)
+                command(Asked(context.obj, lang, as_json, out, full), **options)
             finally:
                 UNITS.reset(before)
 
@@ -179,6 +201,7 @@ def answering(
             keyword("lang", option.LangOption, "en"),
             keyword("units", option.UnitsOption, None),
             *own[place:],
+            *([keyword("full", option.FullOption, False)] if has_card else []),
             keyword("as_json", option.JsonOption, False),
             keyword("out", out, None),
         ]

@@ -29,6 +29,9 @@ BROKEN_PIPE_STATUS = 141
 """128 + SIGPIPE: what a shell reports of a program whose reader went away."""
 
 
+PATIENCE = 1.0
+"""s: before it is said what is done."""
+
 COMPILING = "catopt: compiling for this machine, once; the next run starts at once"
 """Said when the first use of a part takes its time."""
 DAMAGED = "catopt: compiled code in {} was damaged; it is dropped and compiled anew"
@@ -125,6 +128,32 @@ class Output:
         with progress_bar(self._console(sys.stderr)) as bar:
             task = bar.add_task(what, total=None)
             yield lambda done, total: bar.update(task, completed=done, total=total)
+
+    @contextmanager
+    def working(self, what: str) -> Iterator[None]:
+        """Say on standard error what is done while the body runs, on a terminal.
+
+        Once that has taken a second; it is gone when the body ends.
+        """
+        if not sys.stderr.isatty():
+            yield
+            return
+        from threading import Event, Thread
+
+        is_done = Event()
+
+        def wait() -> None:
+            if not is_done.wait(PATIENCE):
+                with self.progress(what):
+                    is_done.wait()
+
+        waiting = Thread(target=wait, daemon=True)
+        waiting.start()
+        try:
+            yield
+        finally:
+            is_done.set()
+            waiting.join()
 
     def _print(self, part: RenderableType) -> None:
         console = self._console(sys.stdout)

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from catopt.casefile.sizing_file import Moored
     from catopt.notes.size import Given
     from catopt.sizing import Sizing
+    from catopt.sizing.known import Known
     from catopt.sizing.telling import Spelling
 
 size = group("size")
@@ -29,7 +30,7 @@ SaveOption = Annotated[Path | None, typer.Option("--save", metavar="CASE")]
 
 
 @size.command(cls=WithWords)
-@answering(OutOption)
+@answering(OutOption, has_card=True)
 @with_inputs("buoy")
 def buoy(
     asked: Asked,
@@ -44,7 +45,7 @@ def buoy(
 
 
 @size.command(cls=WithWords)
-@answering(OutOption)
+@answering(OutOption, has_card=True)
 @with_inputs("tanker")
 def tanker(
     asked: Asked,
@@ -75,19 +76,38 @@ def _size(
     from catopt.sizing.known import known
     from catopt.sizing.requests import size as size_known
 
+    from catopt.words import Message
+
     _check_places(asked, save)
     spell = by_option if moored == "buoy" else as_option
     given = typed(moored, options)
     if place is None:
         given = answered(moored, given, {}, spell, asked.language)
-        found = size_known(known(moored, given, spell, "options"))
+        found = _sized(asked, known(moored, given, spell, "options"))
     else:
         file = read_file(place, moored)
         with file.telling():
             if not file.findings:
                 given = answered(moored, given, file.given(given), spell, asked.language)
-            found = size_known(file.known(given, spell))
+            found = _sized(asked, file.known(given, spell))
     _give(asked, found, save, _as_given(place, given, spell))
+
+
+def _sized(asked: Asked, of: Known) -> Sizing:
+    """Size what is known; where no line passes, say what is nearest and what would help."""
+    from catopt.design.near_miss import NoFeasibleDesignError
+    from catopt.sizing.requests import size as size_known
+    from catopt.words import Message
+
+    try:
+        with asked.working(Message("answers.sizing_now")):
+            return size_known(of)
+    except NoFeasibleDesignError as error:
+        from catopt.answers.size_miss import miss_answer
+        from catopt.render.card import card_lines
+
+        lines = card_lines(miss_answer(error, of), asked.language)
+        asked.leave(error.exit_status, "\n".join(each.text for each in lines))
 
 
 def _check_places(asked: Asked, save: Path | None) -> None:
@@ -104,14 +124,17 @@ def _check_places(asked: Asked, save: Path | None) -> None:
 def _give(asked: Asked, found: Sizing, save: Path | None, given: Given) -> None:
     """Write the files and the case, then print the document or the answer."""
     from catopt.answers.size import size_answer
+    from catopt.words import Message
 
     answer = size_answer(found)
     if asked.out is not None:
         from catopt.render.files import files_of
         from catopt.report.bundle import size_files
 
-        files = files_of(answer, found.to_dict(), asked.language)
-        asked.write(files | size_files(found, asked.language, given))
+        with asked.working(Message("answers.note_now")):
+            files = files_of(answer, found.to_dict(), asked.language)
+            files |= size_files(found, asked.language, given)
+        asked.write(files)
     if save is not None:
         from catopt.casefile import write_case
         from catopt.report.files import write_files

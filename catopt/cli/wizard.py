@@ -60,9 +60,9 @@ def _answer(each: Input, spelled: str, default: str, language: Language) -> obje
     choices = (*choices_of(each), *([_OWN] if each.name == "buoy" else []))
     if choices:
         _say(f"  {say(term('one of'), language)}: {'; '.join(choices)}\n")
-    offered = f" [{default}]" if default else ""
+    question = say(Message(f"inputs.{each.name}"), language) + say(_beside(each, default), language)
     while True:
-        _say(f"{say(Message(f'inputs.{each.name}'), language)}{offered}: ")
+        _say(f"{question}: ")
         line = sys.stdin.readline()
         if not line:
             raise InputError([Problem(spelled, "", "missing; nobody answered")], "options")
@@ -71,6 +71,15 @@ def _answer(each: Input, spelled: str, default: str, language: Language) -> obje
         if not wrong:
             return answer
         _say(f"  {say(wrong, language)}\n")
+
+
+def _beside(each: Input, default: str) -> Message:
+    """Say in what unit a question may be answered, and what the return key gives."""
+    if default:
+        return Message("left_out.offered", default=default)
+    of_all = each.required or each.name == "buoy"
+    key = "left_out.asked" if of_all else "left_out.asked_or_blank"
+    return Message(key, example=each.example)
 
 
 def _say(words: str) -> None:

@@ -11,6 +11,7 @@ from catopt.design.result import NearMiss
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.model import Line
 from catopt.words import Measure, Message, Sentence, Several
+from catopt.words.measure import number
 
 
 class NoFeasibleDesignError(NoAnswerError):
@@ -80,7 +81,7 @@ def _shown(value: float, unit: str) -> str:
         return Message("design.about", value=Measure("tension", value))
     if unit == "rad":
         return f"{math.degrees(value):.4g} deg"
-    return f"{value:.4g} {unit}"
+    return f"{number(value, '.4g')} {unit}"
 
 
 def _line_words(line: Line) -> str:

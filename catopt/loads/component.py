@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from catopt.loads.source import LoadSource
+from catopt.words.measure import number
 
 Axis = Literal["along", "surge", "sway"]
 """Along the one direction of everything; along a ship, positive forwards; across it, positive away
@@ -25,7 +26,7 @@ class Number:
     @property
     def text(self) -> str:
         """``"V = 2.1 m/s"``, to four digits."""
-        return f"{self.symbol} = {self.value:.4g} {self.unit}".rstrip()
+        return f"{self.symbol} = {number(self.value, '.4g')} {self.unit}".rstrip()
 
 
 class _Symbol(str):

@@ -152,7 +152,7 @@ def _block(block: Block) -> Iterator[Any]:
         case Figure():
             yield {"kind": "figure", "caption": block.caption, "figure": svg(block.chart)}
         case Verdict():
-            yield _Words("text", block.words, style=f"verdict {block.kind}".rstrip())
+            yield _Words("text", block.said, style=f"verdict {block.kind}".rstrip())
         case Text() if block.said:
             yield _Words("text", block.said, block.caption, "small" if block.is_small else "")
         case Points() if block.said:

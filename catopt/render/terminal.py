@@ -90,7 +90,7 @@ def _show(output: Printer, block: Block, language: Language) -> None:
         case Text():
             output.text(say(block.said, language))
         case Verdict():
-            output.text(say(block.words, language), bold=True)
+            output.text(say(block.said, language), bold=True)
         case Points():
             for said in block.said:
                 output.text(say(said, language))

@@ -40,7 +40,7 @@ _READABLE = 90.0
 """Least width of what is said in words, in characters."""
 _STEPS = (40.0, 12.0, 56.0, 18.0, 9.0, 18.0, 40.0)
 """Of the columns of a trail."""
-_VERDICTS: dict[str, Style] = {"": "grey", "passes": "good", "reserve": "amber", "fails": "bad"}
+_VERDICTS: dict[str, Style] = {"": "grey", "passes": "good", "fails": "bad"}
 """Style of a verdict by its kind."""
 _COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#7F7F7F")
 _DASHES = ("solid", "dash", "long_dash", "dash_dot", "square_dot", "solid")
@@ -190,7 +190,7 @@ def _look(number: int, is_points: bool) -> dict[str, Any]:
 def _words_of(block: Block) -> tuple[str, ...]:
     """List what is said in words below the tables."""
     if isinstance(block, Verdict):
-        return (block.words,)
+        return (block.said,)
     if isinstance(block, Points):
         return (block.caption, *block.said) if block.caption and block.said else block.said
     if not isinstance(block, Text | Warnings) or block.only == "people":

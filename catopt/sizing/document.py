@@ -26,6 +26,7 @@ def sizing_document(of: Sizing) -> dict[str, Any]:
         "schema": "catopt.size/1",
         "kind": of.kind,
         "title": of.case.title,
+        "one_line": of.one_line,
         "inputs": [_input(each) for each in of.inputs],
         "chain": {
             **figures(segment, "component nominal_diameter_m"),
@@ -57,6 +58,9 @@ def sizing_document(of: Sizing) -> dict[str, Any]:
         },
         **figures(of, "excursion_m largest_tension_N dynamic_factor"),
         "motion": of.motion,
+        **figures(of, "practice chain_life_s"),
+        "fittings": list(of.fittings),
+        "advice": list(of.advice),
         **figures(of, "break_factor proof_factor reserve_buoyancy_N"),
         "load_cases": [_load_case(index, of) for index in range(len(point.checks.solutions))],
         "loads": [_loads(each) for each in settled.posed.loads],

@@ -74,6 +74,11 @@ _IN_IT: Final = ", which has it all in it"
 INPUTS: Final = (
     Input("title", "title", "TEXT", "Pillar buoy in 12 m", left_out="left_out.title"),
     Input("source", "source", "TEXT", "Harbour survey of 2024", left_out="left_out.source"),
+    # Asked for first: of all that a place has, the room for swinging decides most.
+    Input(
+        "max_swing", "line.max_swing", "LENGTH", "60 m", above=0.0, asked=True,
+        tanker=(("example", "450 m"),),
+    ),
     Input(
         "ship", "ship.kind", "WHICH", "bulk carrier", "tanker", of=_TANKER,
         words=("tanker", "bulk carrier", "general cargo", "barge"), also=("type",),
@@ -252,7 +257,6 @@ INPUTS: Final = (
         "prefer", "line.prefer", "WHICH", "balanced", left_out="left_out.prefer",
         words=("practice", "shortest", "cheapest", "lightest", "balanced", "least-swing"),
     ),
-    Input("max_swing", "line.max_swing", "LENGTH", "450 m", above=0.0),
     # Sealite's manual of the Nautilus-2200, page 11: two to three depths (A).
     Input(
         "scope_min", "line.scope_min", "NUMBER", 2.5, "2", of=_BUOY, at_least=0.0, most="20",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Any, Final, Literal
 
 from catopt.catalogue.choice import chosen
@@ -21,10 +22,36 @@ from catopt.sizing.pattern import Pattern
 from catopt.sizing.settle import Settled, point_diameter
 from catopt.ties import largest
 from catopt.units import UNITS, Dimension
-from catopt.words import Cited, Measure, Message, Sentence, Several
+from catopt.words import Cited, Measure, Message, Sentence, Several, term
 
 SHOT: Final = UNITS[Dimension.LENGTH]["shot"]
 """m: a shot of chain."""
+
+
+def chain_words(component: str, diameter: float | None) -> str:
+    """Say a size of a component in the words of the field.
+
+    Examples
+    --------
+    >>> print(chain_words("chain studless R3", 0.073))
+    73 mm studless chain R3
+    """
+    size = 0.0 if diameter is None else round(1e3 * diameter, 6)
+    what, _, rest = component.partition(" ")
+    links, _, grade = rest.partition(" ")
+    if what != "chain" or not grade or links not in _LINKS:
+        return Message("sizing.of_size", component=component, size=size)
+    return Message("sizing.chain_of_size", links=Message(_LINKS[links]), grade=grade, size=size)
+
+
+_LINKS: Final = MappingProxyType(
+    {
+        "open-link": "sizing.open_link",
+        "studless": "sizing.studless",
+        "stud-link": "sizing.stud_link",
+    }
+)
+"""How the links of chains of the catalogue are called."""
 
 
 @dataclass(frozen=True)
@@ -62,6 +89,10 @@ class Sizing(Shown):
     assumptions: tuple[str, ...] = ()  # what the answer rests on
     defaults: tuple[str, ...] = ()  # what was not given and was taken
     inputs: tuple[ReadInput, ...] = ()  # all that was known, as it was read
+    practice: str = ""  # the recommendation beside what is laid
+    chain_life: float | None = None  # until the first check is overrun by wear, s
+    fittings: tuple[str, ...] = ()  # shackles, swivels and the like that go with the line
+    advice: tuple[str, ...] = ()  # what a code asks for beyond the checks
 
     @property
     def case(self) -> Case:
@@ -72,6 +103,39 @@ class Sizing(Shown):
     def point(self) -> DesignPoint:
         """The recommended design."""
         return self.settled.point
+
+    @property
+    def one_line(self) -> Message:
+        """The recommendation in one sentence: the line, and what holds it."""
+        line, pattern = self.point.line, self.pattern
+        (first, *_), lines = line.segments, 1 if pattern is None else pattern.lines
+        weights = (
+            Message("sizing.with_weight", mass=Measure("mass", load.mass), place=load.position)
+            for load in line.point_loads
+            if load.mass is not None
+        )
+        return Message(
+            "sizing.one_line" if lines == 1 else "sizing.one_of_lines",
+            lines=lines,
+            chain=chain_words(first.component, first.nominal_diameter),
+            length=line.length,
+            weights=Several(weights, ""),
+            held=self._held,
+        )
+
+    @property
+    def _held(self) -> str:
+        """Say on what the line lies; empty where nothing was sized."""
+        size = self.drag_anchor or self.sinker
+        if size is None:
+            return ""
+        anchor = self.point.anchor
+        mass = Measure("mass", (None if anchor is None else anchor.mass) or size.mass)
+        if self.drag_anchor is not None:
+            values = {"anchor": self.drag_anchor.anchor, "soil": term(self.drag_anchor.soil)}
+            return Message("sizing.on_anchor", mass=mass, **values)
+        assert self.sinker is not None
+        return Message(f"sizing.on_{self.sinker.material}", mass=mass)
 
     @property
     def shots(self) -> float:

@@ -6,6 +6,21 @@ from dataclasses import dataclass, replace
 
 from catopt.quantities import QUANTITIES, Quantity, Units
 
+_LARGE = 1e6
+"""From here on numbers have an exponent."""
+
+
+def number(value: float, spec: str) -> str:
+    """Write a number by a format; of significant digits without an exponent for what is large.
+
+    Examples
+    --------
+    >>> number(1000.0, ".3g"), number(123456.0, ".3g"), number(2.5e6, ".3g")
+    ('1000', '123000', '2.5e+06')
+    """
+    text = format(value, spec)
+    return f"{float(text):.0f}" if "e+" in text and spec[-1:] == "g" and abs(value) < _LARGE else text
+
 
 @dataclass(frozen=True)
 class Measure:
@@ -31,7 +46,7 @@ class Measure:
         quantity = own.in_units(self.units)
         if spec in {"", "bare"}:
             return quantity.format(self.value, unit=not spec)
-        return f"{quantity.to_field(self.value):{spec}} {quantity.field_unit}"
+        return f"{number(quantity.to_field(self.value), spec)} {quantity.field_unit}"
 
     def __str__(self) -> str:
         return f"{self}"

@@ -3,10 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from string import Formatter
 from types import MappingProxyType
 from typing import Any, Literal, Self
 
+from catopt.words.measure import number
 from catopt.words.texts import LANGUAGES, Language, text
+
+
+class _Filled(Formatter):
+    """Fills a text as `str.format` does; no number has an exponent that people do not read."""
+
+    def format_field(self, value: Any, format_spec: str) -> Any:
+        if isinstance(value, float | int) and format_spec:
+            return number(value, format_spec)
+        return super().format_field(value, format_spec)
+
+
+_FILLED = _Filled()
 
 
 class Message(str):
@@ -34,7 +48,7 @@ class Message(str):
 
     def __new__(cls, key: str, /, **values: object) -> Message:
         """Fill the English text."""
-        english = text(key, "en", values).format(**values)
+        english = _FILLED.vformat(text(key, "en", values), (), values)
         return cls.made_of(english, key=key, values=values)
 
     @classmethod
@@ -47,7 +61,7 @@ class Message(str):
     def said(self, language: Language) -> str:
         """Say it in a language."""
         values = {name: _said(value, language) for name, value in self.values.items()}
-        return text(self.key, language, values).format(**values)
+        return _FILLED.vformat(text(self.key, language, values), (), values)
 
     def __reduce__(self) -> tuple[object, ...]:
         """Keep what it is made of when it is copied, or sent to another process."""

@@ -111,7 +111,7 @@ def test_segments_and_a_clump_weight() -> None:
     assert load.position == 500.0
     assert load.submerged_weight == pytest.approx(42614.64, abs=1e-8)
     assert (load.mass, load.drag_product, load.added_mass_coefficient) == (5000.0, 1.5, 0.5)
-    assert "line 5: not used: bending stiffness EI 1.2e+05 N m^2 of rope" in said(found)
+    assert "line 5: not used: bending stiffness EI 120000 N m^2 of rope" in said(found)
 
 
 def test_statics_of_two_segments_are_those_of_moorpy_in_print() -> None:

@@ -82,7 +82,7 @@ def test_bending_and_tables_are_named() -> None:
         "Cd: [1, ~, 0.4]", "Cd: [Generic, ~, 0]"
     )
     found = read_deck(text, "c06.yml", ONE)
-    assert "line 19: not used: bending stiffness EI 7.5e+04 N m^2" in said(found)
+    assert "line 19: not used: bending stiffness EI 75000 N m^2" in said(found)
     assert "line 23: not used: Cd Generic, None, 0: a table of OrcaFlex's" in said(found)
     assert found.case.line.segments[0].drag_normal is None
 

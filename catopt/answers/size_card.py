@@ -1,0 +1,180 @@
+"""A sizing on one screen: the line, its verdict, six numbers, and what they rest on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from catopt.answers.blocks import (
+    Brief,
+    CardBlock,
+    Fact,
+    Facts,
+    Text,
+    Value,
+    Verdict,
+    about,
+    largest,
+    rounded,
+)
+from catopt.answers.check import verdict_sentence
+from catopt.constants import YEAR
+from catopt.sizing.result import chain_words
+from catopt.words import Measure, Message, Several, is_said, term
+
+if TYPE_CHECKING:
+    from catopt.checks.result import CheckResult
+    from catopt.sizing import Sizing
+    from catopt.sizing.alternatives import Alternative
+
+_OTHERS = ("balanced", "least-swing", "lightest", "shortest", "cheapest")
+"""Preferences by how much their lines matter beside the recommended one."""
+_MOST_OTHERS = 3
+_NUMBERS = 6
+
+
+def size_card(of: Sizing) -> tuple[CardBlock, ...]:
+    """Lay out what is recommended on one screen."""
+    briefs = (
+        Brief((of.practice,), Message("sizing.card_practice"), 3),
+        Brief(of.fittings, Message("sizing.card_fittings")),
+        *_others(of),
+        Brief(tuple(_assumed(of)), Message("sizing.card_assumed"), 3),
+        Brief(tuple(_to_be_known(of)), Message("sizing.card_known"), 2),
+    )
+    return (
+        Text(of.one_line),
+        verdict(of),
+        Facts("size_card", tuple(_numbers(of))[:_NUMBERS]),
+        *(each for each in briefs if any(each.said)),
+    )
+
+
+def verdict(of: Sizing) -> Verdict:
+    """Say what the recommended line comes to and what governs; steady forces are said first.
+
+    The same words stand on the screen and on the first page of the note.
+    """
+    report = of.point.checks
+    said: Message = verdict_sentence(report)
+    if report.results and report.passes:
+        is_worn = any(each.condition == "worn" for each in of.case.load_cases)
+        said = Message(
+            "sizing.all_met",
+            codes=", ".join(of.case.checks.codes),
+            states=Message("sizing.new_and_worn" if is_worn else "sizing.as_new_alone"),
+            governs=_governs(report.governing),
+        )
+    # Of the codes some have no allowance for motion, and say why: that is another thing.
+    if of.dynamic_factor == 1.0 and is_said(of.motion, "sizing.factor_given"):
+        said = Message("sizing.steady_first", verdict=said)
+    return Verdict(said, report.passes if report.results else None)
+
+
+def _governs(check: CheckResult | None) -> str:
+    """Name the check that governs, and how far it is used; empty where there is none."""
+    if check is None:
+        return ""
+    name = Message(f"checks.{check.kind}_short")
+    if check.utilisation is None:
+        return Message("sizing.governs", check=name)
+    return Message("sizing.governs_at", check=name, used=check.utilisation)
+
+
+def _numbers(of: Sizing) -> Iterator[Fact]:
+    """Yield the numbers that decide, the first ones first."""
+    _, solution = of.hardest
+    force = largest(each.horizontal_force for _, each in of.intact)
+    yield _measured("swing", "length", of.swing.total)
+    yield _measured("force" if of.pattern is None else "line_force", "horizontal_force", force)
+    yield _measured("tension", "tension", solution.fairlead.tension)
+    yield from _strength(of)
+    if of.reserve_buoyancy is not None:
+        pull = largest(each.fairlead.vertical_force for _, each in of.point.checks.solutions)
+        most = about("vertical_force", of.reserve_buoyancy)
+        if of.pattern is not None:
+            pull = of.pattern.largest_pull
+        yield _worded("pull", Message("sizing.out_of", value=_about(pull), most=most))
+    size = of.drag_anchor or (of.sinker if of.kind == "tanker" else None)
+    if size is not None and size.factor is not None:
+        values = {"factor": size.factor, "wanted": size.safety_factor}
+        yield _worded("holding", Message("sizing.factor", **values))
+    if of.chain_life is not None:
+        yield _worded("life", Message("sizing.after_years", years=of.chain_life / YEAR))
+    yield _measured("mass", "mass", of.point.line.mass)
+
+
+def _strength(of: Sizing) -> Iterator[Fact]:
+    """Yield the factor of strength that a buoy's codes, or a ship's, have a criterion on."""
+    factors = {"proof": of.proof_factor, "mbl": of.break_factor}
+    for key in sorted(factors, reverse=of.kind == "buoy"):
+        if factors[key] is not None:
+            yield _measured(key, "safety_factor", factors[key])
+            return
+
+
+def _measured(name: str, key: str, value: float | None) -> Fact:
+    return Fact(Message(f"sizing.card_{name}"), value, rounded(key, value or 0.0))
+
+
+def _worded(name: str, said: Value) -> Fact:
+    return Fact(Message(f"sizing.card_{name}"), said)
+
+
+def _about(force: float | None) -> Measure:
+    return about("vertical_force", force or 0.0)
+
+
+def _others(of: Sizing) -> Iterator[Brief]:
+    """Yield the lines of other preferences, of those alike one."""
+    by_line: dict[str, list[str]] = {}
+    every = sorted(of.alternatives, key=lambda each: _OTHERS.index(each.prefer))
+    for each in every[:_MOST_OTHERS]:
+        by_line.setdefault(_other(of, each), []).append(term(each.prefer))
+    for said, names in by_line.items():
+        yield Brief((said,), Several(names, ", "))
+
+
+def _other(of: Sizing, each: Alternative) -> str:
+    """Say in a line what another preference would recommend."""
+    if each.settled is None:
+        return Message("sizing.card_none")
+    point, own = each.settled.point, of.point
+    if (each.swing, point.line.mass) == (of.swing.total, own.line.mass):
+        return Message("sizing.same_line")
+    (first, *_), anchor = point.line.segments, point.anchor
+    held = ""
+    if anchor is not None and anchor.mass is not None:
+        key = "sizing.card_held_sinker" if of.drag_anchor is None else "sizing.card_held_anchor"
+        held = Message(key, mass=Measure("mass", anchor.mass))
+    return Message(
+        "sizing.card_other",
+        chain=chain_words(first.component, first.nominal_diameter),
+        length=point.line.length,
+        held=held,
+        swing=about("length", each.swing),
+    )
+
+
+def _assumed(of: Sizing) -> Iterator[str]:
+    """Yield what was taken because it was not given, but for what the lines above say."""
+    said_above = {each.component for each in of.point.line.segments}
+    if of.dynamic_factor > 1.0:
+        yield Message("sizing.card_motion", factor=of.dynamic_factor)
+    for each in of.defaults:
+        is_above = each in said_above or is_said(each, "sizing.taken_code")
+        if not is_above and not is_said(each, "sizing.beyond_scope"):
+            yield each
+
+
+def _to_be_known(of: Sizing) -> Iterator[str]:
+    """Yield what decides whether the answer may be used; what decides most comes first."""
+    yield from (each for each in of.defaults if is_said(each, "sizing.beyond_scope"))
+    yield from of.advice
+    for each in of.warnings:
+        if is_said(each, "sizing.estimated_dimensions"):
+            yield Message("sizing.card_estimated")
+        else:
+            yield each
+    if of.recalled:
+        yield Message("loads.recalled", names=Several(of.recalled, ", "))
