@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from catopt.sizing import Sizing
     from catopt.sizing.alternatives import Alternative
 
-_OTHERS = ("balanced", "least-swing", "lightest", "shortest", "cheapest")
+_OTHERS = ("practice", "balanced", "shortest", "least-swing", "lightest", "cheapest")
 """Preferences by how much their lines matter beside the recommended one."""
 _MOST_OTHERS = 3
 _NUMBERS = 6

@@ -74,9 +74,6 @@ def _size(
     from catopt.cli.wizard import answered
     from catopt.sizing.file import read_file
     from catopt.sizing.known import known
-    from catopt.sizing.requests import size as size_known
-
-    from catopt.words import Message
 
     _check_places(asked, save)
     spell = by_option if moored == "buoy" else as_option

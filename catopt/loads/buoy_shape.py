@@ -248,6 +248,11 @@ class BuoyShape:
         """Level of the lowest point above the hull's bottom, m: 0 or below."""
         return min([0.0, *(foot for foot, _ in self._structure)])
 
+    @cached_property
+    def widest(self) -> float:
+        """Largest diameter of the hull, m: what a buoy's size is called by."""
+        return max(max(each.lower, each.upper) for _, each in self._hull)
+
     @property
     def eye(self) -> float:
         """Level of the mooring eye above the hull's bottom, m."""

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Literal
+from types import MappingProxyType
+from typing import Final, Literal
 
+from catopt.casefile.sizing_file import Moored
 from catopt.catalogue.choice import chosen
 from catopt.checks.result import CheckResult
 from catopt.design.evaluation import DesignProblem
@@ -13,7 +15,7 @@ from catopt.design.near_miss import NoFeasibleDesignError
 from catopt.design.neighbours import neighbour, steps
 from catopt.errors import CatoptError, InputError, NoAnswerError
 from catopt.quantities import QUANTITIES
-from catopt.sizing.line_choice import PREFERENCES, Prefer
+from catopt.sizing.line_choice import Prefer
 from catopt.sizing.settle import Settled, point_diameter
 from catopt.words import Measure, Message, Several
 
@@ -94,8 +96,21 @@ class Alternative:
         return self.settled.point.objectives.get("cost_USD") if self.settled else None
 
 
+_LOOKED_AT: Final[Mapping[Moored, tuple[Prefer, ...]]] = MappingProxyType(
+    {
+        "buoy": ("practice", "shortest", "cheapest", "lightest"),
+        "tanker": ("balanced", "cheapest", "lightest", "least-swing"),
+    }
+)
+"""Preferences whose lines differ. Of a buoy the shortest line swings least."""
+
+
 def alternatives(
-    own: Prefer, sized: Callable[[Prefer], tuple[Settled, float]], *, priced: bool
+    moored: Moored,
+    own: Prefer,
+    sized: Callable[[Prefer], tuple[Settled, float]],
+    *,
+    priced: bool,
 ) -> tuple[Alternative, ...]:
     """Settle the lines of the preferences other than that of the recommended line.
 
@@ -109,7 +124,7 @@ def alternatives(
         except (NoAnswerError, InputError) as error:
             return Alternative(prefer, None, reason=_why_none(error))
 
-    others = (each for each in PREFERENCES if each != own)
+    others = (each for each in _LOOKED_AT[moored] if each != own)
     return tuple(alternative(each) for each in others if priced or each != "cheapest")
 
 

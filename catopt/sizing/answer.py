@@ -13,6 +13,7 @@ from catopt.loads.environment import WaterLevels
 from catopt.model import Case, LoadCase, Service, Site
 from catopt.sizing.alternatives import alternatives, candidates, limits
 from catopt.sizing.anchorage import SinkerGround
+from catopt.sizing.beside import beside
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.environment import Environment
 from catopt.sizing.line_choice import LineChoice, Prefer, first_line
@@ -118,11 +119,12 @@ def sizing_of(
         pull = max(each.horizontal_force for each in ends)
         own["sinker"] = ground.sized(pull, max(0.0, *(e.vertical_force for e in ends)), density)
         own["other_sinker"] = ground.by_other_rule(own["sinker"], density)
+    own = beside(request, settled) | own
     return Sizing(
         kind=kind,
         settled=settled,
         candidates=candidates(settled, lambda name, size: of_size(line.only(name, size), size)),
-        alternatives=alternatives(line.looks_for, by, priced=request.is_priced),
+        alternatives=alternatives(kind, line.looks_for, by, priced=request.is_priced),
         limits=limits(settled),
         swing=swing(settled),
         dynamic_factor=line.allowance,

@@ -51,7 +51,8 @@ class LineChoice:
     scope: tuple[float, float] = (0.0, math.inf)
     # which design of the front is recommended. Practice: the lightest that is no longer than the
     # aim, or else the shortest; balanced: the lightest whose span is within the aim, or else the
-    # least product of mass and area of the swing circle; cheapest: by price and swing. None: that of the code's method
+    # least product of mass and area of the swing circle; cheapest: by price and swing. None: that
+    # of the code's method
     prefer: Prefer | None = None
     aim: float = math.inf  # length or span that a line keeps to where it can, m
     rest: float = 0.0  # of the swing radius, what is hawser and ship, m

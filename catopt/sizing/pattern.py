@@ -256,7 +256,9 @@ def _climbed(
 
 
 def _seen_from_nearest(towards: float, lines: int) -> tuple[int, float]:
-    """Number the lost line, from 1, so that the force comes nearest to line 1; and how far off it.
+    """Return the number of the lost line, from 1, where the force comes nearest to line 1.
+
+    And how far off line 1 it comes, rad.
 
     `towards` is where the force acts where line 1 is the one that is gone, rad.
     """

@@ -1,0 +1,93 @@
+"""What stands beside a recommended line: what is laid in practice, its life, what else to know."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from catopt.catalogue.practice import Practice, practice_of_buoy, practice_of_ship
+from catopt.catalogue.practice import condition as kept_condition
+from catopt.constants import SEA_WATER_DENSITY
+from catopt.loads.buoy_shape import BuoyShape
+from catopt.loads.laying import laying_check
+from catopt.model import Anchor
+from catopt.sizing.buoy_request import BuoyRequest
+from catopt.sizing.settle import Settled, point_diameter
+from catopt.sizing.tanker_request import TankerRequest
+from catopt.sizing.worn_out import least_diameter
+from catopt.words import Message
+
+
+def beside(request: BuoyRequest | TankerRequest, settled: Settled) -> dict[str, Any]:
+    """Gather it, by the names of the attributes of `catopt.sizing.result.Sizing`."""
+    found = practice(request, settled)
+    life, said = chain_life(settled)
+    advice = [*said]
+    if isinstance(request, BuoyRequest):
+        advice += _laying(request, settled)
+    return {
+        "practice": "" if found is None else found.message,
+        "chain_life": life,
+        "advice": tuple(advice),
+    }
+
+
+def practice(request: BuoyRequest | TankerRequest, settled: Settled) -> Practice | None:
+    """Set the line beside what is laid for such a buoy, or carried by such a ship."""
+    diameter, length = point_diameter(settled.point), settled.point.line.length
+    env = request.environment
+    if isinstance(request, TankerRequest):
+        ship = request.ships[0].ship
+        return practice_of_ship(
+            diameter,
+            length,
+            displacement=ship.displacement * SEA_WATER_DENSITY,
+            front=ship.frontal_area,
+            side=ship.lateral_area,
+        )
+    buoy = request.buoy
+    if not isinstance(buoy, BuoyShape):
+        return None
+    known = buoy.chain_min is not None and buoy.chain_max is not None
+    return practice_of_buoy(
+        diameter,
+        length,
+        buoy_diameter=buoy.widest,
+        depth=env.levels.high,
+        current=env.current.speed,
+        chain_limits=(buoy.chain_min or 0.0, buoy.chain_max or 0.0) if known else None,
+    )
+
+
+def chain_life(settled: Settled) -> tuple[float | None, list[Message]]:
+    """Find after which time the chain is to be changed, s, and say why; None where it stays new.
+
+    It is to be changed when a check of its worn line is overrun, or when so much of its diameter is
+    gone that authorities discard it.
+    """
+    service, new = settled.case.service, point_diameter(settled.point)
+    if service is None or service.wear_rate == 0.0:
+        return None, []
+    kept = kept_condition()
+    discard, by_checks = kept.discard * new, least_diameter(settled) or 0.0
+    worn_to = max(discard, by_checks)
+    life = (new - worn_to) / service.wear_rate
+    key = "sizing.worn_to_discard" if discard >= by_checks else "sizing.worn_to_check"
+    values = {"diameter": 1e3 * worn_to, "part": 100.0 * kept.discard}
+    return life, [Message(key, source=kept.origin.text, **values)]
+
+
+def _laying(request: BuoyRequest, settled: Settled) -> Iterator[Message]:
+    """Say whether the buoy floats while chain and sinker hang on it, when it is laid."""
+    anchor = settled.point.anchor
+    if not isinstance(request.buoy, BuoyShape) or not isinstance(anchor, Anchor):
+        return
+    segment = settled.point.line.segments[0]
+    check = laying_check(
+        request.buoy,
+        segment.length * segment.submerged_weight,
+        anchor.submerged_weight or 0.0,
+        water_density=request.environment.water_density,
+    )
+    key = "sizing.laid_hanging" if check.utilisation <= 1.0 else "sizing.laid_by_crane"
+    yield Message(key, used=check.utilisation, source=check.source.text)
