@@ -79,14 +79,7 @@ class LineChoice:
         least, most = self.diameter_min, self.diameter_max
         if not found.problems and least is not None and most is not None and most < least:
             found.add("diameter_max", f"{most * 1e3:g} mm", f"below diameter_min, {least * 1e3:g}")
-        if self.prefer not in (None, *PREFERENCES):
-            found.add("prefer", repr(self.prefer), "one of " + ", ".join(PREFERENCES))
-        lowest, highest = self.scope
-        if not 0.0 <= lowest <= highest:
-            found.add("scope_max", f"{highest:g}", f"below scope_min, {lowest:g}")
-        if self.swing_price and self.prefer != "cheapest":
-            allowed = 'leave it out: prefer = "cheapest" alone weighs it, and wants known prices'
-            found.add("swing_price", f"{self.swing_price:g} USD/m", allowed)
+        self._check_preference(found)
         found.number("life", self.life, "s", at_least=0.0)
         if self.life > _LONGEST_LIFE * YEAR:
             years = f"{self.life / YEAR:g} years"
@@ -103,6 +96,16 @@ class LineChoice:
             for problem in error.problems:
                 found.add("code", problem.found, problem.allowed)
         found.raise_if_any()
+
+    def _check_preference(self, found: Findings) -> None:
+        if self.prefer not in (None, *PREFERENCES):
+            found.add("prefer", repr(self.prefer), "one of " + ", ".join(PREFERENCES))
+        lowest, highest = self.scope
+        if not 0.0 <= lowest <= highest:
+            found.add("scope_max", f"{highest:g}", f"below scope_min, {lowest:g}")
+        if self.swing_price and self.prefer != "cheapest":
+            allowed = 'leave it out: prefer = "cheapest" alone weighs it, and wants known prices'
+            found.add("swing_price", f"{self.swing_price:g} USD/m", allowed)
 
     @property
     def checks(self) -> Checks:

@@ -396,7 +396,7 @@ def _line(of: Known, least: float | None, most: float | None) -> LineChoice | No
 
 
 def _preference(of: Known, line: LineChoice | None) -> dict[str, Any]:
-    """Say which design is recommended: that asked for, or a buoy's by practice, a ship's balanced."""
+    """Say which design is wanted: as asked for, or a buoy's by practice, a ship's balanced."""
     prefer, swing_price = of["prefer"], of["swing_price"] or 0.0
     own = "practice" if of.moored == "buoy" else "balanced"
     if line is None:
