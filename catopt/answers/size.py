@@ -168,7 +168,10 @@ def _positions(of: Sizing) -> Iterator[_Row]:
             Message("sizing.swing_part", name=name, length=part) for name, part in of.swing.parts
         )
         words = Message("sizing.swing_of", total=total, parts=Several(parts, " + "))
-    yield _Row(term("Swing radius at low water"), total, length, words)
+    name = term("Swing radius at low water")
+    if of.pattern is not None:
+        name = Message("sizing.card_swing_line_out")
+    yield _Row(name, total, length, words)
     if of.excursion is not None:
         yield _measured("Excursion", "excursion", of.excursion)
 

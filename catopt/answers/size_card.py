@@ -85,7 +85,8 @@ def _numbers(of: Sizing) -> Iterator[Fact]:
     """Yield the numbers that decide, the first ones first."""
     _, solution = of.hardest
     force = largest(each.horizontal_force for _, each in of.intact)
-    yield _measured("swing", "length", of.swing.total)
+    swing = "swing" if of.pattern is None else "swing_line_out"
+    yield _measured(swing, "length", of.swing.total)
     yield _measured("force" if of.pattern is None else "line_force", "horizontal_force", force)
     yield _measured("tension", "tension", solution.fairlead.tension)
     yield from _strength(of)

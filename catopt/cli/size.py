@@ -136,7 +136,7 @@ def _give(asked: Asked, found: Sizing, save: Path | None, given: Given) -> None:
         from catopt.casefile import write_case
         from catopt.report.files import write_files
 
-        write_files(save.parent, {save.name: write_case(found.case).encode()})
+        write_files(save.parent, {save.name: write_case(found.whole_case).encode()})
         asked.output.note(f"{save} written; refine it with: catopt design {save}")
     asked.show(answer, found.to_dict)
 

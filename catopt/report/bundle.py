@@ -171,13 +171,12 @@ def size_files(
     No note where nothing says what was asked for.
     """
     from catopt.casefile import write_case
-    from catopt.sizing.pattern import system_case
 
     files = {DESIGN_CASE: write_case(of.case).encode(), **_pictures({"line": _of_sizing(of)})}
     if given is not None:
         files["note.html"] = _size_page(of, given, language)
     if of.pattern is not None:
-        files[SYSTEM_CASE] = write_case(system_case(of.case, of.pattern)).encode()
+        files[SYSTEM_CASE] = write_case(of.whole_case).encode()
     return files
 
 

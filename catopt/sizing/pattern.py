@@ -9,7 +9,7 @@ from typing import Any, Final, NamedTuple
 
 from catopt.catenary.solve import solve
 from catopt.errors import InputError, NoAnswerError
-from catopt.model import Case, Line, System
+from catopt.model import Case, DesignLoad, Line, System
 from catopt.mooring.arrangement import Lines
 from catopt.mooring.descent import Rest
 from catopt.mooring.sharing_rule import load_sharing_factor
@@ -21,6 +21,9 @@ from catopt.words import Message, Sentence
 
 _SAMPLES: Final = 5
 """Directions of the force from against a line to half way to the next one."""
+
+_HEADINGS: Final = 4
+"""Directions of the force a line, of the search for whole moorings."""
 
 _GOLDEN: Final = (math.sqrt(5.0) - 1.0) / 2.0
 _SECTIONS: Final = 20
@@ -142,16 +145,38 @@ def pattern(
 
 
 def system_case(case: Case, of: Pattern) -> Case:
-    """Make the case of the whole pattern, for ``catopt system``; it has the hardest load case."""
+    """Make the case of the whole pattern, which every command takes; it has the hardest load case.
+
+    Its design is the search for whole moorings, under every load from all sides.
+    """
     state = of.hardest
     rise = state.fairlead_height - case.fairlead_height
+    design = case.design
+    if design is not None:
+        base = state.fairlead_height
+        design = replace(
+            design,
+            sinker=None,  # a mooring is searched with the anchor of the case
+            pretensions=(of.pretension,),
+            loads=tuple(
+                DesignLoad(
+                    each.load_case,
+                    each.force,
+                    direction=math.pi,
+                    headings=_HEADINGS * of.lines,
+                    fairlead_rise=each.fairlead_height - base,
+                    line_out=True,
+                )
+                for each in of.states
+            ),
+        )
     return replace(
         case,
         title=f"{case.title}: {of.lines} lines, {state.load_case}",
         site=replace(case.site, water_depth=case.site.water_depth + rise),
         fairlead_height=state.fairlead_height,
         load_cases=(),
-        design=None,
+        design=design,
         system=of.system,
     )
 

@@ -399,6 +399,8 @@ def _preference(of: Known, line: LineChoice | None) -> dict[str, Any]:
     """Say which design is wanted: as asked for, or a buoy's by practice, a ship's balanced."""
     prefer, swing_price = of["prefer"], of["swing_price"] or 0.0
     own = "practice" if of.moored == "buoy" else "balanced"
+    if (of["lines"] or 1) > 1:
+        own = "lightest"  # several lines hold the ship in its place: swing decides nothing
     if line is None:
         return {"prefer": prefer or own}
     unpriced = list(unpriced_components(line, of["water_density"]))

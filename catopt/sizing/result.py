@@ -18,7 +18,7 @@ from catopt.shown import Shown
 from catopt.sizing.alternatives import Alternative, Candidate, Limit, trade
 from catopt.sizing.document import sizing_document
 from catopt.sizing.known import ReadInput, estimated_dimensions
-from catopt.sizing.pattern import Pattern
+from catopt.sizing.pattern import Pattern, system_case
 from catopt.sizing.settle import Settled, point_diameter
 from catopt.ties import largest
 from catopt.units import UNITS, Dimension
@@ -98,6 +98,11 @@ class Sizing(Shown):
     def case(self) -> Case:
         """A whole case with the recommended line: design, check and solve take it."""
         return self.settled.case
+
+    @property
+    def whole_case(self) -> Case:
+        """The case to keep: of several lines that of the whole pattern, else `case`."""
+        return self.case if self.pattern is None else system_case(self.case, self.pattern)
 
     @property
     def point(self) -> DesignPoint:

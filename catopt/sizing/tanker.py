@@ -301,9 +301,8 @@ def _swing(request: TankerRequest, settled: Settled, around: Pattern | None) -> 
     """Add up how far the stern swings round the anchor, or round the middle of the pattern."""
     at_low = {each.load_case for each in settled.posed.loads if each.water == "low"}
     if around is not None:
-        states = [state for state in around.states if state.load_case in at_low]
-        widest = largest(states or around.states, lambda state: state.offset)
-        first = (Message("sizing.offset_of_body"), widest.offset)
+        widest = largest(around.states, lambda state: state.line_out.offset)
+        first = (Message("sizing.offset_line_out"), widest.line_out.offset)
         name = widest.load_case
     else:
         every = settled.point.checks.solutions
