@@ -71,7 +71,7 @@ def test_no_key_of_a_sizing_is_ignored_in_silence(
     if any(each.key in said for said in named):
         assert found["components"] == without["components"]
     elif (body, each.name) == ("buoy", "low_water"):
-        # By CALMAR's method the chain, which is longer at high water, is all that the depth changes.
+        # By CALMAR the depth changes the chain alone, which is longer at high water.
         said = "The larger of both water levels: "
         assert any(text.startswith(said) for text in found["assumptions"])
     else:
