@@ -28,6 +28,7 @@ EVIDENCE = {
         "reproduce/test_ship_200m",
         "reproduce/test_tanker_20m",
         "reproduce/test_tanker_20m_sinker",
+        "reproduce/test_calmar",
         "fem/test_rang_dong",
         "waves/test_table_4_4",
         "loads/test_ship_current",

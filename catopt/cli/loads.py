@@ -124,6 +124,7 @@ def buoy(
             *weather,
         )
     result = largest(every, lambda each: each.horizontal_force)
+    assert own is not None
     # CALMAR takes Hmax for the height of the chain alone.
     by_hs = wave_height == "hs" and of["hs"] is not None and not own["--chain"]
     counted = {*_BUOY, "buoy"} - ({"hmax"} if by_hs else set())

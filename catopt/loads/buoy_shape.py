@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from bisect import bisect_left
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -54,7 +55,7 @@ class BuoySlice:
     def _width(self, height: float) -> float:
         return self.lower + (self.upper - self.lower) * height / self.height
 
-    @property
+    @cached_property
     def _hole(self) -> float:
         """Square of the hole's diameter, as far as it is one through the whole slice, m2.
 
@@ -72,12 +73,17 @@ class BuoySlice:
         low, up = self.lower, self._width(height)
         return math.pi / 12.0 * height * (low**2 + low * up + up**2 - 3.0 * self._hole)
 
+    @cached_property
+    def _whole(self) -> float:
+        """Volume of the geometry, m3."""
+        return self._geometric(self.height)
+
     def displaced(self, level: float) -> float:
         """Volume below a level above its foot, m3."""
         below = self._geometric(min(max(level, 0.0), self.height))
         if not self.volume:
             return below if self.volume is None else 0.0
-        return below / self._geometric(self.height) * self.volume
+        return below / self._whole * self.volume
 
     def waterplane(self, level: float) -> float:
         """How much a metre more of water would displace at a level above its foot, m2."""
@@ -86,7 +92,7 @@ class BuoySlice:
         area = 0.25 * math.pi * (self._width(level) ** 2 - self._hole)
         if not self.volume:
             return area if self.volume is None else 0.0
-        return area / self._geometric(self.height) * self.volume
+        return area / self._whole * self.volume
 
     def outline(self, low: float = 0.0, high: float = math.inf) -> float:
         """Area seen from the side between two levels above its foot, m2."""
@@ -211,7 +217,7 @@ class BuoyShape:
         draught = self._draught(SEA_WATER_DENSITY, 0.0)
         freeboard = self.deck - draught
         if draught <= 0.0:
-            light = "less than its tail tube displaces: the hull would float above the water"
+            light = "less than what is below its hull displaces: the hull would float clear of it"
             found.add("mass", f"{self.mass:g} kg", light)
         elif freeboard <= self.least_freeboard:
             most = SEA_WATER_DENSITY * self.displaced_at(self.least_freeboard)
@@ -324,12 +330,18 @@ class BuoyShape:
         mass = self.total_mass + pull / STANDARD_GRAVITY
         return self._level(mass / water_density - self.ballast / self.ballast_density)
 
-    def _level(self, volume: float) -> float:
-        """Level below which hull and structure have a volume, m: by Newton's steps in a bracket."""
+    @cached_property
+    def _table(self) -> tuple[tuple[float, ...], tuple[float, ...]]:
+        """Levels of all ends of slices, rising, and the volume below each."""
         stacks = (*self._hull, *self._structure)
         ends = sorted({foot + h for foot, each in stacks for h in (0.0, each.height)})
-        below = sum(self.volume_below(z) < volume for z in ends)
-        low, high = ends[max(below - 1, 0)], ends[min(below, len(ends) - 1)]
+        return tuple(ends), tuple(map(self.volume_below, ends))
+
+    def _level(self, volume: float) -> float:
+        """Level below which hull and structure have a volume, m: by Newton's steps in a bracket."""
+        ends, volumes = self._table
+        above = bisect_left(volumes, volume)
+        low, high = ends[max(above - 1, 0)], ends[min(above, len(ends) - 1)]
         level = low
         for _ in range(_ROUNDS):
             over = self.volume_below(level) - volume

@@ -96,6 +96,8 @@ def parse_calmar_buoy(
     )
     least, most = (int(_number(buoy, f"NombreLest{end}")) for end in ("Min", "Max"))
     pieces = least if ballast_pieces is None else ballast_pieces
+    if not floats and not frame:
+        found.add("Buoy.Flotteur", "no ElementDimItem", "float or structure wants one")
     if not least <= pieces <= most:
         found.add("ballast_pieces", f"{pieces}", f"this buoy has {least} to {most}")
     found.raise_if_any()
@@ -147,6 +149,9 @@ def _check(of: Element, path: str, found: Findings) -> None:
     """Note what of an element and of those in it is missing, unknown or no number."""
     tag = _TAGS[of.tag]
     _check_attributes(of, path, tag, found)
+    for text in (of.text, *(each.tail for each in of)):
+        if text and text.strip():
+            found.add(path or of.tag, "text between its elements", "take it out")
     for name in tag.one:
         if (count := len(of.findall(name))) != 1:
             found.add(_at(path, name), f"{count} of them", "one is wanted")

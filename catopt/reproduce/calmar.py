@@ -15,7 +15,7 @@ from catopt.model import Line, Segment
 from catopt.reproduce.comparison import compare, study_of
 from catopt.reproduce.items import SideBySide, Study, in_unit
 from catopt.reproduce.published import TF, Published, published
-from catopt.words import Message, term
+from catopt.words import Message
 
 NAME: Final = "calmar"
 
@@ -151,12 +151,7 @@ def study() -> Study:
     items = [
         item
         for release in releases(source)
-        for item in compare(
-            source,
-            release.name,
-            _figures(moored(source, release)),
-            computed_by=term("buoy_loads and closed form"),
-        )
+        for item in compare(source, release.name, _figures(moored(source, release)))
     ]
     return study_of(
         source, items, _findings(source), side_by_side=(_readings(source, releases(source)[0]),)

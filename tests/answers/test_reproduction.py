@@ -21,7 +21,7 @@ PROPER = (
     "catopt|MoorDyn-C|OrcaFlex|S4, JONSWAP|S4, PM|22TCN-222-95|UFC-4-159-03|UFC-Blendermann|"
     "MOORING_2017(, JONSWAP|, Pierson-Moskowitz)?"
 )
-UNITS = r"[-\d., ]+ (kN/m3|kN|kg/m3|kg/m|kgf/m|N/m|deg|rad|mm|tf)"
+UNITS = r"[-\d., ]+ (kN/m3|kN|kg/m3|kg/m|kg|kgf/m|N/m|deg|rad|mm|tf)"
 SAME = re.compile(f"{PROPER}|{UNITS}")
 """Names of programs and of sources, and numbers with a unit: the same in both languages."""
 WORDS = re.compile(r"[^\W\d_]{2}")

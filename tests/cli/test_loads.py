@@ -71,8 +71,31 @@ def test_no_key_of_a_sizing_is_ignored_in_silence(
     if any(each.key in said for said in named):
         assert found["components"] == without["components"]
     elif (body, each.name) == ("buoy", "low_water"):
-        # By CALMAR's method the chain, which is longer at high water, is all that the depth changes.
+        # By CALMAR the depth changes the chain alone, which is longer at high water.
         said = "The larger of both water levels: "
         assert any(text.startswith(said) for text in found["assumptions"])
     else:
         assert (found["components"], found["others"]) != (without["components"], without["others"])
+
+
+SAVED = """<Calmar version="1.0.0.0">
+<Buoy Name="Drum" ChaineMin="20" ChaineMax="30" MasseLestUnitaire="0" NombreLestMin="0"
+  NombreLestMax="0">
+<Structure Name="" Masse="0" OffsetFlotteur="0" OffsetOrganeau="0" />
+<Flotteur Name="Drum" Masse="1025">
+<ElementDimItem H="2" D0="2" D1="2" DI="0" Volume="4" />
+</Flotteur></Buoy></Calmar>"""
+"""2 m3 a metre: 1025 kg float at half a metre."""
+
+
+def test_a_buoy_that_calmar_saved_takes_the_place_of_a_name(run: Run, tmp_path: Path) -> None:
+    """1/2 x 1025 x 1 x (2 m x 0.5 m) x 1.2 = 615 N."""
+    path = tmp_path / "drum.xmlMB"
+    path.write_text(SAVED)
+    found = document_of(run, "loads", "buoy", path, "--depth", "9 m", "--current", "1 m/s")
+    assert found["horizontal_force_N"] == pytest.approx(615.0, rel=1e-12)
+    path.write_text(SAVED.replace("Volume", "Volumen"))
+    ran = run("loads", "buoy", path, "--depth", "9 m", "--current", "1 m/s")
+    assert ran.status == 2
+    assert "Buoy.Flotteur.ElementDimItem[0].Volume: missing" in ran.err
+    assert "drum.xmlMB: 2 errors" in ran.err

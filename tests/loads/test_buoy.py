@@ -195,7 +195,7 @@ def test_a_file_that_is_not_there_or_no_toml() -> None:
         ({"mass": 1025.0 * 2.0 * math.pi}, "freeboard of 0.00 m"),
         ({"mass": 7000.0}, "below 6440 kg"),
         ({"tube_diameter": 3.0}, "wider than the hull"),
-        ({"tube_diameter": 1.0, "tube_length": 5.0}, "less than its tail tube displaces"),
+        ({"tube_diameter": 1.0, "tube_length": 5.0}, "less than what is below its hull displaces"),
         ({"tower_solidity": 1.5}, "must be 1 or less"),
     ],
 )
@@ -301,6 +301,25 @@ def test_real_buoys_displace_what_they_are_named_by() -> None:
         assert 1e3 * buoy(name).volume == pytest.approx(litres, rel=0.10)
 
 
+HEAVIEST = {
+    "pillar 1.2 m": ("T-1000l-1.24m", 358.0),
+    "pillar 1.8 m": ("T-2500l-1.85m", 918.29),
+    "pillar 2.4 m": ("T-5000l-2.4m", 2053.7),
+    "pillar 3.0 m": ("2S5PL", 4900.5),
+    "spar 0.8 m": ("SP-3200l-1.2m", 1300.0),
+}
+"""The real buoy nearest in size, and its mass with all the ballast that its file allows, kg."""
+
+
+@pytest.mark.parametrize("name", HEAVIEST)
+def test_no_generic_buoy_is_heavier_than_the_real_one_of_its_size(name: str) -> None:
+    nearest, heaviest = HEAVIEST[name]
+    generic, real = buoy(name), buoy(nearest)
+    assert generic.total_mass <= heaviest
+    assert (generic.chain_min, generic.chain_max) == (real.chain_min, real.chain_max)
+    assert generic.chain_source.startswith(nearest)
+
+
 LITRES = re.compile(r"-(\d+)l-")
 
 
@@ -308,7 +327,7 @@ LITRES = re.compile(r"-(\d+)l-")
     ("change", "words"),
     [
         ({"hull_diameter": 2.0}, "hull_diameter: found 2.0; leave it out"),
-        ({"mass": 10.0}, "less than its tail tube displaces"),
+        ({"mass": 10.0}, "less than what is below its hull displaces"),
         ({"ballast_pieces": 1.5}, "a whole number is wanted"),
         ({"drag_in_water": 0.0}, "drag_in_water"),
         ({"chain_min": 0.03, "chain_max": 0.02}, "not below chain_min, 0.03 m"),

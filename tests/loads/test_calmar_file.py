@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+import re
 from pathlib import Path
 
 import pytest
@@ -125,6 +126,8 @@ def test_a_buoy_that_does_not_float_is_refused_by_the_file() -> None:
         ('<!DOCTYPE x [<!ENTITY a "b">]>' + FILE[39:], "declares nothing"),
         (FILE.replace('"Test"', f'"a{chr(0x202E)}b"'), "take it out"),
         (FILE.replace("</Calmar>", ""), "it is no XML: no element found"),
+        (FILE.replace("</Buoy>", "stray</Buoy>"), "Buoy: found text between its elements"),
+        (re.sub("<ElementDimItem.*/>", "", FILE), "Buoy.Flotteur: found no ElementDimItem"),
     ],
 )
 def test_what_is_no_buoy_of_calmar_is_refused(text: str, words: str) -> None:

@@ -180,7 +180,7 @@ def test_what_governs_fails_when_it_is_checked_alone() -> None:
 
 def test_all_that_is_wrong_with_a_request() -> None:
     with pytest.raises(InputError, match="touch the bed"):
-        BuoyRequest(buoy("spar 0.8 m"), place(low=4.0))
+        BuoyRequest(buoy("spar 0.8 m"), place(low=2.5))
     with pytest.raises(InputError, match="something has to push"):
         BuoyRequest(buoy("pillar 1.8 m"), place(0.0, current=0.0, hs=0.0))
     with pytest.raises(InputError) as caught:
