@@ -55,7 +55,9 @@ def check_deadweight(deadweight: float, ship: Ship) -> None:
     of_it = f"what a ship of these dimensions displaces, {displaced / 1e3:.6g} t"
     own = f"{deadweight / 1e3:.6g} t"
     if not found.problems and deadweight >= displaced:
-        found.add("deadweight", own, f"not below {of_it}; of a square-ended hull: a barge")
+        is_box = ship.displacement >= ship.length_waterline * ship.breadth * ship.draught
+        hint = "" if is_box else " (a square-ended hull is a barge)"
+        found.add("deadweight", own, f"not below {of_it}{hint}")
     elif not found.problems and deadweight < _LEAST_CARGO * displaced:
         found.add("deadweight", own, f"below {_LEAST_CARGO:g} of {of_it}")
     found.raise_if_any()

@@ -179,7 +179,7 @@ def test_each_draught_is_held_against_the_water_at_low_water() -> None:
             of_a_ship(**more)
         keys = [each.key for each in caught.value.problems]
         assert keys == [key or "ballast_draught"]
-    assert len(of_a_ship(low_water=12.01).ships) == 1
+    assert len(of_a_ship(low_water=12.01).ships) == 2
 
 
 def test_a_force_that_is_given_has_wind_and_current_in_it() -> None:
