@@ -14,7 +14,7 @@ from catopt.answers.solution import given_tables
 from catopt.answers.verification import closing_in_note, compared_in_note, lines_in_note
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.verify.truss_words import part_sentence
-from catopt.words import Cited, Measure, Message, Several, quantity_name
+from catopt.words import Cited, Message, Several, quantity_name
 
 if TYPE_CHECKING:
     from catopt.catalogue import Component

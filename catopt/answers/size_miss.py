@@ -102,8 +102,11 @@ def _is_open(name: str, of: Known) -> bool:
 def _is_sold_above(of: Known) -> bool:
     """Whether a larger size is sold than those that were tried."""
     catalogue = chosen(CatalogueChoice(allow_recalled=bool(of["recalled"])), of["water_density"])
-    sizes = [each.nominal_diameter for name in of["chain"] for each in catalogue.sold(name)]
-    return max(sizes) > (of["diameter_max"] or math.inf) + _SAME_SIZE
+    sizes: list[float] = [
+        each.nominal_diameter for name in of["chain"] for each in catalogue.sold(name)
+    ]
+    most: float = of["diameter_max"] or math.inf
+    return max(sizes) > most + _SAME_SIZE
 
 
 def _has_higher_grade(of: Known) -> bool:

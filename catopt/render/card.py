@@ -38,7 +38,9 @@ class Line(NamedTuple):
     is_bold: bool = False
 
 
-def show_card(output: Printer, answer: Answer, language: Language = "en", further: str = "") -> None:
+def show_card(
+    output: Printer, answer: Answer, language: Language = "en", further: str = ""
+) -> None:
     """Print the card of an answer, and below it what `further` there is."""
     for each in card_lines(answer, language, further):
         if each.text:

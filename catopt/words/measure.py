@@ -19,7 +19,9 @@ def number(value: float, spec: str) -> str:
     ('1000', '123000', '2.5e+06')
     """
     text = format(value, spec)
-    return f"{float(text):.0f}" if "e+" in text and spec[-1:] == "g" and abs(value) < _LARGE else text
+    return (
+        f"{float(text):.0f}" if "e+" in text and spec[-1:] == "g" and abs(value) < _LARGE else text
+    )
 
 
 @dataclass(frozen=True)
