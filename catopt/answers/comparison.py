@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from catopt.answers import blocks
 from catopt.answers.blocks import tabulate, texts
-from catopt.said import Message
+from catopt.words import Message
 
 Row = tuple[str, str, str]
 

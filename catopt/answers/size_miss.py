@@ -89,13 +89,14 @@ def _is_open(name: str, of: Known) -> bool:
         case "buoy":
             return of["buoy"] is not None
         case "anchor":
-            return of.moored == "tanker" and of["anchor"] == SINKER
+            return of.moored == "tanker" and bool(of["anchor"] == SINKER)
         case "lines":
-            return of.moored == "tanker" and of["lines"] == 1
+            return of.moored == "tanker" and bool(of["lines"] == 1)
         case "soil":
-            return of["friction"] is None
+            # A code's own friction is no less than that of any soil.
+            return of["friction"] is None and ("soil" in of.given or of.moored == "tanker")
         case "sinker":
-            return of["sinker"] == "concrete"
+            return bool(of["sinker"] == "concrete")
     return True
 
 
