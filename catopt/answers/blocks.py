@@ -218,7 +218,7 @@ class Points:
 
 @dataclass(frozen=True)
 class Brief:
-    """A line of a card: what is said under a label while there is room; the rest is counted."""
+    """What a card says under a label, as far as there is room; the rest is counted."""
 
     said: tuple[str, ...]
     label: str = ""

@@ -69,7 +69,7 @@ def _words(answer: blocks.Answer) -> dict[str, str]:
     found: dict[str, str] = {}
     for block in answer.blocks:
         if isinstance(block, blocks.Verdict):
-            found.setdefault(Message("captions.checks"), block.words)
+            found.setdefault(Message("captions.checks"), block.said)
         elif isinstance(block, blocks.Table) and block.name == "sizing":
             what, _, words = block.columns
             rows = zip(what.values, words.values, strict=True)

@@ -89,21 +89,25 @@ def _is_open(name: str, of: Known) -> bool:
         case "buoy":
             return of["buoy"] is not None
         case "anchor":
-            return of.moored == "tanker" and of["anchor"] == SINKER
+            return of.moored == "tanker" and bool(of["anchor"] == SINKER)
         case "lines":
-            return of.moored == "tanker" and of["lines"] == 1
+            return of.moored == "tanker" and bool(of["lines"] == 1)
         case "soil":
-            return of["friction"] is None
+            # A code's own friction is no less than that of any soil.
+            return of["friction"] is None and ("soil" in of.given or of.moored == "tanker")
         case "sinker":
-            return of["sinker"] == "concrete"
+            return bool(of["sinker"] == "concrete")
     return True
 
 
 def _is_sold_above(of: Known) -> bool:
     """Whether a larger size is sold than those that were tried."""
     catalogue = chosen(CatalogueChoice(allow_recalled=bool(of["recalled"])), of["water_density"])
-    sizes = [each.nominal_diameter for name in of["chain"] for each in catalogue.sold(name)]
-    return max(sizes) > (of["diameter_max"] or math.inf) + _SAME_SIZE
+    sizes: list[float] = [
+        each.nominal_diameter for name in of["chain"] for each in catalogue.sold(name)
+    ]
+    most: float = of["diameter_max"] or math.inf
+    return max(sizes) > most + _SAME_SIZE
 
 
 def _has_higher_grade(of: Known) -> bool:

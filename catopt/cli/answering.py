@@ -80,7 +80,7 @@ class Asked:
         self.show(answer, printed or document)
 
     def show(self, answer: Answer, document: Documents) -> None:
-        """Print the document or the answer: its card, where it has one, unless wanted in full."""
+        """Print the document or the answer; its card, where it has one, unless all is asked for."""
         if self.as_json:
             self.output.json(document())
             return
@@ -88,7 +88,9 @@ class Asked:
             from catopt.render.card import show_card
             from catopt.words import Message
 
-            further = Message(f"answers.more_full{'' if self.out is None else '_alone'}")
+            further = Message(
+                "answers.more_full" if self.out is None else "answers.more_full_alone"
+            )
             show_card(self.output, answer, self.language, further)
             return
         from catopt.render.terminal import show

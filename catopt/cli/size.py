@@ -17,6 +17,7 @@ from catopt.cli.size_options import as_option, by_option, typed, with_inputs
 from catopt.cli.values import refused
 
 if TYPE_CHECKING:
+    from catopt.answers.blocks import Answer
     from catopt.casefile.sizing_file import Moored
     from catopt.notes.size import Given
     from catopt.sizing import Sizing
@@ -80,25 +81,27 @@ def _size(
     given = typed(moored, options)
     if place is None:
         given = answered(moored, given, {}, spell, asked.language)
-        found = _sized(asked, known(moored, given, spell, "options"))
+        found, answer = _sized(asked, known(moored, given, spell, "options"))
     else:
         file = read_file(place, moored)
         with file.telling():
             if not file.findings:
                 given = answered(moored, given, file.given(given), spell, asked.language)
-            found = _sized(asked, file.known(given, spell))
-    _give(asked, found, save, _as_given(place, given, spell))
+            found, answer = _sized(asked, file.known(given, spell))
+    _give(asked, found, answer, save, _as_given(place, given, spell))
 
 
-def _sized(asked: Asked, of: Known) -> Sizing:
+def _sized(asked: Asked, of: Known) -> tuple[Sizing, Answer]:
     """Size what is known; where no line passes, say what is nearest and what would help."""
+    from catopt.answers.size import size_answer
     from catopt.design.near_miss import NoFeasibleDesignError
     from catopt.sizing.requests import size as size_known
     from catopt.words import Message
 
     try:
         with asked.working(Message("answers.sizing_now")):
-            return size_known(of)
+            found = size_known(of)
+            return found, size_answer(found)
     except NoFeasibleDesignError as error:
         from catopt.answers.size_miss import miss_answer
         from catopt.render.card import card_lines
@@ -118,15 +121,12 @@ def _check_places(asked: Asked, save: Path | None) -> None:
         refuse_own_case(asked.out)
 
 
-def _give(asked: Asked, found: Sizing, save: Path | None, given: Given) -> None:
+def _give(asked: Asked, found: Sizing, answer: Answer, save: Path | None, given: Given) -> None:
     """Write the files and the case, then print the document or the answer."""
-    from catopt.answers.size import size_answer
-    from catopt.words import Message
-
-    answer = size_answer(found)
     if asked.out is not None:
         from catopt.render.files import files_of
         from catopt.report.bundle import size_files
+        from catopt.words import Message
 
         with asked.working(Message("answers.note_now")):
             files = files_of(answer, found.to_dict(), asked.language)

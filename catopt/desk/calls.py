@@ -14,7 +14,6 @@ from catopt.answers.blocks import (
     Facts,
     Figure,
     Section,
-    Table,
     Text,
     Verdict,
     Warnings,
@@ -287,14 +286,7 @@ def _sized(text: str, door: Door) -> tuple[Section, list[Answer]]:
     state = next(each for each in of.case.load_cases if each.name == name)
     depth = of.case.site.water_depth + state.water_level
     first = section("desk.answer", Figure(line_in_water(solution, depth)))
-    answer = size_answer(of)
-    found = sorted(answer.sections, key=lambda each: not _recommends(each))
-    return first, [replace(answer, sections=tuple(found))]
-
-
-def _recommends(section: Section) -> bool:
-    """Whether a section has the recommended line, which the page shows before the inputs."""
-    return any(isinstance(each, Table) and each.name == "sizing" for each in section.blocks)
+    return first, [size_answer(of)]
 
 
 def _note(text: str, language: Language) -> Reply:

@@ -9,11 +9,13 @@ import subprocess
 import sys
 from io import StringIO
 from pathlib import Path
+from time import monotonic, sleep
 
 import pytest
 from rich.console import Console
 from rich.progress import Progress
 
+from catopt.cli.output import PATIENCE, Output
 from catopt.cli.progress_bar import progress_bar
 
 from .conftest import BUOY, DESIGN, Run, changed
@@ -140,3 +142,66 @@ def test_brackets_and_codes_in_a_title_are_plain_text(run: Run, tmp_path: Path) 
     title = "[red]R3[/red] :warning: 100 %"
     path = changed(BUOY, tmp_path, ("Marker buoy, 9.5 m", title))
     assert run("solve", path).out.splitlines()[0] == title
+
+
+class Screen(StringIO):
+    """A terminal for what is said beside an answer."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+def worked(monkeypatch: pytest.MonkeyPatch, stream: StringIO, patience: float) -> tuple[str, str]:
+    """Work until something is shown, or a while; return what is shown meanwhile and afterwards."""
+    monkeypatch.setattr("catopt.cli.output.PATIENCE", patience)
+    monkeypatch.setattr(sys, "stderr", stream)
+    meanwhile = ""
+    with Output().working("Sizing the line"):
+        ends = monotonic() + (5.0 if stream.isatty() and patience < 1.0 else 0.3)
+        while "Sizing the line" not in meanwhile and monotonic() < ends:
+            sleep(0.01)
+            meanwhile = stream.getvalue()
+    return meanwhile, stream.getvalue()
+
+
+def test_what_is_done_is_said_after_a_while_and_is_gone_with_the_answer(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setenv("TERM", "xterm")
+    meanwhile, afterwards = worked(monkeypatch, Screen(), 0.02)
+    assert "Sizing the line" in meanwhile
+    assert afterwards.rstrip().endswith(f"{ESCAPE}[2K")  # the line is wiped, the cursor on it
+
+
+def test_nothing_is_said_of_short_work_nor_into_a_pipe(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert PATIENCE == 1.0
+    assert worked(monkeypatch, Screen(), 1000.0) == ("", "")
+    assert worked(monkeypatch, StringIO(), 0.0) == ("", "")
+
+
+SIZES = (
+    ("buoy", "pillar 1.8 m", "--depth", "12 m"),
+    ("tanker", "--dwt", "50000 t", "--depth", "20 m"),
+)
+
+
+@pytest.mark.parametrize("typed", SIZES)
+@pytest.mark.parametrize("language", ["en", "vi"])
+def test_a_sizing_is_one_screen_and_the_rest_is_asked_for(
+    run: Run, typed: tuple[str, ...], language: str
+) -> None:
+    ran = run("size", *typed, "--lang", language, "--units", "tf")
+    assert (ran.status, ran.err) == (0, "")
+    assert len(ran.out.splitlines()) <= 22
+    assert max(map(len, ran.out.splitlines())) <= 80
+    full = run("size", *typed, "--lang", language, "--units", "tf", "--full").out
+    assert "--full" not in full
+    assert len(full.splitlines()) > 80
+    assert ran.out.splitlines()[1] in full  # the line that is recommended
+
+
+@needs_pty
+def test_a_terminal_shows_of_a_sizing_what_a_pipe_gets(run: Run) -> None:
+    status, shown = in_terminal("size", *SIZES[0], NO_COLOR="1", COLUMNS="120")
+    assert status == 0
+    assert shown.endswith(run("size", *SIZES[0]).out)

@@ -266,3 +266,14 @@ def test_a_measure_is_said_in_the_unit_of_the_field() -> None:
     assert f"{Measure('tension', 7.3e6):.4g}" == "7300 kN"
     assert str(Measure("nominal_diameter", 0.0761)) == "76.1 mm"
     assert str(Measure("nominal_diameter", 0.019)) == "19.0 mm"
+
+
+def test_no_number_has_an_exponent_that_people_do_not_read() -> None:
+    """In three digits 1000 m were 1e+03 m."""
+    said = Message("sizing.below_lightest", weight=12345.0, height=1000.0, name="chain")
+    assert "12300 kN: 1000 m of chain" in said
+    assert "12300 kN: 1000 m chain" in say(said, "vi")
+    assert f"{Measure('tension', 1.5e6):.2g}" == "1500 kN"
+    assert f"{Measure('tension', 1.5e12):.2g}" == "1.5e+09 kN"
+    small = Message("sizing.below_lightest", weight=1.5e-7, height=0.5, name="chain")
+    assert "1.5e-07 kN: 0.5 m" in small

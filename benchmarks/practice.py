@@ -1,0 +1,197 @@
+"""What catopt recommends beside what is laid: buoys of known makers, and a ship beside her cable.
+
+    python -m benchmarks.practice [--out benchmarks/results/practice.md]
+
+Practice is of the Sealite manual of the Nautilus-2200, page 11 (44 mm down to 32 mm of chain by
+depth, two to three depths of it), of the buoys' own entries in CALMAR's library (their smallest and
+largest chain), and of the equipment number of the ship; all are in the catalogue
+(`catopt.catalogue.practice`). Sites are stated in full below. A buoy's chain agrees with practice
+when it is within one size that is sold of the maker's and two to 3.2 depths long. The maker's own
+size is sized too, at the same site: that line passes every check as well, where one is printed.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import platform
+import sys
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+import catopt
+from catopt.catalogue.choice import chosen
+from catopt.catalogue.practice import laid_for_buoy
+from catopt.errors import CatoptError
+from catopt.loads import buoys
+from catopt.model import CatalogueChoice
+from catopt.sizing import Sizing
+
+CHAIN = "chain open-link 4D Q2"
+SCOPE = (2.0, 3.2)
+"""Depths that a buoy's chain is to be long."""
+
+
+@dataclass(frozen=True)
+class Site:
+    """A buoy and its place; lengths in m, speeds in m/s."""
+
+    buoy: str
+    depth: float
+    current: float
+    hs: float
+    wind: float = 25.0
+
+
+TABLE = (
+    Site("T-5000l-2.4m", 10.0, 1.0, 1.0),
+    Site("T-5000l-2.4m", 18.0, 1.0, 1.5),
+    Site("T-5000l-2.4m", 28.0, 1.0, 1.5),
+)
+"""Those that a maker's table is for, within 0.2 m of its buoy."""
+
+LAID = (
+    Site("T-5000l-2.4m", 20.0, 2.5, 2.0),
+    Site("T-9000l-3.0m", 20.0, 1.0, 4.0),
+    Site("T-9000l-3.0m", 50.0, 1.0, 4.0),
+)
+"""Such buoys are laid; 1.0.0 had no answer."""
+
+OWN = (
+    Site("T-1000l-1.24m", 6.0, 0.5, 0.5, 15.0),
+    Site("T-1800l-1.24m", 8.0, 0.75, 0.75, 20.0),
+    Site("T-2500l-1.85m", 10.0, 0.75, 1.0, 20.0),
+    Site("T-5000l-2.4m", 12.0, 1.0, 1.5),
+    Site("T-9000l-3.0m", 20.0, 1.0, 2.0),
+    Site("LT-9000l-3.0m", 20.0, 1.0, 2.0),
+    Site("SP-3200l-1.2m", 12.0, 0.75, 1.0, 20.0),
+    Site("2S5PL", 20.0, 1.0, 2.0),
+    Site("2S5PL +2", 20.0, 1.0, 2.0),
+)
+"""Every buoy of the library."""
+
+
+def main() -> None:
+    """Run and print."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--out", type=Path, help="also write the page here")
+    arguments = parser.parse_args()
+    began = time.process_time()
+    text = "\n".join(report())
+    text += f"\n\n{time.process_time() - began:.0f} s of processor.\n"
+    print(text)
+    if arguments.out is not None:
+        arguments.out.write_text(text, encoding="utf-8")
+
+
+def report() -> list[str]:
+    """Write the page."""
+    head = "# catopt beside practice"
+    what = (
+        f"`python -m benchmarks.practice`, {time.strftime('%Y-%m-%d')}, "
+        f"catopt {catopt.__version__}, Python {sys.version.split()[0]}, {platform.machine()}, "
+        f"{os.cpu_count()} cores."
+    )
+    return [
+        *(head, "", what, ""),
+        *("## Beside a maker's table", "", *_table(TABLE), ""),
+        *("## Buoys that are laid", "", *_table(LAID), ""),
+        *("## Every buoy of the library", "", *_table(OWN), ""),
+        *("## A ship beside her own cable", "", *_ship()),
+    ]
+
+
+def _table(sites: tuple[Site, ...]) -> list[str]:
+    rows = [
+        "| buoy | depth, current, Hs, wind | catopt: chain, length, depths, sinker "
+        "| own limits (mm) | practice | sizes apart | the maker's size, sized here |",
+        "|---|---|---|---|---|---|---|",
+    ]
+    return [*rows, *(_row(site) for site in sites)]
+
+
+def _row(site: Site) -> str:
+    shape = next(each for each in buoys() if each.name == site.buoy)
+    limits = f"{1e3 * (shape.chain_min or 0.0):g} to {1e3 * (shape.chain_max or 0.0):g}"
+    where = f"{site.depth:g} m, {site.current:g} m/s, {site.hs:g} m, {site.wind:g} m/s"
+    laid = laid_for_buoy(shape.widest, site.depth, site.current)
+    practice, apart, own = "no table", "-", "-"
+    try:
+        found = sized(site)
+    except CatoptError as error:
+        return f"| {site.buoy} | {where} | NO ANSWER: {error.message} | {limits} | | | |"
+    size = 1e3 * (found.point.line.segments[0].nominal_diameter or 0.0)
+    if laid is not None:
+        low, high = laid.lengths
+        practice = f"{1e3 * laid.chain:g} mm, {low:g} to {high:g} m ({laid.buoy_diameter:g} m buoy)"
+        apart = f"{sizes_apart(size, 1e3 * laid.chain)}"
+        own = _own(site, 1e3 * laid.chain)
+    return (
+        f"| {site.buoy} | {where} | {_said(found, site.depth)} | {limits} | {practice} | {apart} "
+        f"| {own} |"
+    )
+
+
+def sized(site: Site, **more: object) -> Sizing:
+    """Size a buoy at its site."""
+    return catopt.size_buoy(
+        site.buoy,
+        depth=site.depth,
+        current=site.current,
+        hs=site.hs,
+        wind=site.wind,
+        chain=CHAIN,
+        **more,
+    )
+
+
+def _said(of: Sizing, depth: float) -> str:
+    line, anchor = of.point.line, of.point.anchor
+    size = 1e3 * (line.segments[0].nominal_diameter or 0.0)
+    assert anchor is not None
+    assert anchor.mass is not None
+    fails = "" if of.point.checks.passes else " FAILS"
+    scope = f"{line.length / depth:.2f}"
+    return f"{size:g} mm, {line.length:g} m, {scope}, {anchor.mass / 1e3:g} t{fails}"
+
+
+def _own(site: Site, size: float) -> str:
+    """Size the next size sold up to a maker's own, at the same site."""
+    near = min(SIZES, key=lambda each: (abs(each - size), each)) * 1e-3
+    try:
+        found = sized(site, diameter_min=near, diameter_max=near)
+    except CatoptError:
+        return f"{1e3 * near:g} mm: no length of it"
+    return _said(found, site.depth)
+
+
+def _sizes() -> tuple[float, ...]:
+    sold = chosen(CatalogueChoice(), 1025.0).sold(CHAIN)
+    return tuple(round(1e3 * each.nominal_diameter, 6) for each in sold)
+
+
+SIZES = _sizes()
+"""mm, of the chain that buoys are sized with."""
+
+
+def sizes_apart(one: float, other: float) -> int:
+    """Count the steps of the series between two sizes, mm, each at its nearest one sold."""
+    places = [min(range(len(SIZES)), key=lambda k: abs(SIZES[k] - each)) for each in (one, other)]
+    return abs(places[0] - places[1])
+
+
+def _ship() -> list[str]:
+    found = catopt.size_tanker(dwt="50000 t", depth="20 m")
+    line = found.point.line
+    assert found.drag_anchor is not None
+    return [
+        f"- tanker of 50,000 DWT in 20 m: {line.segments[0].name}, {line.length:g} m, anchor of "
+        f"{found.drag_anchor.mass / 1e3:g} t ({found.drag_anchor.anchor}), every check passes: "
+        f"{found.point.checks.passes}",
+        f"- {found.practice}",
+    ]
+
+
+if __name__ == "__main__":
+    main()
