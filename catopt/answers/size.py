@@ -364,6 +364,7 @@ def _notes_table(of: Sizing) -> blocks.Table:
     kinds = {
         "governs": _governing(of),
         "practice": filter(None, (of.practice,)),
+        "departs from the code": of.departures,
         "fitting": of.fittings,
         "advice": of.advice,
         "recommendation": (of.why,),

@@ -35,7 +35,9 @@ _NUMBERS = 6
 
 def size_card(of: Sizing) -> tuple[CardBlock, ...]:
     """Lay out what is recommended on one screen."""
+    (code, *_) = of.case.checks.codes
     briefs = (
+        Brief(of.departures, Message("sizing.card_departs", code=code), 2),
         Brief((of.practice,), Message("sizing.card_practice"), 3),
         Brief(of.fittings, Message("sizing.card_fittings")),
         *_others(of),
@@ -144,13 +146,16 @@ def _other(of: Sizing, each: Alternative) -> str:
     if (each.swing, point.line.mass) == (of.swing.total, own.line.mass):
         return Message("sizing.same_line")
     (first, *_), anchor = point.line.segments, point.anchor
+    chain: str = chain_words(first.component, first.nominal_diameter)
+    if first.component == own.line.segments[0].component:
+        chain = Message("sizing.card_size", size=1e3 * (first.nominal_diameter or 0.0))
     held = ""
     if anchor is not None and anchor.mass is not None:
         key = "sizing.card_held_sinker" if of.drag_anchor is None else "sizing.card_held_anchor"
         held = Message(key, mass=Measure("mass", anchor.mass))
     return Message(
         "sizing.card_other",
-        chain=chain_words(first.component, first.nominal_diameter),
+        chain=chain,
         length=point.line.length,
         held=held,
         swing=about("length", each.swing),

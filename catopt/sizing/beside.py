@@ -7,9 +7,11 @@ from typing import Any
 
 from catopt.catalogue.practice import Practice, practice_of_buoy, practice_of_ship
 from catopt.catalogue.practice import condition as kept_condition
+from catopt.checks.profiles import profiles_of
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.laying import laying_check
+from catopt.loads.sinker import friction_of
 from catopt.model import Anchor
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.settle import Settled, point_diameter
@@ -26,10 +28,34 @@ def beside(request: BuoyRequest | TankerRequest, settled: Settled) -> dict[str, 
     if isinstance(request, BuoyRequest):
         advice += _laying(request, settled)
     return {
+        "departures": tuple(departures(request)),
         "practice": "" if found is None else found.message,
         "chain_life": life,
         "advice": tuple(advice),
     }
+
+
+def departures(request: BuoyRequest | TankerRequest) -> Iterator[Message]:
+    """Say where the request departs from the method of the code that its line is checked by."""
+    line, code = request.line, request.line.code
+    method = profiles_of(line.checks)[0].method
+    if method is None:
+        return
+    if line.allowance != method.dynamic_factor:
+        yield Message("sizing.departs_factor", own=line.allowance, factor=method.dynamic_factor)
+    if not isinstance(request, BuoyRequest):
+        return
+    if request.buoy.name and isinstance(request.buoy, BuoyShape):
+        if not method.loads:
+            yield Message("sizing.departs_loads", code=code)
+        if request.wave_height != "hs":
+            yield Message("sizing.departs_hmax")
+        if request.chain_waves:
+            yield Message("sizing.departs_chain")
+        if request.marine_growth:
+            yield Message("sizing.departs_growth")
+    if method.soil and request.ground.mu != friction_of(method.soil)[0]:
+        yield Message("sizing.departs_friction", own=request.ground.mu)
 
 
 def practice(request: BuoyRequest | TankerRequest, settled: Settled) -> Practice | None:

@@ -59,6 +59,7 @@ def sizing_document(of: Sizing) -> dict[str, Any]:
         **figures(of, "excursion_m largest_tension_N dynamic_factor"),
         "motion": of.motion,
         **figures(of, "practice chain_life_s"),
+        "departures": list(of.departures),
         "fittings": list(of.fittings),
         "advice": list(of.advice),
         **figures(of, "break_factor proof_factor reserve_buoyancy_N"),

@@ -89,6 +89,7 @@ class Sizing(Shown):
     assumptions: tuple[str, ...] = ()  # what the answer rests on
     defaults: tuple[str, ...] = ()  # what was not given and was taken
     inputs: tuple[ReadInput, ...] = ()  # all that was known, as it was read
+    departures: tuple[str, ...] = ()  # from the method of the code that it is checked by
     practice: str = ""  # the recommendation beside what is laid
     chain_life: float | None = None  # until the first check is overrun by wear, s
     fittings: tuple[str, ...] = ()  # shackles, swivels and the like that go with the line
