@@ -37,6 +37,8 @@ WHOLE, OURS = "IALA-CALMAR", "catopt-buoy"
 
 _FORCES = LoadSource(CALMAR, "section 5", "A")
 _CHAIN = LoadSource(CALMAR, "5.2.1", "A")
+_OWN = LoadSource(OURS, "docs/loads.md", "C")
+"""Of a force by CALMAR's formula with a speed or a width of our own."""
 
 
 def surface_speed(
@@ -115,17 +117,22 @@ def buoy_loads(
     speed = surface_speed(wind, current, sea, levels.high, wave_height)
     at_chain = speed if chain_waves else current.speed
     water, air = (water_density, speed), (AIR_DENSITY, wind.speed)
-    components = list(_above_and_on_hull(floating, water, air, marine_growth))
+    is_grown, is_own = marine_growth > 0.0, wave_height == "hmax"
+    source = _OWN if is_own or is_grown else _FORCES
+    components = list(_above_and_on_hull(floating, water, air, marine_growth, source))
+    in_what: tuple[str, ...] = ()
     if chain_diameter > 0.0:
         height = levels.deepest(sea) - floating.eye_depth
-        components.append(_chain((water_density, at_chain), chain_diameter, height, marine_growth))
+        stream, source = (water_density, at_chain), _OWN if chain_waves or is_grown else _CHAIN
+        components.append(_chain(stream, chain_diameter, height, marine_growth, source))
+        in_what = (Message("loads.chain_in_surface" if chain_waves else "loads.chain_in_tide"),)
     weather = {"wind": wind.speed, "tide": current.speed, "height": sea.hmax}
     departures = tuple(
         Message(f"loads.departs_{key}")
         for key, departs in (
-            ("hmax", wave_height == "hmax"),
+            ("hmax", is_own),
             ("chain_waves", chain_waves and chain_diameter > 0.0),
-            ("growth", marine_growth > 0.0),
+            ("growth", is_grown),
             ("breaking", sea.breaks(levels)),
         )
         if departs
@@ -136,7 +143,7 @@ def buoy_loads(
         (
             Message("loads.one_side"),
             _speeds(wind, current, sea, levels.high, wave_height),
-            Message("loads.chain_in_surface" if chain_waves else "loads.chain_in_tide"),
+            *in_what,
             *departures,
             _afloat(floating),
         ),
@@ -146,13 +153,14 @@ def buoy_loads(
 
 
 def _above_and_on_hull(
-    of: Floating, water: Stream, air: Stream, growth: float
+    of: Floating, water: Stream, air: Stream, growth: float, source: LoadSource
 ) -> Iterator[LoadComponent]:
     """Make the current on the hull, and the wind on what of the buoy is above the water."""
     wet, note = of.hull_area_in_water(growth), next(iter(_grown(growth)), "")
     shape, in_air = of.shape, of.shape.drag_in_air
     in_water = shape.drag_in_water
-    yield _drag("loads.current_on_hull", water, wet, "loads.hull_in_water", in_water, note=note)
+    what = "loads.hull_in_water"
+    yield _drag("loads.current_on_hull", water, wet, what, in_water, source, note)
     yield _drag("loads.wind_on_hull", air, of.hull_area_in_air, "loads.hull_in_air", in_air)
     if shape.tower_area > 0.0:
         yield _drag("loads.wind_on_tower", air, shape.tower_area, "loads.tower", in_air)
@@ -160,12 +168,14 @@ def _above_and_on_hull(
         yield _drag("loads.wind_on_topmark", air, shape.marks_area, "loads.topmark", in_air)
 
 
-def _chain(water: Stream, diameter: float, height: float, growth: float) -> LoadComponent:
+def _chain(
+    water: Stream, diameter: float, height: float, growth: float, source: LoadSource
+) -> LoadComponent:
     area = (CHAIN_WIDTH * diameter + 2.0 * growth) * height
     said = Message("loads.chain_note", diameter=diameter * 1e3, height=height)
     note = Several((said, *_grown(growth)))
     return _drag(
-        "loads.current_on_chain", water, area, "loads.chain_area", source=_CHAIN, note=note
+        "loads.current_on_chain", water, area, "loads.chain_area", source=source, note=note
     )
 
 

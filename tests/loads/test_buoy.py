@@ -559,6 +559,10 @@ def test_what_departs_from_calmar_has_our_name_and_is_said(
     assert ours.method == "catopt-buoy"
     (told,) = [text for text in ours.assumptions if text.startswith("Not CALMAR's")]
     assert said in told
+    assert {each.source.confidence for each in whole.components} == {"A"}
+    own = [each for each in ours.components if each.source.document == "catopt-buoy"]
+    assert own
+    assert {each.source.confidence for each in own} == {"C"}
 
 
 def test_a_hull_has_its_own_coefficients() -> None:
