@@ -24,6 +24,7 @@ from catopt.sizing import (
 )
 from catopt.sizing.alternatives import Limit, trade
 from catopt.sizing.kinds import usual
+from catopt.words import is_said
 from tests.sizing.test_consistency import LOADED, deep
 
 G = 9.80665
