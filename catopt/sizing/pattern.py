@@ -26,8 +26,8 @@ _HEADINGS: Final = 4
 """Directions of the force a line, of the search for whole moorings."""
 
 _GOLDEN: Final = (math.sqrt(5.0) - 1.0) / 2.0
-_SECTIONS: Final = 20
-"""Golden sections: to a ten thousandth of a sample's step, where a largest value is flat."""
+_SECTIONS: Final = 14
+"""Golden sections: to a thousandth of a sample's step, about which a largest value is level."""
 
 
 class BodyState(NamedTuple):
@@ -247,6 +247,8 @@ def _hardest(
 
     def worst(measure: Callable[[_Under], float]) -> _Under:
         best = largest(sampled, measure)
+        if best is sampled[0] or best is sampled[-1]:
+            return best  # both ends are directions of symmetry, where a largest value is level
         low, high = max(first, best.towards - step), min(last, best.towards + step)
         return largest((best, _climbed(under, measure, low, high)), measure)
 

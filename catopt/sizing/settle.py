@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Final
 
 import numpy as np
@@ -13,6 +13,7 @@ import numpy as np
 from catopt.design.enumeration import enumerate_designs
 from catopt.design.evaluation import OBJECTIVE_KEYS, DesignProblem, design_point
 from catopt.design.near_miss import NoFeasibleDesignError, no_feasible_design
+from catopt.design.outcome import Outcome
 from catopt.design.problem import Floats
 from catopt.design.result import DesignPoint, DesignResult
 from catopt.design.search import design_case
@@ -136,20 +137,30 @@ def _best(case: Case, choice: LineChoice) -> DesignPoint:
     Only the last case's whole front is shown; to check and explain that of every round costs more
     than the rounds themselves.
     """
-    problem = DesignProblem.of(case)
     assert case.design is not None
-    if problem.space.count > case.design.max_enumerated:
+    problem, outcome = _enumerated(case)
+    if outcome is None:
         front = _whole(case).front
         keys = [OBJECTIVE_KEYS[name] for name in problem.names]
         objectives = np.array([[point.objectives[key] for key in keys] for point in front])
         return front[_preferred(objectives, choice)]
-    outcome = enumerate_designs(problem, workers=os.cpu_count() or 1)
-    if outcome.interrupted:
-        raise KeyboardInterrupt
     if not len(outcome.genes):
         raise no_feasible_design(problem, outcome)
     best = _preferred(outcome.objectives, choice)
     return design_point(problem, tuple(outcome.genes[best].tolist()))
+
+
+@lru_cache(maxsize=4)
+def _enumerated(case: Case) -> tuple[DesignProblem, Outcome | None]:
+    """Enumerate the designs of a case, of which several preferences choose; None: too many."""
+    problem = DesignProblem.of(case)
+    assert case.design is not None
+    if problem.space.count > case.design.max_enumerated:
+        return problem, None
+    outcome = enumerate_designs(problem, workers=os.cpu_count() or 1)
+    if outcome.interrupted:
+        raise KeyboardInterrupt
+    return problem, outcome
 
 
 def _whole(case: Case) -> DesignResult:
