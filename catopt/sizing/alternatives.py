@@ -114,8 +114,8 @@ def alternatives(
 ) -> tuple[Alternative, ...]:
     """Settle the lines of the preferences other than that of the recommended line.
 
-    `sized` settles a line by a preference, and gives its swing radius, m; where not every price is
-    known, none is the cheapest.
+    `sized` settles a line by a preference, and gives its swing radius, m. Where not every price is
+    known none is the cheapest, and of one component the lightest is.
     """
 
     def alternative(prefer: Prefer) -> Alternative:

@@ -26,7 +26,7 @@ _HEADINGS: Final = 4
 """Directions of the force a line, of the search for whole moorings."""
 
 _GOLDEN: Final = (math.sqrt(5.0) - 1.0) / 2.0
-_SECTIONS: Final = 14
+_SECTIONS: Final = 12
 """Golden sections: to a thousandth of a sample's step, about which a largest value is level."""
 
 

@@ -253,7 +253,7 @@ class Sizing(Shown):
         notes = [
             *estimated_dimensions(self.inputs),
             *(warning for part in parts for warning in part.warnings),
-            *map(Sentence, self.settled.result.warnings),
+            *map(Sentence, self.settled.warnings),
             *(Sentence(note, capital=True) for note in (self.sinker.notes if self.sinker else ())),
         ]
         if self.pattern is not None:

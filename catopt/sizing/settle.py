@@ -45,6 +45,15 @@ class Settled:
         """The whole answer of the design search for that case; computed when it is first asked."""
         return _whole(self.posed.case)
 
+    @cached_property
+    def warnings(self) -> tuple[str, ...]:
+        """What an engineer should know of the search, without the rest of its answer."""
+        problem, outcome = _enumerated(self.posed.case)
+        if outcome is None:
+            return self.result.warnings
+        unsolved = (Message("design.unsolved", count=outcome.unsolved),) if outcome.unsolved else ()
+        return (*problem.warnings, *unsolved)
+
     @property
     def index(self) -> int:
         """The recommended design on the front of `result`."""
@@ -150,7 +159,7 @@ def _best(case: Case, choice: LineChoice) -> DesignPoint:
     return design_point(problem, tuple(outcome.genes[best].tolist()))
 
 
-@lru_cache(maxsize=4)
+@lru_cache(maxsize=16)
 def _enumerated(case: Case) -> tuple[DesignProblem, Outcome | None]:
     """Enumerate the designs of a case, of which several preferences choose; None: too many."""
     problem = DesignProblem.of(case)
