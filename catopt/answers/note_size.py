@@ -222,11 +222,11 @@ def _sums(note: SizeNote) -> Table:
         *([given] if any(given.values) else []),
         measured(_FORCE, total, "note_size.loads_sum"),
     ]
-    if note.sizing.pattern is not None:
+    several = note.sizing.pattern is not None
+    if several or note.sizing.dynamic_factor != 1.0:
         forces = {state.name: state.horizontal_force for state in posed.case.load_cases}
-        columns.append(
-            cases.measured(_FORCE, lambda each: forces[each.load_case], "note_size.loads_line")
-        )
+        name = f"note_size.loads_{'line' if several else 'moving'}"
+        columns.append(cases.measured(_FORCE, lambda each: forces[each.load_case], name))
     caption = Message("note_size.loads_sums")
     return Table("size_sums", tuple(columns), caption, marked=total.index(max(total)))
 

@@ -78,6 +78,8 @@ def read_table(of: Sizing) -> blocks.Table:
 
 def motion_sentence(of: Sizing) -> Message:
     """Say what stands for motion, and where that is from."""
+    if of.dynamic_factor == 1.0:
+        return Message("sizing.no_motion", source=of.motion)
     return Message("sizing.motion", factor=of.dynamic_factor, source=of.motion)
 
 

@@ -18,8 +18,8 @@ from catopt.answers.blocks import (
     rounded,
 )
 from catopt.answers.check import verdict_sentence
+from catopt.catalogue.in_words import chain_words
 from catopt.constants import YEAR
-from catopt.sizing.result import chain_words
 from catopt.words import Measure, Message, Several, is_said, term
 
 if TYPE_CHECKING:

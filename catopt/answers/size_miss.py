@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING
 from catopt.answers.blocks import Answer, Brief, Text
 from catopt.answers.check import demand_and_capacity
 from catopt.catalogue.choice import chosen
+from catopt.catalogue.in_words import chain_words
 from catopt.model import CatalogueChoice
-from catopt.sizing.inputs import SINKER
-from catopt.sizing.result import chain_words
 from catopt.words import Message, Several
 
 if TYPE_CHECKING:
@@ -89,7 +88,7 @@ def _is_open(name: str, of: Known) -> bool:
         case "buoy":
             return of["buoy"] is not None
         case "anchor":
-            return of.moored == "tanker" and bool(of["anchor"] == SINKER)
+            return of.moored == "tanker" and of["sinker"] is not None
         case "lines":
             return of.moored == "tanker" and bool(of["lines"] == 1)
         case "soil":

@@ -41,11 +41,17 @@ def answered(
         return answers
     for name, each in inputs.items():
         is_known = {**given, **answers}
-        if each.asked and name not in is_known and not is_needless(each, is_known):
+        if each.asked and name not in is_known and not _is_idle(each, is_known):
             answers[name] = _answer(each, spell(name), _offered(each, is_known), language)
             if answers[name] in {_OWN, ""}:
                 del answers[name]
     return answers
+
+
+def _is_idle(each: Input, known: Mapping[str, object]) -> bool:
+    """Say whether an answer would count for nothing; several lines hold a ship in its place."""
+    has_lines = str(known.get("lines", 1)) != "1"
+    return is_needless(each, known) or (each.name == "max_swing" and has_lines)
 
 
 def _offered(each: Input, known: Mapping[str, object]) -> str:

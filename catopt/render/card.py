@@ -69,7 +69,7 @@ def card_lines(answer: Answer, language: Language = "en", further: str = "") -> 
 
 def folded(text: str) -> list[str]:
     """Fold a text to the width; words stay whole, and a number keeps its unit beside it."""
-    joined = re.sub(r"(?<=\d) (?=[^\W\d])", _NO_BREAK, text)
+    joined = re.sub(r"(?<=\d) (?=[^\W\d]{1,5}\b)", _NO_BREAK, text)
     lines = wrap(joined, WIDTH, break_long_words=False, break_on_hyphens=False)
     return [line.replace(_NO_BREAK, " ") for line in lines]
 

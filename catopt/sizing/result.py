@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from types import MappingProxyType
 from typing import Any, Final, Literal
 
 from catopt.catalogue.choice import chosen
+from catopt.catalogue.in_words import chain_words
 from catopt.catenary.solution import Solution
 from catopt.design.result import DesignPoint
 from catopt.loads.drag_anchor import DragAnchorSize
@@ -26,32 +26,6 @@ from catopt.words import Cited, Measure, Message, Sentence, Several, term
 
 SHOT: Final = UNITS[Dimension.LENGTH]["shot"]
 """m: a shot of chain."""
-
-
-def chain_words(component: str, diameter: float | None) -> str:
-    """Say a size of a component in the words of the field.
-
-    Examples
-    --------
-    >>> print(chain_words("chain studless R3", 0.073))
-    73 mm studless chain R3
-    """
-    size = 0.0 if diameter is None else round(1e3 * diameter, 6)
-    what, _, rest = component.partition(" ")
-    links, _, grade = rest.partition(" ")
-    if what != "chain" or not grade or links not in _LINKS:
-        return Message("sizing.of_size", component=component, size=size)
-    return Message("sizing.chain_of_size", links=Message(_LINKS[links]), grade=grade, size=size)
-
-
-_LINKS: Final = MappingProxyType(
-    {
-        "open-link": "sizing.open_link",
-        "studless": "sizing.studless",
-        "stud-link": "sizing.stud_link",
-    }
-)
-"""How the links of chains of the catalogue are called."""
 
 
 @dataclass(frozen=True)

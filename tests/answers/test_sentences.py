@@ -42,3 +42,5 @@ def test_what_stands_for_motion_is_said_with_where_it_is_from() -> None:
     assert said == "Allowance for motion 1.5 on the steady forces, in every check (given)."
     assert say(said, "vi").startswith("Hệ số động 1.5 ")
     assert say(said, "vi").endswith("(cho trước).")
+    none = motion_sentence(replace(of, dynamic_factor=1.0))
+    assert none == "No allowance for motion on the steady forces (given)."

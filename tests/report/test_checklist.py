@@ -38,7 +38,9 @@ def check(read: ReadPage) -> None:
     assert len(numbers) == 4
     assert all(row[1].value is not None for row in numbers)
     (verdict,) = read.styled("verdict", "summary")
-    assert re.search(r"Governing: |Quyết định: |governs|quyết định|Nothing was|Chưa kiểm tra", verdict.text)
+    assert re.search(
+        r"Governing: |Quyết định: |governs|quyết định|Nothing was|Chưa kiểm tra", verdict.text
+    )
     assert sum(each.tag == "figure" for each in on_first) == 1
     # What it does not cover.
     assert sum(each.tag == "li" and len(each.text) > 20 for each in on_first) >= 1
