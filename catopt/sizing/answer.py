@@ -124,7 +124,9 @@ def sizing_of(
         kind=kind,
         settled=settled,
         candidates=candidates(settled, lambda name, size: of_size(line.only(name, size), size)),
-        alternatives=alternatives(kind, line.looks_for, by, priced=request.is_priced and len(line.components) > 1),
+        alternatives=alternatives(
+            kind, line.looks_for, by, priced=request.is_priced and len(line.components) > 1
+        ),
         limits=limits(settled),
         swing=swing(settled),
         dynamic_factor=line.allowance,
