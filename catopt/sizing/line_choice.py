@@ -10,7 +10,7 @@ from typing import Final, Literal, cast, get_args
 from catopt.catalogue.choice import chosen
 from catopt.catalogue.figure import within
 from catopt.checks.profiles import Method, profiles_of
-from catopt.constants import YEAR
+from catopt.constants import SEA_WATER_DENSITY, YEAR
 from catopt.errors import InputError, Problem
 from catopt.model import CatalogueChoice, Checks, Line, Segment, SegmentChoice, Service
 from catopt.model.validity import Findings
@@ -149,6 +149,15 @@ class LineChoice:
     def looks_for(self) -> Prefer:
         """Which design of the front is recommended."""
         return self.prefer or cast("Prefer", self.method.prefer)
+
+    @property
+    def is_bounded(self) -> bool:
+        """Whether a larger size is sold than may be taken."""
+        if self.diameter_max is None:
+            return False
+        catalogue = chosen(self.catalogue, SEA_WATER_DENSITY)
+        there = (each for name in self.components for each in catalogue.sold(name))
+        return any(each.nominal_diameter > self.diameter_max for each in there)
 
     @property
     def objectives(self) -> tuple[str, str]:

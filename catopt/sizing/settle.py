@@ -29,6 +29,10 @@ _ADVICE: Final = ("buoyancy", "tension", "uplift_angle", "sliding", "grounded_le
 """Checks against which something helps when no design passes them."""
 
 
+_BY_SIZE: Final = frozenset({"tension", "uplift_angle", "grounded_length", "span"})
+"""Those against which a larger size helps, where one is sold that was not tried."""
+
+
 @dataclass(frozen=True)
 class Settled:
     """A line and the loads that it was sized for."""
@@ -89,7 +93,7 @@ def settle(
         try:
             point = _best(posed.case, choice)
         except NoFeasibleDesignError as error:
-            raise _advised(error) from error
+            raise _advised(error, choice) from error
         return Settled(posed, point, assumed, needed(posed, point), rounds, choice)
 
     assumed = start or Assumed()
@@ -185,10 +189,12 @@ def _whole(case: Case) -> DesignResult:
     return result
 
 
-def _advised(error: NoFeasibleDesignError) -> NoFeasibleDesignError:
+def _advised(error: NoFeasibleDesignError, choice: LineChoice) -> NoFeasibleDesignError:
     """Add what would help against the checks that fail."""
     kinds = [each.kind for each in error.near_miss.failing] if error.near_miss else []
     advice = [Message(f"sizing.helps_{kind}") for kind in dict.fromkeys(kinds) if kind in _ADVICE]
+    if not _BY_SIZE.isdisjoint(kinds) and choice.is_bounded:
+        advice.append(Message("sizing.larger_size"))
     if not advice:
         return error
     helps = Message("sizing.may_help", advice=Several(advice))
