@@ -39,6 +39,12 @@ def read_standard() -> Catalogue:
     return Catalogue(tuple(families))
 
 
+def own_sources() -> dict[str, Source]:
+    """Read the documents that catopt's own data files name, by key."""
+    text = files("catopt.catalogue").joinpath("data", _OWN[0]).read_text(encoding="utf-8")
+    return _parse(text, f"catopt's {_OWN[0]}", {})[1]
+
+
 def read_families(
     path: str | os.PathLike[str], known: Mapping[str, Source] | None = None
 ) -> Catalogue:
