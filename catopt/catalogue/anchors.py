@@ -93,5 +93,3 @@ def _holding(table: Table, sources: dict[str, Source]) -> Holding:
         exponent=table.number("exponent", above=0.0) or 0.0,
         **cited(table, sources),
     )
-
-

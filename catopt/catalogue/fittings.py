@@ -19,9 +19,7 @@ _ROUNDING = 1e-9
 
 SCHEMA: Final = "catopt.fittings/1"
 
-_COLUMNS: Final = MappingProxyType(
-    {"mass_kg": 1.0, "WLL_t": 1e3, "proof_kN": 1e3, "MBL_kN": 1e3}
-)
+_COLUMNS: Final = MappingProxyType({"mass_kg": 1.0, "WLL_t": 1e3, "proof_kN": 1e3, "MBL_kN": 1e3})
 """What a row may have beside its size, and its unit in SI."""
 
 _BY_PIN: Final = frozenset({"bow shackle"})
@@ -122,9 +120,7 @@ def fittings_for(component: str, diameter: float, MBL: float) -> FittingSet:
         missing[use] = Message(
             "catalogue.no_fitting", strongest=Measure("MBL", strongest), **values
         )
-    return FittingSet(
-        component, diameter, MBL, MappingProxyType(found), MappingProxyType(missing)
-    )
+    return FittingSet(component, diameter, MBL, MappingProxyType(found), MappingProxyType(missing))
 
 
 def _sizes(table: Table, sources: dict[str, Source]) -> list[Fitting]:

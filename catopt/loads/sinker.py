@@ -42,7 +42,7 @@ _Range: TypeAlias = tuple[float, float]
 
 @dataclass(frozen=True)
 class SoilFriction:
-    """Friction tan(delta) of a sinker on a soil: of each surface a range, of which the lower counts."""
+    """Friction tan(delta) of a sinker on a soil: of each surface a range; the lower counts."""
 
     soil: str
     formed: _Range
