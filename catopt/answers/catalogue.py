@@ -420,9 +420,9 @@ def _documents(found: Found) -> Iterator[blocks.Text]:
     if found.question == "search":
         return
     if found.question not in ("list", "show"):
-        said = tuple(_document_of(each) for each in _of_parts(found))
-        if said:
-            yield blocks.Text(Several(said, "\n"), Message("columns.sources"), "people")
+        named = tuple(_document_of(each) for each in _of_parts(found))
+        if named:
+            yield blocks.Text(Several(named, "\n"), Message("columns.sources"), "people")
     if found.question == "show":
         said = (_document_of(each) for each in _cited(found))
         yield blocks.Text(Several(said, "\n"), Message("columns.sources"), "people")

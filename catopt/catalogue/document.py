@@ -48,7 +48,7 @@ class Answer:
             "anchors": [_anchor(each) for each in self.anchors],
             "fittings": [_fitting(each, use) for each, use in self.used_fittings()],
             "missing_fittings": [str(each) for each in self.missing],
-            "sinkers": [figures(each, _SINKER) for each in self.sinkers],
+            "sinkers": [_sinker(each) for each in self.sinkers],
         }
         return {
             "schema": "catopt.catalog/1",
@@ -65,10 +65,12 @@ class Answer:
         return list(zip(self.fittings, uses, strict=True))
 
 
-_SINKER = (
-    "material soil mass_kg submerged_weight_N friction adhesion_Pa holding_N safety_factor pull_N "
-    "source confidence"
-)
+def _sinker(of: Any) -> dict[str, Any]:
+    return {
+        **figures(of, "material soil mass_kg submerged_weight_N friction"),
+        "adhesion_Pa": of.adhesion,
+        **figures(of, "holding_N safety_factor pull_N source confidence"),
+    }
 
 
 def _anchor(of: Any) -> dict[str, Any]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Final
+from typing import Final, TypeAlias
 
 from catopt.catalogue.anchors import AnchorType, anchor_types
 from catopt.catalogue.collection import Catalogue
@@ -63,6 +63,10 @@ SOILS: Final[Mapping[str, str]] = {
 
 MOST_ROWS: Final = 60
 """Rows of an answer; whoever names less than that allows is asked for a size or a grade."""
+
+
+_Asked: TypeAlias = tuple[Family, tuple[str | None, ...]]
+"""A family with the grades that were asked for."""
 
 
 @dataclass(frozen=True)
@@ -145,11 +149,9 @@ def _words(name: str, title: str, also: Iterable[str]) -> frozenset[str]:
     return frozenset(word for each in (name, *also, *titles) for word in words_of(each))
 
 
-def _matching(
-    query: Query, families: Iterable[Family]
-) -> list[tuple[Family, tuple[str | None, ...]]]:
+def _matching(query: Query, families: Iterable[Family]) -> list[_Asked]:
     """Find families that have every word, with the grades that were asked for."""
-    found = []
+    found: list[_Asked] = []
     for family in families:
         known = _words(family.name, family.title, family.also)
         by_plain = {each.casefold(): each for each in family.grades}
@@ -203,7 +205,7 @@ _HALF_A_MM = 0.5e-3
 def _problem(
     text: str,
     query: Query,
-    families: list[tuple[Family, tuple[str | None, ...]]],
+    families: list[_Asked],
     catalogue: Catalogue,
 ) -> Problem:
     """Say why nothing was found, with the nearest."""
@@ -211,12 +213,9 @@ def _problem(
         known = "; ".join(f"{family.name} {family.known_range}" for family, _ in families)
         allowed = Message("catalogue.not_this_size", known=known)
         return Problem("size", in_mm(query.size), allowed)
-    every = {
-        word
-        for each in (*catalogue.families, *anchor_types())
-        for word in _words(each.name, each.title, each.also)
-    }
-    every |= {word for each in fittings() for word in _words(each.name, each.title, each.also)}
+    things: tuple[Family | AnchorType | Fitting, ...]
+    things = (*catalogue.families, *anchor_types(), *fittings())
+    every = {word for each in things for word in _words(each.name, each.title, each.also)}
     odd = [word for word in query.words if word not in every]
     near = [(word, nearest(word, every)) for word in odd]
     hints = ", ".join(f'"{good}" for "{word}"' for word, good in near if good)

@@ -182,7 +182,7 @@ def sinker(
     with _by_option({"material": "--material"}):
         held = sinkers_held(
             values["MASS"], material, base_area=values.get("--base-area"), **density
-        )  # type: ignore[arg-type]
+        )
     named = "soft clay" if soil is not None and soil.casefold() in {"mud", "soft mud"} else soil
     own = [
         each for each in held if named is None or named in each.soil.split() or named == each.soil

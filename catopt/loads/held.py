@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from typing import cast
 
 from catopt.catalogue.anchors import AnchorType, anchor_types
 from catopt.catalogue.figure import Confidence, Source
@@ -136,7 +137,7 @@ def _held(kind: AnchorType, soil: str, mass: float, *, allow_recalled: bool) -> 
 
 def sinkers_held(
     mass: float,
-    material: Material = "concrete",
+    material: str = "concrete",
     *,
     base_area: float | None = None,
     water_density: float = SEA_WATER_DENSITY,
@@ -148,17 +149,18 @@ def sinkers_held(
     if material not in DENSITIES:
         listed = f"one of {', '.join(DENSITIES)}"
         raise InputError([Problem("material", as_written(material), listed)], "sinker")
+    material = cast("Material", material)
     weight = submerged_weight(mass, DENSITIES[material], water_density)
     rows = []
     for soil, row in SOIL_FRICTION.items():
         of = row.of(material)
         if of is not None:
             mu, source = of
-            held = (mu, None, mu * weight, source.text, source.confidence)
-            rows.append(SinkerHeld(material, soil, mass, weight, *held))
+            origin = source.text, source.confidence
+            rows.append(SinkerHeld(material, soil, mass, weight, mu, None, mu * weight, *origin))
     for soil in ADHESION:
         adhesion, source = adhesion_holding(soil, 1.0, material)
         total = None if base_area is None else adhesion_holding(soil, base_area, material)[0]
-        held = (None, adhesion, total, source.text, source.confidence)
-        rows.append(SinkerHeld(material, soil, mass, weight, *held))
+        origin = source.text, source.confidence
+        rows.append(SinkerHeld(material, soil, mass, weight, None, adhesion, total, *origin))
     return tuple(rows)

@@ -8,7 +8,7 @@ above it for Moorfast and Stevin in sand. Each holds for the masses that are sol
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Final, Literal
+from typing import Final, Literal, cast
 
 from catopt.catalogue.anchors import AnchorType, Holding, anchor_types
 from catopt.loads.source import DTOCEAN, MOORPY, UFC, LoadSource
@@ -59,7 +59,7 @@ _SOURCES: Final = {
 
 def _curve(of: AnchorType, holding: Holding) -> HoldingCurve:
     source = LoadSource(*_SOURCES[holding.data], holding.confidence)
-    soil, data = SOILS[SOILS.index(holding.soil)], DATA_SETS[DATA_SETS.index(holding.data)]
+    soil, data = cast("Soil", holding.soil), cast("DataSet", holding.data)
     figures = (holding.capacity, holding.of_mass, holding.exponent)
     return HoldingCurve(of.name, soil, data, *figures, source, of.range)
 
