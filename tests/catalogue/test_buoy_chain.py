@@ -53,6 +53,7 @@ def test_the_row_of_20_mm_is_left_out(grade: str, printed: float, trend: float) 
     column = 5 + GRADES.index(grade)
     halfway = (below[column] / 18.0**2 + above[column] / 22.0**2) / 2.0 * 20.0**2
     proof = of("4D", 20, grade).proof_load
+    assert proof is not None
     assert proof == pytest.approx(halfway * TF, rel=1e-12)
     assert trend * TF < proof < 0.97 * printed * TF
 

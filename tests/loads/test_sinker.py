@@ -204,7 +204,10 @@ def test_what_is_assumed_is_said() -> None:
         ({}, "one of soil and friction is wanted"),
         ({"soil": "hard clay", "friction": 0.4}, "found both"),
         ({"friction": 0.4, "density": 900.0}, "it floats"),
-        ({"friction": 0.4, "material": "lead"}, "one of concrete, concrete cast in place, steel, cast iron"),
+        (
+            {"friction": 0.4, "material": "lead"},
+            "one of concrete, concrete cast in place, steel, cast iron",
+        ),
         ({"friction": 0.0}, "friction"),
         ({"friction": 0.4, "safety_factor": 0.5}, "safety_factor"),
     ],
