@@ -73,7 +73,7 @@ def test_the_default_is_the_lowest_of_all_sets(anchor: str, soil: str) -> None:
 
 
 def test_what_the_other_set_has_is_told() -> None:
-    """With fixed flukes in sand at 4536 kg: 70 kips = 311.4 kN, DTOcean 11.1 x 4.536^0.8 tf = 364.9.
+    """Flukes fixed, in sand, 4536 kg: 70 kips = 311.4 kN, DTOcean 11.1 x 4.536^0.8 tf = 364.9.
 
     A ship's own anchor, whose flukes move, has 44 kips = 195.7 kN by the recalled table.
     """
@@ -166,7 +166,7 @@ def test_what_has_no_figures(anchor: str, soil: str, data: str, words: str) -> N
     ("mass", "nearest"), [(10.0, 1500.0), (200.0, 1500.0), (1499.0, 1500.0), (65001.0, 65000.0)]
 )
 def test_beyond_what_is_sold_nothing_is_said(mass: float, nearest: float) -> None:
-    said = f"sold from 1500 to 65000 kg, and no source says anything beyond; the nearest is {nearest:g}"
+    said = f"sold from 1500 to 65000 kg, and .* beyond; the nearest is {nearest:g} kg"
     with pytest.raises(InputError, match=said):
         holding_capacity("Stevpris Mk5", "sand", mass)
     with pytest.raises(InputError, match="series: found"):
