@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from catopt.answers import blocks
 from catopt.answers.blocks import Rows, if_known, tabulate
-from catopt.words import Message, term
+from catopt.words import Cited, Message, term
 
 if TYPE_CHECKING:
     from catopt.catalogue.document import Answer as Found
@@ -53,7 +53,7 @@ def _anchors(found: Found) -> Iterator[blocks.Block]:
     of = Rows(found.anchors)
     yield tabulate(
         "anchors",
-        of.texts("anchor"),
+        of.texts("anchor", lambda each: Cited(each.anchor)),
         of.texts("soil", lambda each: term(each.soil)),
         of.measured(replace(blocks.named("mass", "m"), notation="shortest", digits=6), "mass"),
         of.measured("tension", "holding", "ultimate_holding", symbol=""),
@@ -100,7 +100,7 @@ def _sinkers(found: Found) -> Iterator[blocks.Block]:
     yield tabulate(
         "sinkers",
         of.texts("soil", lambda each: term(each.soil)),
-        of.texts("friction", lambda each: "-" if each.friction is None else f"{each.friction:g}"),
+        of.texts("friction", lambda each: _number(each.friction)),
         *if_known(of.measured("tension", "holding", "ultimate_holding", symbol="")),
         *if_known(of.measured("tension", "pull", "pull_by_factor", symbol="")),
         of.texts("adhesion", lambda each: _kilopascals(each.adhesion)),
@@ -116,8 +116,12 @@ def _sinkers(found: Found) -> Iterator[blocks.Block]:
     )
 
 
-def _kilopascals(pressure: float | None) -> str:
-    return "-" if pressure is None else f"{pressure / 1e3:g} kPa"
+def _number(value: float | None) -> Cited:
+    return Cited("-" if value is None else f"{value:g}")
+
+
+def _kilopascals(pressure: float | None) -> Cited:
+    return Cited("-" if pressure is None else f"{pressure / 1e3:g} kPa")
 
 
 def _keys(sources: tuple[object, ...]) -> str:
