@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from catopt.answers import blocks
 from catopt.answers.blocks import Rows, answered, if_known, measured, section, tabulate
+from catopt.answers.catalogue_parts import parts_of
 from catopt.catalogue.figure import SPECS, weakest
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.words import Measure, Message, Several, quantity_name, term
@@ -50,6 +51,9 @@ def catalogue_answer(found: Found, *, in_full: bool = False) -> blocks.Answer:
         seen = (_list(found.families), _said("catalogue.of_list"))
     elif found.question == "search":
         seen = _search(found)
+    elif found.question != "show":
+        title = Message(f"catalogue.title_{found.question}")
+        seen = parts_of(found)
     elif in_full:
         (family,), (component,) = found.families, found.components
         title = Message("catalogue.titled", title=family.title, name=component.name)
@@ -415,13 +419,24 @@ def _documents(found: Found) -> Iterator[blocks.Text]:
     """Name the documents, with the places to find them, and say what confidence means."""
     if found.question == "search":
         return
+    if found.question not in ("list", "show"):
+        named = tuple(_document_of(each) for each in _of_parts(found))
+        if named:
+            yield blocks.Text(Several(named, "\n"), Message("columns.sources"), "people")
     if found.question == "show":
-        said = (
-            Message("catalogue.source", key=each.key, title=each.title, place=each.place)
-            for each in _cited(found)
-        )
+        said = (_document_of(each) for each in _cited(found))
         yield blocks.Text(Several(said, "\n"), Message("columns.sources"), "people")
     yield _said("answers.confidence")
+
+
+def _document_of(source: Source) -> Message:
+    return Message("catalogue.source", key=source.key, title=source.title, place=source.place)
+
+
+def _of_parts(found: Found) -> Sequence[Source]:
+    """List the documents of anchors and fittings; those of components are a command away."""
+    used = {s for e in (*found.anchors, *found.fittings) for s in e.sources}
+    return [each for each in found.sources if each in used]
 
 
 def _cited(found: Found) -> Sequence[Source]:

@@ -122,6 +122,18 @@ class Component:
         return self.MBL * self.wet_strength_factor
 
     @property
+    def EA_bounds(self) -> tuple[float, float] | None:
+        """Least and greatest EA that any source read has for it, N; None where EA is not known.
+
+        The least is on the safe side for an offset, the greatest for a tension.
+        """
+        if self.EA is None:
+            return None
+        read = (a for a in self.alternatives if a.quantity == "EA" and not a.provenance.is_recalled)
+        values = [self.EA, *(each.value for each in read if each.value is not None)]
+        return min(values), max(values)
+
+    @property
     def drag_diameter(self) -> float | None:
         """Diameter that the normal drag coefficient is referred to, m."""
         return None if self.drag_normal is None else self.drag_normal.diameter

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
 from catopt.catalogue.components import Alternative, Component, Hydrodynamic, Provenance
 from catopt.catalogue.family import Family
 from catopt.catalogue.figure import SPECS, Figure, Source
+from catopt.catalogue.fittings import Fitting
 from catopt.documents import figures
 
 
@@ -15,10 +17,19 @@ from catopt.documents import figures
 class Answer:
     """Families and components that a question gave."""
 
-    question: Literal["list", "show", "search"]
+    question: Literal["list", "show", "search", "find", "anchor", "fittings", "sinker"]
     families: tuple[Family, ...]
     """Families that were listed, or that the components are of."""
     components: tuple[Component, ...] = ()
+    anchors: Sequence[Any] = ()
+    """What drag anchors hold, `catopt.loads.held.AnchorHeld`."""
+    fittings: tuple[Fitting, ...] = ()
+    uses: tuple[str, ...] = ()
+    """What the fittings are for, beside each; empty where they were looked up by name."""
+    missing: Sequence[str] = ()
+    """Why what was asked for has no fitting."""
+    sinkers: Sequence[Any] = ()
+    """What sinkers hold, `catopt.loads.held.SinkerHeld`."""
 
     @property
     def sources(self) -> tuple[Source, ...]:
@@ -27,18 +38,61 @@ class Answer:
             *(s for family in self.families for s in family.sizes.sources),
             *(s for family in self.families for f in family.figures for s in f.sources),
             *(s for c in self.components for p in c.provenance.values() for s in p.sources),
+            *(s for each in (*self.anchors, *self.fittings) for s in each.sources),
         ]
         return tuple(sorted(set(cited), key=lambda source: source.key))
 
     def to_dict(self) -> dict[str, Any]:
         """Make the document ``catopt.catalog/1``."""
+        parts = {
+            "anchors": [_anchor(each) for each in self.anchors],
+            "fittings": [_fitting(each, use) for each, use in self.used_fittings()],
+            "missing_fittings": [str(each) for each in self.missing],
+            "sinkers": [_sinker(each) for each in self.sinkers],
+        }
         return {
             "schema": "catopt.catalog/1",
             "question": self.question,
             "families": [_family(family) for family in self.families],
             "components": [_component(component) for component in self.components],
+            **{name: each for name, each in parts.items() if each},
             "sources": [figures(source, "key title place") for source in self.sources],
         }
+
+    def used_fittings(self) -> list[tuple[Fitting, str]]:
+        """List each fitting with what it is for."""
+        uses = self.uses or ("",) * len(self.fittings)
+        return list(zip(self.fittings, uses, strict=True))
+
+
+def _sinker(of: Any) -> dict[str, Any]:
+    return {
+        **figures(of, "material soil mass_kg submerged_weight_N friction"),
+        "adhesion_Pa": of.adhesion,
+        **figures(of, "holding_N safety_factor pull_N source confidence"),
+    }
+
+
+def _anchor(of: Any) -> dict[str, Any]:
+    return {
+        **figures(of, "anchor soil mass_kg holding_N data"),
+        "others": [{"data": data, "holding_N": held} for data, held in of.others],
+        **figures(of, "safety_factor pull_N price_USD"),
+        "sold_kg": list(of.sold),
+        **figures(of, "confidence"),
+        "sources": _keys(of.sources),
+        **figures(of, "place note"),
+    }
+
+
+def _fitting(of: Fitting, use: str) -> dict[str, Any]:
+    return {
+        "use": use,
+        **figures(of, "name kind title size_m MBL_N proof_load_N mass_kg WLL_kg price_USD"),
+        **figures(of, "confidence"),
+        "sources": _keys(of.sources),
+        **figures(of, "place note"),
+    }
 
 
 def _family(family: Family) -> dict[str, Any]:

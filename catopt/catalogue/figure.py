@@ -69,6 +69,8 @@ class Source:
     key: str
     title: str
     place: str
+    origin: str = ""
+    """What it was copied from; sources of one origin count once for confidence B."""
 
 
 @dataclass(frozen=True)
@@ -94,6 +96,15 @@ class Figure:
     """Why it is the default, where there are several."""
     note: str = ""
     """What else to know."""
+    checked: str = ""
+    """How a figure of one origin was checked by numbers, which makes it one of confidence B."""
+    exceeds: str = ""
+    """Why a default of strength may be above another source that was read; empty: it is not."""
+
+    @property
+    def origins(self) -> frozenset[str]:
+        """What its sources go back to: copies of one document count once."""
+        return frozenset(source.origin or source.key for source in self.sources)
 
     @property
     def text(self) -> str:

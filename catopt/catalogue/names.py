@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
 from typing import NamedTuple
@@ -83,5 +84,30 @@ def _plain(name: str) -> tuple[str, ...]:
     return tuple(sorted(_letters(name).split()))
 
 
+_SIZE = re.compile(r'(?<![\w.])((?:dn\s*)?\d+(?:[.,]\d+)?\s*(?:mm|cm|m|in|")|dn\s*\d+)(?!\w)', re.I)
+
+
+def split_size(name: str) -> tuple[str, str | None]:
+    """Take the size out of a name: ``"polyester 160mm"`` is ``("polyester", "160mm")``.
+
+    A number is a size with its unit or with DN, or where it stands alone.
+    """
+    alone = re.fullmatch(r"\s*\d+(?:[.,]\d+)?\s*", name)
+    if alone:
+        return "", name.strip()
+    found = _SIZE.search(name)
+    if found is None:
+        return name, None
+    return (name[: found.start()] + name[found.end() :]).strip(), found[1]
+
+
+def words_of(name: str) -> tuple[str, ...]:
+    """List the words of a name as they are compared: small, without accents."""
+    return tuple(re.findall(r"[\w./\"]+", _letters(name)))
+
+
 def _letters(name: str) -> str:
-    return re.sub(r"[\s_-]+", " ", name.casefold()).strip()
+    """Bring letters to their plain form; Vietnamese loses its accents, as many type it."""
+    apart = unicodedata.normalize("NFD", name.casefold().replace("đ", "d"))
+    plain = "".join(each for each in apart if not unicodedata.combining(each))
+    return re.sub(r"[\s_-]+", " ", plain).strip()

@@ -39,6 +39,12 @@ def read_standard() -> Catalogue:
     return Catalogue(tuple(families))
 
 
+def own_sources() -> dict[str, Source]:
+    """Read the documents that catopt's own data files name, by key."""
+    text = files("catopt.catalogue").joinpath("data", _OWN[0]).read_text(encoding="utf-8")
+    return _parse(text, f"catopt's {_OWN[0]}", {})[1]
+
+
 def read_families(
     path: str | os.PathLike[str], known: Mapping[str, Source] | None = None
 ) -> Catalogue:
@@ -93,8 +99,9 @@ def _with_figures(draft: Family, figures: Iterable[Figure]) -> Family:
 def _sources(document: Table) -> dict[str, Source]:
     found = {}
     for key, table in document.named("sources"):
-        table.only("title", "place")
-        found[key] = Source(key, table.cited("title") or "", table.cited("place") or "")
+        table.only("title", "place", "origin")
+        origin = table.text("origin", required=False) or ""
+        found[key] = Source(key, table.cited("title") or "", table.cited("place") or "", origin)
     return found
 
 
@@ -146,7 +153,7 @@ def _figure(
 ) -> Figure | None:
     table.only(
         "family", "grade", "quantity", "variant", "default", "reason", "formula", "range_mm",
-        "source", "place", "confidence", "note",
+        "source", "place", "confidence", "note", "checked", "exceeds",
     )  # fmt: skip
     quantity = table.word("quantity", tuple(SPECS))
     families = [drafts[n] for n in table.texts("family", required=True) if _knows(table, drafts, n)]
@@ -171,6 +178,8 @@ def _figure(
         default=True if default is None else default,
         reason=table.said("reason", required=False) or "",
         note=table.said("note", required=False) or "",
+        checked=table.text("checked", required=False) or "",
+        exceeds=table.said("exceeds", required=False) or "",
     )
 
 

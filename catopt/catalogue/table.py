@@ -142,16 +142,20 @@ class Table:
             return None
         return span[0] / _MM, span[1] / _MM
 
-    def rising_mm(self, key: str) -> tuple[float, ...]:
-        """Read an array of rising diameters in mm; returned in m."""
+    def rising(self, key: str, what: str = "numbers") -> tuple[float, ...]:
+        """Read an array of rising numbers above 0."""
         value = self.values.get(key)
         if not isinstance(value, list) or not value:
-            self.problem(key, "an array of diameters in mm is wanted")
+            self.problem(key, f"an array of {what} is wanted")
             return ()
         read = self.numbers(key, len(value)) or ()
         if any(not low < high for low, high in zip((0.0, *read), read, strict=False)):
             self.problem(key, "must rise, and be above 0")
-        return tuple(each / _MM for each in read)
+        return read
+
+    def rising_mm(self, key: str) -> tuple[float, ...]:
+        """Read an array of rising diameters in mm; returned in m."""
+        return tuple(each / _MM for each in self.rising(key, "diameters in mm"))
 
     def rows(self, key: str) -> list[tuple[float, float]]:
         """Read an array of at least two pairs of positive numbers, the first of each rising."""

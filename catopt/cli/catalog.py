@@ -14,7 +14,7 @@ from catopt.cli.completion import completed
 from catopt.cli.help_words import WithWords, group
 from catopt.cli.options import ForceOption, LengthOption, TablesOutOption
 from catopt.cli.values import by_option, given_ones, in_si, refuse
-from catopt.errors import NoAnswerError, Problem
+from catopt.errors import InputError, NoAnswerError, Problem
 from catopt.units import Dimension, as_written
 
 if TYPE_CHECKING:
@@ -28,6 +28,9 @@ RecalledOption = Annotated[bool, typer.Option("--recalled")]
 WaterOption = Annotated[str | None, typer.Option("--water-density", metavar="DENSITY")]
 _FAMILY = typer.Argument(metavar="FAMILY", autocompletion=completed("family"))
 _GRADE = typer.Argument(metavar="GRADE", autocompletion=completed("grade"))
+_ANCHOR = typer.Argument(metavar="ANCHOR", autocompletion=completed("anchor"))
+MassOption = Annotated[str | None, typer.Option(metavar="MASS")]
+SoilOption = Annotated[str | None, typer.Option(metavar="SOIL")]
 
 
 @catalog.command("list", cls=WithWords)
@@ -43,6 +46,7 @@ def show(
     asked: Asked,
     family: Annotated[str, _FAMILY],
     grade: Annotated[str | None, _GRADE] = None,
+    size: Annotated[str | None, typer.Argument(metavar="SIZE")] = None,
     diameter: LengthOption = None,
     variant: VariantOption = None,
     recalled: RecalledOption = False,
@@ -50,25 +54,143 @@ def show(
     families: FamiliesOption = None,
 ) -> None:
     """Show a component in full, or a family over its sizes."""
+    known = _catalogue(families)
+    family, grade, size = _sized(known, family, grade, size)
+    if size is not None and diameter is not None:
+        refuse([Problem("--diameter", as_written(diameter), "the size is named already; leave it")])
+    diameter = diameter if size is None else size
     values = in_si(
         {
             "--diameter": (diameter, Dimension.LENGTH),
             "--water-density": (water_density, Dimension.DENSITY),
         }
     )
-    known = _catalogue(families)
     settings = _settings(variant, recalled, values)
-    size = values.get("--diameter")
+    nominal = values.get("--diameter")
     components: tuple[Component, ...]
     with _by_option({"component": "FAMILY", "grade": "GRADE"}):
         parsed = known.parse_name(family)
         found = known.family(family)
         settings["grade"] = grade if grade is not None else parsed.grade
-        if size is not None:
-            components = (known.component(found.name, size, **settings),)
+        if nominal is not None:
+            components = (known.component(found.name, nominal, **settings),)
         else:
             components = known.sold(found.name, **settings)
-    _give(asked, "show", (found,), components, in_full=size is not None)
+    _give(asked, "show", (found,), components, in_full=nominal is not None)
+
+
+@catalog.command(cls=WithWords)
+@answering(TablesOutOption)
+def find(
+    asked: Asked,
+    words: Annotated[list[str], typer.Argument(metavar="WORDS")],
+    families: FamiliesOption = None,
+) -> None:
+    """Find components, anchors and fittings by what they are called."""
+    from catopt.catalogue.finding import find as find_all
+    from catopt.loads.held import anchors_held
+
+    known = _catalogue(families)
+    with _by_option({"component": "WORDS", "size": "WORDS"}):
+        found = find_all(" ".join(words), known)
+        query = found.query
+        fitting = [
+            kind
+            for kind in found.anchors
+            if query.mass is None or kind.range[0] <= query.mass <= kind.range[1]
+        ]
+        held = anchors_held(fitting or found.anchors, query.soil, query.mass, allow_recalled=True)
+    of = {component.family for component in found.components}
+    theirs = tuple(each for each in known.families if each.name in of)
+    _give(
+        asked, "find", theirs, found.components, anchors=held, fittings=found.fittings
+    )  # fmt: skip
+
+
+@catalog.command(cls=WithWords)
+@answering(TablesOutOption)
+def anchor(
+    asked: Asked,
+    name: Annotated[str, _ANCHOR],
+    mass: MassOption = None,
+    soil: SoilOption = None,
+    recalled: RecalledOption = False,
+) -> None:
+    """Show what a drag anchor holds."""
+    from catopt.catalogue.finding import SOILS
+    from catopt.loads.held import anchors_held, named_anchors
+
+    values = in_si({"--mass": (mass, Dimension.MASS)})
+    with _by_option({"anchor": "ANCHOR", "mass": "--mass", "soil": "--soil"}):
+        of = SOILS.get(soil.casefold(), soil) if soil is not None else None
+        held = anchors_held(named_anchors(name), of, values.get("--mass"), allow_recalled=recalled)
+    _give(asked, "anchor", (), anchors=held)
+
+
+@catalog.command(cls=WithWords)
+@answering(TablesOutOption)
+def fittings(
+    asked: Asked,
+    family: Annotated[str, _FAMILY],
+    grade: Annotated[str | None, _GRADE] = None,
+    size: Annotated[str | None, typer.Argument(metavar="SIZE")] = None,
+    families: FamiliesOption = None,
+) -> None:
+    """Find the shackle, the swivel and the sinker ring that go with a chain."""
+    from catopt.catalogue.fittings import fittings_for
+
+    known = _catalogue(families)
+    family, grade, size = _sized(known, family, grade, size)
+    if size is None:
+        refuse([Problem("SIZE", "", 'missing; the nominal diameter is wanted, such as "38 mm"')])
+    nominal = in_si({"SIZE": (size, Dimension.LENGTH)})["SIZE"]
+    with _by_option({"component": "FAMILY", "grade": "GRADE", "diameter": "SIZE"}):
+        parsed = known.parse_name(family)
+        own = grade if grade is not None else parsed.grade
+        chain = known.component(parsed.family, nominal, grade=own)
+        chain.need("MBL")
+        assert chain.MBL is not None
+        found = fittings_for(chain.name, nominal, chain.MBL)
+    theirs = (known.family(chain.family),)
+    _give(
+        asked, "fittings", theirs, (chain,), fittings=tuple(found.found.values()),
+        uses=tuple(found.found), missing=tuple(found.missing.values()),
+    )  # fmt: skip
+
+
+@catalog.command(cls=WithWords)
+@answering(TablesOutOption)
+def sinker(
+    asked: Asked,
+    mass: Annotated[str, typer.Argument(metavar="MASS")],
+    material: Annotated[str, typer.Option(metavar="MATERIAL")] = "concrete",
+    soil: SoilOption = None,
+    base_area: Annotated[str | None, typer.Option(metavar="AREA")] = None,
+    water_density: WaterOption = None,
+) -> None:
+    """Show what a sinker holds on each soil."""
+    from catopt.loads.held import sinkers_held
+
+    values = in_si(
+        {
+            "MASS": (mass, Dimension.MASS),
+            "--base-area": (base_area, Dimension.AREA),
+            "--water-density": (water_density, Dimension.DENSITY),
+        }
+    )
+    density = given_ones(water_density=values.get("--water-density"))
+    with _by_option({"material": "--material"}):
+        held = sinkers_held(
+            values["MASS"], material, base_area=values.get("--base-area"), **density
+        )
+    named = "soft clay" if soil is not None and soil.casefold() in {"mud", "soft mud"} else soil
+    own = [
+        each for each in held if named is None or named in each.soil.split() or named == each.soil
+    ]
+    if not own:
+        listed = ", ".join(each.soil for each in held)
+        refuse([Problem("--soil", as_written(soil), f"one of {listed}, mud")])
+    _give(asked, "sinker", (), sinkers=tuple(own))
 
 
 @catalog.command(cls=WithWords)
@@ -132,6 +254,39 @@ def _catalogue(families: Path | None) -> Catalogue:
     return catalogue.standard().with_families(catalogue.read_families(families))
 
 
+def _sized(
+    known: Catalogue, family: str, grade: str | None, size: str | None
+) -> tuple[str, str | None, str | None]:
+    """Tell family, grade and size apart, wherever the size was named; a bare number is in mm."""
+    from catopt.catalogue.names import split_size
+
+    name, own = split_size(family)
+    given = [each for each in (own, size) if each is not None]
+    if grade is not None:
+        grades = known.family(name).grades if _is_known(known, name) else ()
+        is_size = grade.casefold() not in {each.casefold() for each in grades}
+        if is_size and split_size(grade)[1] is not None:
+            given.append(grade)
+            grade = None
+    if len(given) > 1:
+        refuse([Problem("SIZE", as_written(given[1]), f"the size is {given[0]} already")])
+    return (name if own is not None else family), grade, _in_mm(given[0]) if given else None
+
+
+def _is_known(known: Catalogue, name: str) -> bool:
+    try:
+        known.parse_name(name)
+    except InputError:
+        return False
+    return True
+
+
+def _in_mm(size: str) -> str:
+    """Give a size its unit: makers write mm, with DN before it."""
+    bare = size.casefold().removeprefix("dn").strip()
+    return f"{bare} mm" if bare.replace(".", "", 1).isdigit() else bare
+
+
 def _settings(
     variants: Sequence[str] | None, recalled: bool, values: dict[str, float]
 ) -> dict[str, Any]:
@@ -190,10 +345,10 @@ def _by_option(names: dict[str, str]) -> AbstractContextManager[None]:
     return by_option(named, source="")
 
 
-def _give(asked: Asked, *parts: Any, in_full: bool = False) -> None:
+def _give(asked: Asked, *parts: Any, in_full: bool = False, **further: Any) -> None:
     from catopt.answers.catalogue import catalogue_answer
     from catopt.catalogue.document import Answer
 
     asked.check_place()
-    answer = Answer(*parts)
+    answer = Answer(*parts, **further)
     asked.give(catalogue_answer(answer, in_full=in_full), answer.to_dict)

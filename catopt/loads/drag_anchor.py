@@ -8,8 +8,16 @@ from dataclasses import dataclass
 from typing import Final, Literal
 
 from catopt.errors import NoAnswerError
-from catopt.loads.holding_data import ANCHORS, CURVES, DATA_SETS, SOILS, DataSet, HoldingCurve
-from catopt.loads.sizes import ANCHOR_MASSES, NextSize, neighbours, next_size
+from catopt.loads.holding_data import (
+    ANCHORS,
+    CURVES,
+    DATA_SETS,
+    SOILS,
+    DataSet,
+    HoldingCurve,
+    masses_sold,
+)
+from catopt.loads.sizes import NextSize, neighbours, next_size
 from catopt.loads.source import UFC, LoadSource, refuse_recalled
 from catopt.model.validity import Findings
 from catopt.words import Measure, Message, Several, term
@@ -65,7 +73,7 @@ def default_factor(anchor: str) -> float:
     The table has 1.5 for stockless and balanced-fluke anchors and 2.0 for high-efficiency drag
     anchors; every anchor but the stockless one is taken for one of these, on the safe side.
     """
-    return 1.5 if anchor == "stockless" else 2.0
+    return 1.5 if anchor.startswith("stockless") else 2.0
 
 
 def holding_capacity(
@@ -78,19 +86,22 @@ def holding_capacity(
 ) -> HoldingCapacity:
     """Ultimate holding capacity HR (m/mR)^b (UFC eq. 26, page 105, A; the figures C or R).
 
-    The anchor is one of `ANCHORS` in one of `SOILS`; the mass is in air, kg. Of the data sets that
+    The anchor is one of `ANCHORS` in one of `SOILS`; the mass is in air, kg, and within the range
+    of those that are sold, beyond which no source says anything. Of the data sets that
     have it the lowest counts unless one is named: a recalled figure (R) is used so only to lower a
     figure that was read, and stands alone only where that is allowed.
 
     Raises
     ------
     InputError
-        For an anchor, soil or data set without figures, or with recalled ones only.
+        For an anchor, soil or data set without figures, or with recalled ones only; for a mass
+        outside the range of those that are sold.
     """
     curves = _curves(anchor, soil, data, allow_recalled)
     found = Findings("holding_capacity")
-    found.number("mass", mass, "kg", above=0.0, at_most=100e3)
+    found.number("mass", mass, "kg", above=0.0)
     found.raise_if_any()
+    _check_masses("mass", (mass,), curves)
     return _lowest(curves, mass)
 
 
@@ -103,10 +114,10 @@ def size_drag_anchor(
     uplift_angle: float = 0.0,
     uplift_limit: float = 0.0,
     data: DataSet | Literal["lower"] = "lower",
-    series: Sequence[float] = ANCHOR_MASSES,
+    series: Sequence[float] | None = None,
     allow_recalled: bool = False,
 ) -> DragAnchorSize:
-    """Pick the next size of a rising series, kg, that holds a pull at the anchor, N.
+    """Pick the next size sold that holds a pull at the anchor, N.
 
     The rest is as of `holding_capacity`.
 
@@ -119,20 +130,27 @@ def size_drag_anchor(
     uplift_limit : float
         Largest allowed, rad; 0, for UFC keeps the pull horizontal (table 3-18, A). At most 10 deg
         (TU Delft, C).
+    series : sequence of float, optional
+        Rising masses to choose from, kg, within the range of those that are sold; all that are
+        sold when left out.
 
     Raises
     ------
+    InputError
+        For wrong input, or masses of which no source says anything.
     NoAnswerError
         When the line lifts the anchor by more than the limit, or no size holds.
     """
     curves = _curves(anchor, soil, data, allow_recalled)
     factor = default_factor(anchor) if safety_factor is None else safety_factor
     _check(horizontal_force, factor, uplift_angle, uplift_limit)
+    sizes = masses_sold(anchor) if series is None else tuple(series)
+    _check_masses("series", sizes, curves)
     needed = max(
         curve.mass(factor * horizontal_force) if horizontal_force > 0.0 else 0.0 for curve in curves
     )
-    mass = next_size(needed, series, Message("loads.anchor_in", anchor=anchor, soil=term(soil)))
-    smaller, larger = neighbours(mass, series)
+    mass = next_size(needed, sizes, Message("loads.anchor_in", anchor=anchor, soil=term(soil)))
+    smaller, larger = neighbours(mass, sizes)
     return DragAnchorSize(
         anchor=anchor,
         soil=soil,
@@ -167,6 +185,19 @@ def _curves(anchor: str, soil: str, data: str, allow_recalled: bool) -> tuple[Ho
         instead = "take another anchor or data set"
         refuse_recalled("holding capacity", "data", what, instead, allowed=allow_recalled)
     return tuple(own)
+
+
+def _check_masses(key: str, masses: Sequence[float], curves: Sequence[HoldingCurve]) -> None:
+    """Refuse masses of which no source says anything, with the nearest that is sold."""
+    found = Findings("holding capacity")
+    for mass in masses:
+        low, high = curves[0].masses
+        if not low <= mass <= high:
+            values = {"anchor": curves[0].anchor, "low": low, "high": high}
+            nearest = min(max(mass, low), high)
+            allowed = Message("loads.anchor_sold", nearest=nearest, **values)
+            found.add(key, f"{mass:g} kg", allowed)
+    found.raise_if_any()
 
 
 def _lowest(curves: Sequence[HoldingCurve], mass: float) -> HoldingCapacity:

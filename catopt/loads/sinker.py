@@ -5,61 +5,119 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import Final, Literal
+from typing import Final, Literal, TypeAlias
 
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.errors import InputError, Problem
 from catopt.loads.sizes import SINKER_MASSES, NextSize, neighbours, next_size
-from catopt.loads.source import CALMAR, NAVFAC, LoadSource, refuse_recalled
+from catopt.loads.source import CALMAR, NAVFAC, LoadSource
 from catopt.model.anchor import sinker_needed
 from catopt.model.validity import Findings
 from catopt.words import Message, term
 
-Material = Literal["concrete", "steel"]
+Material = Literal["concrete", "concrete cast in place", "steel", "cast iron"]
 
-DENSITIES: Final = MappingProxyType({"concrete": 2400.0, "steel": 7850.0})
-"""kg/m3. Steel: IALA CALMAR 7.2 (A). Concrete: recalled (R), for lack of another; weigh yours."""
+DENSITIES: Final = MappingProxyType(
+    {"concrete": 2400.0, "concrete cast in place": 2400.0, "steel": 7850.0, "cast iron": 7320.0}
+)
+"""kg/m3. Steel and cast iron: IALA CALMAR 7.2 (A). Concrete: recalled (R), for lack of another;
+weigh yours. Concrete alone is precast: formed concrete, with the friction of that surface."""
 
 SAFETY_FACTOR: Final = 1.5
 """On sliding, recommended by IALA (CALMAR 6.2.6, A)."""
 
 FACTOR_SOURCE: Final = LoadSource(CALMAR, "6.2.6", "A")
 
+_LAND = "a figure for foundations on land: soft mud is not covered"
+_FORMED = LoadSource(NAVFAC, f"formed concrete; {_LAND}", "B")
+_CAST = LoadSource(NAVFAC, f"mass concrete; {_LAND}", "A")
+_STEEL = LoadSource(NAVFAC, f"steel; {_LAND}", "B")
+_IRON = LoadSource(NAVFAC, f"steel, for want of a row of cast iron; {_LAND}", "C")
+_MASONRY = LoadSource(NAVFAC, f"dressed hard rock on dressed hard rock; {_LAND}", "B")
+_MASS_FOR_FORMED = LoadSource(NAVFAC, f"mass concrete, for want of formed concrete; {_LAND}", "A")
+_CALMAR = LoadSource(CALMAR, "7.2, phi = 45 deg", "A")
+
+_Range: TypeAlias = tuple[float, float]
+
 
 @dataclass(frozen=True)
 class SoilFriction:
-    """Friction of a sinker on a soil: tan(delta) of mass concrete, of which the lower is used."""
+    """Friction tan(delta) of a sinker on a soil: of each surface a range; the lower counts."""
 
     soil: str
-    low: float
-    high: float
+    formed: _Range
+    """Of precast concrete, the usual sinker."""
+    cast: _Range
+    """Of concrete cast in place on the soil."""
     steel: float | None
-    """tan(delta) of steel, recalled (R); None where nothing is recalled."""
-    source: LoadSource
-    """Of concrete's figures."""
+    """Of steel, and for want of a row of its own of cast iron; None where there is none."""
+    source: LoadSource = _FORMED
+    """Of the figures of formed concrete."""
     note: str = ""
     """Key of what else to know."""
 
+    @property
+    def low(self) -> float:
+        """The lower figure of formed concrete."""
+        return self.formed[0]
 
-_LAND = "a figure for foundations on land: soft mud is not covered"
-_NAVFAC = LoadSource(NAVFAC, f"mass concrete; {_LAND}", "A")
-_STEEL = LoadSource(NAVFAC, f"steel; {_LAND}", "R")
+    @property
+    def high(self) -> float:
+        """The higher figure of formed concrete."""
+        return self.formed[1]
 
-_CALMAR = LoadSource(CALMAR, "7.2, phi = 45 deg", "A")
+    def of(self, material: Material) -> tuple[float, LoadSource] | None:
+        """Give the lower figure of a material with its source; None where there is none."""
+        if self.source is _CALMAR:  # its angle is that of any sinker
+            return self.low, self.source
+        if material in ("steel", "cast iron"):
+            source = _STEEL if material == "steel" else _IRON
+            return None if self.steel is None else (self.steel, source)
+        if material == "concrete cast in place":
+            return self.cast[0], _CAST
+        return self.low, self.source
+
 
 _TABLE: Final = (
-    SoilFriction("clean sound rock", 0.70, 0.70, None, _NAVFAC),
-    SoilFriction("gravel or coarse sand", 0.55, 0.60, 0.40, _NAVFAC),
-    SoilFriction("clean fine to medium sand", 0.45, 0.55, 0.30, _NAVFAC),
-    SoilFriction("fine or silty sand", 0.35, 0.45, 0.25, _NAVFAC),
-    SoilFriction("sandy silt", 0.30, 0.35, 0.20, _NAVFAC),
-    SoilFriction("hard clay", 0.40, 0.50, None, _NAVFAC),
-    SoilFriction("stiff clay", 0.30, 0.35, None, _NAVFAC),
-    SoilFriction("IALA default", 1.0, 1.0, None, _CALMAR, "loads.optimistic"),
+    SoilFriction("clean sound rock", (0.55, 0.55), (0.70, 0.70), None, _MASONRY),
+    SoilFriction("gravel or coarse sand", (0.40, 0.50), (0.55, 0.60), 0.40),
+    SoilFriction("clean fine to medium sand", (0.30, 0.40), (0.45, 0.55), 0.30),
+    SoilFriction("fine or silty sand", (0.30, 0.30), (0.35, 0.45), 0.25),
+    SoilFriction("sandy silt", (0.25, 0.25), (0.30, 0.35), 0.20),
+    SoilFriction("hard clay", (0.40, 0.50), (0.40, 0.50), None, _MASS_FOR_FORMED),
+    SoilFriction("stiff clay", (0.30, 0.35), (0.30, 0.35), None, _MASS_FOR_FORMED),
+    SoilFriction("IALA default", (1.0, 1.0), (1.0, 1.0), None, _CALMAR, "loads.optimistic"),
 )
 
 SOIL_FRICTION: Final = MappingProxyType({each.soil: each for each in _TABLE})
 """Soils by name."""
+
+
+@dataclass(frozen=True)
+class Adhesion:
+    """What a clay holds of a sinker per area of its base, Pa; of each range the lower counts."""
+
+    soil: str
+    concrete: _Range
+    steel: _Range
+    source: LoadSource
+
+
+_ADHESION: Final = LoadSource(NAVFAC, "adhesion in clay, as a book on soil properties has it", "C")
+
+ADHESION: Final = MappingProxyType(
+    {
+        each.soil: each
+        for each in (
+            Adhesion("soft clay", (10e3, 35e3), (5e3, 30e3), _ADHESION),
+            Adhesion("stiff clay", (35e3, 60e3), (30e3, 60e3), _ADHESION),
+        )
+    }
+)
+"""Clays by name."""
+
+_MUD: Final = frozenset({"mud", "soft mud", "soft clay"})
+"""What practice calls the clay that holds by its adhesion, not by a share of the weight."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -99,27 +157,48 @@ def holding_force(weight: float, vertical_force: float, friction: float) -> floa
 
 
 def friction_of(
-    soil: str, material: Material = "concrete", *, allow_recalled: bool = False
+    soil: str,
+    material: Material = "concrete",
+    *,
+    allow_recalled: bool = False,  # noqa: ARG001 - none of the figures is recalled any more
 ) -> tuple[float, LoadSource]:
     """Lower friction coefficient of a soil, a key of `SOIL_FRICTION`, with its source.
 
-    Steel's figures are recalled (R), and have to be allowed. A soil without a figure is refused:
-    soft mud has none. Measure, and give a friction.
+    A soil without a figure is refused. Mud and soft clay hold a sinker by adhesion on its base, not
+    by a share of its weight (`adhesion_holding`): measure, and give a friction.
     """
     found = Findings("sinker")
-    if soil not in SOIL_FRICTION:
+    if soil in _MUD:
+        low, high = (f"{each / 1e3:g}" for each in ADHESION["soft clay"].concrete)
+        found.add("soil", repr(soil), Message("loads.mud", low=low, high=high))
+    elif soil not in SOIL_FRICTION:
         listed = "; ".join(SOIL_FRICTION)
         found.add("soil", repr(soil), f"one of {listed}; for others, soft mud too, give friction")
     _check_material(found, material)
-    row = SOIL_FRICTION[soil]
-    if material == "concrete":
-        return row.low, row.source
-    if row.steel is None:
-        refused = Problem("soil", repr(soil), "no figure for steel on it: give friction")
+    of = SOIL_FRICTION[soil].of(material)
+    if of is None:
+        refused = Problem("soil", repr(soil), f"no figure for {material} on it: give friction")
         raise InputError([refused], "sinker")
-    what = f"friction of steel on {soil}"
-    refuse_recalled("sinker", "soil", what, "give friction", allowed=allow_recalled)
-    return row.steel, _STEEL
+    return of
+
+
+def adhesion_holding(
+    soil: str, base_area: float, material: Material = "concrete"
+) -> tuple[float, LoadSource]:
+    """Horizontal pull that a clay holds by adhesion on the base of a sinker, N, with its source.
+
+    The soil is a key of `ADHESION`, or mud; the area is in m2. Of the range printed the lower
+    counts, times the area; neither the weight nor what the sinker sinks in adds to it.
+    """
+    found = Findings("sinker")
+    name = "soft clay" if soil in _MUD else soil
+    if name not in ADHESION:
+        found.add("soil", repr(soil), f"one of {', '.join(ADHESION)}, mud")
+    found.number("base_area", base_area, "m^2", above=0.0)
+    _check_material(found, material)
+    row = ADHESION[name]
+    low, _ = row.steel if material in ("steel", "cast iron") else row.concrete
+    return low * base_area, row.source
 
 
 def size_sinker(
@@ -140,7 +219,7 @@ def size_sinker(
     The forces are those of the line on the sinker, N, the vertical one upwards; the factor is on
     the horizontal one. Either a soil is given, a key of `SOIL_FRICTION`, or tan(delta) of one's
     own. The density, kg/m3, is that of `DENSITIES` when left out; the masses of the series rise,
-    kg. Recalled figures (R) are used where they are allowed.
+    kg.
 
     Raises
     ------
@@ -179,13 +258,18 @@ def size_sinker(
     )
 
 
-_SINKERS: Final = {"concrete": "loads.concrete_sinker", "steel": "loads.steel_sinker"}
+_SINKERS: Final = {
+    "concrete": "loads.concrete_sinker",
+    "concrete cast in place": "loads.concrete_sinker",
+    "steel": "loads.steel_sinker",
+    "cast iron": "loads.iron_sinker",
+}
 
 
 def _check_material(found: Findings, material: str) -> None:
     """Raise InputError for what was found, and for an unknown material."""
     if material not in DENSITIES:
-        found.add("material", repr(material), "concrete or steel")
+        found.add("material", repr(material), f"one of {', '.join(DENSITIES)}")
     found.raise_if_any()
 
 
@@ -194,7 +278,7 @@ def _notes(soil: str | None, material: str, density: float | None) -> tuple[str,
     if soil is not None:
         row = SOIL_FRICTION[soil]
         notes.append(Message(row.note) if row.note else Message("loads.land", soil=term(soil)))
-    if density is None and material == "concrete":
+    if density is None and material.startswith("concrete"):
         notes.append(Message("loads.concrete"))
     return tuple(notes)
 

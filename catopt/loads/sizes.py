@@ -10,15 +10,6 @@ from catopt.errors import NoAnswerError
 from catopt.model.validity import Findings
 from catopt.words import Message
 
-ANCHOR_MASSES: Final = tuple(
-    1e3 * tonnes
-    for tonnes in (
-        *(0.1, 0.15, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 7.0),
-        *(8.0, 9.0, 10.0, 12.0, 15.0, 18.0, 20.0, 22.0, 25.0, 30.0),
-    )
-)
-"""kg: steps in which drag anchors are commonly offered. catopt's own list; ask a maker."""
-
 SINKER_MASSES: Final = tuple(
     1e3 * tonnes
     for tonnes in (

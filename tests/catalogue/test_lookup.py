@@ -80,13 +80,23 @@ def test_what_is_no_name_gets_an_example(name: object) -> None:
 # ------------------------------------------------------------------ ranges
 
 
+OUTSIDE_THE_DEFAULT = {
+    "polyester": {0.022: {"all": "superline"}},
+    "HMPE": {0.012: {"all": "moorpy"}, 0.2: {"all": "moorpy"}},
+    "chain short-link": {},
+}
+"""Ends of a family that only figures reach which are asked for by name."""
+
+
 @pytest.mark.parametrize("family", catalogue.families(), ids=lambda family: family.name)
 def test_the_ends_of_the_range_are_in_and_beyond_is_an_error(family: catalogue.Family) -> None:
     low, high = family.range
     ends = {low: family.grades[0] if family.grades else None}
     ends[high] = family.grades[-1] if family.grades else None
     for end, grade in ends.items():
-        assert catalogue.component(family.name, end, grade=grade).nominal_diameter == end
+        chosen = OUTSIDE_THE_DEFAULT.get(family.name, {})
+        made = catalogue.component(family.name, end, grade=grade, variants=chosen.get(end, {}))
+        assert made.nominal_diameter == end
     for beyond in (low * 0.99, high * 1.01):
         with pytest.raises(InputError, match=rf"{family.name} is known {family.known_range}"):
             catalogue.component(family.name, beyond, grade=ends[high])
@@ -162,9 +172,20 @@ def test_a_variant_of_another_grade_is_none() -> None:
 def test_a_variant_that_does_not_reach_is_an_error_where_it_was_asked_for() -> None:
     with pytest.raises(InputError, match=r"mass: known from 12\.5 mm to 60 mm by calmar"):
         catalogue.component("chain stud-link U2", 0.076, variants={"mass": "calmar"})
+    thin = {"mass": "moorpy", "MBL": "moorpy"}
     with pytest.raises(InputError, match=r"price: known from 20\.64 mm"):
-        catalogue.component("HMPE", 0.016, variants={"price": "omae-2025"})
-    assert catalogue.component("HMPE", 0.016).price is None
+        catalogue.component("HMPE", 0.016, variants={"price": "omae-2025", **thin})
+    assert catalogue.component("HMPE", 0.016, variants=thin).price is None
+
+
+def test_outside_what_was_read_the_nearest_inside_is_named() -> None:
+    """The default rows of HMPE run from 28 to 120 mm, those of polyester from 138 to 315 mm."""
+    with pytest.raises(InputError, match=r"MBL: known from 28 mm to 120 mm by dtocean, not at 20"):
+        catalogue.component("HMPE", 0.020)
+    with pytest.raises(InputError, match=r"MBL: known from 138 mm to 315 mm by moorline, not at"):
+        catalogue.component("polyester", 0.120)
+    small = catalogue.component("polyester", 0.120, variants={"all": "superline"})
+    assert small.MBL == 4022e3
 
 
 def test_need_names_what_is_not_known() -> None:

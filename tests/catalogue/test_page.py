@@ -7,7 +7,7 @@ import re
 from catopt import catalogue
 from catopt.catalogue.reading import parse_families
 
-from .page import PAGE, PARTS, parts, up_to_date
+from .page import PAGE, PARTS, VERDICTS_PAGE, parts, up_to_date, verdicts_page
 
 
 def test_the_tables_are_those_of_the_data() -> None:
@@ -15,6 +15,10 @@ def test_the_tables_are_those_of_the_data() -> None:
     page = PAGE.read_text("utf-8")
     assert parts(page) == list(PARTS)
     assert up_to_date(page) == page
+
+
+def test_the_verdicts_are_those_that_were_found() -> None:
+    assert VERDICTS_PAGE.read_text("utf-8") == verdicts_page()
 
 
 def test_a_changed_number_is_noticed() -> None:

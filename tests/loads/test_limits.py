@@ -232,8 +232,8 @@ BUOYS: list[Limit] = [
 ]
 
 ANCHORS: list[Limit] = [
-    ("mass", lambda m: holding_capacity("stockless", "sand", m), 100e3, 100.1e3),
-    ("mass", lambda m: holding_capacity("stockless", "sand", m), 1e-3, 0.0),
+    ("mass", lambda m: holding_capacity("stockless", "sand", m), 16443.0, 16444.0),
+    ("mass", lambda m: holding_capacity("stockless", "sand", m), 136.0, 135.9),
     ("uplift_limit", lambda a: anchored(uplift_limit=a), FAR, 1.001 * FAR),
     ("uplift_limit", lambda a: anchored(uplift_limit=a), 0.0, -0.001),
     ("uplift_angle", lambda a: anchored(uplift_angle=a), 0.0, -0.001),

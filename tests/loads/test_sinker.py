@@ -6,13 +6,23 @@ import pytest
 
 from catopt.errors import InputError, NoAnswerError
 from catopt.loads import size_sinker
-from catopt.loads.sinker import SOIL_FRICTION, friction_of, holding_force, submerged_weight
+from catopt.loads.held import sinkers_held
+from catopt.loads.sinker import (
+    ADHESION,
+    SOIL_FRICTION,
+    adhesion_holding,
+    friction_of,
+    holding_force,
+    submerged_weight,
+)
+from catopt.loads.source import LoadSource
 from catopt.model.anchor import sinker_needed
 
 from . import ROUNDING
 
 G = 9.80665
-PRINTED = {
+LAND = "a figure for foundations on land: soft mud is not covered"
+CAST = {
     "clean sound rock": (0.70, 0.70),
     "gravel or coarse sand": (0.55, 0.60),
     "clean fine to medium sand": (0.45, 0.55),
@@ -21,23 +31,53 @@ PRINTED = {
     "hard clay": (0.40, 0.50),
     "stiff clay": (0.30, 0.35),
 }
-"""NAVFAC DM 7.02 (1986), table 1: mass concrete on ..., tan(delta)."""
+"""NAVFAC DM 7.02 (1986), table 1: mass concrete on ..., tan(delta): cast in place."""
+
+PRECAST = {
+    "clean sound rock": (0.55, 0.55),
+    "gravel or coarse sand": (0.40, 0.50),
+    "clean fine to medium sand": (0.30, 0.40),
+    "fine or silty sand": (0.30, 0.30),
+    "sandy silt": (0.25, 0.25),
+    "hard clay": (0.40, 0.50),
+    "stiff clay": (0.30, 0.35),
+}
+"""The same: formed concrete; of rock dressed hard rock on its like, of clay mass concrete."""
+
+STEEL = {
+    "gravel or coarse sand": 0.40,
+    "clean fine to medium sand": 0.30,
+    "fine or silty sand": 0.25,
+    "sandy silt": 0.20,
+}
+"""The same: steel."""
 
 
 def test_the_soils_are_navfac_s() -> None:
     of_navfac = {
-        name: (row.low, row.high)
-        for name, row in SOIL_FRICTION.items()
-        if "NAVFAC" in row.source.document
+        name: row for name, row in SOIL_FRICTION.items() if "NAVFAC" in row.source.document
     }
-    assert of_navfac == PRINTED
-    (other,) = [row for name, row in SOIL_FRICTION.items() if name not in PRINTED]
+    assert {name: (row.low, row.high) for name, row in of_navfac.items()} == PRECAST
+    assert {name: row.cast for name, row in of_navfac.items()} == CAST
+    (other,) = [row for name, row in SOIL_FRICTION.items() if name not in PRECAST]
     # CALMAR 7.2: phi = 45 deg
     assert (other.soil, other.low, other.high) == ("IALA default", 1.0, 1.0)
-    for name, (low, _) in PRINTED.items():
+    for name, (low, _) in PRECAST.items():
         friction, source = friction_of(name)
-        assert (friction, source.confidence) == (low, "A")
+        assert friction == low
         assert "foundations on land" in source.text
+        assert friction_of(name, "concrete cast in place") == (
+            CAST[name][0],
+            LoadSource(source.document, f"mass concrete; {LAND}", "A"),
+        )
+
+
+def test_a_precast_block_is_formed_concrete() -> None:
+    """On sand 0.30, not the 0.45 of concrete cast in place: 1.5 times the weight."""
+    precast = size_sinker(50e3, soil="clean fine to medium sand")
+    cast = size_sinker(50e3, soil="clean fine to medium sand", material="concrete cast in place")
+    assert precast.needed_mass == pytest.approx(1.5 * cast.needed_mass, rel=ROUNDING)
+    assert all(PRECAST[name][0] <= CAST[name][0] for name in CAST)
 
 
 def test_iala_s_rule_by_hand() -> None:
@@ -73,30 +113,57 @@ def test_a_pull_straight_up_needs_its_own_weight() -> None:
     assert size.submerged_weight >= 30e3
 
 
-def test_steel_has_recalled_figures_only() -> None:
-    with pytest.raises(InputError, match=r"recalled \(R\)"):
-        size_sinker(10e3, soil="fine or silty sand", material="steel")
-    with pytest.raises(InputError, match=r"recalled \(R\)"):
-        friction_of("fine or silty sand", "steel")
-    size = size_sinker(10e3, soil="fine or silty sand", material="steel", allow_recalled=True)
-    assert size.friction_source is not None
-    assert size.friction_source.recalled
+def test_steel_and_cast_iron() -> None:
+    """Read now, in the row of steel; cast iron has none of its own, and weighs 7320 kg/m3."""
+    for name, value in STEEL.items():
+        friction, source = friction_of(name, "steel")
+        assert (friction, source.confidence) == (value, "B")
+        assert friction_of(name, "cast iron") == (value, friction_of(name, "cast iron")[1])
+        assert value <= PRECAST[name][0]
     with pytest.raises(InputError, match="no figure for steel"):
-        size_sinker(10e3, soil="hard clay", material="steel", allow_recalled=True)
+        size_sinker(10e3, soil="hard clay", material="steel")
+    # 10 kN by 0.5 and 1.5 are 30 kN in water: 30e3/g/(1 - 1025/7320) kg.
+    iron = size_sinker(10e3, friction=0.5, material="cast iron")
+    assert iron.density == 7320.0
+    assert iron.needed_mass == pytest.approx(30e3 / G / (1.0 - 1025.0 / 7320.0), rel=ROUNDING)
 
 
-def test_the_recalled_friction_of_steel() -> None:
-    """As written in catopt's table, for lack of a document: a second copy, so that none slips."""
-    steel = {name: row.steel for name, row in SOIL_FRICTION.items() if row.steel is not None}
-    assert steel == {
-        "gravel or coarse sand": 0.40,
-        "clean fine to medium sand": 0.30,
-        "fine or silty sand": 0.25,
-        "sandy silt": 0.20,
-    }
-    assert all(value < PRINTED[name][0] for name, value in steel.items())
-    for name, value in steel.items():
-        assert friction_of(name, "steel", allow_recalled=True)[0] == value
+def test_mud_holds_by_adhesion() -> None:
+    """Soft clay 10 to 35 kPa on concrete, 5 to 30 on steel; stiff clay 35 to 60 and 30 to 60.
+
+    4 m2 of concrete on mud hold 40 kN at the least, whatever the block weighs.
+    """
+    assert (ADHESION["soft clay"].concrete, ADHESION["soft clay"].steel) == (
+        (10e3, 35e3),
+        (5e3, 30e3),
+    )
+    assert (ADHESION["stiff clay"].concrete, ADHESION["stiff clay"].steel) == (
+        (35e3, 60e3),
+        (30e3, 60e3),
+    )
+    for soil in ("mud", "soft mud", "soft clay"):
+        assert adhesion_holding(soil, 4.0)[0] == pytest.approx(40e3, rel=ROUNDING)
+        with pytest.raises(InputError, match="by adhesion on its base, 10 to 35 kPa"):
+            friction_of(soil)
+        with pytest.raises(InputError, match="measure, and give friction"):
+            size_sinker(10e3, soil=soil)
+    assert adhesion_holding("stiff clay", 2.0, "cast iron")[0] == pytest.approx(60e3, rel=ROUNDING)
+    with pytest.raises(InputError, match="base_area"):
+        adhesion_holding("sand", 0.0)
+
+
+def test_the_table_of_what_a_sinker_holds() -> None:
+    """5 t of concrete weigh 28.09 kN in water: on sand 0.30 of it, 8.43 kN, over 1.5 5.62 kN."""
+    rows = {(each.soil, each.friction is None): each for each in sinkers_held(5e3, base_area=4.0)}
+    sand = rows["clean fine to medium sand", False]
+    weight = 5e3 * G * (1.0 - 1025.0 / 2400.0)
+    assert sand.submerged_weight == pytest.approx(weight, rel=ROUNDING)
+    assert sand.holding == pytest.approx(0.30 * weight, rel=ROUNDING)
+    assert sand.pull == pytest.approx(0.30 * weight / 1.5, rel=ROUNDING)
+    assert rows["soft clay", True].holding == pytest.approx(40e3, rel=ROUNDING)
+    assert sinkers_held(5e3)[-1].holding is None
+    with pytest.raises(InputError, match="one of concrete"):
+        sinkers_held(5e3, "lead")
 
 
 def test_a_sinker_that_is_lifted_holds_nothing() -> None:
@@ -133,11 +200,14 @@ def test_what_is_assumed_is_said() -> None:
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        ({"soil": "soft mud"}, "soft mud too, give friction"),
+        ({"soil": "peat"}, "soft mud too, give friction"),
         ({}, "one of soil and friction is wanted"),
         ({"soil": "hard clay", "friction": 0.4}, "found both"),
         ({"friction": 0.4, "density": 900.0}, "it floats"),
-        ({"friction": 0.4, "material": "lead"}, "concrete or steel"),
+        (
+            {"friction": 0.4, "material": "lead"},
+            "one of concrete, concrete cast in place, steel, cast iron",
+        ),
         ({"friction": 0.0}, "friction"),
         ({"friction": 0.4, "safety_factor": 0.5}, "safety_factor"),
     ],

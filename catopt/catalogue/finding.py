@@ -1,0 +1,223 @@
+"""Finds what somebody names as it is said: ``"76 R4 studless"``, ``"xích không ngáng 76"``.
+
+Words in any order, in English or Vietnamese, with or without accents: what it is, its grade, its
+size (a bare number is in mm) or, of an anchor, its mass.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Final, TypeAlias
+
+from catopt.catalogue.anchors import AnchorType, anchor_types
+from catopt.catalogue.collection import Catalogue
+from catopt.catalogue.components import Component
+from catopt.catalogue.family import Family, in_mm
+from catopt.catalogue.figure import within
+from catopt.catalogue.fittings import Fitting, fittings
+from catopt.catalogue.names import nearest, words_of
+from catopt.catalogue.standard import standard
+from catopt.errors import InputError, Problem
+from catopt.units import as_written
+from catopt.words import LANGUAGES, Message, say
+
+_NUMBER = r"(\d+(?:[.,]\d+)?|\d+/\d+)"
+_SIZE: Final = re.compile(rf'(?:dn|ø)?{_NUMBER}(mm|cm|in|")?')
+_MASS: Final = re.compile(rf"{_NUMBER}(t|kg|tonnes?|tan)")
+_APART: Final = re.compile(
+    rf"(?<![\w.,]){_NUMBER}\s+(mm|cm|in|t|kg|tonnes?|tấn)(?!\w)|\b(dn|ø)\s+(?=\d)"
+)
+"""A number apart from its unit, or DN apart from its number."""
+
+_UNITS: Final = {"mm": 1e-3, "cm": 1e-2, "in": 25.4e-3, '"': 25.4e-3, "": 1e-3}
+_MASSES: Final = {"kg": 1.0}
+
+_FILLERS: Final = frozenset(
+    {
+        "for",
+        "of",
+        "a",
+        "an",
+        "the",
+        "in",
+        "on",
+        "size",
+        "sizes",
+        "grade",
+        "class",
+        "dia",
+        "diameter",
+    }
+    | {"cỡ", "cấp", "loại", "đường", "kính", "trong", "trên", "nền", "bằng", "cho"}
+)
+"""Words that name nothing; Vietnamese with their accents, without which cap is a rope, too."""
+
+SOILS: Final[Mapping[str, str]] = {
+    "sand": "sand", "cát": "sand", "cat": "sand", "clay": "soft clay", "mud": "soft clay",
+    "soft": "soft clay", "bùn": "soft clay", "bun": "soft clay", "sét": "soft clay",
+    "set": "soft clay", "medium": "medium clay",
+}  # fmt: skip
+"""Soils of a drag anchor by what people call them; of clays that are not named the softest."""
+
+MOST_ROWS: Final = 60
+"""Rows of an answer; whoever names less than that allows is asked for a size or a grade."""
+
+
+_Asked: TypeAlias = tuple[Family, tuple[str | None, ...]]
+"""A family with the grades that were asked for."""
+
+
+@dataclass(frozen=True)
+class Query:
+    """What was asked for, in SI; None where it was not said."""
+
+    words: tuple[str, ...]
+    size: float | None
+    mass: float | None
+    numbers: tuple[str, ...] = ()
+    """Bare numbers, of which one may be a grade."""
+    soil: str | None = None
+
+
+@dataclass(frozen=True)
+class Found:
+    """What goes by a name."""
+
+    query: Query
+    components: tuple[Component, ...]
+    anchors: tuple[AnchorType, ...]
+    fittings: tuple[Fitting, ...]
+
+
+def find(text: str, among: Catalogue | None = None) -> Found:
+    """Find components, anchors and fittings by what they are called.
+
+    Raises
+    ------
+    InputError
+        When nothing goes by the name, or nothing of that name has the size; the message has the
+        nearest.
+    """
+    query = read_query(text)
+    catalogue = among or standard()
+    families = [] if query.mass is not None else _matching(query, catalogue.families)
+    anchors = () if query.size is not None else tuple(_by_words(query.words, anchor_types()))
+    parts = () if query.mass is not None else tuple(_fittings(query))
+    components = [
+        c for family, grades in families for c in _sized(catalogue, family, grades, query)
+    ]
+    if not (components or anchors or parts):
+        raise InputError([_problem(text, query, families, catalogue)], "catalogue")
+    return Found(query, tuple(components[:MOST_ROWS]), anchors, parts[:MOST_ROWS])
+
+
+def read_query(text: str) -> Query:
+    """Read what is asked for: words, a size or a mass."""
+    joined = _APART.sub(lambda m: f"{m[1] or ''}{m[2] or ''}{m[3] or ''}", text.casefold())
+    words: list[str] = []
+    numbers: list[str] = []
+    size = mass = soil = None
+    for word in joined.replace("-", " ").split():
+        plain = words_of(word)[0] if words_of(word) else ""
+        of_mass, of_size = _MASS.fullmatch(plain), _SIZE.fullmatch(word.strip(",;"))
+        if of_mass:
+            mass = _value(of_mass[1]) * _MASSES.get(of_mass[2], 1e3)
+        elif of_size and (of_size[2] or not word[0].isdigit()):
+            size = _value(of_size[1]) * _UNITS[of_size[2] or ""]
+        elif of_size:
+            numbers.append(of_size[1])
+        elif word in SOILS and soil is None:
+            soil = SOILS[word]
+            words.append(plain)
+        elif word not in _FILLERS and plain:
+            words.append(plain)
+    if size is None and mass is None and numbers:
+        size = _value(numbers[0]) / 1e3
+    return Query(tuple(words), size, mass, tuple(numbers), soil)
+
+
+def _value(number: str) -> float:
+    top, _, bottom = number.replace(",", ".").partition("/")
+    return float(top) / float(bottom or 1.0)
+
+
+def _words(name: str, title: str, also: Iterable[str]) -> frozenset[str]:
+    """List what a thing may be called by: the words of its names and of its title."""
+    titles = (say(title, language) for language in LANGUAGES)
+    return frozenset(word for each in (name, *also, *titles) for word in words_of(each))
+
+
+def _matching(query: Query, families: Iterable[Family]) -> list[_Asked]:
+    """Find families that have every word, with the grades that were asked for."""
+    found: list[_Asked] = []
+    for family in families:
+        known = _words(family.name, family.title, family.also)
+        by_plain = {each.casefold(): each for each in family.grades}
+        asked = tuple(by_plain[w] for w in (*query.words, *query.numbers) if w in by_plain)
+        rest = [word for word in query.words if word not in by_plain]
+        if rest and all(word in known for word in rest):
+            found.append((family, asked or tuple(family.grades) or (None,)))
+    return found
+
+
+def _sized(
+    catalogue: Catalogue, family: Family, grades: tuple[str | None, ...], query: Query
+) -> Iterator[Component]:
+    """Look the size up in every grade; all that are sold where no size was named."""
+    size = query.size
+    of_grade = {_value(n) / 1e3 for n in query.numbers if n in family.grades}
+    if size in of_grade:
+        others = [n for n in query.numbers if n not in family.grades]
+        size = _value(others[0]) / 1e3 if others else None
+    for grade in grades:
+        if size is None:
+            yield from catalogue.sold(family.name, grade=grade)
+        elif within(size, family.range):
+            try:
+                yield catalogue.component(family.name, size, grade=grade)
+            except InputError:  # a grade or a figure that does not reach this size
+                continue
+
+
+def _by_words(words: tuple[str, ...], things: Iterable[AnchorType]) -> Iterator[AnchorType]:
+    """Find kinds that have every word, but those of a soil."""
+    wanted = [word for word in words if word not in SOILS]
+    for each in things:
+        known = _words(each.name, each.title, each.also) | {"anchor", "neo"}
+        if wanted and all(word in known for word in wanted):
+            yield each
+
+
+def _fittings(query: Query) -> Iterator[Fitting]:
+    for each in fittings():
+        known = _words(each.name, each.title, each.also)
+        right = query.size is None or abs(each.size - query.size) <= _HALF_A_MM
+        if query.words and right and all(word in known for word in query.words):
+            yield each
+
+
+_HALF_A_MM = 0.5e-3
+"""A fitting is looked up by the size printed, in whole mm."""
+
+
+def _problem(
+    text: str,
+    query: Query,
+    families: list[_Asked],
+    catalogue: Catalogue,
+) -> Problem:
+    """Say why nothing was found, with the nearest."""
+    if families and query.size is not None:
+        known = "; ".join(f"{family.name} {family.known_range}" for family, _ in families)
+        allowed = Message("catalogue.not_this_size", known=known)
+        return Problem("size", in_mm(query.size), allowed)
+    things: tuple[Family | AnchorType | Fitting, ...]
+    things = (*catalogue.families, *anchor_types(), *fittings())
+    every = {word for each in things for word in _words(each.name, each.title, each.also)}
+    odd = [word for word in query.words if word not in every]
+    near = [(word, nearest(word, every)) for word in odd]
+    hints = ", ".join(f'"{good}" for "{word}"' for word, good in near if good)
+    key = "catalogue.nothing_but" if hints else "catalogue.nothing_found"
+    return Problem("component", as_written(text), Message(key, hints=hints))

@@ -1,0 +1,157 @@
+"""Fittings between chain, buoy, sinker and anchor, and those that go with a chain."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from types import MappingProxyType
+from typing import Final
+
+from catopt.catalogue.figure import Confidence, Source
+from catopt.catalogue.parts import cited, read_own
+from catopt.catalogue.table import Table
+from catopt.model.validity import Findings
+from catopt.words import Measure, Message, term
+
+_ROUNDING = 1e-9
+"""Relative, of sizes."""
+
+SCHEMA: Final = "catopt.fittings/1"
+
+_COLUMNS: Final = MappingProxyType({"mass_kg": 1.0, "WLL_t": 1e3, "proof_kN": 1e3, "MBL_kN": 1e3})
+"""What a row may have beside its size, and its unit in SI."""
+
+_BY_PIN: Final = frozenset({"bow shackle"})
+"""Fittings whose size is that of their pin, which says nothing of the chain."""
+
+OF_A_CHAIN: Final = MappingProxyType(
+    {"shackle": "shackle", "swivel": "swivel", "sinker ring": "ring"}
+)
+"""What a mooring of chain takes, by its use, and of which kind it is."""
+
+
+@dataclass(frozen=True)
+class Fitting:
+    """One size of a fitting, in SI; what the source does not give is None."""
+
+    name: str
+    kind: str
+    title: str
+    size: float
+    """Of its pin, or of the chain that it is made for, m; the title or the note says which."""
+    MBL: float
+    proof_load: float | None
+    mass: float | None
+    WLL: float | None
+    """Working load limit, kg."""
+    price: float | None
+    """Material only, USD of 2024."""
+    sources: tuple[Source, ...]
+    place: str
+    confidence: Confidence
+    also: tuple[str, ...] = ()
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class FittingSet:
+    """What goes with a chain: each at least as strong, or why there is none."""
+
+    component: str
+    diameter: float
+    MBL: float
+    """Of the chain, N."""
+    found: Mapping[str, Fitting]
+    """By use, a key of `OF_A_CHAIN`."""
+    missing: Mapping[str, Message]
+    """By use, why none was found."""
+
+    @property
+    def weakest(self) -> Fitting | None:
+        """The fitting of the lowest MBL; None where there is none."""
+        return min(self.found.values(), key=lambda each: each.MBL, default=None)
+
+
+@cache
+def fittings() -> tuple[Fitting, ...]:
+    """List every size of every fitting, in the order of the file."""
+    document, findings, sources = read_own("fittings.toml", SCHEMA, ("fitting",))
+    read = [each for table in document.tables("fitting") for each in _sizes(table, sources)]
+    findings.raise_if_any()
+    return tuple(read)
+
+
+def fittings_for(component: str, diameter: float, MBL: float) -> FittingSet:
+    """Find the shackle, the swivel and the sinker ring that go with a chain.
+
+    Of each kind it is the one of the lowest MBL that is not below the chain's, and that is not made
+    for a thinner chain. Proof loads are compared where both are known by whoever has them.
+
+    Parameters
+    ----------
+    component : str
+        Name of the chain, for messages.
+    diameter : float
+        Nominal diameter of its bar, m.
+    MBL : float
+        Of the chain, new, N.
+
+    Raises
+    ------
+    InputError
+        When the diameter or the MBL is not positive.
+    """
+    check = Findings("fittings")
+    check.number("diameter", diameter, "m", above=0.0)
+    check.number("MBL", MBL, "N", above=0.0)
+    check.raise_if_any()
+    thinnest = diameter * (1.0 - _ROUNDING)
+    found: dict[str, Fitting] = {}
+    missing: dict[str, Message] = {}
+    for use, kind in OF_A_CHAIN.items():
+        of_kind = [each for each in fittings() if each.kind == kind]
+        strong = [e for e in of_kind if e.MBL >= MBL and (e.name in _BY_PIN or e.size >= thinnest)]
+        if strong:
+            found[use] = min(strong, key=lambda each: (each.MBL, each.size))
+            continue
+        strongest = max(each.MBL for each in of_kind)
+        values = {"kind": term(use), "needed": Measure("MBL", MBL)}
+        missing[use] = Message(
+            "catalogue.no_fitting", strongest=Measure("MBL", strongest), **values
+        )
+    return FittingSet(component, diameter, MBL, MappingProxyType(found), MappingProxyType(missing))
+
+
+def _sizes(table: Table, sources: dict[str, Source]) -> list[Fitting]:
+    table.only(
+        "name", "kind", "also", "title", "columns", "rows", "price_per_N", "source", "place",
+        "confidence", "note",
+    )  # fmt: skip
+    names = table.texts("columns", required=True)
+    per_newton = table.number("price_per_N", above=0.0) if table.has("price_per_N") else None
+    shared = {
+        "name": table.text("name") or "",
+        "kind": table.text("kind") or "",
+        "title": table.said("title") or "",
+        "also": table.texts("also"),
+        "note": table.said("note", required=False) or "",
+        **cited(table, sources),
+    }
+    sizes = []
+    for row in table.values["rows"]:
+        given = dict(zip(names, row, strict=True))
+        size = given.pop("size_mm") / 1e3
+        of = {name: value * _COLUMNS[name] for name, value in given.items()}
+        sizes.append(
+            Fitting(
+                size=size,
+                MBL=of["MBL_kN"],
+                proof_load=of.get("proof_kN"),
+                mass=of.get("mass_kg"),
+                WLL=of.get("WLL_t"),
+                price=None if per_newton is None else per_newton * of["MBL_kN"],
+                **shared,
+            )
+        )
+    return sizes
