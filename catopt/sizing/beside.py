@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from catopt.catalogue.fittings import fittings_for
 from catopt.catalogue.practice import Practice, practice_of_buoy, practice_of_ship
 from catopt.catalogue.practice import condition as kept_condition
 from catopt.checks.profiles import profiles_of
@@ -13,11 +14,12 @@ from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.laying import laying_check
 from catopt.loads.sinker import friction_of
 from catopt.model import Anchor
+from catopt.model.line_kind import line_kind
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.settle import Settled, point_diameter
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.sizing.worn_out import least_diameter
-from catopt.words import Message
+from catopt.words import Cited, Measure, Message, Several, term
 
 
 def beside(request: BuoyRequest | TankerRequest, settled: Settled) -> dict[str, Any]:
@@ -29,6 +31,7 @@ def beside(request: BuoyRequest | TankerRequest, settled: Settled) -> dict[str, 
         advice += _laying(request, settled)
     return {
         "departures": tuple(departures(request)),
+        "fittings": tuple(_fittings(settled)),
         "practice": "" if found is None else found.message,
         "chain_life": life,
         "advice": tuple(advice),
@@ -101,6 +104,33 @@ def chain_life(settled: Settled) -> tuple[float | None, list[Message]]:
     key = "sizing.worn_to_discard" if discard >= by_checks else "sizing.worn_to_check"
     values = {"diameter": 1e3 * worn_to, "part": 100.0 * kept.discard}
     return life, [Message(key, source=kept.origin.text, **values)]
+
+
+def _fittings(settled: Settled) -> Iterator[Message]:
+    """Say which shackle, swivel and ring go with the chain, or which is missing."""
+    segment = settled.point.line.segments[0]
+    if line_kind(segment.component) != "chain" or segment.MBL is None:
+        return
+    found = fittings_for(segment.component, segment.nominal_diameter or 0.0, segment.MBL)
+    if found.weakest is not None:
+        sizes = (
+            Message("sizing.fitting_size", use=term(use), size=1e3 * each.size)
+            for use, each in found.found.items()
+        )
+        weakest = Measure("MBL", found.weakest.MBL)
+        yield Message("sizing.fittings", sizes=Several(sizes, ", "), MBL=weakest)
+    for use, each in found.found.items():
+        mass = Message("sizing.fitting_mass", mass=each.mass) if each.mass else ""
+        yield Message(
+            "sizing.fitting",
+            use=term(use),
+            title=each.title,
+            size=1e3 * each.size,
+            MBL=Measure("MBL", each.MBL),
+            mass=mass,
+            source=Cited(f"{each.sources[0].title} [{each.confidence}]"),
+        )
+    yield from found.missing.values()
 
 
 def _laying(request: BuoyRequest, settled: Settled) -> Iterator[Message]:
