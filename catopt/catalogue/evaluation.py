@@ -71,6 +71,13 @@ class Evaluation:
         if not figure.covers(self.diameter):
             low, high = (in_mm(end) for end in figure.range)
             values = {"low": low, "high": high, "diameter": in_mm(self.diameter)}
+            others = self.family.alternatives(quantity, self.grade)
+            reach = [
+                e.variant for e in others if e.covers(self.diameter) and e.confidence != RECALLED
+            ]
+            if figure.variant and reach:
+                values["others"] = ", ".join(reach)
+                return Message("catalogue.known_from_others", variant=figure.variant, **values)
             if figure.variant:
                 return Message("catalogue.known_from_by", variant=figure.variant, **values)
             return Message("catalogue.known_from", **values)

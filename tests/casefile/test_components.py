@@ -77,7 +77,7 @@ def test_the_strength_of_nylon_is_that_in_water() -> None:
 
 def test_a_variant_holds_for_the_components_that_have_it() -> None:
     """Polyester has no EA of DNV's edition of 2000 and keeps its own."""
-    two = CHAIN + '[[line.segments]]\nlength = 50\ncomponent = "polyester"\ndiameter = "120 mm"\n'
+    two = CHAIN + '[[line.segments]]\nlength = 50\ncomponent = "polyester"\ndiameter = "160 mm"\n'
     variants = '[catalogue.variants]\nEA = "dnv-os-e301-2000"\n'
     plain, chosen = (parse_case(case(two, rest=rest)).line for rest in ("", variants))
     older = {"EA": "dnv-os-e301-2000"}
@@ -137,7 +137,7 @@ def test_a_segment_without_MBL_in_the_catalogue_has_no_limit_force(tmp_path: Pat
     text = text.replace("[load]\nhorizontal_force = 1e5\n", "")
     with pytest.raises(InputError, match="at least one segment needs its MBL"):
         parse_case(text, folder=str(tmp_path))
-    strong = text.replace("test rope", "polyester").replace("50 mm", "120 mm")
+    strong = text.replace("test rope", "polyester").replace("50 mm", "160 mm")
     assert parse_case(strong, folder=str(tmp_path)).find is not None
 
 
