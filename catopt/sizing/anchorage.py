@@ -88,10 +88,8 @@ class SinkerGround:
         (IALA CALMAR). They differ by a factor of two and more.
         """
         soil = SAND if self.soil == CALMAR_SOIL else CALMAR_SOIL
-        steel = self.material == "steel"  # CALMAR's angle is that of any sinker
-        rule = {"soil": None, "friction": 1.0} if steel else {"soil": soil, "friction": None}
         try:
-            other = replace(self, **rule)
+            other = replace(self, soil=soil, friction=None)
             return other.sized(of.horizontal_force, of.vertical_force, water_density)
         except NoAnswerError:
             return None
