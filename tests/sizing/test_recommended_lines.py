@@ -29,6 +29,7 @@ from catopt.sizing import (
     size_tanker,
 )
 from catopt.sizing.kinds import usual
+from catopt.sizing.settle import Settled
 from tests.sizing.test_consistency import LOADED, deep
 
 LOSS = 2e-3
@@ -43,6 +44,15 @@ def alone() -> Iterator[None]:
         for beside in ("candidates", "alternatives", "limits"):
             patched.setattr(f"catopt.sizing.answer.{beside}", lambda *_, **__: ())
         yield
+
+
+def every_settled(of: Sizing) -> list[Settled]:
+    """List the recommended line and those beside it."""
+    beside = [
+        *(each.settled for each in of.candidates),
+        *(each.settled for each in of.alternatives),
+    ]
+    return [of.settled, *(each for each in beside if each is not None)]
 
 
 def diameter(of: Sizing) -> float:
@@ -88,8 +98,7 @@ def test_the_allowance_is_on_the_loads_whole(by_factor: list[Sizing]) -> None:
 
 def test_no_check_fails_beside_a_recommendation(by_factor: list[Sizing]) -> None:
     for of in by_factor:
-        lines = [of.settled, *(each.settled for each in (*of.candidates, *of.alternatives))]
-        for each in filter(None, lines):
+        for each in every_settled(of):
             assert each.point.checks.results
             assert not each.point.checks.failed
             assert check_case(each.case).passes

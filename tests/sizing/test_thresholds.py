@@ -242,13 +242,10 @@ def test_the_smallest_size_that_was_looked_at_is_told_where_a_smaller_one_is_sol
 
 
 def test_a_line_says_by_what_it_is_recommended() -> None:
-    """The ship is 234 m long, six depths are 132 m: a line spans no more than her length.
+    """The ship is 234 m long, six depths are 132 m: a line spans no more than her length."""
 
-    A buoy's is within 2.5 depths under the crest, 2.5 x 22 m of still water.
-    """
-
-    def why(prefer: str | None, **sizes: float) -> str:
-        wider: Any = {"diameters": (0.06, 0.07, 0.08), "prefer": prefer, **sizes}
+    def why(prefer: str | None, **changes: object) -> str:
+        wider: Any = {"diameters": (0.06, 0.07, 0.08), "prefer": prefer, **changes}
         line = dataclasses.replace(ONE_SIZE, **wider)
         return str(size_tanker(TankerRequest((LOADED,), deep(), line=line)).why)
 
@@ -258,6 +255,6 @@ def test_a_line_says_by_what_it_is_recommended() -> None:
     assert why(None) == why("practice")  # that of its code, "break/5"
     assert "least" in why("least-swing")
     # With chains too thin for a span of 234 m none is short enough.
-    thin = {"diameters": (0.03,), "length_step": 27.5}
+    thin = {"diameters": (0.036, 0.04), "code": "UFC-4-159-03", "life": usual("life", "tanker")}
     assert why("balanced", **thin).startswith("It has the least product of mass and area")
     assert why("practice", **thin).startswith("It is the shortest line that passes")
