@@ -18,6 +18,7 @@ from catopt.mooring.zero_load import ZeroLoadPosition, zero_load_position
 from catopt.sizing import LineChoice, Sizing, TankerRequest, size_tanker
 from catopt.sizing.kinds import usual
 from catopt.sizing.pattern import AtRest, BodyState, Pattern, pattern, shared_force, system_case
+from tests.sizing.alone import alone
 from tests.sizing.test_consistency import LOADED, deep
 from tests.sizing.test_line_out import around
 
@@ -248,17 +249,12 @@ def test_the_case_of_the_whole_pattern_has_the_water_of_its_hardest_state() -> N
 
 
 def three_lines(levels: WaterLevels) -> Sizing:
-    """Size them of one size of chain.
-
-    Its neighbours and the lines of other preferences are left out: they take most of the time.
-    """
+    """Size them of one size of chain."""
     line = LineChoice(
         usual("chain", "tanker"), "break/5", diameters=(0.07,), length_step=82.5, life=0.0
     )
     place = dataclasses.replace(deep(), levels=levels)
-    with pytest.MonkeyPatch.context() as patched:
-        for beside in ("candidates", "alternatives"):
-            patched.setattr(f"catopt.sizing.answer.{beside}", lambda *_, **__: ())
+    with alone():
         return size_tanker(TankerRequest((LOADED,), place, line=line, lines=3))
 
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 import dataclasses
 import itertools
 import math
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import pytest
@@ -30,20 +29,12 @@ from catopt.sizing import (
 )
 from catopt.sizing.kinds import usual
 from catopt.sizing.settle import Settled
+from tests.sizing.alone import alone
 from tests.sizing.test_consistency import LOADED, deep
 
 LOSS = 2e-3
 """m: five years of 0.4 mm, which are taken where nothing is said."""
 FACTORS = (1.0, 1.5, 2.7)
-
-
-@contextmanager
-def alone() -> Iterator[None]:
-    """Leave out what stands beside a line: it takes most of the time."""
-    with pytest.MonkeyPatch.context() as patched:
-        for beside in ("candidates", "alternatives", "limits"):
-            patched.setattr(f"catopt.sizing.answer.{beside}", lambda *_, **__: ())
-        yield
 
 
 def every_settled(of: Sizing) -> list[Settled]:
