@@ -282,9 +282,12 @@ def test_the_parts_of_a_swing_radius() -> None:
 
 @pytest.mark.slow
 def test_lines_that_pull_the_buoy_under_are_made_lighter_or_refused() -> None:
+    """Six of 120 mm weigh 2.455 kN/m x 23 m x 6 = 339 kN and more; the buoy carries 297 kN."""
     body = buoy("mooring buoy 5.0 m")
     request = TankerRequest((LOADED,), deep(), buoy=body, hawser=50.0, lines=6)
-    sized = size_tanker(request)
+    line = dataclasses.replace(request.line, prefer="least-swing")
+    with alone():
+        sized = size_tanker(dataclasses.replace(request, line=line))
     assert sized.pattern is not None
     assert sized.pattern.largest_pull <= body.reserve_buoyancy()
     assert any("one line may take" in each for each in sized.assumptions)
