@@ -104,7 +104,7 @@ class LineChoice:
             found.add("prefer", repr(self.prefer), "one of " + ", ".join(PREFERENCES))
         lowest, highest = self.scope
         found.number("scope_min", lowest, "", at_least=0.0, at_most=MOST_DEPTHS)
-        if highest < math.inf:
+        if highest != math.inf:
             found.number("scope_max", highest, "", above=0.0, at_most=MOST_DEPTHS)
         if 0.0 < highest < lowest <= MOST_DEPTHS:
             found.add("scope_max", f"{highest:g}", f"below scope_min, {lowest:g}")

@@ -180,6 +180,7 @@ def test_a_fairlead_is_refused_beyond_its_bounds(height: float) -> None:
         ({"scope": (0.0, 0.0)}, "scope_max", "must be above 0"),
         ({"scope": (2.0, 20.1)}, "scope_max", "must be 20 or less"),
         ({"scope": (3.0, 2.0)}, "scope_max", "below scope_min, 3"),
+        ({"scope": (2.0, math.nan)}, "scope_max", "a number is wanted"),
         (
             {"prefer": "knee"},
             "prefer",
