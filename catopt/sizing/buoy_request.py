@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from catopt.loads.buoy import WaveHeight
+from catopt.loads.buoy import DEEPEST, WaveHeight
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.model.validity import Findings
 from catopt.sizing.anchorage import SinkerGround
 from catopt.sizing.environment import Environment
 from catopt.sizing.kinds import usual
 from catopt.sizing.known import ReadInput
-from catopt.sizing.line_choice import LineChoice, unpriced_components
+from catopt.sizing.line_choice import MOST_DEPTHS, LineChoice, unpriced_components
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,11 @@ class BuoyRequest:
 
     def __post_init__(self) -> None:
         found = Findings("BuoyRequest")
-        low = self.environment.levels.low
+        found.number("scope", self.scope, "", above=0.0, at_most=MOST_DEPTHS)
+        low, high = self.environment.levels.low, self.environment.levels.high
+        if isinstance(self.buoy, BuoyShape) and high > DEEPEST:
+            allowed = f"CALMAR holds down to {DEEPEST:g} m of water"
+            found.add("levels.high", f"{high:g} m", allowed)
         keel = self.keel_depth(0.0)
         if keel >= low:
             allowed = f"the water is {low:g} m deep at low water: the buoy would touch the bed"

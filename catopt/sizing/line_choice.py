@@ -31,6 +31,8 @@ _FASTEST_WEAR: Final = 10e-3
 """m a year."""
 _ON_THE_BED: Final = 30.0
 """m."""
+MOST_DEPTHS: Final = 20.0
+"""Of a scope: longer than any line of practice."""
 _ROUNDING: Final = 1e-9
 """Of a number of steps."""
 
@@ -101,7 +103,10 @@ class LineChoice:
         if self.prefer not in (None, *PREFERENCES):
             found.add("prefer", repr(self.prefer), "one of " + ", ".join(PREFERENCES))
         lowest, highest = self.scope
-        if not 0.0 <= lowest <= highest:
+        found.number("scope_min", lowest, "", at_least=0.0, at_most=MOST_DEPTHS)
+        if highest != math.inf:
+            found.number("scope_max", highest, "", above=0.0, at_most=MOST_DEPTHS)
+        if 0.0 < highest < lowest <= MOST_DEPTHS:
             found.add("scope_max", f"{highest:g}", f"below scope_min, {lowest:g}")
         if self.swing_price and self.prefer != "cheapest":
             allowed = 'leave it out: prefer = "cheapest" alone weighs it, and wants known prices'

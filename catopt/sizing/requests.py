@@ -385,7 +385,7 @@ def _line(of: Known, least: float | None, most: float | None) -> LineChoice | No
     }
     make = of.telling.make
     if of.moored == "buoy":
-        choice["scope"] = of["scope_min"] or 0.0, of["scope_max"] or math.inf
+        choice["scope"] = _scope(of)
     # With the usual code, so that a wrong code and a wrong chain are reported at once.
     usual_code = usual("code", of.moored)
     usual_line = make(lambda: LineChoice(of["chain"], usual_code, **choice))
@@ -393,6 +393,14 @@ def _line(of: Known, least: float | None, most: float | None) -> LineChoice | No
     choice |= _preference(of, usual_line if is_known else None)
     line = make(lambda: LineChoice(of["chain"], of["code"], **choice))
     return line if is_known else None
+
+
+def _scope(of: Known) -> tuple[float, float]:
+    """Bound a buoy's line, in depths; one bound that is given moves the usual other one."""
+    least, most = of["scope_min"] or 0.0, of["scope_max"] or math.inf
+    if "scope_max" not in of.given:
+        return least, max(least, most)
+    return (least if "scope_min" in of.given else min(least, most)), most
 
 
 def _preference(of: Known, line: LineChoice | None) -> dict[str, Any]:

@@ -29,6 +29,10 @@ Keys = dict[str, list[str]]
 TAKEN_IN: dict[tuple[str, str], Keys] = {
     ("kind", "reference"): {"load_cases": ["name", "horizontal_force"]},
     ("state", "one_line_out"): {"load_cases": ["name", "horizontal_force"]},
+    ("condition", "new"): {
+        "load_cases": ["name", "horizontal_force"],
+        "service": ["[]", "life", "wear_rate"],
+    },
     ("kind", "drag"): {"anchor": ["holding_capacity"]},
     ("quantity", "clump_weight"): {
         "find": ["anchor_angle"],

@@ -175,6 +175,17 @@ def test_a_fairlead_is_refused_beyond_its_bounds(height: float) -> None:
         ({"wear_rate": 10.1e-3 / YEAR}, "wear_rate", "must be 10 mm/year or less"),
         ({"dynamic_factor": 0.99}, "dynamic_factor", "must be 1 or more"),
         ({"dynamic_factor": 10.1}, "dynamic_factor", "must be 10 or less"),
+        ({"scope": (-0.1, 3.0)}, "scope_min", "must be 0 or more"),
+        ({"scope": (20.1, math.inf)}, "scope_min", "must be 20 or less"),
+        ({"scope": (0.0, 0.0)}, "scope_max", "must be above 0"),
+        ({"scope": (2.0, 20.1)}, "scope_max", "must be 20 or less"),
+        ({"scope": (3.0, 2.0)}, "scope_max", "below scope_min, 3"),
+        ({"scope": (2.0, math.nan)}, "scope_max", "a number is wanted"),
+        (
+            {"prefer": "knee"},
+            "prefer",
+            "one of practice, shortest, cheapest, lightest, balanced, least-swing",
+        ),
     ],
 )
 def test_a_line_is_refused_beyond_its_bounds(
@@ -194,6 +205,8 @@ def test_a_line_is_refused_beyond_its_bounds(
         {"life": 100.0 * YEAR, "wear_rate": 10e-3 / YEAR},
         {"dynamic_factor": 1.0},
         {"dynamic_factor": 10.0},
+        {"scope": (0.0, 0.05)},
+        {"scope": (20.0, 20.0)},
     ],
 )
 def test_a_line_is_taken_at_its_bounds(changes: dict[str, Any]) -> None:
@@ -241,9 +254,29 @@ def test_lengths_begin_above_the_height_and_end_at_twelve_of_it() -> None:
     assert line().segment(24.2).lengths == tuple(float(k) for k in range(25, 292))  # 290.4 m
     stepped = line(length_step=13.75)
     assert stepped.segment(24.0).lengths == tuple(13.75 * k for k in range(2, 22))  # 288 m
-    assert stepped.segment(24.0, 400.0).lengths[-1] == 412.5
-    assert stepped.segment(24.0, 100.0).lengths[-1] == 288.75
+    assert stepped.segment(24.0, longest=400.0).lengths[-1] == 412.5
+    assert stepped.segment(24.0, longest=100.0).lengths[-1] == 288.75
     assert line(length_step=500.0).segment(24.0).lengths == (500.0,)
+
+
+@pytest.mark.parametrize(
+    ("scope", "first", "last"),
+    [
+        ((2.0, 3.0), 24.0, 36.0),
+        ((2.02, 2.98), 24.5, 35.5),  # 24.24 and 35.76 m, to steps of 0.5 m within
+        ((0.0, 3.0), 12.5, 36.0),  # above the height
+        ((0.5, 3.0), 12.5, 36.0),
+        ((2.0, math.inf), 24.0, 144.0),
+        ((0.0, 0.9), 12.5, 12.5),  # one length is always left, above the height
+    ],
+)
+def test_a_scope_bounds_the_lengths_in_depths(
+    scope: tuple[float, float], first: float, last: float
+) -> None:
+    """Of 12 m of water, and a height of 12 m: the steps are of 0.5 m."""
+    lengths = line(scope=scope).segment(12.0, depth=12.0).lengths
+    assert (lengths[0], lengths[-1]) == (first, last)
+    assert len(lengths) == 1 + round((last - first) / 0.5)
 
 
 def test_sizes_within_the_bounds_are_taken_with_the_bounds() -> None:
@@ -262,6 +295,27 @@ def test_no_line_hangs_over_a_height_at_which_its_own_weight_breaks_it() -> None
     strongest = max((each.MBL or 0.0) / each.submerged_weight for each in sold(one, 1025.0))
     assert longest_useful(one, 1025.0, 2.01 * strongest) == 30.0
     assert longest_useful(one, 1025.0, 1.99 * strongest) > 130.0
+
+
+def test_a_buoy_is_sized_in_as_much_water_as_calmar_holds_for() -> None:
+    """It states 200 m; of a buoy whose force is given nothing is computed by it."""
+    body = buoy("mooring buoy 5.0 m")
+    for high, is_deep in ((200.0, False), (200.1, True)):
+        place = Environment(WaterLevels.steady(high))
+        assert BuoyRequest(GivenBuoy(1e3, 1e4), place).environment is place
+        if is_deep:
+            found = told(lambda place=place: BuoyRequest(body, place))  # type: ignore[misc]
+            assert found == {"levels.high": "CALMAR holds down to 200 m of water"}
+        else:
+            assert BuoyRequest(body, place).environment is place
+
+
+@pytest.mark.parametrize(
+    ("scope", "allowed"), [(0.0, "must be above 0"), (20.1, "must be 20 or less")]
+)
+def test_the_length_of_practice_is_of_some_depths(scope: float, allowed: str) -> None:
+    request = BuoyRequest(GivenBuoy(1e3, 1e4), Environment(WaterLevels.steady(12.0)))
+    assert told(lambda: dataclasses.replace(request, scope=scope)) == {"scope": allowed}
 
 
 @pytest.mark.parametrize(("body", "key"), [(10.0, "keel_depth"), (12.0, "keel_depth")])
@@ -303,10 +357,12 @@ def test_the_period_of_a_growing_sea(height: float, period: float) -> None:
 
 
 def test_the_crest_is_half_of_the_largest_wave() -> None:
-    """Hmax = 1.85 Hs; in 2 m of water no wave is above 0.78 of the depth."""
+    """Hmax = 1.85 Hs. In 2 m of water it breaks at H = 0.78 (2 + H/2), or 1.56/0.61 m."""
     sea = SeaState(8.0, 2.0)
     assert Environment(WaterLevels(10.0, 12.0), sea=sea).crest == pytest.approx(1.85, rel=1e-12)
-    assert Environment(WaterLevels(1.0, 2.0), sea=sea).crest == pytest.approx(0.78, rel=1e-12)
+    assert Environment(WaterLevels(1.0, 2.0), sea=sea).crest == pytest.approx(
+        0.5 * 1.56 / 0.61, rel=1e-12
+    )
 
 
 @pytest.mark.parametrize("time", [1.0, 3600.0])

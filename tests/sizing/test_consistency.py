@@ -37,9 +37,12 @@ from catopt.sizing import (
 from catopt.sizing.kinds import usual
 from catopt.sizing.line_choice import PREFERENCES
 from catopt.sizing.posed import Assumed, rounded_up
+from tests.sizing.alone import alone
 
 ROUNDING = 1e-9
 SHIP = estimated_tanker("tanker", 234.0, 31.3, 12.4, moulded_depth=16.0)
+UNPRICED = tuple(each for each in PREFERENCES if each != "cheapest")
+"""No buoy chain has a price."""
 LOADED = MooredShip("loaded", SHIP, "tanker loaded", 3.6)
 
 
@@ -62,13 +65,14 @@ def chain(prefer: str = "balanced", **more: object) -> LineChoice:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["pillar 1.8 m", "pillar 2.4 m", "pillar 3.0 m"])
-@pytest.mark.parametrize("prefer", PREFERENCES[1:])  # no buoy chain has a price
+@pytest.mark.parametrize("prefer", UNPRICED)
 def test_the_loads_are_those_of_a_line_no_lighter_than_the_recommended(
     name: str, prefer: str
 ) -> None:
     """Computed again by `buoy_loads` for what came out, they are no more than what was taken."""
     env = place()
-    sized = size_buoy(BuoyRequest(buoy(name), env, chain(prefer)))
+    with alone():
+        sized = size_buoy(BuoyRequest(buoy(name), env, chain(prefer)))
     diameter = sized.point.line.segments[0].nominal_diameter or 0.0
     solutions = dict(sized.point.checks.solutions)
     pull = max(each.fairlead.vertical_force for each in solutions.values())
@@ -85,12 +89,17 @@ def test_the_loads_are_those_of_a_line_no_lighter_than_the_recommended(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("prefer", PREFERENCES[1:])
+@pytest.mark.parametrize("prefer", UNPRICED)
 def test_what_is_recommended_is_where_it_is_said_to_be_on_the_front(prefer: str) -> None:
-    sized = size_buoy(BuoyRequest(buoy("pillar 3.0 m"), place(), chain(prefer)))
+    with alone():
+        sized = size_buoy(BuoyRequest(buoy("pillar 3.0 m"), place(), chain(prefer)))
     front = sized.settled.result.front
     index = sized.settled.index
-    wanted = {"balanced": sized.settled.result.recommended, "lightest": 0}
+    # The front rises in mass and falls in length, or in span: 2.5 depths of 13.11 m are laid.
+    key = "length_m" if prefer in ("practice", "shortest") else "offset_m"
+    near = [k for k, each in enumerate(front) if each.objectives[key] <= 2.5 * 13.11]
+    assert 0 < len(near)
+    wanted = {"balanced": near[0], "practice": near[0], "lightest": 0}
     assert index == wanted.get(prefer, len(front) - 1)
     assert sized.point.genes == front[index].genes
     assert sized.point.checks.results == front[index].checks.results
@@ -118,7 +127,8 @@ def test_the_sinker_is_the_one_that_sizing_it_alone_gives() -> None:
 
 
 def lightest(request: BuoyRequest) -> Sizing:
-    return size_buoy(dataclasses.replace(request, line=chain("lightest")))
+    with alone():
+        return size_buoy(dataclasses.replace(request, line=chain("lightest")))
 
 
 @pytest.mark.slow
@@ -179,8 +189,10 @@ def test_what_governs_fails_when_it_is_checked_alone() -> None:
 
 
 def test_all_that_is_wrong_with_a_request() -> None:
+    # 1300 kg on a spar of 0.8 m: it draws 1300/1025/(pi 0.8^2/4) = 2.52 m.
     with pytest.raises(InputError, match="touch the bed"):
         BuoyRequest(buoy("spar 0.8 m"), place(low=2.5))
+    assert BuoyRequest(buoy("spar 0.8 m"), place(low=2.55)).environment.levels.low == 2.55
     with pytest.raises(InputError, match="something has to push"):
         BuoyRequest(buoy("pillar 1.8 m"), place(0.0, current=0.0, hs=0.0))
     with pytest.raises(InputError) as caught:
@@ -206,9 +218,14 @@ def deep() -> Environment:
 @pytest.mark.slow
 @pytest.mark.parametrize("lines", [3, 4, 6, 8])
 def test_a_line_of_several_is_sized_for_no_less_than_its_equilibrium(lines: int) -> None:
-    sized = size_tanker(TankerRequest((LOADED,), deep(), lines=lines))
+    with alone():
+        sized = size_tanker(TankerRequest((LOADED,), deep(), lines=lines))
     assert sized.pattern is not None
-    intact = [each for each in sized.case.load_cases if each.state == "intact"]
+    intact = [
+        each
+        for each in sized.case.load_cases
+        if each.state == "intact" and each.condition != "worn"
+    ]
     for state, case in zip(sized.pattern.states, intact, strict=True):
         assert case.name == state.load_case
         assert state.line_force <= case.horizontal_force * (1.0 + ROUNDING)
@@ -254,7 +271,10 @@ def test_both_conditions_of_a_ship_count() -> None:
 def test_the_parts_of_a_swing_radius() -> None:
     body = buoy("mooring buoy 5.0 m")
     sized = size_tanker(TankerRequest((LOADED,), deep(), buoy=body, hawser=60.0))
-    span = dict(sized.point.checks.solutions)["loaded, low water"].span
+    solutions = dict(sized.point.checks.solutions)
+    # Worn the line is lighter, and hangs less: it spans more.
+    span = solutions["loaded, low water, worn chain"].span
+    assert span > solutions["loaded, low water"].span
     assert sized.swing.parts == (("line at low water", span), ("hawser", 60.0), ("ship", 234.0))
     assert sized.swing.total == pytest.approx(span + 294.0, rel=1e-12)
     assert len(sized.settled.posed.loads[0].parts) == 2  # the ship's and the buoy's
@@ -262,10 +282,12 @@ def test_the_parts_of_a_swing_radius() -> None:
 
 @pytest.mark.slow
 def test_lines_that_pull_the_buoy_under_are_made_lighter_or_refused() -> None:
+    """Six of 120 mm weigh 2.455 kN/m x 23 m x 6 = 339 kN and more; the buoy carries 297 kN."""
     body = buoy("mooring buoy 5.0 m")
     request = TankerRequest((LOADED,), deep(), buoy=body, hawser=50.0, lines=6)
-    line = dataclasses.replace(request.line, prefer="balanced")
-    sized = size_tanker(dataclasses.replace(request, line=line))
+    line = dataclasses.replace(request.line, prefer="least-swing")
+    with alone():
+        sized = size_tanker(dataclasses.replace(request, line=line))
     assert sized.pattern is not None
     assert sized.pattern.largest_pull <= body.reserve_buoyancy()
     assert any("one line may take" in each for each in sized.assumptions)

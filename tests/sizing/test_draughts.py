@@ -44,8 +44,9 @@ def test_the_water_is_as_deep_in_ballast_and_the_fairlead_higher(
 
 
 def test_the_drawing_has_the_water_of_the_load_case(sizing: Sizing) -> None:
+    """Of the load case of the largest tension: at high water the line hangs from higher up."""
     name, _ = sizing.hardest
-    assert name == "ballast, low water"
+    assert name == "ballast, high water"
     answer = size_note_answer(size_note(sizing, Given(), Asked(verify=False)))
     drawing = next(
         block.chart
@@ -53,12 +54,18 @@ def test_the_drawing_has_the_water_of_the_load_case(sizing: Sizing) -> None:
         for block in section.blocks
         if isinstance(block, Figure) and block.chart.name == "line"
     )
-    assert [level.at for level in drawing.levels] == [18.0, 0.0]
+    assert [level.at for level in drawing.levels] == [20.0, 0.0]
 
 
 def test_a_written_case_keeps_the_rise(sizing: Sizing) -> None:
+    """In ballast, at high and at low water, on the new line and on the worn one."""
     text = write_case(sizing.case)
-    assert text.count("fairlead_rise = ") == 2
+    assert text.count("fairlead_rise = ") == 4
+    rises = {each.name: each.fairlead_rise for each in sizing.case.load_cases}
+    assert {name for name, rise in rises.items() if rise} == {
+        "ballast, high water", "ballast, high water, worn chain",
+        "ballast, low water", "ballast, low water, worn chain",
+    }  # fmt: skip
     assert parse_case(text).load_cases == sizing.case.load_cases
 
 

@@ -16,6 +16,7 @@ from catopt.cli.size import size as size_commands
 from catopt.cli.size_options import as_option, by_option, typed
 from catopt.errors import InputError
 from catopt.loads import METHODS, WaterLevels
+from catopt.loads.buoy import WaveHeight
 from catopt.loads.ship_dimensions import ShipKind
 from catopt.loads.ship_estimate import Condition
 from catopt.loads.sinker import DENSITIES
@@ -224,6 +225,7 @@ def test_one_of_several_words_is_one_of_the_model() -> None:
         "prefer": PREFERENCES,
         "sinker": tuple(DENSITIES),
         "load_method": METHODS,
+        "wave_height": get_args(WaveHeight),
         "service_type": SERVICE_TYPES,
     }
 
@@ -266,14 +268,14 @@ def test_what_is_not_evaluated_is_refused_by_its_keyword() -> None:
 
 
 def test_a_sizing_by_keywords_is_that_of_its_file() -> None:
-    """Of docs/sizing.md, a buoy by hand: 38 mm, 54.5 m, to the digits that it prints."""
-    sizing = catopt.size_buoy(
-        buoy="pillar 2.4 m", depth=12, low_water="10 m", current=1.5, hs=1.5, period="6 s",
-        soil="clean fine to medium sand", prefer="balanced",
-    )  # fmt: skip
-    assert sizing.point.line.length == 54.5
-    assert sizing.point.line.segments[0].nominal_diameter == pytest.approx(0.038, abs=1e-12)
-    assert "wind 25 m/s" in sizing.defaults
+    """Of docs/sizing.md, a buoy by hand: 50 mm, 31 m, to the digits that it prints."""
+    place = {"depth": 12, "low_water": "10 m", "current": 1.5, "hs": 1.5, "period": "6 s"}
+    soil = "clean fine to medium sand"
+    by_hand = catopt.size_buoy(buoy="pillar 2.4 m", soil=soil, **place)
+    assert by_hand.point.line.length == 31.0
+    assert by_hand.point.line.segments[0].nominal_diameter == pytest.approx(0.05, abs=1e-12)
+    assert "wind 25 m/s" in by_hand.defaults
+    sizing = catopt.size_buoy(buoy="pillar 2.4 m", soil=soil, prefer="balanced", **place)
     request = catopt.read_sizing(Path(__file__).parents[2] / "cases/size-buoy/sizing.toml")
     assert request.title == "Pillar buoy in 12 m"
     assert catopt.size_buoy(request).point.line == sizing.point.line  # type: ignore[arg-type]

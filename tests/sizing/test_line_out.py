@@ -21,6 +21,10 @@ from tests.sizing.test_consistency import LOADED, deep
 LINES = 4
 INTACT, DAMAGED = 2.00, 1.43
 """API RP 2SK, third edition, quasi-static."""
+SIDES = tuple(k / 12.0 for k in range(13))
+"""From against a line, 0, to half way to the next one, 1: with each line gone in turn all sides."""
+SCANNED = 1e-3
+"""Of a largest force: what lies between two sides of a scan."""
 SOLVED = 1e-9
 """Of a force: both ways end at residuals far below it."""
 
@@ -49,7 +53,7 @@ def around(of: Sizing) -> Pattern:
 
 
 def bodies(of: Sizing, line: catopt.Line | None = None) -> list[Case]:
-    """Make the whole pattern in each load case, under the force from each of three sides."""
+    """Make the whole pattern in each load case, under the force from each of many sides."""
     found = around(of)
     states = [BodyState(each.load_case, each.force, each.fairlead_height) for each in found.states]
     made = pattern(
@@ -62,7 +66,7 @@ def bodies(of: Sizing, line: catopt.Line | None = None) -> list[Case]:
     case = system_case(dataclasses.replace(of.case, line=line or of.point.line), made)
     assert case.system is not None
     cases = []
-    for state, share in itertools.product(states, (0.0, 0.5, 1.0)):
+    for state, share in itertools.product(states, SIDES):
         towards = math.pi + share * math.pi / found.lines
         force = state.force * math.cos(towards), state.force * math.sin(towards)
         rise = state.fairlead_height - case.fairlead_height
@@ -93,12 +97,18 @@ def test_the_damaged_state_is_that_of_the_system_solved_without_each_line() -> N
     systems = [case.system for case in bodies(of) if case.system is not None]
     tension, force = hardest_by_hand(systems)
     told = [each.line_out for each in around(of).states]
-    assert max(each.tension for each in told) == pytest.approx(tension, rel=SOLVED)
-    assert max(each.line_force for each in told) == pytest.approx(force, rel=SOLVED)
-    # The line is sized for no less, rounded up to three digits: 1 % at most.
+    for scanned, found in (
+        (tension, max(each.tension for each in told)),
+        (force, max(each.line_force for each in told)),
+    ):
+        assert scanned * (1.0 - SOLVED) <= found <= scanned * (1.0 + SCANNED)
+    # It needs no less, rounded up to three digits, 1 % at most; and is sized for that, or for the
+    # little more that the line of the round before came to.
     line_out = [each for each in of.case.load_cases if each.state == "one_line_out"]
     sized_for = max(each.horizontal_force for each in line_out)
-    assert force <= sized_for <= 1.01 * force
+    needed = max(of.settled.needed.forces)
+    assert force <= needed <= 1.01 * force * (1.0 + SCANNED)
+    assert needed <= sized_for <= 1.05 * needed
     # By hand: strength over factor; nothing is worn off in a life of 0.
     MBL = of.point.line.segments[0].MBL
     assert MBL is not None

@@ -109,8 +109,8 @@ def test_all_that_was_taken_is_told_and_nothing_that_was_given() -> None:
     taken = of_a_buoy().defaults
     assert taken == (
         "wind 25 m/s", "current 1 m/s", "Hs 2 m", "life 5 years", "wear 0.4 mm/year",
-        "wave period 5.1 s", "no tide", "soil fine or silty sand", "no return period",
-        "chain open-link 4D Q2", "code IALA-CALMAR",
+        "wave period 5.1 s", "no tide", "sinker friction 1.0, the code's own on any ground",
+        "no return period", "chain open-link 4D Q2", "code IALA-CALMAR",
     )  # fmt: skip
     given = of_a_buoy(
         wind=20.0, current=0.5, hs=1.0, life=0.0, wear=0.0, period=6.0, low_water=10.0,
@@ -133,7 +133,6 @@ def test_the_largest_size_of_a_ship_s_chain_is_told_where_no_bound_is_given() ->
         line = of_a_ship(diameter_min=least).line
         assert (line.diameter_min, line.diameter_max) == both
     assert of_a_ship(diameter_max=0.1).line.diameter_max == 0.1
-    assert of_a_buoy().line.diameter_max is None
     with pytest.raises(InputError, match="diameter_max"):
         of_a_ship(diameter_min=0.11, diameter_max=0.1)
 
@@ -211,22 +210,92 @@ def test_clump_weights_are_those_that_are_given() -> None:
     assert of_a_ship(clump_weight=["10 t", "5 t"]).clump_masses == (10e3, 5e3)
 
 
+def test_a_buoy_s_chain_is_one_that_she_is_made_for_unless_another_is_asked_for() -> None:
+    """A pillar of 1.8 m has 20 to 30 mm; of one by its force nothing is known."""
+    bounds = {
+        (): (0.02, 0.03),
+        (("diameter_min", 0.024),): (0.024, 0.03),
+        (("diameter_max", 0.028),): (0.02, 0.028),
+        (("diameter_min", 0.014), ("diameter_max", 0.06)): (0.014, 0.06),
+        # A bound that is given may lie beyond the buoy's other one, which then says nothing.
+        (("diameter_min", 0.038),): (0.038, None),
+        (("diameter_max", 0.018),): (None, 0.018),
+    }
+    for given, both in bounds.items():
+        line = of_a_buoy(**dict(given)).line
+        assert (line.diameter_min, line.diameter_max) == both
+    free = of_a_buoy(FORCE).line
+    assert (free.diameter_min, free.diameter_max) == (None, None)
+
+
+@pytest.mark.parametrize(
+    ("given", "found"),
+    [
+        ({}, (2.0, 3.0)),
+        ({"scope_min": 2.5}, (2.5, 3.0)),
+        ({"scope_max": 4.0}, (2.0, 4.0)),
+        ({"scope_min": 0.0}, (0.0, 3.0)),
+        # One that is given moves the usual other one.
+        ({"scope_min": 5.0}, (5.0, 5.0)),
+        ({"scope_max": 1.5}, (1.5, 1.5)),
+    ],
+)
+def test_a_buoy_s_line_is_of_two_to_three_depths_unless_another_scope_is_asked_for(
+    given: dict[str, float], found: tuple[float, float]
+) -> None:
+    assert of_a_buoy(**given).line.scope == found
+
+
+def test_of_two_scopes_that_are_given_the_largest_is_no_less() -> None:
+    with pytest.raises(InputError) as caught:
+        of_a_buoy(scope_min=4.0, scope_max=3.0)
+    assert {each.key: each.allowed for each in caught.value.problems} == {
+        "scope_max": "below scope_min, 4"
+    }
+
+
 @pytest.mark.parametrize(
     ("prefer", "chain", "found"),
     [
-        (None, "chain studless R3", "cheapest"),
-        (None, "chain studless R3S", "lightest"),  # no price is known of it
-        ("balanced", "chain studless R3", "balanced"),
-        ("balanced", "chain studless R3S", "balanced"),
+        (None, "chain studless R3", "balanced"),
+        (None, "chain studless R3S", "balanced"),
+        ("cheapest", "chain studless R3", "cheapest"),
+        ("practice", "chain studless R3S", "practice"),
+        ("shortest", "chain studless R3S", "shortest"),
         ("lightest", "chain studless R3", "lightest"),
         ("least-swing", "chain studless R3S", "least-swing"),
     ],
 )
-def test_the_cheapest_is_preferred_where_every_price_is_known(
+def test_a_ship_s_line_is_balanced_unless_another_is_asked_for(
     prefer: str | None, chain: str, found: str
 ) -> None:
     line = of_a_ship(prefer=prefer, chain=chain).line
-    assert (line.prefer, line.swing_price) == (found, 0.0)
+    assert (line.prefer, line.looks_for, line.swing_price) == (found, found, 0.0)
+
+
+def test_a_buoy_s_line_is_that_of_practice_unless_another_is_asked_for() -> None:
+    """Of 2.5 depths; nothing of it hangs on a price."""
+    assert of_a_buoy().line.looks_for == "practice"
+    assert of_a_buoy(prefer="lightest").line.looks_for == "lightest"
+    assert (of_a_buoy().scope, of_a_buoy(scope=2.0).scope) == (2.5, 2.0)
+
+
+def test_a_price_of_swing_makes_the_cheapest_line_the_one_that_is_looked_for() -> None:
+    line = of_a_ship(swing_price=500.0).line
+    assert (line.prefer, line.swing_price) == ("cheapest", 500.0)
+
+
+def test_the_allowance_for_motion_is_that_of_the_code_unless_another_is_given() -> None:
+    """IALA has none of its own; UFC's and API's are 2.00/1.67, and so is one without any."""
+    assert of_a_buoy().line.allowance == 1.0
+    assert of_a_ship().line.allowance == 1.2
+    assert of_a_ship(code="break/5").line.allowance == 1.0
+    for code in ("API-RP-2SK", "DNV-OS-E301-2008-CC1"):
+        line = of_a_ship(code=code).line
+        assert line.allowance == 1.2
+        assert line.motion.startswith("API-RP-2SK: ")
+    given = of_a_ship(dynamic_factor=1.0).line
+    assert (given.allowance, given.motion) == (1.0, "given")
 
 
 def test_a_wind_of_30_s_needs_no_word_and_another_has_one() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from typing import Any
 
 import pytest
 
@@ -236,14 +237,25 @@ def test_the_smallest_size_that_was_looked_at_is_told_where_a_smaller_one_is_sol
     said = size_tanker(TankerRequest((LOADED,), deep(), line=bound)).why
     assert said.startswith("It is the lightest line that passes. It has the smallest of the sizes")
     assert "looked at, 70 mm:" in said
-    free = size_tanker(TankerRequest((LOADED,), deep(), line=ONE_SIZE)).why
-    assert free == "It is the lightest line that passes."
+    free = dataclasses.replace(ONE_SIZE, prefer="lightest")
+    why = size_tanker(TankerRequest((LOADED,), deep(), line=free)).why
+    assert why == "It is the lightest line that passes."
 
 
-def test_a_balanced_line_is_the_knee_of_its_front_and_says_by_what() -> None:
-    wider = dataclasses.replace(ONE_SIZE, diameters=(0.06, 0.07, 0.08), prefer="balanced")
-    sized = size_tanker(TankerRequest((LOADED,), deep(), line=wider))
-    assert sized.settled.index == sized.settled.result.recommended
-    assert sized.why == sized.settled.result.recommendation != ""
-    least = dataclasses.replace(ONE_SIZE, prefer="least-swing")
-    assert "least" in size_tanker(TankerRequest((LOADED,), deep(), line=least)).why
+def test_a_line_says_by_what_it_is_recommended() -> None:
+    """The ship is 234 m long, six depths are 132 m: a line spans no more than her length."""
+
+    def why(prefer: str | None, **changes: object) -> str:
+        wider: Any = {"diameters": (0.06, 0.07, 0.08), "prefer": prefer, **changes}
+        line = dataclasses.replace(ONE_SIZE, **wider)
+        return str(size_tanker(TankerRequest((LOADED,), deep(), line=line)).why)
+
+    assert "spans no more than 234 m" in why("balanced")
+    assert why("shortest").startswith("It is the shortest line that passes")
+    assert "of at most 234 m, as practice has it" in why("practice")
+    assert why(None) == why("practice")  # that of its code, "break/5"
+    assert "least" in why("least-swing")
+    # With chains too thin for a span of 234 m none is short enough.
+    thin = {"diameters": (0.036, 0.04), "code": "UFC-4-159-03", "life": usual("life", "tanker")}
+    assert why("balanced", **thin).startswith("It has the least product of mass and area")
+    assert why("practice", **thin).startswith("It is the shortest line that passes")

@@ -105,16 +105,17 @@ def test_mud_is_soft_clay_to_a_drag_anchor() -> None:
 
 
 def test_a_sinker_by_both_rules() -> None:
-    """The other rule has mu = 1: m = (1.5 H + V)/(g (1 - 1025/2400)), cast in sizes."""
+    """IALA's is mu = 1; of sand NAVFAC has 0.35: (1.5 H/0.35 + V)/(g (1 - 1025/2400)), as cast."""
     sizing = catopt.size_buoy(buoy="pillar 1.8 m", depth="12 m")
     own, other = sizing.sinker, sizing.other_sinker
     assert own is not None
     assert other is not None
-    assert (own.friction, other.friction) == (0.35, 1.0)
+    assert (own.friction, other.friction) == (1.0, 0.35)
     H, V = own.horizontal_force, own.vertical_force
-    needed = (1.5 * H + V) / (STANDARD_GRAVITY * (1.0 - 1025.0 / 2400.0))
-    assert other.needed_mass == pytest.approx(needed, rel=1e-12)
-    assert own.mass > 2.0 * other.mass >= 2.0 * needed
+    unit = STANDARD_GRAVITY * (1.0 - 1025.0 / 2400.0)
+    assert own.needed_mass == pytest.approx((1.5 * H + V) / unit, rel=1e-12)
+    assert other.needed_mass == pytest.approx((1.5 * H / 0.35 + V) / unit, rel=1e-12)
+    assert other.mass > 2.0 * own.mass >= 2.0 * own.needed_mass
 
 
 @pytest.fixture(scope="module")
@@ -129,18 +130,18 @@ def test_the_lightest_line_that_passes_is_recommended(lightest: Sizing) -> None:
 
 
 def test_the_bound_that_the_lightest_line_stands_at_is_told(lightest: Sizing) -> None:
-    bound = catopt.size_tanker(dwt="50000 t", depth="20 m", diameter_min="50 mm")
-    assert bound.point.line.segments[0].nominal_diameter == pytest.approx(0.05, abs=1e-12)
-    said = "the smallest of the sizes that were looked at, 50 mm: a smaller one may be lighter"
+    bound = catopt.size_tanker(dwt="50000 t", depth="20 m", diameter_min="60 mm", prefer="lightest")
+    assert bound.point.line.segments[0].nominal_diameter == pytest.approx(0.06, abs=1e-12)
+    said = "the smallest of the sizes that were looked at, 60 mm: a smaller one may be lighter"
     assert said in bound.why
     assert "smallest" not in lightest.why
     assert lightest.point.objectives["mass_kg"] < bound.point.objectives["mass_kg"]
 
 
 def test_the_other_lines_stand_beside_it_each_under_its_own_loads(lightest: Sizing) -> None:
-    cheapest, balanced, least = lightest.alternatives
-    preferences = ("cheapest", "balanced", "least-swing")
-    assert (cheapest.prefer, balanced.prefer, least.prefer) == preferences
+    balanced, cheapest, least = lightest.alternatives
+    preferences = ("balanced", "cheapest", "least-swing")
+    assert (balanced.prefer, cheapest.prefer, least.prefer) == preferences
     assert least.swing < balanced.swing < lightest.swing.total
     for each in (balanced, least):
         assert each.settled is not None
