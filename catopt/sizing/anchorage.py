@@ -45,7 +45,7 @@ class SinkerGround:
     material: Material = "concrete"  # of the sinker
     density: float | None = None  # kg/m3; None: that of the material
     safety_factor: float = SAFETY_FACTOR  # on sliding; used where the code has none of its own
-    allow_recalled: bool = False  # whether recalled figures (R) may be used; those of steel are
+    allow_recalled: bool = False  # whether recalled figures (R) may be used
 
     def __post_init__(self) -> None:
         self.sized(0.0, 0.0, 1025.0)

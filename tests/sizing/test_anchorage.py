@@ -85,7 +85,7 @@ def test_a_sinker_of_one_s_own_figures() -> None:
     ("ground", "friction", "density"),
     [
         (SinkerGround("hard clay"), 1.0, CONCRETE),
-        (SinkerGround("IALA default"), 0.35, CONCRETE),  # fine or silty sand, the usual soil
+        (SinkerGround("IALA default"), 0.30, CONCRETE),  # fine or silty sand, formed concrete
         (SinkerGround(None, 0.4, "steel"), 1.0, STEEL),
     ],
 )

@@ -195,7 +195,7 @@ def on_a_sinker() -> Sizing:
 
 
 def test_a_ship_s_sinker_holds_the_largest_pull_of_all_load_cases(on_a_sinker: Sizing) -> None:
-    """Mu = 0.7: (1.5 H/0.7 + V)/(g (1 - 1025/2400)) is needed, of the largest H and V upwards."""
+    """Mu = 0.55: (1.5 H/0.55 + V)/(g (1 - 1025/2400)) is needed, of the largest H and V upwards."""
     ends = [each.anchor for each in solved(on_a_sinker).values()]
     H = max(each.horizontal_force for each in ends)
     V = max(0.0, *(each.vertical_force for each in ends))
@@ -203,7 +203,7 @@ def test_a_ship_s_sinker_holds_the_largest_pull_of_all_load_cases(on_a_sinker: S
     assert sinker is not None
     assert sinker.horizontal_force == pytest.approx(H, rel=SOLVED)
     assert sinker.vertical_force == pytest.approx(V, rel=1e-6, abs=1e-6)
-    needed = (1.5 * H / 0.7 + V) / (STANDARD_GRAVITY * (1.0 - 1025.0 / 2400.0))
+    needed = (1.5 * H / 0.55 + V) / (STANDARD_GRAVITY * (1.0 - 1025.0 / 2400.0))
     assert sinker.needed_mass == pytest.approx(needed, rel=1e-6)
     assert on_a_sinker.drag_anchor is None
     assert not any("Holding capacity" in each for each in on_a_sinker.warnings)
@@ -377,7 +377,7 @@ def test_a_buoy_with_lines_that_pull_too_much_is_tried_with_less_for_each(
 
 def test_a_line_of_which_no_proof_load_is_known_has_no_factor_on_it() -> None:
     """A rope has none; it breaks at its MBL, of which the factor is told."""
-    line = LineChoice(("polyester",), "break/5", diameters=(0.1,), length_step=2.5, life=0.0)
+    line = LineChoice(("polyester",), "break/5", diameters=(0.138,), length_step=2.5, life=0.0)
     of = size_buoy(BuoyRequest(GivenBuoy(10e3, 60e3), place(), line))
     tension = max(each.fairlead.tension for each in solved(of).values())
     MBL = of.point.line.segments[0].MBL

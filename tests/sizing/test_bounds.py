@@ -398,13 +398,11 @@ def test_the_steps_of_a_turn_are_of_1_to_180_deg() -> None:
         assert found == {"scan": "a step of 1 to 180 deg is wanted"}
 
 
-def test_what_is_recalled_is_taken_only_where_it_is_allowed() -> None:
-    """Of steel on sand 0.30 was recalled (R) (catopt.loads.sinker)."""
+def test_the_lower_figure_of_a_surface_is_taken() -> None:
+    """NAVFAC DM 7.02: formed concrete 0.30 to 0.40 on fine to medium sand, steel 0.30."""
     soil = "clean fine to medium sand"
-    with pytest.raises(InputError, match="recalled"):
-        SinkerGround(soil, material="steel")
-    assert SinkerGround(soil, material="steel", allow_recalled=True).mu == 0.30
-    assert SinkerGround(soil).mu == 0.45  # the lower one of 0.45 to 0.55
+    assert SinkerGround(soil, material="steel").mu == 0.30
+    assert SinkerGround(soil).mu == 0.30
 
 
 def test_an_anchor_whose_figures_are_all_recalled_is_taken_only_where_that_is_allowed() -> None:

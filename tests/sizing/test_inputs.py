@@ -219,11 +219,12 @@ def test_example_default_and_words_are_right(each: Input) -> None:
 
 def test_one_of_several_words_is_one_of_the_model() -> None:
     words = {each.name: each.words for each in INPUTS if each.words}
+    assert {"concrete", "steel"} <= set(DENSITIES)
     assert words == {
         "ship": get_args(ShipKind),
         "condition": get_args(Condition),
         "prefer": PREFERENCES,
-        "sinker": tuple(DENSITIES),
+        "sinker": ("concrete", "steel"),
         "load_method": METHODS,
         "wave_height": get_args(WaveHeight),
         "service_type": SERVICE_TYPES,

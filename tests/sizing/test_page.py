@@ -78,7 +78,7 @@ def buoy_by_hand() -> dict[str, float]:
     length = 0.5 * math.ceil(hangs_worn / 0.5)
     V = w * hangs
     T = math.hypot(H, V)
-    needed = 1.5 * H / 0.45 / (G * (1.0 - RHO / 2400.0))
+    needed = 1.5 * H / 0.30 / (G * (1.0 - RHO / 2400.0))
     return {
         "waterline": waterline,
         "draught": draught,

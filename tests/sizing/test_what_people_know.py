@@ -100,21 +100,21 @@ def test_mud_is_soft_clay_to_a_drag_anchor() -> None:
     request = requested(dwt="50000 t", depth="20 m", soil="mud")
     assert request.ground.soil == "soft clay"
     assert any("mud taken for soft clay" in each for each in request.defaults)
-    with pytest.raises(InputError, match="soft mud too, give friction"):
+    with pytest.raises(InputError, match="by adhesion on its base"):
         requested(dwt="50000 t", depth="20 m", anchor="sinker", soil="mud")
 
 
 def test_a_sinker_by_both_rules() -> None:
-    """IALA's is mu = 1; of sand NAVFAC has 0.35: (1.5 H/0.35 + V)/(g (1 - 1025/2400)), as cast."""
+    """IALA's is mu = 1; of silty sand NAVFAC has 0.30 under formed concrete."""
     sizing = catopt.size_buoy(buoy="pillar 1.8 m", depth="12 m")
     own, other = sizing.sinker, sizing.other_sinker
     assert own is not None
     assert other is not None
-    assert (own.friction, other.friction) == (1.0, 0.35)
+    assert (own.friction, other.friction) == (1.0, 0.30)
     H, V = own.horizontal_force, own.vertical_force
     unit = STANDARD_GRAVITY * (1.0 - 1025.0 / 2400.0)
     assert own.needed_mass == pytest.approx((1.5 * H + V) / unit, rel=1e-12)
-    assert other.needed_mass == pytest.approx((1.5 * H / 0.35 + V) / unit, rel=1e-12)
+    assert other.needed_mass == pytest.approx((1.5 * H / 0.30 + V) / unit, rel=1e-12)
     assert other.mass > 2.0 * own.mass >= 2.0 * own.needed_mass
 
 
@@ -139,9 +139,8 @@ def test_the_bound_that_the_lightest_line_stands_at_is_told(lightest: Sizing) ->
 
 
 def test_the_other_lines_stand_beside_it_each_under_its_own_loads(lightest: Sizing) -> None:
-    balanced, cheapest, least = lightest.alternatives
-    preferences = ("balanced", "cheapest", "least-swing")
-    assert (balanced.prefer, cheapest.prefer, least.prefer) == preferences
+    balanced, least = lightest.alternatives  # of one component the cheapest is the lightest
+    assert (balanced.prefer, least.prefer) == ("balanced", "least-swing")
     assert least.swing < balanced.swing < lightest.swing.total
     for each in (balanced, least):
         assert each.settled is not None
