@@ -248,7 +248,7 @@ def _none(sought: Sought, tried: list[Trial]) -> NoAnswerError:
             sought.line(nearest.value * factor)
         except NoEquilibriumError as stop:
             why = Message("catenary.beyond_that", why=stop.message)
-        except NotConvergedError:
+        except (NotConvergedError, InputError):
             continue
     return NoAnswerError(
         Message(
