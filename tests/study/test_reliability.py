@@ -182,7 +182,7 @@ def test_an_anchor_that_seldom_lifts_has_an_index(tmp_path: Path, length: int) -
 
 
 def test_a_limit_passed_either_way_has_two_points() -> None:
-    """Passed for x > 2 or y < -2.2 in standard deviations: 1 - (1 - P(2)) (1 - P(2.2)), two points."""
+    """Passed for x > 2 or y < -2.2 in standard deviations: 1 - P(x < 2) P(y > -2.2)."""
 
     def room(u: np.ndarray) -> np.ndarray:
         return np.minimum(2.0 - u[:, 0], 2.2 + u[:, 1])
