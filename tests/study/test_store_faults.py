@@ -72,7 +72,7 @@ def test_a_file_that_another_program_holds(
 
 @pytest.mark.parametrize(
     "harm",
-    ["numbers = x'0011'", "words = '[['", "reasons = '[]'", 
+    ["numbers = x'0011'", "words = '[['", "reasons = '[]'",
      "reasons = '{\"900\": \"\"}'"],
 )  # fmt: skip
 def test_a_damaged_piece_is_taken_out_and_computed_anew(
