@@ -79,7 +79,8 @@ def find_length(
         )
 
     if anchor_angle is not None:
-        condition = _angle_of(anchor_angle)
+        lies = anchor_angle == anchor_height == 0.0
+        condition = _angle_of(anchor_angle)._replace(holds_below=lies)
     else:
         assert grounded_length is not None
         condition = _grounded_of(grounded_length)
@@ -382,15 +383,12 @@ def _angle_of(angle: float) -> Condition:
             V = -math.fsum(each.submerged_weight * each.length for each in lying)
         # Friction may have taken of the force at the fairlead.
         wanted = solution.anchor.horizontal_force * math.tan(angle)
-        return V - wanted, solution.fairlead.tension
+        # Where friction leaves nothing of the force, the line leans to no side: any V is all of it.
+        H = solution.anchor.horizontal_force
+        return V - wanted, solution.fairlead.tension if H > 0.0 else abs(V)
 
     said = Message("catenary.angle_given", angle=math.degrees(angle))
-    return Condition(
-        said,
-        miss,
-        lambda solution: f"{math.degrees(solution.anchor.angle):.4g} deg",
-        holds_below=angle == 0.0,
-    )
+    return Condition(said, miss, lambda solution: f"{math.degrees(solution.anchor.angle):.4g} deg")
 
 
 def _angle_over_clump(index: int) -> Callable[[Solution], str]:

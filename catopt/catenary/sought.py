@@ -129,7 +129,7 @@ def find(sought: Sought, start: float, scale: float, least: float) -> Found:
         value = _root(sought, low, high)
         left, size = _left(sought, value)
         if abs(left) <= MET * size:
-            found.append((value, left / size))
+            found.append((value, left / size if size > 0.0 else 0.0))
         else:
             jumps.append((low, high))
     if not found and sought.condition.holds_below and tried[0].missing <= 0.0:

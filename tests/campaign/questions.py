@@ -94,7 +94,12 @@ def _of(kind, rng, line, place, load, angle) -> Question:  # type: ignore[no-unt
         def longer(value: float) -> Solution:
             return solve(with_segment_length(line, index, value), **load, **place)
 
-        values = np.geomspace(1e-3, 1e2, 160) * line.length
+        # Point loads keep their place on the segment: it is no shorter than up to the last of them.
+        start = math.fsum(part.length for part in line.segments[:index])
+        end = start + line.segments[index].length
+        held = max((q.position - start for q in line.point_loads if start < q.position <= end),
+                   default=0.0)  # fmt: skip
+        values = np.geomspace(1e-3, 1e2, 160) * line.length + held
         if kind == "length angle":
             return Question(
                 lambda: find_length(line, segment=index, anchor_angle=angle, **load, **place),
