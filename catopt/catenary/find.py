@@ -16,6 +16,7 @@ from catopt.catenary.solve import solve
 from catopt.catenary.sought import Condition, Found, Sought, find
 from catopt.errors import CatoptError, InputError, NoAnswerError, Problem
 from catopt.model import Case, Line, Load, PointLoad, Segment
+from catopt.model.validity import plain
 from catopt.words import Message
 
 __all__ = [
@@ -447,6 +448,6 @@ def _one_of(**given: float | None) -> None:
         is_angle = key == "anchor_angle"
         if not (0.0 <= value < math.pi / 2 if is_angle else 0.0 < value < math.inf):
             allowed = "from 0 to below pi/2 rad" if is_angle else "a length above 0 m"
-            problems.append(Problem(key, repr(value), allowed))
+            problems.append(Problem(key, repr(plain(value)), allowed))
     if problems:
         raise InputError(problems, "find")

@@ -123,7 +123,8 @@ class Axis:
         """What each of its values counts, in all 1."""
         if self.weights is None:
             return np.full(len(self), 1.0 / len(self))
-        shares: Array = self.weights / self.weights.sum()
+        scaled = self.weights / self.weights.max()  # the sum of the largest floats is none
+        shares: Array = scaled / scaled.sum()
         return shares
 
     def take(self, at: Codes) -> dict[str, Sequence[Any] | Array]:

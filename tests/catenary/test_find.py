@@ -6,6 +6,7 @@ import math
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from catopt import read_case
@@ -329,3 +330,9 @@ def test_no_question_is_refused_or_answered_wrongly() -> None:
     asked, faults = run(5000, 60)
     assert asked == 60
     assert faults == {}
+
+
+def test_numbers_of_numpy_are_numbers() -> None:
+    assert Segment(np.int64(5), 1.0).length == 5  # type: ignore[arg-type]
+    with pytest.raises(InputError, match="found -1; must be above 0 m"):
+        Segment(np.int64(-1), 1.0)  # type: ignore[arg-type]
