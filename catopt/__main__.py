@@ -95,13 +95,7 @@ def _of_the_place(error: Exception) -> str:
         Path.cwd()
     except FileNotFoundError:
         return "the working directory is gone: change to one that is there and run it again"
-    if error.errno not in (
-        errno.ENAMETOOLONG,
-        errno.ELOOP,
-        errno.ENOSPC,
-        errno.EROFS,
-        errno.EDQUOT,
-    ):
+    if error.errno not in (EDQUOT, ELOOP, ENAMETOOLONG, ENOSPC, EROFS):
         return ""
     name = str(error.filename or "")
     short = name if len(name) <= LONGEST_NAME else f"{name[:LONGEST_NAME]}..."
