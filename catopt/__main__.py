@@ -13,8 +13,12 @@ if TYPE_CHECKING:
 __all__ = ["main"]
 
 FAULT = 1
+WRONG_INPUT = 2
 INTERRUPTED = 130
 """128 + SIGINT: what a shell reports of a program that was interrupted."""
+
+LONGEST_NAME = 60
+"""Letters of the name of a file that are shown."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -71,10 +75,31 @@ def _failed(error: Exception, output: Output) -> int:
     if isinstance(error, CatoptError) and error.exit_status != FAULT:
         output.note(f"catopt: {error}")
         return error.exit_status
+    if (said := _of_the_place(error)) and not output.debug:
+        output.note(f"catopt: {said}")
+        return WRONG_INPUT
     if was_interrupted() and not output.debug:  # what is stopped half-way says anything
         return INTERRUPTED
     output.note(_fault(error, output))
     return FAULT
+
+
+def _of_the_place(error: Exception) -> str:
+    """Say what a file, a disk or the working directory does not do; empty for any other fault."""
+    from errno import EDQUOT, ELOOP, ENAMETOOLONG, ENOSPC, EROFS
+    from pathlib import Path
+
+    if not isinstance(error, OSError):
+        return ""
+    try:
+        Path.cwd()
+    except FileNotFoundError:
+        return "the working directory is gone: change to one that is there and run it again"
+    if error.errno not in (EDQUOT, ELOOP, ENAMETOOLONG, ENOSPC, EROFS):
+        return ""
+    name = str(error.filename or "")
+    short = name if len(name) <= LONGEST_NAME else f"{name[:LONGEST_NAME]}..."
+    return f"{short}: {error.strerror}" if short else str(error.strerror)
 
 
 def _fault(error: Exception, output: Output) -> str:

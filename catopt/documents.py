@@ -33,6 +33,16 @@ MOST_BYTES_OF_DATA = 64 * 2**20
 _DEEPEST = 20
 """Tables and arrays within each other; a case file needs 6, a document of catopt's own 8."""
 
+MOST_ENTRIES = 200_000
+"""Keys, values and tables of a text that a person writes: parsing takes some 20 us for each."""
+
+_LONG_KEY = re.compile(
+    r"""(?<![\w.-])(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')"""
+    rf"""(?:[ \t]*+\.[ \t]*+(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')){{{_DEEPEST},}}+[ \t]*+[=\]]"""
+)
+"""A dotted key of more parts than tables may be deep: the time that it takes grows with the square
+of them."""
+
 _PLACE = re.compile(r" \(at (line (\d+), column \d+|end of document)\)$")
 _UNIT = re.compile("_(m|N|kg|rad|s|J|USD)(_per_(m|m3|s))?$")
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
@@ -95,6 +105,11 @@ def parse_toml(text: str, source: str) -> dict[str, Any]:
     """
     # A newline is added so that a fault in the last line is placed there, not at the end.
     document = text.removeprefix("\ufeff").replace("\r\n", "\n") + "\n"
+    check_entries(document, source, "=,[{")
+    if found := _LONG_KEY.search(document):
+        place = f"line {document.count(chr(10), 0, found.start()) + 1}"
+        allowed = f"the key has more than {_DEEPEST} parts; tables are nested too deeply"
+        raise InputError([Problem(place, _shown(found[0]), allowed)], source)
 
     def parse() -> dict[str, Any]:
         try:
@@ -103,6 +118,14 @@ def parse_toml(text: str, source: str) -> dict[str, Any]:
             raise InputError([_syntax_problem(document, str(error))], source) from None
 
     return _parsed(parse, source)
+
+
+def check_entries(text: str, source: str, marks: str) -> None:
+    """Refuse a text, before it is parsed, with more entries than anybody writes: by their marks."""
+    entries = sum(map(text.count, marks))
+    if entries > MOST_ENTRIES:
+        allowed = f"{MOST_ENTRIES:,} are the most; give long tables of numbers as CSV files"
+        raise InputError([Problem("file", f"some {entries:,} keys and values", allowed)], source)
 
 
 def parse_json(text: str, source: str) -> dict[str, Any]:

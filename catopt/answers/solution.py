@@ -236,7 +236,9 @@ def profile_table(solution: Solution, *, only: blocks.For = "all") -> blocks.Tab
 def how_it_hangs(solution: Solution) -> Message:
     """Say how the line hangs; with the touchdown at its anchor nothing of it lies on the bed."""
     at_anchor = solution.grounded_length <= _NO_LENGTH * solution.line.length
-    if solution.regime == "grounded" and at_anchor:
+    level = abs(solution.anchor.vertical_force) <= _NO_LENGTH * solution.fairlead.tension
+    hangs = solution.regime == "suspended" and solution.anchor_height == 0.0
+    if (solution.regime == "grounded" and at_anchor) or (hangs and level):
         return Message("solution.just_level")
     return Message(f"solution.{solution.regime.replace('-', '_')}")
 

@@ -15,6 +15,7 @@ from catopt.words import Cited, Message
 
 if TYPE_CHECKING:
     from catopt.study.base import Kept
+    from catopt.study.reliability import FirstOrder
     from catopt.study.result import ByChoice, Statistic, StudyResult
     from catopt.study.run import Plan
     from catopt.study.store import Computed
@@ -171,7 +172,7 @@ def _first_beyond(result: StudyResult, found: Sequence[Statistic]) -> Iterator[b
     yield texts("study.first_beyond", _cells(said))
 
 
-def _intervals(found: Sequence[Statistic | ByChoice]) -> Iterator[blocks.Column]:
+def _intervals(found: Sequence[Statistic | ByChoice | FirstOrder]) -> Iterator[blocks.Column]:
     """Yield both ends of the intervals of the shares, where they are probabilities."""
     intervals = Rows(each.interval for each in found)
     for end, name in enumerate(("probable_from", "probable_to")):
@@ -209,6 +210,8 @@ def _first_orders(result: StudyResult) -> Iterator[blocks.Block]:
             texts("study.quantity", [of.words for of, _ in found]),
             every.measured(_INDEX, "index", "study.index"),
             every.measured(_SHARE, "probability", "study.probability"),
+            *if_known(every.measured(_SHARE, "sampled", "study.sampled")),
+            *_intervals([each for _, each in found]),
             caption=Message("study.first_order"),
         )
         rows = [(of, each, key) for of, each in found for key in each.point]
@@ -221,9 +224,22 @@ def _first_orders(result: StudyResult) -> Iterator[blocks.Block]:
             measured(_SHARE, [each.importance[key] for _, each, key in rows], "study.importance"),
             caption=Message("study.failure_point"),
         )
-    missing = [str(kept[name].name) for name, each in result.first_orders.items() if each is None]
-    if missing:
-        yield blocks.Warnings((Message("study.no_first_order", names=", ".join(missing)),))
+    told = [
+        Message(
+            "study.other_point",
+            name=of.name,
+            index=index,
+            values=", ".join(f"{key} {result.study.written(key, v)}" for key, v in point.items()),
+        )
+        for of, each in found
+        for index, point in each.others
+    ]
+    told += (
+        Message("study.no_first_order", name=name, why=why)
+        for name, why in result.no_first_orders.items()
+    )
+    if told:
+        yield blocks.Warnings(tuple(told))
 
 
 def _worst(result: StudyResult) -> blocks.Table:

@@ -119,7 +119,7 @@ def _system(design: dict[str, Any], line: Line, case: Case) -> System | None:
     if found is None or case.system is None:
         return case.system
     own, first = case.system, case.system.legs[0]
-    return System.around(
+    system = System.around(
         line,
         azimuths=found["azimuths_rad"],
         anchor_radius=found["anchor_radius_m"],
@@ -131,6 +131,7 @@ def _system(design: dict[str, Any], line: Line, case: Case) -> System | None:
         moment=own.moment,
         yaw_free=own.yaw_free,
     )
+    return replace(system, judged_line_out=found.get("farthest_line_out", True))
 
 
 def _anchor(design: dict[str, Any], case: Case) -> Anchor | None:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from hashlib import sha256
+from pathlib import Path as FilePath
 from typing import Any, Final
 
 from catopt.casefile.location import header
@@ -46,12 +48,27 @@ _ESCAPES = {
     "\n": "\\n",
 }
 
+_NAMED_FILE = re.compile(r'^(\w*file) = "(.*)"$', re.MULTILINE)
 _WIDTH = 100
 
 
 def case_digest(case: Case) -> str:
-    """Return the SHA-256 of a case: of the very text that `write_case` gives it."""
-    return sha256(write_case(case).encode()).hexdigest()
+    """Return the SHA-256 of a case: of the text that `write_case` gives it, as `text_digest`."""
+    return text_digest(write_case(case))
+
+
+def text_digest(text: str) -> str:
+    """Return the SHA-256 of a case file as `write_case` writes it, wherever its files are.
+
+    The path of a file that it names stands for what the file holds; that of none for its name.
+    """
+
+    def held(named: re.Match[str]) -> str:
+        path = FilePath(named[2])
+        content = sha256(path.read_bytes()).hexdigest() if path.is_file() else path.name
+        return f"{named[1]} = {content}"
+
+    return sha256(_NAMED_FILE.sub(held, text).encode()).hexdigest()
 
 
 def write_case(case: Case | Network) -> str:

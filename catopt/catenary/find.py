@@ -1,7 +1,7 @@
 """The questions turned round: which length, force or clump weight gives what is wanted.
 
-Each is one bracketed root (`sought`) over the closed form; each answer carries the line it belongs
-to and what is left of its condition.
+Each is a search of the whole range (`sought`) over the closed form; each answer carries the line it
+belongs to and what is left of its condition, and names the other answers where there are several.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from catopt.catenary.solve import solve
 from catopt.catenary.sought import Condition, Found, Sought, find
 from catopt.errors import CatoptError, InputError, NoAnswerError, Problem
 from catopt.model import Case, Line, Load, PointLoad, Segment
+from catopt.model.validity import plain
 from catopt.words import Message
 
 __all__ = [
@@ -79,14 +80,16 @@ def find_length(
         )
 
     if anchor_angle is not None:
-        condition = _angle_of(anchor_angle)
+        lies = anchor_angle == anchor_height == 0.0
+        condition = _angle_of(anchor_angle)._replace(holds_below=lies)
     else:
         assert grounded_length is not None
         condition = _grounded_of(grounded_length)
     shortest = _shortest(line, index, abs(height - anchor_height))
     start = max(line.segments[index].length, shortest * (1.0 + 1e-6))
-    sought = Sought("length", condition, at, falls=True, number=index + 1)
-    return find(sought, start, shortest)
+    turns = horizontal_force is None or anchor_height > 0.0 or _floats(line)
+    sought = Sought("length", condition, at, turns, number=index + 1)
+    return find(sought, start, max(line.length, height, anchor_height), shortest)
 
 
 def find_touchdown_force(line: Line, *, height: float, seabed_friction: float = 0.0) -> Found:
@@ -107,7 +110,11 @@ def find_touchdown_force(line: Line, *, height: float, seabed_friction: float = 
         return solve(line, height=height, horizontal_force=force, seabed_friction=seabed_friction)
 
     condition = _angle_of(0.0)._replace(text=Message("catenary.touchdown_at_anchor"))
-    return find(Sought("horizontal_force", condition, at), abs(line.submerged_weight), 0.0)
+    weight = math.fsum(
+        [abs(part.submerged_weight) * part.length for part in line.segments]
+        + [abs(load.submerged_weight) for load in line.point_loads]
+    )
+    return find(Sought("horizontal_force", condition, at, _floats(line)), weight, weight, 0.0)
 
 
 def find_clump_weight(
@@ -168,7 +175,8 @@ def find_clump_weight(
     if horizontal_force is not None:
         _check_heaviest(without, line.point_loads[index].position, condition)
     size = max(abs(line.submerged_weight), 1e-3 * without.fairlead.tension)
-    return find(Sought("clump_weight", condition, at, falls=True, number=index + 1), size, 0.0)
+    turns = horizontal_force is None or anchor_height > 0.0 or _floats(line)
+    return find(Sought("clump_weight", condition, at, turns, number=index + 1), size, size, 0.0)
 
 
 def _check_heaviest(without: Solution, position: float, condition: Condition) -> None:
@@ -279,7 +287,9 @@ def find_limit_force(
         lambda solution: (used(solution) - 1.0, 1.0),
         lambda solution: Message("catenary.times_that", used=used(solution)),
     )
-    return find(Sought("horizontal_force", condition, at), 0.5 * min(limits.values()), 0.0)
+    size = 0.5 * min(limits.values())
+    turns = anchor_height > 0.0 or _floats(line)
+    return find(Sought("horizontal_force", condition, at, turns), size, size, 0.0)
 
 
 def with_segment_length(line: Line, segment: int, length: float) -> Line:
@@ -352,6 +362,12 @@ def find_case(case: Case) -> Found:
     )
 
 
+def _floats(line: Line) -> bool:
+    """Whether any of a line floats: of a heavy one what is missing only rises or falls."""
+    weights = [part.submerged_weight for part in line.segments]
+    return min(*weights, *(load.submerged_weight for load in line.point_loads), 0.0) < 0.0
+
+
 def _angle_of(angle: float) -> Condition:
     """Ask for an inclination at the anchor.
 
@@ -366,8 +382,11 @@ def _angle_of(angle: float) -> Condition:
             # Less the weight on the bed between the anchor and where the line first leaves it.
             lying = takewhile(lambda stretch: stretch.on_bed, solution.stretches)
             V = -math.fsum(each.submerged_weight * each.length for each in lying)
-        wanted = solution.horizontal_force * math.tan(angle)
-        return V - wanted, solution.fairlead.tension
+        # Friction may have taken of the force at the fairlead.
+        wanted = solution.anchor.horizontal_force * math.tan(angle)
+        # Where friction leaves nothing of the force, the line leans to no side: any V is all of it.
+        H = solution.anchor.horizontal_force
+        return V - wanted, solution.fairlead.tension if H > 0.0 else abs(V)
 
     said = Message("catenary.angle_given", angle=math.degrees(angle))
     return Condition(said, miss, lambda solution: f"{math.degrees(solution.anchor.angle):.4g} deg")
@@ -429,6 +448,6 @@ def _one_of(**given: float | None) -> None:
         is_angle = key == "anchor_angle"
         if not (0.0 <= value < math.pi / 2 if is_angle else 0.0 < value < math.inf):
             allowed = "from 0 to below pi/2 rad" if is_angle else "a length above 0 m"
-            problems.append(Problem(key, repr(value), allowed))
+            problems.append(Problem(key, repr(plain(value)), allowed))
     if problems:
         raise InputError(problems, "find")

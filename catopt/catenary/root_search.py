@@ -134,7 +134,8 @@ def _reached(known: int, state: State) -> float:
 def _by_force(known: int, state: State) -> float:
     """Return the derivative of tension or span by H at a fixed height; nan where there is none."""
     if state.z_V <= 0.0:
-        return math.nan
+        # A fairlead that lies on the bed stays there.
+        return state.x_H if known == BY_SPAN and state.x_H > 0.0 else math.nan
     V_H = -state.z_H / state.z_V
     if known == BY_TENSION:
         return (state.H + state.V * V_H) / tension_of(state)

@@ -39,10 +39,18 @@ def given_span(
             return without_force(slack, span)
     if math.isnan(H_guess):
         H_guess, V_guess = _guess(span, rise, pieces)
-    if rise > 0.0 and is_plain(problem):
-        state = newton(BY_SPAN, span, problem, H_guess, V_guess)
+    if is_plain(problem):
+        if rise > 0.0:
+            state = newton(BY_SPAN, span, problem, H_guess, V_guess)
+        else:
+            state = _lying(span, problem, H_guess)
         if state.status == CONVERGED:
             return state
+    return _bracketed(span, problem, H_guess)
+
+
+def _bracketed(span: float, problem: LineProblem, H_guess: float) -> State:
+    """Solve a line of any kind between two forces with a smaller and a larger span."""
     below, above = _enclosed(span, problem, H_guess)
     if math.isnan(above):
         return failed(NOT_CONVERGED)
@@ -52,6 +60,23 @@ def given_span(
     if state.status == NOT_CONVERGED and problem.friction > 0.0:
         return _while_sliding(span, problem)
     return state
+
+
+def _lying(span: float, problem: LineProblem, H: float) -> State:
+    """Newton's method on the force of a line that lies on the bed from end to end.
+
+    It stretches by a sum that is linear in the force, but for what friction leaves of that.
+    """
+    size = max(span, total_length(problem.pieces))
+    for _ in range(25):
+        state = given_force(H, problem)
+        error = state.span - span
+        if state.status != CONVERGED or not state.x_H > 0.0:
+            break
+        if abs(error) <= 1e-15 * size:
+            return state
+        H = max(H - error / state.x_H, 0.1 * H)
+    return failed(NOT_CONVERGED)
 
 
 def _while_sliding(span: float, problem: LineProblem) -> State:

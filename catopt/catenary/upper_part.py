@@ -35,6 +35,10 @@ An inclination of sqrt(2 e) takes up the part e of a piece's length: 1e-12 of it
 rounding, would hide a span of 1e-6 of the length.
 """
 
+CONTACT = 2.0**-48
+"""Part of the length by which rounding may part two places of touchdown that meet: where a line
+just touches the bed, neither reaches the other, and the height is met by both."""
+
 MOST_TRIALS = 300
 EXACT = 2.0**-52
 
@@ -47,16 +51,21 @@ def upper_part(H: float, problem: LineProblem) -> Part:
     pieces, height = problem.pieces, problem.fairlead_height
     tolerance = CLEARANCE * total_length(pieces)
     free = _to_anchor(H, problem)
+    pulled_down = math.inf
     if free.top >= 0:
         reach = part_reach(free, pieces)
-        is_held = problem.anchor_height > 0.0 or reach.V_bottom >= 0.0 or pieces.weight[0] <= 0.0
-        if is_held and problem.anchor_height + reach.low >= -tolerance:
-            return free
+        is_held = problem.anchor_height > 0.0 or pieces.weight[0] <= 0.0
+        if problem.anchor_height + reach.low >= -tolerance:
+            pulled_down = 0.0 if is_held else max(-reach.V_bottom, 0.0)
+            if pulled_down == 0.0:
+                return free
     start = _from_fairlead(H, pieces, 0, pieces.length[0], 0, 0.0, NO_TOUCHDOWN)
     for code in range(2 * len(pieces.length)):
         part = to_touchdown(start, height, pieces, code)
         if part.top >= 0 and part_reach(part, pieces).low >= -tolerance:
             return part
+    if pulled_down <= 4.0 * rounding_of_V(free, pieces):
+        return free
     if height == 0.0 and pieces.weight[len(pieces.length) - 1] >= 0.0:
         return lying_end(H, pieces)
     return NO_PART
@@ -223,12 +232,13 @@ def to_touchdown(start: Part, height: float, pieces: Pieces, code: int) -> Part:
         return NO_PART
     lying = _touching(start, pieces, code, 0.0)
     f_low = part_reach(lying, pieces).z - height
-    f_high = part_reach(_touching(start, pieces, code, most), pieces).z - height
-    if f_low > 0.0 or f_high < 0.0:
-        return NO_PART
+    whole = _touching(start, pieces, code, most)
+    f_high = part_reach(whole, pieces).z - height
     scale = max(total_length(pieces), height)
-    if f_low >= -EXACT * scale:
-        return lying
+    if f_low > CONTACT * scale or f_high < -CONTACT * scale:
+        return NO_PART
+    if f_high <= 0.0 or f_low >= -EXACT * scale:
+        return whole if f_high <= 0.0 else lying
     by_V = pieces.weight[k] if code % 2 == 0 else 1.0
     around = bracket(0.0, most, f_low, f_high)
     guess = math.nan

@@ -57,8 +57,8 @@ def check_system(case: Case, report: SystemReport | None = None) -> CheckReport:
     """
     assert case.system is not None
     criteria = criteria_of(case)
-    damaged = _for_line_out(criteria, len(case.system.legs))
     legs = case.system.legs
+    damaged = _for_line_out(criteria, len(legs)) if case.system.judged_line_out else ()
     wanted: tuple[State, ...] = ("intact", "one_line_out") if damaged else ("intact",)
     known = {line: criteria.strengths(line, {"extreme"}, wanted) for line in {e.line for e in legs}}
     report = report or report_system(case)
@@ -78,7 +78,11 @@ def check_system(case: Case, report: SystemReport | None = None) -> CheckReport:
     lines = {line: of_criteria(criteria, line, strengths) for line, strengths in known.items()}
     warnings = (
         *(warning for told in lines.values() for warning in told),
-        *_of_line_out(criteria, damaged, len(legs)),
+        *(
+            _of_line_out(criteria, damaged, len(legs))
+            if case.system.judged_line_out
+            else (Message("checks.line_out_not_asked"),)
+        ),
         *of_transient(criteria),
         *of_uplift((each for each, _ in solved), criteria, case.anchor),
         *report.solution.warnings,

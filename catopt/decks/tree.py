@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Any, Unpack
 
 from catopt.decks.deck import Limits, Notes
+from catopt.documents import check_entries
 from catopt.errors import need_package
 
 
@@ -157,6 +158,7 @@ def parse_yaml(text: str, notes: Notes) -> Table:
     need_package("PyYAML", "yaml", notes.source, module="yaml")
     import yaml
 
+    check_entries(text, notes.source, ":,[{-")
     found = Item(1, None)
     try:
         node = yaml.compose(text, Loader=yaml.SafeLoader)

@@ -105,6 +105,7 @@ def _point(point: DesignPoint) -> dict[str, Any]:
             "farthest_force_N": list(mooring.farthest.system.force),
             "farthest_water_level_m": mooring.load.water_level,
             "farthest_fairlead_rise_m": mooring.load.fairlead_rise,
+            "farthest_line_out": mooring.load.line_out,
         }
     return document
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from catopt.errors import Problem
 from catopt.model.kinds import Angle, Force, Height, Length, Moment, NotNegative
@@ -105,6 +105,8 @@ class System(Checked):
     """Coulomb coefficient of what lies on the bed, along the line."""
     yaw_free: bool | None = None
     """Whether the body turns. None: it does where a fairlead lies off the body's origin."""
+    judged_line_out: bool = field(default=True, compare=False)
+    """Whether checks look at it with each line gone; not where a load of a search asks for none."""
 
     def _check(self, found: Findings) -> None:
         object.__setattr__(self, "legs", tuple(self.legs))

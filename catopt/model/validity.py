@@ -23,6 +23,12 @@ _DIMENSIONS["N/m2"] = Dimension.PRESSURE
 """By their SI units, as messages write them."""
 
 
+def plain(value: object) -> object:
+    """Return a single number of numpy as the number that it is; anything else as it stands."""
+    is_number = type(value).__module__ == "numpy" and getattr(value, "shape", None) == ()
+    return value.item() if is_number else value  # type: ignore[attr-defined]
+
+
 class Findings:
     """Gathers the problems of one value or one call, so that all are reported together.
 
@@ -93,6 +99,10 @@ class Findings:
             if read is None:
                 return
             value = read
+        elif plain(value) is not value:
+            value = plain(value)
+            if hasattr(self._of, key):
+                object.__setattr__(self._of, key, value)
         in_unit = f" in {unit}" if unit else ""
         if isinstance(value, bool) or not isinstance(value, (int, float)) or value != value:
             self.add(key, repr(value), f"a number{in_unit} is wanted")

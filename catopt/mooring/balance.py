@@ -132,6 +132,9 @@ def _hang(k: int, span: float, arrangement: Arrangement, lines: Lines, is_exact:
     if state.H > 0.0 and determinant > 0.0:
         lines.H_S[k] = state.z_V / determinant
         lines.V_S[k] = -state.z_H / determinant
+    elif state.H > 0.0 and state.z_V == 0.0 and state.x_H > 0.0:
+        # Its fairlead lies on the bed: it is as stiff along it as its span grows with the force.
+        lines.H_S[k], lines.V_S[k] = 1.0 / state.x_H, 0.0
     else:
         lines.H_S[k] = lines.V_S[k] = 0.0
     return CONVERGED

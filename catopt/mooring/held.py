@@ -13,6 +13,7 @@ from catopt.catenary.solution import Solution
 from catopt.errors import InputError, Problem
 from catopt.model import Site, System
 from catopt.model.network import LineBetween, Network, Point
+from catopt.mooring.chains import apart, in_rows, rows_of
 from catopt.mooring.joints import (
     UNIT,
     JointsAtRest,
@@ -229,14 +230,14 @@ def hold(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> Netw
     >>> round(found.place_of("buoy")[2], 3), round(found.lines[0].fairlead.tension, 1)
     (13.0, 4166.6)
     """
-    arms, held = _ends_held(network, displacement)
-    runs = runs_of(network)
-    found = joints_at_rest(network, runs, held)
+    rows = rows_of(network)
+    whole = in_rows(network, rows)
+    arms, held = _ends_held(whole, displacement)
+    runs = runs_of(whole)
+    found = joints_at_rest(whole, runs, held)
     _check_pull(runs, found)
-    load, stiffness = [0.0] * 6, _condensed(network, runs, found, arms)
-    lines = []
+    load, stiffness = [0.0] * 6, _condensed(whole, runs, found, arms)
     for run, end in zip(runs, found.ends, strict=True):
-        state = end.state
         for at, force in ((run.first, end.first), (run.second, end.second)):
             if at in arms:
                 _add(load, (*force, *_times(_skew(arms[at]), force)))
@@ -244,7 +245,10 @@ def hold(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> Netw
                     stiffness[3:], product(_skew(force), _skew(arms[at])), strict=True
                 ):
                     _add(row, (0.0, 0.0, 0.0, *(-each for each in turned)))
-        place = found.places[run.second]
+    runs, found = apart(network, rows, whole, found, runs)
+    lines = []
+    for run, end in zip(runs, found.ends, strict=True):
+        place, state = found.places[run.second], end.state
         lines.append(HeldLine(place, state.span, state.H, state.V, state.grounded))
     body = HeldBody(
         tuple(displacement),

@@ -8,7 +8,7 @@ the forces at its end push back by more than a part of what they pulled at its s
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -27,10 +27,16 @@ TOLERANCE = 1e-9
 ROUNDING = 2e-15
 """Of the longest line, by which rounding moves an end: over the stiffness that is a force."""
 
+WORTH_A_STEP = 1e-3
+"""Of what may be left over: more than that is brought down as long as a step halves it."""
+
 _STEPS = 200
 _CUTS = 60
 _OVERSHOOT = 0.3
 """Of what the forces pulled at the start of a step, what they may push back at its end."""
+_SETTLED = 0.02
+"""The same once a step has been cut back: a line that comes taut on the way stops it there, and the
+next step has to know how stiff it is."""
 _HELD_BACK = 1e-9
 """Spring to where a joint is in one step, over the largest stiffness: nothing else may hold it."""
 
@@ -77,10 +83,19 @@ def _run(number: int, given: LineBetween, network: Network) -> Run:
     kinds = network.points[first].kind, network.points[second].kind
     if kinds[1] == "anchor" and kinds[0] != "anchor":
         first, second = second, first
-        loads = [replace(load, position=line.length - load.position) for load in line.point_loads]
-        line = Line(line.segments[::-1], loads)
-    pieces, segment_of = cut(line)
-    return Run(given.name or f"{number}", first, second, line, pieces, segment_of)
+        line = turned_line(line)
+    return run_of(given.name or f"{number}", first, second, line)
+
+
+def run_of(name: str, first: int, second: int, line: Line) -> Run:
+    """Lay out a line from one point to another."""
+    return Run(name, first, second, line, *cut(line))
+
+
+def turned_line(line: Line) -> Line:
+    """Return a line counted from its other end."""
+    loads = [replace(load, position=line.length - load.position) for load in line.point_loads]
+    return Line(line.segments[::-1], loads)
 
 
 def joints_at_rest(network: Network, runs: Sequence[Run], held: dict[int, Vector]) -> JointsAtRest:
@@ -92,7 +107,7 @@ def joints_at_rest(network: Network, runs: Sequence[Run], held: dict[int, Vector
     found = _Search(network, runs, held).rest() if len(held) < len(network.points) else None
     if found is None:
         places = tuple(held[k] for k in range(len(network.points)))
-        ends = tuple(_solved(run, places, network.site.seabed_friction) for run in runs)
+        ends = tuple(solved(run, places, network.site.seabed_friction) for run in runs)
         found = JointsAtRest(places, ends, (0.0,) * len(places), 0.0, 0)
     _check(network, runs, found)
     return found
@@ -119,7 +134,7 @@ class _Search:
             left = max(math.hypot(*forces[3 * k : 3 * k + 3]) for k in range(len(self.joints)))
             stiffest = max(each.stiffness[i][i] for each in ends for i in range(6))
             limit = TOLERANCE * largest + ROUNDING * self.stride * stiffest
-            if left <= limit and (left == 0.0 or not left < 0.5 * best):
+            if left <= limit and not WORTH_A_STEP * limit < left < 0.5 * best:
                 reactions = [0.0] * len(at)
                 for k, point in enumerate(self.joints):
                     reactions[point] = laid.get(3 * k + 2, 0.0)
@@ -132,7 +147,7 @@ class _Search:
     def ends(self, at: Sequence[Vector], known: Sequence[Ends] | None) -> list[Ends]:
         """Solve every line."""
         return [
-            _solved(run, at, self.friction, None if known is None else known[k])
+            solved(run, at, self.friction, None if known is None else known[k])
             for k, run in enumerate(self.runs)
         ]
 
@@ -169,8 +184,8 @@ class _Search:
             matrix[i] = [float(i == j) for j in range(len(forces))]
         way = [row[0] for row in solve(matrix, [[each] for each in forces])]
         part = min(1.0, self.stride / max(map(abs, way)))
-        short, far, pull, push = 0.0, math.inf, 0.0, 0.0
-        for _ in range(_CUTS):
+        short, far, pull, push, last = 0.0, math.inf, 0.0, 0.0, part
+        for cut_back in range(_CUTS):
             moved = self.moved(at, way, part)
             went = [
                 new - old for p in self.joints for new, old in zip(moved[p], at[p], strict=True)
@@ -178,16 +193,22 @@ class _Search:
             downhill = math.fsum(map(float.__mul__, forces, went))
             there = self.ends(moved, ends)
             slope = math.fsum(map(float.__mul__, self.forces(moved, there)[0], went))
-            if abs(slope) <= _OVERSHOOT * downhill or (slope > 0.0 and math.isinf(far)):
+            most = _SETTLED if cut_back else _OVERSHOOT
+            if abs(slope) <= most * downhill or (slope > 0.0 and math.isinf(far)):
                 break
-            # Regula falsi between where the forces still pull on and where they push back.
+            # Illinois: regula falsi between where the forces still pull on and where they push
+            # back; the end that stays counts half, so that a kink between them is closed in on.
+            if short == 0.0:
+                pull = downhill / part
             if slope > 0.0:
+                push = 0.5 * push if short == last else push
                 short, pull = part, slope / part
             else:
+                pull = 0.5 * pull if far == last else pull
                 far, push = part, slope / part
-            pull = downhill / part if short == 0.0 else pull
+            last = part
             share = pull / (pull - push)
-            part = short + min(max(share, 0.1), 0.9) * (far - short)
+            part = short + min(max(share, 0.01), 0.99) * (far - short)
         return moved, there
 
     def moved(self, at: Sequence[Vector], way: Sequence[float], part: float) -> list[Vector]:
@@ -202,7 +223,12 @@ class _Search:
 UNIT: Matrix = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
-def _solved(run: Run, at: Sequence[Vector], friction: float, known: Ends | None = None) -> Ends:
+def solved(
+    run: Run,
+    at: Mapping[int, Vector] | Sequence[Vector],
+    friction: float,
+    known: Ends | None = None,
+) -> Ends:
     """Solve a line between its points; an error where it has no answer."""
     a, b = at[run.first], at[run.second]
     ends = ends_of(run.pieces, a, b, friction, None if known is None else known.state)
@@ -294,17 +320,24 @@ def _place(row: Sequence[float]) -> Vector:
 def _check(network: Network, runs: Sequence[Run], found: JointsAtRest) -> None:
     """Refuse what lies where friction leaves it open, and buoys above the surface."""
     site = network.site
-    for point, place, reaction in zip(network.points, found.places, found.reactions, strict=True):
+    for point, reaction in zip(network.points, found.reactions, strict=True):
         if reaction > 0.0 and site.seabed_friction > 0.0:
             said = Message("mooring.joint_on_bed", name=point.name, reaction=reaction)
             raise NoEquilibriumError(said, "force", reaction)
-        above = place[2] - site.water_depth
-        if point.submerged_weight < 0.0 and above > 1e-9 * site.water_depth:
-            values = {"name": point.name, "above": above, "lift": -point.submerged_weight}
-            raise FloatsUpError(Message("mooring.joint_floats_up", **values))
+    check_afloat(network, found.places)
     for run, each in zip(runs, found.ends, strict=True):
         is_anchored = network.points[run.first].kind == "anchor"
         length = each.state.grounded
         if length > 0.0 and site.seabed_friction > 0.0 and not is_anchored:
             said = Message("mooring.drags_both_ways", number=run.name, length=length)
             raise NoEquilibriumError(said, "force", length)
+
+
+def check_afloat(network: Network, places: Sequence[Vector]) -> None:
+    """Refuse buoys above the surface."""
+    depth = network.site.water_depth
+    for point, place in zip(network.points, places, strict=True):
+        above = place[2] - depth
+        if point.submerged_weight < 0.0 and above > 1e-9 * depth:
+            values = {"name": point.name, "above": above, "lift": -point.submerged_weight}
+            raise FloatsUpError(Message("mooring.joint_floats_up", **values))

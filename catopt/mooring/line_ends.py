@@ -79,8 +79,10 @@ def _by_end(state: State, problem: LineProblem) -> tuple[float, float, float, fl
     """Derive H and V at the end b by the span and by its height, N/m."""
     determinant = state.x_H * state.z_V - state.x_V * state.z_H
     if state.H == 0.0 or determinant == 0.0:
-        # Slack: it hangs straight down to the bed, and lifts more of itself as it is raised.
-        return 0.0, 0.0, 0.0, max(problem.pieces.weight[-1], 0.0)
+        # Slack: it hangs straight down to the bed, and lifts more of itself as it is raised. One
+        # whose end lies on the bed is as stiff along it as its span grows with the force.
+        along = 1.0 / state.x_H if state.H > 0.0 and state.x_H > 0.0 else 0.0
+        return along, 0.0, 0.0, max(problem.pieces.weight[-1], 0.0)
     return (
         state.z_V / determinant,
         -state.x_V / determinant,

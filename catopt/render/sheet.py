@@ -239,6 +239,8 @@ class Sheet:
     def chart(self, chart: Chart, row: int) -> int:
         """Draw cells beside the tables, from a row down; return the first row below."""
         drawn = self.book.workbook.add_chart({"type": "scatter", "subtype": "straight"})
+        # A name is text, also one with !A1 in it, which would be taken for a reference.
+        drawn._process_names = lambda name, formula: (name, formula)
         for series in chart.series:
             first, last = series.rows
             place = series.sheet or self.name

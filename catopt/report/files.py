@@ -6,12 +6,12 @@ import json
 import os
 import re
 from collections.abc import Collection, Mapping
-from hashlib import sha256
 from pathlib import Path
 from time import time
 from typing import Any
 
 from catopt.casefile.design_directory import DESIGN_CASE
+from catopt.casefile.writing import text_digest
 from catopt.errors import InputError, Problem
 from catopt.interrupt import signals_wait
 from catopt.render.files import document_bytes
@@ -91,7 +91,7 @@ def _marked(content: bytes, case: bytes | None) -> bytes:
     """Put the digest of the case into a document of catopt; leave every other file."""
     if case is None or not content.startswith(b'{\n  "schema": "catopt.'):
         return content
-    return document_bytes(with_digest(json.loads(content), sha256(case).hexdigest()))
+    return document_bytes(with_digest(json.loads(content), text_digest(case.decode())))
 
 
 def with_digest(document: dict[str, Any], digest: str) -> dict[str, Any]:

@@ -60,6 +60,23 @@ class Distribution:
         between: Array = a + (b - a) * ndtr(normal)
         return between
 
+    def normal_of(self, values: Array) -> Array:
+        """Return standard normal values exceeded as seldom as these: `at` turned round."""
+        from scipy.special import ndtri, ndtri_exp
+
+        a, b = self.first, self.second
+        if self.kind == "normal":
+            return (values - a) / b
+        if self.kind == "lognormal":
+            middle, width = self._logarithm
+            return (np.log(values) - middle) / width
+        if self.kind == "gumbel":
+            mode, scale = self._gumbel
+            rare: Array = ndtri_exp(-np.exp(-(values - mode) / scale))
+            return rare
+        share: Array = ndtri((values - a) / (b - a))
+        return share
+
     @property
     def _logarithm(self) -> tuple[float, float]:
         """Mean and standard deviation of the logarithm."""
@@ -106,7 +123,8 @@ class Axis:
         """What each of its values counts, in all 1."""
         if self.weights is None:
             return np.full(len(self), 1.0 / len(self))
-        shares: Array = self.weights / self.weights.sum()
+        scaled = self.weights / self.weights.max()  # the sum of the largest floats is none
+        shares: Array = scaled / scaled.sum()
         return shares
 
     def take(self, at: Codes) -> dict[str, Sequence[Any] | Array]:

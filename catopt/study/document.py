@@ -85,5 +85,15 @@ def _statistic(each: Statistic, result: StudyResult) -> dict[str, Any]:
                 {"key": key, "value": value, "importance": order.importance[key]}
                 for key, value in order.point.items()
             ],
+            "others": [
+                {
+                    "index": index,
+                    "point": [{"key": key, "value": value} for key, value in point.items()],
+                }
+                for index, point in order.others
+            ],
+            "sampled": order.sampled,
+            "interval_sampled": None if order.interval is None else list(order.interval),
         },
+        "no_first_order": result.no_first_orders.get(each.kept.name),
     }

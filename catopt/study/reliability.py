@@ -2,30 +2,46 @@
 
 The first order (Hasofer and Lind) takes the point nearest to the means, in units of standard
 deviations, at which the limit is reached: its distance is the reliability index beta, and the
-normal probability beyond it the answer, exact where the limit is a plane in those units.
+normal probability beyond it the answer, exact where the limit is a plane in those units. It is
+looked for from the medians and from draws that pass the limit, for at the medians a quantity may
+not change at all; there may be several such points. Where members are solved in bulk, draws around
+all of them (importance sampling) say what a limit that is bent makes of the probability.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 
-from catopt.arrays import Array
+from catopt.arrays import Array, Flags
 from catopt.errors import InputError, NoAnswerError, NotConvergedError
 from catopt.study.base import Kept
 from catopt.study.member import compute_member
 from catopt.study.statics import at_rest
 from catopt.study.study import Piece, Study
+from catopt.words import Message
 
 COVERAGE: Final = 0.95
 """Of the interval of a probability that is counted."""
 
 _STEP: Final = 1e-3
 """Of a difference, in standard deviations."""
+
+_STARTS: Final = 6
+"""Draws from which a search begins, beside the medians."""
+
+_HALVINGS: Final = 50
+"""Of the way from the medians to a draw, until the limit is reached."""
+
+_APART: Final = 0.1
+"""Part of their distance by which two points have to be apart to be two."""
+
+_SAMPLES: Final = 4_000
+"""Around the points at which the limit is most likely passed."""
 
 _AT_LIMIT: Final = 1e-6
 """Part of the limit by which the point found may miss it."""
@@ -37,13 +53,18 @@ class FirstOrder:
 
     `index`: beta; below 0 where the limit is passed at the medians already; `probability`: of
     passing the limit; `point`: where it is most likely passed: values in SI by key path;
-    `importance`: share of each in beta squared.
+    `importance`: share of each in beta squared; `others`: further such points, with the index of
+    each; `sampled`: probability by draws around all of them, and `interval` of it (95 %); None
+    where members are not solved in bulk.
     """
 
     index: float
     probability: float
     point: Mapping[str, float]
     importance: Mapping[str, float]
+    others: tuple[tuple[float, Mapping[str, float]], ...] = ()
+    sampled: float | None = None
+    interval: tuple[float, float] | None = None
 
 
 def counted_interval(beyond: int, count: int) -> tuple[float, float]:
@@ -63,50 +84,139 @@ def counted_interval(beyond: int, count: int) -> tuple[float, float]:
     return low, high
 
 
-def first_order(study: Study, kept: Kept, limit: float) -> FirstOrder | None:
-    """Find the point at which a limit is most likely passed; None where there is none to be found.
+def first_order(study: Study, kept: Kept, limit: float, values: Array) -> FirstOrder | Message:
+    """Find the points at which a limit is most likely passed; or say why there is none.
 
-    `study`: one whose keys are drawn, or have one value; `limit`: of the quantity, in SI.
+    `study`: one whose keys are drawn, or have one value; `limit`: of the quantity, in SI; `values`:
+    of the quantity, of all members, nan where there is none.
     """
-    from scipy.optimize import minimize
     from scipy.special import ndtr
 
     keys = list(study.distributions)
-    sense = 1.0 if kept.high_is_worse else -1.0
+    room = _room(study, kept, limit)
+    start = float(room(np.zeros((1, len(keys))))[0])
+    if not math.isfinite(start):
+        return Message("study.no_median")
+    starts = _starts(study, room, start, kept.beyond(values, limit) & np.isfinite(values), values)
+    found: list[Array] = []
+    for at in (_nearest(room, each) for each in starts):
+        if at is not None and all(_distance(at, each) > _APART for each in found):
+            found.append(at)
+    if not found:
+        return Message("study.not_reached" if len(starts) == 1 else "study.not_converged")
+    found.sort(key=lambda at: float(np.linalg.norm(at)))
+    sizes = [math.copysign(float(np.linalg.norm(at)), start) for at in found]
+    points = [
+        {key: float(column[0]) for key, column in _columns(study, at[np.newaxis]).items()}
+        for at in found
+    ]
+    shares = (found[0] / sizes[0]) ** 2 if sizes[0] else np.zeros(len(keys))
+    sampled = interval = None
+    if study.base.compute == "statics":
+        sampled, interval = _sampled(room, found, start < 0.0)
+    return FirstOrder(
+        sizes[0],
+        float(ndtr(-sizes[0])),
+        points[0],
+        dict(zip(keys, shares.tolist(), strict=True)),
+        tuple(zip(sizes[1:], points[1:], strict=True)),
+        sampled,
+        interval,
+    )
 
-    def room(points: Array) -> Array:
-        """Part of the limit that is left at points in standard deviations, shape (n, keys)."""
-        return sense * (limit - _values(study, kept, points)) / (abs(limit) or 1.0)
+
+def _room(study: Study, kept: Kept, limit: float) -> Callable[[Array], Array]:
+    """Part of the limit that is left at points in standard deviations, shape (n, keys)."""
+    sense = 1.0 if kept.high_is_worse else -1.0
+    return lambda points: sense * (limit - _values(study, kept, points)) / (abs(limit) or 1.0)
+
+
+def _distance(one: Array, other: Array) -> float:
+    """Say how far two points are apart, as a part of how far the farther one is off."""
+    far = max(float(np.linalg.norm(one)), float(np.linalg.norm(other)), 1e-300)
+    return float(np.linalg.norm(one - other)) / far
+
+
+def _starts(
+    study: Study, room: Callable[[Array], Array], at_median: float, is_beyond: Flags, values: Array
+) -> list[Array]:
+    """Begin at the medians, and where the ways from there to draws of the other side reach a limit.
+
+    Of the draws: the likeliest, then those that lie the farthest from all that were taken.
+    """
+    drawn = study.distributions
+    middle = np.zeros(len(drawn))
+    members = np.flatnonzero(is_beyond if at_median > 0.0 else ~is_beyond & np.isfinite(values))
+    if not members.size:
+        return [middle]
+    columns = study.values(0, len(study))
+    draws = np.column_stack([
+        each.normal_of(np.asarray(columns[key], dtype=float)[members])
+        for key, each in drawn.items()
+    ])  # fmt: skip
+    draws = draws[np.isfinite(draws).all(axis=1)]
+    sizes = np.linalg.norm(draws, axis=1)
+    taken = [int(np.argmin(sizes))]
+    while len(taken) < min(_STARTS, len(draws)):
+        ways = draws / sizes[:, np.newaxis]
+        apart = np.min([1.0 - ways @ ways[k] for k in taken], axis=0)
+        taken.append(int(np.argmax(apart * np.exp(-0.5 * (sizes - sizes.min())))))
+    ends = draws[taken]
+    near, far = np.zeros(len(ends)), np.ones(len(ends))
+    for _ in range(_HALVINGS):
+        part = 0.5 * (near + far)
+        is_near = room(part[:, np.newaxis] * ends) * at_median > 0.0
+        near, far = np.where(is_near, part, near), np.where(is_near, far, part)
+    return [middle, *(far[:, np.newaxis] * ends)]
+
+
+def _nearest(room: Callable[[Array], Array], start: Array) -> Array | None:
+    """Go to the nearest point to the medians at which the limit is reached; None if it stops short.
+
+    At a point of such a kind what is nearest to the medians lies square to the limit.
+    """
+    from scipy.optimize import minimize
+
+    steps = _STEP * np.eye(len(start))
 
     def slope(at: Array) -> Array:
-        steps = _STEP * np.eye(len(keys))
         left = room(np.concatenate([at + steps, at - steps]))
-        found: Array = (left[: len(keys)] - left[len(keys) :]) / (2.0 * _STEP)
+        found: Array = (left[: len(start)] - left[len(start) :]) / (2.0 * _STEP)
         return found
 
-    start = room(np.zeros((1, len(keys))))[0]
-    if not math.isfinite(start):
-        return None
     found = minimize(
         lambda u: 0.5 * float(u @ u),
-        np.zeros(len(keys)),
+        start,
         jac=lambda u: u,
         method="SLSQP",
         constraints={"type": "eq", "fun": lambda u: room(u[np.newaxis])[0], "jac": slope},
         options={"ftol": 1e-10, "maxiter": 100},
     )
     at = np.asarray(found.x)
-    if not found.success or not abs(room(at[np.newaxis])[0]) <= _AT_LIMIT:
-        return None
-    size = float(np.linalg.norm(at))
-    index = math.copysign(size, start)
-    shares = (at / size) ** 2 if size > 0.0 else np.zeros(len(keys))
-    return FirstOrder(
-        index,
-        float(ndtr(-index)),
-        {key: float(values[0]) for key, values in _columns(study, at[np.newaxis]).items()},
-        dict(zip(keys, shares.tolist(), strict=True)),
-    )
+    is_there = found.success and abs(room(at[np.newaxis])[0]) <= _AT_LIMIT
+    return at if is_there else None
+
+
+def _sampled(
+    room: Callable[[Array], Array], points: list[Array], is_passed: bool
+) -> tuple[float, tuple[float, float]]:
+    """Draw around points and weigh each draw by how likely it is; the probability, 95 % of it.
+
+    Half of the draws are of the distribution itself, so that no weight is above 2.
+    `is_passed`: at the medians, so that what is rare is to keep the limit.
+    """
+    rng = np.random.default_rng(0)
+    keys = len(points[0])
+    middles = np.array([*([np.zeros(keys)] * len(points)), *points])
+    draws = rng.normal(size=(_SAMPLES, keys)) + middles[np.arange(_SAMPLES) % len(middles)]
+    apart = np.stack([draws @ middle - 0.5 * middle @ middle for middle in middles])
+    weights = 1.0 / np.mean(np.exp(apart), axis=0)
+    left = room(draws)
+    counted = np.where(left > 0.0 if is_passed else left < 0.0, weights, 0.0)
+    share = float(counted.mean())
+    half = 1.96 * float(counted.std()) / math.sqrt(_SAMPLES)
+    low, high = max(share - half, 0.0), min(share + half, 1.0)
+    return (1.0 - share, (1.0 - high, 1.0 - low)) if is_passed else (share, (low, high))
 
 
 def _columns(study: Study, points: Array) -> dict[str, Array]:

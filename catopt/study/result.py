@@ -18,6 +18,7 @@ from catopt.study.base import Kept
 from catopt.study.reliability import FirstOrder, counted_interval, first_order
 from catopt.study.store import Store
 from catopt.study.study import Study
+from catopt.words import Message
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -235,17 +236,28 @@ class StudyResult(Shown):
                     found.append(ByChoice(each.kept, choice * drawn, beyond, known.size))
         return tuple(found)
 
-    @cached_property
+    @property
     def first_orders(self) -> dict[str, FirstOrder | None]:
         """Reliability by the first order for each limit, by quantity; None where none is found.
 
         Empty where anything but draws varies, and of runs in time and sizings, which take too long.
         """
+        found = self._first_orders.items()
+        return {name: each if isinstance(each, FirstOrder) else None for name, each in found}
+
+    @property
+    def no_first_orders(self) -> dict[str, str]:
+        """Why there is no reliability by the first order, by quantity."""
+        found = self._first_orders.items()
+        return {name: each for name, each in found if not isinstance(each, FirstOrder)}
+
+    @cached_property
+    def _first_orders(self) -> dict[str, FirstOrder | Message]:
         study = self.study
         if not study.distributions or study.base.compute in ("motion", "sizing"):
             return {}
         return {
-            each.kept.name: first_order(study, each.kept, each.limit)
+            each.kept.name: first_order(study, each.kept, each.limit, self.values(each.kept.name))
             for each in self.statistics
             if each.limit is not None
         }

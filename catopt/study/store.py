@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import sqlite3
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
@@ -46,21 +47,32 @@ class Store:
     """Pieces of one study, each written whole or not at all.
 
     `directory`: where they are kept; in memory when left out; `close` closes the file. Raises
-    InputError where the directory has the pieces of another study, or cannot be written.
+    InputError where the directory has the pieces of another study, and whenever the file cannot be
+    written or read: what was computed by then is kept.
     """
 
     def __init__(self, study: Study, directory: Path | None = None) -> None:
         self._study = study
         self._file = ":memory:" if directory is None else str(directory / STORE)
-        try:
+        with self._told():
             if directory is not None:
                 directory.mkdir(parents=True, exist_ok=True)
             self._database = sqlite3.connect(self._file, check_same_thread=False)
             self.close = finalize(self, self._database.close)  # at once, or when nobody needs it
             self._database.executescript(_TABLES)
             self._check()
+
+    @contextmanager
+    def _told(self) -> Iterator[None]:
+        """Refuse in words what the file or its disk does not do: full, held, damaged, gone."""
+        try:
+            yield
+        except sqlite3.OperationalError as error:
+            way = "; what was computed by now is kept: mend that and run the same again"
+            raise InputError([Problem("--out", self._file, f"{error}{way}")], "options") from error
         except (OSError, sqlite3.Error) as error:
-            raise InputError([Problem("--out", str(directory), str(error))], "options") from error
+            way = "; give another directory, or delete the file to compute all anew"
+            raise InputError([Problem("--out", self._file, f"{error}{way}")], "options") from error
 
     def _check(self) -> None:
         wanted = (self._study.digest, len(self._study))
@@ -75,7 +87,8 @@ class Store:
 
     def done(self) -> set[int]:
         """Return the numbers of the pieces that are there."""
-        return {number for (number,) in self._database.execute("SELECT number FROM pieces")}
+        with self._told():
+            return {number for (number,) in self._database.execute("SELECT number FROM pieces")}
 
     def put(self, found: Computed) -> None:
         """Write a piece."""
@@ -85,20 +98,33 @@ class Store:
             json.dumps(found.words, ensure_ascii=False),
             json.dumps({str(k): v for k, v in sorted(found.reasons.items())}, ensure_ascii=False),
         )
-        with self._database:
+        with self._told(), self._database:
             self._database.execute("INSERT OR REPLACE INTO pieces VALUES (?, ?, ?, ?)", row)
 
     def pieces(self) -> Iterator[Computed]:
-        """Yield the pieces that are there, by their numbers."""
-        width = sum(1 for each in self._study.base.kept if each.quantity)
-        rows = self._database.execute("SELECT * FROM pieces ORDER BY number")
-        for number, numbers, words, reasons in rows:
-            yield Computed(
-                number,
-                np.frombuffer(numbers, dtype="<f8").reshape(-1, width),
-                tuple(tuple(each) for each in json.loads(words)),
-                {int(k): v for k, v in json.loads(reasons).items()},
-            )
+        """Yield the pieces that are there, by number; a damaged one is taken out and told."""
+        with self._told():
+            rows = self._database.execute("SELECT * FROM pieces ORDER BY number")
+            for number, *row in rows:
+                try:
+                    piece = self._read(number, *row)
+                except (TypeError, ValueError, AttributeError) as error:
+                    with self._database:
+                        self._database.execute("DELETE FROM pieces WHERE number = ?", (number,))
+                    allowed = f"piece {number} was damaged and is taken out: run the same again"
+                    raise InputError([Problem("--out", self._file, allowed)], "options") from error
+                yield piece
+
+    def _read(self, number: int, numbers: bytes, words: str, reasons: str) -> Computed:
+        """Read a piece; ValueError where it has not the members and quantities of its study."""
+        kept, start = self._study.base.kept, self._study.piece_start
+        members, width = start(number + 1) - start(number), sum(1 for e in kept if e.quantity)
+        texts = tuple(tuple(each) for each in json.loads(words))
+        why = {int(k): str(v) for k, v in json.loads(reasons).items()}
+        if len(texts) not in (0, members) or any(not 0 <= k < members for k in why):
+            raise ValueError(number)
+        values = np.frombuffer(numbers, dtype="<f8").reshape(members, width)
+        return Computed(number, values, texts, why)
 
     def _placed(self) -> Iterator[tuple[int, Computed]]:
         return ((self._study.piece_start(each.number), each) for each in self.pieces())

@@ -185,6 +185,13 @@ def test_a_design_under_several_loads_is_read_at_its_water_level(tmp_path: Path)
     assert found.system == point.mooring.farthest.system
     lift = point.mooring.load.water_level + point.mooring.load.fairlead_rise
     assert lift in (1.5, 2.0)
+    # What the farthest load does not ask for is not judged, in words.
+    assert found.system is not None
+    assert found.system.judged_line_out == point.mooring.load.line_out
+    unasked = replace(found, system=replace(found.system, judged_line_out=False))
+    told = check_case(unasked)
+    assert {place.state for place in told.places} == {"intact"}
+    assert any("asks for no line out" in each for each in told.warnings)
     assert found.fairlead_height == case.fairlead_height + lift
     assert found.site.water_depth == case.site.water_depth + point.mooring.load.water_level
     assert check_case(found).passes

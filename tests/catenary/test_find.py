@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import math
+import re
+from pathlib import Path
 
+import numpy as np
 import pytest
 
+from catopt import read_case
 from catopt.catenary.case import solve_case
 from catopt.catenary.find import (
     find_case,
@@ -19,6 +23,7 @@ from catopt.catenary.solve import solve
 from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError, NoAnswerError, NoEquilibriumError
 from catopt.model import Case, Checks, Find, Line, Load, PointLoad, Segment, Site
+from tests.campaign.questions import question, run
 from tests.catenary.random_lines import random_setting
 
 TANKER = Line([Segment(55.0, 2100.0, MBL=770e3 * STANDARD_GRAVITY)])
@@ -244,3 +249,90 @@ def test_wrong_questions() -> None:
         find_clump_weight(TANKER, height=20.0, horizontal_force=1e5)
     with pytest.raises(InputError, match="needs its MBL"):
         find_limit_force(Line([Segment(55.0, 2100.0)]), height=20.0)
+
+
+# --- hard cases: lines that float, contact states, and what bounds a length ----------------------
+
+HARD = Path(__file__).parents[1] / "hard_cases"
+
+
+def test_a_length_of_what_floats() -> None:
+    """A rope of -5 N/m from the anchor under 180 m of chain of 50 N/m that touches the bed.
+
+    With hypot(H, V0) = H / cos(2 deg) at the anchor and V1 at the end of the rope, which is as high
+    as the chain hangs from there down to the bed: (hypot(H, V0) - hypot(H, V1)) / 5 =
+    (hypot(H, V1) - H) / 50. The rope's length is (V0 + V1) / 5: 27.2864 m.
+    """
+    H = 2000.0
+    at_anchor = H / math.cos(math.radians(2.0))
+    at_joint = (at_anchor + 0.1 * H) / 1.1
+    V0, V1 = H * math.tan(math.radians(2.0)), math.sqrt(at_joint**2 - H**2)
+    assert (V0 + V1) / 5.0 == pytest.approx(27.2864, abs=5e-5)
+    found = find_case(read_case(HARD / "find_length_floating.toml"))
+    assert found.value == pytest.approx((V0 + V1) / 5.0, rel=1e-9)
+
+
+def _rise_from_a_flat_anchor(H: float) -> float:
+    """24 m of chain of 400 N/m, a buoy of 2400 N, 36 m more: how high that rises, m."""
+    below, above, top = 24.0 * 400.0, 24.0 * 400.0 - 2400.0, 60.0 * 400.0 - 2400.0
+    lower = math.hypot(H, below) - H
+    return (lower + math.hypot(H, top) - math.hypot(H, above)) / 400.0
+
+
+def test_a_line_with_a_buoy_just_touches_the_bed() -> None:
+    found = find_case(read_case(HARD / "find_touchdown_buoy.toml"))
+    assert _rise_from_a_flat_anchor(found.value) == pytest.approx(12.0, rel=1e-12)
+
+
+def test_a_contact_state_is_solved_at_every_float() -> None:
+    """Where the touchdown comes to the anchor neither regime holds to the last digit."""
+    line = Line([Segment(60.0, 400.0)], [PointLoad(24.0, -2400.0)])
+    force = find_touchdown_force(line, height=12.0).value
+    for way in (0.0, math.inf):
+        beside = force
+        for _ in range(20):
+            assert solve(line, height=12.0, horizontal_force=beside).span == pytest.approx(
+                solve(line, height=12.0, horizontal_force=force * (1.0 + 1e-12)).span, rel=1e-9
+            )
+            beside = math.nextafter(beside, way)
+
+
+def test_a_length_bounded_by_its_point_load() -> None:
+    """10 m of height under 1 kN take 12.25 m of 400 N/m: at the 60 m up to the load it lies."""
+    line = Line([Segment(100.0, 400.0)], [PointLoad(60.0, 1000.0)])
+    found = find_length(line, height=10.0, horizontal_force=1000.0, anchor_angle=0.0)
+    assert found.value == pytest.approx(60.0, rel=1e-11)
+    assert found.solution.anchor.angle == 0.0
+
+
+def test_every_length_lies_at_the_anchor() -> None:
+    """The other segment alone lies at the anchor: there is no shortest length to be named."""
+    line = Line([Segment(10.0, 400.0), Segment(90.0, 400.0)])
+    with pytest.raises(NoAnswerError, match="every length gives"):
+        find_length(line, height=10.0, horizontal_force=1e3, segment=0, anchor_angle=0.0)
+
+
+def test_every_length_that_gives_it_is_named() -> None:
+    """Chain above a rope that floats, under one tension: both lengths named give what is asked."""
+    asked = question(150)
+    assert asked is not None
+    found = asked.ask()
+    (said,) = (str(each) for each in found.solution.warnings if "another length" in str(each))
+    others = [float(each) for each in re.findall(r"too: ([\d.]+) m", said)]
+    assert others
+    for value in (found.value, *others):
+        assert asked.reading(asked.at(value)) == pytest.approx(asked.wanted, rel=1e-4)
+
+
+@pytest.mark.slow
+def test_no_question_is_refused_or_answered_wrongly() -> None:
+    """Against a scan of its own; 1,000 questions went through it when it was written."""
+    asked, faults = run(5000, 60)
+    assert asked == 60
+    assert faults == {}
+
+
+def test_numbers_of_numpy_are_numbers() -> None:
+    assert Segment(np.int64(5), 1.0).length == 5  # type: ignore[arg-type]
+    with pytest.raises(InputError, match="found -1; must be above 0 m"):
+        Segment(np.int64(-1), 1.0)  # type: ignore[arg-type]

@@ -164,3 +164,24 @@ def test_the_answer_is_the_same_where_no_message_can_be_written(
 def test_so_is_the_status_of_a_refusal(where: str, rest: str) -> None:
     ran = shell(f"{sys.executable} -m catopt {rest} {where}")
     assert (ran.returncode, ran.stdout, ran.stderr) == (2, "", "")
+
+
+def test_a_name_that_is_too_long_is_wrong_input(run: Run) -> None:
+    for command in ("solve", "check", "curve", "study", "import"):
+        ran = run(command, "a" * 5000 + ".toml")
+        assert ran.status == 2, (command, ran.err[:200])
+        assert "too long" in ran.err
+        assert len(ran.err) < 12_000
+
+
+def test_a_working_directory_that_is_gone(tmp_path: Path) -> None:
+    """What needs none is done; what does ends in words."""
+    code = (
+        "import os, sys, shutil; os.mkdir('gone'); os.chdir('gone'); os.rmdir('../gone');"
+        "from catopt.__main__ import main; sys.exit(main(sys.argv[1:]))"
+    )
+    for status, *arguments in ((0, "solve", str(BUOY)), (2, "reproduce")):
+        ran = subprocess.run([sys.executable, "-c", code, *arguments], cwd=tmp_path, check=False,
+                             capture_output=True, text=True)  # fmt: skip
+        assert ran.returncode == status, ran.stderr
+        assert "fault of catopt" not in ran.stderr

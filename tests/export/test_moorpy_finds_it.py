@@ -69,11 +69,21 @@ def lowered(solved: ExportedLines) -> float:
 def strung(system: Any, ends: Any, parts: Any) -> None:
     """Add a line from its first end: parts are a type with a length, or a mass with a volume."""
     total = sum(part[1] for part in parts if isinstance(part[0], str))
+    # MoorPy begins where the points are put: along the bed, then straight up, for from the chord
+    # of a line that lies it may not come down. hypot(u, h) = u + d, d to spare of the length.
+    over = ends[1] - ends[0]
+    span, rise = float(np.hypot(*over[:2])), float(over[2])
+    spare = total - span
+    up = (rise**2 - spare**2) / (2.0 * spare) if 0.0 < spare < rise else 0.0
+    foot = ends[0] + max(span - up, 0.0) / span * np.array([*over[:2], 0.0])
+    lying = float(np.linalg.norm(foot - ends[0]))
+    hung = max(float(np.linalg.norm(ends[1] - foot)), total - lying)
     arc, held = 0.0, [system.addPoint(1, ends[0])]
     for kind, number in parts:
         if isinstance(kind, str):
             arc += number
-            at = ends[0] + (ends[1] - ends[0]) * arc / total
+            at = ends[0] + (foot - ends[0]) * min(arc / lying, 1.0) if lying else ends[0]
+            at = at + (ends[1] - foot) * max(arc - lying, 0.0) / hung
             held.append(system.addPoint(0, at))
             numbers = [len(system.pointList) - 1, len(system.pointList)]
             system.addLine(number, kind, pointA=numbers[0], pointB=numbers[1])

@@ -7,10 +7,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 from scipy.stats import binom, gumbel_r, lognorm, norm, uniform
 
+from catopt import Line, PointLoad, Segment, solve
 from catopt.study.axis import Distribution
-from catopt.study.reliability import counted_interval
+from catopt.study.reliability import _nearest, _sampled, counted_interval
 from catopt.study.result import StudyResult
 from catopt.study.run import run_study
 
@@ -129,5 +131,74 @@ def test_values_by_a_normal_one_have_the_distribution_that_is_drawn(kind: str) -
     for share in (0.05, 0.5, 0.95):
         (found,) = of.at(np.array([norm.ppf(share)]))
         assert found == pytest.approx(drawn[int(share * drawn.size)], rel=5e-3)
+        assert of.normal_of(np.array([found])) == pytest.approx(norm.ppf(share), abs=1e-9)
     if kind == "uniform":
         assert of.at(np.array([1.0])) == pytest.approx(uniform(5.0, 1.0).ppf(norm.cdf(1.0)))
+
+
+FORM = Path(__file__).parents[1] / "hard_cases" / "form"
+
+
+def exact_uplift(length: float) -> float:
+    """Probability of more than 50 N of uplift, by the force that gives it at each weight.
+
+    The uplift rises with the force: P = integral of f(w) P(H > H(w)) dw, by Gauss and Hermite.
+    """
+    scale = 0.1 * math.sqrt(6.0) / math.pi
+    force = gumbel_r(0.343 - float(np.euler_gamma) * scale, scale)
+    nodes, weights = np.polynomial.hermite_e.hermegauss(15)
+    total = 0.0
+    for node, weight in zip(nodes, weights, strict=True):
+        w = (9.5 + 0.5 * node) * 9.80665
+        line = Line([Segment(length, w)], [PointLoad(7.0, 50.0 * 9.80665)])
+
+        def left(H: float, line: Line = line) -> float:
+            V = solve(line, height=9.5, horizontal_force=H).anchor.vertical_force
+            return V - 50.0
+
+        at = brentq(left, 100.0, 30e3, xtol=1e-6)
+        total += weight * float(force.sf(at / 9806.65))
+    return total / math.sqrt(math.tau)
+
+
+@pytest.mark.parametrize("length", [20, 26, 28])
+def test_an_anchor_that_seldom_lifts_has_an_index(tmp_path: Path, length: int) -> None:
+    """At the medians the uplift is 0 whatever changes a little: draws that fail lead there."""
+    case = (FORM / "case.toml").read_text(encoding="utf-8").replace('"28 m"', f'"{length} m"')
+    (tmp_path / "case.toml").write_text(case, encoding="utf-8")
+    text = (FORM / "study.toml").read_text(encoding="utf-8").replace("20000", "400")
+    (tmp_path / "study.toml").write_text(text, encoding="utf-8")
+    found = run_study(tmp_path / "study.toml", workers=1)
+    order = found.first_orders["anchor_uplift"]
+    assert order is not None, found.no_first_orders
+    assert order.sampled is not None
+    assert order.interval is not None
+    exact = exact_uplift(length)
+    low, high = order.interval
+    assert abs(order.sampled - exact) < high - low  # four of its standard deviations
+    # The force decides, nearly alone: the limit is nearly a plane in its normal value.
+    assert order.probability == pytest.approx(exact, abs=0.01)
+    assert order.importance["load.horizontal_force"] > 0.9
+
+
+def test_a_limit_passed_either_way_has_two_points() -> None:
+    """Passed for x > 2 or y < -2.2 in standard deviations: 1 - P(x < 2) P(y > -2.2)."""
+
+    def room(u: np.ndarray) -> np.ndarray:
+        return np.minimum(2.0 - u[:, 0], 2.2 + u[:, 1])
+
+    points = [np.array([2.0, 0.0]), np.array([0.0, -2.2])]
+    starts = [np.array([2.0, 0.5]), np.array([0.3, -2.2])]
+    for start, point in zip(starts, points, strict=True):
+        assert _nearest(room, start) == pytest.approx(point, abs=1e-6)
+    share, (low, high) = _sampled(room, points, False)
+    exact = 1.0 - float(norm.cdf(2.0) * norm.cdf(2.2))
+    assert low < exact < high
+    assert low < share < high < 1.2 * exact
+
+
+def test_why_there_is_no_index_is_said(tmp_path: Path) -> None:
+    vary = '[[vary]]\nkey = "load.horizontal_force"\ndistribution = "uniform"\n'
+    vary += 'min = "40 kN"\nmax = "60 kN"\n'
+    found = run(tmp_path, vary, 100, 'fairlead_tension = "80 kN"')
+    assert "no draw passes the limit" in found.no_first_orders["fairlead_tension"]

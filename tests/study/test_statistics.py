@@ -153,3 +153,9 @@ def test_a_dataset_has_a_dimension_for_all_that_varies() -> None:
     assert int(tension.isnull().sum()) == 1
     drawn = Axis({"site.water_depth": two, "load.horizontal_force": two}, distributions=DRAWN)
     assert result([drawn], np.arange(2.0)).to_xarray()["span"].dims == ("draw",)
+
+
+def test_the_largest_weights_make_shares() -> None:
+    """Their sum is no float: they count by what they are of the largest."""
+    axis = Axis({"load.span": np.array([1.0, 2.0, 3.0])}, np.array([1e308, 1e308, 0.5e308]))
+    assert axis.shares.tolist() == pytest.approx([0.4, 0.4, 0.2])

@@ -1,0 +1,166 @@
+"""Lines that meet two by two in joints: each row of them is one line with point loads.
+
+A joint in which two lines end and nothing else hangs in one line: so the row is solved as that one
+line, and its joints lie where the line has them. What is left of a network has joints of three
+lines and more.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+from catopt.catenary.result import solution_of
+from catopt.catenary.root_search import BY_SPAN
+from catopt.model import Line, PointLoad, Segment
+from catopt.model.network import LineBetween, Network
+from catopt.mooring.joints import JointsAtRest, Run, check_afloat, run_of, solved, turned_line
+from catopt.mooring.line_ends import Ends, Vector
+
+JOINT = "joint: "
+"""Before the name of the point load that a joint of a row is."""
+
+
+class Row(NamedTuple):
+    """Lines that follow each other from `start` to `end`, and the joints between them, by name.
+
+    `lines`: the number of each, from 0, and whether it was given the other way round.
+    """
+
+    start: str
+    end: str
+    lines: tuple[tuple[int, bool], ...]
+    joints: tuple[str, ...] = ()
+
+    def turned(self) -> Row:
+        """Return the same row from its other end."""
+        lines = tuple((number, not is_turned) for number, is_turned in reversed(self.lines))
+        return Row(self.end, self.start, lines, self.joints[::-1])
+
+
+def rows_of(network: Network) -> tuple[Row, ...]:
+    """Put lines in rows; one that ends where it began is left in two."""
+    rows = [Row(line.start, line.end, ((k, False),)) for k, line in enumerate(network.lines)]
+    for point in network.points:
+        ending = [row for row in rows if point.name in (row.start, row.end)]
+        if point.kind != "joint" or len(ending) != 2:
+            continue
+        one, other = ending
+        one = one if one.end == point.name else one.turned()
+        other = other if other.start == point.name else other.turned()
+        if one.start == other.end:
+            continue
+        joints = (*one.joints, point.name, *other.joints)
+        first, second = (rows.index(row) for row in ending)
+        rows[first] = Row(one.start, other.end, (*one.lines, *other.lines), joints)
+        del rows[second]
+    kinds = {point.name: point.kind for point in network.points}
+    # From the anchor, where there is one: friction takes off tension towards it.
+    return tuple(
+        row.turned() if kinds[row.end] == "anchor" != kinds[row.start] else row for row in rows
+    )
+
+
+def in_rows(network: Network, rows: tuple[Row, ...]) -> Network:
+    """Return the network with every row as one line."""
+    between = {name for row in rows for name in row.joints}
+    weights = {point.name: point.submerged_weight for point in network.points}
+    lines = []
+    for row in rows:
+        segments: list[Segment] = []
+        loads: list[PointLoad] = []
+        start = 0.0
+        for k, (number, is_turned) in enumerate(row.lines):
+            given = network.lines[number].line
+            line = turned_line(given) if is_turned else given
+            segments += line.segments
+            loads += [replace(each, position=each.position + start) for each in line.point_loads]
+            start += line.length
+            if k < len(row.joints):
+                name = row.joints[k]
+                loads.append(PointLoad(start, weights[name], name=f"{JOINT}{name}"))
+        names = [network.lines[number].name or f"{number + 1}" for number, _ in row.lines]
+        lines.append(LineBetween(Line(segments, loads), row.start, row.end, " + ".join(names)))
+    points = tuple(point for point in network.points if point.name not in between)
+    return Network(network.site, points, tuple(lines), network.title, network.source)
+
+
+def apart(
+    network: Network,
+    rows: tuple[Row, ...],
+    whole: Network,
+    found: JointsAtRest,
+    runs: Sequence[Run],
+) -> tuple[tuple[Run, ...], JointsAtRest]:
+    """Part rows at rest into their lines again: those of the network, in its order.
+
+    `found` and `runs` are those of `whole`, the network in rows.
+    """
+    places = dict(zip((point.name for point in whole.points), found.places, strict=True))
+    up = dict(zip((point.name for point in whole.points), found.reactions, strict=True))
+    parted: dict[int, tuple[Run, Ends]] = {}
+    for row, run, ends in zip(rows, runs, found.ends, strict=True):
+        if not row.joints:
+            ((number, _),) = row.lines
+            first, second = (network.numbers[whole.points[k].name] for k in (run.first, run.second))
+            parted[number] = run._replace(first=first, second=second), ends
+            continue
+        _lay(row, run, ends, places, up)
+        names = (row.start, *row.joints, row.end)
+        for (number, is_turned), start, end in zip(row.lines, names, names[1:], strict=False):
+            given = network.lines[number].line
+            own = run_of(
+                network.lines[number].name or f"{number + 1}",
+                network.numbers[start],
+                network.numbers[end],
+                turned_line(given) if is_turned else given,
+            )
+            at = {own.first: places[start], own.second: places[end]}
+            parted[number] = own, solved(own, at, network.site.seabed_friction, ends)
+    own_runs = tuple(parted[k][0] for k in range(len(network.lines)))
+    own_ends = tuple(parted[k][1] for k in range(len(network.lines)))
+    everywhere = tuple(places[point.name] for point in network.points)
+    check_afloat(network, everywhere)
+    residual = max(found.residual, _left(network, rows, own_runs, own_ends, up))
+    reactions = tuple(up[point.name] for point in network.points)
+    return own_runs, JointsAtRest(everywhere, own_ends, reactions, residual, found.steps)
+
+
+def _lay(row: Row, run: Run, ends: Ends, places: dict[str, Vector], up: dict[str, float]) -> None:
+    """Add where the joints of a row lie and what the bed carries of them, from its line."""
+    laid = solution_of(
+        ends.state, run.line, ends.problem, run.segment_of, method="closed-form", known=BY_SPAN
+    )
+    at, to = places[row.start], places[row.end]
+    span = math.hypot(to[0] - at[0], to[1] - at[1])
+    way = ((to[0] - at[0]) / span, (to[1] - at[1]) / span) if span > 0.0 else (1.0, 0.0)
+    # A joint hangs where one line ends: loads of the lines themselves hang strictly between.
+    joints = [load for load in laid.point_loads if load.name.startswith(JOINT)]
+    for name, load in zip(row.joints, joints, strict=True):
+        x, y = at[0] + load.x * way[0], at[1] + load.x * way[1]
+        places[name], up[name] = (x, y, max(load.z, 0.0)), load.seabed_reaction
+
+
+def _left(
+    network: Network,
+    rows: tuple[Row, ...],
+    runs: Sequence[Run],
+    ends: Sequence[Ends],
+    up: dict[str, float],
+) -> float:
+    """Say what the lines of rows leave over at the joints between them, N."""
+    left = 0.0
+    for name in (name for row in rows for name in row.joints):
+        k = network.numbers[name]
+        pulls = [
+            pull
+            for run, end in zip(runs, ends, strict=True)
+            for point, pull in ((run.first, end.first), (run.second, end.second))
+            if point == k
+        ]
+        x, y, z = (math.fsum(each) for each in zip(*pulls, strict=True))
+        over_bed = z - network.points[k].submerged_weight
+        left = max(left, math.hypot(x, y, over_bed + up[name]))
+    return left

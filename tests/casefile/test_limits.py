@@ -1,0 +1,59 @@
+"""Files made to take long: refused before they are parsed, in words."""
+
+from __future__ import annotations
+
+import time
+
+import pytest
+
+from catopt.decks.deck import Notes
+from catopt.decks.tree import parse_yaml
+from catopt.documents import MOST_BYTES, MOST_ENTRIES, parse_toml
+from catopt.errors import InputError
+
+DOTS = {
+    "bare": ".".join(["a"] * 20_000) + " = 1",
+    "quoted": ".".join(['"a b"', "'c'"] * 10_000) + " = 1",
+    "spaced": " . ".join(["a"] * 20_000) + " = 1",
+    "table": "[" + ".".join(["a"] * 20_000) + "]",
+    "inline": "x = {" + ".".join(["a"] * 20_000) + " = 1}",
+}
+
+
+def seconds(text: str) -> tuple[float, str]:
+    start = time.process_time()
+    with pytest.raises(InputError) as refused:
+        parse_toml(text, "file")
+    return time.process_time() - start, str(refused.value)
+
+
+@pytest.mark.parametrize("name", DOTS)
+def test_a_key_of_many_parts_is_refused_at_once(name: str) -> None:
+    took, said = seconds(DOTS[name])
+    assert took < 1.0
+    assert "more than 20 parts" in said
+
+
+def test_too_many_entries_are_refused_at_once() -> None:
+    took, said = seconds("\n".join(f"a{k} = 1" for k in range(MOST_ENTRIES + 1)))
+    assert took < 1.0
+    assert "200,000 are the most" in said
+    start = time.process_time()
+    with pytest.raises(InputError, match="are the most"):
+        parse_yaml("\n".join(f"a{k}: 1" for k in range(MOST_ENTRIES + 1)), Notes())
+    assert time.process_time() - start < 1.0
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a" * (MOST_BYTES - 5) + " = 1",
+        'a = "' + ".".join(["a"] * 1_000_000) + '"',
+        "a = 'x. " + "word. " * 1000 + "'",
+        ".".join(f"a{k}" for k in range(20)) + " = 1",
+    ],
+)
+def test_what_is_long_but_plain_is_read(text: str) -> None:
+    start = time.process_time()
+    assert parse_toml(text, "file")
+    assert time.process_time() - start < 10.0

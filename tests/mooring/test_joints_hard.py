@@ -1,0 +1,77 @@
+"""Joints on the bed, joints in one line, slack bridles: kinks that Newton's method has to pass."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import pytest
+
+from catopt import InputError, solve
+from catopt.casefile import read_mooring
+from catopt.catenary.pieces import LineProblem, cut
+from catopt.model import Line, Segment
+from catopt.model.network import Network
+from catopt.mooring.chains import rows_of
+from catopt.mooring.held import hold
+from catopt.mooring.line_ends import ends_of
+from tests.campaign.cuts import bridle_fault, fault
+
+HARD = Path(__file__).parents[1] / "hard_cases"
+
+
+def network(name: str) -> Network:
+    read = read_mooring(HARD / f"{name}.toml")
+    assert isinstance(read, Network)
+    return read
+
+
+@pytest.mark.parametrize("name", ["cut_MIN_0", "cut_MIN_1", "cut_MIN_4"])
+def test_a_chain_cut_into_three_is_the_chain(name: str) -> None:
+    cut_up = network(name)
+    anchor, fairlead = cut_up.points[:2]
+    line = Line([line.line.segments[0] for line in cut_up.lines])
+    alone = solve(line, height=fairlead.place[2], span=anchor.place[0] - fairlead.place[0])
+    start = time.process_time()
+    found = hold(cut_up)
+    assert time.process_time() - start < 1.0
+    assert found.body.load[0] == pytest.approx(alone.horizontal_force, rel=1e-6)
+    assert -found.body.load[2] == pytest.approx(alone.fairlead.vertical_force, rel=1e-6)
+    if name == "cut_MIN_1":
+        assert found.body.load[0] == pytest.approx(54_759.91, abs=0.005)
+
+
+@pytest.mark.parametrize("name", ["cut_MIN_6", "wild_TO_67", "wild_NC_48"])
+def test_what_hangs_slack_is_refused_at_once(name: str) -> None:
+    start = time.process_time()
+    with pytest.raises(InputError, match="hangs slack"):
+        hold(network(name))
+    assert time.process_time() - start < 1.0
+
+
+def test_rows_go_from_the_anchor_and_keep_the_order_of_their_lines() -> None:
+    (row,) = rows_of(network("cut_MIN_0"))
+    assert (row.start, row.end, row.joints) == ("anchor", "fairlead", ("joint 1", "joint 2"))
+    assert row.lines == ((0, False), (1, False), (2, False))
+
+
+def test_a_taut_line_on_the_bed_is_as_stiff_as_it_stretches() -> None:
+    """100 m with EA 1 MN, both ends on the bed: EA / L = 10 kN/m along it, H / S across."""
+    pieces, _ = cut(Line([Segment(100.0, 500.0, EA=1e6)]))
+    ends = ends_of(pieces, (0.0, 0.0, 0.0), (100.5, 0.0, 0.0), 0.0, None)
+    assert isinstance(ends.problem, LineProblem)
+    assert ends.state.H == pytest.approx(1e6 * 0.5 / 100.0, rel=1e-9)
+    assert ends.stiffness[3][3] == pytest.approx(1e4, rel=1e-9)
+    assert ends.stiffness[4][4] == pytest.approx(5e3 / 100.5, rel=1e-9)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_a_line_cut_at_joints_is_the_line(seed: int) -> None:
+    assert fault(seed) == ""
+
+
+@pytest.mark.slow
+def test_cuts_and_bridles() -> None:
+    """600 cuts and 300 bridles went through it when it was written."""
+    assert [(seed, said) for seed in range(1000, 1060) if (said := fault(seed))] == []
+    assert [(seed, said) for seed in range(1000, 1030) if (said := bridle_fault(seed))] == []
