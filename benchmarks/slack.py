@@ -63,18 +63,22 @@ def at_sea(folder: Path) -> Case:
 
 
 def random_case(seed: int) -> Case:
-    """Build a line that is likely to go slack: chain or wire, little pull, much heave."""
+    """Build a line that is likely to go slack: chain or wire, little pull, much heave.
+
+    Breaking loads are those of studless chain R3 and of 6x19 wire rope.
+    """
     rng = np.random.default_rng(seed)
     depth = float(rng.uniform(12.0, 80.0))
     length = depth * float(rng.uniform(1.6, 4.0))
     is_chain = bool(rng.random() < 0.7)
     d = float(rng.uniform(0.02, 0.1))
     mass, EA = (19.9e3 * d**2, 85.4e9 * d**2) if is_chain else (3.99e3 * d**2, 40.4e9 * d**2)
+    MBL = 22.3e6 * d**2 * (44.0 - 80.0 * d) if is_chain else 6.33e8 * d**2
     weight = mass * 9.81 * (0.87 if is_chain else 0.83)
     period = float(rng.uniform(4.0, 9.0))
     segment = Segment(
         length, weight, EA=EA, mass=mass, drag_diameter=d, drag_normal=2.4 if is_chain else 1.2,
-        drag_axial=0.366 if is_chain else 0.0, added_mass_normal=1.0,
+        drag_axial=0.366 if is_chain else 0.0, added_mass_normal=1.0, MBL=MBL,
     )  # fmt: skip
     heave = float(rng.uniform(0.05, 0.15)) * min(depth, 30.0)
     return Case(

@@ -14,6 +14,7 @@ import numpy as np
 
 from catopt.arrays import Array
 from catopt.fem.bed import Bed, HeldBed
+from catopt.fem.course import FOLLOWED, course_of
 from catopt.fem.dynamic_model import LineProperties, lay_out_moving
 from catopt.fem.history import STOPPED, History
 from catopt.fem.march import StepCounts
@@ -21,6 +22,7 @@ from catopt.fem.mesh import SAME_PLACE, LineMesh, mesh_line
 from catopt.fem.moving import BodyNode, MovingLines
 from catopt.fem.plausible_step import record_warnings, step_warnings
 from catopt.fem.run_settings import BodyInertia, TimeStepping
+from catopt.fem.sampling import Record
 from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, Sampled, Series, Together, fill_series, series_rows
 from catopt.fem.simulation import Break, Simulation
@@ -318,6 +320,7 @@ def _run(
         "anchor_force": record.end_force[:, :, 0],
         "first_bar": simulation.lines.start,
         "arc": np.concatenate([0.5 * (cut.arc[1:] + cut.arc[:-1]) for cut in cuts]),
+        **_courses(record, simulation.lines),
         "max_tension": np.where(seen, record.max_tension, np.nan),
         "min_tension": np.where(seen, record.min_tension, np.nan),
         "balance": simulation.balance(record),
@@ -328,6 +331,18 @@ def _run(
         "warnings": tuple(warnings),
     }
     return History(**{each.name: found[each.name] for each in fields(History)})
+
+
+def _courses(record: Record, lines: MovingLines) -> dict[str, Any]:
+    rows = [
+        course_of(*each)
+        for each in zip(record.course, record.turns, record.turn_count, strict=True)
+    ]
+    size, count = len(FOLLOWED), lines.start.size - 1
+    return {
+        "courses": tuple(tuple(rows[k * size : (k + 1) * size]) for k in range(count)),
+        "bar_courses": tuple(rows[count * size :]),
+    }
 
 
 def _warnings_of(
