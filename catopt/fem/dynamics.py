@@ -34,8 +34,8 @@ from catopt.waves import Sea
 from catopt.words import Measure, Message
 
 _SERIES = (Harmonic, Sampled, Together)
-_JERK = 0.01
-"""Jump of the tension as a motion sets off, over the largest at rest, that is passed over."""
+_UNCERTAIN = 1e-3
+"""Part of the tension at rest that rounding may take or give without a word."""
 _SHALLOW = 0.001
 """Least depth to which a line's weight presses the bed on which it first comes to rest, m."""
 
@@ -274,10 +274,9 @@ def body_at_rest(
     return simulation
 
 
-def _check_beginning(simulation: Simulation) -> list[str]:
-    """Refuse a motion that begins away from rest; return what is to be said of one at speed."""
-    lines, led, jerks = simulation.lines, simulation.led, []
-    out = np.zeros((3, 3))
+def _check_beginning(simulation: Simulation) -> None:
+    """Refuse a motion that begins away from rest; one at speed takes its line along."""
+    led, out = simulation.led, np.zeros((3, 3))
     for end in range(led.base.shape[0]):
         fill_series(0.0, led, end, out)
         away = float(np.linalg.norm(out[0] - led.base[end]))
@@ -286,14 +285,6 @@ def _check_beginning(simulation: Simulation) -> list[str]:
             wanted = f"the motion begins {away:.3g} m away from rest: it needs a ramp to grow over"
             found.add("ramp_time", f"{led.ramp_time:g} s", wanted)
             found.raise_if_any()
-        count = lines.start.size - 1
-        bar = lines.start[end + 1] - 1 if end < count else lines.start[end - count]
-        speed = float(np.linalg.norm(out[1]))
-        jerks.append((speed * float(np.sqrt(lines.EA[bar] * lines.mass[bar])), speed))
-    jump, speed = max(jerks)
-    if jump <= _JERK * float(simulation.state.tension.max()):
-        return []
-    return [Message("motion.sets_off", speed=speed, jump=Measure("tension", jump))]
 
 
 def _run(
@@ -305,7 +296,11 @@ def _run(
     broken: tuple[int, float, bool] | None,
 ) -> History:
     """Set off from rest; `broken`: which line, when, s, and whether at its anchor."""
-    warnings = warnings + _check_beginning(simulation)
+    _check_beginning(simulation)
+    part = simulation.uncertain(stepping.controls.tolerance)
+    if part > _UNCERTAIN:
+        stiff = Measure("EA", float(simulation.lines.EA.max()))
+        warnings = [*warnings, Message("motion.too_stiff", part=part, EA=stiff)]
     breaks = None
     if broken is not None:
         line, time, at_anchor = broken

@@ -64,6 +64,8 @@ _ITERATIONS = 3
 """Of a step, about."""
 _BY_SAMPLE = 8
 """Fields of a record whose first axis counts samples: the first ones."""
+_A_LITTLE = 1e-3
+"""Way over the length of a bar by which ends go to find how a line follows them."""
 _TURNS = 256
 """Turning points of a quantity for which there is room at first."""
 _PIECE = 0.1
@@ -177,10 +179,22 @@ class Simulation:
     @property
     def rounding(self) -> float:
         """Force that a bar may be off by because coordinates have 16 digits, over the unit."""
+        return self._rounded_off / max(self.lines.force_scale, self._largest_tension)
+
+    def uncertain(self, tolerance: float) -> float:
+        """Force that rounding or a tolerance may leave over, over the largest tension."""
+        unit = max(self.lines.force_scale, self._largest_tension)
+        return max(self._rounded_off, tolerance * unit) / max(self._largest_tension, 1e-300)
+
+    @property
+    def _rounded_off(self) -> float:
         stiffest = float((self.lines.EA / self.lines.length).max())
         reach = float(np.abs(self.state.x).max())
-        unit = max(self.lines.force_scale, float(np.abs(self.state.tension).max()))
-        return 4.0 * float(np.finfo(float).eps) * stiffest * reach / unit
+        return 4.0 * float(np.finfo(float).eps) * stiffest * reach
+
+    @property
+    def _largest_tension(self) -> float:
+        return float(np.abs(self.state.tension).max())
 
     @property
     def equations(self) -> Equations:
@@ -272,6 +286,7 @@ class Simulation:
         """Find the accelerations with which the lines set off from the present state."""
         at = self.state
         at.a[:] = 0.0
+        self._set_moving()
         self._lead_ends()
         self.assemble(_SETTING_OFF)
         at.a[:] += self._solve(_SETTING_OFF)[1]
@@ -460,6 +475,30 @@ class Simulation:
             which = led if row < self._ends.size else slice(None)
             at.x[node, which], at.v[node, which], at.a[node, which] = out[:, which]
 
+    def _set_moving(self) -> None:
+        """Give all nodes the speed at which they follow ends that set off at speed.
+
+        It is that of the lines at rest as their ends go: a difference of two such shapes a little
+        way before and behind. Without it the ends would tear at lines that stand still.
+        """
+        self._lead_ends()
+        speed = float(np.abs(self.state.v).max())
+        if speed == 0.0:
+            return
+        rest, shapes = _copied(self.state), []
+        time = _A_LITTLE * float(self.lines.length.min()) / speed
+        ends = rest.v.copy()
+        for way in (-0.5, 0.5):
+            self.state = _copied(rest)
+            self.state.v[:] = 0.0
+            self.state.a[:] = 0.0
+            self.state.x[:] += way * time * ends
+            self.assemble(_AT_REST)
+            self.find_rest()
+            shapes.append(self.state.x)
+        self.state = rest
+        rest.v[:] = (shapes[1] - shapes[0]) / time
+
     def _not_closed(
         self, words: str, worst: float, node: int, step: float | None = None
     ) -> NotConvergedError:
@@ -468,6 +507,10 @@ class Simulation:
         if step is not None:
             said.append(Message("truss.halved", step=step))
         return NotConvergedError(Several((*said, Message("truss.may_help")), " "))
+
+
+def _copied(state: Moving) -> Moving:
+    return Moving(*(array.copy() for array in state))
 
 
 def _with_more_room(record: Record) -> Record:

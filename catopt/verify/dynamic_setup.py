@@ -25,7 +25,6 @@ from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, Sampled, Series
 from catopt.model import Case, Dynamics, Motion, Segment, WaveState, WaveTrain
 from catopt.model.current_profile import CurrentProfile
-from catopt.model.dynamics import BARS
 from catopt.verify.motion_file import (
     Raos,
     read_current,
@@ -266,7 +265,6 @@ class Drive:
             sections=[_section(segment) for segment in self.case.line.segments],
             damping=LineDamping(
                 critical_ratio=dynamics.critical_ratio,
-                critical_length=self.case.line.length / BARS,
                 stiffness_time=dynamics.damping_time,
             ),
             fluid=Fluid(density=site.water_density),
