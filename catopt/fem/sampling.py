@@ -6,6 +6,7 @@ import math
 from typing import Any, NamedTuple
 
 from catopt.arrays import Array, Codes, Flags
+from catopt.compiled import packed
 from catopt.fem.course import follow
 from catopt.fem.moving import BodyNode, Equations, Moving, MovingLines, WaterAt
 from catopt.fem.moving_bar import inertia_of_half
@@ -36,6 +37,7 @@ class Rules(NamedTuple):
     until: float  # and up to which
 
 
+@packed
 class Setting(NamedTuple):
     """What steps in time are taken of: none of it changes meanwhile."""
 
@@ -48,6 +50,7 @@ class Setting(NamedTuple):
     has_sea: bool
 
 
+@packed
 class Record(NamedTuple):
     """What is kept of a run; the first axis of the first eight counts samples."""
 
@@ -73,6 +76,7 @@ class Record(NamedTuple):
     at_rest: Array  # (nodes, 3): places from which energies of strain, weight and bed count, m
 
 
+@packed
 class Room(NamedTuple):
     """Work space of a step."""
 
