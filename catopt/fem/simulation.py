@@ -479,11 +479,13 @@ class Simulation:
         """Give all nodes the speed at which they follow ends that set off at speed.
 
         It is that of the lines at rest as their ends go: a difference of two such shapes a little
-        way before and behind. Without it the ends would tear at lines that stand still.
+        way before and behind. Without it the ends would tear at lines that stand still. Speeds that
+        nodes have already stay.
         """
+        is_given = self.state.v.any()
         self._lead_ends()
         speed = float(np.abs(self.state.v).max())
-        if speed == 0.0:
+        if is_given or speed == 0.0:
             return
         rest, shapes = _copied(self.state), []
         time = _A_LITTLE * float(self.lines.length.min()) / speed

@@ -111,7 +111,7 @@ def verify_dynamic(
     with waiting_interrupt() as ask:
         for done, ((name, _), drive) in enumerate(zip(states, drives, strict=True)):
             tell = _telling(share_of(progress, done, len(states)), ask)
-            run = partial(_parts, name, proof, workers, announce)
+            run = partial(_judged, case, partial(_parts, name, proof, workers, announce))
             found = run(drive, tell)
             if not counts_cycles and any(map(_wants_more_bars, found)):
                 found = _with_twice_the_bars(found, drive, run, tell)
@@ -157,6 +157,17 @@ def _with_twice_the_bars(
     return [replace(part, remarks=(said, *part.remarks)) for part in finer]
 
 
+def _judged(
+    case: Case,
+    run: Callable[[Drive, Progress], list[DynamicPart]],
+    drive: Drive,
+    progress: Progress,
+) -> list[DynamicPart]:
+    """Run a load case, and say which checks hang on how it is run."""
+    found = run(drive, progress)
+    return with_verdicts(case, found) if found else found
+
+
 class _Seed(NamedTuple):
     """What came of one seed: the run of each line, what is to be said, and whether it was whole."""
 
@@ -191,7 +202,7 @@ def _parts(
         remarks.append(Message("motion.stopped_in_run", run=len(seeds), runs=total))
     elif len(seeds) < total:
         remarks.append(Message("motion.stopped_after_runs", done=len(seeds), runs=total))
-    parts = [
+    return [
         DynamicPart(
             name,
             drive,
@@ -206,7 +217,6 @@ def _parts(
             zip(lines.legs, zip(*(each.runs for each in seeds), strict=True), strict=True), start=1
         )
     ]
-    return with_verdicts(drive.case, parts)
 
 
 def _in_turn(

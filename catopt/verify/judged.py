@@ -12,7 +12,6 @@ from catopt.checks.result import CheckReport
 from catopt.model import Case, Line
 from catopt.mooring.solve import solve_system
 from catopt.ties import first_largest
-from catopt.verify.case import load_states
 from catopt.verify.dynamic_result import DynamicPart, DynamicRun
 
 
@@ -22,8 +21,7 @@ def solutions_at_rest(case: Case, parts: Sequence[DynamicPart]) -> Sequence[Solu
         return [None] * len(parts)
     if case.system is not None:
         return [each.solution for each in solve_system(case.system).lines]
-    states = dict(load_states(case, None))
-    return [solve_case(states[part.name]) for part in parts]
+    return [solve_case(part.drive.case) for part in parts]
 
 
 def check_parts(
