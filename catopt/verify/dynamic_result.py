@@ -25,6 +25,7 @@ from catopt.shown import Shown
 from catopt.ties import largest
 from catopt.verify.dynamic_setup import Drive
 from catopt.verify.proof import (
+    LEAST_CYCLES,
     LEAST_TENSION,
     LIMIT,
     Again,
@@ -342,11 +343,12 @@ class DynamicPart:
     def is_scattered(self) -> bool:
         """Whether the peaks of a periodic motion differ by more from cycle to cycle than may be.
 
-        Their standard error is judged as a change is, at the fairlead and at the anchor.
+        Their standard error is judged as a change is, at the fairlead and at the anchor; of fewer
+        than `LEAST_CYCLES` it is too uncertain itself.
         """
         for quantity in ("fairlead_tension", "anchor_tension"):
             error = self.scatter_of(quantity)
-            if error is not None:
+            if error is not None and self.cycle_peaks(quantity).size >= LEAST_CYCLES:
                 mean = max(self._judged(quantity, self.runs)[0], LEAST_TENSION * self.max_tension)
                 if self.decides(Change(quantity, "step", error / mean, error)):
                     return True

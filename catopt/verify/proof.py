@@ -25,6 +25,9 @@ OF_MBL: Final = 0.02
 LEAST_TENSION: Final = 0.02
 """Part of the largest tension below which a change of another is over that part of it."""
 
+LEAST_CYCLES: Final = 5
+"""Peaks of a periodic motion from which their scatter is judged."""
+
 DAMPINGS: Final = (0.5, 2.0)
 """What the damping of a line that snaps is multiplied by, to show what hangs on it."""
 
