@@ -199,7 +199,7 @@ def _ours(task: Task, scheme: Scheme, step: float) -> Run:
     line = Line([Segment(s.length, s.weight, EA=s.EA, mass=s.mass) for s in task.sections])
     properties = LineProperties(
         [MorisonSection(s.diameter, s.drag, 0.0, s.added) for s in task.sections],
-        LineDamping(critical_ratio=task.zeta),
+        LineDamping(critical_ratio=task.zeta, critical_length="bar"),
         Fluid(RHO, G),
         Seabed(3e6 * task.sections[0].diameter, 3e5 * task.sections[0].diameter),
     )

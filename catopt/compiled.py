@@ -19,6 +19,7 @@ from typing import Any, Final, TypeVar
 from catopt.errors import InputError, Problem
 
 F = TypeVar("F", bound=Callable[..., Any])
+C = TypeVar("C", bound=type)
 
 VARIABLE: Final = "CATOPT_COMPILE"
 """Environment variable that chooses the form of all kernel functions."""
@@ -44,6 +45,15 @@ def inlined(function: F) -> F:
     """
     function.is_inlined = True  # type: ignore[attr-defined]
     return function
+
+
+def packed(of: C) -> C:
+    """Mark a class of named tuples to be handed on by address between compiled functions.
+
+    Worth it for tuples of many arrays, which compiled functions read and neither make nor return.
+    """
+    of.is_packed = True  # type: ignore[attr-defined]
+    return of
 
 
 def when_compiling(tell: Callable[[], None]) -> None:

@@ -21,14 +21,16 @@ from typing import Any
 import numba
 from numba.core import event
 from numba.core.caching import FunctionCache
+from numba.core.codegen import JITCodeLibrary
 from numba.core.registry import CPUDispatcher
 from numba.core.serialize import dumps
 
 from catopt.interrupt import asked_to_stop, uninterrupted
+from catopt.machine_tuples import pack
 
 _PACKAGE = __name__.partition(".")[0] + "."
-_A_BYTE = 8e-4
-"""Processor time that a byte of bytecode takes to compile, s: 6e-4 to 1.1e-3 over all of them."""
+_A_BYTE = 5e-4
+"""Processor time that a byte of bytecode takes to compile, s: of the steps in time, 5e-4."""
 _SIZE = hashlib.sha256().digest_size
 
 _dispatchers: dict[Callable[..., Any], Any] = {}
@@ -79,7 +81,10 @@ def _listen() -> None:
 def _dispatcher(function: Callable[..., Any]) -> Any:
     """Compile on call, and keep the machine code."""
     if function not in _dispatchers:
-        made = numba.njit(_twin(function), **_options(function))
+        for each in _tuples({reached.__module__ for reached in _reached(function)}):
+            if hasattr(each, "is_packed"):
+                pack(each)
+        made = _compiling_into(JITCodeLibrary, numba.njit(_twin(function), **_options(function)))
         with suppress(RuntimeError, OSError):  # no folder to keep the machine code in
             made._cache = _Cache(made.py_func)
         _dispatchers[function] = made
@@ -92,7 +97,46 @@ def _inner(function: Callable[..., Any]) -> Any:
     if function in _dispatchers:
         return _dispatchers[function]
     options = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-    return numba.njit(_twin(function), **_options(function) | options)
+    return _compiling_into(_Part, numba.njit(_twin(function), **_options(function) | options))
+
+
+class _Part(JITCodeLibrary):
+    """Code of a function that is linked into its callers and nothing else.
+
+    What optimises a caller optimises it, too, and its machine code is the caller's. numba does both
+    for every function with all that it calls, of the innermost ones eight times.
+    """
+
+    def _optimize_final_module(self) -> None:
+        pass
+
+    def _finalize_final_module(self) -> None:
+        self._finalize_dynamic_globals()  # type: ignore[no-untyped-call]
+        self._finalized = True
+
+
+def _compiling_into(library: Any, made: Any) -> Any:
+    """Have a function compile into a kind of library; there is no address to give to a part's."""
+    compile_plainly = made.compile
+
+    def compile_so(signature: Any) -> Any:
+        codegen = CPUDispatcher.targetdescr.target_context.codegen()
+        before = dict(vars(codegen))
+        codegen._library_class = library
+        if library is _Part:
+            codegen.set_env = lambda *_: None
+        else:
+            vars(codegen).pop("set_env", None)
+        try:
+            return compile_plainly(signature)
+        finally:
+            for key in ("_library_class", "set_env"):
+                vars(codegen).pop(key, None)
+                if key in before:
+                    setattr(codegen, key, before[key])
+
+    made.compile = compile_so
+    return made
 
 
 def _options(function: Callable[..., Any]) -> dict[str, Any]:
@@ -219,7 +263,11 @@ def _tuple_sources(modules: set[str]) -> set[str]:
 
     Machine code is kept under the layout of its tuples, which is none of the functions' sources.
     """
-    sources = set()
+    return {str(sys.modules[each.__module__].__file__) for each in _tuples(modules)}
+
+
+def _tuples(modules: set[str]) -> Iterator[type]:
+    """Yield the named tuples of the package that modules know, and that those modules know."""
     waiting = set(modules)
     known: set[str] = set()
     while waiting:
@@ -229,9 +277,8 @@ def _tuple_sources(modules: set[str]) -> set[str]:
             if not isinstance(value, type) or not issubclass(value, tuple):
                 continue
             if value.__module__.startswith(_PACKAGE):
-                sources.add(str(sys.modules[value.__module__].__file__))
+                yield value
                 waiting |= {value.__module__} - known
-    return sources
 
 
 @cache

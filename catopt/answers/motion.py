@@ -148,16 +148,27 @@ def _of_body(found: DynamicVerification) -> Iterator[blocks.Block]:
 
 def _lines(parts: Sequence[DynamicPart]) -> blocks.Table:
     of, fairlead = Rows(parts), Rows(part.of("fairlead_tension") for part in parts)
+    anchor = Rows(part.of("anchor_tension") for part in parts)
+    damped = Rows(part.damping_range("fairlead_tension") or (None, None) for part in parts)
+    by_damping: tuple[blocks.Column, ...] = ()
+    if any(each != (None, None) for each in damped.rows):
+        by_damping = (
+            damped.measured("tension", lambda each: each[0], "motion.least_by_damping", symbol=""),
+            damped.measured("tension", lambda each: each[1], "motion.most_by_damping", symbol=""),
+        )
     return tabulate(
         "motion_lines",
         of.texts("line"),
         fairlead.measured("tension", "mean", "mean", symbol=""),
         fairlead.measured("tension", "std", "standard_deviation", symbol=""),
         fairlead.measured("tension", "maximum", "max", symbol=""),
+        *by_damping,
+        anchor.measured("tension", "maximum", "motion.max_at_anchor", symbol=""),
         of.measured("tension", "quasi_static_max", "quasi_static", symbol=""),
         of.measured(_RATIO, "amplification", "amplification"),
         of.measured(_SLACK, "slack_time", "slack"),
         of.measured(_PERCENT, lambda part: part.change_of("fairlead_tension"), "change"),
+        of.texts("verdict", lambda part: term(part.verdict)),
         caption=Message("motion.lines_of_body"),
         only="people",
     )
@@ -238,6 +249,11 @@ def _summary(parts: Sequence[DynamicPart]) -> Iterator[blocks.Column]:
     yield of.texts("proof", lambda part: Message(_PROOF[part.proof]))
     changes = (part.change_of("largest_tension") for part in parts)
     yield measured(_CHANGE, changes, "change_of_the_largest_tension")
+    for end in ("fairlead", "anchor"):
+        ranges = [part.damping_range(f"{end}_tension") or (None, None) for part in parts]
+        for k, which in enumerate(("least", "most")):
+            key = f"motion.{which}_{end}_by_damping"
+            yield measured(_NEWTON, [each[k] for each in ranges], key)
     for state in ("pulled", "none", "laid"):
         forces = (part.anchor_at_rest.get(state) for part in parts)
         yield measured(_NEWTON, forces, f"anchor_at_rest_{state}")

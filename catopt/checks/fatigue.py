@@ -37,11 +37,19 @@ class Cycles:
     """The series' slow and fast parts; None where it was not parted."""
 
 
-def count_cycles(values: Array, time: float, split: float | None = None) -> Cycles:
+def count_cycles(
+    values: Array,
+    time: float,
+    split: float | None = None,
+    *,
+    samples: Array | None = None,
+    mean: float | None = None,
+) -> Cycles:
     """Count the cycles of a series by rainflow, ASTM E1049; what is left over counts half.
 
-    The time is that which the series lasts, s; by `split` (rad/s) its spectrum is parted, too.
-    Refused when the package rainflow is missing.
+    Of a series its turning points are enough, with its `mean` over time and evenly spaced `samples`
+    for its spectrum; without them both are of the values. The time is that which the series lasts,
+    s; by `split` (rad/s) the spectrum is parted, too. Refused when the package rainflow is missing.
 
     Examples
     --------
@@ -54,8 +62,10 @@ def count_cycles(values: Array, time: float, split: float | None = None) -> Cycl
     from rainflow import extract_cycles
 
     found = np.array([cycle[:3:2] for cycle in extract_cycles(values.tolist())]).reshape(-1, 2)
-    parted = None if split is None else bands(values, time, split)
-    return Cycles(found[:, 0], found[:, 1], float(values.mean()), time, parted)
+    even = values if samples is None else samples
+    parted = None if split is None else bands(even, time, split)
+    mean = float(even.mean()) if mean is None else mean
+    return Cycles(found[:, 0], found[:, 1], mean, time, parted)
 
 
 def need_rainflow() -> None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
+from typing import TYPE_CHECKING, Literal, NamedTuple, Protocol, get_args
 
 from catopt.checks.excess import (
     grounded_excess,
@@ -23,7 +23,6 @@ from catopt.quantities import QUANTITIES, Quantity
 from catopt.words import Measure, Message
 
 if TYPE_CHECKING:
-    from catopt.catenary.solution import Solution
     from catopt.model import Anchor, Case
 
 CheckKind = Literal[
@@ -50,41 +49,77 @@ class Demand(NamedTuple):
     note: str = ""
 
 
-Measuring = Callable[[float, "Solution", "Anchor | None"], Demand]
-"""From a criterion's number, a line at rest and what holds it."""
+class EndPull(Protocol):
+    """Force of a line at one of its ends."""
+
+    @property
+    def horizontal_force(self) -> float:
+        """N."""
+
+    @property
+    def vertical_force(self) -> float:
+        """N."""
+
+    @property
+    def angle(self) -> float:
+        """Rad."""
 
 
-def _uplift_angle(limit: float, solution: Solution, _: Anchor | None) -> Demand:
+class Judged(Protocol):
+    """What is measured of a line: at rest, or what it came to in motion."""
+
+    @property
+    def anchor(self) -> EndPull:
+        """Pull on what holds it."""
+
+    @property
+    def fairlead(self) -> EndPull:
+        """Pull at its upper end."""
+
+    @property
+    def grounded_length(self) -> float:
+        """Unstretched, m."""
+
+    @property
+    def span(self) -> float:
+        """Horizontal distance of its ends, m."""
+
+
+Measuring = Callable[[float, Judged, "Anchor | None"], Demand]
+"""From a criterion's number, a line and what holds it."""
+
+
+def _uplift_angle(limit: float, solution: Judged, _: Anchor | None) -> Demand:
     """Inclination of the line at the anchor <= limit, rad."""
     angle = solution.anchor.angle
     return Demand(angle, limit, uplift_angle_excess(angle, limit))
 
 
-def _uplift_force(limit: float, solution: Solution, _: Anchor | None) -> Demand:
+def _uplift_force(limit: float, solution: Judged, _: Anchor | None) -> Demand:
     """Vertical pull of the line on the anchor <= limit, N."""
     pull = solution.anchor
     excess = uplift_force_excess(pull.vertical_force, pull.horizontal_force, limit)
     return Demand(pull.vertical_force, limit, excess)
 
 
-def _grounded_length(wanted: float, solution: Solution, _: Anchor | None) -> Demand:
+def _grounded_length(wanted: float, solution: Judged, _: Anchor | None) -> Demand:
     """Wanted length <= unstretched length that lies on the bed, m."""
     lies = solution.grounded_length
     return Demand(wanted, lies, grounded_excess(lies, wanted), Message("checks.wanted"))
 
 
-def _span(limit: float, solution: Solution, _: Anchor | None) -> Demand:
+def _span(limit: float, solution: Judged, _: Anchor | None) -> Demand:
     """Span <= limit, m."""
     return Demand(solution.span, limit, ratio_excess(solution.span, limit))
 
 
-def _buoyancy(reserve: float, solution: Solution, _: Anchor | None) -> Demand:
+def _buoyancy(reserve: float, solution: Judged, _: Anchor | None) -> Demand:
     """Vertical pull at the fairlead <= reserve buoyancy, N."""
     vertical = solution.fairlead.vertical_force
     return Demand(vertical, reserve, ratio_excess(vertical, reserve))
 
 
-def _sliding(factor: float, solution: Solution, anchor: Anchor | None) -> Demand:
+def _sliding(factor: float, solution: Judged, anchor: Anchor | None) -> Demand:
     """Weight that the sinker needs, V + SF H / mu <= its weight in water, N."""
     assert anchor is not None
     assert anchor.submerged_weight is not None
@@ -95,7 +130,7 @@ def _sliding(factor: float, solution: Solution, anchor: Anchor | None) -> Demand
     return Demand(needed, weight, ratio_excess(needed, weight), note)
 
 
-def _holding(factor: float, solution: Solution, anchor: Anchor | None) -> Demand:
+def _holding(factor: float, solution: Judged, anchor: Anchor | None) -> Demand:
     """Horizontal pull on the drag anchor <= ultimate holding capacity / factor, N."""
     assert anchor is not None
     assert anchor.holding_capacity is not None

@@ -1,21 +1,45 @@
-"""Check the tensions of lines in motion, by the factors that codes have for such tensions."""
+"""Check lines in motion: tensions by the factors that codes have for them, and all other limits."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from catopt.checks.criteria import Criteria, criteria_of
 from catopt.checks.criterion import USER, Place, State
-from catopt.checks.evaluation import check_tensions
+from catopt.checks.evaluation import check_tensions, result_of
+from catopt.checks.excess import ratio_excess
+from catopt.checks.kinds import OF_LINE, Demand
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.model import Case, Line
+from catopt.model.load_case import LoadCaseKind
 from catopt.words import Listed, Message
+
+
+class Pull(NamedTuple):
+    """Largest forces at an end of a line, each by itself, N, and the largest angle, rad."""
+
+    horizontal_force: float
+    vertical_force: float
+    angle: float
+
+
+class Carried(NamedTuple):
+    """What a line came to in motion: largest values each by itself, and the least on the bed."""
+
+    anchor: Pull
+    fairlead: Pull
+    grounded_length: float
+    """Least unstretched length on the bed, m."""
+    span: float
+    """Largest horizontal distance of its ends, m."""
 
 
 @dataclass(frozen=True)
 class LineInMotion:
-    """The tensions of a line that was run in time."""
+    """What a line that was run in time came to."""
 
     line: Line
     """Its segments from the anchor to the fairlead."""
@@ -27,6 +51,8 @@ class LineInMotion:
     load_case: str
     number: int | None = None
     """Of a body with several lines: which, from 1."""
+    carried: Carried | None = None
+    """What else is judged; None: its tensions alone."""
 
     @property
     def tensions(self) -> Iterator[tuple[float, float]]:
@@ -40,9 +66,10 @@ class LineInMotion:
 def check_motion(case: Case, lines: Sequence[LineInMotion]) -> CheckReport:
     """Check lines in motion by the numbers of a case and the factors of the codes it names.
 
-    A code's factors for dynamic analysis are taken; where it has none, those for lines at rest. A
-    run in which a line breaks is judged by what is for the transient state, and the broken line
-    not at all.
+    A code's factors for dynamic analysis are taken; where it has none, those for lines at rest.
+    Uplift, length on the bed, span, buoyancy and what holds the line are judged by the least
+    favourable value of each at any step, as if they came together. A run in which a line breaks is
+    judged by what is for the transient state, and the broken line not at all.
 
     The lines are every line under every load case. InputError as for `check_case`.
     """
@@ -54,20 +81,50 @@ def check_motion(case: Case, lines: Sequence[LineInMotion]) -> CheckReport:
     results: list[CheckResult] = []
     for moved in judged:
         kind = kinds.get(moved.load_case, "extreme")
+        place = Place(state, moved.number, broken)
         results += check_tensions(
             moved.line,
             list(criteria.of("tension", kind, state)),
             criteria.strengths(moved.line, {kind}, {state}),
             moved.tensions,
             load_case=moved.load_case,
-            place=Place(state, moved.number, broken),
+            place=place,
         )
+        results += _others(case, criteria, moved, kind, place)
+    if case.system is not None:
+        results += _of_the_body(criteria, judged, state, broken)
     warnings = (
         *_of_codes(case, criteria, state),
         *_of_a_break(broken, bool(judged)),
         *_of_the_mean(criteria, judged),
     )
     return CheckReport(case.title, tuple(results), (), warnings)
+
+
+def _others(
+    case: Case, criteria: Criteria, moved: LineInMotion, kind: LoadCaseKind, place: Place
+) -> Iterator[CheckResult]:
+    """Check what is not a tension, as of a line at rest."""
+    for check, row in OF_LINE.items():
+        if moved.carried is None or (check == "buoyancy" and place.line is not None):
+            continue
+        for criterion in criteria.of(check, kind, place.state):
+            found = row.measure(criterion.value, moved.carried, case.anchor)
+            yield result_of(check, criterion, found, moved.load_case, place)
+
+
+def _of_the_body(
+    criteria: Criteria, lines: Sequence[LineInMotion], state: State, broken: int | None
+) -> Iterator[CheckResult]:
+    """Hold the largest vertical pulls of all lines, as if at one time, against the buoyancy."""
+    pulls = [each.carried.fairlead.vertical_force for each in lines if each.carried is not None]
+    if len(pulls) < len(lines) or not lines:
+        return
+    pull = math.fsum(pulls)
+    for criterion in criteria.of("buoyancy", "extreme", state):
+        found = Demand(pull, criterion.value, ratio_excess(pull, criterion.value))
+        place = Place(state, None, broken)
+        yield result_of("buoyancy", criterion, found, lines[0].load_case, place)
 
 
 def check_strengths(case: Case) -> None:

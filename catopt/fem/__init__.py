@@ -1,6 +1,7 @@
 """The spatial truss model: lines cut into bars, at rest on a bed that only pushes and in motion."""
 
 from catopt.fem.bed import Bed, HeldBed
+from catopt.fem.course import Course
 from catopt.fem.damping import LineDamping, rayleigh_factors
 from catopt.fem.dynamic_model import Fluid, LineProperties
 from catopt.fem.dynamics import run_dynamics, run_system_dynamics
@@ -25,6 +26,7 @@ __all__ = [
     "Bed",
     "BodyInertia",
     "Controls",
+    "Course",
     "Current",
     "DragSection",
     "EndForce",

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
 from catopt.arrays import Array
 from catopt.model.validity import Findings
+
+_BARS = 100.0
+"""Bars of a line for one of which a part of the critical damping is meant by default."""
 
 
 @dataclass(frozen=True)
@@ -22,9 +26,9 @@ class LineDamping:
 
     internal: float = 0.0  # axial force per rate of strain, N s, of every bar
     critical_ratio: float = 0.0  # as a part of what is critical for a bar on its own, l0 sqrt(EA m)
-    critical_length: float | None = None  # of that bar, m; None: of each bar itself, so that the
-    # damping falls as bars get shorter (MoorDyn's negative BA), and a run with twice the bars is
-    # one of another line
+    critical_length: float | Literal["bar"] | None = None  # of that bar, m; None: a hundredth of
+    # its line, whatever the mesh; "bar": of each bar itself, so that the damping falls as bars get
+    # shorter (MoorDyn's negative BA), and a run with twice the bars is one of another line
     stiffness_time: float = 0.0  # as a multiple of EA, s: c = stiffness_time EA
     mass_factor: float = 0.0  # alpha, 1/s
     stiffness_factor: float = 0.0  # beta, s
@@ -39,16 +43,20 @@ class LineDamping:
             ("stiffness_factor", "s"),
         ):
             found.number(key, getattr(self, key), unit, at_least=0.0)
-        if self.critical_length is not None:
+        if self.critical_length not in (None, "bar"):
             found.number("critical_length", self.critical_length, "m", above=0.0)
         found.raise_if_any()
 
-    def per_bar(self, length: Array, EA: Array, mass: Array) -> Array:
+    def per_bar(self, length: Array, EA: Array, mass: Array, line_length: Array) -> Array:
         """Axial force per rate of strain of each bar, N s, Rayleigh's share included.
 
-        Every bar has its unstretched length, m, axial stiffness, N, and mass, kg/m.
+        Every bar has its unstretched length, m, axial stiffness, N, mass, kg/m, and the length of
+        the line that it is of, m.
         """
-        of = length if self.critical_length is None else self.critical_length
+        of: Array | float = length
+        if self.critical_length != "bar":
+            given = self.critical_length
+            of = line_length / _BARS if given is None else given
         critical = self.critical_ratio * of * np.sqrt(EA * mass)
         total: Array = self.internal + critical + (self.stiffness_time + self.stiffness_factor) * EA
         return total

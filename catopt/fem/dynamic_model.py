@@ -72,6 +72,7 @@ def lay_out_moving(meshes: Sequence[LineMesh], of: LineProperties) -> MovingLine
     start = first_bars(meshes)
     length = np.concatenate([mesh.length for mesh in meshes])
     EA, mass, weight = (by_bar(meshes, name) for name in ("EA", "mass", "submerged_weight"))
+    of_line = np.concatenate([np.full(mesh.length.size, mesh.line.length) for mesh in meshes])
     in_air = mass * fluid.gravity
     displaced = (in_air - weight) / fluid.gravity
     water = np.zeros((6, length.size))
@@ -107,7 +108,7 @@ def lay_out_moving(meshes: Sequence[LineMesh], of: LineProperties) -> MovingLine
         start=start,
         length=length,
         EA=EA,
-        damping=damping.per_bar(length, EA, mass),
+        damping=damping.per_bar(length, EA, mass, of_line),
         mass=mass,
         displaced=displaced if sections is not None else np.zeros(length.size),
         **{name: row.copy() for name, row in zip(_OF_WATER, water, strict=True)},

@@ -14,6 +14,7 @@ import numpy as np
 
 from catopt.arrays import Array
 from catopt.fem.bed import Bed, HeldBed
+from catopt.fem.course import FOLLOWED, course_of
 from catopt.fem.dynamic_model import LineProperties, lay_out_moving
 from catopt.fem.history import STOPPED, History
 from catopt.fem.march import StepCounts
@@ -21,6 +22,7 @@ from catopt.fem.mesh import SAME_PLACE, LineMesh, mesh_line
 from catopt.fem.moving import BodyNode, MovingLines
 from catopt.fem.plausible_step import record_warnings, step_warnings
 from catopt.fem.run_settings import BodyInertia, TimeStepping
+from catopt.fem.sampling import Record
 from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, Sampled, Series, Together, fill_series, series_rows
 from catopt.fem.simulation import Break, Simulation
@@ -32,8 +34,8 @@ from catopt.waves import Sea
 from catopt.words import Measure, Message
 
 _SERIES = (Harmonic, Sampled, Together)
-_JERK = 0.01
-"""Jump of the tension as a motion sets off, over the largest at rest, that is passed over."""
+_UNCERTAIN = 1e-3
+"""Part of the tension at rest that rounding may take or give without a word."""
 _SHALLOW = 0.001
 """Least depth to which a line's weight presses the bed on which it first comes to rest, m."""
 
@@ -272,10 +274,9 @@ def body_at_rest(
     return simulation
 
 
-def _check_beginning(simulation: Simulation) -> list[str]:
-    """Refuse a motion that begins away from rest; return what is to be said of one at speed."""
-    lines, led, jerks = simulation.lines, simulation.led, []
-    out = np.zeros((3, 3))
+def _check_beginning(simulation: Simulation) -> None:
+    """Refuse a motion that begins away from rest; one at speed takes its line along."""
+    led, out = simulation.led, np.zeros((3, 3))
     for end in range(led.base.shape[0]):
         fill_series(0.0, led, end, out)
         away = float(np.linalg.norm(out[0] - led.base[end]))
@@ -284,14 +285,6 @@ def _check_beginning(simulation: Simulation) -> list[str]:
             wanted = f"the motion begins {away:.3g} m away from rest: it needs a ramp to grow over"
             found.add("ramp_time", f"{led.ramp_time:g} s", wanted)
             found.raise_if_any()
-        count = lines.start.size - 1
-        bar = lines.start[end + 1] - 1 if end < count else lines.start[end - count]
-        speed = float(np.linalg.norm(out[1]))
-        jerks.append((speed * float(np.sqrt(lines.EA[bar] * lines.mass[bar])), speed))
-    jump, speed = max(jerks)
-    if jump <= _JERK * float(simulation.state.tension.max()):
-        return []
-    return [Message("motion.sets_off", speed=speed, jump=Measure("tension", jump))]
 
 
 def _run(
@@ -303,7 +296,11 @@ def _run(
     broken: tuple[int, float, bool] | None,
 ) -> History:
     """Set off from rest; `broken`: which line, when, s, and whether at its anchor."""
-    warnings = warnings + _check_beginning(simulation)
+    _check_beginning(simulation)
+    part = simulation.uncertain(stepping.controls.tolerance)
+    if part > _UNCERTAIN:
+        stiff = Measure("EA", float(simulation.lines.EA.max()))
+        warnings = [*warnings, Message("motion.too_stiff", part=part, EA=stiff)]
     breaks = None
     if broken is not None:
         line, time, at_anchor = broken
@@ -318,6 +315,7 @@ def _run(
         "anchor_force": record.end_force[:, :, 0],
         "first_bar": simulation.lines.start,
         "arc": np.concatenate([0.5 * (cut.arc[1:] + cut.arc[:-1]) for cut in cuts]),
+        **_courses(record, simulation.lines),
         "max_tension": np.where(seen, record.max_tension, np.nan),
         "min_tension": np.where(seen, record.min_tension, np.nan),
         "balance": simulation.balance(record),
@@ -328,6 +326,18 @@ def _run(
         "warnings": tuple(warnings),
     }
     return History(**{each.name: found[each.name] for each in fields(History)})
+
+
+def _courses(record: Record, lines: MovingLines) -> dict[str, Any]:
+    rows = [
+        course_of(*each)
+        for each in zip(record.course, record.turns, record.turn_count, strict=True)
+    ]
+    size, count = len(FOLLOWED), lines.start.size - 1
+    return {
+        "courses": tuple(tuple(rows[k * size : (k + 1) * size]) for k in range(count)),
+        "bar_courses": tuple(rows[count * size :]),
+    }
 
 
 def _warnings_of(

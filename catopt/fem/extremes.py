@@ -79,7 +79,9 @@ class GumbelFit:
     run: float  # what of each counts, s
 
 
-def weibull_tail(series: Sequence[Array], time: float, duration: float) -> TailFit | None:
+def weibull_tail(
+    series: Sequence[Array], time: float, duration: float, *, mean: float | None = None
+) -> TailFit | None:
     """Fit Weibull's distribution to the highest peaks of a random series.
 
     Peaks are taken between upward crossings of the mean; the threshold leaves the upper 30 % of
@@ -92,9 +94,12 @@ def weibull_tail(series: Sequence[Array], time: float, duration: float) -> TailF
     Parameters
     ----------
     series : sequence of ndarray
-        Evenly spaced, without transients; several runs of the same process are taken together.
+        Without transients; evenly spaced values or, so that no peak is lost, turning points
+        (`Course.value`). Several runs of the same process are taken together.
     time, duration : float
         Of all of them, and of interest, s.
+    mean : float, optional
+        Over time, of all of them; that of the values when left out, as of evenly spaced ones.
 
     Returns
     -------
@@ -102,7 +107,7 @@ def weibull_tail(series: Sequence[Array], time: float, duration: float) -> TailF
         None for fewer than 20 peaks or 5 clusters, where they are all alike, or where less than
         one cluster is expected in the duration.
     """
-    mean = float(np.concatenate(series).mean())
+    mean = float(np.concatenate(series).mean()) if mean is None else mean
     runs = [peaks_above_mean(values, mean) - mean for values in series]
     heights = np.sort(np.concatenate(runs))[::-1]
     if heights.size < _LEAST_PEAKS:

@@ -7,8 +7,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from catopt.arrays import Array, Codes, Flags
+from catopt.fem.course import FOLLOWED, Course
 from catopt.fem.energy_balance import EnergyBalance
-from catopt.fem.statistics import SeriesStatistics, series_statistics
+from catopt.fem.statistics import SeriesStatistics
 
 STOPPED = "motion.stopped_at"
 """Key of the warning of a run that was stopped."""
@@ -37,8 +38,8 @@ class History:
     min_tension: Array
     slack_time: Array  # (bars,): s without tension in all
     longest_slack: Array  # and at a stretch
-    max_end_force: Array  # (lines, 2): largest size of the force at the anchor and the fairlead, N
-    time_of_max_end_force: Array  # s
+    courses: tuple[tuple[Course, ...], ...]  # of each line what `FOLLOWED` names, at every step
+    bar_courses: tuple[Course, ...]  # of each bar's tension, when asked for, N
     balance: EnergyBalance  # what was put in from the first moment on, and where it went
     since: float  # where statistics begin, s
     step: float  # as asked for, s
@@ -56,7 +57,6 @@ class History:
         only, bars = slice(line, line + 1), self._bars(line)
         by_line = ("fairlead_force", "anchor_force", "bar_tension", "fairlead", "grounded_length")
         by_bar = ("arc", "max_tension", "min_tension", "slack_time", "longest_slack")
-        ends = ("max_end_force", "time_of_max_end_force")
         return replace(
             self,
             first_bar=np.array([0, bars.stop - bars.start]),
@@ -64,8 +64,23 @@ class History:
             at_rest=self.at_rest[bars.start + line : bars.stop + line + 1],
             **{key: getattr(self, key)[:, only] for key in by_line},
             **{key: getattr(self, key)[bars] for key in by_bar},
-            **{key: getattr(self, key)[only] for key in ends},
+            courses=self.courses[only],
+            bar_courses=self.bar_courses[bars],
         )
+
+    def course(self, quantity: str, line: int = 0) -> Course:
+        """Return what one of `FOLLOWED` does at every step from `since` on."""
+        return self.courses[line][FOLLOWED.index(quantity)]
+
+    @property
+    def max_end_force(self) -> Array:
+        """Largest size of the force at each anchor and fairlead of every step, N, (lines, 2)."""
+        return np.array([[each[1].maximum, each[0].maximum] for each in self.courses])
+
+    @property
+    def time_of_max_end_force(self) -> Array:
+        """When that was, s, shape (lines, 2)."""
+        return np.array([[each[k].time_of_maximum for k in (1, 0)] for each in self.courses])
 
     @property
     def fairlead_tension(self) -> Array:
@@ -92,9 +107,8 @@ class History:
         return self.time >= self.since - 1e-9 * self.step
 
     def tension_statistics(self, line: int = 0) -> SeriesStatistics:
-        """Statistics of the tension at a fairlead from `since` on."""
-        at = self.counted
-        return series_statistics(self.time[at], self.fairlead_tension[at, line])
+        """Statistics of the tension at a fairlead at every step from `since` on."""
+        return self.course("fairlead_tension", line).statistics()
 
     def line_max_tension(self, line: int = 0) -> float:
         """Largest tension of any bar of a line from `since` on, N."""

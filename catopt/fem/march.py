@@ -9,13 +9,27 @@ from catopt.fem.energy_balance import add_works, fill_forces
 from catopt.fem.moving import Moving, MovingLines
 from catopt.fem.newmark import close_step, predict
 from catopt.fem.rows import copy_blocks, copy_rows, copy_values
-from catopt.fem.sampling import Record, Room, Setting, fill_end_forces, take_sample
+from catopt.fem.sampling import (
+    Record,
+    Room,
+    Rules,
+    Setting,
+    fill_end_forces,
+    follow_all,
+    take_sample,
+)
 from catopt.fem.seabed import drag_feet
 from catopt.fem.series import fill_series
 from catopt.fem.water_at import fill_water
 
 _LONGER: Final = 0.2
 """Part of the allowed surprise below which the next step may be twice as long."""
+_TAUT: Final = 0.01
+"""Part of the largest tension above which a slack bar has gone taut."""
+_PASSES: Final = 20.0
+"""Bars through which the wave of that goes with steps as short."""
+_FINEST: Final = 0.5
+"""Part of the longest step in which a bar goes taut below which no tension shortens one."""
 
 
 class StepCounts(NamedTuple):
@@ -39,75 +53,97 @@ class StepCounts(NamedTuple):
 class MarchReport(NamedTuple):
     """What became of the steps."""
 
-    done: bool  # whether all were taken
-    time: float  # reached, s
+    closed: bool  # whether the last one did
+    full: bool  # whether there is no more room for turning points
+    at: int  # where they stopped: whole steps taken since the start
+    part: float  # and what is done of the next one
     counts: StepCounts
-    worst: float  # where it stopped: force left over, over the largest tension or a line's weight
-    node: int  # with its node, -1 for the body
+    worst: float  # where one did not close: force left over, over the largest tension or a line's
+    node: int  # weight, with its node, -1 for the body
     level: int  # how often the step is halved at the end
 
 
 def march(
-    first: int, end: int, level: int, setting: Setting, before: Moving, room: Room, record: Record
+    at: int,
+    part_done: float,
+    end: int,
+    most: int,
+    level: int,
+    setting: Setting,
+    before: Moving,
+    room: Room,
+    record: Record,
 ) -> MarchReport:
-    """Step from sample `first` to sample `end`, and take the samples after the first.
+    """Step from a part of the whole step `at` on, and take the samples on the way.
 
-    `before`: state at sample `first`, and then where the steps have come to.
+    Up to the whole step `end`; until so many steps were tried; or until there is no more room for
+    turning points. `before`: state there, and then where the steps have come to.
     """
-    steps = iterations = halvings = refinements = unresolved = 0
-    ringing = strain = 0.0
+    steps = iterations = halvings = refinements = unresolved = tried = 0
+    ringing = strain = worst = 0.0
+    node = 0
     rules, lines = setting.rules, setting.lines
     shortest = rules.step
-    for sample in range(first + 1, end + 1):
-        for j in range(rules.every):
-            start = ((sample - 1) * rules.every + j) * rules.step
-            done = 0.0
-            while done < 1.0:
-                part = 0.5**level
-                h, time = part * rules.step, start + done * rules.step
-                closed, used, worst, node = attempt(time, h, setting, before, room)
-                iterations += used
-                if not closed:
-                    level += 1
-                    halvings += 1
-                    if level > rules.halvings:
-                        counts = StepCounts(
-                            steps,
-                            iterations,
-                            halvings,
-                            refinements,
-                            unresolved,
-                            ringing,
-                            strain,
-                            shortest,
-                        )
-                        return MarchReport(False, time, counts, worst, node, level)
+    done, full, closed = part_done, False, True
+    while at < end and closed and not full and tried < most:
+        start = at * rules.step
+        while done < 1.0 and closed and not full and tried < most:
+            tried += 1
+            part = 0.5**level
+            h, time = part * rules.step, start + done * rules.step
+            closed, used, worst, node = attempt(time, h, setting, before, room)
+            iterations += used
+            if not closed:
+                level += 1
+                halvings += 1
+                closed = level <= rules.halvings
+                continue
+            seen = judge_tensions(h, rules.transits, lines, before, room)
+            highest = max(room.highest[0], largest_size(room.now.tension))
+            allowed = rules.surprise * max(highest, lines.force_scale)
+            if h > seen.longest or (seen.surprise > allowed and h > seen.least):
+                if level < rules.refinements:
+                    level = shorter(level, seen.longest, rules)
+                    refinements += 1
                     continue
-                surprise, rings, held = tension_surprise(h, lines, before, room.now, room.slope)
-                highest = max(room.highest[0], largest_size(room.now.tension))
-                allowed = rules.surprise * max(highest, lines.force_scale)
-                if surprise > allowed:
-                    if level < rules.refinements:
-                        level += 1
-                        refinements += 1
-                        continue
-                    unresolved += 1
-                room.highest[0] = highest
-                shortest = min(shortest, h)
-                steps += 1
-                done += part
-                ringing += rings
-                strain += held
-                accept(start + done * rules.step, h, setting, before, room, record)
-                # Longer again where the step then ends with one twice as long.
-                ends_evenly = (done / (2.0 * part)) % 1.0 == 0.0
-                if level > 0 and ends_evenly and surprise < _LONGER * allowed:
-                    level -= 1
-        take_sample(sample, setting, before, room, record)
+                unresolved += 1
+            room.highest[0] = highest
+            shortest = min(shortest, h)
+            steps += 1
+            done += part
+            ringing += seen.ringing
+            strain += seen.strain
+            time = start + done * rules.step
+            full = accept(time, h, setting, before, room, record)
+            # Longer again where the step then ends with one twice as long.
+            ends_evenly = (done / (2.0 * part)) % 1.0 == 0.0
+            may_grow = passed_by(time, 2.0 * h, seen, room) and seen.surprise < _LONGER * allowed
+            level -= level > 0 and ends_evenly and may_grow
+        if done >= 1.0:
+            at, done = at + 1, 0.0
+            if at % rules.every == 0:
+                take_sample(at // rules.every, setting, before, room, record)
     counts = StepCounts(
         steps, iterations, halvings, refinements, unresolved, ringing, strain, shortest
     )
-    return MarchReport(True, end * rules.every * rules.step, counts, 0.0, 0, level)
+    return MarchReport(closed, full, at, done, counts, worst, node, level)
+
+
+def shorter(level: int, longest: float, rules: Rules) -> int:
+    """Halve the step once, and further until it is no longer than `longest`, s."""
+    level += 1
+    while level < rules.refinements and 0.5**level * rules.step > longest:
+        level += 1
+    return level
+
+
+def passed_by(t: float, h: float, seen: Seen, room: Room) -> bool:
+    """Say whether at t, s, no wave of a bar that went taut forbids steps of h, s."""
+    short = room.short
+    if seen.passes > 0.0:
+        short[1] = min(short[1], seen.longest) if t < short[0] else seen.longest
+        short[0] = max(short[0], t + seen.passes)
+    return bool(t >= short[0] or h <= short[1])
 
 
 def largest_size(values: Any) -> float:
@@ -118,23 +154,43 @@ def largest_size(values: Any) -> float:
     return largest
 
 
-def tension_surprise(
-    h: float, lines: MovingLines, before: Moving, now: Moving, slope: Any
-) -> tuple[float, float, float]:
+class Seen(NamedTuple):
+    """What the tensions of a step say of its length."""
+
+    surprise: float  # largest difference of one from what it was heading for, N
+    ringing: float  # energy of the differences and of the tensions, times the step, J s
+    strain: float
+    longest: float  # step in which those bars may go taut that did, s; infinite without any
+    passes: float  # time in which the wave of that passes its line, s; 0 without any
+    least: float  # step below which the bar that surprised resolves nothing more, s
+
+
+def judge_tensions(
+    h: float, transits: float, lines: MovingLines, before: Moving, room: Room
+) -> Seen:
     """Compare tensions at the end of a step of h, s, with what they were heading for.
 
-    `slope` (bars,): their rate in the last step, N/s. Returns the largest difference, N; and the
-    energy of the differences and of the tensions, times h, J s.
+    `room.slope` (bars,): their rate in the last step, N/s. A bar that was slack goes taut where it
+    carries more than a part of the largest tension so far.
     """
-    largest = ringing = strain = 0.0
-    old, new, length, EA = before.tension, now.tension, lines.length, lines.EA
+    worst = ringing = strain = 0.0
+    longest, passes, least = math.inf, 0.0, 0.0
+    old, new, length, EA = before.tension, room.now.tension, lines.length, lines.EA
+    mass, slope, loose = lines.mass, room.slope, room.loose
+    taut = _TAUT * max(room.highest[0], lines.force_scale)
     for e in range(new.shape[0]):
         off = new[e] - old[e] - h * slope[e]
-        largest = max(largest, abs(off))
         over = 0.5 * h * length[e] / EA[e]
         ringing += over * off * off
         strain += over * new[e] * new[e]
-    return largest, ringing, strain
+        if abs(off) > worst:
+            worst = abs(off)
+            least = _FINEST * transits * length[e] * math.sqrt(mass[e] / EA[e])
+        if loose[e] and new[e] > taut:
+            transit = length[e] * math.sqrt(mass[e] / EA[e])
+            longest = min(longest, transits * transit)
+            passes = max(passes, _PASSES * transit)
+    return Seen(worst, ringing, strain, longest, passes, least)
 
 
 def attempt(
@@ -155,8 +211,11 @@ def attempt(
 
 def accept(
     t: float, h: float, setting: Setting, before: Moving, room: Room, record: Record
-) -> None:
-    """Make the end of the step the start of the next; keep what was largest."""
+) -> bool:
+    """Make the end of the step the start of the next; keep what was largest.
+
+    Says whether there is no room for one more turning point of a quantity.
+    """
     rules, lines, now, water = setting.rules, setting.lines, room.now, room.water
     if largest_size(lines.friction) > 0.0:
         drag_feet(lines, now, h)
@@ -168,6 +227,7 @@ def accept(
         for i in range(3):
             change[n, i] = a[n, i] - a_0[n, i]
             at_end[n, i] = a[n, i] - shift * change[n, i]
+    lead_accelerations(t, setting, at_end, room)
     fill_forces(lines, now, water, setting.has_sea, room.booked)
     fill_end_forces(lines, now, at_end, room, room.ends)
     is_booked = setting.has_sea or lines.mass_factor > 0.0 or lines.stiffness_factor > 0.0
@@ -181,20 +241,44 @@ def accept(
     copy_rows(water.latest, room.water_before)
     copy_values(now.reaction, before.reaction)
     copy_values(now.body_force, before.body_force)
-    over, tension, slope = 1.0 / h, now.tension, room.slope
+    over, tension, slope, loose = 1.0 / h, now.tension, room.slope, room.loose
+    taut = _TAUT * max(room.highest[0], lines.force_scale)
     for e in range(tension.shape[0]):
         slope[e] = (tension[e] - before.tension[e]) * over
+        loose[e] = tension[e] <= 0.0 or (loose[e] and tension[e] <= taut)
     copy_values(tension, before.tension)
     if is_booked:
         copy_blocks(room.booked, room.booked_before)
         copy_rows(water.wet, room.wet_before)
     copy_blocks(room.ends, room.ends_before)
-    if t >= rules.since - 1e-9 * rules.step:
-        keep_extremes(t, h, tension, room.ends, record)
+    if rules.since - 1e-9 * rules.step <= t <= rules.until + 1e-9 * rules.step:
+        keep_extremes(h, tension, record)
+        follow_all(t, setting, now, room, record)
+    for n in range(record.turn_count.shape[0]):
+        if record.turn_count[n] >= record.turns.shape[1]:
+            return True
+    return False
 
 
-def keep_extremes(t: float, h: float, tension: Any, ends: Any, record: Record) -> None:
-    """Keep what was largest and least of the bars' tensions and of the forces at the ends."""
+def lead_accelerations(t: float, setting: Setting, a: Any, room: Room) -> None:
+    """Put the accelerations of led ends at t, s, into `a`."""
+    lines, led, free = setting.lines, setting.led, setting.body.free
+    count = lines.start.shape[0] - 1
+    for k in range(count):
+        first, last = lines.start[k] + k, lines.start[k + 1] + k
+        if count + k < led.base.shape[0] and not lines.lower_free[k]:
+            fill_series(t, led, count + k, room.small[0])
+            for i in range(3):
+                a[first, i] = room.small[0, 2, i]
+        if free[0] * free[1] * free[2] == 0.0:
+            fill_series(t, led, k, room.small[0])
+            for i in range(3):
+                if free[i] == 0.0:
+                    a[last, i] = room.small[0, 2, i]
+
+
+def keep_extremes(h: float, tension: Any, record: Record) -> None:
+    """Keep what was largest and least of the bars' tensions, and how long they had none."""
     highest, lowest, slack = record.max_tension, record.min_tension, record.slack_time
     longest, stretch = record.longest_slack, record.slack_now
     for e in range(tension.shape[0]):
@@ -207,9 +291,3 @@ def keep_extremes(t: float, h: float, tension: Any, ends: Any, record: Record) -
             longest[e] = max(longest[e], stretch[e])
         else:
             stretch[e] = 0.0
-    for k in range(ends.shape[0]):
-        for j in range(2):
-            square = ends[k, j, 0] ** 2 + ends[k, j, 1] ** 2 + ends[k, j, 2] ** 2
-            if square > record.max_end_force[k, j] ** 2:
-                record.max_end_force[k, j] = math.sqrt(square)
-                record.time_of_max_end_force[k, j] = t

@@ -9,8 +9,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from catopt.arrays import Array, Codes, Flags
+from catopt.compiled import packed
 
 
+@packed
 class MovingLines(NamedTuple):
     """What does not change in a run."""
 
@@ -61,6 +63,7 @@ class MovingLines(NamedTuple):
     # largest tension
 
 
+@packed
 class BodyNode(NamedTuple):
     """What the last nodes of all lines are fixed to; along x, y and z, shape (3,)."""
 
@@ -69,6 +72,7 @@ class BodyNode(NamedTuple):
     damping: Array  # linear, N s/m
 
 
+@packed
 class Moving(NamedTuple):
     """Where the lines are at one time."""
 
@@ -85,6 +89,7 @@ class Moving(NamedTuple):
     body_force: Array  # (3,): on the body, but inertia and forces of the lines, N
 
 
+@packed
 class WaterAt(NamedTuple):
     """The water at the nodes, taken once a step."""
 
@@ -110,6 +115,7 @@ class Blend(NamedTuple):
     step: float = 0.0  # length of the step, s; 0 at rest
 
 
+@packed
 class Equations(NamedTuple):
     """Room for one set of linear equations, three a node."""
 

@@ -20,7 +20,9 @@ class StepControls:
     surprise: float = 0.05  # difference of a bar's tension from what it was heading for in the last
     # step beyond which a step is halved, over the largest tension of the run so far or what a line
     # weighs
-    max_refinements: int = 10  # times that it may be halved for that; then it is taken as it is
+    transits: float = 2.0  # longest step in which a bar goes taut, and until the wave of that has
+    # passed, over the time in which a wave along the line passes that bar
+    max_refinements: int = 16  # times that it may be halved for either; then it is taken as it is
     max_ringing: float = 0.2  # part of the strain energy, over time, that such differences may
     # hold; beyond it the run stops: what it shows is ringing that its steps do not resolve
 
@@ -30,6 +32,7 @@ class StepControls:
         found.number("max_iterations", self.max_iterations, "", at_least=1.0)
         found.number("max_halvings", self.max_halvings, "", at_least=0.0)
         found.number("surprise", self.surprise, "", above=0.0)
+        found.number("transits", self.transits, "", above=0.0)
         found.number("max_refinements", self.max_refinements, "", at_least=0.0)
         found.number("max_ringing", self.max_ringing, "", at_least=0.0, infinite=True)
         found.raise_if_any()

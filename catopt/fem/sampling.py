@@ -5,13 +5,15 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from catopt.arrays import Array, Codes
+from catopt.arrays import Array, Codes, Flags
+from catopt.compiled import packed
+from catopt.fem.course import follow
 from catopt.fem.moving import BodyNode, Equations, Moving, MovingLines, WaterAt
 from catopt.fem.moving_bar import inertia_of_half
 from catopt.fem.moving_load import immersion
-from catopt.fem.rows import copy_values
+from catopt.fem.rows import copy_blocks, copy_values
 from catopt.fem.seabed import across_bed
-from catopt.fem.series import SeriesRows, fill_series
+from catopt.fem.series import SeriesRows
 from catopt.waves.kinematics import Flow
 
 
@@ -29,10 +31,13 @@ class Rules(NamedTuple):
     refinements: int  # times that it is halved at most because a tension surprises
     surprise: float  # difference of a tension from what it was heading for beyond which that is
     # done, over the largest tension of the run so far or what a line weighs
+    transits: float  # longest step in which a bar goes taut, over a wave's way through it
     tolerance: float  # largest force left over at a node, over the same
-    since: float  # time from which envelopes and slack times are taken, s
+    since: float  # time from which courses, envelopes and slack times are taken, s
+    until: float  # and up to which
 
 
+@packed
 class Setting(NamedTuple):
     """What steps in time are taken of: none of it changes meanwhile."""
 
@@ -45,6 +50,7 @@ class Setting(NamedTuple):
     has_sea: bool
 
 
+@packed
 class Record(NamedTuple):
     """What is kept of a run; the first axis of the first eight counts samples."""
 
@@ -62,12 +68,15 @@ class Record(NamedTuple):
     slack_time: Array  # (bars,): without tension in all, s
     longest_slack: Array  # at a stretch
     slack_now: Array  # at the stretch that goes on
-    max_end_force: Array  # (lines, 2): largest size of the forces at the ends, of every step, N
-    time_of_max_end_force: Array  # s
+    course: Array  # (quantities, STATE): of each line those of `FOLLOWED`, then the bars' tensions,
+    # as `course.follow` keeps them of every step
+    turns: Array  # (quantities, room, 2): time, s, and value of their turning points
+    turn_count: Codes  # (quantities,): how many there are
     works: Array  # (8,): as `energy_balance.add_works` adds them, of every step, J
     at_rest: Array  # (nodes, 3): places from which energies of strain, weight and bed count, m
 
 
+@packed
 class Room(NamedTuple):
     """Work space of a step."""
 
@@ -78,7 +87,9 @@ class Room(NamedTuple):
     small: Array  # (2, 3, 3)
     force: Array  # (3,): on the body at its end, N
     slope: Array  # (bars,): rate of the tensions in the last step, N/s
+    loose: Flags  # (bars,): slack, and since then not taut again
     highest: Array  # (1,): largest tension of all, N
+    short: Array  # (2,): time up to which steps stay short after a bar went taut, and how short, s
     change: Array  # (nodes, 3): of the accelerations, m/s2
     booked: Array  # (4, nodes, 3): forces whose work is booked, N
     booked_before: Array  # at its start
@@ -88,28 +99,18 @@ class Room(NamedTuple):
 
 
 def take_sample(sample: int, setting: Setting, at: Moving, room: Room, record: Record) -> None:
-    """Write a sample; accelerations at its time are in `room.equations.acceleration`."""
-    rules, lines, led = setting.rules, setting.lines, setting.led
+    """Write a sample; forces at the ends are in `room.ends`."""
+    rules, lines = setting.rules, setting.lines
     t = sample * rules.every * rules.step
     record.time[sample] = t
-    a = room.equations.acceleration
     for k in range(lines.start.shape[0] - 1):
-        first, last = lines.start[k] + k, lines.start[k + 1] + k
-        lower = lines.start.shape[0] - 1 + k
-        if lower < led.base.shape[0] and not lines.lower_free[k]:
-            fill_series(t, led, lower, room.small[0])
-            for i in range(3):
-                a[first, i] = room.small[0, 2, i]
-        fill_series(t, led, k, room.small[0])
+        last = lines.start[k + 1] + k
         for i in range(3):
-            if setting.body.free[i] == 0.0:
-                a[last, i] = room.small[0, 2, i]
             record.fairlead[sample, k, i] = at.x[last, i]
-        bar, bar_last = lines.start[k], lines.start[k + 1] - 1
-        record.bar_tension[sample, k, 0] = at.tension[bar]
-        record.bar_tension[sample, k, 1] = at.tension[bar_last]
+        record.bar_tension[sample, k, 0] = at.tension[lines.start[k]]
+        record.bar_tension[sample, k, 1] = at.tension[lines.start[k + 1] - 1]
         record.grounded_length[sample, k] = length_on_bed(k, lines, at)
-    fill_end_forces(lines, at, a, room, record.end_force[sample])
+    copy_blocks(room.ends, record.end_force[sample])
     for c in range(record.chosen.shape[0]):
         for i in range(3):
             record.nodes[sample, c, i] = at.x[record.chosen[c], i]
@@ -117,6 +118,41 @@ def take_sample(sample: int, setting: Setting, at: Moving, room: Room, record: R
         copy_values(at.tension, record.tension[sample])
     if record.energy.shape[0] > 0:
         fill_energy(lines, at, room, record.at_rest, record.energy[sample])
+
+
+def follow_all(t: float, setting: Setting, at: Moving, room: Room, record: Record) -> None:
+    """Follow what `FOLLOWED` names of each line, and the bars' tensions where there is room."""
+    lines, ends, rest = setting.lines, room.ends, record.at_rest
+    state, turns, count = record.course, record.turns, record.turn_count
+    n = 0
+    for k in range(lines.start.shape[0] - 1):
+        first, last = lines.start[k] + k, lines.start[k + 1] + k
+        x, y = at.x[last, 0], at.x[last, 1]
+        along = math.sqrt(ends[k, 0, 0] ** 2 + ends[k, 0, 1] ** 2)
+        across = math.sqrt(ends[k, 1, 0] ** 2 + ends[k, 1, 1] ** 2)
+        up = max(ends[k, 0, 2], 0.0)
+        # A lower end that carries no more than its half bar weighs is not lifted at any angle.
+        bar = lines.start[k]
+        lifted = up > 0.0 and along + up > 0.5 * abs(lines.weight[bar]) * lines.length[bar]
+        values = (
+            math.sqrt(across**2 + ends[k, 1, 2] ** 2),
+            math.sqrt(along**2 + ends[k, 0, 2] ** 2),
+            length_on_bed(k, lines, at),
+            math.sqrt((x - rest[last, 0]) ** 2 + (y - rest[last, 1]) ** 2),
+            x,
+            y,
+            math.sqrt((x - at.x[first, 0]) ** 2 + (y - at.x[first, 1]) ** 2),
+            along,
+            up,
+            math.atan2(up, along) if lifted else 0.0,
+            -ends[k, 1, 2],
+        )
+        for value in values:
+            follow(n, t, value, state, turns, count)
+            n += 1
+    if n < state.shape[0]:
+        for e in range(at.tension.shape[0]):
+            follow(n + e, t, at.tension[e], state, turns, count)
 
 
 def fill_end_forces(lines: MovingLines, at: Moving, a: Any, room: Room, to: Any) -> None:

@@ -16,7 +16,7 @@ import numpy as np
 import numpy.typing as npt
 
 from catopt.arrays import Array
-from catopt.compiled import compiled
+from catopt.compiled import compiled, packed
 from catopt.model.validity import Findings
 from catopt.waves.fast_functions import cos_sin
 from catopt.waves.kinematics import row_at
@@ -151,6 +151,7 @@ class Together:
 Series = Harmonic | Sampled | Together
 
 
+@packed
 class SeriesRows(NamedTuple):
     """Series of one or more ends as the kernels read them."""
 

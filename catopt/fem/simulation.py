@@ -11,6 +11,7 @@ import numpy as np
 from catopt.arrays import Array
 from catopt.compiled import compiled
 from catopt.errors import NotConvergedError
+from catopt.fem.course import FOLLOWED, STATE
 from catopt.fem.energy_balance import EnergyBalance, fill_forces, own_kinetic_energy
 from catopt.fem.march import StepCounts, march
 from catopt.fem.mesh import bar_nodes, end_nodes
@@ -19,7 +20,16 @@ from catopt.fem.moving_assembly import assemble_moving
 from catopt.fem.newmark import solve_moving
 from catopt.fem.problem import place_of
 from catopt.fem.run_settings import StepControls, TimeStepping
-from catopt.fem.sampling import Record, Room, Rules, Setting, fill_energy, take_sample
+from catopt.fem.sampling import (
+    Record,
+    Room,
+    Rules,
+    Setting,
+    fill_end_forces,
+    fill_energy,
+    follow_all,
+    take_sample,
+)
 from catopt.fem.seabed import drag_feet
 from catopt.fem.series import SeriesRows, fill_series, series_rows
 from catopt.fem.water_at import fill_water
@@ -54,6 +64,10 @@ _ITERATIONS = 3
 """Of a step, about."""
 _BY_SAMPLE = 8
 """Fields of a record whose first axis counts samples: the first ones."""
+_A_LITTLE = 1e-3
+"""Way over the length of a bar by which ends go to find how a line follows them."""
+_TURNS = 256
+"""Turning points of a quantity for which there is room at first."""
 _PIECE = 0.1
 """Seconds of computing between two looks at Ctrl-C and calls of `progress`, about."""
 
@@ -111,7 +125,9 @@ class Simulation:
             small=np.zeros((2, 3, 3)),
             force=np.zeros(3),
             slope=np.zeros(bars),
+            loose=np.zeros(bars, dtype=bool),
             highest=np.zeros(1),
+            short=np.zeros(2),
             change=np.zeros((nodes, 3)),
             booked=np.zeros((4, nodes, 3)),
             booked_before=np.zeros((4, nodes, 3)),
@@ -163,10 +179,22 @@ class Simulation:
     @property
     def rounding(self) -> float:
         """Force that a bar may be off by because coordinates have 16 digits, over the unit."""
+        return self._rounded_off / max(self.lines.force_scale, self._largest_tension)
+
+    def uncertain(self, tolerance: float) -> float:
+        """Force that rounding or a tolerance may leave over, over the largest tension."""
+        unit = max(self.lines.force_scale, self._largest_tension)
+        return max(self._rounded_off, tolerance * unit) / max(self._largest_tension, 1e-300)
+
+    @property
+    def _rounded_off(self) -> float:
         stiffest = float((self.lines.EA / self.lines.length).max())
         reach = float(np.abs(self.state.x).max())
-        unit = max(self.lines.force_scale, float(np.abs(self.state.tension).max()))
-        return 4.0 * float(np.finfo(float).eps) * stiffest * reach / unit
+        return 4.0 * float(np.finfo(float).eps) * stiffest * reach
+
+    @property
+    def _largest_tension(self) -> float:
+        return float(np.abs(self.state.tension).max())
 
     @property
     def equations(self) -> Equations:
@@ -258,6 +286,7 @@ class Simulation:
         """Find the accelerations with which the lines set off from the present state."""
         at = self.state
         at.a[:] = 0.0
+        self._set_moving()
         self._lead_ends()
         self.assemble(_SETTING_OFF)
         at.a[:] += self._solve(_SETTING_OFF)[1]
@@ -291,36 +320,47 @@ class Simulation:
             halvings=int(ways.max_halvings),
             refinements=int(ways.max_refinements),
             surprise=float(ways.surprise),
+            transits=float(ways.transits),
             tolerance=float(max(ways.tolerance, self.rounding)),
             since=float(stepping.counted_since),
+            until=float(stepping.duration),
         )
         record = self._empty_record(stepping)
         self._first_sample(self._setting(rules), record)
-        at, size, level = 0, 1, 0
+        at, part, level, size, speed = 0, 0.0, 0, 1, 0.0
+        last, lost = samples * every, -1 if breaks is None else breaks.sample * every
         with waiting_interrupt() as ask:
-            while at < samples:
-                if breaks is not None and at == breaks.sample:
-                    part = self._let_go if breaks.at_anchor else self._break
-                    part(breaks.line, record)
-                stop = breaks.sample if breaks is not None and at < breaks.sample else samples
-                end, began = min(at + size, stop), perf_counter()
-                march_on = self._form(march, (samples - at) * every * _ITERATIONS)
-                setting = self._setting(rules)
-                report = march_on(at, end, level, setting, self.state, self._room, record)
+            while at < last:
+                if at == lost and part == 0.0:
+                    assert breaks is not None
+                    take_off = self._let_go if breaks.at_anchor else self._break
+                    take_off(breaks.line, record)
+                end, began = lost if at < lost else last, perf_counter()
+                # As plain Python steps may take longer than expected, where they are halved.
+                work = max(speed, _ITERATIONS * _A_BAR * self.lines.length.size) * (last - at)
+                march_on, setting = compiled(march, work), self._setting(rules)
+                report = march_on(
+                    at, part, end, size, level, setting, self.state, self._room, record
+                )
                 self.counts = self.counts.with_more(report.counts)
-                if not report.done:
-                    words = Message("truss.not_closed", time=report.time)
+                if not report.closed:
+                    words = Message("truss.not_closed", time=(report.at + report.part) * step)
                     raise self._not_closed(words, report.worst, report.node, step)
-                at, level = end, report.level
-                self._check_ringing(ways, step, at * every * step)
+                if report.full:
+                    record = _with_more_room(record)
+                took = perf_counter() - began
+                speed = took / max(report.at + report.part - at - part, 1e-3)
+                at, part, level = report.at, report.part, report.level
+                self._check_ringing(ways, step, at * step)
                 try:
                     if progress is not None:
-                        progress(at * every * step)
+                        progress(at * step)
                     ask()
                 except KeyboardInterrupt:
-                    taken: list[Any] = [each[: at + 1] for each in record[:_BY_SAMPLE]]
+                    done = at // every
+                    taken: list[Any] = [each[: done + 1] for each in record[:_BY_SAMPLE]]
                     return Record(*taken, *record[_BY_SAMPLE:]), False
-                if perf_counter() - began < _PIECE:
+                if took < _PIECE and not report.full:
                     size *= 2
         return record, True
 
@@ -390,16 +430,20 @@ class Simulation:
 
     def _first_sample(self, setting: Setting, record: Record) -> None:
         room, at = self._room, self.state
-        room.equations.acceleration[:] = at.a
+        fill_end_forces(self.lines, at, at.a, room, room.ends)
         take_sample(0, setting, at, room, record)
+        if setting.rules.since <= 0.0:
+            follow_all(0.0, setting, at, room, record)
         fill_forces(self.lines, at, room.water, setting.has_sea, room.booked_before)
         record.works[6] = -own_kinetic_energy(self.lines, at)
-        room.ends_before[:] = record.end_force[0]
+        room.ends_before[:] = room.ends
+        room.loose[:] = at.tension <= 0.0
         room.wet_before[:] = room.water.wet
 
     def _empty_record(self, stepping: TimeStepping) -> Record:
         lines, bars = self.lines.start.size - 1, self.lines.length.size
         samples, nodes = stepping.samples + 1, stepping.nodes
+        followed = len(FOLLOWED) * lines + (bars if stepping.tensions else 0)
         return Record(
             time=np.zeros(samples),
             end_force=np.zeros((samples, lines, 2, 3)),
@@ -415,8 +459,9 @@ class Simulation:
             slack_time=np.zeros(bars),
             longest_slack=np.zeros(bars),
             slack_now=np.zeros(bars),
-            max_end_force=np.zeros((lines, 2)),
-            time_of_max_end_force=np.zeros((lines, 2)),
+            course=np.zeros((followed, STATE)),
+            turns=np.zeros((followed, _TURNS, 2)),
+            turn_count=np.zeros(followed, dtype=np.int64),
             works=np.zeros(8),
             at_rest=self.state.x.copy(),
         )
@@ -430,6 +475,32 @@ class Simulation:
             which = led if row < self._ends.size else slice(None)
             at.x[node, which], at.v[node, which], at.a[node, which] = out[:, which]
 
+    def _set_moving(self) -> None:
+        """Give all nodes the speed at which they follow ends that set off at speed.
+
+        It is that of the lines at rest as their ends go: a difference of two such shapes a little
+        way before and behind. Without it the ends would tear at lines that stand still. Speeds that
+        nodes have already stay.
+        """
+        is_given = self.state.v.any()
+        self._lead_ends()
+        speed = float(np.abs(self.state.v).max())
+        if is_given or speed == 0.0:
+            return
+        rest, shapes = _copied(self.state), []
+        time = _A_LITTLE * float(self.lines.length.min()) / speed
+        ends = rest.v.copy()
+        for way in (-0.5, 0.5):
+            self.state = _copied(rest)
+            self.state.v[:] = 0.0
+            self.state.a[:] = 0.0
+            self.state.x[:] += way * time * ends
+            self.assemble(_AT_REST)
+            self.find_rest()
+            shapes.append(self.state.x)
+        self.state = rest
+        rest.v[:] = (shapes[1] - shapes[0]) / time
+
     def _not_closed(
         self, words: str, worst: float, node: int, step: float | None = None
     ) -> NotConvergedError:
@@ -438,6 +509,16 @@ class Simulation:
         if step is not None:
             said.append(Message("truss.halved", step=step))
         return NotConvergedError(Several((*said, Message("truss.may_help")), " "))
+
+
+def _copied(state: Moving) -> Moving:
+    return Moving(*(array.copy() for array in state))
+
+
+def _with_more_room(record: Record) -> Record:
+    """Give turning points twice the room."""
+    turns = np.concatenate([record.turns, np.zeros_like(record.turns)], axis=1)
+    return record._replace(turns=turns)
 
 
 def _moving(lines: MovingLines, x: Array) -> Moving:

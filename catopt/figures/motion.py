@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from catopt.arrays import Array
 from catopt.figures.chart import (
     Area,
     Axis,
@@ -62,7 +63,7 @@ def around_the_largest(run: DynamicRun, most: int = _MOST) -> list[int]:
     found = run.statistics("fairlead_tension")
     counted = np.flatnonzero(run.counted)
     first, last = int(counted[0]), int(counted[-1])
-    peak = first + int(of.fairlead_tension[counted, 0].argmax())
+    peak = first + int(abs(of.time[counted] - found.time_of_maximum).argmin())
     if found.peaks:
         half = 0.5 * _CYCLES * found.duration / found.peaks
         inside = np.flatnonzero(abs(of.time - of.time[peak]) <= half)
@@ -77,10 +78,14 @@ def history(part: DynamicPart, at_rest: float) -> Chart:
     `at_rest` is the tension at the fairlead at rest, N.
     """
     run = part.governing
-    chosen = around_the_largest(run)
-    times = run.history.time[chosen].tolist()
-    tensions = run.history.fairlead_tension[chosen, 0].tolist()
-    still = run.quasi_static[chosen].tolist()
+    of, chosen = run.history, around_the_largest(run)
+    a, b = of.time[chosen[0]], of.time[chosen[-1]]
+    at, drawn = _with_turns(
+        run, "fairlead_tension", of.time[chosen], of.fairlead_tension[chosen, 0]
+    )
+    inside = (at >= a) & (at <= b)
+    times, tensions = at[inside].tolist(), drawn[inside].tolist()
+    still = np.interp(times, of.time, run.quasi_static).tolist()
     largest = max(tensions)
     when = times[tensions.index(largest)]
     said = Message("figures.largest_at", T=Measure("tension", largest), t=when)
@@ -100,6 +105,14 @@ def history(part: DynamicPart, at_rest: float) -> Chart:
         points=tuple(map(_said, times, tensions, still)),
         notes=(Message("figures.window", a=times[0], b=times[-1], **_run(part)),),
     )
+
+
+def _with_turns(run: DynamicRun, quantity: str, time: Array, values: Array) -> tuple[Array, Array]:
+    """Draw the turning points between the samples, too; those of a sample's time take its place."""
+    course = run.history.course(quantity)
+    every = np.concatenate([course.time, time])
+    times, first = np.unique(every, return_index=True)
+    return times, np.concatenate([course.value, values])[first]
 
 
 def _run(part: DynamicPart) -> dict[str, int]:
@@ -124,19 +137,21 @@ def whole_history(part: DynamicPart) -> Chart:
     """Draw the tensions at both ends in the governing run from its start to its end."""
     run = part.governing
     of = run.history
+    at_anchor = _with_turns(run, "anchor_tension", of.time, of.anchor_tension[:, 0])
+    at_fairlead = _with_turns(run, "fairlead_tension", of.time, of.fairlead_tension[:, 0])
     ends = (
-        ("faint", of.anchor_tension[:, 0], "figures.at_anchor"),
-        ("first", of.fairlead_tension[:, 0], "figures.at_fairlead"),
-        ("second", run.quasi_static, "figures.quasi_static"),
+        ("faint", *at_anchor, "figures.at_anchor"),
+        ("first", *at_fairlead, "figures.at_fairlead"),
+        ("second", of.time, run.quasi_static, "figures.quasi_static"),
     )
     return Chart(
         "series",
         Message("figures.whole_history", **_run(part)),
         Axis(Message("figures.time"), _TIME, 0.0, float(of.time[-1])),
-        axis("tension", span_of(value for _, values, _ in ends for value in values.tolist())),
+        axis("tension", span_of(value for _, _, values, _ in ends for value in values.tolist())),
         series=tuple(
-            Series(role, of.time.tolist(), values.tolist(), Message(key))
-            for role, values, key in ends
+            Series(role, times.tolist(), values.tolist(), Message(key))
+            for role, times, values, key in ends
         ),
         levels=(Level("joint", "x", of.since, Message("figures.since")),),
     )

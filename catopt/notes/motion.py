@@ -7,10 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from catopt.catenary.case import solve_case
 from catopt.checks.criteria import criteria_of
-from catopt.checks.motion import LineInMotion, check_motion
-from catopt.mooring.solve import solve_system
 from catopt.notes.origin import SourceFile, read_source
 from catopt.ties import first_largest
 from catopt.units import lasting
@@ -19,7 +16,7 @@ from catopt.words import Measure, Message
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
     from catopt.checks.result import CheckReport
-    from catopt.model import Case, Line
+    from catopt.model import Case
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
     from catopt.verify.dynamic_setup import Drive
     from catopt.verify.proof import Proof
@@ -134,14 +131,10 @@ def checks_in_motion(
 
     Raises InputError, NoEquilibriumError and NotConvergedError as `check_case` does.
     """
+    from catopt.verify.judged import check_parts
+
     solved = lines_at_rest(found) if at_rest is None else at_rest
-    lines = []
-    for part, solution in zip(found.parts, solved, strict=True):
-        line = found.case.line if solution is None else solution.line
-        mean = None if solution is None else tuple(e.max_tension for e in solution.segments)
-        largest = tuple(_largest(part, line))
-        lines.append(LineInMotion(line, largest, mean, part.name, part.line))
-    report = check_motion(found.case, lines)
+    report = check_parts(found.case, found.parts, solved)
     if report.results:
         report = replace(report, warnings=(*report.warnings, *_beyond_the_runs(found.parts)))
     if found.verdict == "not converged" or not found.is_complete:
@@ -167,38 +160,17 @@ def _beyond_the_runs(parts: Sequence[DynamicPart]) -> Iterator[Message]:
 
 def lines_at_rest(found: DynamicVerification) -> Sequence[Solution | None]:
     """Solve every line at rest, in closed form; none on a bed that slopes."""
-    case = found.case
-    if case.site.seabed_slope != 0.0:
-        return [None] * len(found.parts)
-    if case.system is not None:
-        return [each.solution for each in solve_system(case.system).lines]
-    from catopt.verify.case import load_states
+    from catopt.verify.judged import solutions_at_rest
 
-    states = dict(load_states(case, None))
-    return [solve_case(states[part.name]) for part in found.parts]
-
-
-def _largest(part: DynamicPart, line: Line) -> Iterator[float]:
-    """Yield the largest tension of each segment: of its bars, and of its end where it is held."""
-    envelope = part.envelope
-    last = len(line.segments) - 1
-    start = 0.0
-    for index, segment in enumerate(line.segments):
-        end = start + segment.length
-        of_bars = envelope.largest[(envelope.arc >= start) & (envelope.arc <= end)]
-        largest = max(of_bars, default=0.0)
-        if index == 0:
-            largest = max(largest, part.of("anchor_tension").maximum)
-        if index == last:
-            largest = max(largest, part.of("fairlead_tension").maximum)
-        yield float(largest)
-        start = end
+    return solutions_at_rest(found.case, found.parts)
 
 
 def _uses(part: DynamicPart, solution: Solution, made: CheckReport) -> Iterator[SegmentUse]:
     """Yield what each segment carries beside what the checks of its tension allow."""
+    from catopt.verify.judged import largest_of_segments
+
     allowed = allowed_tensions(made, solution, part.name)
-    largest = _largest(part, solution.line)
+    largest = largest_of_segments(part, solution.line)
     every = zip(solution.segments, largest, allowed, strict=True)
     for number, (segment, carried, capacity) in enumerate(every, start=1):
         yield SegmentUse(number, segment.name, carried, segment.max_tension, capacity)

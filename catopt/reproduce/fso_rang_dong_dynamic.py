@@ -229,7 +229,7 @@ def _properties(source: Published, mooring: Published, bed: BedModel) -> LinePro
             MorisonSection(D * _MM, drag_normal=CD, added_mass_normal=max(CM - 1.0, 0.0))
             for D, CD, CM in zip(*columns, strict=True)
         ],
-        damping=LineDamping(critical_ratio=CRITICAL_RATIO),
+        damping=LineDamping(critical_ratio=CRITICAL_RATIO, critical_length="bar"),
         seabed=fso_rang_dong.held_bed(mooring) if bed == "as run" else Seabed(),
     )
 

@@ -138,7 +138,7 @@ def _properties(
         given["added_mass_coefficient"],
         0.0,
     )
-    damping = LineDamping(critical_ratio=given["damping_ratio"])
+    damping = LineDamping(critical_ratio=given["damping_ratio"], critical_length="bar")
     return LineProperties([section], damping, water, bed)
 
 

@@ -22,8 +22,9 @@ from catopt.verify.dynamic_lines import LinesAtRest, lines_at_rest, quasi_static
 from catopt.verify.dynamic_result import DynamicPart, DynamicRun, DynamicVerification
 from catopt.verify.dynamic_setup import Drive, check_for_motion, read_drive
 from catopt.verify.effort import effort_of
+from catopt.verify.judged import with_verdicts
 from catopt.verify.motion_file import energy_beyond
-from catopt.verify.proof import FINER, Again, Proof, Way, work_of_proof
+from catopt.verify.proof import DAMPINGS, FINER, Again, Damped, Proof, Way, work_of_proof
 from catopt.verify.side_by_side import side_by_side
 from catopt.waves import Sea
 from catopt.words import Message, is_said
@@ -38,9 +39,6 @@ _WORTH = 4e6
 
 LONG = 60.0
 """Seconds from which what a load case, or a year, takes is announced."""
-
-LEAST_RANGE = 1e-9
-"""Range of a tension that is none, N."""
 
 _LEFT_OUT = 0.01
 """Part of the waves' energy beyond a table of RAOs from which it is remarked on."""
@@ -61,8 +59,9 @@ def verify_dynamic(
 
     They come to rest under their load first; then motion, force and waves grow smoothly. Each run
     of a random sea has a seed of its own, and is run again at half the step to show how far its
-    maxima hang on that; where a line goes slack, with twice the bars, too. Where that changes them
-    too much, and the case does not say how many bars there are, all is run anew with twice as many.
+    maxima hang on that; where a line goes slack, with twice the bars, too, and with half and twice
+    its damping. Where the bars change what decides too much, all is run anew with twice as many,
+    unless cycles are counted.
 
     Parameters
     ----------
@@ -112,9 +111,9 @@ def verify_dynamic(
     with waiting_interrupt() as ask:
         for done, ((name, _), drive) in enumerate(zip(states, drives, strict=True)):
             tell = _telling(share_of(progress, done, len(states)), ask)
-            run = partial(_parts, name, proof, workers, announce)
+            run = partial(_judged, case, partial(_parts, name, proof, workers, announce))
             found = run(drive, tell)
-            if drive.dynamics.elements is None and any(map(_wants_more_bars, found)):
+            if not counts_cycles and any(map(_wants_more_bars, found)):
                 found = _with_twice_the_bars(found, drive, run, tell)
             parts += found
             is_whole = bool(found) and all(
@@ -132,8 +131,10 @@ def _wants_more_bars(part: DynamicPart) -> bool:
     if not part.is_complete or part.verdict != "not converged":
         return False
     size: dict[str, float] = {"step": 0.0, "bars": 0.0}
+    deciding = {each.quantity for each in part.added_changes if part.decides(each)}
     for change in part.changes:
-        size[change.way] = max(size[change.way], change.size)
+        if change.quantity in deciding or not deciding:
+            size[change.way] = max(size[change.way], change.size)
     return size["bars"] > size["step"]
 
 
@@ -154,6 +155,17 @@ def _with_twice_the_bars(
         return found
     said = Message("motion.too_few_bars", few=drive.dynamics.bars, bars=bars)
     return [replace(part, remarks=(said, *part.remarks)) for part in finer]
+
+
+def _judged(
+    case: Case,
+    run: Callable[[Drive, Progress], list[DynamicPart]],
+    drive: Drive,
+    progress: Progress,
+) -> list[DynamicPart]:
+    """Run a load case, and say which checks hang on how it is run."""
+    found = run(drive, progress)
+    return with_verdicts(case, found) if found else found
 
 
 class _Seed(NamedTuple):
@@ -249,6 +261,14 @@ def _seed(lines: LinesAtRest, proof: Proof, number: int, progress: Progress) -> 
             runs = [
                 replace(run, again=(*run.again, one)) for run, one in zip(runs, again, strict=True)
             ]
+        if "bars" in ways:
+            for factor in DAMPINGS:
+                damped = _damped(lines, number, factor, share_of(progress, done, total))
+                done += 1
+                runs = [
+                    replace(run, damped=(*run.damped, *one))
+                    for run, one in zip(runs, damped, strict=True)
+                ]
         progress(1, 1)
     return _Seed(runs, said, is_whole=len(runs[0].again) == len(ways))
 
@@ -273,7 +293,37 @@ def _again(lines: LinesAtRest, number: int, way: Way, progress: Progress) -> lis
         return [Again(way, step, elements, {}, error.message)] * len(lines.legs)
     if not runs[0].history.is_complete:
         raise KeyboardInterrupt
-    return [Again(way, step, elements, run.maxima, cycles=run.cycles) for run in runs]
+    return [
+        Again(way, step, elements, run.maxima, cycles=run.cycles, run=_without_samples(run))
+        for run in runs
+    ]
+
+
+def _damped(
+    lines: LinesAtRest, number: int, factor: float, progress: Progress
+) -> list[tuple[Damped, ...]]:
+    """Run once more with another damping of the lines; nothing where they have none."""
+    case, dynamics = lines.drive.case, lines.drive.dynamics
+    ratio, time = dynamics.critical_ratio, dynamics.damping_time
+    if ratio == time == 0.0:
+        return [()] * len(lines.legs)
+    changed = replace(dynamics, line_damping=factor * ratio, damping_time=factor * time)
+    drive = replace(lines.drive, case=replace(case, dynamics=changed), counts_cycles=False)
+    try:
+        runs, _ = _run(replace(lines, drive=drive), number, progress, elements=dynamics.bars)
+    except NotConvergedError:
+        return [(Damped(factor, {}),)] * len(lines.legs)
+    if not runs[0].history.is_complete:
+        raise KeyboardInterrupt
+    return [(Damped(factor, run.maxima),) for run in runs]
+
+
+def _without_samples(run: DynamicRun) -> DynamicRun:
+    """Keep of a run again what it is judged by."""
+    of, none = run.history, slice(0, 0)
+    sampled = ("fairlead_force", "anchor_force", "bar_tension", "fairlead", "grounded_length")
+    cut = {key: getattr(of, key)[none] for key in (*sampled, "nodes", "energy", "tension")}
+    return DynamicRun(replace(of, **cut), run.quasi_static[none], run.number)
 
 
 def _run(
@@ -317,31 +367,28 @@ def _run(
             still[of_line.time >= (drive.dynamics.broken_at or 0.0)] = np.nan
         run = DynamicRun(of_line, still, number, track=track)
         if stepping.tensions:
-            said += _coarse(run)
             run = _counted(run, sea)
         runs.append(run)
     return runs, said
 
 
 def _counted(run: DynamicRun, sea: Sea) -> DynamicRun:
-    """Put the cycles of each bar's tension in the place of its series."""
+    """Put the cycles of each bar's tension in the place of its series and its turning points."""
     history, at = run.history, run.counted
-    time = float(np.ptp(history.time[at]))
     waves, split = sea.waves, None
     if waves is not None:
         # Of the waves, hardly any is half as fast as their mean.
         split = 0.5 * float(np.average(waves.omega, weights=waves.amplitude**2))
-    cycles = tuple(count_cycles(series, time, split) for series in history.tension[at].T)
-    return replace(run, history=replace(history, tension=history.tension[:0]), cycles=cycles)
-
-
-def _coarse(run: DynamicRun) -> list[str]:
-    """Say how much of the range of a tension lies between samples, where that is worth it."""
-    history = run.history
-    whole = history.max_tension - history.min_tension
-    lost = whole - np.ptp(history.tension[run.counted], axis=0)
-    part = float(np.nanmax(lost) / max(np.nanmax(whole), LEAST_RANGE))
-    return [Message("fatigue.coarse", part=part)] if part > _LEFT_OUT else []
+    if history.counted.sum() > 1:
+        cycles = tuple(
+            count_cycles(each.value, each.duration, split, samples=samples, mean=each.mean)
+            for each, samples in zip(history.bar_courses, history.tension[at].T, strict=True)
+        )
+    else:
+        time = float(np.ptp(history.time[at]))
+        cycles = tuple(count_cycles(series, time, split) for series in history.tension[at].T)
+    history = replace(history, tension=history.tension[:0], bar_courses=())
+    return replace(run, history=history, cycles=cycles)
 
 
 def _as_in_file(problem: Problem) -> Problem:

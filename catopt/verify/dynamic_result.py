@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -13,6 +14,7 @@ import numpy as np
 
 from catopt.arrays import Array, Flags
 from catopt.checks.fatigue import Cycles
+from catopt.fem.course import taken_together
 from catopt.fem.extremes import GumbelFit, TailFit, weibull_tail
 from catopt.fem.extremes import gumbel as gumbel_of
 from catopt.fem.history import History
@@ -22,7 +24,18 @@ from catopt.model.dynamics import InitialFriction
 from catopt.shown import Shown
 from catopt.ties import largest
 from catopt.verify.dynamic_setup import Drive
-from catopt.verify.proof import LEAST_TENSION, LIMIT, Again, Change, Proof, added, largest_changes
+from catopt.verify.proof import (
+    LEAST_CYCLES,
+    LEAST_TENSION,
+    LIMIT,
+    Again,
+    Change,
+    Damped,
+    Proof,
+    Way,
+    added,
+    largest_changes,
+)
 from catopt.words import Message
 
 SERIES: Mapping[str, Callable[[History], Array]] = MappingProxyType(
@@ -34,9 +47,6 @@ SERIES: Mapping[str, Callable[[History], Array]] = MappingProxyType(
     }
 )
 """What statistics are made of; offset is the fairlead's horizontal way from its place at rest."""
-
-_ENDS = MappingProxyType({"anchor_tension": 0, "fairlead_tension": 1})
-"""Column of each tension at an end in the largest forces of every step."""
 
 Verdict = Literal["converged", "not converged", "not proven"]
 _VERDICTS: tuple[Verdict, ...] = ("not converged", "not proven", "converged")
@@ -55,6 +65,11 @@ _TRACK: Mapping[str, Callable[[Array], Array]] = MappingProxyType(
     }
 )
 """Statistics of a body; offset is the horizontal way of its origin from its place at rest."""
+
+_OF_FAIRLEAD = MappingProxyType(
+    {"body_x": "fairlead_x", "body_y": "fairlead_y", "body_offset": "offset"}
+)
+"""What of a fairlead moves as a body does that does not turn."""
 
 _UNITS = MappingProxyType(dict.fromkeys(("grounded_length", "offset", *_TRACK), "m"))
 
@@ -95,15 +110,17 @@ class DynamicRun:
     `history`: what it did; `quasi_static` (samples,): tension at the fairlead in closed form for
     each of its places, without current, N; nan where the closed form has none; `number`: from 0;
     with the case's seed it gives the sea; `again`: the same run again, at half the step and then
-    with twice the bars, too; empty when it was run once; `track`: place of the origin of the body
-    that the line moors with others, shape (samples, 3), m; `cycles`: of each bar's tension, from
-    the anchor; empty unless they were asked for.
+    with twice the bars, too; empty when it was run once; `damped`: with other dampings, where a
+    line snaps; `track`: place of the origin of the body that the line moors with others, shape
+    (samples, 3), m; `cycles`: of each bar's tension, from the anchor; empty unless they were asked
+    for.
     """
 
     history: History
     quasi_static: Array
     number: int = 0
     again: tuple[Again, ...] = ()
+    damped: tuple[Damped, ...] = ()
     track: Array | None = None
     cycles: tuple[Cycles, ...] = ()
 
@@ -118,19 +135,11 @@ class DynamicRun:
         return counted if counted.sum() > 1 else np.ones(counted.size, dtype=bool)
 
     def statistics(self, quantity: str) -> SeriesStatistics:
-        """Statistics of one of `SERIES`; the largest tension at an end is that of every step."""
-        history = self.history
-        found = series_statistics(
-            history.time[self.counted], SERIES[quantity](history)[self.counted]
-        )
-        at = _ENDS.get(quantity)
-        if at is None or history.max_end_force[0, at] <= found.maximum:
-            return found
-        return replace(
-            found,
-            maximum=float(history.max_end_force[0, at]),
-            time_of_maximum=float(history.time_of_max_end_force[0, at]),
-        )
+        """Statistics of one of `SERIES`, of every step; of the samples where hardly any counts."""
+        if self.history.counted.sum() > 1:
+            return self.history.course(quantity).statistics()
+        values = SERIES[quantity](self.history)[self.counted]
+        return series_statistics(self.history.time[self.counted], values)
 
     @cached_property
     def maxima(self) -> dict[str, float]:
@@ -140,19 +149,16 @@ class DynamicRun:
         ends = (maxima["fairlead_tension"], maxima["anchor_tension"])
         return {**maxima, "largest_tension": max(along, *ends)}
 
-    def changes(self, line_length: float) -> Iterator[Change]:
-        """Yield how far each maximum moved from one run to the next that has an answer."""
-        before: Mapping[str, float] = self.maxima
-        for again in self.again:
-            for quantity, value in again.maxima.items():
-                over = value or before[quantity]
-                if quantity.endswith("tension"):
-                    over = max(over, LEAST_TENSION * again.maxima["largest_tension"])
-                elif quantity == "grounded_length":
-                    over = line_length
-                if over > 0.0:
-                    yield Change(quantity, again.way, abs(value - before[quantity]) / over)
-            before = again.maxima or before
+    def cycle_peaks(self, quantity: str, period: float) -> Array:
+        """Largest value in each whole period of the motion."""
+        course = self.history.course(quantity)
+        edges = course.time[0] + period * np.arange(1.0 + course.duration / period * (1.0 + 1e-9))
+        at_edges = np.interp(edges, course.time, course.value)
+        inside = np.searchsorted(course.time, edges)
+        pieces = itertools.pairwise(zip(at_edges, inside, strict=True))
+        return np.array(
+            [max(old, new, course.value[a:b].max(initial=-np.inf)) for (old, a), (new, b) in pieces]
+        )
 
     def tension_spectrum(self) -> tuple[Array, Array]:
         """Spectrum of the tension at the fairlead: rad/s, and N^2 s/rad."""
@@ -180,6 +186,19 @@ def _over_runs(
     return OverRuns(quantity, float(means.mean()), std, *ends, tail, gumbel)
 
 
+def _of_track(quantity: str, run: DynamicRun, track: Array, case: Case) -> SeriesStatistics:
+    """Say where a body was: a free one at every step, one that is led at the samples."""
+    history, values = run.history, _TRACK[quantity](track)
+    if case.body is None or history.counted.sum() < 2:
+        return series_statistics(history.time[run.counted], values[run.counted])
+    found = history.course(_OF_FAIRLEAD[quantity]).statistics()
+    if quantity == "body_offset":
+        return found
+    away = float((track[0] - history.fairlead[0, 0])[("body_x", "body_y").index(quantity)])
+    moved = {key: getattr(found, key) + away for key in ("mean", "maximum", "minimum")}
+    return replace(found, **moved)
+
+
 class Envelope(NamedTuple):
     """What the bars of a line see over all runs.
 
@@ -201,7 +220,9 @@ class DynamicPart:
     `name`: of the load case; `drive`: what drove it; `runs`: one a seed; `line_length`:
     unstretched, m; `proof`: how the runs were to be proven; `remarks`: what to know before the
     figures are used; `line`: of a body with several lines, which one, from 1; `anchor_at_rest`:
-    tension at the anchor at rest, N, by the initial friction; empty where nothing rubs.
+    tension at the anchor at rest, N, by the initial friction; empty where nothing rubs;
+    `undecided`: checks whose verdict is another when it is run again; `governs`: whether it is the
+    line of a body that is used furthest.
     """
 
     name: str
@@ -212,6 +233,8 @@ class DynamicPart:
     remarks: tuple[str, ...] = ()
     line: int | None = None
     anchor_at_rest: Mapping[InitialFriction, float] = field(default_factory=dict)
+    undecided: tuple[str, ...] = ()
+    governs: bool = False
 
     @property
     def is_complete(self) -> bool:
@@ -226,21 +249,131 @@ class DynamicPart:
         return Message("motion.of_line", number=self.line)
 
     @cached_property
+    def levels(self) -> list[tuple[Way | None, tuple[DynamicRun, ...]]]:
+        """All runs, and all of them again by each way in which all have an answer."""
+        levels: list[tuple[Way | None, tuple[DynamicRun, ...]]] = [(None, self.runs)]
+        for again in zip(*(run.again for run in self.runs), strict=False):
+            runs = tuple(each.run for each in again if each.run is not None)
+            if len(runs) == len(self.runs):
+                levels.append((again[0].way, runs))
+        return levels
+
+    def _judged(self, quantity: str, runs: Sequence[DynamicRun]) -> list[float]:
+        """Return what of a quantity must not hang on step and bars: of all runs, or of each.
+
+        In periodic motion the mean peak of a cycle, in a random sea the most probable maximum,
+        where there is one; else the largest value of each run.
+        """
+        if quantity in SERIES and all(run.history.counted.sum() > 1 for run in runs):
+            peaks = self.cycle_peaks(quantity, runs)
+            if peaks.size > 1:
+                return [float(peaks.mean())]
+            each = [run.statistics(quantity) for run in runs]
+            tail = self._tail(quantity, each, runs)
+            if tail is not None:
+                return [tail.extreme.most_probable]
+        return [run.maxima[quantity] for run in runs]
+
+    def _changes_of(self, quantity: str) -> Iterator[list[Change]]:
+        """Yield how far a quantity moved from one level to the next, for the runs or each run."""
+        values = [(way, runs, self._judged(quantity, runs)) for way, runs in self.levels]
+        count = min(len(each) for _, _, each in values)
+        if count < max(len(each) for _, _, each in values):  # a tail at some levels only
+            values = [(w, runs, [r.maxima[quantity] for r in runs]) for w, runs, _ in values]
+            count = len(self.runs)
+        for k in range(count):
+            found = []
+            for (_, _, old), (way, runs, new) in itertools.pairwise(values):
+                over = new[k] or old[k]
+                if quantity.endswith("tension"):
+                    largest = max(run.maxima["largest_tension"] for run in runs)
+                    over = max(over, LEAST_TENSION * largest)
+                elif quantity == "grounded_length":
+                    over = self.line_length
+                if over > 0.0 and way is not None:
+                    amount = abs(new[k] - old[k])
+                    found.append(Change(quantity, way, amount / over, amount))
+            yield found
+
+    @cached_property
     def changes(self) -> tuple[Change, ...]:
-        """Largest change of each maximum in any run, by the way in which it was run again."""
-        found = (each for run in self.runs for each in run.changes(self.line_length))
+        """Largest change of each judged value, by the way in which it was run again."""
+        quantities = self.runs[0].maxima
+        found = (c for q in quantities for each in self._changes_of(q) for c in each)
         return tuple(largest_changes(found))
 
     @cached_property
     def added_changes(self) -> tuple[Change, ...]:
-        """Largest change of each maximum in any run, by all ways in which it was run again."""
-        found = (each for run in self.runs for each in added(run.changes(self.line_length)))
+        """Largest change of each judged value, by all ways in which it was run again."""
+        quantities = self.runs[0].maxima
+        found = (c for q in quantities for each in self._changes_of(q) for c in added(each))
         return tuple(largest_changes(found))
 
     @property
+    def MBL(self) -> float | None:
+        """Least of the line's segments, N; None where one has none."""
+        known = [each.MBL for each in self.drive.case.line.segments]
+        legs = () if self.drive.case.system is None else self.drive.case.system.legs
+        if legs and self.line is not None:
+            known = [each.MBL for each in legs[self.line - 1].line.segments]
+        return (
+            min([each for each in known if each is not None], default=None) if all(known) else None
+        )
+
+    def decides(self, change: Change) -> bool:
+        """Whether a change is too large: by 5 % of its own maximum and by 2 % of the line's MBL.
+
+        The second is left out for the line of a body that governs.
+        """
+        return change.decides(None if self.governs else self.MBL)
+
+    def scatter_of(self, quantity: str) -> float | None:
+        """Return the standard error of the mean peak of a cycle; None where there is none."""
+        peaks = self.cycle_peaks(quantity)
+        return None if peaks.size < 2 else float(peaks.std(ddof=1) / math.sqrt(peaks.size))
+
+    def cycle_peaks(self, quantity: str, runs: Sequence[DynamicRun] | None = None) -> Array:
+        """Peaks of the whole cycles of a periodic motion in all runs; none of any other."""
+        period, of = self.drive.period, runs or self.runs
+        if period is None or any(run.history.counted.sum() < 2 for run in of):
+            return np.zeros(0)
+        return np.concatenate([run.cycle_peaks(quantity, period) for run in of])
+
+    @property
+    def is_scattered(self) -> bool:
+        """Whether the peaks of a periodic motion differ by more from cycle to cycle than may be.
+
+        Their standard error is judged as a change is, at the fairlead and at the anchor; of fewer
+        than `LEAST_CYCLES` it is too uncertain itself.
+        """
+        for quantity in ("fairlead_tension", "anchor_tension"):
+            error = self.scatter_of(quantity)
+            if error is not None and self.cycle_peaks(quantity).size >= LEAST_CYCLES:
+                mean = max(self._judged(quantity, self.runs)[0], LEAST_TENSION * self.max_tension)
+                if self.decides(Change(quantity, "step", error / mean, error)):
+                    return True
+        return False
+
+    def damping_range(self, quantity: str) -> tuple[float, float] | None:
+        """Least and largest maximum with half, the given and twice the damping, of the worst run.
+
+        None where the line was not run so.
+        """
+        found = [
+            [run.maxima[quantity], *(each.maxima[quantity] for each in run.damped if each.maxima)]
+            for run in self.runs
+            if run.damped
+        ]
+        if not found:
+            return None
+        by_damping = [max(each) for each in zip(*found, strict=False)]
+        return min(by_damping), max(by_damping)
+
+    @property
     def worst_change(self) -> Change | None:
-        """The largest of them; None where nothing was run again."""
-        return max(self.added_changes, key=lambda each: each.size, default=None)
+        """The largest of those that decide, or else of all; None where nothing was run again."""
+        deciding = [each for each in self.added_changes if self.decides(each)]
+        return max(deciding or self.added_changes, key=lambda each: each.size, default=None)
 
     def change_of(self, quantity: str) -> float | None:
         """Largest change of the maximum of a quantity, all ways added; None where run once."""
@@ -271,11 +404,11 @@ class DynamicPart:
 
     @property
     def verdict(self) -> Verdict:
-        """Whether the maxima hang on the step or the bars by no more than `LIMIT`."""
+        """Whether what decides hangs on the step or the bars: by `decides`, and by no check."""
         worst = self.worst_change
         if self.failure is not None or self.numerical_part > LIMIT:
             return "not converged"
-        if worst is not None and worst.size > LIMIT:
+        if worst is not None and (self.decides(worst) or self.undecided or self.is_scattered):
             return "not converged"
         return "converged" if worst is not None and self.is_complete else "not proven"
 
@@ -342,12 +475,20 @@ class DynamicPart:
         """Of the storm for which extremes are given, s."""
         return self.drive.dynamics.duration_of_interest
 
-    def _tail(self, quantity: str, each: list[SeriesStatistics]) -> TailFit | None:
+    def _tail(
+        self,
+        quantity: str,
+        each: Sequence[SeriesStatistics],
+        runs: Sequence[DynamicRun] | None = None,
+    ) -> TailFit | None:
         if not self.varies_at_random(quantity):
             return None
-        series = [SERIES[quantity](run.history)[run.counted] for run in self.runs]
-        time = sum(one.duration for one in each)
-        return weibull_tail(series, time, self.duration_of_interest)
+        if any(run.history.counted.sum() < 2 for run in runs or self.runs):
+            return None
+        courses = [run.history.course(quantity) for run in runs or self.runs]
+        values, time = [one.value for one in courses], sum(one.duration for one in each)
+        mean = taken_together(courses)
+        return weibull_tail(values, time, self.duration_of_interest, mean=mean)
 
     def _gumbel(self, quantity: str, each: list[SeriesStatistics]) -> GumbelFit | None:
         whole = [one for one, run in zip(each, self.runs, strict=True) if run.history.is_complete]
@@ -389,13 +530,10 @@ class DynamicVerification(Shown):
     @cached_property
     def body(self) -> tuple[OverRuns, ...]:
         """Where the origin of a moored body was, m; empty without one."""
-        tracks = [(run, run.track) for run in self.parts[0].runs if run.track is not None]
-        found = []
-        for quantity, of in _TRACK.items() if tracks else ():
-            each = [
-                series_statistics(run.history.time[run.counted], of(track)[run.counted])
-                for run, track in tracks
-            ]
+        part, found = self.parts[0], []
+        tracks = [(run, run.track) for run in part.runs if run.track is not None]
+        for quantity in _TRACK if tracks else ():
+            each = [_of_track(quantity, run, track, self.case) for run, track in tracks]
             found.append(_over_runs(quantity, each))
         return tuple(found)
 

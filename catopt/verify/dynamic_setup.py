@@ -25,7 +25,6 @@ from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, Sampled, Series
 from catopt.model import Case, Dynamics, Motion, Segment, WaveState, WaveTrain
 from catopt.model.current_profile import CurrentProfile
-from catopt.model.dynamics import BARS
 from catopt.verify.motion_file import (
     Raos,
     read_current,
@@ -183,6 +182,21 @@ class Drive:
         return None if given is None else self.anchor_record or _harmonic(given)
 
     @property
+    def period(self) -> float | None:
+        """Of all that drives the line, s; None where that is not periodic."""
+        case = self.case
+        files = (self.elevation, self.current, self.record, self.drift, self.force)
+        if self.is_random or any(each is not None for each in (*files, self.anchor_record)):
+            return None
+        if self.dynamics.broken_at is not None:
+            return None
+        periods = {each.period for each in (case.motion, case.anchor_motion) if each is not None}
+        if case.waves is not None:
+            periods |= {each.period for each in case.waves.all_trains}
+        known = [each for each in periods if each is not None]
+        return known[0] if len(known) == 1 else None
+
+    @property
     def has_rest(self) -> bool:
         """Whether the closed form gives a tension for every place of a fairlead, and is asked."""
         is_level = self.anchor_motion is None and self.case.site.seabed_slope == 0.0
@@ -251,7 +265,6 @@ class Drive:
             sections=[_section(segment) for segment in self.case.line.segments],
             damping=LineDamping(
                 critical_ratio=dynamics.critical_ratio,
-                critical_length=self.case.line.length / BARS,
                 stiffness_time=dynamics.damping_time,
             ),
             fluid=Fluid(density=site.water_density),

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 
 from catopt.quantities import Quantity
 from catopt.units import lasting
-from catopt.verify.proof import LIMIT
+from catopt.verify.proof import LIMIT, OF_MBL
 from catopt.verify.truss_words import QUANTITY_OF, named
-from catopt.words import Measure, Message, Several
+from catopt.words import Listed, Measure, Message, Several
 
 if TYPE_CHECKING:
     from catopt.fem import Extreme
@@ -28,7 +28,13 @@ DYNAMIC_QUANTITY_OF: Mapping[str, Quantity] = MappingProxyType(
 )
 """What each quantity of a line in motion is in tables."""
 
-_NOT_CONVERGED = ("motion.no_answer_again", "motion.changes", "motion.too_numerical")
+_NOT_CONVERGED = (
+    "motion.no_answer_again",
+    "motion.changes",
+    "motion.undecided",
+    "motion.scattered",
+    "motion.too_numerical",
+)
 """Keys of what is wrong."""
 
 
@@ -49,17 +55,32 @@ def motion_sentences(part: DynamicPart) -> list[str]:
     slack = Message("motion.no_slack")
     if part.slack_time > 0.0:
         slack = Message("motion.goes_slack", time=part.slack_time, longest=part.longest_slack)
-    sentences = [told, *_extremes(part), slack]
+    sentences = [told, *_extremes(part), slack, *_by_damping(part)]
     if part.anchor_at_rest:
         at_rest = {state: Measure("tension", N) for state, N in part.anchor_at_rest.items()}
         sentences.append(Message("motion.friction_at_rest", **at_rest))
     return sentences
 
 
+def _by_damping(part: DynamicPart) -> Iterator[str]:
+    """Say what of a line that snaps hangs on its damping."""
+    fairlead, anchor = (part.damping_range(f"{end}_tension") for end in ("fairlead", "anchor"))
+    if fairlead is not None and anchor is not None:
+        ends = (*fairlead, *anchor)
+        keys = ("low", "high", "anchor_low", "anchor_high")
+        tensions = {key: Measure("tension", N) for key, N in zip(keys, ends, strict=True)}
+        yield Message("motion.by_damping", **tensions)
+
+
 def _extremes(part: DynamicPart) -> Iterator[str]:
     """Say what the largest values are in the duration of interest, and how far that is known."""
     if not part.drive.is_random:
         yield Message("motion.not_random")
+        error = part.scatter_of("fairlead_tension")
+        if error is not None:
+            peaks = part.cycle_peaks("fairlead_tension")
+            values = {"mean": Measure("tension", peaks.mean()), "error": Measure("tension", error)}
+            yield Message("motion.mean_peak", cycles=peaks.size, **values)
         return
     for each in part.quantities:
         quantity, tail, runs = DYNAMIC_QUANTITY_OF[each.quantity], each.tail, each.gumbel
@@ -79,6 +100,8 @@ def _extremes(part: DynamicPart) -> Iterator[str]:
             threshold=Measure(quantity.key, tail.threshold),
             time=lasting(tail.time),
         )
+        if each.maximum > tail.extreme.most_probable:
+            yield Message("motion.above_probable", largest=Measure(quantity.key, each.maximum))
         if runs is not None:
             found = interval(quantity, runs.extreme)
             yield Message("motion.gumbel", runs=runs.runs, interval=found)
@@ -104,10 +127,18 @@ def proof_sentences(part: DynamicPart) -> list[Message]:
         said = Message("motion.not_proven")
     else:
         values = {"how": Message(f"motion.how_{worst.way}"), "change": worst.size, "limit": LIMIT}
+        what = Message(f"motion.largest_{worst.quantity.removeprefix('largest_')}")
         said = Message("motion.converged", **values)
-        if worst.size > LIMIT:
-            what = Message(f"motion.largest_{worst.quantity.removeprefix('largest_')}")
+        if part.decides(worst):
             said = Message("motion.changes", what=what, **values)
+        elif part.undecided:
+            said = Message("motion.undecided", names=Listed(part.undecided, "and"))
+        elif part.is_scattered:
+            error = max(part.scatter_of(f"{end}_tension") or 0.0 for end in ("fairlead", "anchor"))
+            cycles = part.cycle_peaks("fairlead_tension").size
+            said = Message("motion.scattered", error=Measure("tension", error), cycles=cycles)
+        elif worst.size > LIMIT:
+            said = Message("motion.converged_by_MBL", what=what, of_MBL=OF_MBL, **values)
     if lost > LIMIT:
         return [said, Message("motion.too_numerical", part=lost, limit=LIMIT)]
     return [said, Message("motion.numerical", part=lost)]

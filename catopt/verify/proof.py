@@ -1,24 +1,35 @@
 """A line in motion run again, at half the step and then with twice the bars, too.
 
 So the last run is finer in both. Snaps may differ by nothing at half the step, and by nothing with
-twice the bars, and still by half their size with both (benchmarks/results/slack.md).
+twice the bars, and still by half their size with both (benchmarks/results/slack.md). A line that
+snaps is run with half and with twice its damping, too: no mesh says what that is.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Final, Literal
 
 if TYPE_CHECKING:
     from catopt.checks.fatigue import Cycles
+    from catopt.verify.dynamic_result import DynamicRun
 
 LIMIT: Final = 0.05
-"""Change of a maximum, or part of the work lost, above which a run has not converged."""
+"""Change of a maximum over itself, or part of the work lost, beyond which nothing is converged."""
+
+OF_MBL: Final = 0.02
+"""Change of a tension over the line's MBL up to which it decides nothing."""
 
 LEAST_TENSION: Final = 0.02
 """Part of the largest tension below which a change of another is over that part of it."""
+
+LEAST_CYCLES: Final = 5
+"""Peaks of a periodic motion from which their scatter is judged."""
+
+DAMPINGS: Final = (0.5, 2.0)
+"""What the damping of a line that snaps is multiplied by, to show what hangs on it."""
 
 _REMAINS: Final = 4.0 / 3.0
 
@@ -39,7 +50,8 @@ class Again:
 
     `way`: at half the step, or at half the step with twice the bars; `step`: s; `maxima`: as
     `DynamicRun.maxima`; empty where it did not converge itself; `failure`: why it did not;
-    `cycles`: of each bar's tension, empty unless they were asked for.
+    `cycles`: of each bar's tension, empty unless they were asked for; `run`: itself, without its
+    samples; None where it failed.
     """
 
     way: Way
@@ -48,6 +60,18 @@ class Again:
     maxima: Mapping[str, float]
     failure: str = ""
     cycles: tuple[Cycles, ...] = ()
+    run: DynamicRun | None = field(default=None, compare=False, repr=False)
+
+
+@dataclass(frozen=True)
+class Damped:
+    """One run with another damping of the line itself.
+
+    `factor`: of `DAMPINGS`; `maxima`: as `DynamicRun.maxima`; empty where it did not converge.
+    """
+
+    factor: float
+    maxima: Mapping[str, float]
 
 
 @dataclass(frozen=True)
@@ -56,17 +80,25 @@ class Change:
 
     `quantity`: a key of `DynamicRun.maxima`; `way`: how it was run again; "both" where the changes
     by the two are added, and a third more; `size`: over the maximum of the finer run; over the
-    line's length of a grounded length.
+    line's length of a grounded length; `amount`: itself, N or m.
     """
 
     quantity: str
     way: Way | Literal["both"]
     size: float
+    amount: float
+
+    def decides(self, MBL: float | None) -> bool:
+        """Whether it is large enough to matter; `MBL`: the line's, N, where 2 % of it may pass."""
+        by_MBL = MBL is not None and self.quantity.endswith("tension")
+        return self.size > LIMIT and not (by_MBL and self.amount <= OF_MBL * (MBL or 0.0))
 
 
 def work_of_proof(proof: Proof) -> int:
     """How often the work of a run its proof takes at most."""
-    return 0 if proof == "none" else sum(steps * bars for steps, bars in FINER.values())
+    if proof == "none":
+        return 0
+    return len(DAMPINGS) + sum(steps * bars for steps, bars in FINER.values())
 
 
 def added(changes: Iterable[Change]) -> Iterator[Change]:
@@ -82,7 +114,8 @@ def added(changes: Iterable[Change]) -> Iterator[Change]:
         if len(of) == 1:
             yield of[0]
         else:
-            yield Change(quantity, "both", _REMAINS * sum(each.size for each in of))
+            sums = sum(each.size for each in of), sum(each.amount for each in of)
+            yield Change(quantity, "both", _REMAINS * sums[0], _REMAINS * sums[1])
 
 
 def largest_changes(changes: Iterable[Change]) -> list[Change]:

@@ -21,13 +21,14 @@ from typing import Any, Final, NamedTuple
 
 import numpy as np
 
-from catopt.compiled import inlined
+from catopt.compiled import inlined, packed
 from catopt.waves.fast_functions import cos_sin, exp_below_zero
 
 NEGLIGIBLE: Final = 37.0
 """k (d - z) from which a wave is left out: exp(-37) is below the rounding of its surface motion."""
 
 
+@packed
 class Flow(NamedTuple):
     """A sea as the kernels read it; made by `Sea.flow`."""
 

@@ -5,11 +5,12 @@ A segment with an MBL of 3000 kN carries 900 kN at most and 300 kN in the mean, 
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import pytest
 
-from catopt.checks.motion import LineInMotion, check_motion, check_strengths
+from catopt.checks.motion import Carried, LineInMotion, Pull, check_motion, check_strengths
 from catopt.checks.result import CheckReport
 from catopt.errors import InputError
 from catopt.model import (
@@ -221,3 +222,22 @@ def test_the_case_s_factor_holds_as_a_line_breaks(line_out: float | None) -> Non
     moved = [LineInMotion(LINE, (2900e3,), (300e3,), "load", number=each) for each in (1, 2, 3)]
     report = check_motion(case, moved)
     assert [each.utilisation for each in report.results] == pytest.approx([2.9, 2.9], rel=CLOSE)
+
+
+def test_what_is_no_tension_is_judged_by_its_least_favourable_value() -> None:
+    """Pulled up by 30 kN at 6 deg, 17.2 m left on the bed, 118 m from end to end, 80 kN down."""
+    carried = Carried(
+        Pull(290e3, 30e3, math.radians(6.0)), Pull(0.0, 80e3, 0.0), grounded_length=17.2, span=118.0
+    )
+    asked = Checks(
+        max_anchor_uplift_angle=math.radians(5.0), min_grounded_length=27.4, max_span=120.0
+    )
+    anchor = Anchor("drag", holding_capacity=500e3, safety_factor=2.0)
+    case = replace(ALONE, checks=asked, anchor=anchor)
+    report = check_motion(case, [replace(MOVED, carried=carried)])
+    used = {each.kind: (each.utilisation, each.passes) for each in report.results}
+    assert used["uplift_angle"] == (pytest.approx(6.0 / 5.0, rel=CLOSE), False)
+    assert used["grounded_length"] == (pytest.approx(27.4 / 17.2, rel=CLOSE), False)
+    assert used["span"] == (pytest.approx(118.0 / 120.0, rel=CLOSE), True)
+    assert used["holding"] == (pytest.approx(2.0 * 290.0 / 500.0, rel=CLOSE), False)
+    assert all(each.kind == "tension" for each in check_motion(case, [MOVED]).results)

@@ -179,7 +179,6 @@ def of_runs() -> Iterator[str]:
     sea = Sea(8.0, random_waves(jonswap(7.0, 9.0), 12, np.random.default_rng(1)))
     yield from step_warnings(0.5, 600.0, {"the motion or force": 8.0}, sea)
     yield from record_warnings(0.2, 0.1)
-    yield Message("motion.sets_off", speed=1.57, jump=380.0)
 
 
 @pytest.mark.parametrize(

@@ -51,7 +51,7 @@ def _moordyn_chain(elements: int, step: float, scheme: Scheme) -> History:
     properties = LineProperties(
         # MoorDyn's axial coefficient refers to pi D.
         [MorisonSection(D, f["Cd_normal"], math.pi * f["Cd_axial"], f["Ca_normal"], f["Ca_axial"])],
-        LineDamping(critical_ratio=f["damping_ratio"]),
+        LineDamping(critical_ratio=f["damping_ratio"], critical_length="bar"),
         Fluid(f["water_density_kg_per_m3"], f["g"]),
         Seabed(f["seabed_stiffness_Pa_per_m"] * D, f["seabed_damping_Pa_s_per_m"] * D),
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from functools import cache
 
+import numpy as np
 import pytest
 
 from catopt.errors import NotConvergedError
@@ -21,8 +22,10 @@ from catopt.fem import (
     TimeStepping,
     run_dynamics,
 )
+from catopt.fem.march import judge_tensions
 from catopt.model import Line, Segment
 from catopt.waves import Sea
+from tests.fem.strings import plain_simulation
 
 # 38 mm studless chain, its figures from the catalogue to three digits.
 CHAIN = Line([Segment(60.0, 245.0, EA=1.23e8, mass=28.8)])
@@ -132,3 +135,53 @@ def test_slack_in_all_and_at_a_stretch() -> None:
     # A bar that was slack once only would have both the same.
     assert total > 2.0 * longest
     assert (history.longest_slack <= history.slack_time + 1e-9).all()
+
+
+def test_a_slack_bar_that_goes_taut_asks_for_two_transits() -> None:
+    """A bar of 2.5 m, 1 MN and 4 kg/m: a wave passes it in 2.5 sqrt(4/1e6) = 5 ms."""
+    simulation = plain_simulation(((0.0,) * 3, (10.0, 0.0, 0.0)), 10.0, 4, EA=1e6, mass=4.0)
+    room, before = simulation._room, simulation.state
+    room.highest[0] = 100e3
+    room.now.tension[:] = [0.0, 50e3, 0.5e3, 0.0]
+    room.loose[:] = [True, True, True, False]
+    seen = judge_tensions(0.1, 2.0, simulation.lines, before, room)
+    assert seen.longest == pytest.approx(0.010)
+    assert seen.passes == pytest.approx(20 * 0.005)
+    assert (seen.surprise, seen.least) == (50e3, pytest.approx(0.005))
+    room.loose[1] = False  # it was taut; half a per cent of the largest makes no bar taut
+    seen = judge_tensions(0.1, 2.0, simulation.lines, before, room)
+    assert (seen.longest, seen.passes) == (math.inf, 0.0)
+
+
+WIRE = Line([Segment(68.4125, 264.569, EA=3.29003e8, mass=32.4932)])
+"""Line of seed 1248 of benchmarks/slack.py, to six digits."""
+
+
+@cache
+def snapping_wire(heave: float) -> list[float]:
+    """Peaks of ten cycles of a wire that snaps every 7 s, but for the first two, N."""
+    period = 7.0076
+    history = run_dynamics(
+        WIRE,
+        TimeStepping(14.0 * period, period / 60.0, ramp_time=1.5 * period),
+        height=22.3207,
+        horizontal_force=10230.0,
+        motion=Harmonic(period, (0.622606, 0.0, heave), (5.97612, 0.0, 0.0)),
+        properties=LineProperties(
+            [MorisonSection(0.0902422, 1.2, 0.0, 1.0)],
+            LineDamping(critical_ratio=1.0),
+            seabed=Seabed(friction=0.067),
+        ),
+    )
+    course = history.course("fairlead_tension")
+    cycle = ((course.time - course.time[0]) / period).astype(int)
+    return [float(course.value[cycle == k].max()) for k in range(2, 12)]
+
+
+@pytest.mark.slow
+def test_snaps_are_no_draws_from_rounding() -> None:
+    """Peaks scatter by less than 1 %, and 1e-9 of the heave changes their mean by no more."""
+    one, other = (snapping_wire(3.20798 * more) for more in (1.0, 1.0 + 1e-9))
+    for peaks in (one, other):
+        assert np.std(peaks) < 0.01 * np.mean(peaks)
+    assert np.mean(one) == pytest.approx(np.mean(other), rel=0.01)

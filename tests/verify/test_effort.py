@@ -56,7 +56,7 @@ def test_what_takes_minutes_is_announced() -> None:
         raise SaidError(words)
 
     case = parse_case(moving(duration="30 h"))
-    words = r"540,000 steps of 12 bars, 1 time and up to 6 times that for the proof: some 5 min on"
+    words = r"540,000 steps of 12 bars, 1 time and up to 8 times that for the proof: some 6 min on"
     with pytest.raises(SaidError, match=words):
         verify_dynamic(case, announce=announce)
     verify_dynamic(parse_case(MOVING), proof="none", announce=announce)

@@ -10,13 +10,13 @@ import pytest
 
 from catopt.errors import NotConvergedError
 from catopt.fem import run_dynamics
-from catopt.model import Case, Dynamics, Line, Load, Motion, Segment, Site
+from catopt.model import Case, Checks, Dynamics, Line, Load, Motion, Segment, Site
 from catopt.verify import dynamic, dynamic_lines
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicPart
 from catopt.verify.dynamic_setup import Drive
-from catopt.verify.motion_words import proof_sentences
-from catopt.verify.proof import LIMIT, Proof
+from catopt.verify.motion_words import motion_sentences, proof_sentences
+from catopt.verify.proof import LIMIT, Change, Proof
 
 # 38 mm studless chain, to three digits, in 20 m of water.
 CHAIN = Segment(
@@ -71,8 +71,10 @@ def test_twice_the_bars_on_request_and_for_a_slack_line() -> None:
 
 
 def test_too_few_bars_for_a_snap_have_not_converged() -> None:
-    """8 bars of 7.5 m, two of them between the surface and the bed."""
-    part = proven(SNAPPING)
+    """4 bars of 15 m, given by the case, and then 8: two of them between surface and bed."""
+    assert SNAPPING.dynamics is not None
+    part = proven(replace(SNAPPING, dynamics=replace(SNAPPING.dynamics, elements=4)))
+    assert part.elements == 8
     assert part.verdict == "not converged"
     worst = part.worst_change
     assert worst is not None
@@ -152,3 +154,46 @@ def test_changes_by_step_and_bars_are_added() -> None:
         if both:
             whole = 4.0 / 3.0 if len(both) == 2 else 1.0
             assert part.change_of(quantity) == pytest.approx(whole * sum(both))
+
+
+@pytest.mark.parametrize(
+    ("size", "amount", "MBL", "decides"),
+    [
+        (0.04, 90e3, 1000e3, False),  # 5 % of itself
+        (0.40, 19e3, 1000e3, False),  # 2 % of the MBL
+        (0.40, 21e3, 1000e3, True),
+        (0.40, 19e3, None, True),  # none known, or a line that governs
+    ],
+)
+def test_a_change_decides_beyond_5_percent_of_itself_and_2_of_the_MBL(
+    size: float, amount: float, MBL: float | None, decides: bool
+) -> None:
+    assert Change("anchor_tension", "step", size, amount).decides(MBL) == decides
+    if size > LIMIT:  # a length has no MBL
+        assert Change("offset", "step", size, amount).decides(MBL)
+
+
+def test_a_check_that_turns_out_otherwise_is_never_passed_over() -> None:
+    """A strength that lies between the maxima of two runs: one passes, and the other does not."""
+    plain = proven(TAUT)
+    (again,) = plain.runs[0].again
+    both = sorted(each["largest_tension"] for each in (plain.runs[0].maxima, again.maxima))
+    assert both[0] < both[1]
+    line = Line([replace(CHAIN, MBL=2.0 * 0.5 * sum(both))])
+    (part,) = verify_dynamic(replace(TAUT, line=line, checks=Checks(safety_factor=2.0))).parts
+    assert all(not part.decides(each) for each in part.added_changes)
+    assert part.undecided
+    assert part.verdict == "not converged"
+    assert "another verdict" in proof_sentences(part)[0]
+
+
+def test_a_snapping_line_is_run_with_half_and_twice_its_damping() -> None:
+    part = proven(SNAPPING)
+    (one,) = part.runs
+    assert [each.factor for each in one.damped] == [0.5, 2.0]
+    low, high = part.damping_range("fairlead_tension") or (0.0, 0.0)
+    found = [one.maxima, *(each.maxima for each in one.damped)]
+    assert low == min(each["fairlead_tension"] for each in found)
+    assert high == max(each["fairlead_tension"] for each in found)
+    assert "With half and with twice its damping" in " ".join(motion_sentences(part))
+    assert proven(TAUT).damping_range("fairlead_tension") is None

@@ -1,0 +1,111 @@
+"""Checks of lines in motion: of what the runs came to, and whether runs again come to the same."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from catopt.catenary.case import solve_case
+from catopt.catenary.solution import Solution
+from catopt.checks.motion import Carried, LineInMotion, Pull, check_motion
+from catopt.checks.result import CheckReport
+from catopt.model import Case, Line
+from catopt.mooring.solve import solve_system
+from catopt.ties import first_largest
+from catopt.verify.dynamic_result import DynamicPart, DynamicRun
+
+
+def solutions_at_rest(case: Case, parts: Sequence[DynamicPart]) -> Sequence[Solution | None]:
+    """Solve the line of every part at rest, in closed form; none on a bed that slopes."""
+    if case.site.seabed_slope != 0.0:
+        return [None] * len(parts)
+    if case.system is not None:
+        return [each.solution for each in solve_system(case.system).lines]
+    return [solve_case(part.drive.case) for part in parts]
+
+
+def check_parts(
+    case: Case, parts: Sequence[DynamicPart], at_rest: Sequence[Solution | None]
+) -> CheckReport:
+    """Check what the runs of every part came to, by `check_motion`."""
+    lines = [
+        line_in_motion(case, part, part.runs, solution)
+        for part, solution in zip(parts, at_rest, strict=True)
+    ]
+    return check_motion(case, lines)
+
+
+def line_in_motion(
+    case: Case, part: DynamicPart, runs: Sequence[DynamicRun], at_rest: Solution | None
+) -> LineInMotion:
+    """Take together what the runs of a line came to; its mean tensions are those at rest."""
+    line = case.line if at_rest is None else at_rest.line
+    mean = None if at_rest is None else tuple(e.max_tension for e in at_rest.segments)
+    largest = [tuple(_segments(run, line)) for run in runs]
+    return LineInMotion(
+        line,
+        tuple(max(each) for each in zip(*largest, strict=True)),
+        mean,
+        part.name,
+        part.line,
+        _carried(runs),
+    )
+
+
+def largest_of_segments(part: DynamicPart, line: Line) -> tuple[float, ...]:
+    """Largest tension of each segment over all runs, N: of its bars, and of an end it holds."""
+    found = [tuple(_segments(run, line)) for run in part.runs]
+    return tuple(max(each) for each in zip(*found, strict=True))
+
+
+def _segments(run: DynamicRun, line: Line) -> Iterator[float]:
+    history, start = run.history, 0.0
+    last = len(line.segments) - 1
+    for index, segment in enumerate(line.segments):
+        end = start + segment.length
+        of_bars = history.max_tension[(history.arc >= start) & (history.arc <= end)]
+        largest = max([each for each in of_bars.tolist() if each == each], default=0.0)
+        if index == 0:
+            largest = max(largest, run.maxima["anchor_tension"])
+        if index == last:
+            largest = max(largest, run.maxima["fairlead_tension"])
+        yield largest
+        start = end
+
+
+def _carried(runs: Sequence[DynamicRun]) -> Carried | None:
+    """Take the least favourable values at every step of all runs; None where nothing counts."""
+    if any(run.history.counted.sum() < 2 for run in runs):
+        return None
+    of = [run.history for run in runs]
+
+    def most(quantity: str) -> float:
+        return max(each.course(quantity).maximum for each in of)
+
+    anchor = Pull(most("anchor_horizontal"), most("uplift_force"), most("uplift_angle"))
+    lies = min(each.course("grounded_length").minimum for each in of)
+    return Carried(anchor, Pull(0.0, most("fairlead_vertical"), 0.0), lies, most("span"))
+
+
+def with_verdicts(case: Case, parts: Sequence[DynamicPart]) -> list[DynamicPart]:
+    """Say of every part which checks turn out otherwise in runs again, and which line governs."""
+    at_rest = solutions_at_rest(case, parts)
+    judged = []
+    for part, solution in zip(parts, at_rest, strict=True):
+        verdicts = [
+            {
+                (each.name, each.source): each.passes
+                for each in check_motion(case, [line_in_motion(case, part, runs, solution)]).results
+            }
+            for _, runs in part.levels
+        ]
+        first = verdicts[0]
+        other = [key[0] for key in first if any(v.get(key) != first[key] for v in verdicts[1:])]
+        judged.append(replace(part, undecided=tuple(dict.fromkeys(other))))
+    if len(judged) < 2 or case.system is None:
+        return judged
+    used = [part.max_tension / (part.MBL or 1.0) for part in judged]
+    if any(part.MBL is None for part in judged):
+        used = [part.max_tension for part in judged]
+    first_one = first_largest(used)
+    return [replace(part, governs=k == first_one) for k, part in enumerate(judged)]
