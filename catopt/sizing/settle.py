@@ -128,20 +128,20 @@ def _preferred(objectives: Floats, choice: LineChoice) -> int:
     Every way of choosing keeps to a line that is chosen when others no longer pass: a harder load
     never leads to a line that withstands less.
     """
-    mass, second = objectives.T
+    rows = objectives.tolist()
+    short = next((k for k, (_, second) in enumerate(rows) if second <= choice.aim), None)
     match choice.looks_for:
         case "lightest":
             return 0
-        case "practice":
-            short = second <= choice.aim
-            return int(np.argmax(short)) if short.any() else len(mass) - 1
+        case "practice" if short is not None:
+            return short
         case "balanced":
-            short = second <= choice.aim
-            swept = mass * (second + choice.rest) ** 2
-            return int(np.argmax(short) if short.any() else np.argmin(swept))
+            swept = [mass * (second + choice.rest) ** 2 for mass, second in rows]
+            return swept.index(min(swept)) if short is None else short
         case "cheapest":
-            return int(np.argmin(mass + choice.swing_price * second))
-    return len(mass) - 1  # shortest, least swing
+            prices = [mass + choice.swing_price * second for mass, second in rows]
+            return prices.index(min(prices))
+    return len(rows) - 1  # shortest, least swing
 
 
 def _best(case: Case, choice: LineChoice) -> DesignPoint:

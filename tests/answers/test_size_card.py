@@ -210,7 +210,7 @@ def test_what_a_later_core_says_has_its_place() -> None:
 # ------------------------------------------------------------------ nothing passes
 
 BARE: dict[Moored, dict[str, object]] = {
-    "buoy": {"buoy": "pillar 1.8 m", "depth": "12 m", "current": "3 m/s", "hs": "3 m"},
+    "buoy": {"buoy": "pillar 1.8 m", "depth": "12 m", "current": "4 m/s", "hs": "3 m"},
     "tanker": {"dwt": "50000 t", "depth": "20 m", "max_swing": "300 m"},
 }
 SPELLED = {"buoy": by_option, "tanker": as_option}

@@ -132,7 +132,7 @@ def test_a_strength_that_no_load_case_asks_for_may_be_missing() -> None:
         replace(factor, kinds=("reference",)),
         replace(factor, lines=("chain",)),
     ):
-        line = Line([replace(bare.segments[0], component="polyester")])
+        line = Line([replace(bare.segments[0], component="polyester", nominal_diameter=0.14)])
         known = bare if asked.lines != ("chain",) else line
         assert len(keeping(asked).strengths(known, {"extreme"}, {"intact"})) == 1
     with pytest.raises(InputError, match=r"line\.segments\[0\]\.MBL: missing"):

@@ -229,7 +229,7 @@ def test_wire_by_API_refers_to_its_own_strength() -> None:
 
 
 def test_polyester_keeps_its_strength() -> None:
-    (found,) = fatigue_strengths(case(E301, segment("polyester", MBL=8000e3)))
+    (found,) = fatigue_strengths(case(E301, segment("polyester", 0.14, MBL=8000e3)))
     assert found.curve is CURVES["E301 polyester"]
     assert found.reference == 8000e3
 
@@ -263,7 +263,7 @@ def test_a_curve_of_another_kind_of_line_is_refused() -> None:
 
 @pytest.mark.parametrize(("component", "factor"), [("chain studless R3", 8.0), ("polyester", 60.0)])
 def test_the_factor_of_E301(component: str, factor: float) -> None:
-    of = case(E301, segment(component, MBL=5e6))
+    of = case(E301, segment(component, 0.14, MBL=5e6))
     (found,) = fatigue_strengths(of)
     assert design_factor(of, found.curve)[0] == factor
     assert design_factor(of, found.curve)[1].confidence == "C"
