@@ -176,11 +176,9 @@ def _assumed(of: Sizing) -> Iterator[str]:
 def _to_be_known(of: Sizing) -> Iterator[str]:
     """Yield what decides whether the answer may be used; what decides most comes first."""
     yield from (each for each in of.defaults if is_said(each, "sizing.beyond_scope"))
+    if any(is_said(each, "sizing.estimated_dimensions") for each in of.warnings):
+        yield Message("sizing.card_estimated")
     yield from of.advice
-    for each in of.warnings:
-        if is_said(each, "sizing.estimated_dimensions"):
-            yield Message("sizing.card_estimated")
-        else:
-            yield each
+    yield from (each for each in of.warnings if not is_said(each, "sizing.estimated_dimensions"))
     if of.recalled:
         yield Message("loads.recalled", names=Several(of.recalled, ", "))
