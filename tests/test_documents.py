@@ -52,7 +52,11 @@ def test_a_file_beyond_the_limit_is_not_read(tmp_path: Path) -> None:
     [
         (parse_toml, "a = " + "[" * 5000 + "]" * 5000, "file: arrays or tables are nested too"),
         (parse_toml, "a = " + "[" * 40 + "]" * 40, "a[0]: arrays or tables are nested too deeply"),
-        (parse_toml, ".".join("a" * 50) + " = 1", "the key has more than 20 parts; tables are nested too deeply"),
+        (
+            parse_toml,
+            ".".join("a" * 50) + " = 1",
+            "the key has more than 20 parts; tables are nested too deeply",
+        ),
         (parse_toml, "a = " + "1" * 5000, "file: a number has too many digits"),
         (parse_json, "[" * 100_000, "file: arrays or tables are nested too deeply"),
         (parse_json, '{"a": ' + "1" * 5000 + "}", "file: a number has too many digits"),
