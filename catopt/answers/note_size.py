@@ -29,7 +29,7 @@ from catopt.answers.size_card import verdict
 from catopt.checks.kinds import QUANTITY_OF
 from catopt.constants import STANDARD_GRAVITY, YEAR
 from catopt.quantities import GREEK, QUANTITIES
-from catopt.words import Cited, Measure, Message, Several, Told, say, term
+from catopt.words import Cited, Measure, Message, Sentence, Several, Told, say, term
 
 if TYPE_CHECKING:
     from catopt.loads.component import LoadComponent, Loads
@@ -78,7 +78,8 @@ def _opening(note: SizeNote) -> Iterator[Section]:
         note,
         (),
         _recommendation(note),
-        *(sized.motion_sentence(of), *filter(None, (of.practice,))),
+        sized.motion_sentence(of),
+        *((Sentence(of.practice, capital=True),) if of.practice else ()),
         drawing=drawn(note.line),
         force=(Message("note_size.identity_force"), "horizontal_force", _hardest(note)[0]),
         reach=(Message("note_size.identity_radius"), "length", of.swing.total),

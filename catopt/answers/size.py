@@ -14,7 +14,7 @@ from catopt.answers.size_card import size_card, verdict
 from catopt.constants import YEAR
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.units import UNITS, Dimension
-from catopt.words import Cited, Measure, Message, Several, term
+from catopt.words import Cited, Measure, Message, Sentence, Several, term
 
 if TYPE_CHECKING:
     from catopt.sizing import Sizing
@@ -87,7 +87,7 @@ def _beside(of: Sizing) -> Iterator[str]:
     """Yield what goes with the line: what stands for motion, practice, its life, its fittings."""
     yield motion_sentence(of)
     if of.practice:
-        yield of.practice
+        yield Sentence(of.practice, capital=True)
     if of.chain_life is not None:
         yield Message("sizing.life", years=of.chain_life / YEAR)
     yield from of.fittings

@@ -204,7 +204,7 @@ def test_what_a_later_core_says_has_its_place() -> None:
     assert (document["practice"], document["fittings"]) == ("a said", ["b said"])
     assert (document["advice"], document["chain_life_s"]) == (["c said"], 7.3 * YEAR)
     full = [each.said for each in size_answer(of).blocks if isinstance(each, Text)]
-    assert {"a said", "b said", "c said"} <= set(map(str, full))
+    assert {"A said.", "b said", "c said"} <= set(map(str, full))
 
 
 # ------------------------------------------------------------------ nothing passes
