@@ -13,6 +13,7 @@ from catopt.checks.case import check_case
 from catopt.checks.profiles import profiles
 from catopt.errors import CatoptError, InputError, NoAnswerError
 from catopt.loads import buoys
+from catopt.loads.holding_data import masses_sold
 from catopt.loads.ship_dimensions import ship_dimensions
 from catopt.loads.sinker import SOIL_FRICTION
 from catopt.model import Case
@@ -100,6 +101,14 @@ def is_kept(of: Sizing) -> bool:
     return all(each.point.checks.passes and passes(each.case, 1.0) for each in lines)
 
 
+def is_sold(of: Sizing) -> bool:
+    """Whether a drag anchor is of a mass that its source has."""
+    if of.drag_anchor is None:
+        return True
+    least, most = masses_sold(of.drag_anchor.anchor)[0], masses_sold(of.drag_anchor.anchor)[-1]
+    return least <= of.drag_anchor.mass <= most
+
+
 def check_any(numbers: range) -> None:
     """Hold both promises of the sizings that are drawn with some seeds."""
     answered = differing = 0
@@ -110,6 +119,7 @@ def check_any(numbers: range) -> None:
             steady, moved = sized(given, 1.0), sized(given, 1.5)
         for of in (steady, moved):
             assert of is None or is_kept(of), (number, given)
+            assert of is None or is_sold(of), (number, given)
         if moved is None:
             answered += steady is not None
             continue

@@ -6,6 +6,7 @@ import dataclasses
 import functools
 import itertools
 import math
+from pathlib import Path
 
 import pytest
 
@@ -16,6 +17,7 @@ from catopt.model import Case, System
 from catopt.sizing import LineChoice, Sizing, TankerRequest, size_tanker
 from catopt.sizing.kinds import usual
 from catopt.sizing.pattern import BodyState, Pattern, pattern, system_case
+from catopt.verify.case import verify_case
 from tests.sizing.test_consistency import LOADED, deep
 
 LINES = 4
@@ -177,3 +179,23 @@ def test_a_load_case_of_one_line_out_is_judged_by_its_factor() -> None:
     for state, factor in (("intact", INTACT), ("one_line_out", DAMAGED)):
         assert by_state[state]
         assert all(each == pytest.approx(MBL / factor, rel=1e-12) for each in by_state[state])
+
+
+def test_what_is_saved_of_several_lines_has_the_tensions_of_the_answer(tmp_path: Path) -> None:
+    """System, check and verify of the written case, beside the answer's own: to 1e-6."""
+    of = sized(6)
+    path = tmp_path / "six.toml"
+    path.write_text(write_case(of.whole_case), encoding="utf-8")
+    case = catopt.read_case(path)
+    told = around(of).hardest
+    assert case.system is not None
+    solution = catopt.solve_system(case.system)
+    assert max(each.tension for each in solution.lines) == pytest.approx(told.tension, rel=1e-6)
+    report = catopt.check_case(case)
+    whole = [each for each in report.results if each.place.state == "intact"]
+    tensions = [each.demand for each in whole if each.kind == "tension"]
+    assert max(tensions) == pytest.approx(told.tension, rel=1e-6)
+    assert report.passes
+    (part,) = verify_case(case, elements=10).parts
+    verified = [line.closed.fairlead.tension for line in part.lines]
+    assert max(verified) == pytest.approx(told.tension, rel=1e-6)
