@@ -163,7 +163,7 @@ def test_reproduce_writes_page_tables_and_figures(
     assert all(row["Unit"] for row in table)
     book = sheets(out / "reproduction.xlsx")
     studies = ["tanker_20m_loads", "fso_rang_dong", "fso_rang_dong_loads"]
-    studies += ["fso_rang_dong_dynamic", "chain_in_waves"]
+    studies += ["fso_rang_dong_dynamic", "chain_in_waves", "calmar"]
     assert list(book) == ["Comparison", "Inputs", "Findings", *studies]
     heading, *below = book["Comparison"]
     verdicts = [row[heading.index("Verdict")] for row in below[: len(items)]]
