@@ -44,7 +44,11 @@ def _load(drawn: RandomLine, line: Line, kind: str) -> dict[str, float]:
     return {kind: there.span if kind == "span" else there.fairlead.tension}
 
 
-@pytest.mark.parametrize("kind", ["horizontal_force", "span", "fairlead_tension"])
+_SLOW = pytest.param("fairlead_tension", marks=pytest.mark.slow)
+"""Every trial solves for the force first."""
+
+
+@pytest.mark.parametrize("kind", ["horizontal_force", "span", _SLOW])
 def test_a_clump_weight_or_none(kind: str) -> None:
     """Each outcome of a search over 150 lines, and that all three occur where they can."""
     outcomes = [_of_a_clump_weight(seed, kind) for seed in range(LINES)]
@@ -141,7 +145,7 @@ def test_a_clump_weight_that_only_makes_it_worse() -> None:
         find_clump_weight(line, height=height, span=span)
 
 
-@pytest.mark.parametrize("kind", ["horizontal_force", "fairlead_tension"])
+@pytest.mark.parametrize("kind", ["horizontal_force", _SLOW])
 @pytest.mark.parametrize("asked", ["anchor_angle", "grounded_length"])
 def test_a_length_or_none(kind: str, asked: str) -> None:
     outcomes = [_of_a_length(seed, kind, asked) for seed in range(LINES)]
