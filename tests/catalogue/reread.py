@@ -16,6 +16,7 @@ from __future__ import annotations
 import ast
 import csv
 import io
+import math
 import re
 import subprocess
 import sys
@@ -377,8 +378,9 @@ def write(found: dict[tuple[str, str], str]) -> None:
 def fingerprint(entry: Entry) -> list[float]:
     """Bring the values of an entry to three numbers that change with any of them."""
     v = entry.values
-    weighed = sum(each * (k + 1) for k, each in enumerate(v))
-    return [float(len(v)), float(f"{sum(v):.12g}"), float(f"{weighed:.12g}")]
+    # By fsum: the digits of sum are others from Python 3.12 on.
+    weighed = math.fsum(each * (k + 1) for k, each in enumerate(v))
+    return [float(len(v)), float(f"{math.fsum(v):.12g}"), float(f"{weighed:.12g}")]
 
 
 if __name__ == "__main__":
