@@ -59,8 +59,12 @@ class Store:
                 directory.mkdir(parents=True, exist_ok=True)
             self._database = sqlite3.connect(self._file, check_same_thread=False)
             self.close = finalize(self, self._database.close)  # at once, or when nobody needs it
-            self._database.executescript(_TABLES)
-            self._check()
+            try:
+                self._database.executescript(_TABLES)
+                self._check()
+            except BaseException:
+                self.close()
+                raise
 
     @contextmanager
     def _told(self) -> Iterator[None]:

@@ -66,6 +66,7 @@ def test_a_file_that_another_program_holds(
     with pytest.raises(InputError, match="locked"):
         run_into(study, store)
     other.rollback()
+    other.close()
     run_into(study, store)
     assert rows_of(store) == whole
 
