@@ -156,6 +156,8 @@ def _tried(sought: Sought, start: float, scale: float, least: float) -> list[Tri
     values = sorted({least, least * (1.0 + 1e-12), start, *(least + part * scale for part in grid)})
     tried = [Trial(value, sought.missing(value)) for value in values if value > 0.0 or least == 0.0]
     tried = [each for each in tried if not math.isnan(each.missing)]
+    if not tried:
+        sought.line(start)  # which says itself what keeps every value from an answer
     closed = []
     for one, other in pairwise(tried):
         closed.append(one)

@@ -251,6 +251,21 @@ def test_wrong_questions() -> None:
         find_limit_force(Line([Segment(55.0, 2100.0)]), height=20.0)
 
 
+def test_what_is_wrong_at_every_value_is_told() -> None:
+    asked = {"height": 20.0, "horizontal_force": 1e5, "anchor_angle": 0.0}
+    for key, value in (
+        ("seabed_friction", -1.0),
+        ("height", math.nan),
+        ("height", -1.0),
+        ("horizontal_force", -1.0),
+        ("horizontal_force", "x"),
+    ):
+        with pytest.raises(InputError, match=key):
+            find_length(TANKER, **{**asked, key: value})  # type: ignore[arg-type]
+    with pytest.raises(InputError, match="seabed_friction"):
+        find_touchdown_force(TANKER, height=20.0, seabed_friction=-1.0)
+
+
 # --- hard cases: lines that float, contact states, and what bounds a length ----------------------
 
 HARD = Path(__file__).parents[1] / "hard_cases"
