@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
@@ -112,6 +113,16 @@ def result_of(
         note=Several(part for part in (found.note, criterion.note) if part),
         place=place,
     )
+
+
+def check_buoyancy(
+    pulls: Iterable[float], criteria: Criteria, load_case: str, place: Place
+) -> Iterator[CheckResult]:
+    """Hold the vertical pulls of all lines of a body, N, against its reserve of buoyancy."""
+    pull = math.fsum(pulls)
+    for criterion in criteria.of("buoyancy", "extreme", place.state):
+        found = Demand(pull, criterion.value, ratio_excess(pull, criterion.value))
+        yield result_of("buoyancy", criterion, found, load_case, place)
 
 
 def segment_words(segment: Segment, index: int) -> Message:

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
 from catopt.checks.criteria import Criteria, criteria_of
 from catopt.checks.criterion import USER, Place, State
-from catopt.checks.evaluation import check_tensions, result_of
-from catopt.checks.excess import ratio_excess
-from catopt.checks.kinds import OF_LINE, Demand
+from catopt.checks.evaluation import check_buoyancy, check_tensions, result_of
+from catopt.checks.kinds import OF_LINE
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.model import Case, Line
 from catopt.model.load_case import LoadCaseKind
@@ -77,15 +75,17 @@ def check_motion(case: Case, lines: Sequence[LineInMotion]) -> CheckReport:
     broken = _broken(case)
     state: State = "intact" if broken is None else "transient"
     judged = [each for each in lines if broken is None or (each.number or broken) != broken]
-    kinds = {each.name: each.kind for each in case.load_cases}
+    load_cases = {each.name: each for each in case.load_cases}
     results: list[CheckResult] = []
     for moved in judged:
-        kind = kinds.get(moved.load_case, "extreme")
+        load_case = load_cases.get(moved.load_case)
+        kind = "extreme" if load_case is None else load_case.kind
+        condition = None if load_case is None else load_case.condition
         place = Place(state, moved.number, broken)
         results += check_tensions(
             moved.line,
             list(criteria.of("tension", kind, state)),
-            criteria.strengths(moved.line, {kind}, {state}),
+            criteria.in_condition(condition).strengths(moved.line, {kind}, {state}),
             moved.tensions,
             load_case=moved.load_case,
             place=place,
@@ -120,11 +120,7 @@ def _of_the_body(
     pulls = [each.carried.fairlead.vertical_force for each in lines if each.carried is not None]
     if len(pulls) < len(lines) or not lines:
         return
-    pull = math.fsum(pulls)
-    for criterion in criteria.of("buoyancy", "extreme", state):
-        found = Demand(pull, criterion.value, ratio_excess(pull, criterion.value))
-        place = Place(state, None, broken)
-        yield result_of("buoyancy", criterion, found, lines[0].load_case, place)
+    yield from check_buoyancy(pulls, criteria, lines[0].load_case, Place(state, None, broken))
 
 
 def check_strengths(case: Case) -> None:

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from catopt.checks.criteria import HORIZONTAL_PULL, Criteria, criteria_of
 from catopt.checks.criterion import Criterion, Place, State
-from catopt.checks.evaluation import evaluate, result_of
-from catopt.checks.excess import ratio_excess
-from catopt.checks.kinds import Demand
+from catopt.checks.evaluation import check_buoyancy, evaluate
 from catopt.checks.remarks import Lifted, of_criteria, of_transient, of_uplift
 from catopt.checks.result import CheckReport, CheckResult, line_in_state
 from catopt.checks.strength import Strength
@@ -159,10 +156,8 @@ def _lost(state: InState, damaged: tuple[Criterion, ...]) -> Iterator[CheckResul
 def _of_the_body(state: InState, criteria: Criteria) -> Iterator[CheckResult]:
     """Hold the vertical pull of all lines against the reserve of buoyancy, if that is given."""
     assert state.solution is not None
-    pull = math.fsum(line.solution.fairlead.vertical_force for line in state.solution.lines)
-    for criterion in criteria.of("buoyancy", "extreme", state.place.state):
-        found = Demand(pull, criterion.value, ratio_excess(pull, criterion.value))
-        yield result_of("buoyancy", criterion, found, state.name, state.place)
+    pulls = (line.solution.fairlead.vertical_force for line in state.solution.lines)
+    yield from check_buoyancy(pulls, criteria, state.name, state.place)
 
 
 def _of_line_out(

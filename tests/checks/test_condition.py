@@ -11,6 +11,7 @@ import pytest
 from catopt import check_case
 from catopt.casefile import parse_case
 from catopt.casefile.writing import write_case
+from catopt.checks.motion import LineInMotion, check_motion
 from catopt.checks.result import CheckReport
 from catopt.design.evaluation import DesignProblem
 from catopt.errors import InputError
@@ -77,6 +78,17 @@ def test_each_state_has_its_own_weight_and_strength() -> None:
         assert found(report, "grounded_length", name)[1] == pytest.approx(lies, rel=1e-12)
         pull = weight * hangs(weight)
         assert found(report, "buoyancy", name)[0] == pytest.approx(pull, rel=1e-12)
+
+
+def test_in_motion_each_state_has_its_own_strength() -> None:
+    case = parse_case(CASE)
+    line = worn_line(case.line, case.service)
+    report = check_motion(
+        case, [LineInMotion(line, (9e3,), (5e3,), each.name) for each in case.load_cases]
+    )
+    capacities = [found(report, "tension", each.name)[1] for each in case.load_cases]
+    left = LEFT * 200e3 / 5.0
+    assert capacities == pytest.approx([left, 200e3 / 5.0, left], rel=1e-12)
 
 
 def test_a_worn_line_weighs_what_is_left_and_keeps_its_name() -> None:
