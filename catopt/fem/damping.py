@@ -9,10 +9,8 @@ from typing import Literal
 import numpy as np
 
 from catopt.arrays import Array
+from catopt.model.dynamics import BARS
 from catopt.model.validity import Findings
-
-_BARS = 100.0
-"""Bars of a line for one of which a part of the critical damping is meant by default."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +54,7 @@ class LineDamping:
         of: Array | float = length
         if self.critical_length != "bar":
             given = self.critical_length
-            of = line_length / _BARS if given is None else given
+            of = line_length / BARS if given is None else given
         critical = self.critical_ratio * of * np.sqrt(EA * mass)
         total: Array = self.internal + critical + (self.stiffness_time + self.stiffness_factor) * EA
         return total

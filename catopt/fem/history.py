@@ -106,6 +106,11 @@ class History:
         """Which samples count in the statistics, shape (samples,)."""
         return self.time >= self.since - 1e-9 * self.step
 
+    @property
+    def counts(self) -> bool:
+        """Whether two samples or more count, so that there are statistics."""
+        return bool(self.counted.sum() > 1)
+
     def tension_statistics(self, line: int = 0) -> SeriesStatistics:
         """Statistics of the tension at a fairlead at every step from `since` on."""
         return self.course("fairlead_tension", line).statistics()

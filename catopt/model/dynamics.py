@@ -51,8 +51,8 @@ class Dynamics(Checked):
     """From sample to sample, s, taken as the nearest whole number of steps; None: every step, and
     at most 20 000 samples."""
     elements: Annotated[int, Whole("elements", example=100)] | None = None
-    """Bars of the line. None: `BARS`, and twice as many where the line goes slack and its maxima
-    change too much with twice the bars."""
+    """Bars of the line. None: `BARS`. Twice as many are taken where the line goes slack and its
+    maxima change too much with twice the bars, unless cycles are counted."""
     scheme: TimeScheme = "generalised-alpha"
     """Newmark's average acceleration, or with damping of what is much faster than the step."""
     spectral_radius: Share = 0.5

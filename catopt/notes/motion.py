@@ -170,7 +170,7 @@ def _uses(part: DynamicPart, solution: Solution, made: CheckReport) -> Iterator[
     from catopt.verify.judged import largest_of_segments
 
     allowed = allowed_tensions(made, solution, part.name)
-    largest = largest_of_segments(part, solution.line)
+    largest = largest_of_segments(part.runs, solution.line)
     every = zip(solution.segments, largest, allowed, strict=True)
     for number, (segment, carried, capacity) in enumerate(every, start=1):
         yield SegmentUse(number, segment.name, carried, segment.max_tension, capacity)

@@ -250,7 +250,7 @@ def _seed(lines: LinesAtRest, proof: Proof, number: int, progress: Progress) -> 
         return None
     history = runs[0].history
     if not history.is_complete:  # stopped in its ramp, nothing of it counts
-        return None if history.counted.sum() < 2 else _Seed(runs, said, is_whole=False)
+        return _Seed(runs, said, is_whole=False) if history.counts else None
     ways = _ways(proof, runs)
     with suppress(KeyboardInterrupt):  # what there is of the proof is kept
         done = 1
@@ -379,7 +379,7 @@ def _counted(run: DynamicRun, sea: Sea) -> DynamicRun:
     if waves is not None:
         # Of the waves, hardly any is half as fast as their mean.
         split = 0.5 * float(np.average(waves.omega, weights=waves.amplitude**2))
-    if history.counted.sum() > 1:
+    if history.counts:
         cycles = tuple(
             count_cycles(each.value, each.duration, split, samples=samples, mean=each.mean)
             for each, samples in zip(history.bar_courses, history.tension[at].T, strict=True)
@@ -398,7 +398,7 @@ def _as_in_file(problem: Problem) -> Problem:
 
 def _remarks(drive: Drive, runs: Sequence[DynamicRun]) -> list[str]:
     remarks = []
-    if any(run.history.counted.sum() < 2 for run in runs):
+    if not all(run.history.counts for run in runs):
         remarks.append(Message("motion.within_ramp"))
     if drive.has_rest and any(np.isnan(run.quasi_static).all() for run in runs):
         remarks.append(Message("motion.no_amplification"))

@@ -132,11 +132,11 @@ class DynamicRun:
     def counted(self) -> Flags:
         """Which samples count: those after the ramp; all, if hardly any are."""
         counted = self.history.counted
-        return counted if counted.sum() > 1 else np.ones(counted.size, dtype=bool)
+        return counted if self.history.counts else np.ones(counted.size, dtype=bool)
 
     def statistics(self, quantity: str) -> SeriesStatistics:
         """Statistics of one of `SERIES`, of every step; of the samples where hardly any counts."""
-        if self.history.counted.sum() > 1:
+        if self.history.counts:
             return self.history.course(quantity).statistics()
         values = SERIES[quantity](self.history)[self.counted]
         return series_statistics(self.history.time[self.counted], values)
@@ -189,7 +189,7 @@ def _over_runs(
 def _of_track(quantity: str, run: DynamicRun, track: Array, case: Case) -> SeriesStatistics:
     """Say where a body was: a free one at every step, one that is led at the samples."""
     history, values = run.history, _TRACK[quantity](track)
-    if case.body is None or history.counted.sum() < 2:
+    if case.body is None or not history.counts:
         return series_statistics(history.time[run.counted], values[run.counted])
     found = history.course(_OF_FAIRLEAD[quantity]).statistics()
     if quantity == "body_offset":
@@ -258,56 +258,58 @@ class DynamicPart:
                 levels.append((again[0].way, runs))
         return levels
 
-    def _judged(self, quantity: str, runs: Sequence[DynamicRun]) -> list[float]:
-        """Return what of a quantity must not hang on step and bars: of all runs, or of each.
+    def _typical(self, quantity: str, runs: Sequence[DynamicRun]) -> float | None:
+        """Return what of all runs must not hang on step and bars; None where there is none.
 
-        In periodic motion the mean peak of a cycle, in a random sea the most probable maximum,
-        where there is one; else the largest value of each run.
+        In periodic motion the mean peak of a cycle, in a random sea the most probable maximum.
         """
-        if quantity in SERIES and all(run.history.counted.sum() > 1 for run in runs):
-            peaks = self.cycle_peaks(quantity, runs)
-            if peaks.size > 1:
-                return [float(peaks.mean())]
-            each = [run.statistics(quantity) for run in runs]
-            tail = self._tail(quantity, each, runs)
-            if tail is not None:
-                return [tail.extreme.most_probable]
-        return [run.maxima[quantity] for run in runs]
+        if quantity not in SERIES:
+            return None
+        peaks = self.cycle_peaks(quantity, runs)
+        if peaks.size > 1:
+            return float(peaks.mean())
+        tail = self._tail(quantity, runs)
+        return None if tail is None else tail.extreme.most_probable
 
     def _changes_of(self, quantity: str) -> Iterator[list[Change]]:
-        """Yield how far a quantity moved from one level to the next, for the runs or each run."""
-        values = [(way, runs, self._judged(quantity, runs)) for way, runs in self.levels]
-        count = min(len(each) for _, _, each in values)
-        if count < max(len(each) for _, _, each in values):  # a tail at some levels only
-            values = [(w, runs, [r.maxima[quantity] for r in runs]) for w, runs, _ in values]
-            count = len(self.runs)
-        for k in range(count):
+        """Yield how far a quantity moved from one level to the next, for the runs or each run.
+
+        It is what is typical of the runs where every level has that, else the largest of each run.
+        """
+        typical = [self._typical(quantity, runs) for _, runs in self.levels]
+        values = [[each] for each in typical if each is not None]
+        if len(values) < len(typical):
+            values = [[run.maxima[quantity] for run in runs] for _, runs in self.levels]
+        for of_run in zip(*values, strict=True):
             found = []
-            for (_, _, old), (way, runs, new) in itertools.pairwise(values):
-                over = new[k] or old[k]
+            for (old, new), (way, runs) in zip(
+                itertools.pairwise(of_run), self.levels[1:], strict=True
+            ):
+                over = new or old
                 if quantity.endswith("tension"):
                     largest = max(run.maxima["largest_tension"] for run in runs)
                     over = max(over, LEAST_TENSION * largest)
                 elif quantity == "grounded_length":
                     over = self.line_length
                 if over > 0.0 and way is not None:
-                    amount = abs(new[k] - old[k])
+                    amount = abs(new - old)
                     found.append(Change(quantity, way, amount / over, amount))
             yield found
 
     @cached_property
+    def _moved(self) -> list[list[Change]]:
+        """How far every judged value moved from one level to the next."""
+        return [each for quantity in self.runs[0].maxima for each in self._changes_of(quantity)]
+
+    @cached_property
     def changes(self) -> tuple[Change, ...]:
         """Largest change of each judged value, by the way in which it was run again."""
-        quantities = self.runs[0].maxima
-        found = (c for q in quantities for each in self._changes_of(q) for c in each)
-        return tuple(largest_changes(found))
+        return tuple(largest_changes(change for each in self._moved for change in each))
 
     @cached_property
     def added_changes(self) -> tuple[Change, ...]:
         """Largest change of each judged value, by all ways in which it was run again."""
-        quantities = self.runs[0].maxima
-        found = (c for q in quantities for each in self._changes_of(q) for c in added(each))
-        return tuple(largest_changes(found))
+        return tuple(largest_changes(change for each in self._moved for change in added(each)))
 
     @property
     def MBL(self) -> float | None:
@@ -335,7 +337,7 @@ class DynamicPart:
     def cycle_peaks(self, quantity: str, runs: Sequence[DynamicRun] | None = None) -> Array:
         """Peaks of the whole cycles of a periodic motion in all runs; none of any other."""
         period, of = self.drive.period, runs or self.runs
-        if period is None or any(run.history.counted.sum() < 2 for run in of):
+        if period is None or not all(run.history.counts for run in of):
             return np.zeros(0)
         return np.concatenate([run.cycle_peaks(quantity, period) for run in of])
 
@@ -349,7 +351,9 @@ class DynamicPart:
         for quantity in ("fairlead_tension", "anchor_tension"):
             error = self.scatter_of(quantity)
             if error is not None and self.cycle_peaks(quantity).size >= LEAST_CYCLES:
-                mean = max(self._judged(quantity, self.runs)[0], LEAST_TENSION * self.max_tension)
+                mean = max(
+                    float(self.cycle_peaks(quantity).mean()), LEAST_TENSION * self.max_tension
+                )
                 if self.decides(Change(quantity, "step", error / mean, error)):
                     return True
         return False
@@ -418,7 +422,7 @@ class DynamicPart:
         found = []
         for quantity in SERIES:
             each = [run.statistics(quantity) for run in self.runs]
-            tail, gumbel = self._tail(quantity, each), self._gumbel(quantity, each)
+            tail, gumbel = self._tail(quantity, self.runs), self._gumbel(quantity, each)
             found.append(_over_runs(quantity, each, tail, gumbel))
         return tuple(found)
 
@@ -475,18 +479,13 @@ class DynamicPart:
         """Of the storm for which extremes are given, s."""
         return self.drive.dynamics.duration_of_interest
 
-    def _tail(
-        self,
-        quantity: str,
-        each: Sequence[SeriesStatistics],
-        runs: Sequence[DynamicRun] | None = None,
-    ) -> TailFit | None:
+    def _tail(self, quantity: str, runs: Sequence[DynamicRun]) -> TailFit | None:
         if not self.varies_at_random(quantity):
             return None
-        if any(run.history.counted.sum() < 2 for run in runs or self.runs):
+        if not all(run.history.counts for run in runs):
             return None
-        courses = [run.history.course(quantity) for run in runs or self.runs]
-        values, time = [one.value for one in courses], sum(one.duration for one in each)
+        courses = [run.history.course(quantity) for run in runs]
+        values, time = [one.value for one in courses], sum(one.duration for one in courses)
         mean = taken_together(courses)
         return weibull_tail(values, time, self.duration_of_interest, mean=mean)
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 from catopt.catenary.case import solve_case
 from catopt.catenary.solution import Solution
 from catopt.checks.motion import Carried, LineInMotion, Pull, check_motion
-from catopt.checks.result import CheckReport
+from catopt.checks.result import CheckReport, CheckResult
 from catopt.model import Case, Line
 from catopt.mooring.solve import solve_system
 from catopt.ties import first_largest
@@ -41,10 +41,9 @@ def line_in_motion(
     """Take together what the runs of a line came to; its mean tensions are those at rest."""
     line = case.line if at_rest is None else at_rest.line
     mean = None if at_rest is None else tuple(e.max_tension for e in at_rest.segments)
-    largest = [tuple(_segments(run, line)) for run in runs]
     return LineInMotion(
         line,
-        tuple(max(each) for each in zip(*largest, strict=True)),
+        largest_of_segments(runs, line),
         mean,
         part.name,
         part.line,
@@ -52,9 +51,9 @@ def line_in_motion(
     )
 
 
-def largest_of_segments(part: DynamicPart, line: Line) -> tuple[float, ...]:
+def largest_of_segments(runs: Sequence[DynamicRun], line: Line) -> tuple[float, ...]:
     """Largest tension of each segment over all runs, N: of its bars, and of an end it holds."""
-    found = [tuple(_segments(run, line)) for run in part.runs]
+    found = [tuple(_segments(run, line)) for run in runs]
     return tuple(max(each) for each in zip(*found, strict=True))
 
 
@@ -75,7 +74,7 @@ def _segments(run: DynamicRun, line: Line) -> Iterator[float]:
 
 def _carried(runs: Sequence[DynamicRun]) -> Carried | None:
     """Take the least favourable values at every step of all runs; None where nothing counts."""
-    if any(run.history.counted.sum() < 2 for run in runs):
+    if not all(run.history.counts for run in runs):
         return None
     of = [run.history for run in runs]
 
@@ -87,21 +86,33 @@ def _carried(runs: Sequence[DynamicRun]) -> Carried | None:
     return Carried(anchor, Pull(0.0, most("fairlead_vertical"), 0.0), lies, most("span"))
 
 
+def _turned(case: Case, lines: Sequence[tuple[DynamicPart, Solution | None]]) -> list[CheckResult]:
+    """List the checks of lines that move together whose verdict is another in runs again."""
+    verdicts = [
+        check_motion(
+            case,
+            [
+                line_in_motion(case, part, runs, at_rest)
+                for (part, at_rest), (_, runs) in zip(lines, level, strict=True)
+            ],
+        ).results
+        for level in zip(*(part.levels for part, _ in lines), strict=True)
+    ]
+    return [
+        same[0] for same in zip(*verdicts, strict=True) if len({each.passes for each in same}) > 1
+    ]
+
+
 def with_verdicts(case: Case, parts: Sequence[DynamicPart]) -> list[DynamicPart]:
     """Say of every part which checks turn out otherwise in runs again, and which line governs."""
-    at_rest = solutions_at_rest(case, parts)
+    moved = list(zip(parts, solutions_at_rest(case, parts), strict=True))
+    together = [[each] for each in moved] if case.system is None else [moved]
     judged = []
-    for part, solution in zip(parts, at_rest, strict=True):
-        verdicts = [
-            {
-                (each.name, each.source): each.passes
-                for each in check_motion(case, [line_in_motion(case, part, runs, solution)]).results
-            }
-            for _, runs in part.levels
-        ]
-        first = verdicts[0]
-        other = [key[0] for key in first if any(v.get(key) != first[key] for v in verdicts[1:])]
-        judged.append(replace(part, undecided=tuple(dict.fromkeys(other))))
+    for lines in together:
+        turned = _turned(case, lines)
+        for part, _ in lines:
+            own = (each.name for each in turned if each.place.line in (None, part.line))
+            judged.append(replace(part, undecided=tuple(dict.fromkeys(own))))
     if len(judged) < 2 or case.system is None:
         return judged
     used = [part.max_tension / (part.MBL or 1.0) for part in judged]
