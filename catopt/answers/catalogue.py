@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from catopt.answers import blocks
 from catopt.answers.blocks import Rows, answered, if_known, measured, section, tabulate
-from catopt.answers.catalogue_parts import parts_of
+from catopt.answers.catalogue_parts import for_people, keys, parts_of
 from catopt.catalogue.figure import SPECS, weakest
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.words import Measure, Message, Several, quantity_name, term
@@ -48,7 +48,7 @@ def catalogue_answer(found: Found, *, in_full: bool = False) -> blocks.Answer:
     seen: Iterable[blocks.Block]
     how: tuple[blocks.Block, ...] = ()
     if found.question == "list":
-        seen = (_list(found.families), _said("catalogue.of_list"))
+        seen = (_list(found.families), for_people("catalogue.of_list"))
     elif found.question == "search":
         seen = _search(found)
     elif found.question != "show":
@@ -117,7 +117,7 @@ def _figures(families: Sequence[Family]) -> blocks.Table:
         of.texts("formula", "text"),
         *_ranges(of),
         *of.own("confidence"),
-        of.texts("sources", lambda each: _keys(each.sources)),
+        of.texts("sources", lambda each: keys(each.sources)),
         *of.own("place", "reason", "note"),
         only="files",
     )
@@ -134,7 +134,7 @@ def _families(families: Sequence[Family]) -> blocks.Table:
         *_ranges(of),
         of.texts("sizes", lambda each: len(each.sizes.diameters)),
         of.texts("confidence_of_the_sizes", "sizes.confidence"),
-        of.texts("sources_of_the_sizes", lambda each: _keys(each.sizes.sources)),
+        of.texts("sources_of_the_sizes", lambda each: keys(each.sizes.sources)),
         of.texts("note"),
         only="files",
     )
@@ -203,10 +203,10 @@ def _search(found: Found) -> Iterator[blocks.Block]:
         of.texts("conf", lambda each: _confidence(each, "-")),
         only="people",
     )
-    yield _said("catalogue.symbols_found")
+    yield for_people("catalogue.symbols_found")
     recalled = [each.name for each in found.families if each.sizes.is_recalled]
     if recalled:
-        yield _said("catalogue.recalled_sizes", families=", ".join(recalled))
+        yield for_people("catalogue.recalled_sizes", families=", ".join(recalled))
     yield from _recalled(components)
 
 
@@ -220,7 +220,7 @@ def _recalled(components: Sequence[Component]) -> Iterator[blocks.Text]:
     recalled = {key for component in components for key in component.recalled}
     if recalled:
         every = Several((_name(key) for key in SPECS if key in recalled), ", ")
-        yield _said("catalogue.recalled", quantities=every)
+        yield for_people("catalogue.recalled", quantities=every)
 
 
 # ------------------------------------------------------------------ of one component
@@ -236,7 +236,7 @@ class _Row(NamedTuple):
 
 
 def _one(family: Family, component: Component) -> Iterator[blocks.Block]:
-    yield _said(
+    yield for_people(
         "catalogue.water",
         diameter=_diameter(component.nominal_diameter),
         density=Measure("density", component.water_density),
@@ -257,7 +257,7 @@ def _rows(name: str, heading: str, rows: Sequence[_Row]) -> blocks.Table:
         of.texts(heading, "name"),
         of.texts("value", units=tuple(of.read("quantity"))),
         of.texts("conf", lambda each: each.origin.confidence if each.origin else ""),
-        of.texts("sources", lambda each: _keys(each.origin.sources) if each.origin else ""),
+        of.texts("sources", lambda each: keys(each.origin.sources) if each.origin else ""),
         only="people",
     )
 
@@ -310,7 +310,7 @@ def _family(family: Family, components: Sequence[Component]) -> Iterator[blocks.
     if family.note:
         yield blocks.Text(family.note, only="people")
     if not components:
-        yield _said("catalogue.no_sizes", **_ends(family.range))
+        yield for_people("catalogue.no_sizes", **_ends(family.range))
         return
     grades = list(dict.fromkeys(each.grade for each in components))
     said = [Message("catalogue.symbols")]
@@ -366,7 +366,7 @@ def _weights(of: Rows) -> Iterator[blocks.Column]:
 
 def _sizes_from(family: Family) -> blocks.Text:
     sizes = family.sizes
-    values = {"sources": _keys(sizes.sources), "place": sizes.place, "confidence": sizes.confidence}
+    values = {"sources": keys(sizes.sources), "place": sizes.place, "confidence": sizes.confidence}
     said = [Message("catalogue.sizes", **values)]
     if sizes.is_recalled:
         said.append(Message("catalogue.ask"))
@@ -408,7 +408,7 @@ def _explained(name: str, formula: str, origin: Provenance | Figure) -> Message:
         formula=formula,
         **_ends(origin.range),
         confidence=origin.confidence,
-        sources=_keys(origin.sources),
+        sources=keys(origin.sources),
         place=origin.place,
     )
     reason = Message("catalogue.reason", reason=origin.reason) if origin.reason else ""
@@ -426,7 +426,7 @@ def _documents(found: Found) -> Iterator[blocks.Text]:
     if found.question == "show":
         said = (_document_of(each) for each in _cited(found))
         yield blocks.Text(Several(said, "\n"), Message("columns.sources"), "people")
-    yield _said("answers.confidence")
+    yield for_people("answers.confidence")
 
 
 def _document_of(source: Source) -> Message:
@@ -453,19 +453,11 @@ def _cited(found: Found) -> Sequence[Source]:
 # ------------------------------------------------------------------ words
 
 
-def _said(key: str, **values: object) -> blocks.Text:
-    return blocks.Text(Message(key, **values), only="people")
-
-
 def _name(key: str) -> str:
     if key not in SPECS:
         return quantity_name("submerged_weight")
     words = SPECS[key].words
     return term(words[:1].upper() + words[1:])
-
-
-def _keys(sources: Iterable[Source]) -> str:
-    return ", ".join(source.key for source in sources)
 
 
 def _shortest(key: str) -> Quantity:

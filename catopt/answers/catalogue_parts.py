@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -11,6 +11,7 @@ from catopt.answers.blocks import Rows, if_known, tabulate
 from catopt.words import Cited, Message, term
 
 if TYPE_CHECKING:
+    from catopt.catalogue import Source
     from catopt.catalogue.document import Answer as Found
 
 
@@ -18,7 +19,7 @@ def parts_of(found: Found) -> Iterator[blocks.Block]:
     """Lay out what was found, kind by kind, and how to read it."""
     if found.components:
         yield _components(found)
-        yield _said("catalogue.symbols_named")
+        yield for_people("catalogue.symbols_named")
     if found.anchors:
         yield from _anchors(found)
     if found.fittings or found.missing:
@@ -46,7 +47,7 @@ def _of_strength(component: object) -> str:
     origin = component.provenance.get("MBL")  # type: ignore[attr-defined]
     if origin is None:
         return "-"
-    return f"{origin.confidence}: {', '.join(source.key for source in origin.sources)}"
+    return f"{origin.confidence}: {keys(origin.sources)}"
 
 
 def _anchors(found: Found) -> Iterator[blocks.Block]:
@@ -59,17 +60,19 @@ def _anchors(found: Found) -> Iterator[blocks.Block]:
         of.measured("tension", "holding", "ultimate_holding", symbol=""),
         of.measured("tension", "pull", "pull_by_factor", symbol=""),
         of.measured("cost", "price", "price_material_only", symbol=""),
-        of.texts("sources", lambda each: f"{each.confidence}: {_keys(each.sources)}"),
+        of.texts("sources", lambda each: f"{each.confidence}: {keys(each.sources)}"),
     )
     ranges = {each.anchor: each for each in found.anchors}
     for each in ranges.values():
         low, high = (f"{end:g}" for end in each.sold)
         factor = f"{each.safety_factor:g}"
-        yield _said("catalogue.anchor_sold", anchor=each.anchor, low=low, high=high, factor=factor)
+        yield for_people(
+            "catalogue.anchor_sold", anchor=each.anchor, low=low, high=high, factor=factor
+        )
         if each.note:
             yield blocks.Text(each.note, only="people")
     if any(each.confidence == "R" for each in found.anchors):
-        yield _said("catalogue.anchor_recalled")
+        yield for_people("catalogue.anchor_recalled")
 
 
 def _fittings(found: Found) -> Iterator[blocks.Block]:
@@ -87,7 +90,7 @@ def _fittings(found: Found) -> Iterator[blocks.Block]:
             *if_known(of.measured(blocks.in_si(blocks.named("mass", "m"), 2), "mass")),
             *if_known(of.measured("mass", "WLL", "working_load_limit", symbol="WLL")),
             *if_known(of.measured("cost", "price", "price_material_only", symbol="")),
-            of.texts("sources", lambda each: f"{each.confidence}: {_keys(each.sources)}"),
+            of.texts("sources", lambda each: f"{each.confidence}: {keys(each.sources)}"),
         )
         for note in dict.fromkeys(each.note for each, _ in pairs if each.note):
             yield blocks.Text(note, only="people")
@@ -107,7 +110,7 @@ def _sinkers(found: Found) -> Iterator[blocks.Block]:
         of.texts("conf", "confidence"),
     )
     first = found.sinkers[0]
-    yield _said(
+    yield for_people(
         "catalogue.sinker",
         material=term(first.material),
         mass=f"{first.mass / 1e3:g}",
@@ -124,9 +127,11 @@ def _kilopascals(pressure: float | None) -> Cited:
     return Cited("-" if pressure is None else f"{pressure / 1e3:g} kPa")
 
 
-def _keys(sources: tuple[object, ...]) -> str:
-    return ", ".join(source.key for source in sources)  # type: ignore[attr-defined]
+def keys(sources: Iterable[Source]) -> str:
+    """List the keys of sources."""
+    return ", ".join(source.key for source in sources)
 
 
-def _said(key: str, **values: object) -> blocks.Text:
+def for_people(key: str, **values: object) -> blocks.Text:
+    """Say a text that is for people alone."""
     return blocks.Text(Message(key, **values), only="people")

@@ -112,14 +112,15 @@ def _brief(block: Brief, lines: int, language: Language) -> list[str]:
     """Say as much as there is room for, and how much more there is."""
     said = [say(each, language).rstrip(".") for each in block.said]
     for count in range(len(said), 0, -1):
-        text = "; ".join(said[:count])
-        if count < len(said):
-            more = Message("answers.and_more", said=text, count=len(said) - count)
-            text = say(more, language)
+        text = _counted("; ".join(said[:count]), len(said) - count, language)
         whole = folded(_labelled(block, text, language))
         if len(whole) <= lines:
             return whole
     return _cut(_labelled(block, said[0], language), lines, len(said) - 1, language)
+
+
+def _counted(said: str, count: int, language: Language) -> str:
+    return say(Message("answers.and_more", said=said, count=count), language) if count else said
 
 
 def _labelled(block: Brief, text: str, language: Language) -> str:
@@ -132,11 +133,8 @@ def _labelled(block: Brief, text: str, language: Language) -> str:
 
 def _cut(text: str, lines: int, count: int = 0, language: Language = "en") -> list[str]:
     """Fold a text, and leave words out from its end on until it has so many lines."""
-    whole, words = folded(text), text.split()
+    words, whole = text.split(), folded(_counted(text, count, language))
     while len(whole) > lines and len(words) > 1:
         words.pop()
-        kept = f"{' '.join(words)} {_CUT}"
-        if count:
-            kept = say(Message("answers.and_more", said=kept, count=count), language)
-        whole = folded(kept)
+        whole = folded(_counted(f"{' '.join(words)} {_CUT}", count, language))
     return whole or [""]

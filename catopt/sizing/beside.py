@@ -66,7 +66,11 @@ def practice(request: BuoyRequest | TankerRequest, settled: Settled) -> Practice
     diameter, length = point_diameter(settled.point), settled.point.line.length
     env = request.environment
     if isinstance(request, TankerRequest):
-        ship = request.ships[0].ship
+        # The equipment number is that of the loaded ship.
+        loaded = [each.ship for each in request.ships if each.condition == "loaded"]
+        if not loaded:
+            return None
+        (ship, *_) = loaded
         return practice_of_ship(
             diameter,
             length,

@@ -27,7 +27,7 @@ _HEADINGS: Final = 4
 
 _GOLDEN: Final = (math.sqrt(5.0) - 1.0) / 2.0
 _SECTIONS: Final = 12
-"""Golden sections: to a thousandth of a sample's step, about which a largest value is level."""
+"""Golden sections: to a hundredth of a sample's step, about which a largest value is level."""
 
 
 class BodyState(NamedTuple):

@@ -65,7 +65,7 @@ class Sizing(Shown):
     inputs: tuple[ReadInput, ...] = ()  # all that was known, as it was read
     departures: tuple[str, ...] = ()  # from the method of the code that it is checked by
     practice: str = ""  # the recommendation beside what is laid
-    chain_life: float | None = None  # until the first check is overrun by wear, s
+    chain_life: float | None = None  # until wear has it changed, s: `advice` says why
     fittings: tuple[str, ...] = ()  # shackles, swivels and the like that go with the line
     advice: tuple[str, ...] = ()  # what a code asks for beyond the checks
 
@@ -137,7 +137,9 @@ class Sizing(Shown):
             return Message("sizing.least_swing")
         if prefer == "practice":
             aim, length = self.settled.choice.aim, self.point.line.length
-            return Message("sizing.practice" if length <= aim else "sizing.shortest", aim=aim)
+            if length <= aim:
+                return Message("sizing.practice", aim=aim)
+            return Message("sizing.shortest")
         if prefer == "balanced":
             aim = self.settled.choice.aim
             is_short = self.point.objectives["offset_m"] <= aim

@@ -299,13 +299,13 @@ def _pattern(request: TankerRequest, posed: Posed, point: DesignPoint) -> Patter
 
 def _swing(request: TankerRequest, settled: Settled, around: Pattern | None) -> SwingRadius:
     """Add up how far the stern swings round the anchor, or round the middle of the pattern."""
-    at_low = {each.load_case for each in settled.posed.loads if each.water == "low"}
     if around is not None:
         widest = largest(around.states, lambda state: state.line_out.offset)
         first = (Message("sizing.offset_line_out"), widest.line_out.offset)
         name = widest.load_case
     else:
         every = settled.point.checks.solutions
+        at_low = {each.load_case for each in settled.posed.loads if each.water == "low"}
         low = {*at_low, *map(worn_name, at_low)}
         there = [each for each in every if each[0] in low]
         name, solution = largest(there or every, lambda each: each[1].span)

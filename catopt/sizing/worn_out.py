@@ -1,4 +1,4 @@
-"""How far a chain may wear until a check first fails, and when that is."""
+"""How far a chain may wear until a check first fails."""
 
 from __future__ import annotations
 

@@ -55,7 +55,7 @@ class FirstOrder:
     passing the limit; `point`: where it is most likely passed: values in SI by key path;
     `importance`: share of each in beta squared; `others`: further such points, with the index of
     each; `sampled`: probability by draws around all of them, and `interval` of it (95 %); None
-    where members are not solved in bulk.
+    where members are not solved in bulk, or where the line has no answer at one of the draws.
     """
 
     index: float
@@ -199,12 +199,15 @@ def _nearest(room: Callable[[Array], Array], start: Array) -> Array | None:
 
 def _sampled(
     room: Callable[[Array], Array], points: list[Array], is_passed: bool
-) -> tuple[float, tuple[float, float]]:
-    """Draw around points and weigh each draw by how likely it is; the probability, 95 % of it.
+) -> tuple[float, tuple[float, float]] | tuple[None, None]:
+    """Draw around points and weigh each draw by how likely it is; the probability, and `COVERAGE`.
 
-    Half of the draws are of the distribution itself, so that no weight is above 2.
+    Half of the draws are of the distribution itself, so that no weight is above 2. None where a
+    draw has no answer, which neither keeps nor passes the limit.
     `is_passed`: at the medians, so that what is rare is to keep the limit.
     """
+    from scipy.special import ndtri
+
     rng = np.random.default_rng(0)
     keys = len(points[0])
     middles = np.array([*([np.zeros(keys)] * len(points)), *points])
@@ -212,9 +215,11 @@ def _sampled(
     apart = np.stack([draws @ middle - 0.5 * middle @ middle for middle in middles])
     weights = 1.0 / np.mean(np.exp(apart), axis=0)
     left = room(draws)
+    if not np.isfinite(left).all():
+        return None, None
     counted = np.where(left > 0.0 if is_passed else left < 0.0, weights, 0.0)
     share = float(counted.mean())
-    half = 1.96 * float(counted.std()) / math.sqrt(_SAMPLES)
+    half = float(ndtri(0.5 * (1.0 + COVERAGE))) * float(counted.std()) / math.sqrt(_SAMPLES)
     low, high = max(share - half, 0.0), min(share + half, 1.0)
     return (1.0 - share, (1.0 - high, 1.0 - low)) if is_passed else (share, (low, high))
 

@@ -191,10 +191,21 @@ def test_a_limit_passed_either_way_has_two_points() -> None:
     starts = [np.array([2.0, 0.5]), np.array([0.3, -2.2])]
     for start, point in zip(starts, points, strict=True):
         assert _nearest(room, start) == pytest.approx(point, abs=1e-6)
-    share, (low, high) = _sampled(room, points, False)
+    share, interval = _sampled(room, points, False)
+    assert share is not None
+    assert interval is not None
+    low, high = interval
     exact = 1.0 - float(norm.cdf(2.0) * norm.cdf(2.2))
     assert low < exact < high
     assert low < share < high < 1.2 * exact
+
+
+@pytest.mark.parametrize("is_passed", [False, True])
+def test_draws_without_an_answer_are_counted_neither_way(is_passed: bool) -> None:
+    def room(u: np.ndarray) -> np.ndarray:
+        return np.where(u[:, 0] > 1.0, np.nan, 2.0 - u[:, 0])
+
+    assert _sampled(room, [np.array([2.0, 0.0])], is_passed) == (None, None)
 
 
 def test_why_there_is_no_index_is_said(tmp_path: Path) -> None:
