@@ -167,7 +167,8 @@ Each open source that can be cloned is read again by `python -m tests.catalogue.
 compared, number by number, with every entry that names it; a figure that was changed since asks to
 be read again, and a test fails on one that contradicts its source. Sources that are pages of the
 web or scans are not read by machine: they were read by eye. *Origins* counts documents that do not
-go back to each other: B takes two, or one and a check by numbers.
+go back to each other: B takes two, or one and a check by numbers. Of a program (MPO, DDJ, DDJR,
+BEM) a number is only looked for among all that it has, at any power of ten: a weaker check.
 """
 
 NOT_READ = "not read by machine"

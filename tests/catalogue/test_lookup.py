@@ -83,7 +83,6 @@ def test_what_is_no_name_gets_an_example(name: object) -> None:
 OUTSIDE_THE_DEFAULT = {
     "polyester": {0.022: {"all": "superline"}},
     "HMPE": {0.012: {"all": "moorpy"}, 0.2: {"all": "moorpy"}},
-    "chain short-link": {},
 }
 """Ends of a family that only figures reach which are asked for by name."""
 

@@ -64,7 +64,8 @@ def test_the_soils_are_navfac_s() -> None:
     assert (other.soil, other.low, other.high) == ("IALA default", 1.0, 1.0)
     for name, (low, _) in PRECAST.items():
         friction, source = friction_of(name)
-        assert friction == low
+        sure = "A" if name in ("hard clay", "stiff clay") else "B"
+        assert (friction, source.confidence) == (low, sure)
         assert "foundations on land" in source.text
         assert friction_of(name, "concrete cast in place") == (
             CAST[name][0],
@@ -118,14 +119,15 @@ def test_steel_and_cast_iron() -> None:
     for name, value in STEEL.items():
         friction, source = friction_of(name, "steel")
         assert (friction, source.confidence) == (value, "B")
-        assert friction_of(name, "cast iron") == (value, friction_of(name, "cast iron")[1])
+        iron, of_iron = friction_of(name, "cast iron")
+        assert (iron, of_iron.confidence) == (value, "C")
         assert value <= PRECAST[name][0]
     with pytest.raises(InputError, match="no figure for steel"):
         size_sinker(10e3, soil="hard clay", material="steel")
     # 10 kN by 0.5 and 1.5 are 30 kN in water: 30e3/g/(1 - 1025/7320) kg.
-    iron = size_sinker(10e3, friction=0.5, material="cast iron")
-    assert iron.density == 7320.0
-    assert iron.needed_mass == pytest.approx(30e3 / G / (1.0 - 1025.0 / 7320.0), rel=ROUNDING)
+    size = size_sinker(10e3, friction=0.5, material="cast iron")
+    assert size.density == 7320.0
+    assert size.needed_mass == pytest.approx(30e3 / G / (1.0 - 1025.0 / 7320.0), rel=ROUNDING)
 
 
 def test_mud_holds_by_adhesion() -> None:

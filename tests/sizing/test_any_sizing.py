@@ -152,4 +152,6 @@ def test_no_sizing_of_two_hundred_does() -> None:
 def test_no_line_beside_a_recommended_one_fails_a_check(number: int) -> None:
     draw = random.Random(number)
     of = sized(drawn_buoy(draw) if number % 2 else drawn_ship(draw), 1.0)
-    assert of is None or (of.alternatives != () and is_kept(of))
+    assert of is not None
+    assert of.alternatives
+    assert is_kept(of)

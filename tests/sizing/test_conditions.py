@@ -2,25 +2,23 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import pytest
 
 from catopt.errors import InputError
-from catopt.sizing.known import known
 from catopt.sizing.posed import Assumed
-from catopt.sizing.requests import request_of
 from catopt.sizing.tanker import pose_tanker
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.words import is_said, say
 
+from .test_what_people_know import requested
+
 SHIP: dict[str, object] = {"dwt": "50000 t", "depth": "20 m"}
 
 
-def asked(**more: object) -> TankerRequest:
-    request = request_of(known("tanker", {**SHIP, **more}))
-    assert isinstance(request, TankerRequest)
-    return request
+asked = partial(requested, **SHIP)
 
 
 def draughts(of: TankerRequest) -> dict[str, float]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -10,13 +11,13 @@ from catopt.errors import InputError
 from catopt.loads.ship_coefficients import SQUARE_ENDED
 from catopt.sizing.environment import mean_over
 from catopt.sizing.file import read_sizing
-from catopt.sizing.known import known
 from catopt.sizing.posed import Assumed
-from catopt.sizing.requests import request_of
 from catopt.sizing.service_type import SERVICE_TYPES, ServiceType, demands, left_out
 from catopt.sizing.tanker import pose_tanker
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.words import is_said, say
+
+from .test_what_people_know import requested
 
 HULL: dict[str, object] = {"length": 60.0, "breadth": 18.0, "draught": 3.5, "depth": 20.0}
 HEAD = """
@@ -45,10 +46,7 @@ yaw = [0, 0]
 """
 
 
-def asked(**more: object) -> TankerRequest:
-    request = request_of(known("tanker", {**HULL, **more}))
-    assert isinstance(request, TankerRequest)
-    return request
+asked = partial(requested, **HULL)
 
 
 def told(**more: object) -> dict[str, str]:
