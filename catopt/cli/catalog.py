@@ -172,6 +172,7 @@ def sinker(
 ) -> None:
     """Show what a sinker holds on each soil."""
     from catopt.loads.held import sinkers_held
+    from catopt.loads.sinker import AS_CLAY
 
     values = in_si(
         {
@@ -185,7 +186,7 @@ def sinker(
         held = sinkers_held(
             values["MASS"], material, base_area=values.get("--base-area"), **density
         )
-    named = "soft clay" if soil is not None and soil.casefold() in {"mud", "soft mud"} else soil
+    named = soil if soil is None else AS_CLAY.get(soil.casefold(), soil)
     own = [
         each for each in held if named is None or named in each.soil.split() or named == each.soil
     ]

@@ -116,8 +116,11 @@ ADHESION: Final = MappingProxyType(
 )
 """Clays by name."""
 
-_MUD: Final = frozenset({"mud", "soft mud", "soft clay"})
-"""What practice calls the clay that holds by its adhesion, not by a share of the weight."""
+AS_CLAY: Final = MappingProxyType({"mud": "soft clay", "soft mud": "soft clay"})
+"""Soils by names of practice; soft clay has the lowest figures."""
+
+MUD: Final = (*AS_CLAY, "soft clay")
+"""Soils that hold a sinker by adhesion, not by a share of its weight: no table has a friction."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -168,7 +171,7 @@ def friction_of(
     by a share of its weight (`adhesion_holding`): measure, and give a friction.
     """
     found = Findings("sinker")
-    if soil in _MUD:
+    if soil in MUD:
         low, high = (f"{each / 1e3:g}" for each in ADHESION["soft clay"].concrete)
         found.add("soil", repr(soil), Message("loads.mud", low=low, high=high))
     elif soil not in SOIL_FRICTION:
@@ -191,7 +194,7 @@ def adhesion_holding(
     counts, times the area; neither the weight nor what the sinker sinks in adds to it.
     """
     found = Findings("sinker")
-    name = "soft clay" if soil in _MUD else soil
+    name = AS_CLAY.get(soil, soil)
     if name not in ADHESION:
         found.add("soil", repr(soil), f"one of {', '.join(ADHESION)}, mud")
     found.number("base_area", base_area, "m^2", above=0.0)

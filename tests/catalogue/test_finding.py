@@ -65,7 +65,10 @@ def test_how_a_query_is_read() -> None:
     [
         ("polyestr 160", 'did you mean "polyester" for "polyestr"'),
         ("chain studless 300", "not in this size: chain studless from 19 mm to 185 mm"),
-        ("shackle 20", "not in this size: bow shackle: 17 sizes from 22 mm to 150 mm; joining shackle"),
+        (
+            "shackle 20",
+            "not in this size: bow shackle: 17 sizes from 22 mm to 150 mm; joining shackle",
+        ),
         ("shackle 1/0", "nothing goes by that name; catopt catalog list has the families"),
         ("zzzzzz", "nothing goes by that name; catopt catalog list has the families"),
     ],
