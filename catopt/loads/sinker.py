@@ -159,12 +159,7 @@ def holding_force(weight: float, vertical_force: float, friction: float) -> floa
     return max(0.0, friction * (weight - vertical_force))
 
 
-def friction_of(
-    soil: str,
-    material: Material = "concrete",
-    *,
-    allow_recalled: bool = False,  # noqa: ARG001 - none of the figures is recalled any more
-) -> tuple[float, LoadSource]:
+def friction_of(soil: str, material: Material = "concrete") -> tuple[float, LoadSource]:
     """Lower friction coefficient of a soil, a key of `SOIL_FRICTION`, with its source.
 
     A soil without a figure is refused. Mud and soft clay hold a sinker by adhesion on its base, not
@@ -215,7 +210,6 @@ def size_sinker(
     safety_factor: float = SAFETY_FACTOR,
     water_density: float = SEA_WATER_DENSITY,
     series: Sequence[float] = SINKER_MASSES,
-    allow_recalled: bool = False,
 ) -> SinkerSize:
     """Pick the next size that does not slide: mu (W - V) >= SF H, W in water.
 
@@ -232,7 +226,7 @@ def size_sinker(
     _check(horizontal_force, vertical_force, soil, friction, safety_factor)
     source: LoadSource | None = None
     if soil is not None:
-        mu, source = friction_of(soil, material, allow_recalled=allow_recalled)
+        mu, source = friction_of(soil, material)
     else:
         assert friction is not None
         mu = friction

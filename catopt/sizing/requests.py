@@ -427,15 +427,15 @@ def _preference(of: Known, line: LineChoice | None) -> dict[str, Any]:
 
 def _ground(of: Known) -> DragGround | SinkerGround | None:
     """Make what holds the line: a sinker, or of a tanker a drag anchor by its kind."""
-    recalled = bool(of["recalled"])
     if of.moored == "tanker" and of["anchor"] != SINKER:
         soil = AS_CLAY.get(of["soil"], of["soil"])
+        recalled = bool(of["recalled"])
         return of.telling.make(partial(DragGround, of["anchor"], soil, allow_recalled=recalled))
     soil = of["soil"] or (None if of["friction"] is not None else _soil_of(of["code"]))
     if soil in MUD and _soil_of(of["code"]) == CALMAR_SOIL:
         soil = CALMAR_SOIL  # which the code has for any ground
     figures = soil, of["friction"], of["sinker"], of["sinker_density"]
-    return of.telling.make(partial(SinkerGround, *figures, allow_recalled=recalled))
+    return of.telling.make(partial(SinkerGround, *figures))
 
 
 def _soil_of(code: str) -> str:
