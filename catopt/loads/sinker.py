@@ -13,6 +13,7 @@ from catopt.loads.sizes import SINKER_MASSES, NextSize, neighbours, next_size
 from catopt.loads.source import CALMAR, NAVFAC, LoadSource
 from catopt.model.anchor import sinker_needed
 from catopt.model.validity import Findings
+from catopt.units import as_written
 from catopt.words import Message, term
 
 Material = Literal["concrete", "concrete cast in place", "steel", "cast iron"]
@@ -172,7 +173,7 @@ def friction_of(soil: str, material: Material = "concrete") -> tuple[float, Load
     elif soil not in SOIL_FRICTION:
         listed = "; ".join(SOIL_FRICTION)
         found.add("soil", repr(soil), f"one of {listed}; for others, soft mud too, give friction")
-    _check_material(found, material)
+    check_material(found, material)
     of = SOIL_FRICTION[soil].of(material)
     if of is None:
         refused = Problem("soil", repr(soil), f"no figure for {material} on it: give friction")
@@ -193,7 +194,7 @@ def adhesion_holding(
     if name not in ADHESION:
         found.add("soil", repr(soil), f"one of {', '.join(ADHESION)}, mud")
     found.number("base_area", base_area, "m^2", above=0.0)
-    _check_material(found, material)
+    check_material(found, material)
     row = ADHESION[name]
     low, _ = row.steel if material in ("steel", "cast iron") else row.concrete
     return low * base_area, row.source
@@ -231,7 +232,7 @@ def size_sinker(
         assert friction is not None
         mu = friction
     if density is None:
-        _check_material(Findings("sinker"), material)
+        check_material(Findings("sinker"), material)
     rho = DENSITIES[material] if density is None else density
     _check_density(rho, water_density)
     weight = sinker_needed(horizontal_force, vertical_force, mu, safety_factor)
@@ -263,10 +264,10 @@ _SINKERS: Final = {
 }
 
 
-def _check_material(found: Findings, material: str) -> None:
+def check_material(found: Findings, material: str) -> None:
     """Raise InputError for what was found, and for an unknown material."""
     if material not in DENSITIES:
-        found.add("material", repr(material), f"one of {', '.join(DENSITIES)}")
+        found.add("material", as_written(material), f"one of {', '.join(DENSITIES)}")
     found.raise_if_any()
 
 
