@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final, TypeAlias
 
 from catopt.catalogue.anchors import AnchorType, anchor_types
@@ -21,9 +21,9 @@ from catopt.catalogue.names import nearest, words_of
 from catopt.catalogue.standard import standard
 from catopt.errors import InputError, Problem
 from catopt.units import as_written
-from catopt.words import LANGUAGES, Message, say
+from catopt.words import LANGUAGES, Message, Several, say, term
 
-_NUMBER = r"(\d+(?:[.,]\d+)?|\d+/\d+)"
+_NUMBER = r"(\d+(?:[.,]\d+)?|\d+/0*[1-9]\d*)"
 _SIZE: Final = re.compile(rf'(?:dn|ø)?{_NUMBER}(mm|cm|in|")?')
 _MASS: Final = re.compile(rf"{_NUMBER}(t|kg|tonnes?|tan)")
 _APART: Final = re.compile(
@@ -62,7 +62,7 @@ SOILS: Final[Mapping[str, str]] = {
 """Soils of a drag anchor by what people call them; of clays that are not named the softest."""
 
 MOST_ROWS: Final = 60
-"""Rows of an answer; whoever names less than that allows is asked for a size or a grade."""
+"""Rows of components and of fittings in an answer; `Found.left_out` counts what is beyond."""
 
 
 _Asked: TypeAlias = tuple[Family, tuple[str | None, ...]]
@@ -89,6 +89,8 @@ class Found:
     components: tuple[Component, ...]
     anchors: tuple[AnchorType, ...]
     fittings: tuple[Fitting, ...]
+    left_out: int = 0
+    """Components and fittings beyond `MOST_ROWS` of each, which a size or a grade would show."""
 
 
 def find(text: str, among: Catalogue | None = None) -> Found:
@@ -110,7 +112,8 @@ def find(text: str, among: Catalogue | None = None) -> Found:
     ]
     if not (components or anchors or parts):
         raise InputError([_problem(text, query, families, catalogue)], "catalogue")
-    return Found(query, tuple(components[:MOST_ROWS]), anchors, parts[:MOST_ROWS])
+    left_out = sum(max(len(each) - MOST_ROWS, 0) for each in (components, parts))
+    return Found(query, tuple(components[:MOST_ROWS]), anchors, parts[:MOST_ROWS], left_out)
 
 
 def read_query(text: str) -> Query:
@@ -202,6 +205,16 @@ _HALF_A_MM = 0.5e-3
 """A fitting is looked up by the size printed, in whole mm."""
 
 
+def _sizes_of(parts: Iterable[Fitting]) -> Iterator[Message]:
+    """Say of each fitting how many sizes it has, and between which."""
+    by_name: dict[str, list[float]] = {}
+    for each in parts:
+        by_name.setdefault(each.name, []).append(each.size)
+    for name, sizes in by_name.items():
+        ends = {"low": in_mm(min(sizes)), "high": in_mm(max(sizes))}
+        yield Message("catalogue.sizes_of", name=term(name), count=len(sizes), **ends)
+
+
 def _problem(
     text: str,
     query: Query,
@@ -209,10 +222,14 @@ def _problem(
     catalogue: Catalogue,
 ) -> Problem:
     """Say why nothing was found, with the nearest."""
-    if families and query.size is not None:
-        known = "; ".join(f"{family.name} {family.known_range}" for family, _ in families)
-        allowed = Message("catalogue.not_this_size", known=known)
-        return Problem("size", in_mm(query.size), allowed)
+    if query.size is not None:
+        known = [
+            *(f"{family.name} {family.known_range}" for family, _ in families),
+            *_sizes_of(_fittings(replace(query, size=None))),
+        ]
+        if known:
+            allowed = Message("catalogue.not_this_size", known=Several(known, "; "))
+            return Problem("size", in_mm(query.size), allowed)
     things: tuple[Family | AnchorType | Fitting, ...]
     things = (*catalogue.families, *anchor_types(), *fittings())
     every = {word for each in things for word in _words(each.name, each.title, each.also)}

@@ -8,6 +8,7 @@ from functools import cache
 from types import MappingProxyType
 from typing import Final
 
+from catopt.catalogue.family import in_mm
 from catopt.catalogue.figure import Confidence, Source
 from catopt.catalogue.parts import cited, read_own
 from catopt.catalogue.table import Table
@@ -115,8 +116,13 @@ def fittings_for(component: str, diameter: float, MBL: float) -> FittingSet:
         if strong:
             found[use] = min(strong, key=lambda each: (each.MBL, each.size))
             continue
-        strongest = max(each.MBL for each in of_kind)
         values = {"kind": term(use), "needed": Measure("MBL", MBL)}
+        thin = [each.size for each in of_kind if each.MBL >= MBL]
+        if thin:
+            sizes = {"largest": in_mm(max(thin)), "diameter": in_mm(diameter)}
+            missing[use] = Message("catalogue.no_fitting_for", **sizes, **values)
+            continue
+        strongest = max(each.MBL for each in of_kind)
         missing[use] = Message(
             "catalogue.no_fitting", strongest=Measure("MBL", strongest), **values
         )

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cache
 from importlib.resources import files
 from typing import Any
 
@@ -19,12 +18,7 @@ def read_own(
     """Open one of catopt's own data files, with what is wrong with it and the sources by key."""
     text = files("catopt.catalogue").joinpath("data", name).read_text(encoding="utf-8")
     document, findings = Table.of_file(text, f"catopt's {name}", schema, keys)
-    return document, findings, _sources()
-
-
-@cache
-def _sources() -> dict[str, Source]:
-    return own_sources()
+    return document, findings, own_sources()
 
 
 def cited(table: Table, sources: dict[str, Source]) -> dict[str, Any]:

@@ -1,6 +1,6 @@
-"""What makers and authorities lay, what ships carry and how fast chain wears.
+"""What makers lay, what ships carry and when used chain is discarded.
 
-It stands beside what is recommended. Lengths are in m and masses in kg, wear in m/s.
+It stands beside what is recommended. Lengths are in m and masses in kg.
 """
 
 from __future__ import annotations
@@ -8,20 +8,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Any, Final, Literal, get_args
+from typing import Any, Final
 
 from catopt.catalogue.figure import RECALLED, Confidence, Source
-from catopt.constants import YEAR
 from catopt.model.validity import Findings
 from catopt.units import UNITS, Dimension
 from catopt.words import Cited, Listed, Message, Several, Told
-
-WearZone = Literal["splash", "riser", "chafe", "ground"]
-"""The top at the water surface; what hangs; where it is laid down and lifted; what always lies."""
-
-ZONES: Final[tuple[WearZone, ...]] = get_args(WearZone)
-
-Worn = Literal["buoy", "ship"]
 
 SCHEMA: Final = "catopt.practice/1"
 
@@ -69,17 +61,6 @@ class LaidForBuoy:
 
 
 @dataclass(frozen=True)
-class ChainRange:
-    """Smallest and largest chain, m, that an authority lays for its buoy."""
-
-    buoy: str
-    buoy_diameter: float
-    least: float
-    most: float
-    origin: Origin
-
-
-@dataclass(frozen=True)
 class EquipmentRow:
     """Anchors and cable of ships of an equipment number."""
 
@@ -104,18 +85,6 @@ class Equipment:
     def decides(self) -> bool:
         """Whether its row was read."""
         return self.row is not None and not self.row.origin.is_recalled
-
-
-@dataclass(frozen=True)
-class WearRate:
-    """Loss of nominal diameter in a zone, m/s, from the least to the largest that is said."""
-
-    zone: WearZone
-    least: float
-    most: float
-    is_default: bool  # what is taken unless another is named
-    origin: Origin
-    note: str  # of what, and what else is said there
 
 
 @dataclass(frozen=True)
@@ -200,20 +169,6 @@ def _is_for(scope: Mapping[str, float], depth: float, knots: float) -> bool:
     below = scope.get("below_kn")
     is_slow = knots < below if below is not None else knots <= scope["up_to_kn"] + _ROUNDING
     return is_slow and depth <= scope["depth_m"]
-
-
-def chain_ranges() -> tuple[ChainRange, ...]:
-    """List the smallest and largest chain that authorities lay, by their buoys."""
-    return tuple(
-        ChainRange(
-            each["buoy"],
-            each["diameter_m"],
-            least=each["chain_mm"][0] * _MM,
-            most=each["chain_mm"][1] * _MM,
-            origin=_origin(each),
-        )
-        for each in _data()["chain_range"]
-    )
 
 
 def practice_of_buoy(
@@ -356,28 +311,7 @@ def practice_of_ship(
     return Practice(said, equipment=own)
 
 
-# ------------------------------------------------------------------ wear
-
-
-def wear_rates(of: Worn) -> tuple[WearRate, ...]:
-    """List what is known of wear for buoys or for ships, by zone; one of a zone is the default."""
-    return tuple(
-        WearRate(
-            each["zone"],
-            least=each["mm_a_year"][0] * _MM / YEAR,
-            most=each["mm_a_year"][1] * _MM / YEAR,
-            is_default=each["default"],
-            origin=_origin(each),
-            note=_said(each["note"]),
-        )
-        for each in _data()["wear"]
-        if of in each["of"]
-    )
-
-
-def wear_rate(of: Worn, zone: WearZone) -> WearRate:
-    """Look up what is taken for a zone unless another rate is named."""
-    return next(each for each in wear_rates(of) if each.zone == zone and each.is_default)
+# ------------------------------------------------------------------ used chain
 
 
 def condition() -> Condition:

@@ -6,6 +6,7 @@ import math
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import cache
 from importlib.resources import files
 from pathlib import Path
 
@@ -39,6 +40,7 @@ def read_standard() -> Catalogue:
     return Catalogue(tuple(families))
 
 
+@cache
 def own_sources() -> dict[str, Source]:
     """Read the documents that catopt's own data files name, by key."""
     text = files("catopt.catalogue").joinpath("data", _OWN[0]).read_text(encoding="utf-8")

@@ -16,6 +16,7 @@ from catopt.cli.options import ForceOption, LengthOption, TablesOutOption
 from catopt.cli.values import by_option, given_ones, in_si, refuse
 from catopt.errors import InputError, NoAnswerError, Problem
 from catopt.units import Dimension, as_written
+from catopt.words import Message, say
 
 if TYPE_CHECKING:
     from catopt.catalogue import Catalogue, Component
@@ -102,9 +103,10 @@ def find(
         held = anchors_held(fitting or found.anchors, query.soil, query.mass, allow_recalled=True)
     of = {component.family for component in found.components}
     theirs = tuple(each for each in known.families if each.name in of)
-    _give(
-        asked, "find", theirs, found.components, anchors=held, fittings=found.fittings
-    )  # fmt: skip
+    _give(asked, "find", theirs, found.components, anchors=held, fittings=found.fittings)
+    if found.left_out:
+        more = Message("catalogue.left_out", count=found.left_out)
+        asked.output.note(f"note: {say(more, asked.language)}")
 
 
 @catalog.command(cls=WithWords)
@@ -170,6 +172,7 @@ def sinker(
 ) -> None:
     """Show what a sinker holds on each soil."""
     from catopt.loads.held import sinkers_held
+    from catopt.loads.sinker import AS_CLAY
 
     values = in_si(
         {
@@ -183,7 +186,7 @@ def sinker(
         held = sinkers_held(
             values["MASS"], material, base_area=values.get("--base-area"), **density
         )
-    named = "soft clay" if soil is not None and soil.casefold() in {"mud", "soft mud"} else soil
+    named = soil if soil is None else AS_CLAY.get(soil.casefold(), soil)
     own = [
         each for each in held if named is None or named in each.soil.split() or named == each.soil
     ]

@@ -142,7 +142,7 @@ def buoy_loads(
         tuple(components),
         (
             Message("loads.one_side"),
-            _speeds(wind, current, sea, levels.high, wave_height),
+            _speeds(speed, wind, current, sea, levels.high, wave_height),
             *in_what,
             *departures,
             _afloat(floating),
@@ -216,9 +216,14 @@ def _check(
 
 
 def _speeds(
-    wind: Wind, current: SurfaceCurrent, sea: SeaState, depth: float, wave_height: WaveHeight
+    speed: float,
+    wind: Wind,
+    current: SurfaceCurrent,
+    sea: SeaState,
+    depth: float,
+    wave_height: WaveHeight,
 ) -> str:
-    speed = surface_speed(wind, current, sea, depth, wave_height)
+    """Say what the speed of the surface, m/s, consists of."""
     orbital = _wave_speed(sea, depth, wave_height)
     driven = speed - current.speed - orbital
     values = {"speed": speed, "tide": current.speed, "wind": wind.speed, "driven": driven}

@@ -424,11 +424,6 @@ class Floating:
         """Area of the waterline, m2."""
         return self.shape.waterplane_at(self.draught)
 
-    @property
-    def waterline_diameter(self) -> float:
-        """Of a circle with the area of the waterline, m."""
-        return 2.0 * math.sqrt(self.waterplane_area / math.pi)
-
     def hull_area_in_water(self, growth: float = 0.0) -> float:
         """Seen by the current: hull and structure, m2, with a marine growth (m) all round."""
         return self.shape.outline(high=self.draught) + 2.0 * growth * self.keel_depth

@@ -8,7 +8,7 @@ from typing import cast
 
 from catopt.catalogue.anchors import AnchorType, anchor_types
 from catopt.catalogue.figure import Confidence, Source
-from catopt.catalogue.names import nearest, words_of
+from catopt.catalogue.names import meant, words_of
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import InputError, Problem
 from catopt.loads.drag_anchor import default_factor, holding_capacity
@@ -20,8 +20,10 @@ from catopt.loads.sinker import (
     SOIL_FRICTION,
     Material,
     adhesion_holding,
+    check_material,
     submerged_weight,
 )
+from catopt.model.validity import Findings
 from catopt.units import as_written
 
 
@@ -83,12 +85,8 @@ def named_anchors(name: str) -> tuple[AnchorType, ...]:
     exact = [e for e in every.values() if asked in [set(words_of(n)) for n in (e.name, *e.also)]]
     if exact:
         return tuple(exact[:1])
-    near = nearest(name, every)
-    hint = f"; did you mean {near}?" if near else ""
-    raise InputError(
-        [Problem("anchor", as_written(name), f"one of {'; '.join(every)} is wanted{hint}")],
-        "catalogue",
-    )
+    wanted = f"one of {'; '.join(every)} is wanted{meant(name, every)}"
+    raise InputError([Problem("anchor", as_written(name), wanted)], "catalogue")
 
 
 def anchors_held(
@@ -146,9 +144,10 @@ def sinkers_held(
 
     The mass is in air, kg; the area of the base, m2, counts in clay alone.
     """
-    if material not in DENSITIES:
-        listed = f"one of {', '.join(DENSITIES)}"
-        raise InputError([Problem("material", as_written(material), listed)], "sinker")
+    found = Findings("sinker")
+    if base_area is not None:
+        found.number("base_area", base_area, "m^2", above=0.0)
+    check_material(found, material)
     material = cast("Material", material)
     weight = submerged_weight(mass, DENSITIES[material], water_density)
     rows = []
@@ -160,7 +159,7 @@ def sinkers_held(
             rows.append(SinkerHeld(material, soil, mass, weight, mu, None, mu * weight, *origin))
     for soil in ADHESION:
         adhesion, source = adhesion_holding(soil, 1.0, material)
-        total = None if base_area is None else adhesion_holding(soil, base_area, material)[0]
+        total = None if base_area is None else adhesion * base_area
         origin = source.text, source.confidence
         rows.append(SinkerHeld(material, soil, mass, weight, None, adhesion, total, *origin))
     return tuple(rows)

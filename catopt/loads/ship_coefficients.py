@@ -52,6 +52,10 @@ class CoefficientTable:
     density: float | None = None  # kg/m3, that it was made for; None: that of the method
     condition: Condition | None = None  # of the ship; None: in both
 
+    def own_density(self, of_method: float) -> float:
+        """Return the density that it goes with, kg/m3, in place of the method's."""
+        return of_method if self.density is None else self.density
+
     def at(self, angle: float) -> tuple[float, float, float]:
         """Interpolate along, across and yaw at an angle off the bow, rad, to either side.
 
@@ -137,7 +141,7 @@ class ShipCoefficients:
         Speed in m/s, density of the method in kg/m3, angle off the bow in rad, depth in m.
         """
         table, (along, across, _) = self._at(kind, ship, angle, depth)
-        stream = (density if table.density is None else table.density, speed)
+        stream = (table.own_density(density), speed)
         note = Message("loads.own_note", name=self.name, angle=math.degrees(angle))
 
         def component(key: str, axis: Axis, of: Area, coefficient: float) -> LoadComponent:
@@ -172,12 +176,8 @@ class ShipCoefficients:
         The moment is positive where the force acts forward of midships. The rest is as of `loads`.
         """
         table, (_, across, yaw) = self._at(kind, ship, angle, depth)
-        pressure = drag(
-            density if table.density is None else table.density,
-            speed,
-            area_of(ship, table.areas[1]).value,
-            1.0,
-        )
+        area = area_of(ship, table.areas[1]).value
+        pressure = drag(table.own_density(density), speed, area, 1.0)
         return pressure * across, pressure * yaw * ship.length_waterline if table.yaw else None
 
     def _at(

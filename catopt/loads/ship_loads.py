@@ -115,7 +115,9 @@ def ship_loads(
         stream = {"angle": headings.current, "water_density": water_density}
         waves: dict[str, Any] = {"reflection": reflection, "of": drift}
         size = (ship.length_waterline, ship.breadth)
-        table = coefficients if method == UFC_BLENDERMANN else None
+        own_tables = coefficients if method == UFC_BLENDERMANN else None
+        has_any = own_tables is not None and (own_tables.wind or own_tables.current)
+        table = own_tables if has_any else None  # all of them may be of the other condition
         components = (
             *(
                 table.loads("wind", ship, wind.speed, AIR_DENSITY, headings.wind, depth)

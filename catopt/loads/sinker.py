@@ -13,6 +13,7 @@ from catopt.loads.sizes import SINKER_MASSES, NextSize, neighbours, next_size
 from catopt.loads.source import CALMAR, NAVFAC, LoadSource
 from catopt.model.anchor import sinker_needed
 from catopt.model.validity import Findings
+from catopt.units import as_written
 from catopt.words import Message, term
 
 Material = Literal["concrete", "concrete cast in place", "steel", "cast iron"]
@@ -116,8 +117,11 @@ ADHESION: Final = MappingProxyType(
 )
 """Clays by name."""
 
-_MUD: Final = frozenset({"mud", "soft mud", "soft clay"})
-"""What practice calls the clay that holds by its adhesion, not by a share of the weight."""
+AS_CLAY: Final = MappingProxyType({"mud": "soft clay", "soft mud": "soft clay"})
+"""Soils by names of practice; soft clay has the lowest figures."""
+
+MUD: Final = (*AS_CLAY, "soft clay")
+"""Soils that hold a sinker by adhesion, not by a share of its weight: no table has a friction."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -156,25 +160,20 @@ def holding_force(weight: float, vertical_force: float, friction: float) -> floa
     return max(0.0, friction * (weight - vertical_force))
 
 
-def friction_of(
-    soil: str,
-    material: Material = "concrete",
-    *,
-    allow_recalled: bool = False,  # noqa: ARG001 - none of the figures is recalled any more
-) -> tuple[float, LoadSource]:
+def friction_of(soil: str, material: Material = "concrete") -> tuple[float, LoadSource]:
     """Lower friction coefficient of a soil, a key of `SOIL_FRICTION`, with its source.
 
     A soil without a figure is refused. Mud and soft clay hold a sinker by adhesion on its base, not
     by a share of its weight (`adhesion_holding`): measure, and give a friction.
     """
     found = Findings("sinker")
-    if soil in _MUD:
+    if soil in MUD:
         low, high = (f"{each / 1e3:g}" for each in ADHESION["soft clay"].concrete)
         found.add("soil", repr(soil), Message("loads.mud", low=low, high=high))
     elif soil not in SOIL_FRICTION:
         listed = "; ".join(SOIL_FRICTION)
         found.add("soil", repr(soil), f"one of {listed}; for others, soft mud too, give friction")
-    _check_material(found, material)
+    check_material(found, material)
     of = SOIL_FRICTION[soil].of(material)
     if of is None:
         refused = Problem("soil", repr(soil), f"no figure for {material} on it: give friction")
@@ -191,11 +190,11 @@ def adhesion_holding(
     counts, times the area; neither the weight nor what the sinker sinks in adds to it.
     """
     found = Findings("sinker")
-    name = "soft clay" if soil in _MUD else soil
+    name = AS_CLAY.get(soil, soil)
     if name not in ADHESION:
         found.add("soil", repr(soil), f"one of {', '.join(ADHESION)}, mud")
     found.number("base_area", base_area, "m^2", above=0.0)
-    _check_material(found, material)
+    check_material(found, material)
     row = ADHESION[name]
     low, _ = row.steel if material in ("steel", "cast iron") else row.concrete
     return low * base_area, row.source
@@ -212,7 +211,6 @@ def size_sinker(
     safety_factor: float = SAFETY_FACTOR,
     water_density: float = SEA_WATER_DENSITY,
     series: Sequence[float] = SINKER_MASSES,
-    allow_recalled: bool = False,
 ) -> SinkerSize:
     """Pick the next size that does not slide: mu (W - V) >= SF H, W in water.
 
@@ -229,12 +227,12 @@ def size_sinker(
     _check(horizontal_force, vertical_force, soil, friction, safety_factor)
     source: LoadSource | None = None
     if soil is not None:
-        mu, source = friction_of(soil, material, allow_recalled=allow_recalled)
+        mu, source = friction_of(soil, material)
     else:
         assert friction is not None
         mu = friction
     if density is None:
-        _check_material(Findings("sinker"), material)
+        check_material(Findings("sinker"), material)
     rho = DENSITIES[material] if density is None else density
     _check_density(rho, water_density)
     weight = sinker_needed(horizontal_force, vertical_force, mu, safety_factor)
@@ -266,10 +264,10 @@ _SINKERS: Final = {
 }
 
 
-def _check_material(found: Findings, material: str) -> None:
+def check_material(found: Findings, material: str) -> None:
     """Raise InputError for what was found, and for an unknown material."""
     if material not in DENSITIES:
-        found.add("material", repr(material), f"one of {', '.join(DENSITIES)}")
+        found.add("material", as_written(material), f"one of {', '.join(DENSITIES)}")
     found.raise_if_any()
 
 

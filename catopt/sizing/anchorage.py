@@ -45,7 +45,6 @@ class SinkerGround:
     material: Material = "concrete"  # of the sinker
     density: float | None = None  # kg/m3; None: that of the material
     safety_factor: float = SAFETY_FACTOR  # on sliding; used where the code has none of its own
-    allow_recalled: bool = False  # whether recalled figures (R) may be used
 
     def __post_init__(self) -> None:
         self.sized(0.0, 0.0, 1025.0)
@@ -56,7 +55,7 @@ class SinkerGround:
         if self.friction is not None:
             return self.friction
         assert self.soil is not None
-        return friction_of(self.soil, self.material, allow_recalled=self.allow_recalled)[0]
+        return friction_of(self.soil, self.material)[0]
 
     @property
     def rho(self) -> float:
@@ -108,7 +107,6 @@ class SinkerGround:
             safety_factor=self.safety_factor,
             water_density=water_density,
             series=HEAVY_SINKERS,
-            allow_recalled=self.allow_recalled,
         )
 
 

@@ -25,6 +25,7 @@ from catopt.loads.ship_estimate import (
     estimated_tanker,
     estimates,
 )
+from catopt.loads.sinker import AS_CLAY, MUD
 from catopt.loads.weathervane import Afloat
 from catopt.model import Checks
 from catopt.sizing.anchorage import CALMAR_SOIL, SAND, DragGround, SinkerGround
@@ -424,25 +425,17 @@ def _preference(of: Known, line: LineChoice | None) -> dict[str, Any]:
     return {"prefer": prefer or ("cheapest" if swing_price else own), "swing_price": swing_price}
 
 
-_AS_CLAY: Final = MappingProxyType({"mud": "soft clay", "soft mud": "soft clay"})
-"""Soils of a drag anchor by names of practice; soft clay has the lowest figures."""
-
-
-_MUD: Final = (*_AS_CLAY, "soft clay")
-"""Soils on which no table has a friction for a sinker."""
-
-
 def _ground(of: Known) -> DragGround | SinkerGround | None:
     """Make what holds the line: a sinker, or of a tanker a drag anchor by its kind."""
-    recalled = bool(of["recalled"])
     if of.moored == "tanker" and of["anchor"] != SINKER:
-        soil = _AS_CLAY.get(of["soil"], of["soil"])
+        soil = AS_CLAY.get(of["soil"], of["soil"])
+        recalled = bool(of["recalled"])
         return of.telling.make(partial(DragGround, of["anchor"], soil, allow_recalled=recalled))
     soil = of["soil"] or (None if of["friction"] is not None else _soil_of(of["code"]))
-    if soil in _MUD and _soil_of(of["code"]) == CALMAR_SOIL:
+    if soil in MUD and _soil_of(of["code"]) == CALMAR_SOIL:
         soil = CALMAR_SOIL  # which the code has for any ground
     figures = soil, of["friction"], of["sinker"], of["sinker_density"]
-    return of.telling.make(partial(SinkerGround, *figures, allow_recalled=recalled))
+    return of.telling.make(partial(SinkerGround, *figures))
 
 
 def _soil_of(code: str) -> str:
@@ -470,9 +463,9 @@ def _taken(
     if of.given.isdisjoint({"soil", "friction"}) and ground is not None:
         key = "sizing.taken_friction" if ground.soil == CALMAR_SOIL else "sizing.taken_soil"
         words.append(Message(key, soil=term(str(ground.soil))))
-    if of["soil"] in _MUD and isinstance(ground, SinkerGround):
+    if of["soil"] in MUD and isinstance(ground, SinkerGround):
         words.append(Message("sizing.mud_by_code", soil=term(of["soil"])))
-    if of["soil"] in _AS_CLAY and isinstance(ground, DragGround):
+    if of["soil"] in AS_CLAY and isinstance(ground, DragGround):
         words.append(Message("sizing.mud_as_clay", soil=term(of["soil"])))
     if "return_period" not in of.given:
         words.append(Message("sizing.no_return_period"))

@@ -85,8 +85,8 @@ def test_no_default_is_above_another_source_without_a_written_reason(
 def test_how_far_they_are_above(found: list[tuple[Pair, float]]) -> None:
     """What the reasons say: 1.1 and 1.0 % of U1 and U3, 3.1 % of Superline.
 
-    OrcaFlex's polyester, of another construction, is passed by 74 %. Single rows of proof loads,
-    of which the reason says 2 %, are passed by 1.2 % at most.
+    OrcaFlex's polyester, of another construction, is passed by 74 %, and single rows of proof loads
+    by 1.2 % at most.
     """
     by = {(p[0].name, p[1], p[2].quantity, p[3].variant): over for p, over in found}
     assert by["chain stud-link", "U1", "MBL", "calmar"] <= 0.0115

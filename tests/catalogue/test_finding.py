@@ -5,7 +5,9 @@ from __future__ import annotations
 import pytest
 
 from catopt.catalogue.finding import MOST_ROWS, find, read_query
+from catopt.catalogue.fittings import fittings
 from catopt.catalogue.names import split_size, words_of
+from catopt.catalogue.standard import standard
 from catopt.errors import InputError
 
 STUDLESS_76 = [f"chain studless {g} 76 mm" for g in ("ORQ", "R3", "R3S", "R4", "R4S", "R5")]
@@ -63,6 +65,11 @@ def test_how_a_query_is_read() -> None:
     [
         ("polyestr 160", 'did you mean "polyester" for "polyestr"'),
         ("chain studless 300", "not in this size: chain studless from 19 mm to 185 mm"),
+        (
+            "shackle 20",
+            "not in this size: bow shackle: 17 sizes from 22 mm to 150 mm; joining shackle",
+        ),
+        ("shackle 1/0", "nothing goes by that name; catopt catalog list has the families"),
         ("zzzzzz", "nothing goes by that name; catopt catalog list has the families"),
     ],
 )
@@ -73,6 +80,16 @@ def test_what_is_not_there(words: str, said: str) -> None:
 
 def test_an_answer_has_an_end() -> None:
     assert len(find("chain").components) == MOST_ROWS
+
+
+def test_what_an_answer_leaves_out_is_counted() -> None:
+    known = standard()
+    family = known.family("chain studless")
+    every = [c for grade in family.grades for c in known.sold(family.name, grade=grade)]
+    assert find("chain studless").left_out == len(every) - MOST_ROWS > 0
+    shackles = [f for f in fittings() if "shackle" in " ".join((f.title, *f.also)).lower()]
+    assert find("shackle").left_out == len(shackles) - MOST_ROWS > 0
+    assert find("76 R4 studless").left_out == 0
 
 
 @pytest.mark.parametrize(

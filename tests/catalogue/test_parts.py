@@ -10,6 +10,7 @@ from catopt import catalogue
 from catopt.catalogue.anchors import anchor_types
 from catopt.catalogue.fittings import OF_A_CHAIN, fittings, fittings_for
 from catopt.errors import InputError
+from catopt.words import say
 
 LBF = 4.4482216152605
 
@@ -141,6 +142,19 @@ def test_what_is_missing_is_said() -> None:
     assert set(of.missing) == set(OF_A_CHAIN)
     assert of.weakest is None
     assert "the strongest has 7259.5 kN" in of.missing["sinker ring"]
+
+
+def test_a_fitting_that_is_for_thinner_chain_alone_is_not_called_weak() -> None:
+    """U1 of 105 mm breaks at 3850.3 kN; the ring of 102 mm, the largest, has 7259.5 kN."""
+    chain = catalogue.component("chain stud-link U1", 0.105)
+    of = fittings_for(chain.name, 0.105, chain.MBL or 0.0)
+    assert set(of.missing) == {"sinker ring"}
+    said = of.missing["sinker ring"]
+    assert said == (
+        "sinker ring: those in the catalogue that are as strong as the chain (3850.3 kN) are for "
+        "chain of up to 102 mm, not 105 mm. Have one made with a certificate."
+    )
+    assert "xích đến 102 mm, không dùng cho 105 mm" in say(said, "vi")
 
 
 @given(

@@ -6,11 +6,7 @@ import itertools
 
 import pytest
 
-from catopt.catalogue.figure import CONFIDENCES
 from catopt.catalogue.practice import (
-    ZONES,
-    Worn,
-    chain_ranges,
     condition,
     equipment,
     equipment_number,
@@ -18,15 +14,11 @@ from catopt.catalogue.practice import (
     laid_for_buoy,
     practice_of_buoy,
     practice_of_ship,
-    wear_rate,
-    wear_rates,
 )
-from catopt.constants import YEAR
 from catopt.errors import InputError
 from catopt.words import say
 
 KNOT = 1852.0 / 3600.0
-MM_A_YEAR = 1e-3 / YEAR
 
 
 @pytest.mark.parametrize(
@@ -91,11 +83,6 @@ def test_a_buoy_s_chain_beside_practice(
     said = practice_of_buoy(diameter, length, buoy_diameter=2.2, depth=10.0, current=1.0).message
     assert said == f"makers of a 2.2 m buoy lay 44 mm and 20 to 30 m here: this is {verdict}"
     assert say(said, "vi").endswith(f"phương án này {vi}")
-
-
-def test_trinity_house_lays_32_to_38_mm() -> None:
-    (found,) = chain_ranges()
-    assert (found.buoy_diameter, found.least, found.most) == (3.05, 0.032, 0.038)
 
 
 def test_the_equipment_number_of_a_tanker_of_50_000_dwt() -> None:
@@ -182,28 +169,7 @@ def test_between_the_rows_nothing_is_said() -> None:
     assert said.message == "no row of the table of equipment was read for this ship (EN 4,000)"
 
 
-@pytest.mark.parametrize("of", ["buoy", "ship"])
-def test_a_zone_has_one_default_which_was_read(of: Worn) -> None:
-    rates = wear_rates(of)
-    for zone in ZONES:
-        (default,) = (each for each in rates if each.zone == zone and each.is_default)
-        assert wear_rate(of, zone) == default
-        assert not default.origin.is_recalled
-    for each in rates:
-        assert 0.0 <= each.least <= each.most
-        assert each.origin.confidence in CONFIDENCES
-        assert each.origin.source.title
-        assert each.origin.place
-        assert each.note
-
-
-def test_wear_as_printed() -> None:
-    """DNV-OS-E301 of 2008 without inspection; S4's of a tropical sea; 80 % is discarded."""
-    taken = [wear_rate("ship", zone).least / MM_A_YEAR for zone in ZONES]
-    assert taken == pytest.approx([0.4, 0.3, 0.4, 0.4], rel=1e-12)
-    others = {each.zone: each for each in wear_rates("ship") if each.origin.confidence == "A"}
-    assert others["riser"].most / MM_A_YEAR == pytest.approx(1.0, rel=1e-12)
-    assert others["ground"].most / MM_A_YEAR == pytest.approx(0.3, rel=1e-12)
+def test_used_chain_is_discarded_below_four_fifths() -> None:
     assert (condition().good, condition().discard) == (0.9, 0.8)
 
 

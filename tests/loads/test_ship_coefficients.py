@@ -178,6 +178,15 @@ def test_what_is_missing_is_by_ufc_and_blendermann() -> None:
     assert found.of("current") == pytest.approx(512.5 * 120.0 / 3.0, rel=ROUNDING)
 
 
+def test_tables_of_the_other_condition_change_nothing() -> None:
+    """Neither a force nor the name of the method: of a ship in ballast there is no table."""
+    loaded = TABLES.replace("[[current]]", '[[current]]\ncondition = "loaded"')
+    empty = parse_ship_coefficients(loaded).in_condition("ballast")
+    assert empty.name == "own"
+    assert example(coefficients=empty) == example(coefficients=None)
+    assert example(coefficients=empty).method == METHODS[0]
+
+
 @pytest.mark.parametrize("depth", [8.9, 18.1])
 def test_beyond_the_tables_is_refused(depth: float) -> None:
     ship = estimated_tanker("t", 100.0, 20.0, 6.0, moulded_depth=8.0)
