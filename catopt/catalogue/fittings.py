@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from functools import cache
 from types import MappingProxyType
@@ -83,7 +83,9 @@ def fittings() -> tuple[Fitting, ...]:
     return tuple(read)
 
 
-def fittings_for(component: str, diameter: float, MBL: float) -> FittingSet:
+def fittings_for(
+    component: str, diameter: float, MBL: float, uses: Collection[str] = tuple(OF_A_CHAIN)
+) -> FittingSet:
     """Find the shackle, the swivel and the sinker ring that go with a chain.
 
     Of each kind it is the one of the lowest MBL that is not below the chain's, and that is not made
@@ -97,6 +99,8 @@ def fittings_for(component: str, diameter: float, MBL: float) -> FittingSet:
         Nominal diameter of its bar, m.
     MBL : float
         Of the chain, new, N.
+    uses : collection of str
+        Which of `OF_A_CHAIN`; a line on a drag anchor has no sinker ring.
 
     Raises
     ------
@@ -110,7 +114,7 @@ def fittings_for(component: str, diameter: float, MBL: float) -> FittingSet:
     thinnest = diameter * (1.0 - _ROUNDING)
     found: dict[str, Fitting] = {}
     missing: dict[str, Message] = {}
-    for use, kind in OF_A_CHAIN.items():
+    for use, kind in ((use, OF_A_CHAIN[use]) for use in uses):
         of_kind = [each for each in fittings() if each.kind == kind]
         strong = [e for e in of_kind if e.MBL >= MBL and (e.name in _BY_PIN or e.size >= thinnest)]
         if strong:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from catopt.catalogue.fittings import fittings_for
+from catopt.catalogue.fittings import OF_A_CHAIN, fittings_for
 from catopt.catalogue.practice import Practice, practice_of_buoy, practice_of_ship
 from catopt.catalogue.practice import condition as kept_condition
 from catopt.checks.profiles import profiles_of
@@ -115,7 +115,9 @@ def _fittings(settled: Settled) -> Iterator[Message]:
     segment = settled.point.line.segments[0]
     if line_kind(segment.component) != "chain" or segment.MBL is None:
         return
-    found = fittings_for(segment.component, segment.nominal_diameter or 0.0, segment.MBL)
+    is_dragged = settled.posed.drag_anchor is not None
+    uses = [use for use in OF_A_CHAIN if not (is_dragged and use == "sinker ring")]
+    found = fittings_for(segment.component, segment.nominal_diameter or 0.0, segment.MBL, uses)
     if found.weakest is not None:
         sizes = (
             Message("sizing.fitting_size", use=term(use), size=1e3 * each.size)

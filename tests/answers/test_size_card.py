@@ -108,8 +108,16 @@ def test_no_word_is_cut_and_what_has_no_room_is_counted(language: Language) -> N
     whole = {word for each in (*items, brief.label) for word in say(each, language).split()}
     first = " ".join(lines).rpartition(" ...")[0].partition(": ")[2]
     assert set(first.split()) <= whole
+
     short = replace(brief, said=("a.", "b", "c"))
     assert card_lines(replace(answer, card=(short,)))[1].text == "Items: a; b; c"
+
+
+def test_an_item_that_fills_its_line_leaves_room_for_the_count() -> None:
+    said = tuple(Told({"en": "x" * 38 + " " + "y" * 37, "vi": ""}) for _ in range(4))
+    answer = Answer("some", Told({"en": "title", "vi": "tên"}), (), card=(Brief(said),))
+    _, line = (each.text for each in card_lines(answer, "en"))
+    assert line == "x" * 38 + " ...; 3 more"
 
 
 @of_each

@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+import catopt
 from catopt.errors import InputError
 from catopt.sizing.posed import Assumed
 from catopt.sizing.tanker import pose_tanker
@@ -108,3 +109,13 @@ def test_states_are_told_by_fields(
     request = asked(low_water=low, buoy=buoy)
     posed = pose_tanker(request, Assumed(), request.reserve_buoyancy)
     assert [(each.condition, each.water) for each in posed.loads] == states
+
+
+def test_the_cable_of_her_own_is_that_of_the_loaded_ship() -> None:
+    """EN 2,990 of the loaded ship; in ballast alone there is none to compare with."""
+    by = {each: catopt.size_tanker(**SHIP, condition=each) for each in ("loaded", "ballast")}
+    assert "EN 2,990" in by["loaded"].practice
+    assert by["ballast"].practice == ""
+    for of in by.values():  # a line on a drag anchor has no sinker to be made fast to
+        assert any("shackle" in each for each in of.fittings)
+        assert not any("sinker ring" in each for each in of.fittings)
