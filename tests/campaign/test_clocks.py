@@ -1,7 +1,8 @@
 """A clock that is set back or forward, and other zones: the same files to the last byte.
 
 A machine wakes up, asks for the time and finds itself in another year; nothing that catopt answers
-hangs on it. `python -m tests.campaign.test_clocks COUNT` tries more clocks. What measures how long something takes may see a night pass between two looks.
+hangs on it. What measures how long something takes may see a night pass between two looks.
+`python -m tests.campaign.test_clocks COUNT` tries more clocks.
 """
 
 from __future__ import annotations
