@@ -155,6 +155,26 @@ def test_twice_the_bars_go_on_from_where_the_first_run_ended(
     assert told == pytest.approx([0.0, 0.5, 1.0, 1 / 3, 2 / 3, 1.0])
 
 
+def test_nothing_is_run_twice_where_all_is_run_anew_with_twice_the_bars(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The run with twice the bars is that at half the step of the next mesh, to the digit."""
+    sixteen = Dynamics(30.0, ramp=12.0, elements=16)
+    fresh = proven(replace(SNAPPING, dynamics=sixteen))
+    own, made = dynamic._run, []
+
+    def run(lines: Any, number: int, tell: Any, finer: int = 1, elements: int | None = None) -> Any:
+        made.append((finer, elements))
+        return own(lines, number, tell, finer, elements)
+
+    monkeypatch.setattr(dynamic, "_run", run)
+    monkeypatch.setattr(dynamic, "_wants_more_bars", lambda part: part.elements == 8)
+    (part,) = verify_dynamic(SNAPPING).parts
+    assert made == [(1, None), (2, 8), (2, 16), (1, None), (2, 32), (1, 16), (1, 16)]
+    assert part.runs[0].again == fresh.runs[0].again
+    assert part.runs[0].damped == fresh.runs[0].damped
+
+
 def test_changes_by_step_and_bars_are_added() -> None:
     """Errors of step and bars add up, and halving shows three quarters of one that is a square."""
     part = proven(SNAPPING)
