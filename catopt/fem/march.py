@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any, Final, NamedTuple
 
+from catopt.fem.afloat import Afloat, accept_hull, attempt_afloat, sample_hull
 from catopt.fem.energy_balance import add_works, fill_forces
 from catopt.fem.moving import Moving, MovingLines
 from catopt.fem.newmark import close_step, predict
@@ -73,10 +74,11 @@ def march(
     before: Moving,
     room: Room,
     record: Record,
+    body: Afloat | None,
 ) -> MarchReport:
     """Step from a part of the whole step `at` on, and take the samples on the way.
 
-    Up to the whole step `end`; until so many steps were tried; or until there is no more room for
+    `body`: what floats at the lines' last nodes; None where these are led or pushed. Up to the whole step `end`; until so many steps were tried; or until there is no more room for
     turning points. `before`: state there, and then where the steps have come to.
     """
     steps = iterations = halvings = refinements = unresolved = tried = 0
@@ -91,7 +93,10 @@ def march(
             tried += 1
             part = 0.5**level
             h, time = part * rules.step, start + done * rules.step
-            closed, used, worst, node = attempt(time, h, setting, before, room)
+            if body is None:
+                closed, used, worst, node = attempt(time, h, setting, before, room)
+            else:
+                closed, used, worst, node = attempt_afloat(time, h, setting, before, room, body)
             iterations += used
             if not closed:
                 level += 1
@@ -115,6 +120,8 @@ def march(
             strain += seen.strain
             time = start + done * rules.step
             full = accept(time, h, setting, before, room, record)
+            if body is not None:
+                accept_hull(time, rules.since, body)
             # Longer again where the step then ends with one twice as long.
             ends_evenly = (done / (2.0 * part)) % 1.0 == 0.0
             may_grow = passed_by(time, 2.0 * h, seen, room) and seen.surprise < _LONGER * allowed
@@ -123,6 +130,8 @@ def march(
             at, done = at + 1, 0.0
             if at % rules.every == 0:
                 take_sample(at // rules.every, setting, before, room, record)
+                if body is not None:
+                    sample_hull(at // rules.every, body)
     counts = StepCounts(
         steps, iterations, halvings, refinements, unresolved, ringing, strain, shortest
     )
