@@ -54,20 +54,20 @@ def attempt_afloat(
     """Take one step of hull and lines into their `now`, as `march.attempt`."""
     now, lines = room.now, setting.lines
     predict(t, h, setting, before, room)
-    _predict_hull(h, setting.rules, body)
+    _predict_hull(h, body)
     _place_ends(lines, now, body)
     copy_rows(before.foot, now.foot)
     if setting.has_sea:
         early, water_0 = setting.rules.alpha_f, room.water_before
         fill_water(t + h, now.x, lines.start, setting.flow, early, water_0, room.water)
-    _prepare(t, h, setting.rules, setting.flow, body)
+    _prepare(t, h, setting.flow, body)
     return _close(h, setting, before, room, body)
 
 
 def step_hull(t: float, h: float, rules: Any, flow: Flow, body: Afloat) -> tuple[bool, int]:
     """Take one step of a hull without lines; `rules` has the scheme, limit and tolerance."""
-    _predict_hull(h, rules, body)
-    _prepare(t, h, rules, flow, body)
+    _predict_hull(h, body)
+    _prepare(t, h, flow, body)
     blend = _blend(h, rules)
     for iteration in range(rules.limit + 1):
         _start_hull(flow.depth, blend, body)
@@ -80,9 +80,7 @@ def step_hull(t: float, h: float, rules: Any, flow: Flow, body: Afloat) -> tuple
     return False, rules.limit
 
 
-def run_hull(
-    samples: int, every: int, rules: Any, flow: Flow, body: Afloat
-) -> tuple[int, int]:
+def run_hull(samples: int, every: int, rules: Any, flow: Flow, body: Afloat) -> tuple[int, int]:
     """Step a hull without lines; return the samples taken after the first, and iterations."""
     used = 0
     for step in range(samples * every):
@@ -117,12 +115,10 @@ def start_hull(t: float, flow: Flow, body: Afloat) -> None:
 @inlined
 def _blend(h: float, rules: Any) -> Blend:
     late, by_a = 1.0 - rules.alpha_f, (1.0 - rules.alpha_m) / (rules.beta * h * h)
-    return Blend(
-        rules.alpha_f, rules.alpha_m, late, late * rules.gamma / (rules.beta * h), by_a, h
-    )
+    return Blend(rules.alpha_f, rules.alpha_m, late, late * rules.gamma / (rules.beta * h), by_a, h)
 
 
-def _predict_hull(h: float, rules: Any, body: Afloat) -> None:
+def _predict_hull(h: float, body: Afloat) -> None:
     """Go on as if accelerations stayed."""
     now, before = body.now, body.before
     for i in range(3):
@@ -131,7 +127,7 @@ def _predict_hull(h: float, rules: Any, body: Afloat) -> None:
         now.q[i] = before.q[i] + h * (before.v[i] + 0.5 * h * before.a[i])
 
 
-def _prepare(t: float, h: float, rules: Any, flow: Flow, body: Afloat) -> None:
+def _prepare(t: float, h: float, flow: Flow, body: Afloat) -> None:
     """Take the sea where the hull is expected, and its memory of what was."""
     fill_sea(t + h, body.hull, body.now.q, flow, body.room)
     carry_memory(h, body.hull, body.before, body.room)
@@ -288,13 +284,8 @@ def _solve_all(lines: MovingLines, blend: Blend, room: Room, body: Afloat) -> bo
 
 def _solve_hull(body: Afloat) -> bool:
     """Turn what is left over into the move of the hull, by elimination with exchange of rows."""
-    matrix, rest, free = body.room.matrix, body.room.rest, body.hull.free
-    for i in range(3):
-        if free[i] == 0.0:
-            rest[i] = 0.0
-            for j in range(3):
-                matrix[i, j] = matrix[j, i] = 0.0
-            matrix[i, i] = 1.0
+    matrix, rest = body.room.matrix, body.room.rest
+    _hold_hull(body.hull, matrix, rest)
     for j in range(3):
         pivot = j
         for r in range(j + 1, 3):
@@ -315,6 +306,16 @@ def _solve_hull(body: Afloat) -> bool:
             rest[r] -= matrix[r, c] * rest[c]
         rest[r] /= matrix[r, r]
     return True
+
+
+def _hold_hull(hull: Hull, matrix: Any, rest: Any) -> None:
+    """Take the directions in which a hull is held out of its equations."""
+    for i in range(3):
+        if hull.free[i] == 0.0:
+            rest[i] = 0.0
+            for j in range(3):
+                matrix[i, j] = matrix[j, i] = 0.0
+            matrix[i, i] = 1.0
 
 
 def _move_hull(part: float, h: float, rules: Any, body: Afloat) -> None:
@@ -376,5 +377,3 @@ def hull_kinetic_energy(hull: Hull, at: HullState) -> float:
         for j in range(3):
             total += 0.5 * at.v[i] * hull_inertia(hull, i, j) * at.v[j]
     return float(total)
-
-

@@ -126,7 +126,7 @@ def run_alone(
     work = _A_SLICE * (laid.foot.size * (3 + flow.waves.shape[0])) * samples * every
     done, _ = compiled(run_hull, work)(samples, every, rules, flow, body)
     if done < samples:
-        time = done * every * stepping.step
-        raise NotConvergedError(Message("truss.not_closed", time=time))
-    time = np.arange(samples + 1) * every * stepping.step
+        reached = done * every * stepping.step
+        raise NotConvergedError(Message("truss.not_closed", time=reached))
+    time = np.asarray(every * float(stepping.step) * np.arange(samples + 1.0))
     return history_of(body, time, flow.depth, 0.0)

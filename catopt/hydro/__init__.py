@@ -1,1 +1,1 @@
-"""A hull in waves: pressure, radiation, excitation, memory; plain functions, meant to be compiled."""
+"""A hull in waves: pressure, radiation, excitation and memory."""

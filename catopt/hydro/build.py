@@ -47,7 +47,7 @@ class Radiation:
 
     @classmethod
     def of_cylinder(cls, of: FloatingCylinder) -> Radiation:
-        """That of a floating vertical cylinder, pitching about its reference."""
+        """Find that of a floating vertical cylinder, pitching about its reference."""
         scale = math.sqrt(of.gravity / of.radius)
         omega = scale * (_LOWEST + (_HIGHEST - _LOWEST) * np.linspace(0.0, 1.0, _COUNT) ** 1.3)
         answer = of.at(omega)
@@ -182,7 +182,9 @@ class FloatingHull:
         """Arrays for the kernels, in a sea whose waves travel along x or against it."""
         of, memory = self.radiation, self.radiation.memory
         x = np.cos(np.arange(1, COLUMNS + 1) * math.pi / (COLUMNS + 1))
-        share = 2.0 / (COLUMNS + 1) * np.sin(np.arange(1, COLUMNS + 1) * math.pi / (COLUMNS + 1)) ** 2
+        share = (
+            2.0 / (COLUMNS + 1) * np.sin(np.arange(1, COLUMNS + 1) * math.pi / (COLUMNS + 1)) ** 2
+        )
         pair = memory.row, memory.column
         return Hull(
             mass=float(self.mass),
@@ -252,22 +254,27 @@ def room_of(hull: Hull) -> HullRoom:
     """Work space of a hull."""
     slices, modes = hull.foot.size, hull.mode.shape[0]
     return HullRoom(
-        *np.zeros((3, slices, 3)),
-        np.zeros(slices),
-        np.zeros(5),
-        *np.zeros((2, modes, 2)),
-        np.zeros((3, 3)),
-        np.zeros(3),
-        np.zeros((3, 3)),
+        points=np.zeros((slices, 3)),
+        velocity=np.zeros((slices, 3)),
+        acceleration=np.zeros((slices, 3)),
+        surface=np.zeros(slices),
+        sea=np.zeros(5),
+        carried=np.zeros((modes, 2)),
+        by_speed=np.zeros((modes, 2)),
+        matrix=np.zeros((3, 3)),
+        rest=np.zeros(3),
+        by_v=np.zeros((3, 3)),
     )
 
 
 def record_of(samples: int) -> HullRecord:
     """Room for so many samples."""
     return HullRecord(
-        *np.zeros((2, samples, 3)),
-        *np.zeros((2, samples)),
-        np.zeros((samples, 3)),
-        np.array([[np.inf, -np.inf]] * 4),
-        np.zeros(PARTS + 2),
+        q=np.zeros((samples, 3)),
+        v=np.zeros((samples, 3)),
+        wet=np.zeros(samples),
+        surface=np.zeros(samples),
+        line=np.zeros((samples, 3)),
+        extreme=np.array([[np.inf, -np.inf]] * 4),
+        works=np.zeros(PARTS + 2),
     )

@@ -79,7 +79,9 @@ class FloatingCylinder:
         found.number("density", self.density, "kg/m3", above=0.0)
         found.number("gravity", self.gravity, "m/s2", above=0.0)
         if not found.problems and not self.draught < self.depth:
-            found.add("draught", f"{self.draught:g} m", f"must be below {self.depth:g} m, the depth")
+            found.add(
+                "draught", f"{self.draught:g} m", f"must be below {self.depth:g} m, the depth"
+            )
         found.raise_if_any()
 
     @property
@@ -101,7 +103,7 @@ class FloatingCylinder:
         return CylinderAnswer(given, mass, damping, excited, wave)
 
     def at_infinite_frequency(self) -> Array:
-        """Added mass (3, 3) of motion much faster than its waves."""
+        """Give the added mass (3, 3) of motion much faster than its waves."""
         return np.ascontiguousarray(_Matched(self, math.inf).added_mass.real)
 
 
@@ -113,10 +115,10 @@ class _Matched:
         self.d = of.depth - of.draught
         self._eigenvalues()
         count = of.terms
-        self.l = np.arange(count) * math.pi / self.d
+        self.below = np.arange(count) * math.pi / self.d
         self.G = self._overlap()
-        self.C: list[Complex] = [np.empty(0)] * 3
-        self.D: list[Complex] = [np.empty(0)] * 3
+        self.C: list[Complex] = [np.empty(0, dtype=complex)] * 3
+        self.D: list[Complex] = [np.empty(0, dtype=complex)] * 3
         system = {m: self._system(m) for m in (0, 1)}
         for mode, m in ((SURGE, 1), (HEAVE, 0), (PITCH, 1)):
             self.C[mode], self.D[mode] = self._solved(mode, *system[m])
@@ -127,7 +129,7 @@ class _Matched:
     def _eigenvalues(self) -> None:
         """Wave number k (0 without waves), the k_n, and the squares of the norms N."""
         of, h = self.of, self.of.depth
-        n = np.arange(1, of.terms + 1)
+        n = np.arange(1.0, of.terms + 1.0)
         if math.isinf(self.omega):
             self.k, self.k_n = 0.0, (n - 0.5) * math.pi / h
         else:
@@ -183,42 +185,44 @@ class _Matched:
         if self.k == 0.0:
             return own
         y = self.k * a
-        return np.concatenate([[hankel1(m, y) / (self.k * h1vp(m, y))], own])
+        wave = hankel1(m, y) / (self.k * h1vp(m, y))
+        return np.asarray(np.concatenate([np.array([wave], dtype=complex), own]))
 
     # ------------------------------------------------------------------ below
 
     def _overlap(self) -> Array:
         """Mean over the gap of Z_n cos(l pi z/d): (outside, below)."""
-        d, l, k = self.d, self.l, self.k_n[:, np.newaxis]
-        minus, plus = (k - l) * d, (k + l) * d
+        d, m_l, k = self.d, self.below, self.k_n[:, np.newaxis]
+        minus, plus = (k - m_l) * d, (k + m_l) * d
         near = np.sinc(minus / math.pi) + np.sinc(plus / math.pi)
         own = 0.5 * near / np.sqrt(self.N)[:, np.newaxis]
         if self.k == 0.0:
             return own
-        signs = np.where(np.arange(l.size) % 2 == 0, 1.0, -1.0)
-        wave = signs * self.k * self._sinh(d) / (self.k**2 + l**2) / d
+        signs = np.where(np.arange(m_l.size) % 2 == 0, 1.0, -1.0)
+        wave = signs * self.k * self._sinh(d) / (self.k**2 + m_l**2) / d
         return np.concatenate([wave[np.newaxis], own])
 
     def _slopes(self, m: int) -> Array:
         """Slopes at r = a of the functions below, with e_l."""
-        a, x = self.of.radius, self.l[1:] * self.of.radius
-        I, I_next = ive(m, x), ive(m + 1, x)
-        rest = 2.0 * self.l[1:] * (I_next / I + m / x)
+        a, x = self.of.radius, self.below[1:] * self.of.radius
+        at_side, above = ive(m, x), ive(m + 1, x)
+        rest = 2.0 * self.below[1:] * (above / at_side + m / x)
         return np.concatenate([[m / a], rest])
 
-    def _system(self, m: int) -> tuple[int, Complex, Array, Complex]:
+    def _system(self, m: int) -> tuple[Complex, Array, Complex]:
         radial, slopes = self._radial(m), self._slopes(m)
         weighted = self.G.T * radial
-        matrix = np.eye(self.l.size) - (self.d / self.of.depth) * (weighted @ self.G) * slopes
-        return m, radial, slopes, np.linalg.inv(matrix)
+        matrix = np.eye(self.below.size) - (self.d / self.of.depth) * (weighted @ self.G) * slopes
+        inverse = np.asarray(np.linalg.inv(matrix), dtype=complex)
+        return radial, slopes, inverse
 
     def _own(self, mode: int) -> tuple[Array, Array]:
         """Speed of the body and of phi_p at r = a by Z, over h; and phi_p by cos(l pi z/d)."""
-        a, d, h, l = self.of.radius, self.d, self.of.depth, self.l
-        p = np.zeros(l.size)
-        signs = np.where(np.arange(l.size) % 2 == 0, 1.0, -1.0)
-        square = np.empty(l.size)  # mean of z^2 cos(l pi z/d)
-        square[0], square[1:] = d * d / 3.0, 2.0 * signs[1:] / l[1:] ** 2
+        a, d, h, m_l = self.of.radius, self.d, self.of.depth, self.below
+        p = np.zeros(m_l.size)
+        signs = np.where(np.arange(m_l.size) % 2 == 0, 1.0, -1.0)
+        square = np.empty(m_l.size)  # mean of z^2 cos(l pi z/d)
+        square[0], square[1:] = d * d / 3.0, 2.0 * signs[1:] / m_l[1:] ** 2
         if mode == SURGE:
             return self._integral_Z(d, h) / h, p
         if mode == HEAVE:
@@ -246,7 +250,7 @@ class _Matched:
         return np.concatenate([[wave + 2.0 * self._sinh(d) / q**3], own])
 
     def _solved(
-        self, mode: int, m: int, radial: Complex, slopes: Array, inverse: Complex
+        self, mode: int, radial: Complex, slopes: Array, inverse: Complex
     ) -> tuple[Complex, Complex]:
         b, p = self._own(mode)
         D = inverse @ (self.G.T @ (radial * b) - p)
@@ -255,7 +259,7 @@ class _Matched:
     # ------------------------------------------------------------------ forces
 
     def _masses(self) -> Complex:
-        """A + i B/omega, (3, 3)."""
+        """Give A + i B/omega, (3, 3)."""
         of, out = self.of, np.zeros((3, 3), dtype=complex)
         a, d, h, rho = of.radius, self.d, of.depth, of.density
         about = h + of.reference
@@ -273,10 +277,10 @@ class _Matched:
 
     def _below_heave(self) -> complex:
         """Integral of the potential over the bottom."""
-        a, d, l = self.of.radius, self.d, self.l
-        x = l[1:] * a
-        parts = 2.0 * ive(1, x) / ive(0, x) / l[1:] * a
-        signs = np.where(np.arange(1, l.size) % 2 == 0, 1.0, -1.0)
+        a, d, m_l = self.of.radius, self.d, self.below
+        x = m_l[1:] * a
+        parts = 2.0 * ive(1, x) / ive(0, x) / m_l[1:] * a
+        signs = np.where(np.arange(1, m_l.size) % 2 == 0, 1.0, -1.0)
         D = self.D[HEAVE]
         held = 0.5 * a * a * D[0] + (D[1:] * parts * signs).sum()
         own = 0.25 * d * a * a - a**4 / (16.0 * d)
@@ -284,10 +288,10 @@ class _Matched:
 
     def _below_turning(self, mode: int) -> complex:
         """Integral of the potential times r cos(theta) over the bottom."""
-        a, d, l = self.of.radius, self.d, self.l
-        x = l[1:] * a
-        parts = 2.0 * a * a / l[1:] * ive(2, x) / ive(1, x)
-        signs = np.where(np.arange(1, l.size) % 2 == 0, 1.0, -1.0)
+        a, d, m_l = self.of.radius, self.d, self.below
+        x = m_l[1:] * a
+        parts = 2.0 * a * a / m_l[1:] * ive(2, x) / ive(1, x)
+        signs = np.where(np.arange(1, m_l.size) % 2 == 0, 1.0, -1.0)
         D = self.D[mode]
         held = 0.25 * a**3 * D[0] + (D[1:] * parts * signs).sum()
         own = 0.0
@@ -305,7 +309,7 @@ class _Matched:
         return out
 
     def froude_krylov(self) -> Complex:
-        """What of it the pressure of the undisturbed wave makes, on the hull at rest."""
+        """Give what of it the pressure of the undisturbed wave makes, on the hull at rest."""
         of, k = self.of, self.k
         a, d, h = of.radius, self.d, of.depth
         top, y = self._cosh(h), k * a
@@ -337,4 +341,3 @@ def _scaled(k: float, z: float, h: float, sign: float) -> float:
     """Give cosh(k z)/cosh(k h), or with the sign -1 sinh(k z)/cosh(k h)."""
     grown = math.exp(k * (z - h))
     return grown * (1.0 + sign * math.exp(-2.0 * k * z)) / (1.0 + math.exp(-2.0 * k * h))
-

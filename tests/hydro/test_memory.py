@@ -40,7 +40,9 @@ def test_exponentials_give_damping_and_added_mass_back(shape: tuple[float, float
     limit = cylinder.at_infinite_frequency()
     for i, j in ((SURGE, SURGE), (HEAVE, HEAVE), (PITCH, PITCH), (SURGE, PITCH)):
         largest = np.abs(found.damping[:, i, j]).max()
-        assert memory.damping(omega, i, j) == pytest.approx(found.damping[:, i, j], abs=0.01 * largest)
+        assert memory.damping(omega, i, j) == pytest.approx(
+            found.damping[:, i, j], abs=0.01 * largest
+        )
         size = math.sqrt(found.added_mass[:, i, i].max() * found.added_mass[:, j, j].max())
         both = limit[i, j] + memory.added_mass(omega, i, j)
         assert both == pytest.approx(found.added_mass[:, i, j], abs=0.01 * size)
