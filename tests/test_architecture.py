@@ -63,7 +63,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "loads": BASE | {"model", "waves", "catalogue"},
     "checks": SOLVING | {"catalogue", "mooring"},
     "design": SOLVING | {"catalogue", "mooring", "checks"},
-    "verify": SOLVING | {"mooring", "checks", "fem", "waves"},
+    "verify": SOLVING | {"mooring", "checks", "fem", "waves", "hydro", "floater"},
     "sizing": SOLVING | DESIGNING | {"catalogue", "casefile", "loads", "mooring", "waves"},
     "study": SOLVING | READING | {"checks", "mooring", "verify", "sizing", "notes", "_version"},
     "reproduce": SOLVING | READING | {"mooring", "loads", "waves", "fem", "verify"},

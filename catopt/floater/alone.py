@@ -32,7 +32,8 @@ class HullHistory:
     over it, m; `lines` (n, 3): force and moment of its lines with their inertia, N and N m;
     `extreme` (4, 2): least and largest of place and volume of every step; `works`: of weight and
     pressure, diffraction, the waves that it makes, drag, wind, linear damping and lines, J;
-    `numerical_part`: energy that the steps lost or gained, over what was put in.
+    `numerical_part`: energy that the steps lost or gained, over what was put in; `volume`: of all its
+    slices, m3.
     """
 
     time: Array
@@ -44,6 +45,7 @@ class HullHistory:
     extreme: Array
     works: Array
     numerical_part: float
+    volume: float
 
 
 def history_of(body: Afloat, time: Array, depth: float, kinetic_at_first: float) -> HullHistory:
@@ -63,6 +65,7 @@ def history_of(body: Afloat, time: Array, depth: float, kinetic_at_first: float)
         record.extreme - np.array([[0.0], [depth], [0.0], [0.0]]),
         record.works[: PARTS + 1].copy(),
         off / put_in if put_in > 0.0 else 0.0,
+        float((np.pi * body.hull.radius**2 * (body.hull.top - body.hull.foot)).sum()),
     )
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -12,12 +13,14 @@ from catopt.arrays import Array
 from catopt.errors import NoEquilibriumError, NotConvergedError
 from catopt.fem.afloat import Afloat, sample_hull
 from catopt.fem.block_tridiagonal import eliminate_blocks
+from catopt.fem.bed import HeldBed
 from catopt.fem.dynamic_model import LineProperties
 from catopt.fem.dynamics import check_run, line_at_rest, ramped, run_from_rest
 from catopt.fem.history import History
 from catopt.fem.mesh import LineMesh
 from catopt.fem.moving import Blend, BodyNode
 from catopt.fem.run_settings import TimeStepping
+from catopt.fem.seabed import Seabed
 from catopt.fem.simulation import Simulation
 from catopt.floater.alone import HullHistory, history_of
 from catopt.hydro.build import FloatingHull, record_of, room_of, state_of
@@ -28,7 +31,7 @@ from catopt.words import Message
 _AT_REST: Final = Blend(0.0, 0.0, 1.0, 0.0, 0.0)
 _ROUNDS: Final = 80
 """Of Newton's method for the hull at rest."""
-_CLOSED: Final = 1e-8
+_CLOSED: Final = 1e-7
 """Force left over at rest, over the hull's weight."""
 _MOST_MOVE: Final = 0.5
 """Way, over the hull's size, that a step of it may go."""
@@ -70,41 +73,55 @@ def moored_at_rest(
         fill_forces_on_hull(still, state, flow.depth, room)
         return state.force.copy()
 
+    def laid_out(at: LineProperties, eye: Array, force: float | None = None) -> Simulation:
+        simulation = line_at_rest(
+            mesh,
+            height=float(eye[1]),
+            span=None if force is not None else float(eye[0]),
+            horizontal_force=force,
+            anchor_height=anchor_height,
+            properties=at,
+            sea=sea,
+        )
+        simulation.hold_ends()
+        return simulation
+
     q = state.q.copy()
     drift = pushed(q)[0]
     weight = float(np.mean([each.submerged_weight for each in mesh.line.segments]))
     eye = _eye(laid, q)
     least = _LEAST_PULL * abs(weight) * max(eye[1] - anchor_height, 1.0)
-    simulation = line_at_rest(
-        mesh,
-        height=eye[1],
-        horizontal_force=max(drift, least),
-        anchor_height=anchor_height,
-        properties=properties,
-        sea=sea,
-    )
-    simulation.hold_ends()
+    # First without friction of the bed, whose springs would be all of the stiffness.
+    smooth = replace(properties, seabed=_without_friction(properties.seabed))
+    simulation = laid_out(smooth, eye, max(drift, least))
     q[0] += simulation.state.x[-1, 0] - eye[0]
     scale = hull.mass * hull.gravity
     long = math.sqrt(max(hull.inertia, 1e-12) / hull.mass)
     size = max(hull.draught, 2.0 * float(hull.radius.max()))
+    is_rubbed, matrix = False, np.eye(3)
     for _ in range(_ROUNDS):
-        pull, stiffness = _of_line(simulation, _eye(laid, q))
         arm = _eye(laid, q) - q[:2]
         turned = np.array([[1.0, 0.0, arm[1]], [0.0, 1.0, -arm[0]]])
+        if is_rubbed:
+            simulation = laid_out(properties, _eye(laid, q))
+            pull = simulation.state.force[-1, [0, 2]].copy()
+        else:
+            pull, stiffness = _of_line(laid_out(smooth, _eye(laid, q)))
+            matrix = turned.T @ stiffness @ turned - _slope(pushed, q, size)
+            # Heavier pulls turn the eye in under the hull.
+            matrix[2, 2] += arm[1] * pull[1] + arm[0] * pull[0]
+            matrix[laid.free == 0.0] = 0.0
+            matrix[:, laid.free == 0.0] = 0.0
+            matrix += np.diag(1.0 - laid.free)
+            matrix += 1e-6 * scale * np.diag([1.0 / size, 1.0 / size, size])
         line = turned.T @ pull
         left = (pushed(q) + line) * laid.free
-        if float(np.abs(left / [scale, scale, scale * long]).max()) <= _CLOSED:
+        worst = float(np.abs(left / [scale, scale, scale * long]).max())
+        if worst <= _CLOSED and is_rubbed:
             state.q[:] = q
             pushed(q)
             return AtRest(simulation, laid, state, line)
-        matrix = turned.T @ stiffness @ turned - _slope(pushed, q, size)
-        # Heavier pulls turn the eye in under the hull.
-        matrix[2, 2] += arm[1] * pull[1] + arm[0] * pull[0]
-        matrix[laid.free == 0.0] = 0.0
-        matrix[:, laid.free == 0.0] = 0.0
-        matrix += np.diag(1.0 - laid.free)
-        matrix += np.diag([1e-6 * scale / size, 1e-6 * scale / size, 1e-6 * scale * size])
+        is_rubbed = is_rubbed or worst <= _CLOSED
         move = np.linalg.solve(matrix, left)
         far = max(float(np.hypot(move[0], move[1])), abs(float(move[2])) * size)
         q = q + move * min(1.0, _MOST_MOVE * size / max(far, 1e-300))
@@ -112,6 +129,10 @@ def moored_at_rest(
         if top < flow.depth - 3.0 * size:
             raise NoEquilibriumError(Message("floater.drawn_under"), "force", 0.0)
     raise NotConvergedError(Message("floater.not_at_rest", rounds=_ROUNDS))
+
+
+def _without_friction(seabed: Seabed | HeldBed | None) -> Seabed | HeldBed | None:
+    return replace(seabed, friction=0.0) if isinstance(seabed, Seabed) else seabed
 
 
 def _eye(hull: Hull, q: Array) -> Array:
@@ -131,12 +152,9 @@ def _slope(pushed: Callable[[Array], Array], q: Array, size: float) -> Array:
     return out
 
 
-def _of_line(simulation: Simulation, eye: Array) -> tuple[Array, Array]:
-    """Force of the line on its end at an eye, (2,) N, and its stiffness there, (2, 2) N/m."""
+def _of_line(simulation: Simulation) -> tuple[Array, Array]:
+    """Force of a line on its upper end, (2,) N, and its stiffness there, (2, 2) N/m."""
     at = simulation.state
-    at.x[-1, 0], at.x[-1, 2] = eye
-    simulation.hold_ends()
-    simulation.find_rest()
     simulation.assemble(_AT_REST)
     to, last = simulation.equations, at.x.shape[0] - 1
     pull = at.force[last, [0, 2]].copy()

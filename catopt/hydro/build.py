@@ -167,9 +167,8 @@ class FloatingHull:
         s = 0.5 * (self.foot + np.minimum(self.top, self.draught)) - self.centre
         height = np.minimum(0.5 * (self.foot + self.top) - self.draught, 0.0)
         mass = self.density * math.pi * self.radius**2 * self._wet
-        up, down = np.exp(np.outer(k, height)), np.exp(-np.outer(k, height + 2.0 * depth))
-        over = (omega**2 / -np.expm1(-2.0 * k * depth))[:, np.newaxis]
-        along, rise = -1.0j * over * (up + down), -over * (up - down)
+        along = self.water_acceleration(omega, k, depth, height)
+        rise = self.water_acceleration(omega, k, depth, height, upwards=True)
         area, second = self.waterplane
         unit = self.density * self.gravity
         out = np.zeros((omega.size, 3), dtype=complex)
@@ -177,6 +176,16 @@ class FloatingHull:
         out[:, 1] = rise @ mass + unit * area
         out[:, 2] = along @ (mass * s) - 1.0j * k * unit * second
         return out
+
+    @staticmethod
+    def water_acceleration(
+        omega: Array, k: Array, depth: float, height: Array, *, upwards: bool = False
+    ) -> Complex:
+        """Of a wave of 1 m, at heights over still water, 0 or below: (frequencies, heights)."""
+        up, down = np.exp(np.outer(k, height)), np.exp(-np.outer(k, height + 2.0 * depth))
+        over = (omega**2 / -np.expm1(-2.0 * k * depth))[:, np.newaxis]
+        found: Complex = -over * (up - down) if upwards else -1.0j * over * (up + down)
+        return found + 0j
 
     def lay_out(self, flow: Flow) -> Hull:
         """Arrays for the kernels, in a sea whose waves travel along x or against it."""
