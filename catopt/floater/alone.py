@@ -32,8 +32,8 @@ class HullHistory:
     over it, m; `lines` (n, 3): force and moment of its lines with their inertia, N and N m;
     `extreme` (4, 2): least and largest of place and volume of every step; `works`: of weight and
     pressure, diffraction, the waves that it makes, drag, wind, linear damping and lines, J;
-    `numerical_part`: energy that the steps lost or gained, over what was put in; `volume`: of all its
-    slices, m3.
+    `numerical_part`: energy that the steps lost or gained, over what was put in; `volume`: of
+    all its slices, m3.
     """
 
     time: Array

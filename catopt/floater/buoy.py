@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from dataclasses import replace
 from typing import Final, NamedTuple
@@ -111,10 +112,10 @@ def _slices(shape: BuoyShape) -> _Slices:
             if not is_hull:  # where it enters the hull and leaves it
                 cuts += [level for level in (0.0, shape.deck) if foot < level < cuts[1]]
             cuts.sort()
-            for low, high in zip(cuts, cuts[1:], strict=False):
+            for low, high in itertools.pairwise(cuts):
                 count = max(1, math.ceil((high - low) / (_THICK * shape.deck)))
                 ends = np.linspace(low, high, count + 1)
-                for a, b in zip(ends[:-1], ends[1:], strict=True):
+                for a, b in itertools.pairwise(ends.tolist()):
                     volume = each.displaced(b - foot) - each.displaced(a - foot)
                     seen = is_hull or b <= 1e-9 or a >= shape.deck - 1e-9
                     width = each.outline(a - foot, b - foot) / (b - a) if seen else 0.0
@@ -157,7 +158,7 @@ def _wind(speed: float, shape: BuoyShape, draught: float) -> tuple[float, float]
 
 
 def _radiation(hull: FloatingHull, slices: _Slices, depth: float) -> Radiation:
-    """That of a cylinder of the hull's waterplane and volume; what hangs below it by strips."""
+    """Find that of a cylinder of the hull's waterplane and volume; what hangs below by strips."""
     area, _ = hull.waterplane
     wet = np.clip(hull.draught - slices.foot, 0.0, slices.top - slices.foot)
     volumes = math.pi * hull.radius**2 * wet

@@ -1,4 +1,4 @@
-"""The body that lines moor: its inertia and what pushes it, what a buoy can carry, how it floats."""
+"""The body that lines moor: its inertia and what pushes it, what it carries, how it floats."""
 
 from __future__ import annotations
 

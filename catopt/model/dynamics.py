@@ -167,13 +167,9 @@ def dynamics_misfits(present: Collection[str], given: Mapping[str, Any]) -> list
         )
         problems.append(Problem("dynamics.broken_line", "", allowed))
     if "system" not in present:
-        if "body" in present:
-            problems.append(Problem("body", "", "goes with [system], which is missing"))
-        problems += [
-            Problem(f"motion.{key}", "", "goes with [system], which is missing")
-            for key in OF_A_BODY
-            if f"motion.{key}" in given
-        ]
+        keys = ["body"] if "body" in present else []
+        keys += [f"motion.{key}" for key in OF_A_BODY if f"motion.{key}" in given]
+        problems += [Problem(key, "", "goes with [system], which is missing") for key in keys]
     if "waves" not in present:
         for key, what in (
             ("motion.rao_file", "a ship's response"),

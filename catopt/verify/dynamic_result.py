@@ -18,8 +18,8 @@ from catopt.fem.course import taken_together
 from catopt.fem.extremes import GumbelFit, TailFit, weibull_tail
 from catopt.fem.extremes import gumbel as gumbel_of
 from catopt.fem.history import History
-from catopt.floater.alone import HullHistory
 from catopt.fem.statistics import SeriesStatistics, power_spectrum, series_statistics
+from catopt.floater.alone import HullHistory
 from catopt.model import Case
 from catopt.model.dynamics import InitialFriction
 from catopt.shown import Shown
@@ -565,8 +565,10 @@ class DynamicVerification(Shown):
             each = [_of_track(quantity, run, track, self.case) for run, track in tracks]
             found.append(_over_runs(quantity, each))
         hulls = [(run, run.hull) for run in part.runs if run.hull is not None]
-        for quantity in _HULL if hulls else ():
-            found.append(_over_runs(quantity, [_of_hull(quantity, *each) for each in hulls]))
+        found += [
+            _over_runs(quantity, [_of_hull(quantity, *each) for each in hulls])
+            for quantity in (_HULL if hulls else ())
+        ]
         return tuple(found)
 
     def to_dict(self) -> dict[str, Any]:
