@@ -181,7 +181,7 @@ class _Matched:
         x = self.k_n * a
         K, K_next = kve(m, x), kve(m + 1, x)
         slope = m / x * K - K_next
-        own = K / (self.k_n * slope) + 0j
+        own: Complex = K / (self.k_n * slope) + 0j
         if self.k == 0.0:
             return own
         y = self.k * a

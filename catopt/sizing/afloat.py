@@ -28,7 +28,7 @@ def buoy_afloat(case: Case, request: BuoyRequest) -> Case | None:
     if not isinstance(shape, BuoyShape) or shape not in buoys() or not sea.hs > 0.0:
         return None
     env = request.environment
-    segments = [_stiff(each) for each in case.line.segments]
+    segments = tuple(_stiff(each) for each in case.line.segments)
     source = case.source
     if any(math.isinf(each.EA) for each in case.line.segments):
         source = f"{source}; EA as that of {_STIFF}"
