@@ -85,7 +85,7 @@ def buoy_hull(
         drag=0.5 * density * shape.drag_in_water * slices.width,
         bottom_drag=0.125 * math.pi * density * of.heave_drag * shape.widest**2,
         bottom_radius=0.5 * shape.widest,
-        wind=_wind(of.wind, shape, draught),
+        wind=_wind(of.wind_speed, shape, draught),
         constant=(0.0, density * STANDARD_GRAVITY * displaced, 0.0),
         eyes=((0.0, shape.eye),),
         density=density,

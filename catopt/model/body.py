@@ -64,7 +64,7 @@ class Floater(Checked):
     """Name of the buoy, of the library or of `file`."""
     file: Annotated[str, File(example='"buoys.toml"')] = ""
     """Path of a file of buoys of one's own; empty when not used."""
-    wind: SomeSpeed = 0.0
+    wind_speed: SomeSpeed = 0.0
     """That blows along x, m/s; its drag is the buoy's own in air."""
     centre_of_gravity: Place | None = None
     """Height above the bottom of the hull, m; None: that of its hull and structure, as if their

@@ -39,7 +39,7 @@ def buoy_afloat(case: Case, request: BuoyRequest) -> Case | None:
         source=source,
         waves=WaveState(spectrum="jonswap", height=sea.hs, period=sea.period),
         current=CurrentProfile("power", speed=env.current.speed) if flows else None,
-        floater=Floater(shape.name, wind=env.wind.speed),
+        floater=Floater(shape.name, wind_speed=env.wind.speed),
         dynamics=Dynamics(DURATION, elements=BARS),
     )
 

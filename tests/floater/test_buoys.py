@@ -48,7 +48,7 @@ def test_what_is_given_is_taken() -> None:
 
 
 def test_wind_is_the_drag_of_what_is_out_of_the_water() -> None:
-    of = Floater("pillar 2.4 m", wind=20.0, centre_of_gravity=0.4)
+    of = Floater("pillar 2.4 m", wind_speed=20.0, centre_of_gravity=0.4)
     shape, hull = floating_buoy(of), buoy_hull(of, 12.0, 1025.0, 0.0)
     area = (1.5 - hull.draught) * 2.4 + 3.5 * 1.0 * 0.5 + 0.5
     assert hull.wind[0] == pytest.approx(0.5 * 1.29 * 1.2 * area * 400.0)
