@@ -90,7 +90,10 @@ MAY_IMPORT: dict[str, set[str]] = {
     | DESIGNING
     | {"mooring", "loads", "sizing", "answers", "figures", "notes", "render", "_version"},
     "web": {"errors", "documents", "words", "desk", "render"},
-    "compile_jobs": SOLVING | READING | DESIGNING | {"mooring", "fem", "waves", "verify"},
+    "compile_jobs": SOLVING
+    | READING
+    | DESIGNING
+    | {"mooring", "fem", "waves", "verify", "floater"},
     "cli": ALL_BUT_CLI | {"compile_jobs", "_version"},
     "__main__": {"cli", "errors", "interrupt", "_version"},
     "__init__": SOLVING

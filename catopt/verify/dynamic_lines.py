@@ -306,6 +306,8 @@ def _turned(x: float, y: float, angle: float) -> tuple[float, float]:
     return cosine * x - sine * y, sine * x + cosine * y
 
 
+_ALONG: Final = 1e-9
+"""Sine of an angle, or speed across, m/s, up to which a direction is along the line."""
 _SMALL: Final = 0.2
 """Part of the wave length above which a hull is not small beside it."""
 
@@ -325,6 +327,7 @@ class LineOfAFloater:
         """Make the buoy; hull and line find their rest in the current of each run."""
         case, of = drive.case, drive.case.floater
         assert of is not None
+        _check_in_plane(drive)
         heavy = sum(each.submerged_weight * each.length for each in case.line.segments)
         pull = heavy / case.line.length * min(case.site.water_depth, case.line.length)
         site = case.site
@@ -376,6 +379,24 @@ class LineOfAFloater:
             if shape.widest > _SMALL * length:
                 yield Message("floater.wide", width=shape.widest, length=length)
         yield Message("floater.linear_radiation")
+
+
+def _check_in_plane(drive: Drive) -> None:
+    """Refuse waves and currents that do not go along the line, in whose plane a buoy moves."""
+    sea, problems = drive.sea(0), []
+    allowed = "along the line or against it, 0 or 180 deg: [floater] moves in the line's plane"
+    if sea.waves is not None:
+        across = np.abs(np.sin(sea.waves.direction)).max()
+        if across > _ALONG:
+            found = f"up to {math.degrees(math.asin(min(across, 1.0))):.3g} deg off"
+            problems.append(Problem("waves.direction", found, allowed))
+    flow = sea.flow
+    sideways = np.abs(np.concatenate([flow.current[:, 2], flow.power_currents[:, 1]]))
+    turned = np.abs(flow.current_series[:, 2]).max()
+    if max(float(sideways.max(initial=0.0)), float(turned)) > _ALONG:
+        problems.append(Problem("current.direction", "across the line", allowed))
+    if problems:
+        raise InputError(problems, "--dynamic")
 
 
 LinesAtRest = OneLine | LinesOfABody | LineOfAFloater

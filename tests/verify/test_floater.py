@@ -6,8 +6,8 @@ import math
 
 import pytest
 
-from catopt.casefile import parse_case, write_case
 from catopt.answers.motion import motion_answer
+from catopt.casefile import parse_case, write_case
 from catopt.errors import InputError
 from catopt.render.files import csv_files
 from catopt.verify.dynamic import verify_dynamic
@@ -101,6 +101,26 @@ def test_a_buoy_that_is_not_there() -> None:
     case = parse_case(CASE.replace("pillar 2.4 m", "pillar 2.5 m"))
     with pytest.raises(InputError, match=r"floater\.buoy"):
         verify_dynamic(case, proof="none")
+
+
+@pytest.mark.parametrize(
+    ("change", "key"),
+    [
+        (('period = "8 s"', 'period = "8 s"\ndirection = "20 deg"'), "waves.direction"),
+        (
+            (
+                "[floater]",
+                '[current]\nprofile = "power"\nspeed = 1.0\ndirection = 0.3\n\n[floater]',
+            ),
+            "current.direction",
+        ),
+    ],
+)
+def test_weather_across_the_line_is_refused(change: tuple[str, str], key: str) -> None:
+    """Only surge, heave and pitch are there."""
+    with pytest.raises(InputError) as caught:
+        verify_dynamic(parse_case(CASE.replace(*change, 1)), proof="none")
+    assert [each.key for each in caught.value.problems] == [key]
 
 
 def test_a_wide_buoy_is_said_to_be_so() -> None:
