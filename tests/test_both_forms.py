@@ -32,6 +32,7 @@ from catopt.fem.dynamics import line_at_rest
 from catopt.fem.linear_motion import linear_model, linear_motion
 from catopt.fem.mesh import mesh_line
 from catopt.fem.series import series_rows, series_values
+from catopt.floater import alone  # noqa: F401 - before its `compiled` is watched
 from catopt.mooring.batch import solve_system_many
 from catopt.waves import PowerLawCurrent, Sea, TableCurrent, jonswap, random_waves
 
