@@ -122,10 +122,9 @@ def _afloat() -> None:
 
     of, waves = Floater("mooring buoy 2.5 m"), WaveState("regular", 0.5, 6.0)
     case = replace(_moved(duration=0.2), motion=None, anchor_motion=None, floater=of, waves=waves)
-    light = replace(
-        case.line, segments=[replace(each, submerged_weight=200.0) for each in case.line.segments]
-    )
-    verify_dynamic(replace(case, line=light), proof="none")
+    light = tuple(replace(each, submerged_weight=200.0) for each in case.line.segments)
+    case = replace(case, line=replace(case.line, segments=light))
+    verify_dynamic(case, proof="none")
     hull = buoy_hull(of, 20.0, 1025.0, 0.0)
     run_alone(hull, TimeStepping(0.1, 0.05), sea=Sea(20.0, regular_wave(0.5, 6.0)))
 
