@@ -58,11 +58,13 @@ MAY_IMPORT: dict[str, set[str]] = {
     "catenary": BASE | {"model"},
     "mooring": SOLVING,
     "waves": BASE | {"model"},
-    "fem": BASE | {"model", "waves"},
+    "hydro": BASE | {"model", "waves"},
+    "fem": BASE | {"model", "waves", "hydro"},
+    "floater": BASE | {"model", "waves", "hydro", "fem", "loads"},
     "loads": BASE | {"model", "waves", "catalogue"},
     "checks": SOLVING | {"catalogue", "mooring"},
     "design": SOLVING | {"catalogue", "mooring", "checks"},
-    "verify": SOLVING | {"mooring", "checks", "fem", "waves"},
+    "verify": SOLVING | {"mooring", "checks", "fem", "waves", "hydro", "floater"},
     "sizing": SOLVING | DESIGNING | {"catalogue", "casefile", "loads", "mooring", "waves"},
     "study": SOLVING | READING | {"checks", "mooring", "verify", "sizing", "notes", "_version"},
     "reproduce": SOLVING | READING | {"mooring", "loads", "waves", "fem", "verify"},
@@ -89,7 +91,10 @@ MAY_IMPORT: dict[str, set[str]] = {
     | DESIGNING
     | {"mooring", "loads", "sizing", "answers", "figures", "notes", "render", "_version"},
     "web": {"errors", "documents", "words", "desk", "render"},
-    "compile_jobs": SOLVING | READING | DESIGNING | {"mooring", "fem", "waves", "verify"},
+    "compile_jobs": SOLVING
+    | READING
+    | DESIGNING
+    | {"mooring", "fem", "waves", "verify", "floater"},
     "cli": ALL_BUT_CLI | {"compile_jobs", "_version"},
     "__main__": {"cli", "errors", "interrupt", "_version"},
     "__init__": SOLVING

@@ -343,7 +343,7 @@ class CaseTable(Table):
 
     model = model.Case
     keys = """title source site line load load_cases system find checks service buoy anchor
-        catalogue design waves current motion anchor_motion body dynamics fatigue pso"""
+        catalogue design waves current motion anchor_motion body floater dynamics fatigue pso"""
     later: ClassVar = {"verify": ""}
     elsewhere: ClassVar = {
         "environment": "belongs to a file for catopt size and catopt loads (docs/sizing.md), "

@@ -243,6 +243,11 @@ class BuoyShape:
             return ()
         return ((-self.tube_length, _cylinder(self.tube_length, self.tube_diameter)),)
 
+    @property
+    def stacks(self) -> tuple[Stack, Stack]:
+        """Hull, and structure."""
+        return self._hull, self._structure
+
     @cached_property
     def deck(self) -> float:
         """Level of the hull's top above its bottom, m."""

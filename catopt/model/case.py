@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Annotated, Literal
 
 from catopt.model.anchor import Anchor
-from catopt.model.body import Body, Buoy
+from catopt.model.body import Body, Buoy, Floater
 from catopt.model.catalogue_choice import CatalogueChoice
 from catopt.model.checks import NEEDS_SEVERAL_LINES, Checks
 from catopt.model.current_profile import CurrentProfile
@@ -112,8 +112,10 @@ class Case(Checked):
     """Of the lower end of a line, harmonic or recorded; it stays without."""
     body: Body | None = None
     """That the lines moor, where it moves under forces instead of being led."""
+    floater: Floater | None = None
+    """A buoy that the line moors, which floats and moves with it."""
     dynamics: Dynamics | None = None
-    """How the line is run in time; needed by the five before it."""
+    """How the line is run in time; needed by the six before it."""
     fatigue: Fatigue | None = None
     """What its damage in a year is found from."""
 

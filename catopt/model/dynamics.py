@@ -24,7 +24,9 @@ TimeScheme = Literal["newmark", "generalised-alpha"]
 InitialFriction = Literal["pulled", "none", "laid"]
 INITIAL_FRICTION: tuple[str, ...] = get_args(InitialFriction)
 
-FOR_MOTION = ("waves", "current", "motion", "anchor_motion", "body", "dynamics", "system")
+FOR_MOTION = (
+    *("waves", "current", "motion", "anchor_motion", "body", "floater", "dynamics", "system"),
+)
 """Parts of a case that are for a line in motion, or that change what goes with them."""
 
 BARS: Final = 100
@@ -147,13 +149,15 @@ def dynamics_misfits(present: Collection[str], given: Mapping[str, Any]) -> list
     if "dynamics" not in present:
         problems += [
             Problem(key, "", "goes with [dynamics], which is missing: nothing else reads it")
-            for key in ("waves", "current", "motion", "anchor_motion", "body")
+            for key in ("waves", "current", "motion", "anchor_motion", "body", "floater")
             if key in present
         ]
     elif "system" in present:
         problems += _of_a_body(present, given)
     elif not {"motion", "waves", "anchor_motion"} & set(present):
         problems.append(Problem("dynamics", "", "nothing moves: [motion] or [waves] is missing"))
+    if "floater" in present:
+        problems += _of_a_floater(present, given)
     if "dynamics.broken_line" in given and not (
         {"system", "body"} <= set(present) or given.get("dynamics.broken_end") == "anchor"
     ):
@@ -163,13 +167,9 @@ def dynamics_misfits(present: Collection[str], given: Mapping[str, Any]) -> list
         )
         problems.append(Problem("dynamics.broken_line", "", allowed))
     if "system" not in present:
-        if "body" in present:
-            problems.append(Problem("body", "", "goes with [system], which is missing"))
-        problems += [
-            Problem(f"motion.{key}", "", "goes with [system], which is missing")
-            for key in OF_A_BODY
-            if f"motion.{key}" in given
-        ]
+        keys = ["body"] if "body" in present else []
+        keys += [f"motion.{key}" for key in OF_A_BODY if f"motion.{key}" in given]
+        problems += [Problem(key, "", "goes with [system], which is missing") for key in keys]
     if "waves" not in present:
         for key, what in (
             ("motion.rao_file", "a ship's response"),
@@ -178,6 +178,20 @@ def dynamics_misfits(present: Collection[str], given: Mapping[str, Any]) -> list
             if key in given:
                 problems.append(Problem(key, "", f"{what} needs [waves], which is missing"))
     return problems
+
+
+def _of_a_floater(present: Collection[str], given: Collection[str]) -> Iterator[Problem]:
+    """Yield what does not go together with a buoy that floats at the end of its line."""
+    for key in ("motion", "anchor_motion", "body", "system"):
+        if key in present:
+            allowed = (
+                "does not go with [floater]: one line, and a buoy that moves as the sea has it"
+            )
+            yield Problem(key, "", allowed)
+    if "waves" not in present:
+        yield Problem("waves", "", "missing; nothing moves a [floater] but waves")
+    if "dynamics.broken_line" in given:
+        yield Problem("dynamics.broken_line", "", "does not go with [floater]")
 
 
 def _of_a_body(present: Collection[str], given: Collection[str]) -> Iterator[Problem]:

@@ -12,6 +12,7 @@ from catopt.errors import InputError, Problem
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.environment import WaterLevels
 from catopt.model import Buoy, Design, LoadCase
+from catopt.sizing.afloat import buoy_afloat
 from catopt.sizing.answer import case_of, loads_on, new_and_worn, sizing_of, worn_name
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.line_choice import sold
@@ -45,6 +46,7 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
         of_line=lambda line: _settled(replace(request, line=line)),
         swing=_swing,
         assumptions=tuple(_assumptions(request, settled.assumed)),
+        afloat=buoy_afloat(settled.case, request),
     )
 
 

@@ -14,6 +14,7 @@ import numpy as np
 from catopt.checks.fatigue import count_cycles
 from catopt.errors import InputError, NotConvergedError, Problem
 from catopt.fem.history import STOPPED
+from catopt.floater.alone import HullHistory
 from catopt.interrupt import waiting_interrupt
 from catopt.model import Case
 from catopt.verify.case import load_states
@@ -423,7 +424,11 @@ def _run(
             still = quasi_static(leg, of_line, drive.case.site.seabed_friction)
         if drive.dynamics.broken_line == k + 1:
             still[of_line.time >= (drive.dynamics.broken_at or 0.0)] = np.nan
-        run = DynamicRun(of_line, still, number, track=track)
+        run = DynamicRun(of_line, still, number)
+        if isinstance(track, HullHistory):
+            run = replace(run, hull=track)
+        else:
+            run = replace(run, track=track)
         if stepping.tensions:
             run = _counted(run, sea)
         runs.append(run)

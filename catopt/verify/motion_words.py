@@ -24,6 +24,10 @@ DYNAMIC_QUANTITY_OF: Mapping[str, Quantity] = MappingProxyType(
         "body_x": named("offset", "Body x", ""),
         "body_y": named("offset", "Body y", ""),
         "body_offset": named("offset", "Body's way from rest", ""),
+        "floater_x": named("offset", "Buoy's way along x", ""),
+        "floater_z": named("offset", "Buoy's centre over still water", ""),
+        "floater_pitch": named("angle", "Buoy's pitch", ""),
+        "floater_wet": Quantity("part", "Part of the buoy under water", "", "", "-", 1.0, 2),
     }
 )
 """What each quantity of a line in motion is in tables."""
