@@ -1,7 +1,7 @@
 """Reads a number with its unit into SI: ``"9.5 m"``, ``"0.343 tf"``, ``"95 mm"``.
 
-Bare numbers are SI. The units this field writes stand in one small table, so that an ordinary case
-file is read without the units library; any other unit ("3 ft", "12 kip/ft") is looked up there.
+Bare numbers are SI. The units this field writes stand in one small table; any other unit, such as
+"3 ft", "50 knots" or "12 kip/ft", is made of the words in `catopt.unit_words`.
 """
 
 from __future__ import annotations
@@ -14,11 +14,14 @@ from datetime import date, time
 from enum import Enum
 from functools import cache
 from types import MappingProxyType
-from typing import Any
+from typing import TYPE_CHECKING
 
 from catopt.constants import STANDARD_GRAVITY, YEAR
 from catopt.errors import InputError, Problem
 from catopt.numerals import readings
+
+if TYPE_CHECKING:
+    from catopt.unit_words import Powers
 
 
 class Dimension(Enum):
@@ -120,7 +123,7 @@ UNITS: Mapping[Dimension, Mapping[str, float]] = MappingProxyType(
         Dimension.NUMBER: {"%": 1e-2},
     }
 )
-"""SI units in one of each unit that is read without the units library.
+"""SI units in one of each unit that the field writes.
 
 A knot is 1852 m/h, a shot of chain 27.5 m, a year the Julian one.
 """
@@ -137,13 +140,15 @@ _AMBIGUOUS = {
 }
 """Units that mean something else to some readers, or a million times less by one capital."""
 
-_AS_FORCE = {"kg": "kgf", "t": "tf", "tonne": "tf", "tonnes": "tf", "lb": "lbf"}
+_AS_FORCE = {
+    **dict.fromkeys(("kg", "kilogram", "kilograms"), "kgf"),
+    **dict.fromkeys(("t", "tonne", "tonnes", "tấn"), "tf"),
+    **dict.fromkeys(("lb", "lbs", "pounds"), "lbf"),
+}
 
 _LONGEST_UNIT = 24
 _NUMBER = re.compile(r"([+-]?(?:\d[\d.,]*|\.\d+)(?:[eE][+-]?\d+)?)(.*)", re.ASCII | re.DOTALL)
 _NOT_FINITE = re.compile(r"[+-]?(?:nan|inf|infinity)\b.*", re.IGNORECASE | re.DOTALL)
-_UNIT_WORD = r"[^\W\d]\w*(?:\^-?[1-9])?"
-_UNIT = re.compile(rf"{_UNIT_WORD}(?:[*/ ]{_UNIT_WORD})*")
 _SPELLINGS = str.maketrans({"−": "-", "·": "*", "⋅": "*", "×": "*", "°": "deg"})
 _SUPERSCRIPTS = str.maketrans("⁻¹²³⁴", "-1234")
 
@@ -249,15 +254,19 @@ class _Reading:
             return UNITS[self.dimension][unit]
         if unit in _AMBIGUOUS:
             raise self.error(f"{unit} is {_AMBIGUOUS[unit]}")
-        near = [u for units in UNITS.values() for u in units if u.casefold() == unit.casefold()]
-        kind, factor = _by_table(unit) if near else _by_library(unit)
+        near = _near(unit)
+        kind, factor = _by_table(unit)
+        if kind is None:
+            kind, factor = _by_words(unit)
         if kind is self.dimension:
             return factor
         if kind is Dimension.MASS_PER_LENGTH and self.dimension is Dimension.FORCE_PER_LENGTH:
             return factor * STANDARD_GRAVITY
         noun = self.dimension.noun
         meant = [
-            f"capitals count: write {known}" for known in near if known in UNITS[self.dimension]
+            f"capitals count: write {each}"
+            for each in near
+            if each != unit and self.dimension in (_by_table(each)[0], _by_words(each)[0])
         ]
         if kind is None:
             raise self.error(meant[0] if meant else f"not a unit known here; {self.wanted}")
@@ -283,6 +292,14 @@ def _spelt(unit: str) -> str:
     return re.sub(r"\s+", " ", unit)
 
 
+def _near(unit: str) -> list[str]:
+    """List the units that differ by capitals alone; those of the field come first."""
+    from catopt.unit_words import known
+
+    listed = dict.fromkeys((*(u for units in UNITS.values() for u in units), *known()))
+    return [each for each in listed if each.casefold() == unit.casefold()]
+
+
 def _by_table(unit: str) -> tuple[Dimension | None, float]:
     """Dimension and SI factor of a unit; None when the table lacks it."""
     for dimension, units in UNITS.items():
@@ -291,30 +308,23 @@ def _by_table(unit: str) -> tuple[Dimension | None, float]:
     return None, math.nan
 
 
-def _by_library(unit: str) -> tuple[Dimension | None, float]:
-    """Dimension and SI factor of a unit; None for no unit at all and for one of no use here."""
-    if len(unit) > _LONGEST_UNIT or not _UNIT.fullmatch(unit):
+def _by_words(unit: str) -> tuple[Dimension | None, float]:
+    """Dimension and SI factor of a unit of words; None for no unit and for one of no use here."""
+    from catopt.unit_words import worth
+
+    found = worth(unit) if len(unit) <= _LONGEST_UNIT else None
+    if found is None:
         return None, math.nan
-    registry = _registry()
-    try:
-        root = (1.0 * registry.Unit(unit)).to_root_units()
-    except Exception:  # the library raises a dozen kinds for what it cannot read as a unit
-        return None, math.nan
-    for dimension in Dimension:
-        if dimension.si_unit:
-            si = (1.0 * registry.Unit(dimension.si_unit)).to_root_units()
-            if si.units == root.units:
-                return dimension, float(root.magnitude / si.magnitude)
-    return None, math.nan
+    return _of_powers().get(found[1]), found[0]
 
 
 @cache
-def _registry() -> Any:
-    import pint
+def _of_powers() -> Mapping[Powers, Dimension]:
+    """List the dimensions by their powers of the basic units."""
+    from catopt.unit_words import worth
 
-    registry: Any = pint.UnitRegistry()
-    registry.define("USD = [currency]")
-    return registry
+    made = ((worth(each.si_unit), each) for each in Dimension if each.si_unit)
+    return {found[1]: each for found, each in made if found is not None}
 
 
 def lasting(seconds: float) -> str:

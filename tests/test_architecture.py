@@ -17,7 +17,7 @@ import catopt
 PACKAGE = Path(catopt.__file__).parent
 
 BASE = {
-    "errors", "constants", "documents", "numerals", "units", "quantities", "words",
+    "errors", "constants", "documents", "numerals", "unit_words", "units", "quantities", "words",
     "arrays", "compiled", "interrupt", "ties", "shown",
 }  # fmt: skip
 SOLVING = BASE | {"model", "catenary"}
@@ -40,7 +40,8 @@ MAY_IMPORT: dict[str, set[str]] = {
     "arrays": set(),
     "documents": {"errors"},
     "numerals": set(),
-    "units": {"errors", "constants", "numerals"},
+    "unit_words": {"constants"},
+    "units": {"errors", "constants", "numerals", "unit_words"},
     "quantities": {"errors", "constants", "units"},
     "words": {"quantities"},
     "compiled": {"errors", "machine_code"},
