@@ -30,7 +30,10 @@ ALL_BUT_CLI = (
     | {"mooring", "loads", "schemas", "verify", "reproduce", "sizing", "study", "export", "report"}
     | {"answers", "figures", "notes", "render", "desk", "web"}
 )
-RESULTS = {"model", "catenary", "mooring", "design", "verify", "reproduce", "study"}
+RESULTS = {
+    *("model", "catenary", "mooring", "design", "verify", "reproduce", "study"),
+    *("sizing", "loads"),
+}
 """Parts whose results are drawn: only a type checker reads them there."""
 
 MAY_IMPORT: dict[str, set[str]] = {

@@ -35,7 +35,7 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
     aim = request.scope * env.levels.deepest(env.sea)
     request = replace(request, line=replace(request.line, aim=aim))
     request, settled = _within_scope(request)
-    return sizing_of(
+    found = sizing_of(
         "buoy",
         request,
         settled,
@@ -46,6 +46,8 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
         swing=_swing,
         assumptions=tuple(_assumptions(request, settled.assumed)),
     )
+    shape = request.buoy if isinstance(request.buoy, BuoyShape) else None
+    return replace(found, shape=shape)
 
 
 def _within_scope(request: BuoyRequest) -> tuple[BuoyRequest, Settled]:

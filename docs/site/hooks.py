@@ -41,6 +41,9 @@ BESIDE_DOCS = (
     "reports/**/*.svg",
 )
 
+FOUND_LAST = ("api", "CHANGELOG", "benchmarks", "cases", "reports", "catalogue-verdicts")
+"""Pages that have every word, and are seldom what one looks for."""
+
 FENCE = re.compile(r"^(?P<fence>`{3,}).*?^(?P=fence)$", re.MULTILINE | re.DOTALL)
 MARK = re.compile(r"^(```\w+) run$", re.MULTILINE)
 LINK = re.compile(r"(?P<image>!?)\[(?P<text>(?:[^\]\[]|\[[^\]]*\])*)\]\((?P<target>[^)\s]+)\)")
@@ -82,6 +85,8 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
 def on_page_markdown(markdown: str, page: Page, files: Files, **_: object) -> str:
     """Make a page of the repository one of the site."""
     known = {file.src_uri for file in files}
+    if page.file.src_uri.startswith(FOUND_LAST):
+        page.meta["search"] = {"boost": 0.2}
     return relinked(unmarked(described(markdown)), page.file.src_uri, known)
 
 
