@@ -34,7 +34,7 @@ _NUMBERS = 6
 
 
 def size_card(of: Sizing, *, with_others: bool = True) -> tuple[CardBlock, ...]:
-    """Lay out what is recommended on one screen, with other lines in words where they are wanted."""
+    """Lay out what is recommended on one screen, with other lines in words where wanted."""
     (code, *_) = of.case.checks.codes
     briefs = (
         Brief(of.departures, Message("sizing.card_departs", code=code), 2),

@@ -94,7 +94,11 @@ def choices(of: Sizing) -> tuple[Chart, tuple[dict[str, str], ...]]:
     drawn = Chart(
         "choices",
         Message("figures.choices"),
-        axis("length", span_of([each.x for each in marks], 0.2, 0.2), term("Swing radius at low water")),
+        axis(
+            "length",
+            span_of([each.x for each in marks], 0.2, 0.2),
+            term("Swing radius at low water"),
+        ),
         axis("mass", span_of([each.y for each in marks], 0.2, 0.2), term("Mass in air")),
         marks=tuple(marks),
         points=tuple(said),
