@@ -17,7 +17,7 @@ import catopt
 PACKAGE = Path(catopt.__file__).parent
 
 BASE = {
-    "errors", "constants", "documents", "numerals", "unit_words", "units", "quantities", "words",
+    "errors", "constants", "documents", "numerals", "dimensions", "unit_words", "units", "quantities", "words",
     "arrays", "compiled", "interrupt", "ties", "shown",
 }  # fmt: skip
 SOLVING = BASE | {"model", "catenary"}
@@ -44,8 +44,9 @@ MAY_IMPORT: dict[str, set[str]] = {
     "documents": {"errors"},
     "numerals": set(),
     "unit_words": {"constants"},
-    "units": {"errors", "constants", "numerals", "unit_words"},
-    "quantities": {"errors", "constants", "units"},
+    "dimensions": {"constants"},
+    "units": {"errors", "constants", "numerals", "dimensions", "unit_words", "words"},
+    "quantities": {"constants", "dimensions"},
     "words": {"quantities"},
     "compiled": {"errors", "machine_code"},
     "machine_code": {"interrupt", "machine_tuples"},

@@ -253,7 +253,7 @@ def found_pages(tab: Tab) -> list[str]:
 
 SEARCHED = {
     "touchdown": "theory.html",
-    "friction": "loads.html",
+    "friction": "dynamics.html",
     "wind": "loads.html",
     "sinker friction": "loads.html",
     "anchor": "loads.html",
@@ -271,7 +271,7 @@ SEARCHED = {
     "tàu": "neo-tau.html",
     "lực căng": "bat-dau-nhanh.html",
     "kiểm chứng": "kiem-chung.html",
-    "ma sát": "neo-phao.html",
+    "đáy": "neo-phao.html",
 }
 """Words that are looked for, and a page that is about them."""
 
