@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from catopt.cli.output import Output
+    from catopt.errors import CatoptError
 
 __all__ = ["main"]
 
@@ -39,6 +40,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         sys.stderr.write("catopt: interrupted\n")
         return INTERRUPTED
     output = Output()
+    asked = sys.argv[1:] if arguments is None else list(arguments)
+    output.language = "vi" if _wants_vietnamese(asked) else "en"
     status = 0
     try:
         if arguments is None:
@@ -61,6 +64,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return status
 
 
+def _wants_vietnamese(arguments: Sequence[str]) -> bool:
+    """Whether ``--lang vi`` is among the arguments, before any of them is read."""
+    from itertools import pairwise
+
+    return "--lang=vi" in arguments or ("--lang", "vi") in pairwise(arguments)
+
+
 def _run(arguments: Sequence[str] | None, output: Output) -> None:
     from catopt.cli.app import command
 
@@ -73,7 +83,7 @@ def _failed(error: Exception, output: Output) -> int:
     from catopt.interrupt import was_interrupted
 
     if isinstance(error, CatoptError) and error.exit_status != FAULT:
-        output.note(f"catopt: {error}")
+        output.note(f"catopt: {_said(error, output)}")
         return error.exit_status
     if (said := _of_the_place(error)) and not output.debug:
         output.note(f"catopt: {said}")
@@ -82,6 +92,19 @@ def _failed(error: Exception, output: Output) -> int:
         return INTERRUPTED
     output.note(_fault(error, output))
     return FAULT
+
+
+def _said(error: CatoptError, output: Output) -> str:
+    """Say an error in the language that was asked for."""
+    if output.language == "en":
+        return str(error)
+    from catopt.errors import InputError
+    from catopt.words import say
+    from catopt.words.refusals import say_refusal
+
+    if isinstance(error, InputError):
+        return say_refusal(error.source, error.problems, output.language)
+    return say(error.message, output.language)
 
 
 def _of_the_place(error: Exception) -> str:

@@ -85,9 +85,7 @@ def noun_of(dimension: Dimension) -> Message:
 
 def wanted(dimension: Dimension, example: str = "") -> Message:
     """Say what is wanted, with an example: that of the dimension where none is given."""
-    return Message(
-        "refused.wanted", noun=noun_of(dimension), example=example or dimension.example
-    )
+    return Message("refused.wanted", noun=noun_of(dimension), example=example or dimension.example)
 
 
 def implausible(dimension: Dimension, si: float) -> str:

@@ -17,7 +17,8 @@ import catopt
 PACKAGE = Path(catopt.__file__).parent
 
 BASE = {
-    "errors", "constants", "documents", "numerals", "dimensions", "unit_words", "units", "quantities", "words",
+    "errors", "constants", "documents", "numerals", "dimensions", "unit_words", "units",
+    "quantities", "words",
     "arrays", "compiled", "interrupt", "ties", "shown",
 }  # fmt: skip
 SOLVING = BASE | {"model", "catenary"}
@@ -41,7 +42,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "errors": set(),
     "constants": set(),
     "arrays": set(),
-    "documents": {"errors"},
+    "documents": {"errors", "words"},
     "numerals": set(),
     "unit_words": {"constants"},
     "dimensions": {"constants"},

@@ -93,7 +93,7 @@ class _Reader:
     def _unknown(self, path: Path, schema: type[Table], key: str, given: Any) -> Finding:
         here = (*path, key)
         if key in schema.elsewhere:
-            return Finding(here, as_written(given), schema.elsewhere[key])
+            return Finding(here, as_written(given), Message(schema.elsewhere[key]))
         if key not in schema.later:
             return Finding(here, Message("refused.unknown_key"), hint(schema, key, self.top))
         later = Message("refused.later")

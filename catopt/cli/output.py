@@ -19,6 +19,8 @@ from catopt.decks.told import when_read
 if TYPE_CHECKING:
     from rich.console import Console, RenderableType
 
+    from catopt.words import Language
+
 Progress = Callable[[int, int], None]
 """Told how many steps are done and how many there are."""
 
@@ -42,6 +44,7 @@ class Output:
 
     def __init__(self) -> None:
         self.debug = False  # whether a fault of ours shows its traceback
+        self.language: Language = "en"  # of what is wrong; answers are told theirs
         self._consoles: dict[TextIO, Console] = {}
 
     def json(self, document: dict[str, Any]) -> None:

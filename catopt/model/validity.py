@@ -147,7 +147,11 @@ class Findings:
     def word(self, key: str, value: object, words: Sequence[str], *, quoted: bool = False) -> None:
         """Note a problem unless `value` is one of some words; quoted: shown as a file has it."""
         if value not in words:
-            self.add(key, f'"{value}"' if quoted else repr(value), Message("refused.of_these", words=", ".join(words)))
+            self.add(
+                key,
+                f'"{value}"' if quoted else repr(value),
+                Message("refused.of_these", words=", ".join(words)),
+            )
 
     def count(self, key: str, value: object) -> None:
         """Note a problem unless `value` is within the bounds of the count that `key` is."""

@@ -275,7 +275,9 @@ const DOCUMENT = { line: "solve", body: "system", buoy: "size", tanker: "size" }
 const act = {
   compare: async () => {
     if (answered) state.kept[state.door] = answered.text;
+    status("working");
     await compare(question());
+    status("ready");
   },
   save: async () => {
     const reply = await ask("file", question());

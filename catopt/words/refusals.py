@@ -22,10 +22,11 @@ def say_refusal(source: str, problems: Iterable[_Problem], language: Language = 
     """Say all that is wrong with an input, as its error does in English."""
     every = tuple(problems)
     head = Message("refused.head", source=f"{source}: " if source else "", count=len(every))
-    return "\n".join([say(head, language), *(f"  {_said(each, language)}" for each in every)])
+    lines = (say(problem_words(each), language).replace("\n", "\\n") for each in every)
+    return "\n".join([say(head, language), *(f"  {each}" for each in lines)])
 
 
-def _said(problem: _Problem, language: Language) -> str:
+def problem_words(problem: _Problem) -> Message:
+    """Say one thing that is wrong: where, what is there, and what would be right."""
     key = "refused.found" if problem.found else "refused.not_found"
-    values = {"key": problem.key, "found": problem.found, "allowed": problem.allowed}
-    return say(Message(key, **values), language).replace("\n", "\\n")
+    return Message(key, key=problem.key, found=problem.found, allowed=problem.allowed)

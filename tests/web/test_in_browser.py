@@ -196,6 +196,7 @@ def test_every_door_leads_to_its_note_and_nothing_keeps_people_from_it(
     for door in DOORS:
         choose(tab, "door", door)
         tab.value("document.querySelector('[data-do=compare]').click()")
+        wait(tab)
         for language in languages:
             choose(tab, "lang", language)
             assert tab.value("document.querySelector('.compared').textContent.trim()") != ""
@@ -244,8 +245,8 @@ def typed(tab: Tab, field: str, value: str) -> None:
     )
 
 
-SEEN = """[...document.querySelectorAll(".card .headline, .card .verdict, .brief-card .headline,
-  .brief-card .verdict")].filter((each) => {
+SEEN = """[...document.querySelectorAll(":is(.card, .brief-card) > :is(.headline, .verdict)")]
+  .filter((each) => {
     const box = each.getBoundingClientRect();
     return box.height > 0 && box.top >= 0 && box.bottom <= innerHeight;
   }).map((each) => each.textContent)"""
