@@ -9,7 +9,6 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from catopt.cli.output import Output
-    from catopt.errors import CatoptError
 
 __all__ = ["main"]
 
@@ -83,7 +82,7 @@ def _failed(error: Exception, output: Output) -> int:
     from catopt.interrupt import was_interrupted
 
     if isinstance(error, CatoptError) and error.exit_status != FAULT:
-        output.note(f"catopt: {_said(error, output)}")
+        output.refusal(error)
         return error.exit_status
     if (said := _of_the_place(error)) and not output.debug:
         output.note(f"catopt: {said}")
@@ -92,19 +91,6 @@ def _failed(error: Exception, output: Output) -> int:
         return INTERRUPTED
     output.note(_fault(error, output))
     return FAULT
-
-
-def _said(error: CatoptError, output: Output) -> str:
-    """Say an error in the language that was asked for."""
-    if output.language == "en":
-        return str(error)
-    from catopt.errors import InputError
-    from catopt.words import say
-    from catopt.words.refusals import say_refusal
-
-    if isinstance(error, InputError):
-        return say_refusal(error.source, error.problems, output.language)
-    return say(error.message, output.language)
 
 
 def _of_the_place(error: Exception) -> str:
