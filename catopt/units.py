@@ -24,6 +24,17 @@ if TYPE_CHECKING:
     from catopt.unit_words import Powers
 
 
+__all__ = [
+    "UNITS",
+    "Dimension",
+    "as_written",
+    "implausible",
+    "lasting",
+    "noun_of",
+    "to_si",
+    "wanted",
+]
+
 _AMBIGUOUS = {
     **dict.fromkeys(("ton", "tons"), "ton"),
     **{each: each for each in ("tonf", "mt", "mN", "mPa", "Mm", "gf")},

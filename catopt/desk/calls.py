@@ -301,7 +301,7 @@ def _line(text: str) -> _Laid:
     (segment, *_), facts = case.line.segments, result_facts(solution)
     chain = segment.component and chain_words(segment.component, segment.nominal_diameter)
     length = Measure("length", solution.line.length)
-    card = (
+    card: tuple[CardBlock, ...] = (
         Text(Message("desk.line_is", chain=chain or segment.name, length=length)),
         _verdict(report),
         Facts("desk_card", facts[:6]),

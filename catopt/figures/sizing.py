@@ -70,7 +70,9 @@ def choices(of: Sizing) -> tuple[Chart, tuple[dict[str, str], ...]]:
     Also what an input has to be for each of them, in the order of the points.
     """
     own = of.point
-    said, sets, marks = [], [], []
+    said: list[Point] = []
+    sets: list[dict[str, str]] = []
+    marks: list[Mark] = []
     for prefer, settled, swing in (
         *((each.prefer, each.settled, each.swing) for each in of.alternatives),
         (of.settled.choice.looks_for, of.settled, of.swing.total),
@@ -78,7 +80,7 @@ def choices(of: Sizing) -> tuple[Chart, tuple[dict[str, str], ...]]:
         if settled is None:
             continue
         is_own = settled.point is own
-        mass = settled.point.line.mass
+        mass = settled.point.line.mass or 0.0
         role = "recommended" if is_own else "design"
         marks.append(Mark(role, swing, mass, Message(f"figures.choice_{role}")))
         words = Message(
