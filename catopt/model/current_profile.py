@@ -69,7 +69,7 @@ class CurrentProfile(Checked):
                 if is_given:
                     found.add(key, repr(given), "stands in the series_file; leave it out")
             elif is_given and key not in _TAKES[self.profile]:
-                allowed = Message("refused.not_with_profile", profile=self.profile)
+                allowed: str = Message("refused.not_with_profile", profile=self.profile)
                 found.add(key, repr(given), allowed)
             elif not is_given and key in _NEEDS[self.profile]:
                 found.add(key, "", Message("refused.profile_needs", profile=self.profile))
@@ -84,7 +84,7 @@ class CurrentProfile(Checked):
         self._check_length("speeds", found)
         for index, (above, depth) in enumerate(pairwise(self.depths), start=1):
             if depth <= above:
-                allowed = Message("refused.more_than_before", above=above)
+                allowed: str = Message("refused.more_than_before", above=above)
                 found.add(f"depths[{index}]", f"{depth:g} m", allowed)
         self._check_length("directions", found)
         for index, turn in enumerate(turns(self.directions), start=1):

@@ -160,7 +160,7 @@ def train_misfits(given: Mapping[str, Any]) -> list[Problem]:
     problems = []
     spectrum, count = given.get("spectrum"), given.get("components", COMPONENTS)
     if "peak_enhancement" in given and spectrum in WAVE_SPECTRA and spectrum != "jonswap":
-        allowed = Message("refused.with_not_with", way="jonswap", other=spectrum)
+        allowed: str = Message("refused.with_not_with", way="jonswap", other=spectrum)
         problems.append(Problem("peak_enhancement", repr(given["peak_enhancement"]), allowed))
     if "spreading_exponent" in given and spectrum == "regular":
         allowed = "a regular wave has one direction; leave it out"
