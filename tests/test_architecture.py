@@ -17,7 +17,8 @@ import catopt
 PACKAGE = Path(catopt.__file__).parent
 
 BASE = {
-    "errors", "constants", "documents", "numerals", "units", "quantities", "words",
+    "errors", "constants", "documents", "numerals", "dimensions", "unit_words", "units",
+    "quantities", "words",
     "arrays", "compiled", "interrupt", "patience", "ties", "shown",
 }  # fmt: skip
 SOLVING = BASE | {"model", "catenary"}
@@ -30,7 +31,10 @@ ALL_BUT_CLI = (
     | {"mooring", "loads", "schemas", "verify", "reproduce", "sizing", "study", "export", "report"}
     | {"answers", "figures", "notes", "render", "desk", "web"}
 )
-RESULTS = {"model", "catenary", "mooring", "design", "verify", "reproduce", "study"}
+RESULTS = {
+    *("model", "catenary", "mooring", "design", "verify", "reproduce", "study"),
+    *("sizing", "loads"),
+}
 """Parts whose results are drawn: only a type checker reads them there."""
 
 MAY_IMPORT: dict[str, set[str]] = {
@@ -38,10 +42,12 @@ MAY_IMPORT: dict[str, set[str]] = {
     "errors": set(),
     "constants": set(),
     "arrays": set(),
-    "documents": {"errors"},
+    "documents": {"errors", "words"},
     "numerals": set(),
-    "units": {"errors", "constants", "numerals"},
-    "quantities": {"errors", "constants", "units"},
+    "unit_words": {"constants"},
+    "dimensions": {"constants"},
+    "units": {"errors", "constants", "numerals", "dimensions", "unit_words", "words"},
+    "quantities": {"constants", "dimensions"},
     "words": {"quantities"},
     "compiled": {"errors", "machine_code"},
     "machine_code": {"interrupt", "machine_tuples"},

@@ -346,8 +346,7 @@ class CaseTable(Table):
         catalogue design waves current motion anchor_motion body floater dynamics fatigue pso"""
     later: ClassVar = {"verify": ""}
     elsewhere: ClassVar = {
-        "environment": "belongs to a file for catopt size and catopt loads (docs/sizing.md), "
-        "which finds the force; a case file gives it",
+        "environment": "refused.belongs_to_size",
     }
     symbols: ClassVar = {"catalog": "catalogue"}
 

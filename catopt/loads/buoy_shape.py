@@ -248,6 +248,13 @@ class BuoyShape:
         """Hull, and structure."""
         return self._hull, self._structure
 
+    @property
+    def parts(self) -> Stack:
+        """What is seen of it from the side, each with the level of its foot above the hull's."""
+        tower = _cylinder(self.tower_height, self.tower_width) if self.tower_height else None
+        above = self.pylons or (() if tower is None else (tower,))
+        return (*self._structure, *self._hull, *_stacked(above, self.deck))
+
     @cached_property
     def deck(self) -> float:
         """Level of the hull's top above its bottom, m."""

@@ -11,6 +11,7 @@ from catopt.model.kinds import Duration, Measured, NotNegative, Share, Time, Who
 from catopt.model.motion import OF_A_BODY, RAO_CONVENTIONS
 from catopt.model.validity import Checked, Findings
 from catopt.units import Dimension
+from catopt.words import Message
 
 BedStiffness = Annotated[
     float, Measured(Dimension.PRESSURE, above=0.0, example='"30 kN/m^2"', si="N/m^2")
@@ -115,7 +116,7 @@ def time_misfits(given: Mapping[str, Any]) -> list[Problem]:
     """List times of a run, in s, that do not fit into it; one that is not given is None."""
     duration = given["duration"]
     return [
-        Problem(key, f"{given[key]:g} s", f"must be below {duration:g} s, the duration")
+        Problem(key, f"{given[key]:g} s", Message("refused.below_duration", duration=duration))
         for key in ("ramp", "broken_at", "time_step", "output_interval")
         if given[key] is not None and not given[key] < duration
     ]
@@ -148,14 +149,14 @@ def dynamics_misfits(present: Collection[str], given: Mapping[str, Any]) -> list
     problems = []
     if "dynamics" not in present:
         problems += [
-            Problem(key, "", "goes with [dynamics], which is missing: nothing else reads it")
+            Problem(key, "", Message("refused.with_dynamics"))
             for key in ("waves", "current", "motion", "anchor_motion", "body", "floater")
             if key in present
         ]
     elif "system" in present:
         problems += _of_a_body(present, given)
     elif not {"motion", "waves", "anchor_motion"} & set(present):
-        problems.append(Problem("dynamics", "", "nothing moves: [motion] or [waves] is missing"))
+        problems.append(Problem("dynamics", "", Message("refused.nothing_moves")))
     if "floater" in present:
         problems += _of_a_floater(present, given)
     if "dynamics.broken_line" in given and not (
@@ -176,7 +177,7 @@ def dynamics_misfits(present: Collection[str], given: Mapping[str, Any]) -> list
             ("body.wave_force", "a force of the waves"),
         ):
             if key in given:
-                problems.append(Problem(key, "", f"{what} needs [waves], which is missing"))
+                problems.append(Problem(key, "", Message("refused.needs_waves", what=what)))
     return problems
 
 

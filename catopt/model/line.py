@@ -28,6 +28,7 @@ from catopt.model.kinds import (
 from catopt.model.service import WEAR_ZONES
 from catopt.model.validity import Checked, Findings
 from catopt.units import Dimension
+from catopt.words import Message
 
 HIGHEST_COV: Final = 0.25
 """Coefficient of variation from which c (3 - 6 c) falls: more scatter would make more strength."""
@@ -161,7 +162,7 @@ _DRAG = ("drag_area", "drag_coefficient")
 def point_drag_misfits(given: Collection[str]) -> list[Problem]:
     """List which of the area and the coefficient of a point load's drag lacks the other."""
     return [
-        Problem(other, "", f"missing; goes with {key}")
+        Problem(other, "", Message("refused.missing_goes_with", key_=key))
         for key, other in (_DRAG, _DRAG[::-1])
         if key in given and other not in given
     ]

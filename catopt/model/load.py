@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from catopt.model.kinds import Length, Strength
 from catopt.model.validity import Checked, Findings
+from catopt.words import Message
 
 LOADS = ("horizontal_force", "span", "fairlead_tension")
 """The quantities of which one is known."""
@@ -24,7 +25,7 @@ class Load(Checked):
 
     def _check(self, found: Findings) -> None:
         if len(self.given) != 1:
-            allowed = "exactly one of horizontal_force, span and fairlead_tension is wanted"
+            allowed = Message("refused.one_load")
             found.add("load", " and ".join(self.given) or "none of them", allowed)
             found.raise_if_any()
         found.check()

@@ -36,7 +36,7 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
     aim = request.scope * env.levels.deepest(env.sea)
     request = replace(request, line=replace(request.line, aim=aim))
     request, settled = _within_scope(request)
-    return sizing_of(
+    found = sizing_of(
         "buoy",
         request,
         settled,
@@ -48,6 +48,8 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
         assumptions=tuple(_assumptions(request, settled.assumed)),
         afloat=buoy_afloat(settled.case, request),
     )
+    shape = request.buoy if isinstance(request.buoy, BuoyShape) else None
+    return replace(found, shape=shape)
 
 
 def _within_scope(request: BuoyRequest) -> tuple[BuoyRequest, Settled]:

@@ -10,6 +10,7 @@ from catopt.catalogue.choice import chosen
 from catopt.catalogue.in_words import chain_words
 from catopt.catenary.solution import Solution
 from catopt.design.result import DesignPoint
+from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.sinker import SinkerSize
 from catopt.loads.source import CALMAR
@@ -69,6 +70,7 @@ class Sizing(Shown):
     fittings: tuple[str, ...] = ()  # shackles, swivels and the like that go with the line
     advice: tuple[str, ...] = ()  # what a code asks for beyond the checks
     afloat: Case | None = None  # the case with buoy and sea, to be run in motion; None without
+    shape: BuoyShape | None = None  # of the buoy that is moored, where it is known
 
     @property
     def case(self) -> Case:
