@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from datetime import date, time
 from enum import Enum
 from functools import cache
+from numbers import Integral, Real
 from types import MappingProxyType
 from typing import Any
 
@@ -37,6 +38,7 @@ class Dimension(Enum):
     MOMENT = ("a moment", "N*m", '"5 MN*m"', 1e-9, 1e15)
     ANGLE = ("an angle", "rad", '"5 deg"', 1e-12, 100.0)
     SPEED = ("a speed", "m/s", '"1.2 m/s"', 1e-15, 200.0)
+    ACCELERATION = ("an acceleration", "m/s^2", '"9.81 m/s^2"', 1e-9, 1e4)
     TIME = ("a time", "s", '"8 s"', 1e-6, 1e11)
     AREA = ("an area", "m^2", '"380 mm^2"', 1e-12, 1e7)
     VOLUME = ("a volume", "m^3", '"2.5 m^3"', 1e-12, 1e8)
@@ -102,6 +104,7 @@ UNITS: Mapping[Dimension, Mapping[str, float]] = MappingProxyType(
             "knot": _KNOT,
             "mm/year": 1e-3 / YEAR,
         },
+        Dimension.ACCELERATION: {"m/s^2": 1.0},
         Dimension.TIME: {"s": 1.0, "min": 60.0, "h": 3600.0, "year": YEAR, "years": YEAR},
         Dimension.AREA: {"m^2": 1.0, "cm^2": 1e-4, "mm^2": 1e-6},
         Dimension.VOLUME: {"m^3": 1.0},
@@ -141,6 +144,7 @@ _AS_FORCE = {"kg": "kgf", "t": "tf", "tonne": "tf", "tonnes": "tf", "lb": "lbf"}
 
 _LONGEST_UNIT = 24
 _NUMBER = re.compile(r"([+-]?(?:\d[\d.,]*|\.\d+)(?:[eE][+-]?\d+)?)(.*)", re.ASCII | re.DOTALL)
+_FRACTION = re.compile(r"(?:(\d{1,3})[ -])?(\d{1,3})/([1-9]\d{0,2})(\s*[^\W\d].*)", re.ASCII)
 _NOT_FINITE = re.compile(r"[+-]?(?:nan|inf|infinity)\b.*", re.IGNORECASE | re.DOTALL)
 _UNIT_WORD = r"[^\W\d]\w*(?:\^-?[1-9])?"
 _UNIT = re.compile(rf"{_UNIT_WORD}(?:[*/ ]{_UNIT_WORD})*")
@@ -148,10 +152,20 @@ _SPELLINGS = str.maketrans({"−": "-", "·": "*", "⋅": "*", "×": "*", "°": 
 _SUPERSCRIPTS = str.maketrans("⁻¹²³⁴", "-1234")
 
 
+def plain(value: object) -> object:
+    """Return a single number, of numpy or of another kind, as int or float; else what stands."""
+    if type(value).__module__ == "numpy" and getattr(value, "shape", None) == ():
+        return value.item()  # type: ignore[attr-defined]
+    if isinstance(value, (bool, int, float)) or not isinstance(value, Real):
+        return value
+    return int(value) if isinstance(value, Integral) else float(value)
+
+
 def to_si(value: object, dimension: Dimension, key: str = "value", *, bare: str = "") -> float:
     """Read a number or a number with a unit.
 
-    A number may have a decimal comma where it can mean nothing else; one that is 50 in one country
+    A number may be a common fraction, ``"5/8 in"``, ``"1 1/4 in"``. It may have a decimal comma
+    where it can mean nothing else; one that is 50 in one country
     and fifty thousand in another is an error (`catopt.numerals`). A mass per length given where a
     weight per length is wanted is taken times g0. A mass given where a force is wanted is an error,
     because nobody can tell which of the two was meant.
@@ -160,6 +174,7 @@ def to_si(value: object, dimension: Dimension, key: str = "value", *, bare: str 
     table, that of SI when left out. What is returned is in SI, finite, and plausible. InputError
     when it is not such a value: one problem, which names what was found and gives an example.
     """
+    value = plain(value)
     reading = _Reading(value, dimension, key, bare or dimension.si_unit)
     if isinstance(value, str):
         digits, unit = reading.split(value)
@@ -220,6 +235,9 @@ class _Reading:
     def split(self, text: str) -> tuple[str, str]:
         """Part a text into number and unit, the unit in the spelling of the table."""
         plain = text.translate(_SPELLINGS).strip()
+        if fraction := _FRACTION.fullmatch(plain):
+            whole, above, below, unit = fraction.groups()
+            plain = f"{int(whole or 0) + int(above) / int(below)!r}{unit}"
         if _NOT_FINITE.fullmatch(plain):
             raise self.error(f"must be finite; {self.wanted}")
         parts = _NUMBER.fullmatch(plain)

@@ -16,7 +16,7 @@ from catopt.catenary.solve import solve
 from catopt.catenary.sought import Condition, Found, Sought, find
 from catopt.errors import CatoptError, InputError, NoAnswerError, Problem
 from catopt.model import Case, Line, Load, PointLoad, Segment
-from catopt.model.validity import plain
+from catopt.units import plain
 from catopt.words import Message
 
 __all__ = [
