@@ -161,7 +161,14 @@ def plain(value: object) -> object:
     return int(value) if isinstance(value, Integral) else float(value)
 
 
-def to_si(value: object, dimension: Dimension, key: str = "value", *, bare: str = "") -> float:
+def to_si(
+    value: object,
+    dimension: Dimension,
+    key: str = "value",
+    *,
+    bare: str = "",
+    most: float | None = None,
+) -> float:
     """Read a number or a number with a unit.
 
     A number may be a common fraction, ``"5/8 in"``, ``"1 1/4 in"``. It may have a decimal comma
@@ -171,7 +178,8 @@ def to_si(value: object, dimension: Dimension, key: str = "value", *, bare: str 
     because nobody can tell which of the two was meant.
 
     `key` says where the value is, for the message; `bare` is the unit of a bare number, one of the
-    table, that of SI when left out. What is returned is in SI, finite, and plausible. InputError
+    table, that of SI when left out; `most` the largest plausible value, where it is not the
+    dimension's. What is returned is in SI, finite, and plausible. InputError
     when it is not such a value: one problem, which names what was found and gives an example.
     """
     value = plain(value)
@@ -188,7 +196,7 @@ def to_si(value: object, dimension: Dimension, key: str = "value", *, bare: str 
         raise reading.error(reading.wanted)
     if not math.isfinite(si):
         raise reading.error(f"must be finite; {reading.wanted}")
-    fault = dimension.implausible(si)
+    fault = "" if most is not None and 0.0 < si <= most else dimension.implausible(si)
     if fault and reading.bare and not isinstance(value, str):
         fault += f"; a bare number is in {reading.bare}: give a unit, as in {dimension.example}"
     if fault:

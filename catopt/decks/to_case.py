@@ -166,24 +166,13 @@ def height_of(deck: Deck, z: float) -> float:
     return 0.0 if abs(height) <= 1e-9 * deck.depth else height
 
 
-def _span(chain: Chain, notes: Notes) -> float:
-    """Return the horizontal distance of the ends, m; a case needs some, and to be led upwards."""
-    anchor, fairlead = chain.anchor, chain.fairlead
-    span = math.hypot(fairlead.x - anchor.x, fairlead.y - anchor.y)
-    if span == 0.0:
-        allowed = "a line that hangs plumb has no case: its span has to be above 0"
-        notes.refuse(fairlead.row, f"point {fairlead.name} above {anchor.name}", allowed)
-    if fairlead.z < anchor.z:
-        allowed = "a fairlead below its anchor has no case"
-        notes.refuse(fairlead.row, f"Z {fairlead.z:g} m", allowed)
-    return span
-
-
 def _one_line(
     deck: Deck, chains: Sequence[Chain], lines: Sequence[Line], site: Site, notes: Notes
 ) -> Case:
     anchor, fairlead = chains[0].anchor, chains[0].fairlead
-    span = _span(chains[0], notes)
+    span = math.hypot(fairlead.x - anchor.x, fairlead.y - anchor.y)
+    if fairlead.z < anchor.z:
+        notes.refuse(fairlead.row, f"Z {fairlead.z:g} m", "a fairlead below its anchor has no case")
     notes.raise_if_any()
     if anchor.end == fairlead.end:
         notes.say("ends_alike", anchor=anchor.name, fairlead=fairlead.name)

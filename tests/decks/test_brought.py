@@ -7,12 +7,22 @@ to the digits that are written here.
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
 
-from catopt import InputError, solve_case, solve_system
+from catopt import (
+    InputError,
+    NoEquilibriumError,
+    read_case,
+    solve_case,
+    solve_many,
+    solve_system,
+)
+from catopt.casefile import parse_case
 from catopt.decks.reading import Asked, read_any_deck
+from catopt.fem.solve import solve_line
 from catopt.model.network import Network
 from catopt.mooring.held import hold
 
@@ -116,3 +126,62 @@ def test_one_fault_of_many_lines_is_told_once() -> None:
     assert [(each.key, each.found) for each in caught.value.problems] == [
         ("lines 9, 10, 11, 12, 13, 14, 15 and 16", "10 columns")
     ]
+
+
+def test_a_plumb_deck_is_solved() -> None:
+    """600 m of line up 600 m of water, bare of tension at its foot, with what it stretches lying.
+
+    The part l that hangs is stretched to the height: l + w l^2 / (2 EA) = 600 m.
+    """
+    found, _ = read_any_deck((BROUGHT / "20b_vertical_deck.txt").read_text("utf-8"), "20b.txt")
+    assert not isinstance(found, Network)
+    rest = solve_case(found)
+    w = (685.0 - math.pi / 4.0 * 0.333**2 * 1025.0) * 9.80665
+    hangs = (math.sqrt(1.0 + 2.0 * w * 600.0 / 3.27e9) - 1.0) * 3.27e9 / w
+    assert (rest.span, rest.horizontal_force) == (0.0, 0.0)
+    assert rest.fairlead.tension == pytest.approx(w * hangs, rel=1e-12)
+    assert rest.anchor.tension == 0.0
+
+
+@pytest.mark.parametrize("place", ["solve", "solve_many", "truss"])
+def test_a_plumb_tether_is_stretched(place: str) -> None:
+    """T = EA dL / L +- w L / 2 of a uniform line: 137,482 x 0.015 / 1.985 +- 0.9925 N."""
+    case = read_case(BROUGHT / "20_vertical_span_zero.toml")
+    top, foot = (137482.0 * 0.015 / 1.985 + side * 0.9925 for side in (1.0, -1.0))
+    if place == "truss":
+        truss = solve_line(case.line, height=2.0, span=0.0, elements=40)
+        assert truss.end_tension[-1, -1] == pytest.approx(top, rel=1e-6)
+        return
+    if place == "solve":
+        rest = solve_case(case)
+        found = (rest.fairlead.tension, rest.anchor.tension, rest.span, rest.stretched_length)
+    else:
+        many = solve_many(case.line, height=2.0, span=[0.0])
+        found = (many.tension[0], many.anchor_tension[0], many.span[0], 2.0)
+    assert found == pytest.approx((top, foot, 0.0, 2.0), rel=1e-12)
+
+
+def test_a_taut_tether_wants_a_longer_line() -> None:
+    """The line weighs 55 N; EA (28 - 27.5) / 27.5 + 55 / 2 = 3663.86 N are its stretch."""
+    case = read_case(BROUGHT / "06_tether_tension_message.toml")
+    with pytest.raises(NoEquilibriumError) as caught:
+        solve_case(case)
+    said = str(caught.value)
+    assert (
+        "to stretch it that far takes 3663.86 N" in said
+    assert "or a longer line" in said
+    )
+    assert "weighs" not in said
+
+
+def test_a_stiffness_beyond_all_lines_is_none() -> None:
+    """MoorPy's tests have EA 7.51e12 N for a line that does not stretch."""
+    text = "[site]\nwater_depth = 60\n[line]\n[[line.segments]]\nlength = 200\n"
+    text += "submerged_weight = 900\nEA = {}\n[load]\nspan = 180\n"
+    found = solve_case(parse_case(text.format("7.51e12")))
+    assert "segment 1 is taken as inextensible: no line has an EA of 7.51e+12 N" in found.warnings
+    without = solve_case(parse_case(text.replace("EA = {}", "")))
+    assert found.fairlead == without.fairlead
+    assert not any("inextensible" in each for each in without.warnings)
+    with pytest.raises(InputError, match="not plausible"):
+        parse_case(text.format("1e21"))
