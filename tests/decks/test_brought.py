@@ -167,10 +167,8 @@ def test_a_taut_tether_wants_a_longer_line() -> None:
     with pytest.raises(NoEquilibriumError) as caught:
         solve_case(case)
     said = str(caught.value)
-    assert (
-        "to stretch it that far takes 3663.86 N" in said
+    assert "to stretch it that far takes 3663.86 N" in said
     assert "or a longer line" in said
-    )
     assert "weighs" not in said
 
 
