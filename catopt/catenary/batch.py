@@ -111,7 +111,7 @@ class Solutions:
 
     def _repr_html_(self) -> str:
         """Show the first and last rows, for a notebook."""
-        html: str = self.to_dataframe()._repr_html_()
+        html: str = self.to_dataframe().to_html(max_rows=20)
         return html
 
     def regime(self, index: int) -> str | None:
