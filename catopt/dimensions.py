@@ -26,6 +26,7 @@ class Dimension(Enum):
     MOMENT = ("a moment", "N*m", '"5 MN*m"', 1e-9, 1e15)
     ANGLE = ("an angle", "rad", '"5 deg"', 1e-12, 100.0)
     SPEED = ("a speed", "m/s", '"1.2 m/s"', 1e-15, 200.0)
+    ACCELERATION = ("an acceleration", "m/s^2", '"9.81 m/s^2"', 1e-9, 1e4)
     TIME = ("a time", "s", '"8 s"', 1e-6, 1e11)
     AREA = ("an area", "m^2", '"380 mm^2"', 1e-12, 1e7)
     VOLUME = ("a volume", "m^3", '"2.5 m^3"', 1e-12, 1e8)
@@ -80,6 +81,7 @@ UNITS: Mapping[Dimension, Mapping[str, float]] = MappingProxyType(
             "knot": _KNOT,
             "mm/year": 1e-3 / YEAR,
         },
+        Dimension.ACCELERATION: {"m/s^2": 1.0},
         Dimension.TIME: {"s": 1.0, "min": 60.0, "h": 3600.0, "year": YEAR, "years": YEAR},
         Dimension.AREA: {"m^2": 1.0, "cm^2": 1e-4, "mm^2": 1e-6},
         Dimension.VOLUME: {"m^3": 1.0},

@@ -12,6 +12,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from datetime import date, time
 from functools import cache
+from numbers import Integral, Real
 from typing import TYPE_CHECKING
 
 from catopt.constants import STANDARD_GRAVITY
@@ -31,6 +32,7 @@ __all__ = [
     "implausible",
     "lasting",
     "noun_of",
+    "plain",
     "to_si",
     "wanted",
 ]
@@ -49,23 +51,43 @@ _AS_FORCE = {
 
 _LONGEST_UNIT = 24
 _NUMBER = re.compile(r"([+-]?(?:\d[\d.,]*|\.\d+)(?:[eE][+-]?\d+)?)(.*)", re.ASCII | re.DOTALL)
+_FRACTION = re.compile(r"(?:(\d{1,3})[ -])?(\d{1,3})/([1-9]\d{0,2})(\s*[^\W\d].*)", re.ASCII)
 _NOT_FINITE = re.compile(r"[+-]?(?:nan|inf|infinity)\b.*", re.IGNORECASE | re.DOTALL)
 _SPELLINGS = str.maketrans({"−": "-", "·": "*", "⋅": "*", "×": "*", "°": "deg"})
 _SUPERSCRIPTS = str.maketrans("⁻¹²³⁴", "-1234")
 
 
-def to_si(value: object, dimension: Dimension, key: str = "value", *, bare: str = "") -> float:
+def plain(value: object) -> object:
+    """Return a single number, of numpy or of another kind, as int or float; else what stands."""
+    if type(value).__module__ == "numpy" and getattr(value, "shape", None) == ():
+        return value.item()  # type: ignore[attr-defined]
+    if isinstance(value, (bool, int, float)) or not isinstance(value, Real):
+        return value
+    return int(value) if isinstance(value, Integral) else float(value)
+
+
+def to_si(
+    value: object,
+    dimension: Dimension,
+    key: str = "value",
+    *,
+    bare: str = "",
+    most: float | None = None,
+) -> float:
     """Read a number or a number with a unit.
 
-    A number may have a decimal comma where it can mean nothing else; one that is 50 in one country
+    A number may be a common fraction, ``"5/8 in"``, ``"1 1/4 in"``. It may have a decimal comma
+    where it can mean nothing else; one that is 50 in one country
     and fifty thousand in another is an error (`catopt.numerals`). A mass per length given where a
     weight per length is wanted is taken times g0. A mass given where a force is wanted is an error,
     because nobody can tell which of the two was meant.
 
     `key` says where the value is, for the message; `bare` is the unit of a bare number, one of the
-    table, that of SI when left out. What is returned is in SI, finite, and plausible. InputError
+    table, that of SI when left out; `most` the largest plausible value, where it is not the
+    dimension's. What is returned is in SI, finite, and plausible. InputError
     when it is not such a value: one problem, which names what was found and gives an example.
     """
+    value = plain(value)
     reading = _Reading(value, dimension, key, bare or dimension.si_unit)
     if isinstance(value, str):
         digits, unit = reading.split(value)
@@ -79,7 +101,7 @@ def to_si(value: object, dimension: Dimension, key: str = "value", *, bare: str 
         raise reading.error(reading.wanted)
     if not math.isfinite(si):
         raise reading.error(reading.and_wanted("finite"))
-    fault = implausible(dimension, si)
+    fault = "" if most is not None and 0.0 < si <= most else implausible(dimension, si)
     if fault and reading.bare and not isinstance(value, str):
         fault = Message(
             "refused.and_bare", fault=fault, unit=reading.bare, example=dimension.example
@@ -156,6 +178,9 @@ class _Reading:
     def split(self, text: str) -> tuple[str, str]:
         """Part a text into number and unit, the unit in the spelling of the table."""
         plain = text.translate(_SPELLINGS).strip()
+        if fraction := _FRACTION.fullmatch(plain):
+            whole, above, below, unit = fraction.groups()
+            plain = f"{int(whole or 0) + int(above) / int(below)!r}{unit}"
         if _NOT_FINITE.fullmatch(plain):
             raise self.error(self.and_wanted("finite"))
         parts = _NUMBER.fullmatch(plain)

@@ -6,12 +6,16 @@ import math
 import subprocess
 import sys
 from contextlib import suppress
+from fractions import Fraction
+from typing import Any
 
+import numpy as np
 import pint
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from catopt import Line, Segment, solve
 from catopt.errors import InputError
 from catopt.unit_words import known
 from catopt.units import UNITS, Dimension, as_written, to_si
@@ -373,3 +377,29 @@ def test_no_units_library_is_wanted() -> None:
         "else: sys.exit(1)"
     )
     subprocess.run([sys.executable, "-c", code], check=True, timeout=60)
+
+
+@pytest.mark.parametrize(
+    ("text", "si"),
+    [("5/8 in", 0.015875), ("1 1/4 in", 0.03175), ("1-1/8 in", 0.028575), ("5/16in", 0.0079375)],
+)
+def test_a_common_fraction(text: str, si: float) -> None:
+    """An inch is 0.0254 m."""
+    assert to_si(text, Dimension.LENGTH) == pytest.approx(si, rel=1e-15)
+
+
+@pytest.mark.parametrize("text", ["5/8", "5/0 in", "5//8 in", "5/8/2 in", "1/1025 in"])
+def test_what_is_no_common_fraction(text: str) -> None:
+    with pytest.raises(InputError):
+        to_si(text, Dimension.LENGTH)
+
+
+@pytest.mark.parametrize("kind", [np.int64, np.int32, np.uint8, np.float32, np.array, Fraction])
+def test_every_real_number_is_one(kind: Any) -> None:
+    found = to_si(kind(75), Dimension.LENGTH)
+    assert found == 75.0
+    assert type(found) is float
+    line = Line([Segment(length=kind(100), submerged_weight=kind(90))])
+    assert type(line.length) in (int, float)
+    plain = solve(Line([Segment(length=100, submerged_weight=90)]), height=60, span=75)
+    assert solve(line, height=kind(60), span=kind(75)) == plain

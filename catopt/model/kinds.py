@@ -52,6 +52,10 @@ COUNTS: Mapping[str, tuple[int, int]] = MappingProxyType(
 within days; how long it takes is said before it begins."""
 
 
+STIFFEST = 1e20
+"""Largest axial stiffness that is read, N; so large a number says that nothing stretches."""
+
+
 class Kind(ABC):
     """A kind of value; stands in the ``Annotated`` type of an attribute or a key."""
 
@@ -99,7 +103,8 @@ class Measured(Kind):
     def read(self, value: object) -> float:
         """Return the value in SI."""
         try:
-            si = to_si(value, self.dimension, bare=self.bare)
+            most = STIFFEST if self.infinite else None
+            si = to_si(value, self.dimension, bare=self.bare, most=most)
         except InputError as error:
             (problem,) = error.problems
             allowed = _with_example(problem.allowed, self.dimension.example, self.example)

@@ -30,6 +30,9 @@ from catopt.model.validity import Checked, Findings
 from catopt.units import Dimension
 from catopt.words import Message
 
+INEXTENSIBLE: Final = 1e12
+"""Axial stiffness beyond which a line is taken not to stretch, N; no real one comes near it."""
+
 HIGHEST_COV: Final = 0.25
 """Coefficient of variation from which c (3 - 6 c) falls: more scatter would make more strength."""
 
@@ -133,6 +136,11 @@ class Segment(Checked):
     """Mean of the breaking loads of a series of tests, N."""
     MBL_cov: Cov | None = None
     """Their coefficient of variation."""
+
+    @property
+    def stretches(self) -> bool:
+        """Whether its axial stiffness is one that a line can have; a larger one means none."""
+        return self.EA <= INEXTENSIBLE
 
     def _check(self, found: Findings) -> None:
         found.check("length", "submerged_weight", "EA", "mass", "MBL", *TESTS)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from catopt.model.kinds import Length, Strength
+from catopt.model.kinds import Height, Strength
 from catopt.model.validity import Checked, Findings
 from catopt.words import Message
 
@@ -18,8 +18,8 @@ class Load(Checked):
 
     horizontal_force: Strength | None = None
     """N."""
-    span: Length | None = None
-    """Horizontal distance from the anchor to the fairlead, m."""
+    span: Height | None = None
+    """Horizontal distance from the anchor to the fairlead, m; 0 for a plumb line."""
     fairlead_tension: Strength | None = None
     """Effective tension at the fairlead, N."""
 

@@ -10,7 +10,7 @@ from typing import Self
 
 from catopt.errors import InputError, Problem
 from catopt.model.kinds import COUNTS, Annotation, Measured, OneOf, Whole, annotated, out_of_range
-from catopt.units import Dimension, to_si
+from catopt.units import Dimension, plain, to_si
 from catopt.words import Message
 
 
@@ -22,12 +22,6 @@ def _unit(si_unit: str) -> str:
 _DIMENSIONS = {_unit(each.si_unit): each for each in Dimension}
 _DIMENSIONS["N/m2"] = Dimension.PRESSURE
 """By their SI units, as messages write them."""
-
-
-def plain(value: object) -> object:
-    """Return a single number of numpy as the number that it is; anything else as it stands."""
-    is_number = type(value).__module__ == "numpy" and getattr(value, "shape", None) == ()
-    return value.item() if is_number else value  # type: ignore[attr-defined]
 
 
 class Findings:
