@@ -31,7 +31,7 @@ SaveOption = Annotated[Path | None, typer.Option("--save", metavar="CASE")]
 
 
 @size.command(cls=WithWords)
-@answering(OutOption, has_card=True)
+@answering(OutOption)
 @with_inputs("buoy")
 def buoy(
     asked: Asked,
@@ -46,7 +46,7 @@ def buoy(
 
 
 @size.command(cls=WithWords)
-@answering(OutOption, has_card=True)
+@answering(OutOption)
 @with_inputs("tanker")
 def tanker(
     asked: Asked,

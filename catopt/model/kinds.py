@@ -51,6 +51,10 @@ COUNTS: Mapping[str, tuple[int, int]] = MappingProxyType(
 within days; how long it takes is said before it begins."""
 
 
+Given = float | str
+"""What a measure may be given as: a number in SI, or text with a unit."""
+
+
 class Kind(ABC):
     """A kind of value; stands in the ``Annotated`` type of an attribute or a key."""
 
