@@ -146,7 +146,7 @@ def solve_many(
     InputError
         When shapes do not fit or not exactly one load is given.
     """
-    at = _in_si(
+    given = _in_si(
         horizontal_force=horizontal_force,
         span=span,
         fairlead_tension=fairlead_tension,
@@ -154,8 +154,8 @@ def solve_many(
         anchor_height=anchor_height,
         seabed_friction=seabed_friction,
     )
-    known, wanted = _known(at["horizontal_force"], at["span"], at["fairlead_tension"])
-    per_line = [wanted, at["height"], at["anchor_height"], at["seabed_friction"]]
+    known, wanted = _known(given["horizontal_force"], given["span"], given["fairlead_tension"])
+    per_line = [wanted, *(given[key] for key in ("height", "anchor_height", "seabed_friction"))]
     tables = _tables(line, lengths, submerged_weights, EA, positions, point_weights)
     count = _count(per_line, tables)
     columns = [np.ascontiguousarray(np.broadcast_to(_vector(a), (count,))) for a in per_line]

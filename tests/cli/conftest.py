@@ -86,7 +86,7 @@ def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> 
     """
 
     def command(*arguments: object) -> Ran:
-        monkeypatch.setenv("CATOPT_FULL", "0" if arguments[0] == "size" else FULL)
+        monkeypatch.setenv("CATOPT_FULL", "0" if arguments[:1] == ("size",) else FULL)
         capsys.readouterr()
         status = main([str(argument) for argument in arguments])
         printed = capsys.readouterr()
