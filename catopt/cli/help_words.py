@@ -127,11 +127,11 @@ class GroupWithWords(_WithWords, TyperGroup):
     """A group of commands whose help is in the table."""
 
 
-def group(name: str) -> typer.Typer:
+def group(name: str, kind: type[GroupWithWords] = GroupWithWords) -> typer.Typer:
     """Make a group of commands."""
     return typer.Typer(
         name=name,
-        cls=GroupWithWords,
+        cls=kind,
         rich_markup_mode=None,
         no_args_is_help=True,
         add_completion=False,
