@@ -153,7 +153,7 @@ _UNSAID: Final[Mapping[type, Mapping[str, object]]] = {
     LoadCase: {"state": "intact", "fairlead_rise": 0.0},
     Service: {"wear_rate": 0.0},
     Design: {"headings": 1},
-    Point: {"submerged_weight": 0.0},
+    Point: {"submerged_weight": 0.0, "force": (0.0, 0.0, 0.0)},
 }
 """Keys that go unsaid at their default."""
 

@@ -75,8 +75,7 @@ class Findings:
         object.__setattr__(self._of, key, values)
         if len(values) not in {0, size}:
             self.add(key, f"{len(values)} numbers", f"{size} are wanted")
-        for value in values:
-            self.number(key, value, unit)
+        self.each(key, unit)
 
     def number(
         self,
@@ -122,7 +121,7 @@ class Findings:
 
     def taken(self, key: str, value: object, unit: str, **bounds: float | None) -> float:
         """Return a number, read where it is text with a unit; nan with its problem noted."""
-        read = self._read(key, value, unit) if isinstance(value, str) else value
+        read = self._read(key, value, unit) if isinstance(value, str) else plain(value)
         if read is not None:
             self.number(key, read, unit, **bounds, infinite=False)
         return read if isinstance(read, (int, float)) else math.nan
