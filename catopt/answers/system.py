@@ -89,9 +89,9 @@ def _card(report: SystemReport, checks: CheckReport, solved: Message) -> Iterato
     for number, each in enumerate(report.held, start=1):
         tables = (of for of in held_section(number, each).blocks if isinstance(of, blocks.Table))
         yield from tables
-    for of in _closing(report, checks):
-        if isinstance(of, blocks.Warnings) and of.said:
-            yield blocks.Brief(of.said, Message("answers.card_to_be_known"), 3)
+    for block in _closing(report, checks):
+        if isinstance(block, blocks.Warnings) and block.said:
+            yield blocks.Brief(block.said, Message("answers.card_to_be_known"), 3)
     yield blocks.Brief((solved,))
 
 

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from catopt.casefile.new_case import TEMPLATES, template
+from catopt.casefile.sizing_file import Moored
 from catopt.cli.completion import completed
 from catopt.cli.options import JsonOption, LangOption
 from catopt.cli.output import Output
@@ -27,7 +28,7 @@ def new(
     """Write a commented file to start from."""
     output: Output = context.obj
     if out is not None and path is None and out.suffix.lower() == ".xlsx":
-        moored = "tanker" if "tanker" in name else "buoy"
+        moored: Moored = "tanker" if "tanker" in name else "buoy"
         if moored not in name:
             raise InputError([Problem("--out", str(out), "goes with buoy or tanker")], "options")
         from catopt.sizing.form import form

@@ -149,8 +149,9 @@ def _fleet(book: Any, inputs: Mapping[str, Input]) -> Iterator[dict[str, object]
     """Yield what each row of the fleet gives, by key."""
     if _FLEET not in book.sheetnames:
         return
-    _, _, keys, *rows = (*book[_FLEET].iter_rows(values_only=True), (), (), ())
-    for row in rows[:MOST_ROWS]:
+    every: list[tuple[Any, ...]] = [*book[_FLEET].iter_rows(values_only=True), (), (), ()]
+    keys = every[2]
+    for row in every[3 : 3 + MOST_ROWS]:
         given = {
             inputs[key].key: _given(inputs[key], value, (*_units(inputs[key]), "")[0])
             for key, value in zip(keys, row, strict=False)

@@ -28,8 +28,9 @@ def test_a_form_is_sized_and_its_answer_stands_beside_it(run: Run, inside: Path)
     made = run("new", "buoy", "--out", "form.xlsx")
     assert (made.status, "catopt size form.xlsx" in made.out) == (0, True)
     book = openpyxl.load_workbook("form.xlsx")
+    filled: dict[str, str | int] = {"buoy.name": "pillar 1.8 m", "site.water_depth": 12}
     for row in book["Form"].iter_rows(min_row=4):
-        row[1].value = {"buoy.name": "pillar 1.8 m", "site.water_depth": 12}.get(row[4].value)
+        row[1].value = filled.get(f"{row[4].value}")
     book.save("form.xlsx")
     by_form = run("size", "form.xlsx")
     assert (by_form.status, by_form.out) == (

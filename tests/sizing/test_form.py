@@ -32,8 +32,9 @@ def fill(path: Path, given: dict[str, tuple[Any, str | None]], moored: Moored = 
     book = openpyxl.load_workbook(BytesIO(form(moored)))
     sheet = book["Form"]
     for row in sheet.iter_rows(min_row=4):
-        if row[4].value in given:
-            row[1].value, unit = given[row[4].value]
+        key = f"{row[4].value}"
+        if key in given:
+            row[1].value, unit = given[key]
             row[2].value = unit or row[2].value
     book.save(path)
     return path
@@ -42,7 +43,7 @@ def fill(path: Path, given: dict[str, tuple[Any, str | None]], moored: Moored = 
 @pytest.mark.parametrize("moored", ["buoy", "tanker"])
 def test_every_input_has_its_row_and_every_unit_offered_is_read(moored: Moored) -> None:
     sheet = openpyxl.load_workbook(BytesIO(form(moored, "vi")))["Form"]
-    keys = [row[4] for row in sheet.iter_rows(min_row=4, values_only=True)]
+    keys = [f"{row[4]}" for row in sheet.iter_rows(min_row=4, values_only=True)]
     assert sorted(keys) == sorted({each.key for each in inputs_of(moored).values()})
     for name, units in UNITS.items():
         assert all(to_si(f"1 {unit}", Dimension[name]) > 0.0 for unit in units)
