@@ -18,7 +18,7 @@ PACKAGE = Path(catopt.__file__).parent
 
 BASE = {
     "errors", "constants", "documents", "numerals", "units", "quantities", "words",
-    "arrays", "compiled", "interrupt", "ties", "shown",
+    "arrays", "compiled", "interrupt", "patience", "ties", "shown",
 }  # fmt: skip
 SOLVING = BASE | {"model", "catenary"}
 READING = {"catalogue", "casefile", "decks"}
@@ -47,6 +47,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "machine_code": {"interrupt", "machine_tuples"},
     "machine_tuples": set(),
     "interrupt": set(),
+    "patience": {"words"},
     "ties": set(),
     "shown": set(),
     "schemas": {"errors", "documents"},
@@ -217,7 +218,7 @@ def test_a_planted_circle_is_caught(tmp_path: Path) -> None:
 
 
 LAID_OUT = BASE | {"model", "catalogue", "answers", "figures"}
-LAID_OUT -= {"arrays", "compiled", "interrupt", "ties"}
+LAID_OUT -= {"arrays", "compiled", "interrupt", "patience", "ties"}
 """All that runs to lay an answer out; results are read, and nothing is solved."""
 SAID = (
     *("catopt.verify.motion_words.", "catopt.verify.truss_words.", "catopt.verify.compared."),

@@ -203,7 +203,7 @@ class SystemTable(Table):
     """A body moored by several lines, each like [line], and what pushes it."""
 
     model = model.System
-    keys = "anchor_radius fairlead_radius azimuths force moment yaw_free"
+    keys = "anchor_radius fairlead_radius azimuths force moment yaw_free judged_line_out"
 
     anchor_radius: Length
     fairlead_radius: Height | None = None

@@ -34,6 +34,7 @@ from catopt.errors import (
 )
 from catopt.model import Line
 from catopt.model.validity import Findings
+from catopt.patience import paced
 from catopt.words import Message, Several, term
 
 __all__ = ["Curve", "Mark", "check_range", "load_curve"]
@@ -151,7 +152,9 @@ def load_curve(
     way = _Way(line, problem, segment_of, over)
     values = [float(value) for value in np.linspace(start, stop, points)]
     way.solution(values[-1])  # checks the arguments, and tells a range too long by its end
-    states = [way.state(value) for value in values]
+    states = [
+        way.state(value) for value in paced(Message("words.curve_points", total=points), values)
+    ]
     marks = [
         *_regime_changes(way, values),
         *_clump_weights_lift(way, values),

@@ -271,6 +271,16 @@ class DynamicPart:
         tail = self._tail(quantity, runs)
         return None if tail is None else tail.extreme.most_probable
 
+    def _chance(self, quantity: str) -> float | None:
+        """Half the interval over seeds of what is typical; None where that is no matter of seeds.
+
+        By the tail of the runs as they were asked for, as it is printed.
+        """
+        if quantity not in SERIES or self.cycle_peaks(quantity).size > 1:
+            return None
+        tail = self._tail(quantity, self.runs)
+        return None if tail is None else 0.5 * (tail.extreme.high - tail.extreme.low)
+
     def _changes_of(self, quantity: str) -> Iterator[list[Change]]:
         """Yield how far a quantity moved from one level to the next, for the runs or each run.
 
@@ -278,7 +288,9 @@ class DynamicPart:
         """
         typical = [self._typical(quantity, runs) for _, runs in self.levels]
         values = [[each] for each in typical if each is not None]
+        chance = self._chance(quantity)
         if len(values) < len(typical):
+            chance = None
             values = [[run.maxima[quantity] for run in runs] for _, runs in self.levels]
         for of_run in zip(*values, strict=True):
             found = []
@@ -293,7 +305,7 @@ class DynamicPart:
                     over = self.line_length
                 if over > 0.0 and way is not None:
                     amount = abs(new - old)
-                    found.append(Change(quantity, way, amount / over, amount))
+                    found.append(Change(quantity, way, amount / over, amount, chance))
             yield found
 
     @cached_property
@@ -325,9 +337,10 @@ class DynamicPart:
     def decides(self, change: Change) -> bool:
         """Whether a change is too large: by 5 % of its own maximum and by 2 % of the line's MBL.
 
-        The second is left out for the line of a body that governs.
+        Of a most probable maximum by its interval over seeds in place of the first. The line of a
+        body that governs meets 5 % always.
         """
-        return change.decides(None if self.governs else self.MBL)
+        return change.size > LIMIT if self.governs else change.decides(self.MBL)
 
     def scatter_of(self, quantity: str) -> float | None:
         """Return the standard error of the mean peak of a cycle; None where there is none."""
