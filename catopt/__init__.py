@@ -119,4 +119,4 @@ shown.faces |= {"html": _as_html, "table": _as_table, "figure": _as_figure}
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__})
+    return list(__all__)

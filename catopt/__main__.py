@@ -72,8 +72,13 @@ def _wants_vietnamese(arguments: Sequence[str]) -> bool:
 
 def _run(arguments: Sequence[str] | None, output: Output) -> None:
     from catopt.cli.app import command
+    from catopt.cli.help_words import HELP_ALL, WHOLE
 
-    command(args=None if arguments is None else list(arguments), prog_name="catopt", obj=output)
+    typed = None if arguments is None else list(arguments)
+    if HELP_ALL in (sys.argv if typed is None else typed):
+        typed = ["--help" if each == HELP_ALL else each for each in typed or sys.argv[1:]]
+        WHOLE.set(True)
+    command(args=typed, prog_name="catopt", obj=output)
 
 
 def _failed(error: Exception, output: Output) -> int:

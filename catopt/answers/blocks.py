@@ -283,7 +283,7 @@ class FileText:
 Block = Table | Facts | Text | Verdict | Warnings | Graph | Points | Figure | Trail | FileText
 
 
-CardBlock = Text | Verdict | Facts | Brief
+CardBlock = Text | Verdict | Facts | Table | Brief
 """What may stand on a card."""
 
 
@@ -307,7 +307,8 @@ class Answer:
     kind: str = ""
     """What kind of note it is, a message; empty where it is none."""
     card: tuple[CardBlock, ...] = ()
-    """The same on one screen, for who does not ask for all of it; empty where it is short."""
+    """The same on one screen, for who does not ask for all of it; where it is empty, the screen
+    has what the sections say, as far as there is room."""
 
     @property
     def blocks(self) -> tuple[Block, ...]:
@@ -489,6 +490,14 @@ def fact(
 def stated(name: str, value: Value, **how: Any) -> Fact:
     """Make a fact of words or a count; `name` as `column_name` takes it."""
     return Fact(column_name(name), value, **how)
+
+
+def in_words(each: Fact) -> Message:
+    """Say a fact in a sentence: ``"Water depth 20.000 m"``."""
+    value: object = each.value
+    if each.quantity is not None and isinstance(each.value, int | float):
+        value = Measure(each.quantity.key, each.value)
+    return Message("words.label", name=each.name, symbol="-" if value is None else value)
 
 
 def labelled(name: str, symbol: str) -> str:

@@ -10,6 +10,7 @@ from catopt.answers import blocks
 from catopt.answers.blocks import (
     Rows,
     answered,
+    if_known,
     largest,
     measured,
     section,
@@ -30,15 +31,47 @@ def check_answer(report: CheckReport) -> blocks.Answer:
     """Lay out a report of checks."""
     tables = checked_body(report) if report.places else checked(report)
     said = (*_confidence(report), *verdict_blocks(report), blocks.Warnings(report.warnings))
-    return answered(
+    whole = answered(
         "check",
         report.title or Message("captions.mooring_line"),
         section("captions.checks", *tables, *said),
         section("captions.load_cases", load_case_table(report)),
     )
+    return replace(whole, card=tuple(_card(report)))
 
 
-def verdict_blocks(report: CheckReport, passes: bool | None = None) -> Iterator[blocks.Block]:
+def _card(report: CheckReport) -> Iterator[blocks.CardBlock]:
+    """Say what the checks come to, the tightest of each kind, and what they rest on."""
+    tightest = tightest_checks(report)
+    checks = list(tightest.values())
+    of = Rows(checks)
+    yield from verdict_blocks(report)
+    if checks:
+        yield tabulate(
+            "card",
+            texts("check", map(kind_name, tightest)),
+            *_use(checks),
+            verdict_column(each.passes for each in checks),
+            *(if_known(of.texts("line", "place.line"))),
+            of.texts("load_case"),
+            of.texts("by", lambda each: _by(each.source)),
+        )
+    others = [each for each in report.failed if each not in checks]
+    cases = (load_case_words(report, k) for k in range(len(report.solutions)))
+    by = dict.fromkeys(Several(filter(None, (_by(of.source), of.note)), ": ") for of in checks)
+    for label, said in {
+        "fails": tuple(each.in_case for each in others),
+        "load_cases": () if report.places else tuple(cases),
+        "assumed": tuple(by),
+        "to_be_known": tuple(report.warnings),
+    }.items():
+        if said:
+            yield blocks.Brief(said, Message(f"answers.card_{label}"), 3)
+
+
+def verdict_blocks(
+    report: CheckReport, passes: bool | None = None
+) -> Iterator[blocks.Verdict | blocks.Text]:
     """Say whether all checks are passed, and which governs."""
     yield blocks.Verdict(verdict_sentence(report), report.passes if passes is None else passes)
     if report.results:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from operator import itemgetter, methodcaller
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +14,7 @@ from catopt.answers.check import (
     governing_sentence,
     tightest_checks,
     tightest_table,
+    verdict_blocks,
 )
 from catopt.checks.kinds import QUANTITY_OF
 from catopt.figures.front import objective
@@ -29,7 +31,7 @@ _MOST = 25
 
 def design_answer(result: DesignResult) -> blocks.Answer:
     """Lay out a front, its recommended design and how it was found."""
-    return answered(
+    whole = answered(
         "design",
         result.case.title or Message("captions.mooring_line"),
         section("captions.front", *_front(result)),
@@ -39,6 +41,51 @@ def design_answer(result: DesignResult) -> blocks.Answer:
         *_loads(result),
         section("captions.search", _search(result)),
     )
+    return replace(whole, card=tuple(_card(result)))
+
+
+_NEAR = 2
+"""Designs of the front beside the recommended one that a screen has."""
+
+
+def _card(result: DesignResult) -> Iterator[blocks.CardBlock]:
+    """Say which design is recommended, what it comes to, its neighbours, and how it was found."""
+    own, count, number = result.best, len(result.front), result.recommended
+    yield blocks.Text(Message("design.card", number=number, count=count, line=_composition(own)))
+    yield from verdict_blocks(own.checks)
+    of = Rows(result.front)
+    near = range(max(number - 1 - _NEAR, 0), min(number + _NEAR, count))
+    yield tabulate(
+        "front",
+        texts("design", range(1, count + 1)),
+        *_objectives(result, of),
+        of.texts("line_from_the_anchor", _composition),
+        shown=tuple(sorted({0, *near, count - 1})),
+        marked=result.recommended - 1,
+    )
+    yield blocks.Brief((result.recommendation,), Message("answers.card_why"), 3)
+    steps = (
+        each for each in result.neighbours if each.point is None or not each.point.checks.passes
+    )
+    worse = tuple(
+        Message("design.card_step", change=each.change, why=_short_verdict(each)) for each in steps
+    )
+    if worse:
+        yield blocks.Brief(worse, Message("answers.card_limits"), 3)
+    yield blocks.Brief((_how(result),), Message("answers.card_search"), 2)
+    if result.warnings:
+        yield blocks.Brief(tuple(result.warnings), Message("answers.card_to_be_known"), 3)
+
+
+def _short_verdict(step: Neighbour) -> str:
+    """Name the kind of check that a step fails by, and no component again."""
+    worst = None if step.point is None else step.point.checks.governing
+    if step.point is None or worst is None:
+        return step.reason
+    name = Message(f"checks.{worst.kind}_short")
+    if worst.utilisation is None:
+        return Message("checks.fails", check=name)
+    return Message("checks.fails_used", check=name, used=worst.utilisation)
 
 
 def shown_designs(count: int, *named: int) -> tuple[int, ...]:
@@ -64,8 +111,8 @@ def shown_designs(count: int, *named: int) -> tuple[int, ...]:
 def _front(result: DesignResult) -> Iterator[blocks.Block]:
     """Tabulate the front, a row each design, with the tightest check of each kind in files."""
     of, count = Rows(result.front), len(result.front)
-    shown = shown_designs(count, result.recommended)
-    best = [Message("answers.yes") if k == result.recommended else "" for k in range(count)]
+    shown = shown_designs(count, result.recommended - 1)
+    best = [Message("answers.yes") if k == result.recommended else "" for k in range(1, count + 1)]
     caption = Message("captions.front_recommended")
     if len(shown) < count:
         caption = Message("captions.front_of", shown=len(shown), count=count)
@@ -79,7 +126,7 @@ def _front(result: DesignResult) -> Iterator[blocks.Block]:
         *_of_files(of),
         caption=caption,
         shown=shown,
-        marked=result.recommended,
+        marked=result.recommended - 1,
     )
     yield blocks.Graph(Message("captions.front"), "front", x=2, y=(3,), points=True)
 
@@ -201,8 +248,8 @@ def _composition(point: DesignPoint) -> Several:
 
 
 def _recommended(result: DesignResult) -> Iterator[blocks.Block]:
-    point = result.front[result.recommended]
-    said = Message("design.recommended", number=result.recommended + 1)
+    point = result.best
+    said = Message("design.recommended", number=result.recommended)
     yield blocks.Verdict(said, point.checks.passes)
     yield blocks.Text(result.recommendation)
     yield blocks.Facts("recommended", tuple(_made_of(result, point)), only="not csv")
@@ -312,7 +359,7 @@ def _search(result: DesignResult) -> blocks.Facts:
         "of_these_feasible": result.feasible,
         **({"designs_proved_needless": _bounds(result)} if result.excluded else {}),
         "designs_on_the_front": len(result.front),
-        "recommended_design": result.recommended + 1,
+        "recommended_design": result.recommended,
         "why": result.recommendation,
         "ends_of_the_front": Several(result.ends),
         "hypervolume": result.hypervolume,

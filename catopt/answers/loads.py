@@ -4,11 +4,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from operator import attrgetter
 from typing import TYPE_CHECKING
 
 from catopt.answers import blocks
-from catopt.answers.blocks import Rows, answered, measured, section, tabulate, texts
+from catopt.answers.blocks import (
+    Rows,
+    answered,
+    labelled,
+    measured,
+    named,
+    section,
+    tabulate,
+    texts,
+)
 from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:
@@ -24,7 +34,7 @@ def loads_answer(of: Loads, *others: Loads, lyings: Sequence[Lying] = ()) -> blo
     """
     every = (of, *others)
     how = Several(map(_explained, _components(every)), "\n")
-    return answered(
+    whole = answered(
         "loads",
         of.title,
         *_headings(of, lyings),
@@ -36,6 +46,32 @@ def loads_answer(of: Loads, *others: Loads, lyings: Sequence[Lying] = ()) -> blo
         section("columns.numbers", numbers_table(*every)),
         section("terms.notes", _notes_table(every), *_notes(every)),
     )
+    return replace(whole, card=tuple(_card(whole, every)))
+
+
+def _card(whole: blocks.Answer, every: Sequence[Loads]) -> Iterator[blocks.CardBlock]:
+    """Say what each method comes to, each force, and what was assumed."""
+    forces = [
+        blocks.Fact(
+            labelled(term("horizontal force"), of.method if len(every) > 1 else ""),
+            of.horizontal_force,
+            named("horizontal_force", ""),
+        )
+        for of in every
+    ]
+    yield blocks.Facts("total", tuple(forces))
+    lying, *_ = whole.sections
+    for each in lying.blocks:
+        if isinstance(each, blocks.Text) and not each.caption:
+            yield blocks.Brief((each.said,), lines=2)
+    yield forces_table(*every)
+    notes = list(_notes(every))
+    for each in reversed(notes):
+        if isinstance(each, blocks.Warnings) and each.said:
+            yield blocks.Brief(each.said, Message("answers.card_to_be_known"), 3)
+    assumed = tuple(each.said for each in notes if isinstance(each, blocks.Text))
+    if assumed:
+        yield blocks.Brief(assumed, Message("answers.card_assumed"), 3)
 
 
 def _headings(of: Loads, lyings: Sequence[Lying]) -> Iterator[blocks.Section]:

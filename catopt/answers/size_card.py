@@ -2,22 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from catopt.answers.blocks import (
+    Answer,
     Brief,
     CardBlock,
     Fact,
     Facts,
+    Rows,
     Text,
     Value,
     Verdict,
     about,
+    answered,
     largest,
     rounded,
+    section,
+    tabulate,
+    texts,
 )
-from catopt.answers.check import verdict_sentence
+from catopt.answers.check import verdict_column, verdict_sentence
 from catopt.catalogue.in_words import chain_words
 from catopt.constants import YEAR
 from catopt.words import Measure, Message, Several, is_said, term
@@ -50,6 +56,21 @@ def size_card(of: Sizing, *, with_others: bool = True) -> tuple[CardBlock, ...]:
         Facts("size_card", tuple(_numbers(of))[:_NUMBERS]),
         *(each for each in briefs if any(each.said)),
     )
+
+
+def fleet_answer(every: Sequence[Sizing]) -> Answer:
+    """Lay out a fleet, a row a mooring: its line, what it takes, and its verdict."""
+    of = Rows(every)
+    reports = [each.point.checks for each in every]
+    table = tabulate(
+        "fleet",
+        texts("no", range(1, len(every) + 1)),
+        of.texts("title", lambda each: each.case.title),
+        of.texts("line", "one_line"),
+        of.measured("length", "swing.total", "sizing.card_swing", symbol=""),
+        verdict_column(each.passes for each in reports),
+    )
+    return answered("fleet", Message("sizing.fleet"), section("sizing.fleet", table))
 
 
 def verdict(of: Sizing) -> Verdict:

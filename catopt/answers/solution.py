@@ -43,7 +43,7 @@ def solution_answer(case: Case, solution: Solution, *, with_profile: bool = Fals
         results.append(point_loads_table(solution))
     method, shape = method_name(solution.method), Message("captions.line_shape")
     solved = Message("solution.solved", method=method, hangs=how_it_hangs(solution))
-    return blocks.answered(
+    whole = blocks.answered(
         "solution",
         case.title or Message("captions.mooring_line"),
         section("captions.inputs", blocks.Text(solved), inputs, *given_tables(case.line)),
@@ -57,6 +57,41 @@ def solution_answer(case: Case, solution: Solution, *, with_profile: bool = Fals
         *_swarm(case, solution),
         section("captions.residuals", *closing, blocks.Warnings(tuple(solution.warnings))),
     )
+    return replace(whole, card=tuple(_card(case, solution, solved, with_profile=with_profile)))
+
+
+_ON_CARD = 8
+"""Numbers of a line on one screen: forces, tensions, angles and lengths, the first ones."""
+
+
+def _card(
+    case: Case, solution: Solution, solved: Message, *, with_profile: bool
+) -> Iterator[blocks.CardBlock]:
+    """Say how the line hangs, its numbers, what its parts carry, and what was given."""
+    yield blocks.Text(solved)
+    facts = (*found_facts(solution), *result_facts(solution)[:_ON_CARD], *_lying(solution))
+    known = (replace(each, also=()) for each in facts if each.value is not None)
+    yield blocks.Facts("summary", tuple(known))
+    carried = profile_table(solution) if with_profile else segments_table(solution)
+    yield replace(carried, columns=tuple(each for each in carried.columns if not _is_in_tf(each)))
+    if solution.point_loads and not with_profile:
+        yield point_loads_table(solution)
+    if solution.warnings:
+        yield blocks.Brief(tuple(solution.warnings), Message("answers.card_to_be_known"), 3)
+    if solution.found is not None:
+        sought = Message("captions.found_for", condition=solution.found.condition)
+        yield blocks.Brief((sought,))
+    given = (each for each in given_facts(case) if each.only != "files")
+    yield blocks.Brief(tuple(map(blocks.in_words, given)), Message("answers.card_given"), 2)
+
+
+def _is_in_tf(column: blocks.Column) -> bool:
+    """Whether a column says again in tf what stands beside it in kN."""
+    return column.quantity is not None and column.quantity.field_unit == "tf"
+
+
+def _lying(solution: Solution) -> tuple[blocks.Fact, blocks.Fact]:
+    return fact("grounded_length", solution.grounded_length), fact("mass", solution.line.mass)
 
 
 # ------------------------------------------------------------------ what was given

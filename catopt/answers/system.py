@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Literal
 
 from catopt.answers import blocks
@@ -24,6 +25,7 @@ from catopt.words import Measure, Message
 if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
     from catopt.mooring.case import SystemReport
+    from catopt.mooring.circle import WatchCircle
     from catopt.mooring.held import HeldBody, NetworkAtRest
     from catopt.mooring.response import Response
     from catopt.mooring.restoring import RestoringCurve
@@ -56,7 +58,7 @@ def system_answer(report: SystemReport, checks: CheckReport) -> blocks.Answer:
     if table.columns[-1].quantity is QUANTITIES["utilisation"]:
         lines.append(blocks.Text(lines_used(checks), only="people", is_small=True))
     judged = blocks.Text(Message("mooring.all_checks"), only="people", is_small=True)
-    return blocks.answered(
+    whole = blocks.answered(
         "system",
         report.case.title or Message("captions.moored_body"),
         section("captions.body", blocks.Text(solved), _body(report)),
@@ -69,6 +71,36 @@ def system_answer(report: SystemReport, checks: CheckReport) -> blocks.Answer:
         *(held_section(number, each) for number, each in enumerate(report.held, start=1)),
         section("captions.residuals", *_closing(report, checks)),
     )
+    return replace(whole, card=tuple(_card(report, checks, solved)))
+
+
+def _card(report: SystemReport, checks: CheckReport, solved: Message) -> Iterator[blocks.CardBlock]:
+    """Say what the checks come to, where the body is, what its lines carry, and what was asked."""
+    known = [fact for fact in body_facts(report.solution) if fact.only != "files" and fact.value]
+    named = (each for each in known if each.quantity is not None)
+    yield from verdict_blocks(checks)
+    yield blocks.Facts("body", tuple(map(_with_symbol, named)))
+    yield lines_table(report.solution, checks)
+    if report.line_out:
+        yield line_out_table(report)
+    if report.circle is not None:
+        yield circle_table(report.circle)
+    yield from (curve_table(number, each) for number, each in enumerate(report.curves, start=1))
+    for of in _levels(report):
+        yield from (each for each in of.blocks if isinstance(each, blocks.Table))
+    for number, each in enumerate(report.held, start=1):
+        tables = (of for of in held_section(number, each).blocks if isinstance(of, blocks.Table))
+        yield from tables
+    for block in _closing(report, checks):
+        if isinstance(block, blocks.Warnings) and block.said:
+            yield blocks.Brief(block.said, Message("answers.card_to_be_known"), 3)
+    yield blocks.Brief((solved,))
+
+
+def _with_symbol(fact: blocks.Fact) -> blocks.Fact:
+    """Tell apart facts of one name: a stiffness along x, and along y."""
+    symbol = fact.quantity.symbol if fact.quantity else ""
+    return replace(fact, name=blocks.labelled(fact.name, symbol))
 
 
 def solved_system(solution: SystemSolution) -> blocks.Answer:

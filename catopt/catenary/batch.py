@@ -23,6 +23,7 @@ from catopt.compiled import compiled, is_compiled
 from catopt.errors import InputError, Problem
 from catopt.model import Line
 from catopt.model.line import INEXTENSIBLE
+from catopt.model.validity import Findings
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -36,6 +37,16 @@ _A_LOOK = 0.1
 """Time after which it is asked anew whether compiling is the sooner done, s."""
 
 Numbers = npt.ArrayLike
+"""Text with a unit is read, too, alone or in a sequence."""
+_UNITS = {
+    "horizontal_force": "N",
+    "span": "m",
+    "fairlead_tension": "N",
+    "height": "m",
+    "anchor_height": "m",
+    "seabed_friction": "",
+}
+"""What text is read in."""
 Result = TypeVar("Result")
 
 
@@ -164,8 +175,16 @@ def solve_many(
     InputError
         When shapes do not fit or not exactly one load is given.
     """
-    known, wanted = _known(horizontal_force, span, fairlead_tension)
-    per_line = [wanted, height, anchor_height, seabed_friction]
+    given = _in_si(
+        horizontal_force=horizontal_force,
+        span=span,
+        fairlead_tension=fairlead_tension,
+        height=height,
+        anchor_height=anchor_height,
+        seabed_friction=seabed_friction,
+    )
+    known, wanted = _known(given["horizontal_force"], given["span"], given["fairlead_tension"])
+    per_line = [wanted, *(given[key] for key in ("height", "anchor_height", "seabed_friction"))]
     tables = _tables(line, lengths, submerged_weights, EA, positions, point_weights)
     count = _count(per_line, tables)
     columns = [np.ascontiguousarray(np.broadcast_to(_vector(a), (count,))) for a in per_line]
@@ -220,6 +239,22 @@ def room_for_runs(pieces: int) -> Runs:
     whole = [np.zeros(rows, dtype=np.int64) for _ in range(2)]
     columns = [np.zeros(rows) for _ in range(5)]
     return Runs(*whole, *columns)
+
+
+def _in_si(**given: Any) -> dict[str, Any]:
+    """Read what is text with a unit, alone or in a sequence; all that is wrong at once."""
+    found = Findings("solve_many")
+
+    def read(key: str, value: Any) -> Any:
+        if isinstance(value, str):
+            return found.taken(key, value, _UNITS[key])
+        if isinstance(value, list | tuple) and any(isinstance(each, str) for each in value):
+            return [read(key, each) for each in value]
+        return value
+
+    in_si = {key: read(key, value) for key, value in given.items()}
+    found.raise_if_any()
+    return in_si
 
 
 def _known(*given: Numbers | None) -> tuple[int, Numbers]:

@@ -30,12 +30,12 @@ from catopt.words import Message
 def solve(
     line: Line,
     *,
-    height: float,
-    horizontal_force: float | None = None,
-    span: float | None = None,
-    fairlead_tension: float | None = None,
-    seabed_friction: float = 0.0,
-    anchor_height: float = 0.0,
+    height: float | str,
+    horizontal_force: float | str | None = None,
+    span: float | str | None = None,
+    fairlead_tension: float | str | None = None,
+    seabed_friction: float | str = 0.0,
+    anchor_height: float | str = 0.0,
 ) -> Solution:
     """Solve one line in closed form.
 

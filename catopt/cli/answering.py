@@ -85,18 +85,26 @@ class Asked:
         if self.as_json:
             self.output.json(document())
             return
-        if answer.card and not self.full:
+        if not self.full:
             from catopt.render.card import show_card
-            from catopt.words import Message
 
-            further = Message(
-                "answers.more_full" if self.out is None else "answers.more_full_alone"
-            )
-            show_card(self.output, answer, self.language, further)
+            show_card(self.output, answer, self.language, self._further(answer))
             return
         from catopt.render.terminal import show
 
         show(self.output, answer, self.language)
+
+    def _further(self, answer: Answer) -> str:
+        """Say what to type next, and how all of the answer is had."""
+        from catopt.words import Message
+        from catopt.words.texts import group
+
+        key = "answers.more_full" if answer.name == "size" else "answers.more"
+        whole = Message(key if self.out is None else f"{key}_alone")
+        named = f"next_{answer.name}"
+        if named not in group("answers"):
+            return whole
+        return Message("answers.next", next=Message(f"answers.{named}"), whole=whole)
 
     def working(self, what: str) -> AbstractContextManager[object]:
         """Say what is done while the body runs, once that has taken a second; see `Output.working`.
@@ -168,12 +176,11 @@ def answering(
     *,
     without: Collection[str] = (),
     language_after: str = "",
-    has_card: bool = False,
 ) -> Callable[[Callable[..., None]], Callable[..., None]]:
-    """Give a command ``--lang``, ``--units``, ``--json`` and `out` at its end, as its `asked`.
+    """Give a command the common options at its end, as its `asked`.
 
-    But for those `without`; the first two follow the parameter `language_after`, if it is given.
-    One whose answer `has_card` has ``--full``, too.
+    These are ``--lang``, ``--units``, ``--full``, ``--json`` and `out`,
+    but for those `without`; the first two follow the parameter `language_after`, if it is given.
     """
 
     def decorate(command: Callable[..., None]) -> Callable[..., None]:
@@ -206,7 +213,7 @@ def answering(
             keyword("lang", option.LangOption, "en"),
             keyword("units", option.UnitsOption, None),
             *own[place:],
-            *([keyword("full", option.FullOption, False)] if has_card else []),
+            keyword("full", option.FullOption, False),
             keyword("as_json", option.JsonOption, False),
             keyword("out", out, None),
         ]

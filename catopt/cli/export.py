@@ -28,7 +28,7 @@ _ENDINGS = dict(
 _FEWEST, _MOST = 2, 10000
 
 
-@answering(PlaceOption, without=["lang", "units"])
+@answering(PlaceOption, without=["lang", "units", "full"])
 def export(
     asked: Asked,
     case: CaseArgument,

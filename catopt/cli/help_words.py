@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Mapping
+from contextvars import ContextVar
 from importlib.resources import files
+from itertools import starmap, takewhile
+from textwrap import wrap
 from typing import Any, Final
 
 import typer
@@ -12,6 +16,15 @@ import typer.main
 from typer.core import TyperCommand, TyperGroup
 
 from catopt.cli.options import in_environment
+from catopt.words import Message, say
+
+HELP_ALL: Final = "--help-all"
+"""In place of ``--help``: all of it."""
+WHOLE: Final[ContextVar[bool]] = ContextVar("WHOLE", default=False)
+"""Whether all of a help is asked for."""
+HELP_LINES, HELP_WIDTH = 24, 80
+_MOST_ABOUT = 3
+"""Lines of a help that say what the command is for."""
 
 _OWN: Final = {
     "Usage": "Cách dùng",
@@ -55,12 +68,51 @@ def _put(
         _put(each, below[name], below[name], shared)
 
 
+def on_a_screen(whole: str, command: str) -> str:
+    """Shorten a help to a screen: an option a line, and of those without room their names."""
+    lines = whole.splitlines()
+    if len(lines) <= HELP_LINES:
+        return whole
+    about = list(takewhile(str.strip, lines[lines.index("") + 1 :]))[:_MOST_ABOUT]
+    head = [*takewhile(str.strip, lines), *about]
+    entries = [
+        (line, below)
+        for line, below in zip(lines, [*lines[1:], ""], strict=True)
+        if re.match(r"  \S.*\S {2,}\S|  --?\w\S*( \S+)?$", line) and line not in head
+    ]
+    entries.sort(key=lambda each: each[0].strip().startswith("-"))  # options behind commands
+    named = [
+        re.findall(r"--?\w[\w-]*|^\w[\w-]*", line.strip().partition("  ")[0])[-1]
+        for line, _ in entries
+    ]
+    key = "answers.help_all"
+    last = say(Message(key, command=f"{command} {HELP_ALL}"), in_environment())
+    for count in range(len(entries), 0, -1):
+        also = wrap(", ".join(named[count:]), HELP_WIDTH - 4, break_on_hyphens=False)
+        laid = [*head, "", *starmap(_entry, entries[:count]), *(f"  {each}" for each in also), last]
+        if len(laid) <= HELP_LINES:
+            break
+    return "\n".join(laid)
+
+
+def _entry(line: str, below: str) -> str:
+    """Take the first line of an entry; where more follows, say so."""
+    goes_on = below.startswith("    ") or not re.search(r" {2,}\S", line.strip())
+    if not re.search(r" {2,}\S", line.strip()):  # the option is too long to have words beside it
+        line, goes_on = f"{line}  {below.strip()}", True
+    if not goes_on:
+        return line
+    cut = line if len(line) <= HELP_WIDTH - 4 else line[: HELP_WIDTH - 3].rpartition(" ")[0]
+    return f"{cut.rstrip()} ..."
+
+
 class _WithWords:
     """A command that puts the words into the help before it shows any of it."""
 
     def get_help(self, ctx: Any) -> str:
         put_words(ctx.find_root().command)
-        return super().get_help(ctx)  # type: ignore[misc, no-any-return]
+        whole: str = super().get_help(ctx)  # type: ignore[misc]
+        return whole if WHOLE.get() else on_a_screen(whole, ctx.command_path)
 
     def shell_complete(self, ctx: Any, incomplete: str) -> Any:
         put_words(ctx.find_root().command)
@@ -75,11 +127,11 @@ class GroupWithWords(_WithWords, TyperGroup):
     """A group of commands whose help is in the table."""
 
 
-def group(name: str) -> typer.Typer:
+def group(name: str, kind: type[GroupWithWords] = GroupWithWords) -> typer.Typer:
     """Make a group of commands."""
     return typer.Typer(
         name=name,
-        cls=GroupWithWords,
+        cls=kind,
         rich_markup_mode=None,
         no_args_is_help=True,
         add_completion=False,

@@ -134,7 +134,7 @@ def buoy(
 
 @loads.command(cls=WithWords)
 @answering(TablesOutOption)
-@with_inputs("tanker", _SHIP, _TAKEN)
+@with_inputs("tanker", _SHIP, {**_TAKEN, "ballast_draught": "", "condition": "loaded"})
 def ship(
     asked: Asked,
     file: Annotated[str | None, typer.Argument(metavar="FILE")] = None,

@@ -8,8 +8,9 @@ from typing import Annotated
 import typer
 
 from catopt.casefile.new_case import TEMPLATES, template
+from catopt.casefile.sizing_file import Moored
 from catopt.cli.completion import completed
-from catopt.cli.options import JsonOption
+from catopt.cli.options import JsonOption, LangOption
 from catopt.cli.output import Output
 from catopt.errors import InputError, Problem
 
@@ -20,10 +21,22 @@ def new(
     context: typer.Context,
     name: Annotated[str, _NAME],
     path: Annotated[Path | None, typer.Argument(metavar="PATH")] = None,
+    lang: LangOption = "en",
     as_json: JsonOption = False,
+    out: Annotated[Path | None, typer.Option("--out", metavar="FORM", help="form")] = None,
 ) -> None:
     """Write a commented file to start from."""
     output: Output = context.obj
+    if out is not None and path is None and out.suffix.lower() == ".xlsx":
+        moored: Moored = "tanker" if "tanker" in name else "buoy"
+        if moored not in name:
+            raise InputError([Problem("--out", str(out), "goes with buoy or tanker")], "options")
+        from catopt.sizing.form import form
+
+        _create(out, form(moored, lang))
+        output.text(f"{out} written; fill it in and type: catopt size {out}")
+        return
+    path = path or out
     place = path or Path(f"{name}.toml")
     _create(place, template(name))
     written, needs = [place], TEMPLATES[name].needs
@@ -44,11 +57,11 @@ def _command(name: str, place: Path) -> str:
     return " --".join([f"{command} {place}", *options])
 
 
-def _create(place: Path, text: str) -> None:
+def _create(place: Path, text: str | bytes) -> None:
     """Write a file that is not there yet; one that cannot be written whole is not left behind."""
     try:
-        with place.open("x", encoding="utf-8", newline="\n") as stream:
-            stream.write(text)
+        with place.open("xb") as stream:
+            stream.write(text.encode() if isinstance(text, str) else text)
     except FileExistsError as error:
         raise _refused(place, "is there already and is kept; give another path") from error
     except OSError as error:

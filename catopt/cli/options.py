@@ -27,7 +27,7 @@ UnitsOption = Annotated[
     typer.Option("--units", metavar="UNITS", envvar="CATOPT_UNITS", show_envvar=False),
 ]
 JsonOption = Annotated[bool, typer.Option("--json")]
-FullOption = Annotated[bool, typer.Option("--full")]
+FullOption = Annotated[bool, typer.Option("--full", envvar="CATOPT_FULL", show_envvar=False)]
 OutOption = Annotated[Path | None, typer.Option("--out", metavar="DIR")]
 TablesOutOption = Annotated[Path | None, typer.Option("--out", metavar="DIR", help="tables_out")]
 PlaceOption = Annotated[Path | None, typer.Option("--out", metavar="PLACE")]

@@ -29,7 +29,7 @@ OTHER_ENDINGS = (".pdf", ".xlsx", ".xls", ".docx", ".doc", ".odt", ".md", ".txt"
 """Files that somebody may hope for and that a note is not."""
 
 
-@answering(PlaceOption, language_after="design")
+@answering(PlaceOption, without=["full"], language_after="design")
 def report(
     asked: Asked,
     case: CaseArgument,

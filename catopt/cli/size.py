@@ -11,7 +11,7 @@ import typer
 
 from catopt.cli.answering import Asked, answering, refuse_own_case
 from catopt.cli.completion import completed
-from catopt.cli.help_words import WithWords, group
+from catopt.cli.help_words import GroupWithWords, WithWords, group
 from catopt.cli.options import OutOption
 from catopt.cli.size_options import as_option, by_option, typed, with_inputs
 from catopt.cli.values import refused
@@ -24,14 +24,31 @@ if TYPE_CHECKING:
     from catopt.sizing.known import Known
     from catopt.sizing.telling import Spelling
 
-size = group("size")
+
+class _OfAFile(GroupWithWords):
+    """Takes a file in place of a command: what it is of says which."""
+
+    def resolve_command(self, ctx: Any, args: Any) -> Any:
+        if args and args[0] not in self.commands and Path(args[0]).is_file():
+            args = [_moored(args[0]), *args]
+        return super().resolve_command(ctx, args)
+
+
+def _moored(path: str) -> Moored:
+    from catopt.casefile.sizing_file import moored_in
+    from catopt.sizing.form import read_form
+
+    return read_form(path)[0].moored if is_form(path) else moored_in(path) or "buoy"
+
+
+size = group("size", _OfAFile)
 
 BuoyArgument = typer.Argument(metavar="BUOY", autocompletion=completed("buoy"))
 SaveOption = Annotated[Path | None, typer.Option("--save", metavar="CASE")]
 
 
 @size.command(cls=WithWords)
-@answering(OutOption, has_card=True)
+@answering(OutOption)
 @with_inputs("buoy")
 def buoy(
     asked: Asked,
@@ -46,7 +63,7 @@ def buoy(
 
 
 @size.command(cls=WithWords)
-@answering(OutOption, has_card=True)
+@answering(OutOption)
 @with_inputs("tanker")
 def tanker(
     asked: Asked,
@@ -66,7 +83,9 @@ def is_file(name: str | None) -> bool:
     """
     if name is None or name.lower().endswith(".xmlmb"):
         return False
-    return name.endswith(".toml") or "/" in name or os.sep in name or Path(name).is_file()
+    return (
+        name.endswith((".toml", ".xlsx")) or "/" in name or os.sep in name or Path(name).is_file()
+    )
 
 
 def _size(
@@ -79,6 +98,9 @@ def _size(
     _check_places(asked, save)
     spell = by_option if moored == "buoy" else as_option
     given = typed(moored, options)
+    if place is not None and is_form(place):
+        _size_form(asked, place, given, spell, save)
+        return
     if place is None:
         given = answered(moored, given, {}, spell, asked.language)
         found, answer = _sized(asked, known(moored, given, spell, "options"))
@@ -89,6 +111,40 @@ def _size(
                 given = answered(moored, given, file.given(given), spell, asked.language)
             found, answer = _sized(asked, file.known(given, spell))
     _give(asked, found, answer, save, _as_given(place, given, spell))
+
+
+def is_form(path: str) -> bool:
+    """Say whether a file is a workbook."""
+    return path.lower().endswith(".xlsx")
+
+
+def _size_form(
+    asked: Asked, place: str, given: dict[str, object], spell: Spelling, save: Path | None
+) -> None:
+    """Size what a form asks for, and write the answer beside it; of a fleet a row each."""
+    from catopt.render.workbook import workbook
+    from catopt.report.files import write_files
+    from catopt.sizing.form import read_form
+
+    files, found = read_form(place), []
+    if save is not None and len(files) > 1:
+        raise refused("--save", str(save), "goes with a form of one mooring, not with a fleet")
+    for file in files:
+        with file.telling():
+            found.append(_sized(asked, file.known(given, spell)))
+    if len(files) > 1:
+        from catopt.answers.size_card import fleet_answer
+
+        fleet = fleet_answer([of for of, _ in found])
+        document = {"schema": "catopt.fleet/1", "moorings": [of.to_dict() for of, _ in found]}
+    answer = fleet if len(files) > 1 else found[0][1]
+    beside = Path(place).with_name(f"{Path(place).stem}-answer.xlsx")
+    write_files(beside.parent, {beside.name: workbook(answer, asked.language)}, keep=[Path(place)])
+    asked.output.note(f"{beside} written")
+    if len(files) > 1:
+        asked.show(fleet, lambda: document)
+    else:
+        _give(asked, *found[0], save, _as_given(None, given, spell))
 
 
 def _sized(asked: Asked, of: Known) -> tuple[Sizing, Answer]:

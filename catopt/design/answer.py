@@ -48,7 +48,7 @@ def answer(problem: DesignProblem, found: Found) -> DesignResult:
         case=problem.case,
         objectives=keys,
         front=front,
-        recommended=best.index,
+        recommended=best.index + 1,
         recommendation=_why(problem, best, front),
         method=found.method,
         is_exact=is_whole,

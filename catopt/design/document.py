@@ -22,7 +22,8 @@ def design_document(result: DesignResult) -> dict[str, Any]:
         "objectives": list(result.objectives),
         "load_cases": _load_cases(result),
         "front": [_point(point) for point in result.front],
-        **figures(result, "recommended recommendation"),
+        "recommended": result.recommended - 1,  # an index, as documents have it
+        "recommendation": result.recommendation,
         "ends": list(result.ends),
         "neighbours": [_neighbour(each, result) for each in result.neighbours],
         "present": _neighbour(result.present, result),

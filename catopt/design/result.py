@@ -65,7 +65,7 @@ class DesignResult(Shown):
     objectives: tuple[str, ...]  # keys of `DesignPoint.objectives` that were made small
     # by rising first objective; every one is feasible, none is beaten in all objectives
     front: tuple[DesignPoint, ...]
-    recommended: int  # index of the recommended design: the knee of the front
+    recommended: int  # number of the recommended design, from 1 as everywhere: see `best`
     recommendation: str  # why, in words
     method: str  # ``"enumeration"``, ``"nsga2"`` or ``"swarm"``
     is_exact: bool  # whether every design of the space was evaluated, or proved needless
@@ -89,6 +89,11 @@ class DesignResult(Shown):
     # of whole moorings: how many designs were not evaluated because a bound proves them
     # needless, by bound (`catopt.design.bounds.BOUNDS`)
     excluded: Mapping[str, int] = field(default_factory=dict)
+
+    @property
+    def best(self) -> DesignPoint:
+        """The recommended design: the knee of the front."""
+        return self.front[self.recommended - 1]
 
     def to_dict(self) -> dict[str, Any]:
         """Build the document that ``catopt design --json`` prints (schema catopt.design/1)."""

@@ -99,7 +99,7 @@ def front_lines(result: DesignResult, document: Document) -> Chart:
 
     In the load case that takes the recommended design farthest from its anchor.
     """
-    best = result.front[result.recommended]
+    best = result.best
     name, _ = largest(best.checks.solutions, lambda state: state[1].span)
     levels = {state.name: state.water_level for state in result.case.load_cases}
     lines = [
@@ -107,7 +107,7 @@ def front_lines(result: DesignResult, document: Document) -> Chart:
             Message("figures.design_number", number=k + 1, made=composition(document["front"][k])),
             dict(result.front[k].checks.solutions)[name],
         )
-        for k in (result.recommended, *ends(document))
+        for k in (result.recommended - 1, *ends(document))
     ]
     depth = result.case.site.water_depth + levels.get(name, 0.0)
     return lines_to_scale(lines, depth, Message("figures.under_load_case", name=name))

@@ -27,9 +27,9 @@ from catopt.ties import first_largest, largest
 from catopt.words import Measure, Message
 
 if TYPE_CHECKING:
+    from catopt.mooring.circle import WatchCircle
     from catopt.mooring.restoring import RestoringCurve
     from catopt.mooring.solution import LegState, Position, SystemSolution
-    from catopt.mooring.watch_circle import WatchCircle
 
 _ALONG = 21
 """Places of a line that answer to the pointer."""

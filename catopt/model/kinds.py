@@ -55,6 +55,9 @@ within days; how long it takes is said before it begins."""
 STIFFEST = 1e20
 """Largest axial stiffness that is read, N; so large a number says that nothing stretches."""
 
+Given = float | str
+"""What a measure may be given as: a number in SI, or text with a unit."""
+
 
 class Kind(ABC):
     """A kind of value; stands in the ``Annotated`` type of an attribute or a key."""

@@ -6,13 +6,14 @@ import math
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Annotated, Any, Final, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Final, Literal
 
 from catopt.errors import Problem
 from catopt.model.kinds import (
     Area,
     Coefficient,
     Force,
+    Given,
     Height,
     Length,
     Measured,
@@ -137,6 +138,35 @@ class Segment(Checked):
     MBL_cov: Cov | None = None
     """Their coefficient of variation."""
 
+    if TYPE_CHECKING:  # numbers in SI or text with a unit; what is kept are numbers
+
+        def __init__(
+            self,
+            length: Given,
+            submerged_weight: Given,
+            EA: Given = math.inf,
+            mass: Given | None = None,
+            MBL: Given | None = None,
+            name: str = "",
+            component: str = "",
+            nominal_diameter: Given | None = None,
+            proof_load: Given | None = None,
+            price: Given | None = None,
+            wear_rate: Given | None = None,
+            wear_zone: str | None = None,
+            drag_diameter: Given | None = None,
+            drag_normal: Given | None = None,
+            drag_axial: Given | None = None,
+            added_mass_normal: Given | None = None,
+            added_mass_axial: Given | None = None,
+            drag_method: DragMethod = "given",
+            roughness: Given | None = None,
+            keulegan_carpenter: Given | None = None,
+            wake_amplification: Given | None = None,
+            MBL_mean: Given | None = None,
+            MBL_cov: Given | None = None,
+        ) -> None: ...
+
     @property
     def stretches(self) -> bool:
         """Whether its axial stiffness is one that a line can have; a larger one means none."""
@@ -196,6 +226,20 @@ class PointLoad(Checked):
     """Cd that goes with the area."""
     added_mass_coefficient: Coefficient = 0.0
     """Ca on the displaced water, in all directions."""
+
+    if TYPE_CHECKING:  # numbers in SI or text with a unit; what is kept are numbers
+
+        def __init__(
+            self,
+            position: Given,
+            submerged_weight: Given,
+            mass: Given | None = None,
+            name: str = "",
+            friction: Given | None = None,
+            drag_area: Given | None = None,
+            drag_coefficient: Given | None = None,
+            added_mass_coefficient: Given = 0.0,
+        ) -> None: ...
 
     def _check(self, found: Findings) -> None:
         found.check()

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-from catopt.model.kinds import Height, Strength
+from catopt.model.kinds import Given, Height, Strength
 from catopt.model.validity import Checked, Findings
 from catopt.words import Message
 
@@ -22,6 +23,15 @@ class Load(Checked):
     """Horizontal distance from the anchor to the fairlead, m; 0 for a plumb line."""
     fairlead_tension: Strength | None = None
     """Effective tension at the fairlead, N."""
+
+    if TYPE_CHECKING:  # numbers in SI or text with a unit; what is kept are numbers
+
+        def __init__(
+            self,
+            horizontal_force: Given | None = None,
+            span: Given | None = None,
+            fairlead_tension: Given | None = None,
+        ) -> None: ...
 
     def _check(self, found: Findings) -> None:
         if len(self.given) != 1:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import InputError, Problem
-from catopt.model.kinds import Density, Length, Measured, NotNegative
+from catopt.model.kinds import Density, Given, Length, Measured, NotNegative
 from catopt.model.validity import Checked, Findings
 from catopt.units import Dimension
 
@@ -44,6 +44,17 @@ class Site(Checked):
     contact_offset: Offset = 0.0
     """Height of the axis of a line that lies above the seabed, m: a contact radius, less what it
     sinks in. Depth and heights of a case are less by it: they count from there."""
+
+    if TYPE_CHECKING:  # numbers in SI or text with a unit; what is kept are numbers
+
+        def __init__(
+            self,
+            water_depth: Given,
+            seabed_friction: Given = 0.0,
+            water_density: Given = SEA_WATER_DENSITY,
+            seabed_slope: Given = 0.0,
+            contact_offset: Given = 0.0,
+        ) -> None: ...
 
     def _check(self, found: Findings) -> None:
         found.check()

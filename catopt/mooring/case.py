@@ -10,13 +10,13 @@ from typing import Any
 from catopt.catenary.warnings import above_water, named_line
 from catopt.errors import InputError, Problem
 from catopt.model import Case, System
+from catopt.mooring.circle import WatchCircle, watch_circle
 from catopt.mooring.held import HeldBody, held_body
 from catopt.mooring.line_out import LineOut, one_line_out
 from catopt.mooring.restoring import RestoringCurve, restoring_curve
 from catopt.mooring.sharing_rule import SharingRule, sharing_rule
 from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import of_line, solve_system
-from catopt.mooring.watch_circle import WatchCircle, watch_circle
 from catopt.mooring.water_level import AtLevel, at_levels
 from catopt.patience import paced
 from catopt.shown import Shown

@@ -138,7 +138,7 @@ def _front(sizing: Sizing) -> dict[str, Any]:
     """
     settled = sizing.settled
     document = design_document(settled.result) | {"present": None}
-    if settled.index != settled.result.recommended:
+    if settled.index != settled.result.recommended - 1:
         document |= {"recommended": settled.index, "neighbours": []}
     return document | {"recommendation": sizing.why}
 

@@ -4,18 +4,32 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from textwrap import wrap
 from typing import NamedTuple, Protocol
 
-from catopt.answers.blocks import Answer, Brief, CardBlock, Facts, Verdict
+from catopt.answers.blocks import (
+    Answer,
+    Brief,
+    CardBlock,
+    Facts,
+    Points,
+    Table,
+    Text,
+    Verdict,
+    Warnings,
+)
+from catopt.render.terminal import table_lines
 from catopt.render.units import as_wanted
-from catopt.render.values import shown
+from catopt.render.values import is_seen, parts_of, shown
 from catopt.words import Language, Message, say
 
 LINES, WIDTH = 22, 80
 
 _GAP = 2
 """Columns between a name and its value; twice as many between two of them."""
+_MOST_FACTS, _MOST_LINES, _LEAST_ROWS = 12, 2, 3
+"""Of an answer without a card: facts of a list, lines of a text, and rows that a table keeps."""
 _CUT = "..."
 _NO_BREAK = "\u00a0"
 """Between a number and its unit."""
@@ -52,19 +66,72 @@ def show_card(
 def card_lines(answer: Answer, language: Language = "en", further: str = "") -> list[Line]:
     """Lay the card of an answer out, under its title.
 
-    What is brief gets fewer lines where there is no room for all of it, the longest first.
+    Tables and what is brief get fewer lines where there is no room for all of it, the longest
+    first; what comes last is left out where that is not enough.
     """
-    card = as_wanted(answer).card
+    wanted = as_wanted(answer)
+    card = list(wanted.card or _screen(wanted))
     (title,) = _cut(say(answer.title, language), 1)
-    below = [Line(each) for each in folded(say(further, language))]
-    rooms = [each.lines if isinstance(each, Brief) else 1 for each in card]
+    below = [Line(each) for part in say(further, language).split("\n") for each in folded(part)]
+    rooms = [_room(each) for each in card]
     while True:
         laid = [_laid(each, room, language) for each, room in zip(card, rooms, strict=True)]
-        lines = [Line(title, is_bold=True), *(line for part in laid for line in part), *below]
-        longest = max(range(len(rooms)), key=rooms.__getitem__)
-        if len(lines) <= LINES or rooms[longest] == 1:
+        lines = [Line(title, is_bold=True), *_joined(laid), *below]
+        if len(lines) <= LINES:
             return lines
-        rooms[longest] -= 1
+        spare = [room - _least(each) for each, room in zip(card, rooms, strict=True)]
+        first = next((k for k, each in enumerate(card) if isinstance(each, Table)), None)
+        longest = max(
+            range(len(rooms)), key=lambda k: (spare[k] > 0, rooms[k] / (1 + (k == first)), k)
+        )
+        if spare[longest] > 0:
+            rooms[longest] -= 1
+        elif isinstance(card[-1], Verdict) or len(card) == 1:
+            return lines
+        else:
+            card.pop()
+            rooms = [_room(each) for each in card]
+
+
+def _screen(answer: Answer) -> Iterator[CardBlock]:
+    """Yield what the sections say for a screen: verdicts, numbers, then words."""
+    seen = [block for block in answer.blocks if is_seen(block)]
+    verdicts = (block for block in reversed(seen) if isinstance(block, Verdict))
+    yield from dict.fromkeys(verdicts)  # that of all of it stands last
+    for block in seen:
+        if isinstance(block, Facts):
+            facts = [each for each in block.facts if each.only != "files"]
+            yield replace(block, facts=tuple(facts[:_MOST_FACTS]))
+        elif isinstance(block, Table):
+            yield block
+    for block in seen:
+        if isinstance(block, Warnings) and block.said:
+            yield Brief(block.said, Message("answers.card_to_be_known"), _MOST_LINES)
+    for block in seen:
+        if isinstance(block, Text) and not block.is_small:
+            yield Brief((block.said,), block.caption, _MOST_LINES)
+        elif isinstance(block, Points):
+            yield Brief(block.said, block.caption, _MOST_LINES)
+
+
+def _room(block: CardBlock) -> int:
+    """How many lines a block may take, as far as that is up to the card."""
+    if isinstance(block, Table):
+        return min(sum(len(rows) for _, rows in parts_of(block)), LINES)
+    return block.lines if isinstance(block, Brief) else 1
+
+
+def _least(block: CardBlock) -> int:
+    return _LEAST_ROWS if isinstance(block, Table) else 1
+
+
+def _joined(laid: list[list[Line]]) -> Iterator[Line]:
+    """Yield the lines of blocks, with one empty line where two would meet."""
+    before = Line("-")
+    for line in (each for lines in laid for each in lines):
+        if line.text or before.text:
+            yield line
+        before = line
 
 
 def folded(text: str) -> list[str]:
@@ -76,6 +143,9 @@ def folded(text: str) -> list[str]:
 
 def _laid(block: CardBlock, lines: int, language: Language) -> list[Line]:
     match block:
+        case Table():
+            rows = table_lines(block, lines, language)
+            return [Line(""), *map(Line, rows), Line("")]
         case Facts():
             return [Line(""), *map(Line, _facts(block, language)), Line("")]
         case Brief():

@@ -82,6 +82,13 @@ def image(figure: Figure, kind: Literal["png", "svg"]) -> bytes:
     return stream.getvalue()
 
 
+class Picture(Figure):
+    """A figure that a notebook draws whatever the backend is: it has a picture of its own."""
+
+    def _repr_png_(self) -> bytes:
+        return image(self, "png")
+
+
 def picture(
     charts: Chart | Sequence[Chart], heading: str = "", language: Language = "en", columns: int = 1
 ) -> Figure:
@@ -96,7 +103,7 @@ def picture(
     with rc_context(STYLE):
         above = fill(heading, 78, max_lines=2, placeholder=" ...")
         room = 0.1 + 0.22 * (above.count("\n") + 1) if above else 0.0
-        figure = Figure(figsize=(WIDTH, sum(heights) + room), layout="constrained")
+        figure = Picture(figsize=(WIDTH, sum(heights) + room), layout="constrained")
         FigureCanvasAgg(figure)
         if above:
             figure.suptitle(above, fontsize=11, parse_math=False)

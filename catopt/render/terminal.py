@@ -141,6 +141,83 @@ def _table(
         output.line()
 
 
+def table_lines(table: Table, room: int, language: Language) -> list[str]:
+    """Lay a table out in so many lines below its headings, in 80 columns, without a rule.
+
+    Columns for which there is no room are left out, those of a priority first; of rows the marked
+    one stays, and how many are left out is said in the last line.
+    """
+    every = [row for _, rows in parts_of(table) for row in rows]
+    kept = every if len(every) <= room else every[: max(room - 1, 1)]
+    if table.marked in every and table.marked not in kept:
+        kept = [*kept[:-1], table.marked]
+    columns = [_Column(each, kept, language) for each in table.columns if each.only != "files"]
+    columns = [each for each in columns if any(cell not in ("", "-") for cell in each.cells)]
+    if table.marked in kept and columns:
+        own = columns[0].cells
+        own[:] = [f"*{own[k]}" if row == table.marked else own[k] for k, row in enumerate(kept)]
+    while _excess(columns) > 0 and len(columns) > 1:
+        worst = max(columns[1:], key=lambda each: (each.of.priority, each.width - _WIDTH // 3))
+        if worst.of.priority == 0:
+            break
+        columns.remove(worst)
+    headings = [each.heading(own) for each, own in zip(columns, _rooms(columns), strict=True)]
+    _cut_cells(columns, headings)
+    lines = list(_set(columns, headings))
+    left_out = len(every) - len(kept)
+    if left_out:
+        lines.append(say(Message("answers.more_rows", count=left_out), language))
+    return lines
+
+
+def _cut_cells(columns: list[_Column], headings: list[str]) -> None:
+    """Cut the widest words until a row fits; if there are none left, leave columns out."""
+    while sum(_widths(columns, headings)) + _GAP * (len(columns) - 1) > _WIDTH:
+        excess = sum(_widths(columns, headings)) + _GAP * (len(columns) - 1) - _WIDTH
+        wordy = max((each for each in columns if not each.is_number), key=_length, default=None)
+        if wordy is not None and wordy.longest > _TEXT:
+            room = max(wordy.longest - excess, _TEXT)
+            place = columns.index(wordy)
+            wordy.cells = [_cut(cell, room) for cell in wordy.cells]
+            headings[place] = "\n".join(wrap(wordy.name, room)) or ""
+        elif len(columns) > 1:
+            columns.pop()
+            headings.pop()
+        else:
+            return
+
+
+def _length(column: _Column) -> int:
+    return column.longest
+
+
+def _cut(text: str, room: int) -> str:
+    return text if len(text) <= room else f"{text[: room - 3].rstrip()}..."
+
+
+def _widths(columns: Sequence[_Column], headings: Sequence[str]) -> list[int]:
+    return [
+        max(each.longest, *map(len, heading.split("\n")))
+        for each, heading in zip(columns, headings, strict=True)
+    ]
+
+
+def _set(columns: Sequence[_Column], headings: Sequence[str]) -> Iterator[str]:
+    """Yield the lines of headings and rows, numbers flush right."""
+    widths = _widths(columns, headings)
+    deep = max((heading.count("\n") + 1 for heading in headings), default=0)
+    folded = [["", *heading.split("\n")] for heading in headings]
+    _, *above = zip(*([""] * (deep + 1 - len(each)) + each for each in folded), strict=True)
+    for row in (*above, *zip(*(each.cells for each in columns), strict=True)):
+        parts = (
+            cell.rjust(width) if each.is_number else cell.ljust(width)
+            for cell, width, each in zip(row, widths, columns, strict=True)
+        )
+        line = (" " * _GAP).join(parts).rstrip()
+        if line:
+            yield line
+
+
 class _Column:
     """A column as it is printed: its name, its unit and its cells."""
 

@@ -139,7 +139,7 @@ def _of_front(result: DesignResult) -> Drawing:
     from catopt.figures.front import front, front_lines
 
     document = design_document(result)
-    is_line = result.front[result.recommended].mooring is None
+    is_line = result.best.mooring is None
     lines = (front_lines(result, document),) if is_line else ()
     return Drawing((front(document), *lines), result.case.title)
 
@@ -147,7 +147,7 @@ def _of_front(result: DesignResult) -> Drawing:
 def design_pictures(result: DesignResult) -> dict[str, bytes]:
     """Draw the front and three of its lines; of whole moorings the recommended one in plan."""
     drawn = {"front": _of_front(result)}
-    found = result.front[result.recommended].mooring
+    found = result.best.mooring
     if found is not None:
         plan = _of_plan(found.farthest, result.case.title)
         drawn["plan"] = plan._replace(charts=plan.charts[:1])

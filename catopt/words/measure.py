@@ -15,10 +15,12 @@ def number(value: float, spec: str) -> str:
 
     Examples
     --------
-    >>> number(1000.0, ".3g"), number(123456.0, ".3g"), number(2.5e6, ".3g")
-    ('1000', '123000', '2.5e+06')
+    >>> number(1000.0, ".3g"), number(123456.0, ".3g"), number(2.5e6, ".3g"), number(-1e-9, ".3f")
+    ('1000', '123000', '2.5e+06', '0.000')
     """
     text = format(value, spec)
+    if text.startswith("-") and not text.strip("-0."):  # rounded to zero, which has no sign
+        return text[1:]
     return (
         f"{float(text):.0f}" if "e+" in text and spec[-1:] == "g" and abs(value) < _LARGE else text
     )

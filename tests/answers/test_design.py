@@ -42,7 +42,7 @@ def name(request: pytest.FixtureRequest) -> str:
 def test_the_front_has_a_row_a_design(name: str) -> None:
     result, frame = result_of(name), tables(name)["front"]
     assert list(frame["Design"]) == list(range(1, len(result.front) + 1))
-    assert list(frame.index[frame["Recommended"] == "yes"]) == [result.recommended]
+    assert list(frame.index[frame["Recommended"] == "yes"]) == [result.recommended - 1]
     for row, point in zip(frame.to_dict("records"), result.front, strict=True):
         assert row["Mass in air (t)"] == pytest.approx(point.objectives["mass_kg"] / 1e3, rel=1e-15)
         assert row["Largest span S (m)"] == point.objectives["offset_m"]
@@ -55,7 +55,7 @@ def test_the_front_has_a_row_a_design(name: str) -> None:
 @pytest.mark.slow
 def test_a_line_in_words() -> None:
     result = result_of("design-leg-56m")
-    point = result.front[result.recommended]
+    point = result.best
     words = segment_words(point.line)
     for text, segment in zip(words, point.line.segments, strict=True):
         assert segment.nominal_diameter is not None
@@ -105,8 +105,8 @@ def test_the_figure_shows_front_and_three_lines(name: str) -> None:
     first, second = result.objectives[:2]
     places = [(each.objectives[first], each.objectives[second]) for each in result.front]
     assert drawn[: len(places)] == places
-    chosen = [result.recommended, *ends(document)]
-    numbers = [str(k + 1) for k in (*ends(document), result.recommended)]
+    chosen = [result.recommended - 1, *ends(document)]
+    numbers = [str(k + 1) for k in (*ends(document), result.recommended - 1)]
     signs = {mark.role: mark for mark in above.marks[len(places) :]}
     assert [mark.label.split()[-1] for mark in above.marks[len(places) :]][:3] == numbers
     present = result.present.point

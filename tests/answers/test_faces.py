@@ -62,6 +62,7 @@ def told(line: str) -> Answer:
     with pytest.MonkeyPatch.context() as patch, TemporaryDirectory() as out:
         patch.chdir(CASES)
         patch.setattr("catopt.render.terminal.show", lambda _, answer, __: given.append(answer))
+        patch.setenv("CATOPT_FULL", "1")
         status = main([out if word == "OUT" else word for word in typed(line)])
     assert status in (0, STOPPED)  # where half the step makes a difference, the answer says so
     (answer,) = given

@@ -12,7 +12,7 @@ import pytest
 import typer.main
 
 import catopt
-from catopt.answers.blocks import Answer, Brief, Facts, Text, Verdict
+from catopt.answers.blocks import Answer, Brief, Facts, Table, Text, Verdict
 from catopt.answers.note_size import size_note_answer
 from catopt.answers.size import size_answer
 from catopt.answers.size_card import size_card, verdict
@@ -189,6 +189,7 @@ def test_every_number_on_the_screen_is_one_of_the_document(name: str, language: 
 def test_its_words_are_messages(name: str) -> None:
     of = SIZINGS[name]()
     for block in size_card(of):
+        assert not isinstance(block, Table)  # it has none
         said = block.facts if isinstance(block, Facts) else [block.said]
         if isinstance(block, Brief):
             said = [*block.said, *([block.label] if block.label else [])]

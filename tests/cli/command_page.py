@@ -19,7 +19,7 @@ from catopt.cli.app import command
 
 PAGE = Path(__file__).parents[2] / "docs" / "commands.md"
 
-_BLOCK = re.compile(r"```text\n\$ (catopt[a-z ]*) --help\n(.*?)```", re.DOTALL)
+_BLOCK = re.compile(r"```text\n\$ (catopt[a-z ]*) --help-all\n(.*?)```", re.DOTALL)
 
 
 def commands() -> list[str]:
@@ -45,7 +45,7 @@ def help_of(command: str) -> str:
     out = StringIO()
     environment = {"COLUMNS": "100", "NO_COLOR": "1", "TERM": "dumb"}
     with mock.patch.dict(os.environ, environment), redirect_stdout(out):
-        assert main([*command.split()[1:], "--help"]) == 0
+        assert main([*command.split()[1:], "--help-all"]) == 0
     return out.getvalue()
 
 
@@ -57,7 +57,7 @@ def blocks(page: str) -> dict[str, str]:
 def up_to_date(page: str) -> str:
     """Put the real help in the place of what a page shows."""
     return _BLOCK.sub(
-        lambda found: f"```text\n$ {found[1]} --help\n{help_of(found[1].strip())}```", page
+        lambda found: f"```text\n$ {found[1]} --help-all\n{help_of(found[1].strip())}```", page
     )
 
 

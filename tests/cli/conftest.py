@@ -62,6 +62,10 @@ CHAIN_IN_MOTION = (OWN / "moving.toml").read_text("utf-8")
 """Three periods of a line that stays taut."""
 
 
+FULL = "1"
+"""CATOPT_FULL of the environment: whether all of an answer is printed."""
+
+
 @dataclass(frozen=True)
 class Ran:
     """What a run of the command left behind."""
@@ -75,10 +79,14 @@ Run = Callable[..., Ran]
 
 
 @pytest.fixture
-def run(capsys: pytest.CaptureFixture[str]) -> Run:
-    """Run the command line with arguments; what it printed before is forgotten."""
+def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> Run:
+    """Run the command line with arguments; what it printed before is forgotten.
+
+    All of each answer is printed, but for a sizing, as the environment may ask for.
+    """
 
     def command(*arguments: object) -> Ran:
+        monkeypatch.setenv("CATOPT_FULL", "0" if arguments[:1] == ("size",) else FULL)
         capsys.readouterr()
         status = main([str(argument) for argument in arguments])
         printed = capsys.readouterr()

@@ -64,3 +64,24 @@ def test_every_command_has_its_line(run: Run, monkeypatch: pytest.MonkeyPatch) -
     shown = run("--help").out
     assert "..." not in shown.partition("Commands:")[2]
     assert max(map(len, shown.splitlines())) <= 80
+
+
+@pytest.mark.parametrize("language", ["en", "vi"])
+@pytest.mark.parametrize("command", commands())
+def test_the_short_help_is_a_screen_that_names_every_option(
+    run: Run, monkeypatch: pytest.MonkeyPatch, command: str, language: str
+) -> None:
+    """What has no room is in the long one, which the last line says how to get."""
+    monkeypatch.setenv("CATOPT_LANG", language)
+    monkeypatch.setenv("COLUMNS", "80")
+    lines = run(*command.split()[1:], "--help").out.splitlines()
+    assert len(lines) <= 24
+    assert max(map(len, lines)) <= 80
+    found: Any = whole()
+    for name in command.split()[1:]:
+        found = found.commands[name]
+    text = " ".join(lines)
+    assert all(each.opts[0] in text for each in found.params if each.opts[0].startswith("--"))
+    assert all(name in text for name in getattr(found, "commands", {}))
+    long = run(*command.split()[1:], "--help-all").out.splitlines()
+    assert long == lines or f"{command} --help-all" in lines[-1]

@@ -108,7 +108,7 @@ def test_names_that_are_typed_stay_as_they_are() -> None:
 
 
 def test_the_help_of_a_command_has_no_english_heading() -> None:
-    shown = in_vietnamese("-m", "catopt", "export", "--help")
+    shown = in_vietnamese("-m", "catopt", "export", "--help-all")
     assert shown.startswith("Cách dùng: catopt export [TÙY CHỌN] {CASE}")
     assert "bắt buộc]" in shown
     assert "Hiện trang này rồi thoát." in shown

@@ -408,7 +408,7 @@ def test_the_answer_says_what_governs_and_what_was_excluded() -> None:
         assert point.checks.passes
         assert point.mooring is not None
         assert point.objectives["offset_m"] == point.mooring.offset
-    chosen = result.front[result.recommended].mooring
+    chosen = result.best.mooring
     assert chosen is not None
     # With all lines there the body goes less far than at its farthest.
     assert math.hypot(*chosen.farthest.offset) <= chosen.offset * (1.0 + 1e-9)

@@ -50,7 +50,7 @@ def test_the_front_of_the_turret_beside_the_mooring_that_is_there() -> None:
     assert own.objectives["offset_m"] == pytest.approx(_farthest(case.system), rel=1e-7)
     by_hand = 9 * (750 * 34.9 + 194 * 157.7 + (80 + 58) * 178.7)
     assert own.objectives["mass_kg"] == pytest.approx(by_hand, abs=0.5)
-    for point in (result.front[0], result.front[result.recommended]):
+    for point in (result.front[0], result.best):
         assert point.objectives["mass_kg"] < by_hand
         assert point.mooring is not None
         found = point.mooring.system

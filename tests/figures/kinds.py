@@ -13,8 +13,8 @@ from catopt.catenary.solve import solve
 from catopt.figures import curve, front, line, mooring, studies, swarm
 from catopt.figures.chart import Chart
 from catopt.model import Case, Line, Load, PointLoad, Segment, Site
+from catopt.mooring.circle import WatchCircle
 from catopt.mooring.solution import SystemSolution
-from catopt.mooring.watch_circle import WatchCircle
 from tests.answers.results import report_with
 from tests.report.notes import TURRET, body_note
 
