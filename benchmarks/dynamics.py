@@ -143,7 +143,7 @@ def _report(of: argparse.Namespace) -> Iterator[str]:
 def _short(task: Task) -> Task:
     """Two seconds of a coarse model: to see it run."""
     (section,) = task.sections
-    return replace(task, sections=(replace(section, bars=4),), period=1.0, duration=2.0)
+    return replace(task, sections=(replace(section, bars=4),), duration=2.0)
 
 
 def _compare(task: Task) -> list[str]:

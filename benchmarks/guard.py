@@ -46,7 +46,7 @@ class Side:
 
     @property
     def environment(self) -> dict[str, str]:
-        """Variables with which it is run; kernel functions always compiled but where it decides."""
+        """Variables with which it is run; each has its own cache."""
         kept = {key: value for key, value in os.environ.items() if not key.startswith("PYTHON")}
         return {**kept, "PYTHONPATH": self.path, "NUMBA_CACHE_DIR": str(self.cache),
                 "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}  # fmt: skip
@@ -100,7 +100,8 @@ def _report(of: argparse.Namespace, slower: list[str]) -> Iterator[str]:
 
 def _row(name: str, rounds: int, there: Side, here: Side, slower: list[str]) -> Iterator[str]:
     """Run a task in both, each a process that stays, until the least times of both settle."""
-    sides = [_Served(there), _Served(here)]
+    compiled = "auto" if name.startswith("`solve`") else "always"
+    sides = [_Served(there, compiled), _Served(here, compiled)]
     taken: list[list[str]] = [[], []]
     for _ in range(rounds):
         for side, own in zip(sides, taken, strict=True):
@@ -129,12 +130,12 @@ def _said(name: str, before: float, now: float, unit: str, slower: list[str]) ->
 
 
 class _Served:
-    """A process of a version that does the tasks."""
+    """A process of a version that does the tasks, compiled, or as that version decides."""
 
-    def __init__(self, side: Side) -> None:
+    def __init__(self, side: Side, compiled: str) -> None:
         self._process = subprocess.Popen(
             [str(side.python), str(ROOT / "benchmarks" / "guard_tasks.py")],
-            cwd=side.root, env=side.environment, text=True,
+            cwd=side.root, env=side.environment | {"CATOPT_COMPILE": compiled}, text=True,
             stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
         )  # fmt: skip
 

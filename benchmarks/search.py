@@ -203,10 +203,12 @@ def report(seeds: int, smoke: bool) -> Iterator[str]:
         "and a tenth of its range more. Times include the evaluation, of a table or of lines."
     )
     yield ""
-    known = list(islice(spaces(), 1 if smoke else None))
-    yield from beside_exact(known, seeds)
     if smoke:
+        names = ", ".join(METHODS)
+        yield f"{names} of {next(spaces()).name}: {nsga2.__name__}, {swarm.__name__}."
         return
+    known = list(spaces())
+    yield from beside_exact(known, seeds)
     yield from shares(known, max(1, seeds // 4))
     yield from large(max(1, seeds // 4))
 
