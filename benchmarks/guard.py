@@ -31,7 +31,7 @@ COLD = {
 }
 """Commands from the shell: with code compiled before, and two of them with none."""
 FIRST = ("`catopt system`", "`catopt size buoy`")
-IN_SMOKE = ("single line, span given", "curve of 50 spans")
+IN_SMOKE = ("`solve` in a loop, force given",)
 
 
 @dataclass(frozen=True)

@@ -27,10 +27,8 @@ def kernel(line: str, height: float, friction: float = 0.0, **known: tuple[float
     from catopt.catenary.batch import solve_many
 
     ((name, between),) = known.items()
-    values = np.linspace(*between, LINES)
-    return lambda: solve_many(
-        lines()[line], height=height, seabed_friction=friction, **{name: values}
-    )
+    asked: dict[str, Any] = {name: np.linspace(*between, LINES)}
+    return lambda: solve_many(lines()[line], height=height, seabed_friction=friction, **asked)
 
 
 def lines() -> dict[str, Any]:
