@@ -39,6 +39,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         sys.stderr.write("catopt: interrupted\n")
         return INTERRUPTED
     output = Output()
+    asked = sys.argv[1:] if arguments is None else list(arguments)
+    output.language = "vi" if _wants_vietnamese(asked) else "en"
     status = 0
     try:
         if arguments is None:
@@ -61,6 +63,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return status
 
 
+def _wants_vietnamese(arguments: Sequence[str]) -> bool:
+    """Whether ``--lang vi`` is among the arguments, before any of them is read."""
+    from itertools import pairwise
+
+    return "--lang=vi" in arguments or ("--lang", "vi") in pairwise(arguments)
+
+
 def _run(arguments: Sequence[str] | None, output: Output) -> None:
     from catopt.cli.app import command
 
@@ -73,7 +82,7 @@ def _failed(error: Exception, output: Output) -> int:
     from catopt.interrupt import was_interrupted
 
     if isinstance(error, CatoptError) and error.exit_status != FAULT:
-        output.note(f"catopt: {error}")
+        output.refusal(error)
         return error.exit_status
     if (said := _of_the_place(error)) and not output.debug:
         output.note(f"catopt: {said}")

@@ -111,6 +111,24 @@ def _in_motion() -> None:
     verify_dynamic(_moved(duration=0.2))
 
 
+def _afloat() -> None:
+    """Run a buoy with its line, and by itself."""
+    from catopt.fem import TimeStepping
+    from catopt.floater.alone import run_alone
+    from catopt.floater.buoy import buoy_hull
+    from catopt.model import Floater, WaveState
+    from catopt.verify.dynamic import verify_dynamic
+    from catopt.waves import Sea, regular_wave
+
+    of, waves = Floater("mooring buoy 2.5 m"), WaveState("regular", 0.5, 6.0)
+    case = replace(_moved(duration=0.2), motion=None, anchor_motion=None, floater=of, waves=waves)
+    light = tuple(replace(each, submerged_weight=200.0) for each in case.line.segments)
+    case = replace(case, line=replace(case.line, segments=light))
+    verify_dynamic(case, proof="none")
+    hull = buoy_hull(of, 20.0, 1025.0, 0.0)
+    run_alone(hull, TimeStepping(0.1, 0.05), sea=Sea(20.0, regular_wave(0.5, 6.0)))
+
+
 def _linear() -> None:
     """Move the truss model in a sea linearly."""
     from catopt.model import WaveState
@@ -128,6 +146,7 @@ JOBS: Mapping[str, Callable[[], None]] = MappingProxyType(
         "waves": _waves,
         "truss model at rest": _at_rest,
         "truss model in motion": _in_motion,
+        "buoy afloat": _afloat,
         "truss model in linear motion": _linear,
     }
 )

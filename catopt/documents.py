@@ -20,6 +20,7 @@ from pathlib import Path as FilePath
 from typing import Any
 
 from catopt.errors import InputError, Problem
+from catopt.words import Message
 
 Path = tuple[str | int, ...]
 """Keys and array indices from the top of a document: ``("line", "segments", 0, "length")``."""
@@ -48,23 +49,23 @@ _UNIT = re.compile("_(m|N|kg|rad|s|J|USD)(_per_(m|m3|s))?$")
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 
 _HINTS = (
-    (r"=\s*[“”‘’„]", 'write plain quotes: "'),
-    (r"=\s*[-+]?\d+,\d", "write a decimal point, not a comma"),
-    (r"=\s*[-+]?[\d.]+\s*[A-Za-z°%]", 'put a value with a unit in quotes, such as "9.5 m"'),
-    (r"=\s*[-+]?\d+\s+\d", "write the number in one piece"),
-    (r"=\s*[-+]?(\.\d|\d+\.(\D|$))", "write a digit on both sides of the decimal point"),
-    (r"=\s*\"[^\"]*\\", "write / instead of \\, or put the text in single quotes"),
-    (r"=\s*[A-Za-z]", "put text in quotes"),
-    (r"=\s*(#|$)", "the value is missing"),
-    (r'^<|^\{\s*("|$)', "this is no TOML; give a case file, as catopt new writes one"),
-    (r'^[^="]+:', "write = between a key and its value, not a colon"),
+    (r"=\s*[“”‘’„]", "plain_quotes"),
+    (r"=\s*[-+]?\d+,\d", "decimal_point"),
+    (r"=\s*[-+]?[\d.]+\s*[A-Za-z°%]", "quote_value"),
+    (r"=\s*[-+]?\d+\s+\d", "one_piece"),
+    (r"=\s*[-+]?(\.\d|\d+\.(\D|$))", "both_sides"),
+    (r"=\s*\"[^\"]*\\", "slash"),
+    (r"=\s*[A-Za-z]", "quote_text"),
+    (r"=\s*(#|$)", "no_value"),
+    (r'^<|^\{\s*("|$)', "no_toml"),
+    (r'^[^="]+:', "no_colon"),
 )
 """What the line at fault looks like, and what to do; the first that fits is given."""
 
 _REASONS = (
-    ("Cannot overwrite a value", "this key stands twice in its table; keep one"),
-    ("Cannot declare", "this section stands twice; put its keys together in one"),
-    ("Illegal character '\\n'", "the closing quote is missing"),
+    ("Cannot overwrite a value", "key_twice"),
+    ("Cannot declare", "section_twice"),
+    ("Illegal character '\\n'", "closing_quote"),
 )
 """Reasons of the TOML reader that need plainer words, by how they begin."""
 
@@ -145,7 +146,7 @@ def parse_json(text: str, source: str) -> dict[str, Any]:
             problem = Problem(place, _shown(line), f"it is no JSON: {error.msg}")
             raise InputError([problem], source) from None
         if not isinstance(found, dict):
-            raise InputError([Problem("file", "", "an object in braces is wanted")], source)
+            raise InputError([Problem("file", "", Message("refused.object"))], source)
         return found
 
     return _parsed(parse, source)
@@ -217,17 +218,17 @@ def _unfit_parts(document: dict[str, Any]) -> Iterator[Problem]:
         if isinstance(value, dict):
             for key in value:
                 if unfit(key):
-                    yield Problem(dotted((*path, key)), unfit(key), "take it out of the key")
+                    yield Problem(dotted((*path, key)), unfit(key), Message("refused.out_of_key"))
             waiting += [((*path, key), each) for key, each in reversed(value.items())]
         elif isinstance(value, list):
             parts = reversed([((*path, index), each) for index, each in enumerate(value)])
             waiting += [part for part in parts if not isinstance(part[1], int | float)]
         elif isinstance(value, str) and unfit(value):
-            yield Problem(dotted(path), unfit(value), "take it out of the text")
+            yield Problem(dotted(path), unfit(value), Message("refused.out_of_text"))
 
 
 def _too_deep(path: Path) -> Problem:
-    return Problem(dotted(path[:2]) or "file", "", "arrays or tables are nested too deeply")
+    return Problem(dotted(path[:2]) or "file", "", Message("refused.too_deep"))
 
 
 def _finite(word: str) -> float:
@@ -246,13 +247,13 @@ def _read_bytes(path: FilePath, source: str, kind: str, most: int) -> bytes:
         if stat.S_ISDIR(found.st_mode):
             raise refused("it is a folder" + _case_in(path))
         if not stat.S_ISREG(found.st_mode):
-            raise refused("it is no regular file; save what it holds to one and give that")
+            raise refused(Message("refused.no_regular_file"))
         if found.st_size > most:
             size = f"{found.st_size / 2**20:.1f} MB"
             raise refused(f"it has {size}; {most / 2**20:g} MB are the most")
         return path.read_bytes()
     except FileNotFoundError:
-        raise refused("there is no such file" + _similar(path)) from None
+        raise refused(_similar(path)) from None
     except (OSError, ValueError) as error:  # ValueError: a NUL in the name
         reason = getattr(error, "strerror", None) or str(error)
         raise refused(f"it cannot be read: {reason}") from None
@@ -268,10 +269,10 @@ def _syntax_problem(document: str, message: str) -> Problem:
 def _advice(line: str, reason: str) -> str:
     for beginning, plain in _REASONS:
         if reason.startswith(beginning):
-            return plain
+            return Message(f"refused.{plain}")
     for pattern, hint in _HINTS:
         if re.search(pattern, line):
-            return hint
+            return Message(f"refused.{hint}")
     return reason[:1].lower() + reason[1:]
 
 
@@ -282,12 +283,14 @@ def _shown(line: str) -> str:
 
 def _not_utf8(data: bytes, start: int, kind: str) -> Problem:
     if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
-        return Problem("file", "UTF-16 text", "save it as UTF-8")
+        return Problem("file", "UTF-16 text", Message("refused.save_utf8"))
     if b"\0" in data:
         example = ", as catopt new writes one" if kind == "case file" else " in UTF-8"
         return Problem("file", "no text", f"give a {kind}{example}")
     line = data.count(b"\n", 0, start) + 1
-    return Problem(f"line {line}", f"the byte 0x{data[start]:02X}", "save the file as UTF-8")
+    return Problem(
+        f"line {line}", f"the byte 0x{data[start]:02X}", Message("refused.save_utf8_file")
+    )
 
 
 def _case_in(folder: FilePath) -> str:
@@ -296,12 +299,14 @@ def _case_in(folder: FilePath) -> str:
 
 
 def _similar(path: FilePath) -> str:
-    """Name a file in the same folder that is spelt nearly so."""
+    """Say that there is no such file, and name one beside it that is spelt nearly so."""
     if not path.parent.is_dir():
-        return f", and no folder {path.parent.as_posix()}"
+        return Message("refused.no_folder", folder=path.parent.as_posix())
     from difflib import get_close_matches
 
     # Without the ending, which makes all files of a kind alike.
     stems = {each.stem: each for each in sorted(path.parent.glob(f"*{path.suffix}"))}
     close = get_close_matches(path.stem, stems, n=1)
-    return f"; did you mean {stems[close[0]].as_posix()}?" if close else ""
+    if close:
+        return Message("refused.no_file_but", near=stems[close[0]].as_posix())
+    return Message("refused.no_file")

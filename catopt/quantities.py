@@ -10,7 +10,7 @@ from types import MappingProxyType
 from typing import Literal
 
 from catopt.constants import YEAR
-from catopt.units import UNITS, Dimension
+from catopt.dimensions import UNITS, Dimension
 
 Units = Literal["", "tf", "kN", "si"]
 """In which forces are shown: each quantity in its own unit of the table, tonne-force, kN, or all of

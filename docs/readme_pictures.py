@@ -8,6 +8,7 @@ import catopt
 from catopt.design.document import design_document
 from catopt.figures.front import front, front_lines
 from catopt.figures.line import line_in_water
+from catopt.figures.sizing import elevation, swing_circle
 from catopt.render.picture import pictures
 
 HERE = Path(__file__).parent
@@ -24,8 +25,8 @@ def main() -> None:
     files = pictures("picture-line", line, case.title)
     files |= pictures("picture-front", charts, found.case.title)
     buoy = catopt.size_buoy("pillar 1.8 m", depth="12 m")
-    solution = buoy.point.checks.solutions[0][1]
-    files |= pictures("picture-buoy", line_in_water(solution, 12.0), "Pillar 1.8 m, 12 m of water")
+    title = "Pillar 1.8 m, 12 m of water"
+    files |= pictures("picture-buoy", (elevation(buoy), swing_circle(buoy)), title)
     for name in ("picture-line.png", "picture-front.png", "picture-buoy.png"):
         (HERE / name).write_bytes(files[name])
 

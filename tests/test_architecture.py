@@ -17,8 +17,9 @@ import catopt
 PACKAGE = Path(catopt.__file__).parent
 
 BASE = {
-    "errors", "constants", "documents", "numerals", "units", "quantities", "words",
-    "arrays", "compiled", "interrupt", "ties", "shown",
+    "errors", "constants", "documents", "numerals", "dimensions", "unit_words", "units",
+    "quantities", "words",
+    "arrays", "compiled", "interrupt", "patience", "ties", "shown",
 }  # fmt: skip
 SOLVING = BASE | {"model", "catenary"}
 READING = {"catalogue", "casefile", "decks"}
@@ -30,7 +31,10 @@ ALL_BUT_CLI = (
     | {"mooring", "loads", "schemas", "verify", "reproduce", "sizing", "study", "export", "report"}
     | {"answers", "figures", "notes", "render", "desk", "web"}
 )
-RESULTS = {"model", "catenary", "mooring", "design", "verify", "reproduce", "study"}
+RESULTS = {
+    *("model", "catenary", "mooring", "design", "verify", "reproduce", "study"),
+    *("sizing", "loads"),
+}
 """Parts whose results are drawn: only a type checker reads them there."""
 
 MAY_IMPORT: dict[str, set[str]] = {
@@ -38,15 +42,18 @@ MAY_IMPORT: dict[str, set[str]] = {
     "errors": set(),
     "constants": set(),
     "arrays": set(),
-    "documents": {"errors"},
+    "documents": {"errors", "words"},
     "numerals": set(),
-    "units": {"errors", "constants", "numerals"},
-    "quantities": {"errors", "constants", "units"},
+    "unit_words": {"constants"},
+    "dimensions": {"constants"},
+    "units": {"errors", "constants", "numerals", "dimensions", "unit_words", "words"},
+    "quantities": {"constants", "dimensions"},
     "words": {"quantities"},
     "compiled": {"errors", "machine_code"},
     "machine_code": {"interrupt", "machine_tuples"},
     "machine_tuples": set(),
     "interrupt": set(),
+    "patience": {"words"},
     "ties": set(),
     "shown": set(),
     "schemas": {"errors", "documents"},
@@ -57,11 +64,13 @@ MAY_IMPORT: dict[str, set[str]] = {
     "catenary": BASE | {"model"},
     "mooring": SOLVING,
     "waves": BASE | {"model"},
-    "fem": BASE | {"model", "waves"},
+    "hydro": BASE | {"model", "waves"},
+    "fem": BASE | {"model", "waves", "hydro"},
+    "floater": BASE | {"model", "waves", "hydro", "fem", "loads"},
     "loads": BASE | {"model", "waves", "catalogue"},
     "checks": SOLVING | {"catalogue", "mooring"},
     "design": SOLVING | {"catalogue", "mooring", "checks"},
-    "verify": SOLVING | {"mooring", "checks", "fem", "waves"},
+    "verify": SOLVING | {"mooring", "checks", "fem", "waves", "hydro", "floater"},
     "sizing": SOLVING | DESIGNING | {"catalogue", "casefile", "loads", "mooring", "waves"},
     "study": SOLVING | READING | {"checks", "mooring", "verify", "sizing", "notes", "_version"},
     "reproduce": SOLVING | READING | {"mooring", "loads", "waves", "fem", "verify"},
@@ -88,7 +97,10 @@ MAY_IMPORT: dict[str, set[str]] = {
     | DESIGNING
     | {"mooring", "loads", "sizing", "answers", "figures", "notes", "render", "_version"},
     "web": {"errors", "documents", "words", "desk", "render"},
-    "compile_jobs": SOLVING | READING | DESIGNING | {"mooring", "fem", "waves", "verify"},
+    "compile_jobs": SOLVING
+    | READING
+    | DESIGNING
+    | {"mooring", "fem", "waves", "verify", "floater"},
     "cli": ALL_BUT_CLI | {"compile_jobs", "_version"},
     "__main__": {"cli", "errors", "interrupt", "_version"},
     "__init__": SOLVING
@@ -217,7 +229,7 @@ def test_a_planted_circle_is_caught(tmp_path: Path) -> None:
 
 
 LAID_OUT = BASE | {"model", "catalogue", "answers", "figures"}
-LAID_OUT -= {"arrays", "compiled", "interrupt", "ties"}
+LAID_OUT -= {"arrays", "compiled", "interrupt", "patience", "ties"}
 """All that runs to lay an answer out; results are read, and nothing is solved."""
 SAID = (
     *("catopt.verify.motion_words.", "catopt.verify.truss_words.", "catopt.verify.compared."),

@@ -13,6 +13,7 @@ import pytest
 
 import catopt
 from catopt import Line, PointLoad, Segment, read_case, solve_many
+from catopt.compile_jobs import _afloat as compile_afloat
 from catopt.design.evaluation import DesignProblem
 from catopt.design.front import hypervolume, non_dominated
 from catopt.design.mooring import MooringProblem
@@ -31,6 +32,7 @@ from catopt.fem.dynamics import line_at_rest
 from catopt.fem.linear_motion import linear_model, linear_motion
 from catopt.fem.mesh import mesh_line
 from catopt.fem.series import series_rows, series_values
+from catopt.floater import alone  # noqa: F401 - before its `compiled` is watched
 from catopt.mooring.batch import solve_system_many
 from catopt.waves import PowerLawCurrent, Sea, TableCurrent, jonswap, random_waves
 
@@ -153,6 +155,11 @@ def series() -> None:
     series_values(rows, np.linspace(0.0, 20.0, 50))
 
 
+def afloat() -> None:
+    """Run a buoy with its line and by itself, as ``catopt compile`` does."""
+    compile_afloat()
+
+
 JOBS: dict[Callable[[], None], set[str]] = {
     waves: {"fill_elevation", "fill_kinematics", "fill_wave_numbers"},
     fronts: {"_best_of_three", "_volume"},
@@ -166,6 +173,7 @@ JOBS: dict[Callable[[], None], set[str]] = {
         "assemble_moving", "fill_water", "march", "solve_moving",
     },
     linear: {"fill_equivalents", "respond_linearly"},
+    afloat: {"march", "run_hull"},
 }  # fmt: skip
 """What is run, and which functions that calls; to compile them all takes two minutes."""
 

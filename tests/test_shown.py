@@ -12,6 +12,8 @@ import pytest
 
 import catopt
 from catopt.answers.design import design_answer
+from catopt.answers.of_result import answer_of
+from catopt.mooring.watch_circle import watch_circle
 from catopt.render.files import csv_files
 from catopt.verify.case import verify_case
 
@@ -55,6 +57,7 @@ def test_the_line_has_the_numbers() -> None:
     [
         ("solution", "chain"), ("curve", "kN"), ("checks", "line 1 out"),
         ("design", "sliding of the sinker"), ("sizing", "Stevpris"), ("verification", "agree"),
+        ("system", "kyy"),
     ],
 )  # fmt: skip
 def test_a_notebook_shows_what_the_command_prints(name: str, words: str) -> None:
@@ -97,6 +100,25 @@ def test_every_result_has_a_data_frame(name: str) -> None:
     assert len(results()[name].to_dataframe())
 
 
+def test_a_body_has_its_lines_and_its_circle() -> None:
+    solved = results()["system"]
+    frame = solved.to_dataframe()
+    tensions = [each.tension / 1e3 for each in solved.lines]
+    assert list(frame["Fairlead tension T (kN)"]) == pytest.approx(tensions, rel=1e-12)
+    circle = solved.watch_circle(force=1e6, directions=4)
+    assert circle == watch_circle(solved.system, force=1e6, directions=4)
+
+
+def test_many_lines_are_a_data_frame() -> None:
+    line = catopt.Line([catopt.Segment(100.0, 900.0)])
+    many = catopt.solve_many(line, height=60, span=[75, 90])
+    frame = many.to_dataframe()
+    ones = [catopt.solve(line, height=60, span=span).fairlead.tension for span in (75, 90)]
+    assert list(frame["fairlead tension (N)"]) == pytest.approx(ones, rel=1e-9)
+    assert "<table" in many._repr_html_()
+    assert catopt.solve_many(line, height=60, span=120).to_dataframe()["reason"][0]
+
+
 def test_what_has_no_tables_says_which_have() -> None:
-    with pytest.raises(TypeError, match="a SystemSolution has no tables; those of CaseCurve"):
-        results()["system"]._repr_html_()
+    with pytest.raises(TypeError, match="a Line has no tables; those of CaseCurve"):
+        answer_of(catopt.Line([catopt.Segment(100.0, 900.0)]))

@@ -13,9 +13,11 @@ import sys
 import time
 from collections import Counter
 from collections.abc import Iterator
-from functools import cache
+from functools import cache, partial
 from html.parser import HTMLParser
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from threading import Thread
 from typing import Any, Literal
 from urllib.parse import unquote, urlsplit
 
@@ -232,20 +234,91 @@ def test_no_page_is_wider_than_the_screen_or_complains(
         assert (page.name, tab.messages) == (page.name, [])
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("words", "page"),
-    [("touchdown", "theory.html"), ("xich", "bat-dau-nhanh.html"), ("neo phao", "bat-dau-nhanh")],
-)
-def test_the_search_answers_from_disk(site: Path, tab: Tab, words: str, page: str) -> None:
-    tab.messages.clear()
-    tab.open(site / "index.html", 1280)
+def typed(tab: Tab, words: str) -> None:
+    """Type into the search as hands do, letter by letter."""
     tab.value("document.querySelector('.md-search__input').focus()")
-    tab.call("Input.insertText", text=words)
-    tab.press("n")
-    found = "document.querySelectorAll('.md-search-result__item a[href*=\"" + page + "\"]').length"
+    for letter in words:
+        tab.call("Input.insertText", text=letter)
+        tab.press(letter)
+
+
+def found_pages(tab: Tab) -> list[str]:
+    """Wait for pages that the search finds, and list them."""
+    links = "[...document.querySelectorAll('.md-search-result__item a')].map((a) => a.href)"
     until = time.monotonic() + 20.0
-    while not tab.value(found) and time.monotonic() < until:
+    while not tab.value(links) and time.monotonic() < until:
         time.sleep(0.1)
-    assert tab.value(found) > 0
+    return [unquote(urlsplit(link).path).rpartition("/")[2] for link in tab.value(links)]
+
+
+SEARCHED = {
+    "touchdown": "theory.html",
+    "friction": "dynamics.html",
+    "wind": "loads.html",
+    "sinker friction": "loads.html",
+    "anchor": "loads.html",
+    "swing": "sizing.html",
+    "buoy": "size-a-buoy.html",
+    "safety factor": "checks.html",
+    "wear": "sizing.html",
+    "fairlead": "conventions.html",
+    "spectrum": "waves.html",
+    "workbook": "report.html",
+    "xich": "bat-dau-nhanh.html",
+    "neo phao": "bat-dau-nhanh.html",
+    "xích": "day-xich-va-cap.html",
+    "phao": "neo-phao.html",
+    "tàu": "neo-tau.html",
+    "lực căng": "bat-dau-nhanh.html",
+    "kiểm chứng": "kiem-chung.html",
+    "đáy": "neo-phao.html",
+}
+"""Words that are looked for, and a page that is about them."""
+
+
+@pytest.mark.slow
+def test_the_search_answers_from_disk(site: Path, tab: Tab) -> None:
+    """A query finds what is asked for, and nothing is said on the console."""
+    tab.messages.clear()
+    missed = {}
+    for words, page in SEARCHED.items():
+        tab.open(site / "index.html", 1280)
+        typed(tab, words)
+        pages_found = found_pages(tab)
+        if page not in pages_found:
+            missed[words] = pages_found
+    assert missed == {}
     assert tab.messages == []
+
+
+class _Slow(SimpleHTTPRequestHandler):
+    """Serves the site, but the words of its pages late."""
+
+    def do_GET(self) -> None:
+        if "search_index" in self.path:
+            time.sleep(2.0)
+        super().do_GET()
+
+    def log_message(self, *_: Any) -> None:
+        pass
+
+
+@pytest.mark.slow
+def test_what_is_typed_before_the_search_is_ready_is_answered(site: Path, tab: Tab) -> None:
+    tab.messages.clear()
+    with ThreadingHTTPServer(("127.0.0.1", 0), partial(_Slow, directory=str(site))) as server:
+        Thread(target=server.serve_forever, daemon=True).start()
+        tab.call("Page.navigate", url=f"http://127.0.0.1:{server.server_port}/index.html")
+        time.sleep(1.5)
+        typed(tab, "wind")
+        assert "loads.html" in found_pages(tab)
+        server.shutdown()
+    assert tab.messages == []
+
+
+def test_ends_of_words_are_merged_by_numbers_with_a_mark_between() -> None:
+    """As they are written, one place "a" to 1 and "2" to 34 is "a" to 12 and "3" to 4."""
+    script = "for(i=0;i<n;i++){var s=r[i],o=this.edges[s];e=e+s+o.id}return e"
+    assert HOOKS.searching(script).endswith("o=this.edges[s];e=e+s+o.id+','}return e")
+    with pytest.raises(ValueError, match="lunr"):
+        HOOKS.searching("another script")

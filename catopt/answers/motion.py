@@ -80,6 +80,9 @@ def _of_load_cases(found: DynamicVerification) -> Iterator[blocks.Block]:
         if found.case.load_cases:
             title = Message("motion.title_of_load_case", name=part.name)
         yield _quantities(part, title)
+        if part is found.parts[0] and found.body:
+            caption = Message("motion.the_buoy")
+            yield tabulate("motion_body", *_over_runs(found.body), caption=caption, only="people")
         yield from _said(part, part, part.remarks)
 
 

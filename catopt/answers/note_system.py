@@ -218,7 +218,7 @@ def _results(note: SystemNote) -> Iterator[Block]:
 
 def _facts(note: SystemNote) -> Iterator[blocks.Fact]:
     """List what the command says of the body, and more of its place and stiffness."""
-    yield from body.body_facts(note.report)
+    yield from body.body_facts(note.report.solution)
     solution = note.solution
     stiffness, turns = solution.full_stiffness, solution.system.turns
     length, angle = named("offset", ""), named("angle", "")
@@ -241,7 +241,7 @@ def _facts(note: SystemNote) -> Iterator[blocks.Fact]:
 def _lines(note: SystemNote) -> Iterator[Block]:
     """Tabulate what each line carries; the most loaded is marked."""
     solution = note.solution
-    number, *others = body.lines_table(note.report, note.checks).columns
+    number, *others = body.lines_table(note.report.solution, note.checks).columns
     of = Rows(solution.lines)
     names = of.texts("name", "leg.name")
     directions = of.measured(

@@ -22,6 +22,7 @@ def answer_of(result: Any) -> Answer:
     from catopt.answers.motion import motion_answer
     from catopt.answers.size import size_answer
     from catopt.answers.study import study_answer
+    from catopt.answers.system import solved_system
     from catopt.answers.verification import verification_answer
 
     layouts = {
@@ -32,6 +33,7 @@ def answer_of(result: Any) -> Answer:
         "Sizing": size_answer,
         "Solution": _solution,
         "StudyResult": study_answer,
+        "SystemSolution": solved_system,
         "Verification": verification_answer,
     }
     name = type(result).__name__

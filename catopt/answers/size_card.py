@@ -33,14 +33,14 @@ _MOST_OTHERS = 3
 _NUMBERS = 6
 
 
-def size_card(of: Sizing) -> tuple[CardBlock, ...]:
-    """Lay out what is recommended on one screen."""
+def size_card(of: Sizing, *, with_others: bool = True) -> tuple[CardBlock, ...]:
+    """Lay out what is recommended on one screen, with other lines in words where wanted."""
     (code, *_) = of.case.checks.codes
     briefs = (
         Brief(of.departures, Message("sizing.card_departs", code=code), 2),
         Brief((of.practice,), Message("sizing.card_practice"), 3),
         Brief(of.fittings, Message("sizing.card_fittings")),
-        *_others(of),
+        *(_others(of) if with_others else ()),
         Brief(tuple(_assumed(of)), Message("sizing.card_assumed"), 3),
         Brief(tuple(_to_be_known(of)), Message("sizing.card_known"), 2),
     )
@@ -133,12 +133,12 @@ def _others(of: Sizing) -> Iterator[Brief]:
     by_line: dict[str, list[str]] = {}
     every = sorted(of.alternatives, key=lambda each: _OTHERS.index(each.prefer))
     for each in every[:_MOST_OTHERS]:
-        by_line.setdefault(_other(of, each), []).append(term(each.prefer))
+        by_line.setdefault(other_words(of, each), []).append(term(each.prefer))
     for said, names in by_line.items():
         yield Brief((said,), Several(names, ", "))
 
 
-def _other(of: Sizing, each: Alternative) -> str:
+def other_words(of: Sizing, each: Alternative) -> str:
     """Say in a line what another preference would recommend."""
     if each.settled is None:
         return Message("sizing.card_none")

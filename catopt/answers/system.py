@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from catopt.mooring.held import HeldBody, NetworkAtRest
     from catopt.mooring.response import Response
     from catopt.mooring.restoring import RestoringCurve
+    from catopt.mooring.solution import SystemSolution
     from catopt.mooring.watch_circle import WatchCircle
 
 _EVERY = 10
@@ -50,7 +51,7 @@ def system_answer(report: SystemReport, checks: CheckReport) -> blocks.Answer:
     freedom = "mooring.x_y_and_yaw" if report.solution.system.turns else "mooring.x_and_y"
     count, circle = len(report.solution.lines), report.circle
     solved = Message("mooring.solved", count=count, freedom=Message(freedom))
-    table = lines_table(report, checks)
+    table = lines_table(report.solution, checks)
     lines: list[blocks.Block] = [table]
     if table.columns[-1].quantity is QUANTITIES["utilisation"]:
         lines.append(blocks.Text(lines_used(checks), only="people", is_small=True))
@@ -70,12 +71,22 @@ def system_answer(report: SystemReport, checks: CheckReport) -> blocks.Answer:
     )
 
 
-def body_facts(report: SystemReport) -> list[blocks.Fact]:
+def solved_system(solution: SystemSolution) -> blocks.Answer:
+    """Lay out the equilibrium of a body alone, without what is asked of its case."""
+    return blocks.answered(
+        "system",
+        solution.title or Message("captions.moored_body"),
+        section("captions.lines", lines_table(solution)),
+        section("captions.body", blocks.Facts("body", tuple(body_facts(solution)))),
+        section("captions.residuals", blocks.Warnings(tuple(solution.warnings))),
+    )
+
+
+def body_facts(solution: SystemSolution) -> list[blocks.Fact]:
     """List where the body is and how it is held."""
-    solution = report.solution
     system, stiffness = solution.system, solution.stiffness
     return [
-        stated("title", report.case.title, only="files"),
+        stated("title", solution.title, only="files"),
         fact("horizontal_force", system.force[0], "force_on_the_body_along_x", symbol=""),
         fact("horizontal_force", system.force[1], "force_on_the_body_along_y", symbol=""),
         *([fact("moment", system.moment)] if system.turns else []),
@@ -92,7 +103,7 @@ def body_facts(report: SystemReport) -> list[blocks.Fact]:
 
 def _body(report: SystemReport) -> blocks.Facts:
     """List where the body is, how it is held, and what the rule of practice says."""
-    solution, rule, facts = report.solution, report.rule, body_facts(report)
+    solution, rule, facts = report.solution, report.rule, body_facts(report.solution)
     if rule.horizontal_force is not None:
         assert rule.line is not None
         own = solution.lines[rule.line].horizontal_force
@@ -102,12 +113,12 @@ def _body(report: SystemReport) -> blocks.Facts:
     return blocks.Facts("body", tuple(facts), Message("captions.body"))
 
 
-def lines_table(report: SystemReport, checks: CheckReport) -> blocks.Table:
+def lines_table(solution: SystemSolution, checks: CheckReport | None = None) -> blocks.Table:
     """Tabulate what each line carries, and how far it is used by the strictest check."""
-    lines = report.solution.lines
+    lines = solution.lines
     of = Rows(lines)
     numbers = range(1, len(lines) + 1)
-    used = [checks.used(line=number) for number in numbers]
+    used = [checks.used(line=number) if checks else None for number in numbers]
     if all(value is None for value in used):
         used = [line.utilisation() for line in lines]
     return tabulate(

@@ -15,6 +15,8 @@ from catopt.documents import Path
 from catopt.errors import InputError
 from catopt.model import CatalogueChoice
 from catopt.units import as_written
+from catopt.words import Message
+from catopt.words.refusals import problem_words
 
 if TYPE_CHECKING:
     from catopt.catalogue import Component
@@ -101,9 +103,9 @@ def _catalogue(found: FromCatalogue, case: Section, folder: str) -> ChosenCatalo
 
         shown = as_written(given.get("file"))
         for problem in error.problems:
-            inside = f"in it, {problem}"
+            inside: str = Message("refused.in_it", problem=problem_words(problem))
             if problem.key == KIND:  # unread
-                inside = str(problem).removeprefix(f"{KIND}: ")
+                inside = problem.allowed
             found.findings.append(Finding(("catalogue", "file"), shown, inside))
     return None
 
@@ -119,13 +121,13 @@ def _resolve(found: FromCatalogue, catalogue: ChosenCatalogue, path: Path, name:
     grades = families.family(parsed.family).grades
     if grades and parsed.grade is None:
         example = f'"{parsed.family} {grades[0]}"'
-        allowed = f"the grade is missing: one of {', '.join(grades)}, such as {example}"
+        allowed = Message("refused.grade_missing", grades=", ".join(grades), example=example)
         found.findings.append(Finding(path, as_written(name), allowed))
         return
     full = " ".join(part for part in parsed if part)
     beside = [p for p, other in found.names.items() if other == full and p[:-1] == path[:-1]]
     if beside and isinstance(path[-1], int):
-        allowed = "stands there already; leave it out"
+        allowed = Message("refused.stands_already")
         found.findings.append(Finding(path, as_written(name), allowed))
         return
     found.names[path] = full
@@ -166,8 +168,11 @@ def _refusals(error: InputError, path: Path, name: str, shown: str) -> Iterator[
         if quantity != problem.key:
             yield Finding(("catalogue", "variants", quantity), problem.found, problem.allowed)
         else:
-            what = "" if quantity == "diameter" else f"{quantity} of {name} is "
-            yield Finding(path, shown, what + problem.allowed)
+            allowed = problem.allowed
+            if quantity != "diameter":
+                values = {"quantity": quantity, "name": name}
+                allowed = Message("refused.of_component", allowed=allowed, **values)
+            yield Finding(path, shown, allowed)
 
 
 def _sizes(found: FromCatalogue, catalogue: ChosenCatalogue, segment: Section) -> None:
@@ -194,9 +199,14 @@ def _sold(found: FromCatalogue, catalogue: ChosenCatalogue, segment: Section, na
         found.findings += _refusals(error, segment.path, name, "")
         return
     if not sizes:
-        found.findings.append(segment.missing("diameters", f"no list of sizes of {name} is known"))
+        found.findings.append(segment.missing("diameters", Message("refused.no_sizes", name=name)))
     elif not any((low or 0.0) <= size <= (high or size) for size in sizes):
         key = "diameter_min" if low is not None else "diameter_max"
-        sold = f"{name} is sold from {sizes[0] * 1e3:g} mm to {sizes[-1] * 1e3:g} mm"
-        between = "" if low is None or high is None else ", with no size between the two bounds"
-        found.findings.append(segment.wrong(key, sold + between))
+        one_end = low is None or high is None
+        said = Message(
+            "refused.sold" if one_end else "refused.none_between",
+            name=name,
+            least=sizes[0] * 1e3,
+            most=sizes[-1] * 1e3,
+        )
+        found.findings.append(segment.wrong(key, said))

@@ -21,13 +21,13 @@ from catopt.documents import Path
 from catopt.errors import InputError
 from catopt.model import Anchor, Find, Load
 from catopt.model.anchor import ANCHOR_KINDS
-from catopt.model.checks import NEEDS_SEVERAL_LINES
 from catopt.model.find import FIND_QUANTITIES, FORCES, misfits
 from catopt.model.line import END_ROUNDING, break_test_misfits, drag_misfits, point_drag_misfits
 from catopt.model.service import wear_misfits
 from catopt.model.site import LEVEL_ONLY
 from catopt.model.system import system_misfits
 from catopt.units import Dimension
+from catopt.words import Message
 
 if TYPE_CHECKING:
     from catopt.catalogue import Component
@@ -100,7 +100,9 @@ def _misfits(
             continue
         if about_load or (segments and not unsure):
             either = about_load and sought is None
-            allowed = problem.allowed + (", or [[load_cases]]" if either else "")
+            allowed = problem.allowed
+            if either:
+                allowed = Message("refused.or_load_cases", wanted=allowed)
             yield from case.refused([replace(problem, allowed=allowed)])
 
 
@@ -129,13 +131,13 @@ def _segment(segment: Section) -> Iterator[Finding]:
     """Find a segment without weight or component, and a component without its diameter."""
     if "component" in segment:
         if segment.lacks("diameter"):
-            yield segment.missing("diameter", "a component needs its diameter")
+            yield segment.missing("diameter", Message("refused.component_diameter"))
     elif segment.lacks("submerged_weight") and not segment.misspelt("component"):
         example = Dimension.FORCE_PER_LENGTH.example
-        wanted = f"a weight per length is wanted, such as {example}, or a component"
+        wanted = Message("refused.weight_or_component", example=example)
         yield segment.missing("submerged_weight", wanted)
     if "drag_axial_area" in segment and "drag_axial" not in segment:
-        allowed = "goes with drag_axial, which is missing; the catalogue's has its own area"
+        allowed = Message("refused.with_drag_axial")
         yield segment.wrong("drag_axial_area", allowed)
     if not segment.misspelt("drag_method", "roughness"):
         yield from segment.refused(drag_misfits(segment.values()))
@@ -147,14 +149,14 @@ def _weight(body: Section) -> Iterator[Finding]:
     if body.misspelt("submerged_weight", "mass", "density", "volume"):
         return
     weight, mass, density = (key in body for key in ("submerged_weight", "mass", "density"))
-    wanted = "submerged_weight, or mass with density, is wanted"
+    wanted = Message("refused.weight_or_mass")
     if "volume" in body:
         if weight or density or not mass:
-            yield body.wrong("volume", "goes with mass, in place of submerged_weight and density")
+            yield body.wrong("volume", Message("refused.with_mass"))
     elif density and not mass:
-        yield body.wrong("density", "density goes with mass, which is missing")
+        yield body.wrong("density", Message("refused.density_with_mass"))
     elif weight and density:
-        allowed = "leave out submerged_weight or density"
+        allowed = Message("refused.leave_out_either")
         yield Finding(body.path, "submerged_weight, mass and density", allowed)
     elif mass and not weight and not density:
         yield Finding(body.path, "mass without density", wanted)
@@ -178,7 +180,7 @@ def _positions(segments: list[Section], loads: list[Section]) -> Iterator[Findin
     for load in loads:
         position = load.number("position")
         if position is not None and not position < total * (1.0 - END_ROUNDING):
-            yield load.wrong("position", f"must be below {total:g} m, the length of the line")
+            yield load.wrong("position", Message("refused.below_line", length=total))
 
 
 def _contact_offset(site: Section, line: Section) -> Iterator[Finding]:
@@ -188,7 +190,7 @@ def _contact_offset(site: Section, line: Section) -> Iterator[Finding]:
         return
     if site.number("seabed_slope"):
         yield site.wrong("contact_offset", LEVEL_ONLY)
-    allowed = f"must be above {offset:g} m, the contact_offset of the site"
+    allowed = Message("refused.above_contact_offset", offset=offset)
     if (site.number("water_depth") or math.inf) <= offset:
         yield site.wrong("water_depth", allowed)
     for key in ("fairlead_height", "anchor_height"):
@@ -206,12 +208,12 @@ def _levels(case: Section, states: list[Section]) -> Iterator[Finding]:
     for state in states:
         name = state.value("name")
         if name in names:
-            yield state.wrong("name", "another load case has this name")
+            yield state.wrong("name", Message("refused.name_taken"))
         names += [name] if name is not None else []
         level, rise = state.number("water_level"), state.number("fairlead_rise") or 0.0
         lowest = min(depth or 0.0, (depth or 0.0 if height is None else height) + rise)
         if level is not None and not unclear and not level > -lowest:
-            allowed = f"must leave the fairlead above the seabed: above {-lowest:g} m"
+            allowed = Message("refused.fairlead_above_bed", least=-lowest)
             yield state.wrong("water_level", allowed)
 
 
@@ -230,10 +232,10 @@ def _system(case: Section) -> Iterator[Finding]:
     has_arms = unclear or bool(radius)
     yaw_free = system.given.get("yaw_free", has_arms)
     if yaw_free is True and not has_arms:
-        allowed = "must be false, or fairlead_radius above 0: nothing else holds the body in yaw"
+        allowed = Message("refused.no_yaw")
         yield system.wrong("yaw_free", allowed)
     elif yaw_free is False and system.number("moment"):
-        allowed = "must be 0 where the body does not yaw: give fairlead_radius, or leave it out"
+        allowed = Message("refused.zero_without_yaw")
         yield system.wrong("moment", allowed)
 
 
@@ -242,11 +244,11 @@ def _checks(case: Section) -> Iterator[Finding]:
     checks = case.table("checks")
     for section in (checks, case.table("anchor")):
         if "safety_factor_line_out" in section and case.lacks("system"):
-            yield section.wrong("safety_factor_line_out", NEEDS_SEVERAL_LINES)
+            yield section.wrong("safety_factor_line_out", Message("refused.needs_several_lines"))
     if "code" in checks and "codes" in checks:
-        yield Finding(("checks",), "code and codes", "put all of them into codes")
+        yield Finding(("checks",), "code and codes", Message("refused.all_into_codes"))
     if "max_span" in checks and "max_offset" in checks:
-        yield checks.wrong("max_offset", "leave it out: it limits the span, as max_span does")
+        yield checks.wrong("max_offset", Message("refused.limits_span"))
     yield from duplicates(checks, "codes")
 
 
@@ -265,7 +267,7 @@ def _anchor(case: Section) -> Iterator[Finding]:
         yield from sinks_findings(case, anchor)
         given["submerged_weight"] = 1.0
     elif "density" in anchor:
-        yield anchor.wrong("density", "does not go with a drag anchor; leave it out")
+        yield anchor.wrong("density", Message("refused.not_with_drag"))
     for problem in refusals(Anchor, **given | {"kind": kind}):
         if problem.key in anchor or not anchor.misspelt(problem.key):
             yield from anchor.refused([problem])
@@ -280,5 +282,5 @@ def sinks_findings(case: Section, body: Section) -> Iterator[Finding]:
     water = water or SEA_WATER_DENSITY
     density = body.number("density")
     if density is not None and not density > water:
-        allowed = f"must be above {water:g} kg/m^3, the density of the water, for a sinker to sink"
+        allowed = Message("refused.sinker_floats", water=water)
         yield body.wrong("density", allowed)

@@ -15,6 +15,7 @@ from catopt.casefile.schema import LENGTHS, MASSES, POSITIONS, PRETENSIONS, RADI
 from catopt.errors import Problem
 from catopt.model import ClumpWeightChoice, Design, SegmentChoice
 from catopt.model.design import body_misfits
+from catopt.words import Message
 
 _COMPONENTS = ("components", "component")
 
@@ -58,10 +59,10 @@ def _segment(choice: Section, index: int, line: _Line) -> Iterator[Finding]:
     """Find what is given in two ways, and what the line has not got to be taken over."""
     yield from ranges.findings(LENGTHS, choice)
     if all(key in choice for key in _COMPONENTS):
-        allowed = "only one of them is wanted"
+        allowed = Message("refused.only_one")
         yield Finding(choice.path, "component and components", allowed)
     yield from _sizes(choice)
-    nothing = f"the line has no segment {index + 1} to take it from"
+    nothing = Message("refused.no_such_segment", number=index + 1)
     if line.lacks(index) and choice.lacks(*LENGTHS.keys):
         yield choice.missing("lengths", nothing)
     if not choice.lacks(*_COMPONENTS):
@@ -70,7 +71,7 @@ def _segment(choice: Section, index: int, line: _Line) -> Iterator[Finding]:
     if line.lacks(index):
         yield choice.missing("components", nothing)
     elif any(key in choice for key in SIZES) and line.is_clear and own and own.lacks("component"):
-        why = f"diameters are of a component, and segment {index + 1} of the line has none"
+        why = Message("refused.segment_without_component", number=index + 1)
         yield choice.missing("components", why)
 
 
@@ -79,7 +80,7 @@ def _sizes(choice: Section) -> Iterator[Finding]:
     ranged = [key for key in ("diameter_min", "diameter_max") if key in choice]
     singly = [key for key in ("diameter", "diameters") if key in choice]
     if len(singly) + bool(ranged) > 1:
-        allowed = "only one way is wanted: diameters, diameter, or diameter_min and diameter_max"
+        allowed = Message("refused.diameters_one_way")
         yield Finding(choice.path, " and ".join([*singly, *ranged]), allowed)
     yield from ranges.upside_down(choice, "diameter_min", "diameter_max")
     yield from ranges.duplicates(choice, "diameters")
@@ -92,9 +93,10 @@ def _clump_weight(choice: Section) -> Iterator[Finding]:
     placed = [key for key in POSITIONS.keys if key in choice]
     if placed and "joint" in choice:
         found = " and ".join([*placed, "joint"])
-        yield Finding(choice.path, found, "it hangs either at positions or at a joint")
+        yield Finding(choice.path, found, Message("refused.positions_or_joint"))
     if choice.lacks(*POSITIONS.keys, "joint"):
-        yield choice.missing("positions", f"{ranges.wanted(POSITIONS)}, or a joint is wanted")
+        ways = Message("refused.or_a_joint", ways=ranges.wanted(POSITIONS))
+        yield choice.missing("positions", ways)
 
 
 def _positions(segments: list[Section], weights: list[Section], line: _Line) -> Iterator[Finding]:
@@ -114,10 +116,8 @@ def _positions(segments: list[Section], weights: list[Section], line: _Line) -> 
         positions = ranges.read(POSITIONS, weight)
         if longest and positions and not positions[0] < total:
             key = next(key for key in POSITIONS.keys if key in weight)
-            which = "one of them " if key == POSITIONS.many else ""
-            yield weight.wrong(
-                key, f"{which}must be below {total:g} m, the length of the longest line"
-            )
+            which = "one_below_longest" if key == POSITIONS.many else "below_longest"
+            yield weight.wrong(key, Message(f"refused.{which}", length=total))
 
 
 def _as_the_model_has_it(
@@ -182,6 +182,6 @@ def _excursion(case: Section, design: Section) -> Iterator[Finding]:
         return
     if not case.misspelt("load_cases"):
         path = ("design", "objectives", objectives.index("excursion"))
-        there = f"there are {count}" if count else "there is none"
-        allowed = f'counts from the one load case of kind "reference", and {there}'
+        key = "refused.references" if count else "refused.no_reference"
+        allowed = Message(key, found=count)
         yield Finding(path, '"excursion"', allowed)

@@ -119,7 +119,7 @@ def _system(design: dict[str, Any], line: Line, case: Case) -> System | None:
     if found is None or case.system is None:
         return case.system
     own, first = case.system, case.system.legs[0]
-    system = System.around(
+    return System.around(
         line,
         azimuths=found["azimuths_rad"],
         anchor_radius=found["anchor_radius_m"],
@@ -130,8 +130,8 @@ def _system(design: dict[str, Any], line: Line, case: Case) -> System | None:
         force=tuple(found["farthest_force_N"]),
         moment=own.moment,
         yaw_free=own.yaw_free,
+        judged_line_out=found.get("farthest_line_out", own.judged_line_out),
     )
-    return replace(system, judged_line_out=found.get("farthest_line_out", True))
 
 
 def _anchor(design: dict[str, Any], case: Case) -> Anchor | None:

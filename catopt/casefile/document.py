@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from catopt.casefile.location import Finding, parts
+from catopt.casefile.location import Finding, missing, parts
 from catopt.casefile.names import stands_for
 from catopt.casefile.schema import MOST_LISTED, MOST_TABLES, CaseTable, Table, entries
 from catopt.documents import Path
@@ -95,7 +95,7 @@ class Section:
 
     def missing(self, key: str, why: str) -> Finding:
         """Note that a key is missing."""
-        return Finding((*self.path, key), "", f"missing; {why}")
+        return Finding((*self.path, key), "", missing(why))
 
     def refused(self, problems: Iterable[Problem]) -> Iterator[Finding]:
         """Place what the model refuses by its keys in this table, as the file has it there."""

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 from catopt.documents import Path, dotted
 from catopt.errors import InputError, Problem
+from catopt.words import Message
 
 
 class Finding(NamedTuple):
@@ -27,10 +28,15 @@ def parts(key: str) -> Path:
     return tuple(int(index) if index else name for index, name in found)
 
 
+def missing(wanted: str) -> Message:
+    """Say that a key is missing, and what is wanted."""
+    return Message("refused.missing", wanted=wanted)
+
+
 def header(path: Path, *, array: bool = False) -> str:
     """Write the line that opens a table: ``[site]``, or ``[[line.segments]]`` for an array."""
     if not path:
-        return "the top of the file, before the first section"
+        return Message("refused.top_of_file")
     name = dotted(tuple(part for part in path if isinstance(part, str)))
     return f"[[{name}]]" if array else f"[{name}]"
 

@@ -16,6 +16,7 @@ from catopt.model import fatigue as damage
 from catopt.model.current_profile import CURRENT_PROFILES
 from catopt.model.motion import MOTION_WAYS, OF_A_BODY
 from catopt.model.wave_state import train_misfits, wave_misfits
+from catopt.words import Message
 
 _FOR_FATIGUE = ("dynamics", "waves", "service")
 
@@ -88,7 +89,7 @@ def _motion(motion: Section) -> Iterator[Finding]:
             yield from motion.refused([problem])
         else:
             ways = ", ".join(key for key in MOTION_WAYS if key in known)
-            yield Finding(motion.path, problem.found, f"exactly one of {ways} is wanted")
+            yield Finding(motion.path, problem.found, Message("refused.exactly_one", ways=ways))
 
 
 def _run(case: Section, dynamics: Section) -> Iterator[Finding]:

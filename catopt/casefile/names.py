@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from catopt.casefile.location import header
 from catopt.casefile.schema import CaseTable, Table, VariantsTable, entries
 from catopt.documents import Path
+from catopt.words import Message
 
 _SIMILAR = 0.6
 """Share of letters in common (difflib's ratio) from which a key counts as misspelt."""
@@ -48,12 +49,14 @@ def hint(table: type[Table], key: str, top: type[Table] = CaseTable) -> str:
     """Say what to do about a key that `table` does not have."""
     near = nearest(table, key, top)
     if near is not None:
-        return f"did you mean {near}?"
+        return Message("refused.did_you_mean", near=near)
     places = list(_elsewhere(key, top))
     if places:
         *others, last = places
-        return "move it to " + " or ".join([*([", ".join(others)] if others else []), last])
-    return "allowed here: " + ", ".join(entries(table))
+        if not others:
+            return Message("refused.move", place=last)
+        return Message("refused.move_or", places=", ".join(others), last=last)
+    return Message("refused.allowed_here", keys=", ".join(entries(table)))
 
 
 def _plain(key: str) -> str:

@@ -10,6 +10,7 @@ from catopt.casefile.document import Section
 from catopt.casefile.location import Finding
 from catopt.casefile.schema import Values
 from catopt.units import as_written
+from catopt.words import Message
 
 MOST_VALUES = 10_000
 """Values that a range may be made of."""
@@ -56,10 +57,10 @@ def findings(values: Values, section: Section, *, required: bool = False) -> Ite
     ranged = [key for key in values.range if key in section]
     singly = [key for key in (values.one, values.many) if key in section]
     if required and section.lacks(*values.keys):
-        yield section.missing(values.many, f"{wanted(values)} is wanted")
+        yield section.missing(values.many, Message("refused.ways_wanted", ways=wanted(values)))
     elif len(singly) + bool(ranged) > 1:
         found = " and ".join([*singly, *ranged])
-        yield Finding(section.path, found, f"only one way is wanted: {wanted(values)}")
+        yield Finding(section.path, found, Message("refused.one_way", ways=wanted(values)))
     elif ranged and not section.misspelt(*values.keys):
         yield from _range_findings(values, section)
     yield from duplicates(section, values.many)
@@ -75,7 +76,9 @@ def _range_findings(values: Values, section: Section) -> Iterator[Finding]:
         return
     if (high - low) / step >= MOST_VALUES - 1 + _HITS:
         count = f"{(high - low) / step + 1.0:.6g}"
-        yield section.wrong(step_key, f"makes {count} values; {MOST_VALUES} are the most")
+        yield section.wrong(
+            step_key, Message("refused.too_many_values", count=count, most=MOST_VALUES)
+        )
 
 
 def upside_down(section: Section, low_key: str, high_key: str) -> Iterator[Finding]:
@@ -83,7 +86,7 @@ def upside_down(section: Section, low_key: str, high_key: str) -> Iterator[Findi
     low, high = section.number(low_key), section.number(high_key)
     if low is not None and high is not None and high < low:
         shown = as_written(section.given[low_key]).strip('"')
-        yield section.wrong(high_key, f"must be {low_key} or more, which is {shown}")
+        yield section.wrong(high_key, Message("refused.at_least_key", key=low_key, shown=shown))
 
 
 def duplicates(section: Section, key: str) -> Iterator[Finding]:
@@ -93,7 +96,7 @@ def duplicates(section: Section, key: str) -> Iterator[Finding]:
         if each in read[:index]:
             shown = as_written(section.given[key][index])
             path = (*section.path, key, index)
-            yield Finding(path, shown, "stands there already; leave it out")
+            yield Finding(path, shown, Message("refused.stands_already"))
 
 
 def _steps(low: float, high: float, step: float) -> tuple[float, ...]:

@@ -76,7 +76,7 @@ class Table:
     """Part of the model whose attributes the keys are, beside those annotated in the class."""
 
     keys: ClassVar[str] = ""
-    """The keys in their order, where it is not that of the model."""
+    """The keys in their order, where it is not that of the model; ``...``: the rest of these."""
 
     choices: ClassVar[tuple[Values, ...]] = ()
     """Attributes of the model whose values a file may give in several ways."""
@@ -203,7 +203,7 @@ class SystemTable(Table):
     """A body moored by several lines, each like [line], and what pushes it."""
 
     model = model.System
-    keys = "anchor_radius fairlead_radius azimuths force moment yaw_free"
+    keys = "anchor_radius fairlead_radius azimuths force moment yaw_free judged_line_out"
 
     anchor_radius: Length
     fairlead_radius: Height | None = None
@@ -217,7 +217,7 @@ class ChecksTable(Table):
     model = model.Checks
     keys = """safety_factor safety_factor_line_out code codes proof_load_factor
         max_anchor_uplift_angle max_anchor_uplift_force min_grounded_length max_span max_offset
-        allow_recalled"""
+        allow_recalled ..."""
     symbols: ClassVar = {"SF": "safety_factor", "factor_of_safety": "safety_factor"}
 
     code: Code | None = None
@@ -343,11 +343,10 @@ class CaseTable(Table):
 
     model = model.Case
     keys = """title source site line load load_cases system find checks service buoy anchor
-        catalogue design waves current motion anchor_motion body dynamics fatigue pso"""
+        catalogue design waves current motion anchor_motion body floater dynamics fatigue pso"""
     later: ClassVar = {"verify": ""}
     elsewhere: ClassVar = {
-        "environment": "belongs to a file for catopt size and catopt loads (docs/sizing.md), "
-        "which finds the force; a case file gives it",
+        "environment": "refused.belongs_to_size",
     }
     symbols: ClassVar = {"catalog": "catalogue"}
 
@@ -417,7 +416,10 @@ def _entries(table: type[Table]) -> Iterator[tuple[str, Entry]]:
     of_part = fields(table.model) if table.model else ()
     needed = {each.name for each in of_part if each.default is each.default_factory is MISSING}
     several = {values.many: values for values in table.choices}
-    for key in table.keys.split() or [*of_model, *own]:
+    named = table.keys.split() or [*of_model, *own]
+    if named[-1] == "...":
+        named[-1:] = [each for each in of_model if each not in named and each not in several]
+    for key in named:
         kind, array, size, classes = own[key] if key in own else of_model[key]
         if key in several:
             ways = several[key]

@@ -9,6 +9,7 @@ from typing import Any, Final, Literal
 from catopt.casefile.document import table
 from catopt.documents import parse_toml, read_text
 from catopt.errors import InputError, Problem
+from catopt.words import Message
 
 Moored = Literal["buoy", "tanker"]
 """What is to be moored."""
@@ -35,10 +36,7 @@ def not_a_case(document: dict[str, Any]) -> Problem | None:
     if moored is None:
         return None
     key = next(key for key in ("ship", "environment", "buoy") if key in document)
-    allowed = (
-        f"this file is for catopt size {moored}, which finds the line; with --save it writes a "
-        "case file for the other commands"
-    )
+    allowed = Message("refused.for_size", moored=moored)
     return Problem(key, f"[{key}]", allowed)
 
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import Any, TypeVar
 
-from catopt.casefile.location import Finding, header
+from catopt.casefile.location import Finding, header, missing
 from catopt.casefile.names import hint, stands_for
 from catopt.casefile.schema import Entry, LoadTable, Table, entries
 from catopt.documents import Path
 from catopt.errors import InputError
 from catopt.units import as_written
+from catopt.words import Message
 
 _MOST = 200
 """Findings of one file: a file with more has one fault, that it is another kind of file."""
@@ -49,7 +50,7 @@ class _Reader:
             if key in given:
                 read[key] = self._entry(here, entry, given[key])
             elif entry.required and key not in meant:
-                self.findings.append(Finding(here, "", f"missing; {_wanted(here, entry)}"))
+                self.findings.append(Finding(here, "", missing(_wanted(here, entry))))
         self.findings += (self._unknown(path, schema, key, given[key]) for key in unknown)
         return schema(read)
 
@@ -63,12 +64,12 @@ class _Reader:
         before, sound = len(self.findings), []
         for index, each in enumerate(given):
             noted = len(self.findings)
-            one = self._one((*path, index), entry, each, "a table is wanted")
+            one = self._one((*path, index), entry, each, Message("refused.table"))
             sound += [one] if len(self.findings) == noted else []
         if len(sound) > entry.size.most:
             del self.findings[before:]
-            most = f"; {entry.size.most} are the most"
-            self._note(path, given, _wanted(path, entry) + most)
+            values = {"wanted": _wanted(path, entry), "most": entry.size.most}
+            self._note(path, given, Message("refused.and_most", **values))
         elif len(self.findings) == before and len(sound) < entry.size.fewest:
             self._note(path, given, _wanted(path, entry))
         return sound
@@ -92,25 +93,25 @@ class _Reader:
     def _unknown(self, path: Path, schema: type[Table], key: str, given: Any) -> Finding:
         here = (*path, key)
         if key in schema.elsewhere:
-            return Finding(here, as_written(given), schema.elsewhere[key])
+            return Finding(here, as_written(given), Message(schema.elsewhere[key]))
         if key not in schema.later:
-            return Finding(here, "an unknown key", hint(schema, key, self.top))
-        advice = ""
+            return Finding(here, Message("refused.unknown_key"), hint(schema, key, self.top))
+        later = Message("refused.later")
         if instead := schema.later[key]:
             is_value = entries(schema)[instead].table is None
             name = instead if is_value else header((*path, instead))
-            advice = f"; give {name} instead"
-        return Finding(
-            here, as_written(given), f"this version of catopt does not know it yet{advice}"
-        )
+            later = Message("refused.later_instead", name=name)
+        return Finding(here, as_written(given), later)
 
 
 def _wanted(path: Path, entry: Entry) -> str:
     if entry.kind is not None:
-        return entry.kind.wanted + (", in brackets" if entry.array else "")
+        said = entry.kind.wanted
+        return Message("refused.in_brackets", wanted=said) if entry.array else said
     line = header(path, array=entry.array)
     if entry.array:
-        return f"write {line}, in double brackets, once for each"
+        return Message("refused.double_brackets", line=line)
     if entry.table is LoadTable:
-        return f"a table {line} with one of {', '.join(entries(LoadTable))} is wanted"
-    return f"a table {line} is wanted"
+        keys = ", ".join(entries(LoadTable))
+        return Message("refused.table_with_one_of", line=line, keys=keys)
+    return Message("refused.table_named", line=line)

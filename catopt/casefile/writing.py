@@ -132,6 +132,7 @@ def _around(case: Case, system: System) -> dict[str, Any]:
         "force": system.force,
         "moment": system.moment,
         "yaw_free": system.yaw_free,
+        "judged_line_out": system.judged_line_out,
     }
     around = System.around(
         case.line,
@@ -143,6 +144,8 @@ def _around(case: Case, system: System) -> dict[str, Any]:
     if around != system:
         allowed = "a case file holds equal lines, each like the case's own, around the body"
         raise InputError([Problem("system", "lines of their own", allowed)], "write_case")
+    if system.judged_line_out:
+        del arrangement["judged_line_out"]
     return {key: value for key, value in arrangement.items() if value is not None}
 
 
@@ -153,7 +156,7 @@ _UNSAID: Final[Mapping[type, Mapping[str, object]]] = {
     LoadCase: {"state": "intact", "fairlead_rise": 0.0},
     Service: {"wear_rate": 0.0},
     Design: {"headings": 1},
-    Point: {"submerged_weight": 0.0},
+    Point: {"submerged_weight": 0.0, "force": (0.0, 0.0, 0.0)},
 }
 """Keys that go unsaid at their default."""
 

@@ -13,6 +13,7 @@ from catopt.catalogue.searching import held_by
 from catopt.errors import Problem
 from catopt.model import CatalogueChoice
 from catopt.units import as_written
+from catopt.words import Message
 
 
 @dataclass(frozen=True)
@@ -54,7 +55,7 @@ class ChosenCatalogue:
             }
             listed = ", ".join(there)
             allowed = (
-                f"one of {listed} is wanted" if there else "there is only one figure; leave it out"
+                Message("refused.one_of", words=listed) if there else Message("refused.one_figure")
             )
             problems.append(Problem(quantity, as_written(variant), allowed))
         return problems

@@ -137,8 +137,10 @@ def _check_diameter(check: Findings, family: Family, diameter: float) -> None:
         return
     if not within(diameter, family.range):
         meant_mm = within(diameter / 1e3, family.range)
-        hint = f"; a diameter is in m: did you mean {diameter / 1e3:g}?" if meant_mm else ""
-        allowed = f"{family.name} is known {family.known_range}{hint}"
+        low, high = map(in_mm, family.range)
+        allowed = Message("refused.known", name=family.name, low=low, high=high)
+        if meant_mm:
+            allowed = Message("refused.known_in_m", known=allowed, meant=diameter / 1e3)
         check.add("diameter", in_mm(diameter), allowed)
 
 
@@ -178,7 +180,7 @@ def _choose(
 
 def _no_variant(check: Findings, quantity: str, variant: str, names: Iterable[str]) -> None:
     listed = ", ".join(names)
-    allowed = f"one of {listed} is wanted" if listed else "there is only one figure; leave it out"
+    allowed = Message("refused.one_of", words=listed) if listed else Message("refused.one_figure")
     check.add(f"variants.{quantity}", as_written(variant), allowed)
 
 

@@ -11,6 +11,7 @@ from typing import NamedTuple
 from catopt.catalogue.family import Family
 from catopt.errors import InputError, Problem
 from catopt.units import as_written
+from catopt.words import Message
 
 _SIMILAR = 0.6
 """Share of letters in common (difflib's ratio) from which a name counts as misspelt."""
@@ -33,8 +34,11 @@ def find_name(name: object, families: Iterable[Family]) -> ComponentName:
     if isinstance(name, str) and _plain(name) in found:
         return found[_plain(name)]
     near = nearest(name, [shown for _, shown, _ in names]) if isinstance(name, str) else None
-    wanted = f'a component is wanted, such as "{names[0][1]}"' if names else "there are none"
-    allowed = f'did you mean "{near}"?' if near else f"{wanted}; catopt catalog list has them"
+    allowed = Message("refused.no_component")
+    if near:
+        allowed = Message("refused.did_you_mean", near=f'"{near}"')
+    elif names:
+        allowed = Message("refused.component", example=f'"{names[0][1]}"')
     raise InputError([Problem("component", as_written(name), allowed)])
 
 

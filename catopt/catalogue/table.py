@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any, TypeVar
 
-from catopt.catalogue.names import meant, nearest
+from catopt.catalogue.names import nearest
 from catopt.documents import parse_toml
 from catopt.model.validity import Findings
 from catopt.units import as_written
-from catopt.words import LANGUAGES, Cited, Told
+from catopt.words import LANGUAGES, Cited, Message, Told
 
 Word = TypeVar("Word", bound=str)
 
@@ -45,7 +45,8 @@ class Table:
     def problem(self, key: str, allowed: str) -> None:
         """Note what is wrong with the value of a key."""
         found = as_written(self.values[key]) if key in self.values else ""
-        self._findings.add(self.at(key), found, allowed if found else f"missing; {allowed}")
+        missing = Message("refused.missing", wanted=allowed)
+        self._findings.add(self.at(key), found, allowed if found else missing)
 
     def at(self, key: str) -> str:
         """Path of a key."""
@@ -60,8 +61,10 @@ class Table:
         for key in self.values:
             if key not in keys:
                 near = nearest(key, keys)
-                hint = f"did you mean {near}?" if near else f"allowed here: {', '.join(keys)}"
-                self._findings.add(self.at(key), "an unknown key", hint)
+                hint = Message("refused.allowed_here", keys=", ".join(keys))
+                if near:
+                    hint = Message("refused.did_you_mean", near=near)
+                self._findings.add(self.at(key), Message("refused.unknown_key"), hint)
 
     def text(self, key: str, *, required: bool = True) -> str | None:
         """Read a text that is not empty."""
@@ -69,7 +72,7 @@ class Table:
         if value is None and not required:
             return None
         if not isinstance(value, str) or not value.strip():
-            self.problem(key, "text in quotes is wanted")
+            self.problem(key, Message("refused.text"))
             return None
         return value
 
@@ -79,7 +82,7 @@ class Table:
         if not isinstance(value, dict):
             return self.text(key, required=required)
         if set(value) != set(LANGUAGES) or not all(isinstance(v, str) for v in value.values()):
-            self.problem(key, f"a text in quotes for each of {', '.join(LANGUAGES)} is wanted")
+            self.problem(key, Message("refused.text_for_each", words=", ".join(LANGUAGES)))
             return None
         return Told(value)
 
@@ -94,15 +97,18 @@ class Table:
         for each in words:
             if value == each:
                 return each
-        hint = meant(value, words) if isinstance(value, str) else ""
-        self.problem(key, f"one of {', '.join(words)} is wanted{hint}")
+        allowed = Message("refused.one_of", words=", ".join(words))
+        near = nearest(value, words) if isinstance(value, str) else None
+        if near:
+            allowed = Message("refused.and_meant", wanted=allowed, near=near)
+        self.problem(key, allowed)
         return None
 
     def flag(self, key: str) -> bool | None:
         """Read true or false; None when it is left out."""
         value = self.values.get(key)
         if value is not None and not isinstance(value, bool):
-            self.problem(key, "true or false is wanted, without quotes")
+            self.problem(key, Message("refused.flag"))
             return None
         return value
 
@@ -114,7 +120,7 @@ class Table:
         listed = [value] if isinstance(value, str) else value
         right = isinstance(listed, list) and all(isinstance(e, str) and e.strip() for e in listed)
         if not right or not listed or len(set(listed)) < len(listed):
-            self.problem(key, "a text or an array of different texts is wanted")
+            self.problem(key, Message("refused.different_texts"))
             return ()
         return tuple(listed)
 
@@ -126,7 +132,7 @@ class Table:
         """Read an array of so many numbers."""
         value = self.values.get(key)
         if not isinstance(value, list) or len(value) != count:
-            self.problem(key, f"an array of {count} numbers is wanted")
+            self.problem(key, Message("refused.array_of_numbers", count=count))
             return None
         read = [self._number(each, f"{self.at(key)}[{i}]") for i, each in enumerate(value)]
         known = tuple(each for each in read if each is not None)

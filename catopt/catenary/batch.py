@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from time import perf_counter
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -22,6 +22,10 @@ from catopt.catenary.state import CONVERGED, REASONS, REGIMES
 from catopt.compiled import compiled, is_compiled
 from catopt.errors import InputError, Problem
 from catopt.model import Line
+from catopt.model.line import INEXTENSIBLE
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 __all__ = ["Solutions", "room_for_runs", "solve_many"]
 
@@ -84,6 +88,31 @@ class Solutions:
         with np.errstate(invalid="ignore"):
             inverse = np.array([[z_V, -x_V], [-z_H, x_H]]) / (x_H * z_V - x_V * z_H)
         return np.moveaxis(inverse, 2, 0)
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """Return one row a line, in SI, with the unit in each heading."""
+        import pandas as pd
+
+        rows = range(len(self.status))
+        return pd.DataFrame(
+            {
+                "regime": [self.regime(k) for k in rows],
+                "reason": [self.reason(k) for k in rows],
+                "span (m)": self.span,
+                "horizontal force (N)": self.horizontal_force,
+                "vertical force (N)": self.vertical_force,
+                "fairlead tension (N)": self.tension,
+                "fairlead angle (rad)": self.angle,
+                "anchor tension (N)": self.anchor_tension,
+                "anchor angle (rad)": self.anchor_angle,
+                "grounded length (m)": self.grounded_length,
+            }
+        )
+
+    def _repr_html_(self) -> str:
+        """Show the first and last rows, for a notebook."""
+        html: str = self.to_dataframe().to_html(max_rows=20)
+        return html
 
     def regime(self, index: int) -> str | None:
         """Name of a line's regime; None when it has no answer."""
@@ -248,7 +277,7 @@ def _tables(
     if problems:
         raise InputError(problems, "solve_many")
     with np.errstate(divide="ignore"):
-        tables[2] = 1.0 / tables[2]
+        tables[2] = np.where(tables[2] > INEXTENSIBLE, 0.0, 1.0 / tables[2])
     return tables
 
 

@@ -34,6 +34,7 @@ from catopt.errors import (
 )
 from catopt.model import Line
 from catopt.model.validity import Findings
+from catopt.patience import paced
 from catopt.words import Message, Several, term
 
 __all__ = ["Curve", "Mark", "check_range", "load_curve"]
@@ -151,7 +152,9 @@ def load_curve(
     way = _Way(line, problem, segment_of, over)
     values = [float(value) for value in np.linspace(start, stop, points)]
     way.solution(values[-1])  # checks the arguments, and tells a range too long by its end
-    states = [way.state(value) for value in values]
+    states = [
+        way.state(value) for value in paced(Message("words.curve_points", total=points), values)
+    ]
     marks = [
         *_regime_changes(way, values),
         *_clump_weights_lift(way, values),
@@ -302,7 +305,7 @@ class _Way:
     def _farthest(self) -> Iterator[Message]:
         rise = self.problem.fairlead_height - self.problem.anchor_height
         room = self.line.length**2 - rise**2
-        is_stiff = all(math.isinf(segment.EA) for segment in self.line.segments)
+        is_stiff = all(not segment.stretches for segment in self.line.segments)
         if self.over == "span" and room > 0.0 and is_stiff:
             yield Message("catenary.end_the_range", span=math.sqrt(room))
 

@@ -76,7 +76,7 @@ def fill(
             )
         is_valid = (
             is_line
-            and wanted[i] > 0.0
+            and (wanted[i] > 0.0 or (wanted[i] == 0.0 and known == BY_SPAN))
             and height[i] >= 0.0
             and anchor_height[i] >= 0.0
             and friction[i] >= 0.0

@@ -157,7 +157,11 @@ def refusal(status: int, line: Line, load: Load, problem: LineProblem) -> Catopt
         assert tension is not None
         least = least_tension(problem, tension)
         missing = least - tension
-        told = Message("catenary.too_heavy", tension=tension, missing=missing, least=least)
+        rise = problem.fairlead_height - problem.anchor_height
+        values = {"tension": tension, "missing": missing, "least": least}
+        told = Message("catenary.too_heavy", **values)
+        if rise > line.length:  # no part of it is spare: the tension is that of its stretch
+            told = Message("catenary.too_taut", length=line.length, rise=rise, **values)
         return NoEquilibriumError(told, "force", missing)
     assert status == NOT_CONVERGED
     return NotConvergedError(Message("catenary.not_converged"))

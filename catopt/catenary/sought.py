@@ -18,7 +18,7 @@ from typing import Literal, NamedTuple
 from catopt.catenary.brent import root
 from catopt.catenary.solution import FoundQuantity, Solution
 from catopt.errors import InputError, NoAnswerError, NoEquilibriumError, NotConvergedError
-from catopt.words import Message
+from catopt.words import Message, Several
 
 ROUNDING = 4.0 * 2.0**-52
 GRID = (
@@ -249,7 +249,9 @@ def _none(sought: Sought, tried: list[Trial]) -> NoAnswerError:
         try:
             sought.line(nearest.value * factor)
         except NoEquilibriumError as stop:
-            why = Message("catenary.beyond_that", why=stop.message)
+            beyond = Message("catenary.beyond_that", why=stop.message)
+            why = Several((why, beyond), "; ") if sought.turns else beyond
+            break
         except (NotConvergedError, InputError):
             continue
     return NoAnswerError(

@@ -20,6 +20,10 @@ from catopt.catenary.root_search import BY_SPAN, bracketed_search, newton
 from catopt.catenary.sliding import from_its_anchor, loose, onset_of, turned_back
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT, State, failed
 
+PLUMB = 2.0**-40
+"""Span of a plumb line, as a part of its length, at which it is solved: the forces differ from
+those of span 0 by the square of it, which is no digit of theirs."""
+
 
 def given_span(
     span: float,
@@ -27,7 +31,37 @@ def given_span(
     H_guess: float,
     V_guess: float,
 ) -> State:
-    """Solve a line whose span (m, above 0) is known; guesses of H and V in N, nan for none."""
+    """Solve a line whose span (m) is known; guesses of H and V in N, nan for none."""
+    if span > 0.0:
+        return _spread(span, problem, H_guess, V_guess)
+    state = _spread(PLUMB * total_length(problem.pieces), problem, math.nan, math.nan)
+    if state.status != CONVERGED:
+        return state
+    return State(
+        state.status,
+        state.regime,
+        state.touchdown,
+        0.0,
+        state.V,
+        0.0,
+        state.height_error,
+        state.grounded,
+        0.0,
+        state.V_anchor,
+        state.x_H,
+        state.x_V,
+        state.z_H,
+        state.z_V,
+    )
+
+
+def _spread(
+    span: float,
+    problem: LineProblem,
+    H_guess: float,
+    V_guess: float,
+) -> State:
+    """Solve a line whose span is above 0."""
     pieces = problem.pieces
     length = total_length(pieces)
     rise = problem.fairlead_height - problem.anchor_height

@@ -5,6 +5,7 @@ A buoy above the water surface is no warning: such a line is refused.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from itertools import count
@@ -30,6 +31,8 @@ def plausibility(solution: Solution) -> Iterator[Message]:
         yield Message("catenary.slack", length=solution.grounded_length, span=solution.span)
     parts = list(zip(count(1), solution.segments, solution.line.segments))
     for number, state, segment in parts:
+        if not segment.stretches and segment.EA < math.inf:
+            yield Message("catenary.inextensible", number=number, EA=segment.EA)
         strain = state.max_tension / segment.EA
         if strain > LARGE_STRAIN:
             values = {"number": number, "strain": 100 * strain, "limit": 100 * LARGE_STRAIN}

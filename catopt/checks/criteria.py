@@ -39,6 +39,19 @@ UPLIFT: tuple[CheckKind, ...] = ("uplift_angle", "uplift_force")
 """Checks that limit how far an anchor is lifted."""
 
 
+SEARCHED: tuple[CheckKind, ...] = (
+    "tension",
+    *UPLIFT,
+    "grounded_length",
+    "span",
+    "buoyancy",
+    "sliding",
+    "holding",
+    "equilibrium",
+)
+"""Checks that `Limits` and `allowed_tension` carry into the loops of a search."""
+
+
 class AllowedTension(NamedTuple):
     """Strength at the end of life over the factor, N, and by which criterion.
 
@@ -182,7 +195,13 @@ class Criteria:
                     yield from error.problems
 
     def limits(self, kind: LoadCaseKind, state: State = "intact") -> Limits:
-        """Find the strictest limit of each kind for a mooring in one state."""
+        """Find the strictest limit of each kind for a mooring in one state.
+
+        InputError where a criterion is of a kind that no search keeps.
+        """
+        unknown = dict.fromkeys(each for each in self.all if each.check not in SEARCHED)
+        if unknown:
+            raise InputError([_not_searched(each) for each in unknown], "checks")
 
         def values(check: CheckKind) -> list[float]:
             return [criterion.value for criterion in self.of(check, kind, state)]
@@ -196,6 +215,13 @@ class Criteria:
             sliding_factor=max(values("sliding"), default=0.0),
             holding_factor=max(values("holding"), default=0.0),
         )
+
+
+def _not_searched(criterion: Criterion) -> Problem:
+    """Say that a design cannot be searched for under a criterion."""
+    found = f"asked for by {criterion.source.code}"
+    way_out = "leave it out, and check the design that is found"
+    return Problem(f"checks: {criterion.check}", found, f"no search keeps this check; {way_out}")
 
 
 def allowed_by(

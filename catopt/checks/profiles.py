@@ -24,7 +24,7 @@ from catopt.model.checks import Checks
 from catopt.model.line_kind import LINE_KINDS
 from catopt.model.validity import Findings
 from catopt.units import as_written
-from catopt.words import Cited
+from catopt.words import Cited, Message
 
 Word = TypeVar("Word", bound=str)
 
@@ -108,8 +108,8 @@ def _refused(name: str, found: Profile | None, allow_recalled: bool) -> str:
         names = [each.name for each in profiles()]
         begun = (each for each in names if each.casefold().startswith(name.casefold()))
         near = next(begun, None) or nearest(name, names)
-        hint = f"did you mean {near}? " if near else ""
-        return f"{hint}there are {', '.join(names)}"
+        key = "refused.code_meant" if near else "refused.codes_are"
+        return Message(key, near=near, names=", ".join(names))
     if found.is_recalled and not allow_recalled:
         return (
             "recalled, read in no document: to use it, checks.allow_recalled = true or --recalled"

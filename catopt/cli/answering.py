@@ -16,6 +16,7 @@ from catopt.cli import options as option
 from catopt.cli.output import Output
 from catopt.cli.values import refused
 from catopt.errors import InputError
+from catopt.patience import when_long
 from catopt.quantities import Units
 from catopt.words import Language, say
 
@@ -188,6 +189,8 @@ def answering(
         ) -> None:
             from catopt.render.units import UNITS
 
+            output = context.obj
+            when_long(lambda told: output.note(say(told, lang)))
             before = UNITS.set(units or "")
             try:
                 command(Asked(context.obj, lang, as_json, out, full), **options)

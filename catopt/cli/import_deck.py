@@ -22,7 +22,7 @@ from catopt.units import Dimension
 def import_deck(
     asked: Asked,
     file: Annotated[Path, typer.Argument(metavar="FILE")],
-    gravity: Annotated[str | None, typer.Option(metavar="NUMBER")] = None,
+    gravity: Annotated[str | None, typer.Option(metavar="ACCELERATION")] = None,
     density: Annotated[str | None, typer.Option(metavar="DENSITY")] = None,
     depth: LengthOption = None,
     line: CountOption = None,
@@ -30,7 +30,7 @@ def import_deck(
     """Read an input file of another mooring program, and write it as a case file."""
     found = Findings("options")
     missing = Missing(
-        gravity=positive(found, "--gravity", gravity, Dimension.NUMBER, "m/s^2"),
+        gravity=positive(found, "--gravity", gravity, Dimension.ACCELERATION, "m/s^2"),
         density=positive(found, "--density", density, Dimension.DENSITY, "kg/m^3"),
         depth=positive(found, "--depth", depth, Dimension.LENGTH, "m"),
         line=line,

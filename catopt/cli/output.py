@@ -19,6 +19,9 @@ from catopt.decks.told import when_read
 if TYPE_CHECKING:
     from rich.console import Console, RenderableType
 
+    from catopt.errors import CatoptError
+    from catopt.words import Language
+
 Progress = Callable[[int, int], None]
 """Told how many steps are done and how many there are."""
 
@@ -42,6 +45,7 @@ class Output:
 
     def __init__(self) -> None:
         self.debug = False  # whether a fault of ours shows its traceback
+        self.language: Language = "en"  # of what is wrong; answers are told theirs
         self._consoles: dict[TextIO, Console] = {}
 
     def json(self, document: dict[str, Any]) -> None:
@@ -49,6 +53,19 @@ class Output:
         ascii_only = not _encoding(sys.stdout).startswith("utf")
         text = json.dumps(document, indent=2, ensure_ascii=ascii_only, allow_nan=False)
         _write(sys.stdout, text + "\n")
+
+    def refusal(self, error: CatoptError) -> None:
+        """Say why there is no answer, in the language that was asked for."""
+        from catopt.errors import InputError
+        from catopt.words import say
+        from catopt.words.refusals import say_refusal
+
+        said = str(error)
+        if self.language != "en":
+            said = say(error.message, self.language)
+            if isinstance(error, InputError):
+                said = say_refusal(error.source, error.problems, self.language)
+        self.note(f"catopt: {said}")
 
     def text(self, text: str, *, bold: bool = False) -> None:
         """Print a paragraph on standard output, folded to its width."""

@@ -15,6 +15,7 @@ from catopt.cli.options import CaseArgument, DesignOption, OutOption
 from catopt.cli.values import in_si, refuse, refused
 from catopt.errors import Problem
 from catopt.model.network import Network
+from catopt.patience import paced
 from catopt.units import Dimension
 from catopt.words import Message, say
 
@@ -53,7 +54,9 @@ def system(
         }
         allowed = "does not go with lines that meet in joints: their body is held; leave it out"
         refuse(Problem(option, "", allowed) for option, value in given.items() if value)
-        rest, *away = [hold(read, each) for each in ((0.0,) * 6, *displacements)]
+        places = [(0.0,) * 6, *displacements]
+        total = Message("words.held_places", total=len(places))
+        rest, *away = [hold(read, each) for each in paced(total, places)]
         answer = network_answer(rest, away, with_stiffness=stiffness)
         asked.give(answer, lambda: network_document([rest, *away]))
         return

@@ -49,8 +49,6 @@ def chains_of(deck: Deck, notes: Notes, only: int | None = None) -> list[Chain]:
         if len(found) > 1:
             notes.say("only", number=only, count=len(found))
         found = [found[only - 1]]
-    if len(found) > 1:
-        _check_ends(found, notes)
     notes.raise_if_any()
     return found
 
@@ -122,15 +120,3 @@ def _oriented(chain: Chain) -> Chain:
     if not turn:
         return chain
     return replace(chain, points=chain.points[::-1], pieces=chain.pieces[::-1])
-
-
-def _check_ends(chains: Sequence[Chain], notes: Notes) -> None:
-    """Of several lines, each runs from the bed to the body."""
-    for chain in chains:
-        if chain.anchor.end == chain.fairlead.end:
-            allowed = (
-                "of several lines each runs from a Fixed to a Coupled point; take this one alone: "
-                "catopt import FILE --line N"
-            )
-            found = f"from {chain.anchor.name} to {chain.fairlead.name}, both {chain.anchor.end}"
-            notes.refuse(chain.pieces[0].row, found, allowed)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from operator import itemgetter
 from typing import Literal, TypedDict, TypeVar, Unpack
 
 from catopt.errors import InputError, Problem
@@ -91,6 +92,13 @@ class Limits(TypedDict, total=False):
     at_least: float
 
 
+def _place(rows: Sequence[int]) -> str:
+    """Say in which lines of the file something is wrong."""
+    if len(rows) > 1:
+        return f"lines {', '.join(map(str, rows[:-1]))} and {rows[-1]}"
+    return f"line {rows[0]}" if rows[0] else "file"
+
+
 @dataclass
 class Notes:
     """What is wrong with a deck and what is to be said of it, gathered while it is read.
@@ -108,7 +116,7 @@ class Notes:
         """Note what is wrong in a line of the file; 0: in the whole of it. Long words are cut."""
         if len(found) > LONGEST:
             found = f"{found[:LONGEST]}..."
-        self.problems[Problem(f"line {row}" if row else "file", found, allowed)] = row
+        self.problems[Problem(_place([row]), found, allowed)] = row
 
     def say(self, key: str, /, **values: object) -> None:
         """Note a remark, once."""
@@ -117,9 +125,14 @@ class Notes:
             self.remarks.append(remark)
 
     def raise_if_any(self) -> None:
-        """Raise InputError with every problem, in the order of the file."""
-        if self.problems:
-            raise InputError(sorted(self.problems, key=self.problems.__getitem__), self.source)
+        """Raise InputError with every problem, in the order of the file, each once."""
+        alike: dict[tuple[str, str], list[int]] = {}
+        for problem, row in sorted(self.problems.items(), key=itemgetter(1)):
+            alike.setdefault((problem.found, problem.allowed), []).append(row)
+        if alike:
+            raise InputError(
+                [Problem(_place(rows), *said) for said, rows in alike.items()], self.source
+            )
 
     def want(self, sections: Mapping[str, Sequence[Row]]) -> None:
         """Refuse a deck without line types, points or lines."""

@@ -49,6 +49,11 @@ def parse_mappp(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
     types = notes.by_name({row: _type(row, notes) for row in sections["types"]})
     points = notes.by_name({row: _point(row, depth, notes) for row in sections["points"]})
     pieces = [piece for row in sections["lines"] for piece in _piece(row, notes)]
+    named = {name.casefold(): name for name in types} | {name: name for name in types}
+    pieces = [
+        replace(piece, type=named.get(piece.type, named.get(piece.type.casefold(), piece.type)))
+        for piece in pieces
+    ]
     for number, angle in _repeats(sections["options"], notes):
         notes.say("repeat", line=number, angle=angle)
         turned = _turned(points, pieces, angle)

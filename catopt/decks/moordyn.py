@@ -1,6 +1,7 @@
 """Reads MoorDyn's input, version 1 and 2, as its C++ and Fortran editions and MoorPy take it.
 
-Sections are found by a line with ``---`` and a key word; columns go by position.
+Sections are found by a line with ``---`` and a key word, columns by their heads, or by their number
+where the heads are none that are known.
 """
 
 from __future__ import annotations
@@ -8,6 +9,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.decks.deck import Deck, End, Limits, LineType, Notes, Piece, Point, Row
@@ -29,8 +31,6 @@ _SECTIONS = (
 
 _REFUSED = {
     "rods": "catopt has no rods; hold the lines' ends where the rod would (Fixed or Coupled)",
-    "failures": "lines do not fail in a case; take the section out, and see catopt system "
-    "--without for a lost line",
     "control": "lines that are paid out or hauled in have no case; give each its length and "
     "take the section out",
     "external loads": "forces and dampings of their own have no case; take the section out",
@@ -59,8 +59,37 @@ _KINDS: Mapping[End, str] = {
 }
 _ENDS = {word: end for end, words in _KINDS.items() for word in words.split()}
 _BED = frozenset({"seabed", "ground", "floor"})
-_COLUMNS_1, _COLUMNS_2 = 9, (10, 11, 13)
-"""Of LINE TYPES, in the two versions."""
+_HEADS = {
+    "types": "name=type,linetype diam=d,dia,diameter massden=mass,massdeninair ea "
+    "ba=ba/-zeta,cintdamp ei cd=cdn ca=can cdax=cdt caax=cat cl df cf",
+    "points": "id=node,point attachment=type,kind x y z mass=m volume=v,vol fx fy fz cda ca",
+    "lines": "id=line linetype=type attacha=a,enda,nodea,nodeanch attachb=b,endb,nodeb,nodefair "
+    "unstrlen=l,length",
+}
+"""How decks head the columns that are read, in lower case: the name in here, and what else."""
+_NAMED = {
+    section: {
+        word: name
+        for name, _, others in (each.partition("=") for each in heads.split())
+        for word in (name, *filter(None, others.split(",")))
+    }
+    for section, heads in _HEADS.items()
+}
+_V1 = "name diam massden ea ba ca caax cd cdax"
+_V2 = "name diam massden ea ba ei cd ca cdax caax"
+_LAYOUTS = {
+    "types": {9: _V1, 10: _V2, 11: f"{_V2} cl", 13: f"{_V2} cl df cf"},
+    "points": {
+        9: "id attachment x y z mass volume cda ca",
+        12: "id attachment x y z mass volume fx fy fz cda ca",
+    },
+}
+"""Columns by their number, where the heads are none that are known."""
+_LINES = "id linetype attacha attachb unstrlen", "id linetype unstrlen ? attacha attachb"
+"""Of LINES, in version 2 and 1."""
+
+Columns = Mapping[str, int]
+"""Places of columns, from 0, by their names."""
 
 
 def parse_moordyn(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
@@ -68,35 +97,41 @@ def parse_moordyn(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
 
     `given`: ``gravity``, ``density`` and ``depth`` where the user gives them, SI.
     """
-    sections = _sections(text, notes)
+    sections, heads = _sections(text, notes)
     for name, allowed in _REFUSED.items():
         for row in sections.get(name, ()):
             notes.refuse(row.number, f"{name}: {' '.join(row.words)[:40]}", allowed)
     if sections.get("outputs"):
         notes.say("outputs", line=sections["outputs"][0].number)
+    if sections.get("failures"):
+        notes.say("failures", line=sections["failures"][0].number)
     for row in sections.get("rod types", ()):
         notes.say("rod_type", line=row.number, name=row.words[0])
     notes.want(sections)
     options = _options(sections.get("options", []), notes, given)
-    first = sections["types"][0] if sections.get("types") else None
-    is_first_version = first is not None and len(first.words) == _COLUMNS_1
+    first = sections["types"][0] if sections.get("types") else Row(0, ())
+    of_types = _columns("types", first, heads, notes)
+    is_first_version = bool(of_types) and "ei" not in of_types
     notes.say("version", version=1 if is_first_version else 2)
     bodies = dict(_bodies(sections.get("bodies", []), notes))
     gravity, density, depth, friction = (
         options[k] for k in ("gravity", "density", "depth", "friction")
     )
-    types = {row: _type(row, notes) for row in sections.get("types", ())}
-    points = {row: _point(row, depth, bodies, notes) for row in sections.get("points", ())}
-    pieces = [_piece(row, notes, first=is_first_version) for row in sections.get("lines", ())]
+    types = {row: _type(row, heads, notes) for row in sections.get("types", ())}
+    points = {row: _point(row, heads, depth, bodies, notes) for row in sections.get("points", ())}
+    pieces = [
+        _piece(row, heads, notes, first=is_first_version) for row in sections.get("lines", ())
+    ]
     if friction > 0.0:
         notes.say("friction_at_rest", friction=friction)
     named = notes.by_name(types), notes.by_name(points)
     return Deck(gravity, density, depth, *named, pieces, friction)
 
 
-def _sections(text: str, notes: Notes) -> dict[str, list[Row]]:
-    """Cut the file; the two lines below the head of a section are not read."""
+def _sections(text: str, notes: Notes) -> tuple[dict[str, list[Row]], dict[str, Row]]:
+    """Cut the file into the rows of each section and the heads of its columns."""
     found: dict[str, list[Row]] = {}
+    heads: dict[str, Row] = {}
     name, heading = "", 0
     for number, line in enumerate(text.splitlines(), start=1):
         words = tuple(line.split("#")[0].split())
@@ -108,6 +143,8 @@ def _sections(text: str, notes: Notes) -> dict[str, list[Row]]:
         elif heading:
             # Version 1 says how many there are: ``3 NTypes``.
             is_count = len(words) > 1 and re.fullmatch(r"N[A-Z]\w+", words[1]) is not None
+            if heading == 2 and not is_count:
+                heads.setdefault(name, Row(number, words))
             heading -= not is_count
         elif words[:1] == ("END",) and name == "outputs":
             name = ""
@@ -118,7 +155,31 @@ def _sections(text: str, notes: Notes) -> dict[str, list[Row]]:
             if "\t" in line.rstrip() and name != "outputs":
                 notes.say("tab", line=number)
             found[name].append(Row(number, words))
-    return found
+    return found, heads
+
+
+def _columns(section: str, row: Row, heads: Mapping[str, Row], notes: Notes, v: int = 2) -> Columns:
+    """Return where the columns of a row stand: by their heads, or by their number.
+
+    Heads count where all that are wanted are there; where they contradict the place, it is said.
+    """
+    layout = _LAYOUTS.get(section, {}).get(len(row.words), _LINES[2 - v])
+    by_place = {name: k for k, name in enumerate(layout.split())}
+    head = heads.get(section, Row(0, ()))
+    words = [word.lower() for word in head.words]
+    by_head: dict[str, int] = {}
+    for k, word in enumerate(words):
+        by_head.setdefault(_NAMED[section].get(word, "?"), k)
+    wanted = {"types": _V1, "points": _LAYOUTS["points"][9], "lines": _LINES[0]}[section]
+    fits = section == "lines" or len(words) == len(row.words)
+    if not fits or set(wanted.split()) - by_head.keys():
+        known = len(row.words) in _LAYOUTS.get(section, {len(row.words): ""})
+        return by_place if known else {}
+    apart = [name for name, k in by_head.items() if by_place.get(name, k) != k and name != "?"]
+    if apart:
+        listed = ", ".join(f"{head.words[by_head[name]]} ({by_head[name] + 1})" for name in apart)
+        notes.say("heads", line=head.number, columns=listed)
+    return by_head
 
 
 def _named(head: str, *, begun: bool) -> str:
@@ -201,35 +262,37 @@ def settled(found: dict[str, float], notes: Notes, given: Mapping[str, float]) -
     return {"depth": math.nan, "friction": 0.0} | found
 
 
-def _type(row: Row, notes: Notes) -> LineType:
-    count = len(row.words)
-    if count != _COLUMNS_1 and count not in _COLUMNS_2:
+def _type(row: Row, heads: Mapping[str, Row], notes: Notes) -> LineType:
+    at = _columns("types", row, heads, notes)
+    if not at:
         allowed = "9 are wanted in version 1, 10, 11 or 13 in version 2; MoorDyn fails on others"
-        notes.refuse(row.number, f"{count} columns", allowed)
+        notes.refuse(row.number, f"{len(row.words)} columns", allowed)
         return LineType(row.number, math.nan, math.nan, math.nan)
-    name = row.words[0]
-    diameter = notes.number(row, 1, "Diam", above=0.0)
-    mass = notes.number(row, 2, "MassDen", above=0.0)
-    EA = _stiffness(row, notes)
-    if row.words[4].split("|")[0] not in ("0", "0.0"):
-        notes.say("damping", line=row.number, value=row.words[4])
-    first = count == _COLUMNS_1
-    if not first:
-        EI = notes.number(row, 5, "EI", at_least=0.0)
+    name = row.words[at["name"]]
+    diameter = notes.number(row, at["diam"], "Diam", above=0.0)
+    mass = notes.number(row, at["massden"], "MassDen", above=0.0)
+    EA = _stiffness(row, at["ea"], notes)
+    damping = row.words[at["ba"]]
+    if damping.split("|")[0] not in ("0", "0.0"):
+        notes.say("damping", line=row.number, value=damping)
+    if "ei" in at:
+        EI = notes.number(row, at["ei"], "EI", at_least=0.0)
         if EI > 0.0:
             notes.say("bending", line=row.number, name=name, value=EI)
-        for column, key in ((10, "Cl"), (11, "dF"), (12, "cF")):
-            if column < count and notes.number(row, column, key) > 0.0:
-                notes.say("vortex", line=row.number, key=key, value=row.words[column])
-    order = ("Ca", "CaAx", "Cd", "CdAx") if first else ("Cd", "Ca", "CdAx", "CaAx")
-    start = 5 if first else 6
-    drag = {key: notes.number(row, start + k, key, at_least=0.0) for k, key in enumerate(order)}
-    in_order = (drag["Cd"], drag["CdAx"], drag["Ca"], drag["CaAx"])
-    return LineType(row.number, diameter, mass, EA, None, in_order)
+    for key in ("Cl", "dF", "cF"):
+        place = at.get(key.lower())
+        if place is not None and notes.number(row, place, key) > 0.0:
+            notes.say("vortex", line=row.number, key=key, value=row.words[place])
+    across, along, added, added_along = (
+        notes.number(row, at[key.lower()], key, at_least=0.0)
+        for key in ("Cd", "CdAx", "Ca", "CaAx")
+    )
+    drag = (across, along, added, added_along)
+    return LineType(row.number, diameter, mass, EA, None, drag)
 
 
-def _stiffness(row: Row, notes: Notes) -> float:
-    word = row.words[3]
+def _stiffness(row: Row, place: int, notes: Notes) -> float:
+    word = row.words[place]
     if not re.match(r"[-+.\d]", word):
         allowed = "a table of strain and tension has no case; give EA one number, at the tension"
         notes.refuse(row.number, f"EA {word}", allowed)
@@ -240,7 +303,25 @@ def _stiffness(row: Row, notes: Notes) -> float:
     return notes.value(row.number, first, "EA", above=0.0)
 
 
-def _bodies(rows: list[Row], notes: Notes) -> Iterator[tuple[str, Point]]:
+@dataclass(frozen=True)
+class _Body:
+    """A body of the deck; `end` is None where it moves by itself, which is refused."""
+
+    end: End | None
+    at: tuple[float, float, float]
+    turned: tuple[float, float, float]
+    """About x, y and z, deg; no more than one is not 0."""
+
+    def place(self, x: float, y: float, z: float) -> tuple[float, float, float]:
+        """Return where a point of the body is that has these coordinates along its axes."""
+        roll, pitch, yaw = map(math.radians, self.turned)
+        y, z = y * math.cos(roll) - z * math.sin(roll), y * math.sin(roll) + z * math.cos(roll)
+        x, z = x * math.cos(pitch) + z * math.sin(pitch), z * math.cos(pitch) - x * math.sin(pitch)
+        x, y = x * math.cos(yaw) - y * math.sin(yaw), x * math.sin(yaw) + y * math.cos(yaw)
+        return self.at[0] + x, self.at[1] + y, self.at[2] + z
+
+
+def _bodies(rows: list[Row], notes: Notes) -> Iterator[tuple[str, _Body]]:
     for row in rows:
         word = row.words[1].lower().rstrip("0123456789") if len(row.words) > 1 else ""
         end = _ENDS.get(word)
@@ -250,59 +331,68 @@ def _bodies(rows: list[Row], notes: Notes) -> Iterator[tuple[str, Point]]:
                 "they are at rest"
             )
             notes.refuse(row.number, f"body {' '.join(row.words[:2])}", allowed)
+            yield row.words[0], _Body(None, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
             continue
         x, y, z, *turned = (notes.number(row, 2 + k, "XYZrpy"[k]) for k in range(6))
-        if any(turned):
-            allowed = "a body that is turned has no case; give its points as they are, Coupled"
+        if sum(angle != 0.0 for angle in turned) > 1:
+            allowed = (
+                "a body is turned about one axis: programs do not agree on the order of several; "
+                "give its points as they are, Coupled"
+            )
             notes.refuse(row.number, f"{turned[0]:g} {turned[1]:g} {turned[2]:g} deg", allowed)
+        elif any(turned):
+            about, angle = next((k, angle) for k, angle in enumerate(turned) if angle)
+            notes.say("turned", line=row.number, name=row.words[0], angle=angle, axis="xyz"[about])
         if end == "coupled":
             notes.say("body", line=row.number, name=row.words[0])
-        yield row.words[0], Point(row.number, row.words[0], end, x, y, z)
+        yield row.words[0], _Body(end, (x, y, z), (turned[0], turned[1], turned[2]))
 
 
-def _point(row: Row, depth: float, bodies: Mapping[str, Point], notes: Notes) -> Point:
-    name, kind = row.words[0], row.words[1].lower() if len(row.words) > 1 else ""
+def _point(
+    row: Row, heads: Mapping[str, Row], depth: float, bodies: Mapping[str, _Body], notes: Notes
+) -> Point:
+    at = _columns("points", row, heads, notes)
+    if not at:
+        notes.refuse(row.number, f"{len(row.words)} columns", "9 or 12 are wanted")
+        return Point(row.number, row.words[0], "free", math.nan, math.nan, math.nan)
+    name, kind = row.words[at["id"]], row.words[at["attachment"]].lower()
     stem = kind.rstrip("0123456789")
     body = bodies.get(kind.removeprefix("body")) if stem == "body" else None
     end = body.end if body else _ENDS.get(stem)
     if end is None and stem != "body":
         allowed = "Fixed, Coupled or Free is wanted; lines to turbines of a farm have no case"
-        notes.refuse(row.number, row.words[1] if kind else name, allowed)
-    elif end is None:
-        notes.refuse(row.number, row.words[1], "there is no such Fixed or Coupled body")
-    word = row.words[4].lower() if len(row.words) > 4 else ""
-    x, y = notes.number(row, 2, "X"), notes.number(row, 3, "Y")
+        notes.refuse(row.number, row.words[at["attachment"]], allowed)
+    elif body is None and stem == "body":
+        notes.refuse(row.number, row.words[at["attachment"]], "there is no such body")
+    word = row.words[at["z"]].lower()
+    x, y = notes.number(row, at["x"], "X"), notes.number(row, at["y"], "Y")
     if word in _BED:
         notes.say("on_bed", line=row.number, word=word)
         z = -depth
     else:
-        z = notes.number(row, 4, "Z")
+        z = notes.number(row, at["z"], "Z")
     if body:
-        x, y, z = x + body.x, y + body.y, z + body.z
-    if len(row.words) not in (9, 12):
-        notes.refuse(row.number, f"{len(row.words)} columns", "9 or 12 are wanted")
-        return Point(row.number, name, end or "free", x, y, z)
-    at = 7
-    if len(row.words) == 12:
-        at = 10
-        if any(notes.number(row, k, "force") for k in (7, 8, 9)):
-            allowed = "a constant force on a point has no case; give mass and volume instead"
-            notes.refuse(row.number, " ".join(row.words[7:10]), allowed)
-    columns = ((5, "Mass"), (6, "Volume"), (at, "CdA"), (at + 1, "Ca"))
-    of_body = (notes.number(row, column, key, at_least=0.0) for column, key in columns)
+        x, y, z = body.place(x, y, z)
+    force = [notes.number(row, at[key], key.upper()) for key in ("fx", "fy", "fz") if key in at]
+    if any(force) and end == "free":
+        allowed = "a constant force on a point has no case; give mass and volume instead"
+        notes.refuse(row.number, " ".join(f"{each:g}" for each in force), allowed)
+    keys = ("Mass", "Volume", "CdA", "Ca")
+    of_body = (notes.number(row, at[key.lower()], key, at_least=0.0) for key in keys)
     return Point(row.number, name, end or "free", x, y, z, *of_body)
 
 
-def _piece(row: Row, notes: Notes, *, first: bool) -> Piece:
+def _piece(row: Row, heads: Mapping[str, Row], notes: Notes, *, first: bool) -> Piece:
     """Read a line; version 1 has its length before its ends."""
-    if len(row.words) < 6:
+    at = _columns("lines", row, heads, notes, v=1 if first else 2) if len(row.words) > 5 else {}
+    if not at:
         allowed = "6 or 7 are wanted: number, type, ends, length, segments, outputs"
         notes.refuse(row.number, f"{len(row.words)} columns", allowed)
         return Piece(row.number, "", ("", ""), math.nan)
-    at, ends = (2, row.words[4:6]) if first else (4, row.words[2:4])
+    ends = row.words[at["attacha"]], row.words[at["attachb"]]
     for end in ends:
         if re.match(r"[A-Za-z]", end):
             notes.refuse(row.number, end, _REFUSED["rods"])
     notes.say("segments")
-    length = notes.number(row, at, "UnstrLen", above=0.0)
-    return Piece(row.number, row.words[1], (ends[0], ends[1]), length)
+    length = notes.number(row, at["unstrlen"], "UnstrLen", above=0.0)
+    return Piece(row.number, row.words[at["linetype"]], ends, length)

@@ -201,8 +201,10 @@ def _parts(
         name = part.text("connectorType")
         if name in connectors:
             yield connectors[name]
-        elif name:
+        elif name and connectors:
             notes.refuse(part.row, name, f"there is none; known: {', '.join(connectors)}")
+        elif name:
+            notes.say("connector", line=part.row, name=name)
         if "subsections" in part:
             allowed = "lines side by side have no case; write one that stands for both"
             notes.refuse(part.row, "subsections", allowed)

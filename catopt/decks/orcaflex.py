@@ -42,7 +42,7 @@ def parse_orcaflex(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
     `given`: what the user gives beside it: nothing, since OrcaFlex has its own gravity.
     """
     for key, value in given.items():
-        allowed = "OrcaFlex has 9.80665 m/s^2, and the file the rest; leave the option out"
+        allowed = "OrcaFlex has 9.80665 m/s^2, and the file has the rest; leave the option out"
         notes.refuse(0, f"--{key} {value:g}", allowed)
     top = parse_yaml(text, notes)
     _check_whole(top)
@@ -119,7 +119,9 @@ def _sea(sea: Table) -> tuple[float, float, float]:
     if sea.number("SeabedSlope", 0.0) != 0.0:
         sea.notes.refuse(sea.items["SeabedSlope"].row, "SeabedSlope", "a level bed is wanted")
     density = sea.number("Density", above=0.0) * TONNE
-    return sea.number("WaterSurfaceZ", 0.0), sea.number("WaterDepth", above=0.0), density
+    surface = sea.number("WaterSurfaceZ", 0.0)
+    key = "SeabedOriginDepth" if "SeabedOriginDepth" in sea else "WaterDepth"  # 11.6, or before
+    return surface, sea.number(key, above=0.0), density
 
 
 def _contact(kind: Table) -> float:

@@ -14,8 +14,8 @@ from catopt.model.network import Network
 from catopt.words.message import Message
 
 NOT_FOR_THIS: Final = (
-    "lines that meet in joints are taken by catopt system and catopt import alone; a case for "
-    "other commands has a [line]"
+    "lines that meet in joints, or differ, are taken by catopt system and catopt import alone; a "
+    "case for other commands has a [line]: catopt import FILE --line N takes one of several"
 )
 
 
@@ -60,6 +60,17 @@ def is_deck(text: str) -> bool:
     return any(re.search(each, text) is not None for each in begins)
 
 
+def _is_of_mappp(text: str) -> bool:
+    """Whether a deck is MAP++'s: it has no columns, sections or options of MoorDyn's."""
+    if not re.search(r"(?mi)^-.*SOLVER OPTIONS", text):
+        return False
+    heads = r"\b(NumSegs|NumNodes|EI|BA\S*|Can|CdAx|CdA)\b"
+    of_map = r"(?mi)^\s*LineType\s.*\bCB\b"
+    if re.search(of_map, text) or re.search(r"(?mi)^\s*Option\s*$", text):
+        return True
+    return not re.search(rf"(?mi)^\s*\w+\s.*{heads}|^-.*\b(POINTS|CONNECTION|OUTPUTS)\b", text)
+
+
 def read_deck(text: str, source: str = "", asked: Asked | None = None) -> Imported:
     """Read the text of a deck; `asked` says what it lacks, and of several lines which one.
 
@@ -98,15 +109,15 @@ def read_deck(text: str, source: str = "", asked: Asked | None = None) -> Import
 def read_any_deck(
     text: str, source: str = "", asked: Asked | None = None
 ) -> tuple[Case | Network, tuple[Message, ...]]:
-    """Read a deck, as `read_deck`; one whose lines meet in joints as a Network. With remarks."""
+    """Read a deck, with remarks; as a Network where its lines meet in joints, or differ."""
     from catopt.decks.chains import chains_of
     from catopt.decks.deck import Notes
     from catopt.decks.mappp import parse_mappp
     from catopt.decks.moordyn import parse_moordyn
     from catopt.decks.ontology import parse_ontology
     from catopt.decks.orcaflex import parse_orcaflex
-    from catopt.decks.to_case import case_of
-    from catopt.decks.to_network import has_joints, network_of
+    from catopt.decks.to_case import case_of, is_radial, lines_of
+    from catopt.decks.to_network import has_joints, network_of, network_of_lines
 
     given = {key: value for key, value in asdict(asked or Asked()).items() if value is not None}
     line = given.pop("line", None)
@@ -116,9 +127,7 @@ def read_any_deck(
         if unfit(said):
             notes.refuse(row, unfit(said), "take it out of the file")
     notes.raise_if_any()
-    parse = parse_moordyn
-    if re.search(r"(?mi)^-.*SOLVER OPTIONS", text) and not re.search(r"(?i)numsegs", text):
-        parse = parse_mappp  # which knows no segments of lines
+    parse = parse_mappp if _is_of_mappp(text) else parse_moordyn
     for begins, other in zip(_BEGINS, (parse_ontology, parse_orcaflex), strict=True):
         parse = other if re.search(begins, text) else parse
     deck = parse(text, notes, given)
@@ -128,5 +137,9 @@ def read_any_deck(
     if notes.only is None and has_joints(deck):
         case = network_of(deck, notes, title)
     else:
-        case = case_of(deck, chains_of(deck, notes, notes.only), notes, title)
+        chains = chains_of(deck, notes, notes.only)
+        lines = lines_of(deck, chains)
+        alike = is_radial(deck, chains, lines)
+        make = case_of if alike else network_of_lines
+        case = make(deck, chains, lines, notes, title)
     return case, tuple(notes.remarks)

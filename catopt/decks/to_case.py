@@ -9,7 +9,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Collection, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import groupby
 from operator import attrgetter
 from statistics import fmean
@@ -25,19 +25,31 @@ BALANCED = 1e-3
 """Of the largest horizontal force: what is left over of lines that balance each other."""
 
 
-def case_of(deck: Deck, chains: Sequence[Chain], notes: Notes, title: str) -> Case:
-    """Make the case: of one line between its ends, of several lines around a body.
+def case_of(
+    deck: Deck, chains: Sequence[Chain], lines: Sequence[Line], notes: Notes, title: str
+) -> Case:
+    """Make the case: of one line between its ends, of several equal ones around a body.
 
     Raises InputError with everything that a case cannot say, by the lines of the file.
     """
-    pieces = [piece for chain in chains for piece in chain.pieces]
-    ends = [point for chain in chains for point in (chain.anchor, chain.fairlead)]
-    site, source = site_of(deck, pieces, ends, notes)
-    if any(chain.fairlead.z > 0.0 for chain in chains):
-        notes.say("above_water")
-    lines = [_line(deck, chain) for chain in chains]
+    site, source = site_of_chains(deck, chains, notes)
     make = _one_line if len(chains) == 1 else _body
     return replace(make(deck, chains, lines, site, notes), title=title, source=source)
+
+
+def lines_of(deck: Deck, chains: Sequence[Chain]) -> list[Line]:
+    """Return what each chain is made of."""
+    return [_line(deck, chain) for chain in chains]
+
+
+def site_of_chains(deck: Deck, chains: Sequence[Chain], notes: Notes) -> tuple[Site, str]:
+    """Return the site and where the lines are from, as `site_of`."""
+    pieces = [piece for chain in chains for piece in chain.pieces]
+    ends = [point for chain in chains for point in (chain.anchor, chain.fairlead)]
+    found = site_of(deck, pieces, ends, notes)
+    if any(chain.fairlead.z > 0.0 for chain in chains):
+        notes.say("above_water")
+    return found
 
 
 def site_of(
@@ -154,24 +166,13 @@ def height_of(deck: Deck, z: float) -> float:
     return 0.0 if abs(height) <= 1e-9 * deck.depth else height
 
 
-def _span(chain: Chain, notes: Notes) -> float:
-    """Return the horizontal distance of the ends, m; a case needs some, and to be led upwards."""
-    anchor, fairlead = chain.anchor, chain.fairlead
-    span = math.hypot(fairlead.x - anchor.x, fairlead.y - anchor.y)
-    if span == 0.0:
-        allowed = "a line that hangs plumb has no case: its span has to be above 0"
-        notes.refuse(fairlead.row, f"point {fairlead.name} above {anchor.name}", allowed)
-    if fairlead.z < anchor.z:
-        allowed = "a fairlead below its anchor has no case"
-        notes.refuse(fairlead.row, f"Z {fairlead.z:g} m", allowed)
-    return span
-
-
 def _one_line(
     deck: Deck, chains: Sequence[Chain], lines: Sequence[Line], site: Site, notes: Notes
 ) -> Case:
     anchor, fairlead = chains[0].anchor, chains[0].fairlead
-    span = _span(chains[0], notes)
+    span = math.hypot(fairlead.x - anchor.x, fairlead.y - anchor.y)
+    if fairlead.z < anchor.z:
+        notes.refuse(fairlead.row, f"Z {fairlead.z:g} m", "a fairlead below its anchor has no case")
     notes.raise_if_any()
     if anchor.end == fairlead.end:
         notes.say("ends_alike", anchor=anchor.name, fairlead=fairlead.name)
@@ -180,39 +181,59 @@ def _one_line(
     return Case(site, lines[0], Load(span=span), heights[0], heights[1])
 
 
-def _body(
-    deck: Deck, chains: Sequence[Chain], lines: Sequence[Line], site: Site, notes: Notes
-) -> Case:
-    """Put equal lines around a body, which stands where the deck holds its fairleads."""
-    for chain in chains:
-        _span(chain, notes)
-    notes.raise_if_any()
+@dataclass(frozen=True)
+class _Around:
+    """Equal lines around a body: m from x = y = 0, and how far off an end is."""
+
+    radius: float
+    azimuths: list[float]
+    place: complex
+    arm: complex
+    heights: tuple[float, float]
+    moved: float
+
+
+def is_radial(deck: Deck, chains: Sequence[Chain], lines: Sequence[Line]) -> bool:
+    """Whether it is one line, or equal ones around a body up to the rounding of the deck."""
+    if len(chains) == 1:
+        return True
+    if any(_bare(line) != _bare(lines[0]) for line in lines):
+        return False
+    if any(
+        chain.anchor.end == chain.fairlead.end
+        or chain.fairlead.z < chain.anchor.z
+        or (chain.fairlead.x, chain.fairlead.y) == (chain.anchor.x, chain.anchor.y)
+        for chain in chains
+    ):
+        return False
+    return _around(deck, chains).moved <= ROUNDING * lines[0].length
+
+
+def _around(deck: Deck, chains: Sequence[Chain]) -> _Around:
     ends = [(complex(c.anchor.x, c.anchor.y), complex(c.fairlead.x, c.fairlead.y)) for c in chains]
     radius = fmean(abs(anchor) for anchor, _ in ends)
     azimuths = [cmath.phase(anchor) for anchor, _ in ends]
     ahead = [cmath.rect(1.0, azimuth) for azimuth in azimuths]
     place, arm = _fitted(ahead, [fairlead for _, fairlead in ends])
-    heights = [
+    fairlead_height, anchor_height = (
         fmean(height_of(deck, point.z) for point in points)
         for points in ([c.fairlead for c in chains], [c.anchor for c in chains])
-    ]
+    )
     moved = max(
         *(abs(abs(anchor) - radius) for anchor, _ in ends),
         *(abs(place + arm * e - end) for e, (_, end) in zip(ahead, ends, strict=True)),
-        *(abs(height_of(deck, c.fairlead.z) - heights[0]) for c in chains),
-        *(abs(height_of(deck, c.anchor.z) - heights[1]) for c in chains),
+        *(abs(height_of(deck, c.fairlead.z) - fairlead_height) for c in chains),
+        *(abs(height_of(deck, c.anchor.z) - anchor_height) for c in chains),
     )
-    most = ROUNDING * lines[0].length
-    if any(_bare(line) != _bare(lines[0]) for line in lines) or moved > most:
-        allowed = (
-            "a case has equal lines around a body, their anchors at one radius from x = y = 0 and "
-            f"one height, to {most:.3g} m; take one line: catopt import FILE --line N"
-        )
-        found = f"{len(lines)} lines, ends up to {moved:.3g} m off" if moved > most else (
-            f"{len(lines)} lines that are made up differently"
-        )  # fmt: skip
-        notes.refuse(chains[0].pieces[0].row, found, allowed)
-        notes.raise_if_any()
+    return _Around(radius, azimuths, place, arm, (fairlead_height, anchor_height), moved)
+
+
+def _body(
+    deck: Deck, chains: Sequence[Chain], lines: Sequence[Line], site: Site, notes: Notes
+) -> Case:
+    """Put equal lines around a body, which stands where the deck holds its fairleads."""
+    found = _around(deck, chains)
+    place, arm, heights, moved = found.place, found.arm, found.heights, found.moved
     if moved > 1e-6:
         notes.say("moved", distance=moved)
     small = 3.0 * moved + 1e-6
@@ -223,8 +244,8 @@ def _body(
         arm = complex(abs(arm), 0.0)
     system = System.around(
         lines[0],
-        azimuths=azimuths,
-        anchor_radius=radius,
+        azimuths=found.azimuths,
+        anchor_radius=found.radius,
         fairlead_height=heights[0],
         fairlead_radius=abs(arm),
         anchor_height=heights[1],

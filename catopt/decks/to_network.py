@@ -1,12 +1,20 @@
-"""From a deck whose lines meet in free points to lines between points."""
+"""From a deck whose lines meet in free points, or differ, to lines between points."""
 
 from __future__ import annotations
 
-from catopt.decks.chains import check_meeting
+from collections.abc import Sequence
+
+from catopt.decks.chains import Chain, check_meeting
 from catopt.decks.deck import Deck, Notes
-from catopt.decks.to_case import height_of, hung_weight, site_of, weight_of
+from catopt.decks.to_case import (
+    height_of,
+    hung_weight,
+    site_of,
+    site_of_chains,
+    weight_of,
+)
 from catopt.errors import InputError
-from catopt.model import Line, Segment
+from catopt.model import Line, Segment, Site
 from catopt.model.network import LineBetween, Network, Point, PointKind
 
 _KIND: dict[str, PointKind] = {"fixed": "anchor", "coupled": "fairlead", "free": "joint"}
@@ -42,7 +50,36 @@ def network_of(deck: Deck, notes: Notes, title: str) -> Network:
         weight = weight_of(deck, kind_of)
         segment = Segment(piece.length, weight, EA=kind_of.EA, MBL=kind_of.MBL, name=piece.type)
         lines.append(LineBetween(Line([segment]), *piece.ends, name=f"{number}"))
+    return _network(site, made, lines, title, source, notes)
+
+
+def network_of_lines(
+    deck: Deck, chains: Sequence[Chain], lines: Sequence[Line], notes: Notes, title: str
+) -> Network:
+    """Put every line between its own two points, for lines that are not alike or not radial."""
+    site, source = site_of_chains(deck, chains, notes)
+    notes.say("apart", lines=len(lines))
+    ends = {point.name: point for c in chains for point in (c.anchor, c.fairlead)}
+    points = [
+        Point(point.name, _KIND[point.end], point.x, point.y, height_of(deck, point.z))
+        for point in ends.values()
+    ]
+    between = [
+        LineBetween(line, chain.anchor.name, chain.fairlead.name, name=f"{number}")
+        for number, (line, chain) in enumerate(zip(lines, chains, strict=True), start=1)
+    ]
+    return _network(site, points, between, title, source, notes)
+
+
+def _network(
+    site: Site,
+    points: Sequence[Point],
+    lines: Sequence[LineBetween],
+    title: str,
+    source: str,
+    notes: Notes,
+) -> Network:
     try:
-        return Network(site, tuple(made), tuple(lines), title, source)
+        return Network(site, tuple(points), tuple(lines), title, source)
     except InputError as error:
         raise InputError(error.problems, notes.source) from None

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Any, Final, TypeVar, cast
 from catopt.answers.blocks import (
     Answer,
     Block,
+    Brief,
+    CardBlock,
     Facts,
     Figure,
     Section,
@@ -25,7 +27,7 @@ from catopt.desk.text import door_of, text_of, values_of
 from catopt.documents import parse_toml
 from catopt.errors import CatoptError, InputError
 from catopt.render.units import UNITS
-from catopt.words import LANGUAGES, Language, Message, say
+from catopt.words import LANGUAGES, Language, Measure, Message, say
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
@@ -188,9 +190,45 @@ def _name(door: Door) -> str:
 
 def _page(text: str, language: Language, *, is_whole: bool) -> Reply:
     """Draw the answer at every step of a slider; the whole has every table of the command."""
-    from catopt.render.page import fragment
+    from catopt.render.page import card, fragment
 
-    return {"html": fragment(_answer(text, is_whole=is_whole), language)} | _open(text)
+    answer = _answer(text, is_whole=is_whole)
+    drawn, more = answer.sections[:1], answer.sections[1:]
+    return {
+        "html": fragment(replace(answer, sections=drawn), language),
+        "more": fragment(replace(answer, sections=more), language) if more else "",
+        "card": card(answer, language),
+        **_beside(text, language),
+        **_open(text),
+    }
+
+
+def _beside(text: str, language: Language) -> Reply:
+    """Say what was taken of what was not given, and which other lines there are, of a sizing."""
+    from catopt.answers.size_card import other_words
+    from catopt.figures.sizing import choices
+    from catopt.words import is_said, term
+
+    door = _door(text)
+    if door not in ("buoy", "tanker"):
+        return {}
+    of = _sizing(text, door)
+    assumed = {
+        each.of.key: say(Message("desk.assumed", value=each.said), language)
+        for each in of.inputs
+        if each.origin != "given"
+    }
+    others = [
+        {
+            "key": "line.prefer",
+            "value": each.prefer,
+            "name": say(term(each.prefer), language),
+            "words": say(other_words(of, each), language),
+        }
+        for each in of.alternatives
+        if each.settled is not None and not is_said(other_words(of, each), "sizing.same_line")
+    ]
+    return {"assumed": assumed, "others": others[:3], "choices": choices(of)[1]}
 
 
 @_kept
@@ -198,17 +236,17 @@ def _answer(text: str, *, is_whole: bool) -> Answer:
     """Answer once what is asked again in other words or units, or compared."""
     door = _door(text)
     if door == "line":
-        first, others = _line(text)
+        first, others, on_card = _line(text)
     elif door == "body":
-        first, others = _body(text)
+        first, others, on_card = _body(text)
     else:
-        first, others = _sized(text, door)
+        first, others, on_card = _sized(text, door)
     sections = (first, *(each for other in others for each in other.sections if is_whole))
     named = tuple(
         Section(each.title, tuple(filter(_is_news, each.blocks)), f"part-{number}")
         for number, each in enumerate(sections)
     )
-    return Answer("desk", others[0].title, named, Message("desk.kind"))
+    return Answer("desk", others[0].title, named, Message("desk.kind"), on_card)
 
 
 def _is_news(block: Block) -> bool:
@@ -234,9 +272,14 @@ def _compare(kept: str, text: str, language: Language) -> Reply:
     return {"html": fragment(replace(present, sections=(beside,)), language)}
 
 
-def _line(text: str) -> tuple[Section, list[Answer]]:
+_Laid = tuple[Section, list[Answer], tuple[CardBlock, ...]]
+"""What is drawn, all that the commands say, and the same on a card."""
+
+
+def _line(text: str) -> _Laid:
     from catopt.answers.check import check_answer, failing_checks, governing_sentence
     from catopt.answers.solution import result_facts, solution_answer
+    from catopt.catalogue.in_words import chain_words
     from catopt.catenary.case import solve_case, under_a_load
     from catopt.checks.case import check_case
     from catopt.figures.line import line_in_water, tension_along
@@ -250,14 +293,21 @@ def _line(text: str) -> tuple[Section, list[Answer]]:
     basis = Message("figures.MBL_over", factor=factor)
     first = section(
         "desk.answer",
-        _verdict(report),
-        *([Text(governing_sentence(report))] if report.results else []),
         Warnings((*solution.warnings, *report.warnings)),
         Figure(line_in_water(solution, depth, failing_checks(report))),
         Facts("results", result_facts(solution), Message("captions.result")),
         Figure(tension_along(solution, allowed, basis)),
     )
-    return first, [solution_answer(case, solution), check_answer(report)]
+    (segment, *_), facts = case.line.segments, result_facts(solution)
+    chain = segment.component and chain_words(segment.component, segment.nominal_diameter)
+    length = Measure("length", solution.line.length)
+    card: tuple[CardBlock, ...] = (
+        Text(Message("desk.line_is", chain=chain or segment.name, length=length)),
+        _verdict(report),
+        Facts("desk_card", facts[:6]),
+        *([Brief((governing_sentence(report),))] if report.results else []),
+    )
+    return first, [solution_answer(case, solution), check_answer(report)], card
 
 
 def _verdict(report: CheckReport) -> Verdict:
@@ -266,27 +316,29 @@ def _verdict(report: CheckReport) -> Verdict:
     return Verdict(verdict_sentence(report), report.passes if report.results else None)
 
 
-def _body(text: str) -> tuple[Section, list[Answer]]:
+def _body(text: str) -> _Laid:
     from catopt.answers.system import system_answer
     from catopt.figures.mooring import near, plan
 
     report, checks = _checked(text)
     drawn = (plan(report.solution), near(report.solution))
     figures = (Figure(chart) for chart in drawn if chart is not None)
-    first = section("desk.answer", _verdict(checks), *figures)
-    return first, [system_answer(report, checks)]
+    first = section("desk.answer", *figures)
+    answer = system_answer(report, checks)
+    card = (Text(answer.title), _verdict(checks))
+    return first, [answer], card
 
 
-def _sized(text: str, door: Door) -> tuple[Section, list[Answer]]:
+def _sized(text: str, door: Door) -> _Laid:
+    from catopt.answers.check import failing_checks
     from catopt.answers.size import size_answer
-    from catopt.figures.line import line_in_water
+    from catopt.answers.size_card import size_card
+    from catopt.figures.sizing import choices, elevation, swing_circle
 
     of = _sizing(text, door)
-    name, solution = of.hardest
-    state = next(each for each in of.case.load_cases if each.name == name)
-    depth = of.case.site.water_depth + state.water_level
-    first = section("desk.answer", Figure(line_in_water(solution, depth)))
-    return first, [size_answer(of)]
+    charts = (elevation(of, failing_checks(of.point.checks)), swing_circle(of), choices(of)[0])
+    first = section("desk.answer", *map(Figure, charts))
+    return first, [size_answer(of)], size_card(of, with_others=False)
 
 
 def _note(text: str, language: Language) -> Reply:

@@ -7,15 +7,15 @@ from functools import cache
 from typing import Final, Literal
 
 from catopt.catalogue import families
-from catopt.sizing.inputs import Input, rows_of
+from catopt.sizing.inputs import INPUTS, Input, rows_of
 from catopt.sizing.kinds import choices_of
-from catopt.words import Message
+from catopt.words import Message, term
 
 __all__ = ["DOORS", "START", "Door", "Field", "fields_of"]
 
 Door = Literal["line", "body", "buoy", "tanker"]
 
-DOORS: Final[tuple[Door, ...]] = ("line", "body", "buoy", "tanker")
+DOORS: Final[tuple[Door, ...]] = ("buoy", "tanker", "line", "body")
 
 
 @dataclass(frozen=True)
@@ -26,7 +26,11 @@ class Field:
     """In the file, as errors name it."""
     label: str
     hint: str = ""
-    """What is taken when it is left empty, or an example."""
+    """What is taken when it is left empty; of what has to be given, an example."""
+    example: str = ""
+    """As it is written."""
+    units: tuple[str, ...] = ()
+    """That are offered."""
     choices: tuple[str, ...] = ()
     """That are offered; a text of one's own may stand there, too."""
     is_first: bool = False
@@ -71,6 +75,29 @@ START: Final[dict[Door, dict[str, str]]] = {
 }
 """What the form of each door begins with."""
 
+_FIRST: Final[dict[Door, tuple[str, ...]]] = {
+    "buoy": (
+        *("buoy.name", "site.water_depth", "environment.wind"),
+        *("environment.current", "environment.hs"),
+    ),
+    "tanker": (
+        *("ship.deadweight", "site.water_depth", "environment.wind"),
+        *("environment.current", "environment.hs"),
+    ),
+}
+"""What is asked for at once of a sizing."""
+_UNITS: Final = {
+    "LENGTH": ("m", "ft", "fathom", "mm"),
+    "SPEED": ("m/s", "knots", "km/h"),
+    "MASS": ("t", "kg", "lb"),
+    "FORCE": ("kN", "tf", "kgf", "kip"),
+    "TIME": ("s", "min", "years"),
+}
+"""Units that are offered for a dimension; any other may be written."""
+_OF_KEY: Final = {
+    **dict.fromkeys(("water_depth", "length", "anchor_radius", "fairlead_radius"), "LENGTH"),
+    "horizontal_force": "FORCE",
+}
 _LINE: Final = {
     "title": "text",
     "site.water_depth": "first slides",
@@ -111,7 +138,9 @@ _REST: Final = {
 def fields_of(door: Door) -> tuple[Field, ...]:
     """List the fields of a door's form, in their order."""
     if door in ("buoy", "tanker"):
-        return tuple(_of_input(each) for each in rows_of(door) if each.takes != "FILE")
+        first = _FIRST[door]
+        found = [_of_input(each, door) for each in rows_of(door) if each.takes != "FILE"]
+        return tuple(sorted(found, key=lambda each: (*first, each.key).index(each.key)))
     own = _LOAD if door == "line" else _AROUND
     return tuple(_of_case(key, how) for key, how in (_LINE | own | _REST).items())
 
@@ -120,7 +149,9 @@ def _of_case(key: str, how: str) -> Field:
     return Field(
         key,
         Message("inputs.title" if key == "title" else f"desk.{key}"),
+        _such_as(_EXAMPLES.get(key, "")),
         _EXAMPLES.get(key, ""),
+        _UNITS.get(_OF_KEY.get(key.rpartition(".")[2], ""), ()),
         _components() if key.endswith("component") else (),
         "first" in how,
         "slides" in how,
@@ -137,14 +168,28 @@ def _components() -> tuple[str, ...]:
     )
 
 
-def _of_input(each: Input) -> Field:
+def _such_as(example: str) -> str:
+    return Message("desk.such_as", example=example) if example else ""
+
+
+def _of_input(each: Input, door: Door) -> Field:
     shown = each.example if isinstance(each.example, tuple) else (each.example,)
+    example = "; ".join(map(str, shown))
     return Field(
         each.key,
         Message(f"inputs.{each.name}"),
-        each.default or "; ".join(map(str, shown)),
+        _taken(each) or _such_as(example),
+        each.default or example,
+        _UNITS.get(each.takes, ()),
         choices_of(each),
-        each.asked or each.required or each.name == "prefer",
+        each.key in _FIRST[door],
         several=each.several,
         is_text=each.takes in ("TEXT", "NAME", "WHICH"),
     )
+
+
+def _taken(each: Input) -> str:
+    """Say what is taken in its place when it is left out."""
+    if each.left_out:
+        return Message(each.left_out, **{row.name: Message(f"inputs.{row.name}") for row in INPUTS})
+    return Message("desk.taken", value=term(each.default)) if each.default else ""

@@ -68,7 +68,7 @@ def _one(field: Field, text: str, door: Door) -> object:
     if text in ("true", "false"):
         return text == "true"
     number = bare_number(text)
-    example = (START[door].get(field.key) or field.hint).partition(";")[0]
+    example = (START[door].get(field.key) or field.example).partition(";")[0]
     _, _, unit = example.partition(" ")
     is_measure = unit and isinstance(bare_number(example.split(" ")[0]), int | float)
     return f"{number} {unit}" if is_measure and not isinstance(number, str) else number

@@ -84,7 +84,7 @@ def run_dynamics(
     NotConvergedError
         With time, node and force left over; or when what is computed is the scheme's own ringing.
     """
-    warnings = _check_run(stepping, motion, anchor_motion, sea=sea)
+    warnings = check_run(stepping, motion, anchor_motion, sea=sea)
     cut = mesh or mesh_line(line, elements)
     simulation = line_at_rest(
         cut,
@@ -93,14 +93,14 @@ def run_dynamics(
         horizontal_force=horizontal_force,
         anchor_height=anchor_height,
         properties=properties,
-        sea=_ramped(sea, stepping),
+        sea=ramped(sea, stepping),
     )
     ends, led = simulation.state.x[-1:], [motion]
     if anchor_motion is not None:
         ends, led = simulation.state.x[[-1, 0]], [motion, anchor_motion]
     simulation.led = series_rows(ends, led, stepping.ramp_time)
     broken = None if anchor_lost is None else (0, anchor_lost, True)
-    return _run(simulation, stepping, [cut], warnings, progress, broken)
+    return run_from_rest(simulation, stepping, [cut], warnings, progress, broken)
 
 
 def line_at_rest(
@@ -215,7 +215,7 @@ def run_system_dynamics(
     _check_system(is_led, motion, force, mean_force)
     cuts = [mesh_line(leg.line, elements) for leg in legs] if meshes is None else list(meshes)
     led = [motion] * len(cuts) if motion is None or isinstance(motion, _SERIES) else list(motion)
-    warnings = _check_run(stepping, *(led if is_led else [force]), sea=sea)
+    warnings = check_run(stepping, *(led if is_led else [force]), sea=sea)
     simulation = body_at_rest(
         legs,
         cuts,
@@ -224,13 +224,13 @@ def run_system_dynamics(
         body=body,
         position=position,
         properties=properties,
-        sea=_ramped(sea, stepping),
+        sea=ramped(sea, stepping),
     )
     ramp_time = stepping.ramp_time
     simulation.led = series_rows(simulation.led.base, led or [None] * len(cuts), ramp_time)
     simulation.load = series_rows(simulation.load.base, [force], ramp_time)
     parted = None if broken is None else (*broken, at_anchor)
-    return _run(simulation, stepping, cuts, warnings, progress, parted)
+    return run_from_rest(simulation, stepping, cuts, warnings, progress, parted)
 
 
 def body_at_rest(
@@ -287,13 +287,13 @@ def _check_beginning(simulation: Simulation) -> None:
             found.raise_if_any()
 
 
-def _run(
+def run_from_rest(
     simulation: Simulation,
     stepping: TimeStepping,
     cuts: Sequence[LineMesh],
     warnings: list[str],
     progress: Callable[[float], None] | None,
-    broken: tuple[int, float, bool] | None,
+    broken: tuple[int, float, bool] | None = None,
 ) -> History:
     """Set off from rest; `broken`: which line, when, s, and whether at its anchor."""
     _check_beginning(simulation)
@@ -305,7 +305,8 @@ def _run(
     if broken is not None:
         line, time, at_anchor = broken
         breaks = Break(line, max(1, round(time / (stepping.every * stepping.step))), at_anchor)
-    simulation.start()
+    if simulation.afloat is None:
+        simulation.start()
     record, complete = simulation.run(stepping, breaks=breaks, progress=progress)
     counts, seen = simulation.counts, np.isfinite(record.max_tension)
     warnings += _warnings_of(counts, stepping, None if complete else float(record.time[-1]))
@@ -354,7 +355,7 @@ def _warnings_of(
         yield Message(STOPPED, reached=stopped, duration=stepping.duration)
 
 
-def _check_run(stepping: TimeStepping, *series: Series | None, sea: Sea | None) -> list[str]:
+def check_run(stepping: TimeStepping, *series: Series | None, sea: Sea | None) -> list[str]:
     """Refuse a step that cannot follow; return what is to be warned of."""
     periods = {}
     given = [each for each in series if each is not None]
@@ -386,7 +387,8 @@ def _begins_rubbed(seabed: Seabed | HeldBed | None) -> bool:
     return not isinstance(seabed, Seabed) or seabed.initial_friction != "none"
 
 
-def _ramped(sea: Sea | None, stepping: TimeStepping) -> Sea | None:
+def ramped(sea: Sea | None, stepping: TimeStepping) -> Sea | None:
+    """Let waves without a ramp of their own grow over that of a run."""
     if sea is None or sea.waves is None or sea.ramp_time > 0.0:
         return sea
     return replace(sea, ramp_time=stepping.ramp_time)

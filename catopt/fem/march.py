@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any, Final, NamedTuple
 
+from catopt.fem.afloat import Afloat, accept_hull, attempt_afloat, sample_hull
 from catopt.fem.energy_balance import add_works, fill_forces
 from catopt.fem.moving import Moving, MovingLines
 from catopt.fem.newmark import close_step, predict
@@ -73,11 +74,13 @@ def march(
     before: Moving,
     room: Room,
     record: Record,
+    body: Afloat | None,
 ) -> MarchReport:
     """Step from a part of the whole step `at` on, and take the samples on the way.
 
     Up to the whole step `end`; until so many steps were tried; or until there is no more room for
-    turning points. `before`: state there, and then where the steps have come to.
+    turning points. `before`: state there, and then where the steps have come to; `body`: what
+    floats at the lines' last nodes; None where these are led or pushed.
     """
     steps = iterations = halvings = refinements = unresolved = tried = 0
     ringing = strain = worst = 0.0
@@ -91,7 +94,7 @@ def march(
             tried += 1
             part = 0.5**level
             h, time = part * rules.step, start + done * rules.step
-            closed, used, worst, node = attempt(time, h, setting, before, room)
+            closed, used, worst, node = attempt(time, h, setting, before, room, body)
             iterations += used
             if not closed:
                 level += 1
@@ -114,7 +117,7 @@ def march(
             ringing += seen.ringing
             strain += seen.strain
             time = start + done * rules.step
-            full = accept(time, h, setting, before, room, record)
+            full = accept(time, h, setting, before, room, record, body)
             # Longer again where the step then ends with one twice as long.
             ends_evenly = (done / (2.0 * part)) % 1.0 == 0.0
             may_grow = passed_by(time, 2.0 * h, seen, room) and seen.surprise < _LONGER * allowed
@@ -123,6 +126,8 @@ def march(
             at, done = at + 1, 0.0
             if at % rules.every == 0:
                 take_sample(at // rules.every, setting, before, room, record)
+                if body is not None:
+                    sample_hull(at // rules.every, body)
     counts = StepCounts(
         steps, iterations, halvings, refinements, unresolved, ringing, strain, shortest
     )
@@ -194,9 +199,11 @@ def judge_tensions(
 
 
 def attempt(
-    t: float, h: float, setting: Setting, before: Moving, room: Room
+    t: float, h: float, setting: Setting, before: Moving, room: Room, body: Afloat | None
 ) -> tuple[bool, int, float, int]:
     """Take one step into `room.now`, as `close_step`; the state at its start stays as it is."""
+    if body is not None:
+        return attempt_afloat(t, h, setting, before, room, body)
     now = room.now
     predict(t, h, setting, before, room)
     copy_rows(before.foot, now.foot)
@@ -210,13 +217,21 @@ def attempt(
 
 
 def accept(
-    t: float, h: float, setting: Setting, before: Moving, room: Room, record: Record
+    t: float,
+    h: float,
+    setting: Setting,
+    before: Moving,
+    room: Room,
+    record: Record,
+    body: Afloat | None,
 ) -> bool:
     """Make the end of the step the start of the next; keep what was largest.
 
     Says whether there is no room for one more turning point of a quantity.
     """
     rules, lines, now, water = setting.rules, setting.lines, room.now, room.water
+    if body is not None:
+        accept_hull(t, rules.since, body)
     if largest_size(lines.friction) > 0.0:
         drag_feet(lines, now, h)
         copy_rows(now.foot, before.foot)

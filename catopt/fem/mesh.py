@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
+from numbers import Integral
 
 import numpy as np
 
@@ -147,7 +148,7 @@ def _target_lengths(
     """Wanted bar length in each segment, m."""
     if element_length is not None:
         return np.full(len(line.segments), element_length)
-    if isinstance(elements, int):
+    if isinstance(elements, (int, Integral)):
         return np.full(len(line.segments), line.length / elements)
     sizes: Array = np.array([s.length for s in line.segments]) / np.array(elements)
     return sizes
@@ -157,10 +158,10 @@ def _check(line: Line, elements: int | Sequence[int], element_length: float | No
     problems = []
     if element_length is not None and not element_length > 0.0:
         problems.append(Problem("element_length", repr(element_length), "must be above 0 m"))
-    counts = [elements] if isinstance(elements, int) else list(elements)
+    counts = [elements] if isinstance(elements, (int, Integral)) else list(elements)
     if any(count < 1 for count in counts):
         problems.append(Problem("elements", repr(elements), "at least one bar is wanted"))
-    if not isinstance(elements, int) and len(counts) != len(line.segments):
+    if not isinstance(elements, (int, Integral)) and len(counts) != len(line.segments):
         wanted = f"one number for each of the {len(line.segments)} segments"
         problems.append(Problem("elements", repr(elements), wanted))
     if problems:

@@ -11,6 +11,7 @@ import numpy as np
 from catopt.arrays import Array
 from catopt.compiled import compiled
 from catopt.errors import NotConvergedError
+from catopt.fem.afloat import Afloat
 from catopt.fem.course import FOLLOWED, STATE
 from catopt.fem.energy_balance import EnergyBalance, fill_forces, own_kinetic_energy
 from catopt.fem.march import StepCounts, march
@@ -111,6 +112,7 @@ class Simulation:
         self._held, self._ends = end_nodes(lines.start)
         stays, unloaded = self._undriven(x)
         self.led, self.load = led or stays, load or unloaded
+        self.afloat: Afloat | None = None  # what floats at the last nodes, to which `body` is free
         self.state = _moving(lines, np.array(x, dtype=float))  # where the lines are now
         self.counts = StepCounts()  # what all steps so far took
         self._gone = 0.0
@@ -340,7 +342,7 @@ class Simulation:
                 work = max(speed, _ITERATIONS * _A_BAR * self.lines.length.size) * (last - at)
                 march_on, setting = compiled(march, work), self._setting(rules)
                 report = march_on(
-                    at, part, end, size, level, setting, self.state, self._room, record
+                    at, part, end, size, level, setting, self.state, self._room, record, self.afloat
                 )
                 self.counts = self.counts.with_more(report.counts)
                 if not report.closed:

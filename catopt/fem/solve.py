@@ -201,7 +201,7 @@ def _check_line(
     if horizontal_force is not None:
         found.number("horizontal_force", horizontal_force, "N", above=0.0)
     if span is not None:
-        found.number("span", span, "m", above=0.0)
+        found.number("span", span, "m", at_least=0.0)
     found.raise_if_any()
 
 

@@ -16,6 +16,7 @@ from catopt.documents import read_text
 from catopt.errors import InputError, Problem
 from catopt.loads.buoy_shape import BuoyShape, BuoySlice
 from catopt.model.validity import Findings
+from catopt.words import Message
 
 Made = TypeVar("Made")
 
@@ -46,7 +47,9 @@ def buoy(name: str, among: tuple[BuoyShape, ...] | None = None) -> BuoyShape:
     if name in known:
         return known[name]
     near = nearest(name, tuple(known))
-    hint = f"did you mean {near}?" if near else "there are: " + ", ".join(known)
+    hint = Message("refused.there_are", names=", ".join(known))
+    if near:
+        hint = Message("refused.did_you_mean", near=near)
     raise InputError([Problem("buoy", f'"{name}"', hint)], "buoys")
 
 

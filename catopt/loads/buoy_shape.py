@@ -243,6 +243,18 @@ class BuoyShape:
             return ()
         return ((-self.tube_length, _cylinder(self.tube_length, self.tube_diameter)),)
 
+    @property
+    def stacks(self) -> tuple[Stack, Stack]:
+        """Hull, and structure."""
+        return self._hull, self._structure
+
+    @property
+    def parts(self) -> Stack:
+        """What is seen of it from the side, each with the level of its foot above the hull's."""
+        tower = _cylinder(self.tower_height, self.tower_width) if self.tower_height else None
+        above = self.pylons or (() if tower is None else (tower,))
+        return (*self._structure, *self._hull, *_stacked(above, self.deck))
+
     @cached_property
     def deck(self) -> float:
         """Level of the hull's top above its bottom, m."""

@@ -8,6 +8,7 @@ from typing import Literal, get_args
 from catopt.compiled import inlined
 from catopt.model.kinds import Factor, Mass, Positive, Source, Strength
 from catopt.model.validity import Checked, Findings
+from catopt.words import Message
 
 AnchorKind = Literal["sinker", "drag"]
 ANCHOR_KINDS: tuple[str, ...] = get_args(AnchorKind)
@@ -39,19 +40,18 @@ class Anchor(Checked):
     def _check(self, found: Findings) -> None:
         found.check("kind")
         found.raise_if_any()
-        noun = {"sinker": "sinker", "drag": "drag anchor"}[self.kind]
         for key in (*_NEEDS["sinker"], *_NEEDS["drag"]):
             value = getattr(self, key)
             if key not in _NEEDS[self.kind]:
                 if value is not None:
-                    found.add(key, f"{value:g}", f"does not go with a {noun}; leave it out")
+                    found.add(key, f"{value:g}", Message(f"refused.not_with_{self.kind}"))
             elif value is None:
-                found.add(key, "", f"missing; a {noun} needs it")
+                found.add(key, "", Message(f"refused.needed_by_{self.kind}"))
             else:
                 found.check(key)
         found.check("safety_factor", "safety_factor_line_out", "mass")
         if self.factor_source and self.safety_factor is None:
-            found.add("factor_source", "", "goes with safety_factor, which is missing")
+            found.add("factor_source", "", Message("refused.with_safety_factor"))
 
 
 @inlined

@@ -7,9 +7,9 @@ from dataclasses import dataclass, field, replace
 from typing import Annotated, Literal
 
 from catopt.model.anchor import Anchor
-from catopt.model.body import Body, Buoy
+from catopt.model.body import Body, Buoy, Floater
 from catopt.model.catalogue_choice import CatalogueChoice
-from catopt.model.checks import NEEDS_SEVERAL_LINES, Checks
+from catopt.model.checks import Checks
 from catopt.model.current_profile import CurrentProfile
 from catopt.model.design import Design, DesignLoad, body_misfits
 from catopt.model.dynamics import FOR_MOTION, Dynamics, broken_line_misfits, dynamics_misfits
@@ -27,6 +27,7 @@ from catopt.model.validity import Checked, Findings
 from catopt.model.wave_state import WaveState
 from catopt.model.wear import worn_line
 from catopt.units import Dimension
+from catopt.words import Message
 
 Boundary = Literal["nearest", "reflective", "shrink", "random", "intermediate", "periodic"]
 
@@ -112,8 +113,10 @@ class Case(Checked):
     """Of the lower end of a line, harmonic or recorded; it stays without."""
     body: Body | None = None
     """That the lines moor, where it moves under forces instead of being led."""
+    floater: Floater | None = None
+    """A buoy that the line moors, which floats and moves with it."""
     dynamics: Dynamics | None = None
-    """How the line is run in time; needed by the five before it."""
+    """How the line is run in time; needed by the six before it."""
     fatigue: Fatigue | None = None
     """What its damage in a year is found from."""
 
@@ -141,7 +144,11 @@ class Case(Checked):
         for part, of in (("checks", self.checks), ("anchor", self.anchor)):
             factor = None if of is None else of.safety_factor_line_out
             if factor is not None and not has_system:
-                found.add(f"{part}.safety_factor_line_out", f"{factor:g}", NEEDS_SEVERAL_LINES)
+                found.add(
+                    f"{part}.safety_factor_line_out",
+                    f"{factor:g}",
+                    Message("refused.needs_several_lines"),
+                )
         self._check_motion(found)
         service = {} if self.service is None else vars(self.service)
         found.problems += wear_misfits(service, [vars(each) for each in self.line.segments])
@@ -189,7 +196,7 @@ class Case(Checked):
                 found.add(f"{place}[{index}].name", state.name, "another has this name")
             lowest = min(self.site.water_depth, self.fairlead_height + state.fairlead_rise)
             if not state.water_level > -lowest:
-                allowed = f"must leave the fairlead above the seabed: above {-lowest:g} m"
+                allowed = Message("refused.fairlead_above_bed", least=-lowest)
                 found.add(f"{place}[{index}].water_level", f"{state.water_level:g} m", allowed)
 
     @property

@@ -8,7 +8,6 @@ from typing import Annotated
 from catopt.model.kinds import Factor, Height, Length, SomeForce, Text, Uplift
 from catopt.model.validity import Checked, Findings
 
-NEEDS_SEVERAL_LINES = "leave it out, or give [system]: of one line none can be lost"
 """Why a case of one line has no factor for one line out."""
 
 Code = Annotated[str, Text(filled=True, example='"break/5"')]

@@ -10,6 +10,7 @@ from typing import Annotated, Literal, get_args
 
 from catopt.model.kinds import Angle, File, Height, Length, Positive, SomeSpeed, Speed
 from catopt.model.validity import Checked, Findings
+from catopt.words import Message
 
 ProfileKind = Literal["power", "wind", "table"]
 CURRENT_PROFILES: tuple[str, ...] = get_args(ProfileKind)
@@ -68,10 +69,10 @@ class CurrentProfile(Checked):
                 if is_given:
                     found.add(key, repr(given), "stands in the series_file; leave it out")
             elif is_given and key not in _TAKES[self.profile]:
-                allowed = f"does not go with the profile {self.profile}; leave it out"
+                allowed: str = Message("refused.not_with_profile", profile=self.profile)
                 found.add(key, repr(given), allowed)
             elif not is_given and key in _NEEDS[self.profile]:
-                found.add(key, "", f"missing; the profile {self.profile} needs it")
+                found.add(key, "", Message("refused.profile_needs", profile=self.profile))
         if self.directions and self.direction != 0.0:
             allowed = "goes with one of all depths; leave it out"
             found.add("direction", repr(self.direction), allowed)
@@ -83,7 +84,7 @@ class CurrentProfile(Checked):
         self._check_length("speeds", found)
         for index, (above, depth) in enumerate(pairwise(self.depths), start=1):
             if depth <= above:
-                allowed = f"must be more than {above:g} m, the one before"
+                allowed: str = Message("refused.more_than_before", above=above)
                 found.add(f"depths[{index}]", f"{depth:g} m", allowed)
         self._check_length("directions", found)
         for index, turn in enumerate(turns(self.directions), start=1):
@@ -95,7 +96,7 @@ class CurrentProfile(Checked):
     def _check_length(self, key: str, found: Findings) -> None:
         depths, others = len(self.depths), len(getattr(self, key))
         if depths and others and depths != others:
-            allowed = f"as many {key} as depths are wanted"
+            allowed = Message("refused.as_many_as_depths", what=key)
             found.add(key, f"{depths} depths, {others} {key}", allowed)
 
 

@@ -28,6 +28,7 @@ from catopt.model.kinds import (
 )
 from catopt.model.system import System
 from catopt.model.validity import Checked, Findings
+from catopt.words import Message
 
 Objective = Literal["mass", "offset", "excursion", "cost", "length"]
 OBJECTIVES: tuple[str, ...] = get_args(Objective)
@@ -112,7 +113,7 @@ class SinkerChoice(Checked):
 
     def _check(self, found: Findings) -> None:
         if self.factor_source and self.safety_factor is None:
-            found.add("factor_source", "", "goes with safety_factor, which is missing")
+            found.add("factor_source", "", Message("refused.with_safety_factor"))
         if not self.masses:
             found.add("masses", "none", "at least one mass is wanted")
         found.check()
@@ -199,13 +200,13 @@ class Design(Checked):
         if not self.segments:
             found.add("segments", "none", "at least one segment is wanted")
         if all(segment.optional for segment in self.segments):
-            found.add("segments", "all optional", "one segment at least has to be there")
+            found.add("segments", "all optional", Message("refused.one_segment"))
         unknown = [name for name in self.objectives if name not in OBJECTIVES]
         if unknown:
             found.add("objectives", ", ".join(unknown), "two or three of " + ", ".join(OBJECTIVES))
         elif not 2 <= len(set(self.objectives)) == len(self.objectives) <= 3:
             named = ", ".join(self.objectives) or "none"
-            found.add("objectives", named, "two or three different ones are wanted")
+            found.add("objectives", named, Message("refused.two_or_three"))
         found.check("method", "evaluations", "population", "seed", "max_enumerated")
         self._check_joints(found)
         fewest, most = COUNTS["lines"]
@@ -223,7 +224,8 @@ class Design(Checked):
         joints = len(self.segments) - 1
         for index, weight in enumerate(self.clump_weights):
             if weight.joint is not None and not weight.joint <= joints:
-                allowed = f"the design has {joints or 'no'} joint{'' if joints == 1 else 's'}"
+                key = "refused.has_joints" if joints else "refused.has_no_joint"
+                allowed = Message(key, count=joints)
                 found.add(f"clump_weights[{index}].joint", str(weight.joint), allowed)
 
 

@@ -11,6 +11,7 @@ from catopt.model.kinds import Duration, Measured, NotNegative, Share, Time, Who
 from catopt.model.motion import OF_A_BODY, RAO_CONVENTIONS
 from catopt.model.validity import Checked, Findings
 from catopt.units import Dimension
+from catopt.words import Message
 
 BedStiffness = Annotated[
     float, Measured(Dimension.PRESSURE, above=0.0, example='"30 kN/m^2"', si="N/m^2")
@@ -24,7 +25,9 @@ TimeScheme = Literal["newmark", "generalised-alpha"]
 InitialFriction = Literal["pulled", "none", "laid"]
 INITIAL_FRICTION: tuple[str, ...] = get_args(InitialFriction)
 
-FOR_MOTION = ("waves", "current", "motion", "anchor_motion", "body", "dynamics", "system")
+FOR_MOTION = (
+    *("waves", "current", "motion", "anchor_motion", "body", "floater", "dynamics", "system"),
+)
 """Parts of a case that are for a line in motion, or that change what goes with them."""
 
 BARS: Final = 100
@@ -113,7 +116,7 @@ def time_misfits(given: Mapping[str, Any]) -> list[Problem]:
     """List times of a run, in s, that do not fit into it; one that is not given is None."""
     duration = given["duration"]
     return [
-        Problem(key, f"{given[key]:g} s", f"must be below {duration:g} s, the duration")
+        Problem(key, f"{given[key]:g} s", Message("refused.below_duration", duration=duration))
         for key in ("ramp", "broken_at", "time_step", "output_interval")
         if given[key] is not None and not given[key] < duration
     ]
@@ -146,14 +149,16 @@ def dynamics_misfits(present: Collection[str], given: Mapping[str, Any]) -> list
     problems = []
     if "dynamics" not in present:
         problems += [
-            Problem(key, "", "goes with [dynamics], which is missing: nothing else reads it")
-            for key in ("waves", "current", "motion", "anchor_motion", "body")
+            Problem(key, "", Message("refused.with_dynamics"))
+            for key in ("waves", "current", "motion", "anchor_motion", "body", "floater")
             if key in present
         ]
     elif "system" in present:
         problems += _of_a_body(present, given)
     elif not {"motion", "waves", "anchor_motion"} & set(present):
-        problems.append(Problem("dynamics", "", "nothing moves: [motion] or [waves] is missing"))
+        problems.append(Problem("dynamics", "", Message("refused.nothing_moves")))
+    if "floater" in present:
+        problems += _of_a_floater(present, given)
     if "dynamics.broken_line" in given and not (
         {"system", "body"} <= set(present) or given.get("dynamics.broken_end") == "anchor"
     ):
@@ -163,21 +168,31 @@ def dynamics_misfits(present: Collection[str], given: Mapping[str, Any]) -> list
         )
         problems.append(Problem("dynamics.broken_line", "", allowed))
     if "system" not in present:
-        if "body" in present:
-            problems.append(Problem("body", "", "goes with [system], which is missing"))
-        problems += [
-            Problem(f"motion.{key}", "", "goes with [system], which is missing")
-            for key in OF_A_BODY
-            if f"motion.{key}" in given
-        ]
+        keys = ["body"] if "body" in present else []
+        keys += [f"motion.{key}" for key in OF_A_BODY if f"motion.{key}" in given]
+        problems += [Problem(key, "", "goes with [system], which is missing") for key in keys]
     if "waves" not in present:
         for key, what in (
             ("motion.rao_file", "a ship's response"),
             ("body.wave_force", "a force of the waves"),
         ):
             if key in given:
-                problems.append(Problem(key, "", f"{what} needs [waves], which is missing"))
+                problems.append(Problem(key, "", Message("refused.needs_waves", what=what)))
     return problems
+
+
+def _of_a_floater(present: Collection[str], given: Collection[str]) -> Iterator[Problem]:
+    """Yield what does not go together with a buoy that floats at the end of its line."""
+    for key in ("motion", "anchor_motion", "body", "system"):
+        if key in present:
+            allowed = (
+                "does not go with [floater]: one line, and a buoy that moves as the sea has it"
+            )
+            yield Problem(key, "", allowed)
+    if "waves" not in present:
+        yield Problem("waves", "", "missing; nothing moves a [floater] but waves")
+    if "dynamics.broken_line" in given:
+        yield Problem("dynamics.broken_line", "", "does not go with [floater]")
 
 
 def _of_a_body(present: Collection[str], given: Collection[str]) -> Iterator[Problem]:

@@ -10,6 +10,7 @@ from catopt.errors import Problem
 from catopt.model.kinds import Length, OneSegment, Uplift, Whole
 from catopt.model.load import LOADS
 from catopt.model.validity import Checked, Findings
+from catopt.words import Message
 
 FindQuantity = Literal["length", "clump_weight", "touchdown_force", "limit_force"]
 FIND_QUANTITIES: tuple[str, ...] = get_args(FindQuantity)
@@ -46,16 +47,18 @@ class Find(Checked):
         given = [key for key in CONDITIONS if getattr(self, key) is not None]
         what = " and ".join(given) or "no condition"
         if self.quantity == "length" and len(given) != 1:
-            found.add("find", what, "exactly one of anchor_angle and grounded_length is wanted")
+            found.add("find", what, Message("refused.one_condition"))
         elif self.quantity == "clump_weight" and given != ["anchor_angle"]:
-            found.add("find", what, "anchor_angle is wanted, and no other condition")
+            found.add("find", what, Message("refused.anchor_angle_only"))
         elif self.seeks_force and given:
-            found.add("find", what, f"{self.quantity} takes no condition; leave it out")
+            found.add("find", what, Message("refused.takes_no_condition", what=self.quantity))
         if self.segment is not None and self.quantity not in ("length", "limit_force"):
-            allowed = "goes with length and limit_force; leave it out"
+            allowed = Message("refused.with_length_or_limit")
             found.add("segment", str(self.segment), allowed)
         if self.point_load is not None and self.quantity != "clump_weight":
-            found.add("point_load", str(self.point_load), "goes with clump_weight; leave it out")
+            found.add(
+                "point_load", str(self.point_load), Message("refused.goes_with", way="clump_weight")
+            )
 
     @property
     def seeks_force(self) -> bool:
@@ -82,22 +85,23 @@ def misfits(
     seeks_length = find is not None and find.quantity == "length"
     if load is None and not seeks_force and not (has_load_cases and find is None):
         keys = "horizontal_force, fairlead_tension" if seeks_length else ", ".join(LOADS)
-        found.add("load", "", f"missing; a table [load] with one of {keys} is wanted")
+        table = Message("refused.table_with_one_of", line="[load]", keys=keys)
+        found.add("load", "", Message("refused.missing", wanted=table))
     if find is None:
         return found.problems
     if load is not None and seeks_force:
-        allowed = f"leave it out: {find.quantity} seeks the force"
+        allowed = Message("refused.seeks_force", what=find.quantity)
         found.add("load", " and ".join(load) or "a load", allowed)
     if seeks_length and load is not None and "span" in load:
-        allowed = "a length is sought under horizontal_force or fairlead_tension"
+        allowed = Message("refused.length_sought")
         found.add("load.span", "a span", allowed)
     _count(found, "segment", find.segment, len(MBL_known))
     if find.quantity == "clump_weight" and point_loads == 0:
-        found.add("find.quantity", find.quantity, "the line has no point load to be sought")
+        found.add("find.quantity", find.quantity, Message("refused.no_point_load"))
     else:
         _count(found, "point_load", find.point_load, point_loads)
     if find.quantity == "touchdown_force" and anchor_height > 0.0:
-        allowed = "touchdown_force wants it on the bed: 0"
+        allowed = Message("refused.on_bed")
         found.add("line.anchor_height", f"{anchor_height:g} m", allowed)
     if find.quantity == "limit_force":
         _strength(found, find.segment, MBL_known)
@@ -106,13 +110,13 @@ def misfits(
 
 def _count(found: Findings, key: str, number: int | None, count: int) -> None:
     if number is not None and number > count:
-        noun = key.replace("_", " ") + ("" if count == 1 else "s")
-        found.add(f"find.{key}", str(number), f"the line has {count or 'no'} {noun}")
+        said = Message(f"refused.has_{key}" if count else f"refused.has_no_{key}", count=count)
+        found.add(f"find.{key}", str(number), said)
 
 
 def _strength(found: Findings, segment: int | None, MBL_known: Sequence[bool]) -> None:
     """Note when no segment in question has a minimum breaking load."""
     if segment is None and not any(MBL_known):
-        found.add("find.quantity", "limit_force", "at least one segment needs its MBL")
+        found.add("find.quantity", "limit_force", Message("refused.needs_MBL"))
     elif segment is not None and segment <= len(MBL_known) and not MBL_known[segment - 1]:
-        found.add(f"line.segments[{segment - 1}].MBL", "", "missing; limit_force needs it")
+        found.add(f"line.segments[{segment - 1}].MBL", "", Message("refused.limit_force_needs"))

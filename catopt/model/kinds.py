@@ -23,7 +23,8 @@ from typing import (
 )
 
 from catopt.errors import InputError, Problem
-from catopt.units import Dimension, as_written, to_si
+from catopt.units import Dimension, as_written, to_si, wanted
+from catopt.words import Message
 
 COUNTS: Mapping[str, tuple[int, int]] = MappingProxyType(
     {
@@ -49,6 +50,10 @@ COUNTS: Mapping[str, tuple[int, int]] = MappingProxyType(
 )
 """Fewest and most of everything that a user may ask a number of. The most is what still answers
 within days; how long it takes is said before it begins."""
+
+
+STIFFEST = 1e20
+"""Largest axial stiffness that is read, N; so large a number says that nothing stretches."""
 
 
 class Kind(ABC):
@@ -88,7 +93,7 @@ class Measured(Kind):
     @property
     def wanted(self) -> str:
         """What is wanted, with an example."""
-        return f"{self.dimension.noun} is wanted, such as {self.example or self.dimension.example}"
+        return wanted(self.dimension, self.example)
 
     @property
     def si_unit(self) -> str:
@@ -98,19 +103,21 @@ class Measured(Kind):
     def read(self, value: object) -> float:
         """Return the value in SI."""
         try:
-            si = to_si(value, self.dimension, bare=self.bare)
+            most = STIFFEST if self.infinite else None
+            si = to_si(value, self.dimension, bare=self.bare, most=most)
         except InputError as error:
             (problem,) = error.problems
-            example = self.example or self.dimension.example
-            allowed = problem.allowed.replace(self.dimension.example, example)
+            allowed = _with_example(problem.allowed, self.dimension.example, self.example)
             raise InputError([replace(problem, allowed=allowed)]) from None
         unit = self.dimension.si_unit
         beyond = out_of_range(si, unit, self.above, self.at_least, self.at_most)
         if beyond:
             # Too large for a bare number: perhaps it was meant in another unit.
             large = self.at_most is not None and si > self.at_most and not isinstance(value, str)
-            hint = f"; a bare number is in {unit}: give a unit, as in {self.dimension.example}"
-            raise self._refused(value, beyond + (hint if large and unit else ""))
+            if large and unit:
+                example = self.dimension.example
+                beyond = Message("refused.and_bare", fault=beyond, unit=unit, example=example)
+            raise self._refused(value, beyond)
         return si
 
 
@@ -129,7 +136,7 @@ class Whole(Kind):
     @property
     def wanted(self) -> str:
         """What is wanted, with an example."""
-        return f"a whole number is wanted, such as {self.example}"
+        return Message("refused.whole_such_as", example=self.example)
 
     def read(self, value: object) -> int:
         """Return the number."""
@@ -137,9 +144,9 @@ class Whole(Kind):
             raise self._refused(value)
         fewest, most = self.bounds
         if value > most:
-            raise self._refused(value, f"must be {most} or less")
+            raise self._refused(value, Message("refused.or_less", bound=f"{most}"))
         if value < fewest:
-            raise self._refused(value, f"must be {fewest} or more")
+            raise self._refused(value, Message("refused.or_more", bound=f"{fewest}"))
         return value
 
 
@@ -153,7 +160,8 @@ class Text(Kind):
     @property
     def wanted(self) -> str:
         """What is wanted, with the example if there is one."""
-        return "text in quotes is wanted" + (f", such as {self.example}" if self.example else "")
+        key = "refused.text_such_as" if self.example else "refused.text"
+        return Message(key, example=self.example)
 
     def read(self, value: object) -> str:
         """Return the text."""
@@ -173,7 +181,10 @@ class File(Text):
 class Flag(Kind):
     """Yes or no."""
 
-    wanted = "true or false is wanted, without quotes"
+    @property
+    def wanted(self) -> str:
+        """The two words."""
+        return Message("refused.flag")
 
     def read(self, value: object) -> bool:
         """Return it."""
@@ -192,21 +203,23 @@ class OneOf(Kind):
     @property
     def wanted(self) -> str:
         """The words."""
-        return f"one of {', '.join(self.words)} is wanted"
+        return Message("refused.one_of", words=", ".join(self.words))
 
     def read(self, value: object) -> str:
         """Return the word."""
         if not isinstance(value, str) or value not in self.words:
-            raise self._refused(value, self.wanted + self._meant(value))
+            near = self._near(value)
+            meant = Message("refused.and_meant", wanted=self.wanted, near=near)
+            raise self._refused(value, meant if near else "")
         return value
 
-    def _meant(self, value: object) -> str:
+    def _near(self, value: object) -> str:
         if not isinstance(value, str):
             return ""
         from difflib import get_close_matches
 
         close = get_close_matches(value.casefold(), self.words, n=1)
-        return f"; did you mean {close[0]}?" if close else ""
+        return close[0] if close else ""
 
 
 class Size(NamedTuple):
@@ -252,12 +265,24 @@ def out_of_range(
     """Say which bound a number breaks; empty for none."""
     of = f" {unit}" if unit else ""
     if above is not None and not value > above:
-        return f"must be above {above:g}{of}"
+        return Message("refused.above", bound=f"{above:g}{of}")
     if at_least is not None and not value >= at_least:
-        return f"must be {at_least:g}{of} or more"
+        return Message("refused.or_more", bound=f"{at_least:g}{of}")
     if at_most is not None and not value <= at_most:
-        return f"must be {at_most:g}{of} or less"
+        return Message("refused.or_less", bound=f"{at_most:g}{of}")
     return ""
+
+
+def _with_example(said: str, own: str, example: str) -> str:
+    """Say what is wanted with another example than that of the dimension."""
+    if not example or not isinstance(said, Message):
+        return said
+    values = {
+        key: example if each == own else _with_example(each, own, example)
+        for key, each in said.values.items()
+        if isinstance(each, str)
+    }
+    return Message(said.key, **{**said.values, **values})
 
 
 class Annotation(NamedTuple):

@@ -28,6 +28,10 @@ from catopt.model.kinds import (
 from catopt.model.service import WEAR_ZONES
 from catopt.model.validity import Checked, Findings
 from catopt.units import Dimension
+from catopt.words import Message
+
+INEXTENSIBLE: Final = 1e12
+"""Axial stiffness beyond which a line is taken not to stretch, N; no real one comes near it."""
 
 HIGHEST_COV: Final = 0.25
 """Coefficient of variation from which c (3 - 6 c) falls: more scatter would make more strength."""
@@ -133,6 +137,11 @@ class Segment(Checked):
     MBL_cov: Cov | None = None
     """Their coefficient of variation."""
 
+    @property
+    def stretches(self) -> bool:
+        """Whether its axial stiffness is one that a line can have; a larger one means none."""
+        return self.EA <= INEXTENSIBLE
+
     def _check(self, found: Findings) -> None:
         found.check("length", "submerged_weight", "EA", "mass", "MBL", *TESTS)
         found.problems += break_test_misfits({k for k in TESTS if getattr(self, k) is not None})
@@ -161,7 +170,7 @@ _DRAG = ("drag_area", "drag_coefficient")
 def point_drag_misfits(given: Collection[str]) -> list[Problem]:
     """List which of the area and the coefficient of a point load's drag lacks the other."""
     return [
-        Problem(other, "", f"missing; goes with {key}")
+        Problem(other, "", Message("refused.missing_goes_with", key_=key))
         for key, other in (_DRAG, _DRAG[::-1])
         if key in given and other not in given
     ]

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from catopt.model.kinds import Length, Strength
+from catopt.model.kinds import Height, Strength
 from catopt.model.validity import Checked, Findings
+from catopt.words import Message
 
 LOADS = ("horizontal_force", "span", "fairlead_tension")
 """The quantities of which one is known."""
@@ -17,14 +18,14 @@ class Load(Checked):
 
     horizontal_force: Strength | None = None
     """N."""
-    span: Length | None = None
-    """Horizontal distance from the anchor to the fairlead, m."""
+    span: Height | None = None
+    """Horizontal distance from the anchor to the fairlead, m; 0 for a plumb line."""
     fairlead_tension: Strength | None = None
     """Effective tension at the fairlead, N."""
 
     def _check(self, found: Findings) -> None:
         if len(self.given) != 1:
-            allowed = "exactly one of horizontal_force, span and fairlead_tension is wanted"
+            allowed = Message("refused.one_load")
             found.add("load", " and ".join(self.given) or "none of them", allowed)
             found.raise_if_any()
         found.check()

@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 
 from catopt.model.kinds import Angle, File, Height, Place, Size, Time
 from catopt.model.validity import Checked, Findings
+from catopt.words import Message
 
 RaoPhase = Literal["", "lag", "lead"]
 RaoRotation = Literal["", "deg/m", "rad/m"]
@@ -72,11 +73,11 @@ class Motion(Checked):
     def _check(self, found: Findings) -> None:
         given = [key for key in MOTION_WAYS if getattr(self, key) not in (None, "")]
         if len(given) != 1:
-            wanted = f"exactly one of {', '.join(MOTION_WAYS)} is wanted"
+            wanted = Message("refused.exactly_one", ways=", ".join(MOTION_WAYS))
             found.add("motion", " and ".join(given) if given else "none of them", wanted)
         found.check("period", *HARMONIC, "rao_phase", "rao_rotation", "rao_per")
         found.check("rao_reference", "rao_crest", "drift")
         if given in (["file"], ["rao_file"]):
             for key in (k for k in HARMONIC if getattr(self, k) != 0.0):
-                allowed = f"goes with period, not with {given[0]}; leave it out"
+                allowed = Message("refused.with_not_with", way="period", other=given[0])
                 found.add(key, repr(getattr(self, key)), allowed)

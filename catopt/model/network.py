@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from typing import Annotated, Literal
 
 from catopt.errors import Problem
-from catopt.model.kinds import Force, Height, Place, Text
+from catopt.model.kinds import Force, Height, Place, Size, Text
 from catopt.model.line import Line, weightless
 from catopt.model.site import Site
 from catopt.model.validity import Checked, Findings
@@ -33,13 +34,22 @@ class Point(Checked):
     """Above the seabed, m."""
     submerged_weight: Force = 0.0
     """Of a joint: clump weight, or buoy below 0, N."""
+    force: Annotated[tuple[Force, ...], Size(3, 3)] = (0.0, 0.0, 0.0)
+    """On a joint, of what pulls there beside the lines, along x, y and up, N."""
 
     def _check(self, found: Findings) -> None:
         if not self.name:
             found.add("name", "", "missing; lines name a point by it")
         found.check("kind")
         found.problems += point_misfits(vars(self))
-        found.check("x", "y", "height", "submerged_weight")
+        object.__setattr__(self, "force", tuple(self.force))
+        found.check("x", "y", "height", "submerged_weight", "force")
+
+    @property
+    def hung(self) -> Vector:
+        """What is on a joint beside its lines: the force, and the weight in water; N."""
+        along, across, up = self.force
+        return (along, across, up - self.submerged_weight)
 
     @property
     def place(self) -> Vector:
@@ -61,9 +71,12 @@ def point_misfits(given: dict[str, object]) -> list[Problem]:
             found.append(Problem(key, f"{value}", allowed))
         elif value is None and given.get("kind") in ("anchor", "fairlead"):
             found.append(Problem(key, "", f"missing; {given['kind']}s have x, y and height"))
+    allowed = "leave it out: only a joint feels it"
     if given.get("submerged_weight") and not is_joint:
-        allowed = "leave it out: only a joint feels it"
         found.append(Problem("submerged_weight", f"{given['submerged_weight']}", allowed))
+    force = given.get("force")
+    if isinstance(force, Iterable) and any(force) and not is_joint:
+        found.append(Problem("force", f"{given['force']}", allowed))
     return found
 
 
@@ -98,15 +111,16 @@ class Network(Checked):
                 found.add(key, "none", "at least one is wanted")
         names = [point.name for point in self.points]
         joints = [point.name for point in self.points if point.kind == "joint"]
+        pulled = {each.name for each in self.points if each.hung[2] > 0.0 or any(each.hung[:2])}
         ends = [(line.start, line.end) for line in self.lines]
-        found.problems += network_misfits(names, joints, ends)
+        found.problems += network_misfits(names, joints, ends, pulled)
         for k, each in enumerate(self.lines):
             segments = each.line.segments
             if not any(segment.submerged_weight for segment in segments):
                 found.add(f"lines[{k}].segments", *weightless("a line between points"))
             if {each.start, each.end} & set(joints):
                 allowed = "missing; lines that meet in joints have to stretch"
-                for i in (i for i, segment in enumerate(segments) if math.isinf(segment.EA)):
+                for i in (i for i, segment in enumerate(segments) if not segment.stretches):
                     found.add(f"lines[{k}].segments[{i}].EA", "", allowed)
         if self.site.seabed_slope != 0.0:
             slope = f"{math.degrees(self.site.seabed_slope):g} deg"
@@ -122,9 +136,15 @@ class Network(Checked):
 
 
 def network_misfits(
-    names: list[str], joints: list[str], ends: list[tuple[str, str]]
+    names: list[str],
+    joints: list[str],
+    ends: list[tuple[str, str]],
+    pulled: Collection[str] = (),
 ) -> list[Problem]:
-    """List ends that are no points, names given twice, joints that nothing holds."""
+    """List ends that are no points, names given twice, joints that nothing holds.
+
+    `pulled`: joints that a force or their buoyancy keeps from falling.
+    """
     found = [
         Problem(f"points[{k}].name", name, "another point has this name")
         for k, name in enumerate(names)
@@ -141,19 +161,24 @@ def network_misfits(
     return found or [
         Problem(f"points[{k}]", name, allowed)
         for k, name in enumerate(names)
-        if (allowed := _loose(name, joints, ends))
+        if (allowed := _loose(name, joints, ends, pulled))
     ]
 
 
-def _loose(name: str, joints: list[str], ends: list[tuple[str, str]]) -> str:
+def _loose(
+    name: str, joints: list[str], ends: list[tuple[str, str]], pulled: Collection[str]
+) -> str:
     """Say why nothing holds a point, or what it is for; empty where that is in order."""
     meeting = sum(name in pair for pair in ends)
     if not meeting:
         return "no line ends here; take it out"
     if name not in joints:
         return ""
-    if meeting == 1:
-        return "one line ends here and nothing else holds it; a joint has two lines or more"
+    if meeting == 1 and name not in pulled:
+        return (
+            "one line ends here and nothing else holds it; a joint has two lines or more, or a "
+            "float (submerged_weight below 0) or a force on it"
+        )
     reached = {name}
     while grown := {end for pair in ends if reached & set(pair) for end in pair} - reached:
         reached |= grown

@@ -140,6 +140,7 @@ class System(Checked):
         force: tuple[float, float] = (0.0, 0.0),
         moment: float = 0.0,
         yaw_free: bool | None = None,
+        judged_line_out: bool = True,
     ) -> System:
         """Put equal lines around a body.
 
@@ -155,7 +156,7 @@ class System(Checked):
             Above the seabed, m.
         fairlead_radius : float
             From the body's origin to the fairleads, each in the direction of its line, m.
-        seabed_friction, force, moment, yaw_free
+        seabed_friction, force, moment, yaw_free, judged_line_out
             As in System.
 
         Examples
@@ -179,7 +180,7 @@ class System(Checked):
             )
             for azimuth in azimuths
         ]
-        return cls(tuple(legs), force, moment, seabed_friction, yaw_free)
+        return cls(tuple(legs), force, moment, seabed_friction, yaw_free, judged_line_out)
 
     @property
     def has_arms(self) -> bool:

@@ -10,7 +10,8 @@ from typing import Self
 
 from catopt.errors import InputError, Problem
 from catopt.model.kinds import COUNTS, Annotation, Measured, OneOf, Whole, annotated, out_of_range
-from catopt.units import Dimension, to_si
+from catopt.units import Dimension, plain, to_si
+from catopt.words import Message
 
 
 def _unit(si_unit: str) -> str:
@@ -21,12 +22,6 @@ def _unit(si_unit: str) -> str:
 _DIMENSIONS = {_unit(each.si_unit): each for each in Dimension}
 _DIMENSIONS["N/m2"] = Dimension.PRESSURE
 """By their SI units, as messages write them."""
-
-
-def plain(value: object) -> object:
-    """Return a single number of numpy as the number that it is; anything else as it stands."""
-    is_number = type(value).__module__ == "numpy" and getattr(value, "shape", None) == ()
-    return value.item() if is_number else value  # type: ignore[attr-defined]
 
 
 class Findings:
@@ -74,9 +69,9 @@ class Findings:
         values = tuple(getattr(self._of, key))
         object.__setattr__(self._of, key, values)
         if len(values) not in {0, size}:
-            self.add(key, f"{len(values)} numbers", f"{size} are wanted")
-        for value in values:
-            self.number(key, value, unit)
+            found = Message("refused.numbers", count=len(values))
+            self.add(key, found, Message("refused.so_many", count=size))
+        self.each(key, unit)
 
     def number(
         self,
@@ -103,13 +98,14 @@ class Findings:
             value = plain(value)
             if hasattr(self._of, key):
                 object.__setattr__(self._of, key, value)
-        in_unit = f" in {unit}" if unit else ""
+        number = Message("refused.number_in" if unit else "refused.number", unit=unit)
+        finite = Message("refused.finite_in" if unit else "refused.finite_number", unit=unit)
         if isinstance(value, bool) or not isinstance(value, (int, float)) or value != value:
-            self.add(key, repr(value), f"a number{in_unit} is wanted")
+            self.add(key, repr(value), number)
         elif isinstance(value, int) and abs(value) > sys.float_info.max:
-            self.add(key, "a whole number beyond all floats", f"a number{in_unit} is wanted")
+            self.add(key, Message("refused.beyond_floats"), number)
         elif math.isinf(value) and not (infinite and value > 0.0):
-            self.add(key, repr(value), f"a finite number{in_unit} is wanted")
+            self.add(key, repr(value), finite)
         elif beyond := out_of_range(value, unit, above, at_least, at_most):
             self.add(key, repr(value), beyond)
 
@@ -122,7 +118,7 @@ class Findings:
 
     def taken(self, key: str, value: object, unit: str, **bounds: float | None) -> float:
         """Return a number, read where it is text with a unit; nan with its problem noted."""
-        read = self._read(key, value, unit) if isinstance(value, str) else value
+        read = self._read(key, value, unit) if isinstance(value, str) else plain(value)
         if read is not None:
             self.number(key, read, unit, **bounds, infinite=False)
         return read if isinstance(read, (int, float)) else math.nan
@@ -144,13 +140,17 @@ class Findings:
     def word(self, key: str, value: object, words: Sequence[str], *, quoted: bool = False) -> None:
         """Note a problem unless `value` is one of some words; quoted: shown as a file has it."""
         if value not in words:
-            self.add(key, f'"{value}"' if quoted else repr(value), "one of " + ", ".join(words))
+            self.add(
+                key,
+                f'"{value}"' if quoted else repr(value),
+                Message("refused.of_these", words=", ".join(words)),
+            )
 
     def count(self, key: str, value: object) -> None:
         """Note a problem unless `value` is within the bounds of the count that `key` is."""
         fewest, most = COUNTS[key]
         if isinstance(value, str):
-            self.add(key, repr(value), "a whole number is wanted")
+            self.add(key, repr(value), Message("refused.whole"))
         else:
             self.number(key, value, "", at_least=fewest, at_most=most)
 

@@ -11,6 +11,7 @@ from catopt.errors import Problem
 from catopt.model.kinds import Angle, File, Length, Measured, Place, Positive, Seed, Time, Whole
 from catopt.model.validity import Checked, Findings
 from catopt.units import Dimension
+from catopt.words import Message
 
 WaveSpectrum = Literal["jonswap", "pierson-moskowitz", "regular"]
 WAVE_SPECTRA: tuple[str, ...] = get_args(WaveSpectrum)
@@ -133,21 +134,21 @@ def wave_misfits(given: Mapping[str, Any]) -> list[Problem]:
     """
     ways = [key for key in WAVE_WAYS if key in given]
     if len(ways) != 1:
-        wanted = f"exactly one of {', '.join(WAVE_WAYS)} is wanted"
+        wanted = Message("refused.exactly_one", ways=", ".join(WAVE_WAYS))
         return [Problem("waves", " and ".join(ways) if ways else "none of them", wanted)]
     (way,) = ways
     problems = []
     for key, value in given.items():
         if key == way or key in _TAKES[way]:
             continue
-        allowed = f"does not go with {way}; leave it out"
+        allowed = Message("refused.not_with", way=way)
         if way == "trains" and key in _OF_A_TRAIN:
-            allowed = "stands in each of the trains; leave it out here"
+            allowed = Message("refused.in_each_train")
         problems.append(Problem(key, repr(value), allowed))
     if way != "spectrum":
         return problems
     problems += [
-        Problem(key, "", "missing; spectrum needs it")
+        Problem(key, "", Message("refused.missing_needs", what="spectrum"))
         for key in ("height", "period")
         if key not in given
     ]
@@ -159,7 +160,7 @@ def train_misfits(given: Mapping[str, Any]) -> list[Problem]:
     problems = []
     spectrum, count = given.get("spectrum"), given.get("components", COMPONENTS)
     if "peak_enhancement" in given and spectrum in WAVE_SPECTRA and spectrum != "jonswap":
-        allowed = f"goes with jonswap, not with {spectrum}; leave it out"
+        allowed: str = Message("refused.with_not_with", way="jonswap", other=spectrum)
         problems.append(Problem("peak_enhancement", repr(given["peak_enhancement"]), allowed))
     if "spreading_exponent" in given and spectrum == "regular":
         allowed = "a regular wave has one direction; leave it out"

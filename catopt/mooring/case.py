@@ -18,7 +18,9 @@ from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import of_line, solve_system
 from catopt.mooring.watch_circle import WatchCircle, watch_circle
 from catopt.mooring.water_level import AtLevel, at_levels
+from catopt.patience import paced
 from catopt.shown import Shown
+from catopt.words import Message
 
 CURVE_POINTS = 41
 
@@ -117,6 +119,7 @@ def report_system(
     size = math.hypot(*system.force)
     rest = solution.position
     held = [(rest.x, rest.y, 0.0, 0.0, 0.0, rest.yaw)] if with_stiffness else []
+    places = [*held, *displacements]
     return SystemReport(
         case,
         solution,
@@ -127,7 +130,7 @@ def report_system(
         levels=at_levels(system, levels),
         held=tuple(
             held_body(system, origin_height=case.site.water_depth, displacement=each)
-            for each in (*held, *displacements)
+            for each in paced(Message("words.held_places", total=len(places)), places)
         ),
     )
 

@@ -1,8 +1,8 @@
 """Lines that meet two by two in joints: each row of them is one line with point loads.
 
-A joint in which two lines end and nothing else hangs in one line: so the row is solved as that one
-line, and its joints lie where the line has them. What is left of a network has joints of three
-lines and more.
+A joint in which two lines end and which no force pulls hangs in one line: so the row is solved as
+that one line, and its joints lie where the line has them. What is left of a network has joints of
+three lines and more, or of one line.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ def rows_of(network: Network) -> tuple[Row, ...]:
     rows = [Row(line.start, line.end, ((k, False),)) for k, line in enumerate(network.lines)]
     for point in network.points:
         ending = [row for row in rows if point.name in (row.start, row.end)]
-        if point.kind != "joint" or len(ending) != 2:
+        if point.kind != "joint" or len(ending) != 2 or any(point.force):
             continue
         one, other = ending
         one = one if one.end == point.name else one.turned()
@@ -161,6 +161,6 @@ def _left(
             if point == k
         ]
         x, y, z = (math.fsum(each) for each in zip(*pulls, strict=True))
-        over_bed = z - network.points[k].submerged_weight
+        over_bed = z - network.points[k].submerged_weight  # joints of rows have no force
         left = max(left, math.hypot(x, y, over_bed + up[name]))
     return left

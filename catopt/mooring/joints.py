@@ -165,7 +165,8 @@ class _Search:
         laid = {}
         for k, point in enumerate(self.joints):
             up = 3 * k + 2
-            left[up] -= self.network.points[point].submerged_weight
+            for i, hung in enumerate(self.network.points[point].hung):
+                left[3 * k + i] += hung
             if at[point][2] <= 0.0 and left[up] <= 0.0:
                 laid[up] = -left[up]
                 left[up] = 0.0
@@ -291,7 +292,10 @@ def solve(matrix: Sequence[Sequence[float]], sides: Sequence[Sequence[float]]) -
 
 
 def _start(network: Network, runs: Sequence[Run], held: dict[int, Vector]) -> list[Vector]:
-    """Put joints where lines would hold them that are springs without a length of their own."""
+    """Put joints where lines would hold them that are springs without a length of their own.
+
+    What ends one line alone stands off by its length, the way it is pulled.
+    """
     joints = [k for k in range(len(network.points)) if k not in held]
     order = {point: k for k, point in enumerate(joints)}
     matrix = [[0.0] * len(joints) for _ in joints]
@@ -308,6 +312,13 @@ def _start(network: Network, runs: Sequence[Run], held: dict[int, Vector]) -> li
                     sides[row] = [
                         a + stiffness * b for a, b in zip(sides[row], held[q], strict=True)
                     ]
+    lone = [k for k in joints if sum(k in (run.first, run.second) for run in runs) == 1]
+    for point in lone:
+        hung = network.points[point].hung
+        pull = math.hypot(*hung)
+        sides[order[point]] = [
+            side + force / pull for side, force in zip(sides[order[point]], hung, strict=True)
+        ]
     found = solve(matrix, sides)
     return [held[k] if k in held else _place(found[order[k]]) for k in range(len(network.points))]
 

@@ -10,6 +10,7 @@ from catopt.mooring.response import Response, response_of
 from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import solution_at
 from catopt.mooring.zero_load import zero_load_position
+from catopt.patience import paced
 from catopt.words import Message
 
 __all__ = ["LineOut", "one_line_out"]
@@ -54,7 +55,8 @@ def one_line_out(system: System) -> tuple[LineOut, ...]:
     """
     zero = zero_load_position(system).neutral
     found = []
-    for missing in range(len(system.legs)):
+    count = len(system.legs)
+    for missing in paced(Message("words.lines_out", total=count), range(count)):
         if len(system.legs) == 1:
             found.append(LineOut(missing, None, Message("mooring.no_line_left")))
             continue

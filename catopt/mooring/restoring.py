@@ -11,6 +11,8 @@ from catopt.model.system import System
 from catopt.model.validity import Findings
 from catopt.mooring.response import Response, response_of
 from catopt.mooring.zero_load import zero_load_position
+from catopt.patience import paced
+from catopt.words import Message
 
 __all__ = ["RestoringCurve", "offset_curve", "restoring_curve"]
 
@@ -106,7 +108,7 @@ def _curve(
     start = zero_load.neutral
     cosine, sine = math.cos(direction), math.sin(direction)
     points = []
-    for value in values:
+    for value in paced(Message("words.offsets", total=len(values)), values):
         if is_held:
             rest, lines = zero_load.held(start.x + value * cosine, start.y + value * sine)
             x, y = rest.pull.x, rest.pull.y

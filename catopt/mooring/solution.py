@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from catopt.catenary.layout import end_of
 from catopt.catenary.solution import Solution
 from catopt.model.system import Leg, System
 from catopt.shown import Shown
 from catopt.ties import first_largest
+
+if TYPE_CHECKING:
+    from catopt.mooring.watch_circle import WatchCircle
 
 __all__ = ["LegState", "Position", "SystemResidual", "SystemSolution"]
 
@@ -153,6 +156,21 @@ class SystemSolution(Shown):
     def offset(self) -> tuple[float, float]:
         """Way of the body's origin from the zero-load position, m."""
         return self.position.x - self.neutral.x, self.position.y - self.neutral.y
+
+    def watch_circle(self, *, force: float, directions: int = 120) -> WatchCircle:
+        """Let a force (N) go round the body, from so many directions, instead of the load.
+
+        Examples
+        --------
+        >>> from catopt import read_case, solve_system
+        >>> body = solve_system(read_case("cases/fso-rang-dong/case.toml").system)
+        >>> circle = body.watch_circle(force=4281e3, directions=12)
+        >>> len(circle.responses)
+        12
+        """
+        from catopt.mooring.watch_circle import watch_circle
+
+        return watch_circle(self.system, force=force, directions=directions)
 
     @property
     def stiffness(self) -> tuple[tuple[float, float], ...]:

@@ -9,7 +9,9 @@ from catopt.model.system import System
 from catopt.model.validity import Findings
 from catopt.mooring.response import Response, response_of
 from catopt.mooring.zero_load import zero_load_position
+from catopt.patience import paced
 from catopt.ties import first_largest
+from catopt.words import Message
 
 __all__ = ["WatchCircle", "watch_circle"]
 
@@ -67,7 +69,7 @@ def watch_circle(system: System, *, force: float, directions: int = 120) -> Watc
     zero_load = zero_load_position(system)
     angles = tuple(2.0 * math.pi * k / directions for k in range(directions))
     responses = []
-    for angle in angles:
+    for angle in paced(Message("words.directions", total=directions), angles):
         rest, lines = zero_load.under((force * math.cos(angle), force * math.sin(angle)))
         responses.append(response_of(zero_load, rest, lines))
     neutral = (zero_load.neutral.x, zero_load.neutral.y)

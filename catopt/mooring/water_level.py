@@ -9,6 +9,8 @@ from catopt.model.system import System
 from catopt.model.validity import Findings
 from catopt.mooring.response import Response, response_of
 from catopt.mooring.zero_load import zero_load_position
+from catopt.patience import paced
+from catopt.words import Message
 
 __all__ = ["AtLevel", "at_levels"]
 
@@ -50,7 +52,7 @@ def at_levels(system: System, levels: Sequence[float]) -> tuple[AtLevel, ...]:
         found.number(f"levels[{index}]", float(level), "m", at_least=-lowest)
     found.raise_if_any()
     answers = []
-    for level in levels:
+    for level in paced(Message("words.levels", total=len(levels)), levels):
         zero_load = zero_load_position(system.raised(float(level)))
         rest, lines = zero_load.under(system.force, system.moment)
         stiffness = ((rest.pull.xx, rest.pull.xy), (rest.pull.xy, rest.pull.yy))

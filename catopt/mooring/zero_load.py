@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from time import perf_counter
 
 from catopt.catenary.state import CONVERGED
 from catopt.errors import NoEquilibriumError
@@ -24,10 +25,14 @@ from catopt.mooring.descent import (
 from catopt.mooring.heading import SAME_YAW, next_heading
 from catopt.mooring.refusal import refusal, turns_over
 from catopt.mooring.static_equilibrium import static_equilibrium
+from catopt.patience import expect
 from catopt.words import Message
 
 SHORT_OF_TAUT = 0.999
 """Part of its length over which a line that does not stretch may reach at the start."""
+
+PULLS_OF_A_TURN = 300
+"""How often the lines are solved as a body goes round, roughly: 36 strides, some steps in each."""
 
 NOTHING = BodyLoad(0.0, 0.0, 0.0)
 
@@ -66,6 +71,11 @@ class ZeroLoadPosition:
             return ()
         load = BodyLoad(float(force[0]), float(force[1]), float(moment))
         problem = BodyProblem(load, self.freedom, self.arrangement, copied(lines))
+        total = len(self.system.legs)
+        began = perf_counter()
+        pull_at(rest.x, rest.y, rest.yaw, self.arrangement, problem.lines, True)
+        seconds = PULLS_OF_A_TURN * (perf_counter() - began)
+        expect(Message("words.other_headings", total=total), seconds)
         found: list[Rest] = []
         at, end = rest, rest.yaw + 2.0 * math.pi - SAME_YAW
         while True:
@@ -121,7 +131,7 @@ def _reachable(system: System) -> tuple[float, float]:
     """
     discs = []
     for index, leg in enumerate(system.legs):
-        if all(math.isinf(segment.EA) for segment in leg.line.segments):
+        if all(not segment.stretches for segment in leg.line.segments):
             rise = leg.fairlead_height - leg.anchor_height
             left = leg.line.length**2 - rise**2
             if left <= 0.0:

@@ -76,7 +76,7 @@ def size_note(sizing: Sizing, given: Given, asked: Asked | None = None) -> SizeN
     """
     asked = asked or Asked()
     # The case of the recommended line, as ``catopt size --save`` writes it.
-    text = write_case(sizing.case)
+    text = write_case(sizing.line_case)
     file = SourceFile(DESIGN_CASE, text, hashlib.sha256(text.encode()).hexdigest())
     chosen = Chosen(_front(sizing), sizing.settled.index + 1)
     line = note_of(sizing.case, (file,), asked, chosen)

@@ -107,6 +107,21 @@ def fragment(answer: Answer, language: Language = "en") -> str:
     return template("catopt.render", "sections.html").render(sections=shown, hover=hover)
 
 
+def card(answer: Answer, language: Language = "en") -> str:
+    """Render the card of an answer, to be put into another page."""
+    wanted = as_wanted(answer, language)
+    blocks = [(type(each).__name__.lower(), each) for each in wanted.card]
+    values = {
+        f"{fact.name}": shown(fact.value, fact.quantity, unit=True)
+        for _, each in blocks
+        if isinstance(each, Facts)
+        for fact in each.facts
+    }
+    return template("catopt.render", "card.html").render(
+        title=wanted.title, blocks=blocks, facts=values, said=lambda text: say(text, language)
+    )
+
+
 def _sections(answer: Answer, language: Language) -> list[Section]:
     """Lay the sections out; `answer` has its words in the language, but for headings of a page."""
     laid = []

@@ -172,7 +172,7 @@ def size_files(
     """
     from catopt.casefile import write_case
 
-    files = {DESIGN_CASE: write_case(of.case).encode(), **_pictures({"line": _of_sizing(of)})}
+    files = {DESIGN_CASE: write_case(of.line_case).encode(), **_pictures({"line": _of_sizing(of)})}
     if given is not None:
         files["note.html"] = _size_page(of, given, language)
     if of.pattern is not None:

@@ -12,6 +12,7 @@ from catopt.errors import InputError, Problem
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.environment import WaterLevels
 from catopt.model import Buoy, Design, LoadCase
+from catopt.sizing.afloat import buoy_afloat
 from catopt.sizing.answer import case_of, loads_on, new_and_worn, sizing_of, worn_name
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.line_choice import sold
@@ -35,7 +36,7 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
     aim = request.scope * env.levels.deepest(env.sea)
     request = replace(request, line=replace(request.line, aim=aim))
     request, settled = _within_scope(request)
-    return sizing_of(
+    found = sizing_of(
         "buoy",
         request,
         settled,
@@ -45,7 +46,10 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
         of_line=lambda line: _settled(replace(request, line=line)),
         swing=_swing,
         assumptions=tuple(_assumptions(request, settled.assumed)),
+        afloat=buoy_afloat(settled.case, request),
     )
+    shape = request.buoy if isinstance(request.buoy, BuoyShape) else None
+    return replace(found, shape=shape)
 
 
 def _within_scope(request: BuoyRequest) -> tuple[BuoyRequest, Settled]:

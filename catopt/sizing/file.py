@@ -26,6 +26,7 @@ from catopt.sizing.requests import request_of, size
 from catopt.sizing.result import Sizing
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.sizing.telling import Spelling, as_keyword
+from catopt.words import Message
 
 _NOTHING: Final[Mapping[str, object]] = MappingProxyType({})
 
@@ -211,6 +212,6 @@ def _of_another_kind(document: dict[str, Any], moored: Moored) -> Finding | None
     key = case_key(document)
     if key:
         found = f"[{key[0]}]" if len(key) == 1 else "the segments of a line"
-        allowed = "this is a case file, for catopt solve, check and design: its line is known"
+        allowed = Message("refused.is_case_file")
         return Finding(key, found, allowed)
     return None

@@ -42,7 +42,7 @@ class Input:
     also: tuple[str, ...] = ()  # what a user may call it in a file, who then reads the key
     not_with: tuple[str, ...] = ()  # inputs that stand in its place, or have it in them
     only_with: str = ""  # input without which it would not be evaluated
-    why: str = ""  # end of the message to one who gives it beside those; empty: the model says it
+    why: str = ""  # text for one who gives it beside those; empty: the model says it
     taken: str = ""  # key of the text that says that the default was taken
     left_out: str = ""  # key of the text that says what is taken, where that is no fixed value
     bare: str = ""  # unit of a bare number; that of SI when empty
@@ -69,7 +69,7 @@ _BUOY: Final[tuple[Moored, ...]] = ("buoy",)
 _TANKER: Final[tuple[Moored, ...]] = ("tanker",)
 _GIVEN: Final = ("force", "reserve_buoyancy")
 _FREE: Final = (("required", False), ("asked", False), ("not_with", ()))
-_IN_IT: Final = ", which has it all in it"
+_IN_IT: Final = "or_all_in_it"
 
 INPUTS: Final = (
     Input("title", "title", "TEXT", "Pillar buoy in 12 m", left_out="left_out.title"),
@@ -128,7 +128,7 @@ INPUTS: Final = (
     ),
     Input(
         "coefficients", "ship.coefficients", "FILE", "coefficients.toml", of=_TANKER,
-        not_with=("load_method",), why=", in whose place it stands",
+        not_with=("load_method",), why="or_in_its_place",
         left_out="left_out.coefficients",
     ),
     Input(
@@ -146,7 +146,7 @@ INPUTS: Final = (
     ),
     Input(
         "keel_depth", "buoy.keel_depth", "LENGTH", "1.2 m", "0 m", of=_BUOY, at_least=0.0,
-        also=("draught",), not_with=("buoy",), why=": it follows from the shape of the named buoy",
+        also=("draught",), not_with=("buoy",), why="or_by_shape",
     ),
     Input(
         "hawser", "buoy.hawser_length", "LENGTH", "60 m", "50 m", of=_TANKER, at_least=0.0,

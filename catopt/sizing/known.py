@@ -92,9 +92,11 @@ class Known:
             known_by = inputs[name].estimated_from
             if name in self.given or name in self.values or known_by in self.given:
                 continue  # what it is estimated from may be wrong, which is told there
-            allowed = f"missing; it is wanted, such as {as_written(inputs[name].example)}"
+            example = as_written(inputs[name].example)
+            allowed = Message("refused.missing_input", example=example)
             if known_by:
-                allowed += f", or {self.telling.spell(known_by)}, from which it is estimated"
+                other = self.telling.spell(known_by)
+                allowed = Message("refused.or_estimated", wanted=allowed, other=other)
             self.telling.add(name, "", allowed)
 
     @property
@@ -197,14 +199,17 @@ def _read(telling: Telling, each: Input, value: object) -> Any:
 def _refuse(telling: Telling, moored: Moored, name: str, value: object) -> None:
     """Keep that something is given which nothing is made of."""
     if name in inputs_of(moored):
-        allowed = f'leave it out, or give {telling.spell("anchor")} "{SINKER}": it is of a sinker'
+        anchor = f'{telling.spell("anchor")} "{SINKER}"'
+        allowed = Message("refused.of_a_sinker", anchor=anchor)
         telling.add(name, as_written(value), allowed)
         return
     inputs = inputs_of(moored).values()
     aliases = {alias: each.name for each in inputs for alias in (*each.also, each.path[-1])}
     meant = aliases.get(name) or nearest(name, tuple(inputs_of(moored)))
-    hint = f"did you mean {meant}?" if meant else f"allowed here: {', '.join(inputs_of(moored))}"
-    telling.add(name, "an unknown keyword", hint)
+    hint = Message("refused.allowed_here", keys=", ".join(inputs_of(moored)))
+    if meant:
+        hint = Message("refused.did_you_mean", near=meant)
+    telling.add(name, Message("refused.unknown_keyword"), hint)
     if meant:
         telling.no_more_of(meant)
 
@@ -218,11 +223,11 @@ def _contradictions(
         if each is None:
             continue
         if each.only_with and each.only_with not in given:
-            allowed = f"leave it out, or give {telling.spell(each.only_with)} with it"
+            allowed = Message("refused.or_give_with", other=telling.spell(each.only_with))
             telling.add(name, as_written(value), allowed)
         for other in each.not_with if each.why else ():
             if other in given and not is_needless(inputs[other], given):
-                allowed = f"leave it out, or {telling.spell(other)}{each.why}"
+                allowed = Message(f"refused.{each.why}", other=telling.spell(other))
                 telling.add(name, as_written(value), allowed)
 
 

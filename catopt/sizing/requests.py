@@ -179,15 +179,13 @@ def _body(of: Known) -> BuoyShape | GivenBuoy | None:
     by_force = [name for name in pair if name in of.given or telling.is_told(name)]
     if "buoy" in of.given and by_force:
         instead = " and ".join(map(telling.spell, by_force))
-        telling.add("buoy", f'"{of["buoy"]}"', f"leave it out, or {instead}")
+        telling.add("buoy", f'"{of["buoy"]}"', Message("refused.leave_out_or", other=instead))
         return None
     if "buoy" in of.given:
         return shape_of(of)
     if not by_force:
-        allowed = (
-            'missing; the name of a buoy is wanted, such as "pillar 1.8 m", or '
-            f"{telling.spell('force')} and {telling.spell('reserve_buoyancy')} of one of your own"
-        )
+        keys = {name: telling.spell(name) for name in pair}
+        allowed = Message("refused.buoy_wanted", **keys)
         telling.add("buoy", "", allowed)
         return None
     of.want(*pair)

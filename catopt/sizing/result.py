@@ -10,6 +10,7 @@ from catopt.catalogue.choice import chosen
 from catopt.catalogue.in_words import chain_words
 from catopt.catenary.solution import Solution
 from catopt.design.result import DesignPoint
+from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.sinker import SinkerSize
 from catopt.loads.source import CALMAR
@@ -68,6 +69,8 @@ class Sizing(Shown):
     chain_life: float | None = None  # until wear has it changed, s: `advice` says why
     fittings: tuple[str, ...] = ()  # shackles, swivels and the like that go with the line
     advice: tuple[str, ...] = ()  # what a code asks for beyond the checks
+    afloat: Case | None = None  # the case with buoy and sea, to be run in motion; None without
+    shape: BuoyShape | None = None  # of the buoy that is moored, where it is known
 
     @property
     def case(self) -> Case:
@@ -76,8 +79,13 @@ class Sizing(Shown):
 
     @property
     def whole_case(self) -> Case:
-        """The case to keep: of several lines that of the whole pattern, else `case`."""
-        return self.case if self.pattern is None else system_case(self.case, self.pattern)
+        """The case to keep: of several lines that of the whole pattern, else of the one line."""
+        return self.line_case if self.pattern is None else system_case(self.case, self.pattern)
+
+    @property
+    def line_case(self) -> Case:
+        """The case of the one line to keep: with buoy and sea, where they are known."""
+        return self.afloat or self.case
 
     @property
     def point(self) -> DesignPoint:

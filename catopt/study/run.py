@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
+from catopt.patience import paced
 from catopt.study.base import Base
 from catopt.study.file import read_study
 from catopt.study.member import OfSizing, compute_member, reason_of
@@ -25,6 +26,7 @@ from catopt.study.statics import at_rest
 from catopt.study.store import Computed, Store
 from catopt.study.study import Piece, Study
 from catopt.verify.side_by_side import begin_process, no_script
+from catopt.words import Message
 
 Progress = Callable[[int, int], None]
 
@@ -110,7 +112,8 @@ def run_into(
     left = (study.piece(k) for k in range(study.pieces) if k not in done)
     reached = sum(study.piece_start(k + 1) - study.piece_start(k) for k in done)
     found_ones = map(task, left) if executor is None else _at_once(task, left, executor, at_once)
-    for found in found_ones:
+    what = Message("words.members", total=len(study))
+    for found in paced(what, found_ones, study.pieces - len(done)):
         store.put(found)
         reached += len(found.numbers)
         if progress is not None:

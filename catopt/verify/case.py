@@ -10,11 +10,13 @@ from catopt.catenary.case import as_found, solve_case
 from catopt.catenary.warnings import check_buoys, named_line
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.model import Case
+from catopt.patience import paced
 from catopt.units import as_written
 from catopt.verify.line import verify_line
 from catopt.verify.result import VERDICTS, StaticComparison, Verification, least_agreeing
 from catopt.verify.settings import ELEMENTS, TOLERANCE, check_settings
 from catopt.verify.system import verify_system
+from catopt.words import Message
 
 LOAD = "load"
 """Name of the load case of a case that has only its ``[load]``."""
@@ -77,7 +79,8 @@ def verify_case(
     case.site.check_level()
     states = load_states(case, load_case)
     parts = []
-    for done, (name, state) in enumerate(states):
+    steps = paced(Message("words.load_cases", total=len(states)), states)
+    for done, (name, state) in enumerate(steps):
         if progress is not None:
             progress(done, len(states))
         parts.append(_verified(name, state, elements, tolerance))
@@ -220,7 +223,8 @@ def verify_front(
 ) -> FrontVerification:
     """Verify designs one after the other; one that fails does not stop the others."""
     found = []
-    for done, design in enumerate(designs):
+    steps = paced(Message("words.designs", total=len(designs)), designs)
+    for done, design in enumerate(steps):
         if progress is not None:
             progress(done, len(designs))
         found.append(_of_design(design, elements, tolerance))

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-import math
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
 from catopt.checks.fatigue import count_cycles
 from catopt.errors import InputError, NotConvergedError, Problem
 from catopt.fem.history import STOPPED
+from catopt.floater.alone import HullHistory
 from catopt.interrupt import waiting_interrupt
 from catopt.model import Case
 from catopt.verify.case import load_states
@@ -30,6 +30,8 @@ from catopt.waves import Sea
 from catopt.words import Message, is_said
 
 Progress = Callable[[int, int], None]
+Known = Mapping[int, list[Again]]
+T = TypeVar("T")
 
 _MILLI = 1000
 """Progress is told in thousandths of a second."""
@@ -111,10 +113,17 @@ def verify_dynamic(
     with waiting_interrupt() as ask:
         for done, ((name, _), drive) in enumerate(zip(states, drives, strict=True)):
             tell = _telling(share_of(progress, done, len(states)), ask)
-            run = partial(_judged, case, partial(_parts, name, proof, workers, announce))
+
+            def run(
+                drive: Drive, tell: Progress, known: Known | None = None, name: str = name
+            ) -> list[DynamicPart]:
+                found = _parts(name, proof, workers, announce, known or {}, drive, tell)
+                return with_verdicts(case, found) if found else found
+
             found = run(drive, tell)
             if not counts_cycles and any(map(_wants_more_bars, found)):
                 found = _with_twice_the_bars(found, drive, run, tell)
+            found = _with_dampings(found, workers, share_of(tell, 7, 9, part=2))
             parts += found
             is_whole = bool(found) and all(
                 part.is_complete and len(part.runs) == drive.dynamics.runs for part in found
@@ -141,14 +150,23 @@ def _wants_more_bars(part: DynamicPart) -> bool:
 def _with_twice_the_bars(
     found: list[DynamicPart],
     drive: Drive,
-    run: Callable[[Drive, Progress], list[DynamicPart]],
+    run: Callable[[Drive, Progress, Known], list[DynamicPart]],
     progress: Progress,
 ) -> list[DynamicPart]:
-    """Run a load case anew with twice the bars; keep what there is where that gives no answer."""
+    """Run a load case anew with twice the bars; keep what there is where that gives no answer.
+
+    What was run with twice the bars at half the step is then the run again at half the step.
+    """
     bars = 2 * drive.dynamics.bars
     case = replace(drive.case, dynamics=replace(drive.dynamics, elements=bars))
+    of_seeds = zip(*(part.runs for part in found), strict=True)
+    known = {
+        runs[0].number: [replace(run.again[-1], way="step") for run in runs]
+        for runs in of_seeds
+        if runs[0].again and runs[0].again[-1].way == "bars"
+    }
     try:
-        finer = run(replace(drive, case=case), share_of(progress, 1, 3, part=2))
+        finer = run(replace(drive, case=case), share_of(progress, 1, 3, part=2), known)
     except NotConvergedError:
         return found
     if not finer or not all(part.is_complete for part in finer):
@@ -157,15 +175,41 @@ def _with_twice_the_bars(
     return [replace(part, remarks=(said, *part.remarks)) for part in finer]
 
 
-def _judged(
-    case: Case,
-    run: Callable[[Drive, Progress], list[DynamicPart]],
-    drive: Drive,
-    progress: Progress,
+def _with_dampings(
+    found: list[DynamicPart], workers: int | None, progress: Progress
 ) -> list[DynamicPart]:
-    """Run a load case, and say which checks hang on how it is run."""
-    found = run(drive, progress)
-    return with_verdicts(case, found) if found else found
+    """Run what was run with twice the bars with other dampings, too: last, for it judges nothing.
+
+    Stopped, what there is: a part is whole without.
+    """
+    if not found or not all(part.is_complete for part in found):
+        return found
+    drive = found[0].drive
+    proven = [run.number for run in found[0].runs if any(e.way == "bars" for e in run.again)]
+    is_damped = drive.dynamics.critical_ratio > 0.0 or drive.dynamics.damping_time > 0.0
+    tasks = [(number, factor) for number in proven for factor in DAMPINGS if is_damped]
+    if not tasks:
+        return found
+    lines = lines_at_rest(drive)
+    side = min(_side_of(effort_of(lines, "none").work * len(DAMPINGS), workers), len(tasks))
+    damped = _each(partial(_damped, lines, tasks), len(tasks), side, progress)
+    return [
+        replace(part, runs=tuple(_and_damped(run, k, tasks, damped) for run in part.runs))
+        for k, part in enumerate(found)
+    ]
+
+
+def _and_damped(
+    run: DynamicRun, line: int, tasks: Sequence[tuple[int, float]], damped: Sequence[list[Damped]]
+) -> DynamicRun:
+    """Put the runs of a line with other dampings beside its own of the same seed."""
+    own = (each[line] for (number, _), each in zip(tasks, damped, strict=False))
+    return replace(
+        run,
+        damped=tuple(
+            one for (number, _), one in zip(tasks, own, strict=False) if number == run.number
+        ),
+    )
 
 
 class _Seed(NamedTuple):
@@ -181,19 +225,23 @@ def _parts(
     proof: Proof,
     workers: int | None,
     announce: Callable[[str], None],
+    known: Known,
     drive: Drive,
     progress: Progress,
 ) -> list[DynamicPart]:
-    """Run one load case, a part a line; none when it was stopped before anything was there."""
+    """Run one load case, a part a line; none when it was stopped before anything was there.
+
+    `known`: runs again that are there already, by the number of their seed.
+    """
     total, lines = drive.dynamics.runs, lines_at_rest(drive)
-    task = partial(_seed, lines, proof)
     effort = effort_of(lines, proof)
     effort.check(drive.dynamics.duration)
     if effort.seconds > LONG:
         announce(f"{name}: {effort}" if name else str(effort))
-    # More processes than one save nothing where there is little to do.
-    worth = 1 if effort.work < _WORTH else os.cpu_count() or 1
-    side = min(worth if workers is None else workers, total)
+    most = _side_of(effort.work, workers)
+    side = min(most, total)
+    # A single seed leaves the processes to its runs again.
+    task = partial(_seed, lines, proof, known, most if total == 1 else 1)
     seeds = _in_turn(task, total, progress) if side == 1 else _at_once(task, total, side, progress)
     if not seeds:
         return []
@@ -219,6 +267,22 @@ def _parts(
     ]
 
 
+def _side_of(work: float, workers: int | None) -> int:
+    """Say how many processes at most; more than one save nothing where there is little to do."""
+    worth = 1 if work < _WORTH else os.cpu_count() or 1
+    return worth if workers is None else workers
+
+
+def _each(task: Callable[[int, Progress], T], count: int, side: int, progress: Progress) -> list[T]:
+    """Do a task for each number, in turn or side by side; stopped, what is whole."""
+    if side > 1:
+        return side_by_side(task, count, side, progress)
+    done: list[T] = []
+    with suppress(KeyboardInterrupt):
+        done.extend(task(number, share_of(progress, number, count)) for number in range(count))
+    return done
+
+
 def _in_turn(
     task: Callable[[int, Progress], _Seed | None], total: int, progress: Progress
 ) -> list[_Seed]:
@@ -241,9 +305,11 @@ def _at_once(
     return [each for each in seeds if each.is_whole] or seeds[:1]
 
 
-def _seed(lines: LinesAtRest, proof: Proof, number: int, progress: Progress) -> _Seed | None:
+def _seed(
+    lines: LinesAtRest, proof: Proof, known: Known, side: int, number: int, progress: Progress
+) -> _Seed | None:
     """Run one seed and prove it; stopped, what there is of it, or None."""
-    total = 1 + work_of_proof(proof)
+    total = 2 + work_of_proof(proof)  # the last part is its end
     try:
         runs, said = _run(lines, number, share_of(progress, 0, total))
     except KeyboardInterrupt:
@@ -251,26 +317,14 @@ def _seed(lines: LinesAtRest, proof: Proof, number: int, progress: Progress) -> 
     history = runs[0].history
     if not history.is_complete:  # stopped in its ramp, nothing of it counts
         return _Seed(runs, said, is_whole=False) if history.counts else None
-    ways = _ways(proof, runs)
+    ways, there = _ways(proof, runs), [known[number]] if number in known else []
+    left = ways[len(there) :]
+    task, rest = partial(_again, lines, number, left), share_of(progress, 1, total, total - 2)
+    made = [*there, *_each(task, len(left), min(side, len(left)), rest)]
+    runs = [replace(run, again=tuple(each[k] for each in made)) for k, run in enumerate(runs)]
     with suppress(KeyboardInterrupt):  # what there is of the proof is kept
-        done = 1
-        for way in ways:
-            part = math.prod(FINER[way])
-            again = _again(lines, number, way, share_of(progress, done, total, part))
-            done += part
-            runs = [
-                replace(run, again=(*run.again, one)) for run, one in zip(runs, again, strict=True)
-            ]
-        if "bars" in ways:
-            for factor in DAMPINGS:
-                damped = _damped(lines, number, factor, share_of(progress, done, total))
-                done += 1
-                runs = [
-                    replace(run, damped=(*run.damped, *one))
-                    for run, one in zip(runs, damped, strict=True)
-                ]
         progress(1, 1)
-    return _Seed(runs, said, is_whole=len(runs[0].again) == len(ways))
+    return _Seed(runs, said, is_whole=len(made) == len(ways))
 
 
 def _ways(proof: Proof, runs: Sequence[DynamicRun]) -> list[Way]:
@@ -281,8 +335,11 @@ def _ways(proof: Proof, runs: Sequence[DynamicRun]) -> list[Way]:
     return ["step", "bars"] if proof == "bars" or is_slack else ["step"]
 
 
-def _again(lines: LinesAtRest, number: int, way: Way, progress: Progress) -> list[Again]:
-    """Run once more at half the step, or so with twice the bars, in the same sea."""
+def _again(
+    lines: LinesAtRest, number: int, ways: Sequence[Way], at: int, progress: Progress
+) -> list[Again]:
+    """Run once more in one of the ways, in the same sea."""
+    way = ways[at]
     finer, more = FINER[way]
     elements = more * lines.drive.dynamics.bars
     sea = lines.drive.sea(number)
@@ -300,22 +357,24 @@ def _again(lines: LinesAtRest, number: int, way: Way, progress: Progress) -> lis
 
 
 def _damped(
-    lines: LinesAtRest, number: int, factor: float, progress: Progress
-) -> list[tuple[Damped, ...]]:
-    """Run once more with another damping of the lines; nothing where they have none."""
-    case, dynamics = lines.drive.case, lines.drive.dynamics
-    ratio, time = dynamics.critical_ratio, dynamics.damping_time
-    if ratio == time == 0.0:
-        return [()] * len(lines.legs)
-    changed = replace(dynamics, line_damping=factor * ratio, damping_time=factor * time)
-    drive = replace(lines.drive, case=replace(case, dynamics=changed), counts_cycles=False)
+    lines: LinesAtRest, tasks: Sequence[tuple[int, float]], at: int, progress: Progress
+) -> list[Damped]:
+    """Run a seed once more with another damping of the lines."""
+    (number, factor), dynamics = tasks[at], lines.drive.dynamics
+    changed = replace(
+        dynamics,
+        line_damping=factor * dynamics.critical_ratio,
+        damping_time=factor * dynamics.damping_time,
+    )
+    case = replace(lines.drive.case, dynamics=changed)
+    drive = replace(lines.drive, case=case, counts_cycles=False)
     try:
         runs, _ = _run(replace(lines, drive=drive), number, progress, elements=dynamics.bars)
     except NotConvergedError:
-        return [(Damped(factor, {}),)] * len(lines.legs)
+        return [Damped(factor, {})] * len(lines.legs)
     if not runs[0].history.is_complete:
         raise KeyboardInterrupt
-    return [(Damped(factor, run.maxima),) for run in runs]
+    return [Damped(factor, run.maxima) for run in runs]
 
 
 def _without_samples(run: DynamicRun) -> DynamicRun:
@@ -365,7 +424,11 @@ def _run(
             still = quasi_static(leg, of_line, drive.case.site.seabed_friction)
         if drive.dynamics.broken_line == k + 1:
             still[of_line.time >= (drive.dynamics.broken_at or 0.0)] = np.nan
-        run = DynamicRun(of_line, still, number, track=track)
+        run = DynamicRun(of_line, still, number)
+        if isinstance(track, HullHistory):
+            run = replace(run, hull=track)
+        else:
+            run = replace(run, track=track)
         if stepping.tensions:
             run = _counted(run, sea)
         runs.append(run)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import get_args
+from typing import Final, get_args
 
 import numpy as np
 
@@ -21,12 +21,16 @@ from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, Series, Together, series_rows, series_values
 from catopt.fem.simulation import Simulation
 from catopt.fem.solve import Leg
+from catopt.floater.alone import HullHistory
+from catopt.floater.buoy import buoy_hull, floating_buoy
+from catopt.floater.moored import run_moored
+from catopt.hydro.build import FloatingHull
 from catopt.model import Load
 from catopt.model.dynamics import InitialFriction
 from catopt.mooring.solve import solve_system
 from catopt.verify.dynamic_setup import Drive
 from catopt.verify.system import truss_legs
-from catopt.waves import Sea, Waves
+from catopt.waves import Sea, Waves, wavelength
 from catopt.words import Message
 
 Progress = Callable[[float], None]
@@ -302,7 +306,100 @@ def _turned(x: float, y: float, angle: float) -> tuple[float, float]:
     return cosine * x - sine * y, sine * x + cosine * y
 
 
-LinesAtRest = OneLine | LinesOfABody
+_ALONG: Final = 1e-9
+"""Sine of an angle, or speed across, m/s, up to which a direction is along the line."""
+_SMALL: Final = 0.2
+"""Part of the wave length above which a hull is not small beside it."""
+
+
+@dataclass(frozen=True)
+class LineOfAFloater:
+    """A line with a buoy that floats at its upper end; both are one system.
+
+    `drive`: what drives them; `hull`: the buoy.
+    """
+
+    drive: Drive
+    hull: FloatingHull
+
+    @classmethod
+    def at_rest(cls, drive: Drive) -> LineOfAFloater:
+        """Make the buoy; hull and line find their rest in the current of each run."""
+        case, of = drive.case, drive.case.floater
+        assert of is not None
+        _check_in_plane(drive)
+        heavy = sum(each.submerged_weight * each.length for each in case.line.segments)
+        pull = heavy / case.line.length * min(case.site.water_depth, case.line.length)
+        site = case.site
+        return cls(drive, buoy_hull(of, site.water_depth, site.water_density, pull))
+
+    @property
+    def legs(self) -> Sequence[Leg]:
+        """The line, from its anchor at x = y = 0."""
+        case = self.drive.case
+        return (Leg(case.line, (0.0, 0.0, case.anchor_height)),)
+
+    def driven_by(self, sea: Sea) -> list[Series]:  # noqa: ARG002 - as of the others
+        """Nothing leads it."""
+        return []
+
+    def run(
+        self, sea: Sea, stepping: TimeStepping, elements: int, progress: Progress
+    ) -> tuple[History, HullHistory]:
+        """Run both."""
+        case = self.drive.case
+        return run_moored(
+            self.hull,
+            mesh_line(case.line, elements),
+            stepping,
+            sea=sea,
+            properties=self.drive.properties,
+            anchor_height=case.anchor_height,
+            progress=progress,
+        )
+
+    def anchor_at_rest(self) -> Mapping[InitialFriction, float]:
+        """Return nothing: the past of the line is that of its case."""
+        return {}
+
+    def remarks(self) -> Iterator[str]:
+        """Yield what is assumed of the buoy, and where the method ends."""
+        case, of = self.drive.case, self.drive.case.floater
+        assert of is not None
+        hull, shape = self.hull, floating_buoy(of)
+        yield Message("floater.moves", buoy=shape.name, draught=hull.draught)
+        if of.centre_of_gravity is None or of.pitch_radius is None:
+            radius = math.sqrt(hull.inertia / hull.mass)
+            yield Message("floater.assumed_mass", centre=hull.centre, radius=radius)
+        if of.pitch_damping is None:
+            yield Message("floater.pitch_damping")
+        yield Message("floater.heave_drag", drag=of.heave_drag)
+        for train in case.waves.all_trains if case.waves is not None else ():
+            length = wavelength(train.period, case.site.water_depth)
+            if shape.widest > _SMALL * length:
+                yield Message("floater.wide", width=shape.widest, length=length)
+        yield Message("floater.linear_radiation")
+
+
+def _check_in_plane(drive: Drive) -> None:
+    """Refuse waves and currents that do not go along the line, in whose plane a buoy moves."""
+    sea, problems = drive.sea(0), []
+    allowed = "along the line or against it, 0 or 180 deg: [floater] moves in the line's plane"
+    if sea.waves is not None:
+        across = np.abs(np.sin(sea.waves.direction)).max()
+        if across > _ALONG:
+            found = f"up to {math.degrees(math.asin(min(across, 1.0))):.3g} deg off"
+            problems.append(Problem("waves.direction", found, allowed))
+    flow = sea.flow
+    sideways = np.abs(np.concatenate([flow.current[:, 2], flow.power_currents[:, 1]]))
+    turned = np.abs(flow.current_series[:, 2]).max()
+    if max(float(sideways.max(initial=0.0)), float(turned)) > _ALONG:
+        problems.append(Problem("current.direction", "across the line", allowed))
+    if problems:
+        raise InputError(problems, "--dynamic")
+
+
+LinesAtRest = OneLine | LinesOfABody | LineOfAFloater
 """Lines that are run together, and what drives them."""
 
 
@@ -311,6 +408,8 @@ def lines_at_rest(drive: Drive) -> LinesAtRest:
 
     Raises NoEquilibriumError, NotConvergedError as for `solve_case` and `solve_system`.
     """
+    if drive.case.floater is not None:
+        return LineOfAFloater.at_rest(drive)
     return (OneLine if drive.case.system is None else LinesOfABody).at_rest(drive)
 
 

@@ -19,6 +19,7 @@ from catopt.fem.extremes import GumbelFit, TailFit, weibull_tail
 from catopt.fem.extremes import gumbel as gumbel_of
 from catopt.fem.history import History
 from catopt.fem.statistics import SeriesStatistics, power_spectrum, series_statistics
+from catopt.floater.alone import HullHistory
 from catopt.model import Case
 from catopt.model.dynamics import InitialFriction
 from catopt.shown import Shown
@@ -71,7 +72,20 @@ _OF_FAIRLEAD = MappingProxyType(
 )
 """What of a fairlead moves as a body does that does not turn."""
 
-_UNITS = MappingProxyType(dict.fromkeys(("grounded_length", "offset", *_TRACK), "m"))
+_HULL: Mapping[str, tuple[Callable[[HullHistory], Array], int]] = MappingProxyType(
+    {
+        "floater_x": (lambda hull: hull.place[:, 0] - hull.place[0, 0], 0),
+        "floater_z": (lambda hull: hull.place[:, 1], 1),
+        "floater_pitch": (lambda hull: hull.place[:, 2], 2),
+        "floater_wet": (lambda hull: hull.wet / hull.volume, 3),
+    }
+)
+"""Statistics of a floating buoy, with the row of its extremes at every step."""
+
+_UNITS = MappingProxyType(
+    dict.fromkeys(("grounded_length", "offset", *_TRACK, "floater_x", "floater_z"), "m")
+    | {"floater_pitch": "rad", "floater_wet": ""}
+)
 
 
 @dataclass(frozen=True)
@@ -113,7 +127,7 @@ class DynamicRun:
     with twice the bars, too; empty when it was run once; `damped`: with other dampings, where a
     line snaps; `track`: place of the origin of the body that the line moors with others, shape
     (samples, 3), m; `cycles`: of each bar's tension, from the anchor; empty unless they were asked
-    for.
+    for; `hull`: how the buoy moved that floats at its end.
     """
 
     history: History
@@ -123,6 +137,7 @@ class DynamicRun:
     damped: tuple[Damped, ...] = ()
     track: Array | None = None
     cycles: tuple[Cycles, ...] = ()
+    hull: HullHistory | None = None
 
     def is_complete(self, proof: Proof) -> bool:
         """Whether neither it nor its proof was stopped."""
@@ -199,6 +214,21 @@ def _of_track(quantity: str, run: DynamicRun, track: Array, case: Case) -> Serie
     return replace(found, **moved)
 
 
+def _of_hull(quantity: str, run: DynamicRun, hull: HullHistory) -> SeriesStatistics:
+    """Say how a floating buoy moved: mean and deviation by the samples, the ends of every step."""
+    series, row = _HULL[quantity]
+    values = series(hull)
+    found = series_statistics(run.history.time[run.counted], values[run.counted])
+    least, most = hull.extreme[row]
+    if not run.history.counts or not math.isfinite(least):
+        return found
+    if quantity == "floater_wet":
+        least, most = least / hull.volume, most / hull.volume
+    elif quantity == "floater_x":
+        least, most = least - hull.place[0, 0], most - hull.place[0, 0]
+    return replace(found, minimum=float(least), maximum=float(most))
+
+
 class Envelope(NamedTuple):
     """What the bars of a line see over all runs.
 
@@ -271,6 +301,16 @@ class DynamicPart:
         tail = self._tail(quantity, runs)
         return None if tail is None else tail.extreme.most_probable
 
+    def _chance(self, quantity: str) -> float | None:
+        """Half the interval over seeds of what is typical; None where that is no matter of seeds.
+
+        By the tail of the runs as they were asked for, as it is printed.
+        """
+        if quantity not in SERIES or self.cycle_peaks(quantity).size > 1:
+            return None
+        tail = self._tail(quantity, self.runs)
+        return None if tail is None else 0.5 * (tail.extreme.high - tail.extreme.low)
+
     def _changes_of(self, quantity: str) -> Iterator[list[Change]]:
         """Yield how far a quantity moved from one level to the next, for the runs or each run.
 
@@ -278,7 +318,9 @@ class DynamicPart:
         """
         typical = [self._typical(quantity, runs) for _, runs in self.levels]
         values = [[each] for each in typical if each is not None]
+        chance = self._chance(quantity)
         if len(values) < len(typical):
+            chance = None
             values = [[run.maxima[quantity] for run in runs] for _, runs in self.levels]
         for of_run in zip(*values, strict=True):
             found = []
@@ -293,7 +335,7 @@ class DynamicPart:
                     over = self.line_length
                 if over > 0.0 and way is not None:
                     amount = abs(new - old)
-                    found.append(Change(quantity, way, amount / over, amount))
+                    found.append(Change(quantity, way, amount / over, amount, chance))
             yield found
 
     @cached_property
@@ -325,9 +367,10 @@ class DynamicPart:
     def decides(self, change: Change) -> bool:
         """Whether a change is too large: by 5 % of its own maximum and by 2 % of the line's MBL.
 
-        The second is left out for the line of a body that governs.
+        Of a most probable maximum by its interval over seeds in place of the first. The line of a
+        body that governs meets 5 % always.
         """
-        return change.decides(None if self.governs else self.MBL)
+        return change.size > LIMIT if self.governs else change.decides(self.MBL)
 
     def scatter_of(self, quantity: str) -> float | None:
         """Return the standard error of the mean peak of a cycle; None where there is none."""
@@ -528,12 +571,17 @@ class DynamicVerification(Shown):
 
     @cached_property
     def body(self) -> tuple[OverRuns, ...]:
-        """Where the origin of a moored body was, m; empty without one."""
+        """Where the origin of a moored body was, m, or how a buoy floated; empty without one."""
         part, found = self.parts[0], []
         tracks = [(run, run.track) for run in part.runs if run.track is not None]
         for quantity in _TRACK if tracks else ():
             each = [_of_track(quantity, run, track, self.case) for run, track in tracks]
             found.append(_over_runs(quantity, each))
+        hulls = [(run, run.hull) for run in part.runs if run.hull is not None]
+        found += [
+            _over_runs(quantity, [_of_hull(quantity, *each) for each in hulls])
+            for quantity in (_HULL if hulls else ())
+        ]
         return tuple(found)
 
     def to_dict(self) -> dict[str, Any]:

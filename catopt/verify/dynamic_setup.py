@@ -102,6 +102,7 @@ class Drive:
     def is_led_at_random(self) -> bool:
         """Whether the fairlead goes where a random sea sends it."""
         goes = self.raos is not None or self.vessel is not None or self.case.body is not None
+        goes = goes or self.case.floater is not None
         return self.is_random and goes
 
     def sea(self, run: int) -> Sea:

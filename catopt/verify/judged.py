@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
@@ -83,7 +84,9 @@ def _carried(runs: Sequence[DynamicRun]) -> Carried | None:
 
     anchor = Pull(most("anchor_horizontal"), most("uplift_force"), most("uplift_angle"))
     lies = min(each.course("grounded_length").minimum for each in of)
-    return Carried(anchor, Pull(0.0, most("fairlead_vertical"), 0.0), lies, most("span"))
+    unknown = math.nan  # no check asks for it yet; not 0, lest one that does pass unseen
+    fairlead = Pull(unknown, most("fairlead_vertical"), unknown)
+    return Carried(anchor, fairlead, lies, most("span"))
 
 
 def _turned(case: Case, lines: Sequence[tuple[DynamicPart, Solution | None]]) -> list[CheckResult]:

@@ -13,7 +13,7 @@ from catopt.errors import InputError, Problem
 from catopt.fem.linear_motion import LEAST_RESERVE, LinearModel, linear_model, linear_motion
 from catopt.fem.series import Harmonic
 from catopt.model import Case, WaveState
-from catopt.verify.dynamic_lines import lines_at_rest
+from catopt.verify.dynamic_lines import LineOfAFloater, lines_at_rest
 from catopt.verify.dynamic_setup import check_for_motion, read_drive
 
 
@@ -93,7 +93,9 @@ def linear_lines(case: Case) -> tuple[LinearLine, ...]:
 @lru_cache(maxsize=8)
 def _model(case: Case) -> LinearModel:
     """Linearise the lines of a case; that its sea is another one makes no difference."""
-    return linear_model(lines_at_rest(read_drive(case)).simulation())
+    lines = lines_at_rest(read_drive(case))
+    assert not isinstance(lines, LineOfAFloater)  # refused by `_not_linear`
+    return linear_model(lines.simulation())
 
 
 def _not_linear(case: Case) -> Iterator[Problem]:
@@ -110,6 +112,8 @@ def _not_linear(case: Case) -> Iterator[Problem]:
         yield Problem("anchor_motion", "", "leave it out: the lower end is held")
     if case.body is not None:
         yield Problem("body", "", "leave it out: a body is led by the RAOs of [motion]")
+    if case.floater is not None:
+        yield Problem("floater", "", "leave it out: a buoy that floats has no linear form here")
     if case.current is not None and case.current.series_file:
         yield Problem("current.series_file", "", "leave it out: the current is steady")
     if dynamics.broken_at is not None:

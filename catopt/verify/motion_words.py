@@ -24,6 +24,10 @@ DYNAMIC_QUANTITY_OF: Mapping[str, Quantity] = MappingProxyType(
         "body_x": named("offset", "Body x", ""),
         "body_y": named("offset", "Body y", ""),
         "body_offset": named("offset", "Body's way from rest", ""),
+        "floater_x": named("offset", "Buoy's way along x", ""),
+        "floater_z": named("offset", "Buoy's centre over still water", ""),
+        "floater_pitch": named("angle", "Buoy's pitch", ""),
+        "floater_wet": Quantity("part", "Part of the buoy under water", "", "", "-", 1.0, 2),
     }
 )
 """What each quantity of a line in motion is in tables."""
@@ -31,6 +35,7 @@ DYNAMIC_QUANTITY_OF: Mapping[str, Quantity] = MappingProxyType(
 _NOT_CONVERGED = (
     "motion.no_answer_again",
     "motion.changes",
+    "motion.changes_beyond_chance",
     "motion.undecided",
     "motion.scattered",
     "motion.too_numerical",
@@ -130,13 +135,17 @@ def proof_sentences(part: DynamicPart) -> list[Message]:
         what = Message(f"motion.largest_{worst.quantity.removeprefix('largest_')}")
         said = Message("motion.converged", **values)
         if part.decides(worst):
-            said = Message("motion.changes", what=what, **values)
+            by_chance = worst.chance is not None and not part.governs
+            key = "motion.changes_beyond_chance" if by_chance else "motion.changes"
+            said = Message(key, what=what, **values)
         elif part.undecided:
             said = Message("motion.undecided", names=Listed(part.undecided, "and"))
         elif part.is_scattered:
             error = max(part.scatter_of(f"{end}_tension") or 0.0 for end in ("fairlead", "anchor"))
             cycles = part.cycle_peaks("fairlead_tension").size
             said = Message("motion.scattered", error=Measure("tension", error), cycles=cycles)
+        elif worst.size > LIMIT and worst.is_by_chance:
+            said = Message("motion.converged_by_chance", what=what, **values)
         elif worst.size > LIMIT:
             said = Message("motion.converged_by_MBL", what=what, of_MBL=OF_MBL, **values)
     if lost > LIMIT:

@@ -80,18 +80,27 @@ class Change:
 
     `quantity`: a key of `DynamicRun.maxima`; `way`: how it was run again; "both" where the changes
     by the two are added, and a third more; `size`: over the maximum of the finer run; over the
-    line's length of a grounded length; `amount`: itself, N or m.
+    line's length of a grounded length; `amount`: itself, N or m; `chance`: of a most probable
+    maximum in a random sea, half its interval over seeds; None of what has none.
     """
 
     quantity: str
     way: Way | Literal["both"]
     size: float
     amount: float
+    chance: float | None = None
+
+    @property
+    def is_by_chance(self) -> bool:
+        """Whether other seeds move it as far."""
+        return self.chance is not None and self.amount <= self.chance
 
     def decides(self, MBL: float | None) -> bool:
         """Whether it is large enough to matter; `MBL`: the line's, N, where 2 % of it may pass."""
+        if self.chance is None and self.size <= LIMIT:
+            return False
         by_MBL = MBL is not None and self.quantity.endswith("tension")
-        return self.size > LIMIT and not (by_MBL and self.amount <= OF_MBL * (MBL or 0.0))
+        return not self.is_by_chance and not (by_MBL and self.amount <= OF_MBL * (MBL or 0.0))
 
 
 def work_of_proof(proof: Proof) -> int:
@@ -115,7 +124,7 @@ def added(changes: Iterable[Change]) -> Iterator[Change]:
             yield of[0]
         else:
             sums = sum(each.size for each in of), sum(each.amount for each in of)
-            yield Change(quantity, "both", _REMAINS * sums[0], _REMAINS * sums[1])
+            yield Change(quantity, "both", _REMAINS * sums[0], _REMAINS * sums[1], of[0].chance)
 
 
 def largest_changes(changes: Iterable[Change]) -> list[Change]:

@@ -17,6 +17,7 @@ import numpy.typing as npt
 
 from catopt.arrays import Array
 from catopt.model.validity import Findings
+from catopt.words import Message
 
 WindRule = Literal["S4", "CALMAR"]
 
@@ -91,7 +92,7 @@ class TableCurrent:
         found.number("direction", self.direction, "rad")
         if not self.depths or len(self.depths) != len(self.speeds):
             sizes = f"{len(self.depths)} depths, {len(self.speeds)} speeds"
-            found.add("speeds", sizes, "as many speeds as depths are wanted, one or more")
+            found.add("speeds", sizes, Message("refused.speeds_and_depths"))
         for i, (depth, speed) in enumerate(zip(self.depths, self.speeds, strict=False)):
             found.number(f"depths[{i}]", depth, "m", at_least=0.0)
             found.number(f"speeds[{i}]", speed, "m/s")

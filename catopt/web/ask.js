@@ -13,11 +13,15 @@ const pieces = () => JSON.parse(document.getElementById("pieces").textContent).m
     : { name, url: new URL(`pack/${name}.gz`, document.baseURI).href };
 });
 
-export const start = () => {
+export const start = (told) => {
   if (transport !== "worker" || worker) return;
   const text = document.getElementById("worker").textContent;
   worker = new Worker(URL.createObjectURL(new Blob([text], { type: "text/javascript" })));
   worker.onmessage = ({ data }) => {
+    if (data.stage) {
+      told(data.stage);
+      return;
+    }
     if (data.failed) {
       failed = new Error(data.failed);
       for (const each of waiting.values()) each.reject(failed);

@@ -6,9 +6,10 @@ import base64
 import json
 from collections.abc import Mapping, Sequence
 from importlib.resources import files
-from typing import Final
+from typing import Any, Final
 
-from catopt.desk import shell
+from catopt.desk import ask, shell
+from catopt.desk.fields import DOORS, START
 from catopt.render.looks import stylesheet
 from catopt.words import LANGUAGES
 
@@ -34,11 +35,19 @@ def document(pieces: Mapping[str, bytes] | Sequence[str] | None = None) -> str:
         "imports": json.dumps({"imports": _modules()}),
         "transport": "app" if pieces is None else "worker",
         "shells": _inert(json.dumps({each: shell(each) for each in LANGUAGES})),
+        "first": _inert(json.dumps({} if pieces is None else _first())),
         "pieces": "" if pieces is None else _pieces(list(pieces), inside),
     }
     for name, value in filled.items():
         text = text.replace(f"{{{{ {name} }}}}", value)
     return text
+
+
+def _first() -> dict[str, dict[str, Any]]:
+    """Answer what the page opens with, so that it need not wait for Python."""
+    door = DOORS[0]
+    question = {"door": door, "values": START[door]}
+    return {each: {door: ask("whole", {**question, "lang": each})} for each in LANGUAGES}
 
 
 def _modules() -> dict[str, str]:

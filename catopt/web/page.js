@@ -5,11 +5,15 @@ import { listen } from "catopt/figures";
 
 const shells = JSON.parse(document.getElementById("shells").textContent);
 const root = document.body.appendChild(document.createElement("div"));
-const state = { lang: "en", units: "", door: "", base: {}, values: {}, kept: {} };
+const first = JSON.parse(document.getElementById("first").textContent);
+const own = navigator.language?.toLowerCase().startsWith("vi") ? "vi" : "en";
+const state = { lang: own, units: "", door: "", base: {}, values: {}, kept: {} };
 let running = false;
 let wanted = null;
 let answered = null;
 let later = 0;
+let since = 0;
+let ticking = 0;
 
 const every = (what, within = root) => [...within.querySelectorAll(what)];
 const one = (what) => root.querySelector(what);
@@ -18,6 +22,26 @@ const status = (key, more = "") => {
   const place = one(".status");
   place.textContent = key ? place.dataset[key] + more : "";
   place.dataset.now = key;
+  one(".progress").hidden = !["starting", "working"].includes(key);
+};
+
+// What takes longer than a second says for how long; while Python is loaded, what is being done.
+const wait = (is) => {
+  clearInterval(ticking);
+  if (!is) return;
+  since = performance.now();
+  ticking = setInterval(() => {
+    const seconds = Math.round((performance.now() - since) / 1000);
+    const place = one(".status");
+    if (place.dataset.now === "working" && seconds) place.textContent = `${place.dataset.working} ${seconds} s`;
+  }, 1000);
+};
+
+const toast = (key) => {
+  const place = one(".toast");
+  place.textContent = place.dataset[key];
+  place.hidden = false;
+  setTimeout(() => { place.hidden = true; }, 6000);
 };
 
 // ---------------------------------------------------------------- what the address keeps
@@ -50,9 +74,25 @@ const read = () => {
   );
 };
 
+// The menu beside a field shows its unit, if it is one of those offered.
+const unitOf = (field) => {
+  const menu = field.parentElement.querySelector("select");
+  if (!menu) return;
+  const [, unit] = /^[-+\d.,\s]*(.*)$/.exec(field.value || "") ?? [];
+  if (unit && ![...menu.options].some((each) => each.value === unit)) menu.add(new Option(unit, unit));
+  if (unit) menu.value = unit;
+};
+
+const setUnit = (menu) => {
+  const field = document.getElementById(menu.dataset.unitOf);
+  const [number] = /^\s*[-+\d.,]+/.exec(field.value) ?? [];
+  if (number) field.value = `${number.trim()} ${menu.value}`;
+};
+
 const fill = (values) => {
   for (const each of every("input[data-key]", form())) {
     if (each !== document.activeElement) each.value = values[each.dataset.key] ?? "";
+    unitOf(each);
   }
 };
 
@@ -119,17 +159,63 @@ const wrong = (reply) => {
   return [reply.message, ...left].filter(Boolean).join("\n");
 };
 
+const old = (is) => {
+  for (const each of [".card", ".brief-card", ".found", ".more", ".others"]) one(each).classList.toggle("old", is);
+};
+
+// Take what another line wants of the inputs.
+const takeLine = (wanted) => {
+  for (const each of every("input[data-key]", form())) {
+    if (each.dataset.key in wanted) {
+      each.value = wanted[each.dataset.key];
+      each.closest("details")?.setAttribute("open", "");
+    }
+  }
+  soon();
+};
+
+const others = (found) => {
+  const place = one(".others > div");
+  one(".others").hidden = !found.length;
+  place.textContent = "";
+  for (const each of found) {
+    const button = place.appendChild(document.createElement("button"));
+    button.type = "button";
+    button.appendChild(document.createElement("b")).textContent = each.name;
+    button.append(each.words);
+    button.addEventListener("click", () => takeLine({ [each.key]: each.value }));
+  }
+};
+
+// Points of the drawing of lines are there to be clicked on, or chosen with the keys and Enter.
+const choose = (sets) => {
+  const figure = one("figure[data-figure=choices]");
+  if (!figure || !sets) return;
+  const said = JSON.parse(figure.querySelector("script").textContent);
+  const now = () => sets[said.indexOf(figure.querySelector(".readout").textContent)];
+  const taken = () => { const found = now(); if (found) takeLine(found); };
+  const drawing = figure.querySelector("svg");
+  drawing.addEventListener("click", taken);
+  drawing.addEventListener("keydown", (event) => { if (event.key === "Enter") taken(); });
+};
+
 const give = (reply) => {
   const said = wrong(reply);
   if (reply.status) {
     answered = null;
-    one(".found").classList.add("old");
+    old(true);
     status("failed", said ? `\n${said}` : "");
     return;
   }
   answered = reply;
-  one(".found").classList.remove("old");
+  old(false);
+  one(".card").innerHTML = reply.card;
+  one(".brief-card").innerHTML = every(".card > :is(.headline, .verdict)").map((each) => each.outerHTML).join("");
   one(".found").innerHTML = reply.html;
+  if (reply.more) one(".more").innerHTML = reply.more;
+  for (const each of every("input[data-key]", form())) each.placeholder = reply.assumed?.[each.dataset.key] ?? each.dataset.hint;
+  others(reply.others ?? []);
+  choose(reply.choices);
   listen();
   if (reply.door === state.door) fill(reply.values);
   status("ready");
@@ -153,6 +239,8 @@ const compute = async (call) => {
     const [now, asked, door] = [wanted, question(), state.door];
     wanted = null;
     if (one(".status").dataset.now !== "starting") status("working");
+    if (now === "whole") old(true);
+    wait(true);
     try {
       const reply = await ask(now, asked);
       if (door === state.door && asked.lang === state.lang) {
@@ -163,6 +251,7 @@ const compute = async (call) => {
       status("broken", `: ${error.message}`);
     }
   }
+  wait(false);
   running = false;
 };
 
@@ -186,7 +275,9 @@ const DOCUMENT = { line: "solve", body: "system", buoy: "size", tanker: "size" }
 const act = {
   compare: async () => {
     if (answered) state.kept[state.door] = answered.text;
+    status("working");
     await compare(question());
+    status("ready");
   },
   save: async () => {
     const reply = await ask("file", question());
@@ -209,8 +300,9 @@ const act = {
   },
   link: async () => {
     keep();
-    await navigator.clipboard.writeText(location.href);
-    status("copied");
+    const isFile = location.protocol === "file:";
+    await navigator.clipboard.writeText(isFile ? location.hash : location.href);
+    toast(isFile ? "copied_part" : "copied");
   },
 };
 
@@ -235,18 +327,22 @@ root.addEventListener("input", ({ target }) => {
     slide(target);
     if (["line", "body"].includes(state.door)) compute("live");
     soon();
-  } else if (target.dataset.key) typed(target);
+  } else if (target.dataset.key) {
+    typed(target);
+    unitOf(target);
+  }
 });
 
 root.addEventListener("change", ({ target }) => {
+  if (target.dataset.unitOf) setUnit(target);
   if (target.type === "file") {
     if (target.files.length) take(target.files[0]);
   } else if (["lang", "units", "door"].includes(target.name)) {
     read();
     state[target.name] = target.value;
     if (target.name === "door") {
-      one(".found").textContent = "";
-      one(".compared").textContent = "";
+      for (const each of [".card", ".brief-card", ".found", ".more", ".compared"]) one(each).textContent = "";
+      others([]);
       open();
     } else if (target.name === "lang") {
       show();
@@ -271,8 +367,21 @@ root.addEventListener("click", async ({ target }) => {
 
 addEventListener("popstate", () => { restore(); show(); compute("whole"); });
 
+// What the page opens with was answered when it was made; everything else asks Python.
+const opened = () => {
+  const reply = location.hash ? null : first[state.lang]?.[state.door];
+  if (reply) give(reply);
+  return Boolean(reply);
+};
+
+const began = location.hash;
 restore();
 show();
-status("starting");
-start();
-compute("whole");
+start((stage) => {
+  if (one(".status").dataset.now !== "starting") return;
+  status("starting", ` ${one(".status").dataset[stage] ?? ""}`);
+});
+if (began || !opened()) {
+  status("starting");
+  compute("whole");
+}

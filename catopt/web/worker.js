@@ -31,14 +31,17 @@ self.importScripts = () => { throw new TypeError("import() is used here"); };
 const script = (text) => URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
 
 const boot = async (pieces) => {
+  self.postMessage({ stage: "unpack" });
   await Promise.all(pieces.map(async (piece) => {
     const plain = (await bytesOf(piece)).pipeThrough(new DecompressionStream("gzip"));
     files[piece.name] = await new Response(plain).arrayBuffer();
   }));
+  self.postMessage({ stage: "python" });
   const loader = new TextDecoder().decode(files["pyodide.mjs"]);
   if (!loader.includes(ASM)) throw new Error("this is another Pyodide than catopt was made for");
   const { loadPyodide } = await import(script(loader.replace(ASM, JSON.stringify(script(files["pyodide.asm.mjs"])))));
   const pyodide = await loadPyodide({ indexURL: HOME });
+  self.postMessage({ stage: "catopt" });
   pyodide.unpackArchive(files["site.zip"], "zip", { extractDir: "/site" });
   return pyodide.runPython(`
 import json, sys

@@ -27,8 +27,10 @@ The groups of texts that are no sentences:
 
 `heading` puts a name, the quantity's symbol and its unit together: ``Fairlead tension T (kN)``.
 
-Not messages yet: what is wrong with an input (`catopt.errors.Problem`, but for a few), the formulas
-of loads (`catopt.loads.component`), names of drawings of a reproduction, texts of plots.
+What is wrong with an input is said by `catopt.words.refusals.say_refusal`.
+
+Not messages yet: part of what is wrong with an input outside of case files, the formulas of loads
+(`catopt.loads.component`), names of drawings of a reproduction, texts of plots.
 """
 
 from catopt.words.labels import heading, is_term, quantity_name, term

@@ -26,6 +26,7 @@ __all__ = [
     "on_post_build",
     "plain_words",
     "relinked",
+    "searching",
     "title",
     "unmarked",
 ]
@@ -40,6 +41,9 @@ BESIDE_DOCS = (
     "reports/**/*.svg",
 )
 
+FOUND_LAST = ("api", "CHANGELOG", "benchmarks", "cases", "reports", "catalogue-verdicts")
+"""Pages that have every word, and are seldom what one looks for."""
+
 FENCE = re.compile(r"^(?P<fence>`{3,}).*?^(?P=fence)$", re.MULTILINE | re.DOTALL)
 MARK = re.compile(r"^(```\w+) run$", re.MULTILINE)
 LINK = re.compile(r"(?P<image>!?)\[(?P<text>(?:[^\]\[]|\[[^\]]*\])*)\]\((?P<target>[^)\s]+)\)")
@@ -48,6 +52,22 @@ NAMES = re.compile(
     r"(?P<table>.*?)^<!-- end -->$",
     re.MULTILINE | re.DOTALL,
 )
+WAITS = """(() => {
+  let waiting = [];
+  addEventListener("message", (event) => {
+    if (event.data.type === 0) {
+      const asked = waiting ?? [];
+      waiting = null;
+      const ask = (data) => dispatchEvent(new MessageEvent("message", { data }));
+      setTimeout(() => asked.forEach(ask));
+    } else if (waiting) {
+      waiting.push(event.data);
+      event.stopImmediatePropagation();
+    }
+  });
+})();
+"""
+"""Stands before the script that searches: 0 brings it the words of the pages."""
 ROW = re.compile(r"^\| \[`(?P<name>\w+)`\]", re.MULTILINE)
 
 
@@ -65,16 +85,35 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
 def on_page_markdown(markdown: str, page: Page, files: Files, **_: object) -> str:
     """Make a page of the repository one of the site."""
     known = {file.src_uri for file in files}
+    if page.file.src_uri.startswith(FOUND_LAST):
+        page.meta["search"] = {"boost": 0.2}
     return relinked(unmarked(described(markdown)), page.file.src_uri, known)
 
 
 def on_post_build(config: MkDocsConfig) -> None:
-    """Let the search find Vietnamese words by their plain letters: xích by xich."""
+    """Let the search find Vietnamese words by their plain letters, xích by xich, and every word."""
+    for worker in Path(config.site_dir).glob("assets/javascripts/workers/search.*.js"):
+        worker.write_text(searching(worker.read_text("utf-8")), "utf-8")
     place = Path(config.site_dir) / "search" / "search_index.json"
     index = json.loads(place.read_text("utf-8"))
     for entry in index["docs"]:
         entry["text"] = " ".join([entry["text"], *plain_words(f"{entry['title']} {entry['text']}")])
     place.write_text(json.dumps(index, ensure_ascii=False), "utf-8")
+
+
+def searching(worker: str) -> str:
+    """Mend lunr, by which the pages are searched, in the script that has it.
+
+    It merges the ends of words that lead to the same place, known by letters and numbers of places
+    written one behind the other: "a", 1, "2", 34 reads as "a", 12, "3", 4 does. So pages with many
+    numbers get words that are in no page, and what finds one of them, as "friction" did, fails.
+    What is typed before the words of the pages are there waits for them.
+    """
+    merged, apart = "{0}={0}+{1}+{2}.id}}", "{0}={0}+{1}+{2}.id+','}}"
+    place = re.search(r"(\w)=\1\+(\w)\+(\w)\.id\}", worker)
+    if place is None:
+        raise ValueError("lunr's TokenSet.toString is written otherwise now: mend `searching`")
+    return WAITS + worker.replace(merged.format(*place.groups()), apart.format(*place.groups()))
 
 
 def plain_words(text: str) -> list[str]:

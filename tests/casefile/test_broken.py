@@ -5,12 +5,15 @@ Beside every ``broken/NAME.toml`` stands ``broken/NAME.txt``, the message word f
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
 
 from catopt.casefile import read_case
 from catopt.errors import InputError
+from catopt.words import Message, say
+from catopt.words.refusals import say_refusal
 
 BROKEN = Path(__file__).parent / "broken"
 NAMES = sorted(path.stem for path in BROKEN.glob("*.toml"))
@@ -28,3 +31,20 @@ def test_the_message_is_exactly_this(name: str, monkeypatch: pytest.MonkeyPatch)
 def test_every_broken_file_has_its_message() -> None:
     assert sorted(path.stem for path in BROKEN.glob("*.txt")) == NAMES
     assert len(NAMES) >= 20
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_refusal_is_said_in_vietnamese(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What would be right is a message, with a text in Vietnamese that is not the English one."""
+    monkeypatch.chdir(BROKEN)
+    with pytest.raises(InputError) as caught:
+        read_case(f"{name}.toml")
+    for problem in caught.value.problems:
+        assert isinstance(problem.allowed, Message), problem.allowed
+        assert say(problem.allowed, "vi") != problem.allowed
+    said = say_refusal(caught.value.source, caught.value.problems, "vi")
+    assert f"{len(caught.value.problems)} lỗi" in said
+    below = said.partition("\n")[2]
+    assert not re.search(r"\b(is wanted|must be|leave it|did you mean|missing|found)\b", below)
+    english = say_refusal(caught.value.source, caught.value.problems)
+    assert english == str(caught.value)

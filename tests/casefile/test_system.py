@@ -59,6 +59,16 @@ def test_it_is_written_back(further: str) -> None:
     assert parse_case(write_case(case)) == case
 
 
+@pytest.mark.parametrize("judged", [True, False])
+def test_a_mooring_that_is_not_judged_without_a_line_stays_so_in_a_file(judged: bool) -> None:
+    case = parse_case(HEAD + SYSTEM + f"judged_line_out = {str(judged).lower()}")
+    written = write_case(case)
+    assert ("judged_line_out = false" in written) is not judged
+    again = parse_case(written).system
+    assert again is not None
+    assert again.judged_line_out is judged
+
+
 def test_lines_of_their_own_have_no_place_in_a_file() -> None:
     case = parse_case(HEAD + SYSTEM)
     assert case.system is not None

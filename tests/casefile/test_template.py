@@ -14,7 +14,7 @@ from catopt.errors import InputError
 from catopt.model import Find
 from tests.casefile.test_schema import tables
 
-MOVING = ("waves", "current", "motion", "anchor_motion", "body", "dynamics", "fatigue")
+MOVING = ("waves", "current", "motion", "anchor_motion", "body", "floater", "dynamics", "fatigue")
 CASES = Path(__file__).parents[2] / "cases"
 
 

@@ -8,10 +8,10 @@ import pytest
 
 from catopt import solve_case
 from catopt.checks.case import check_case, is_of_load
-from catopt.checks.criteria import Criteria, Limits, allowed_by, criteria_of
+from catopt.checks.criteria import SEARCHED, Criteria, Limits, allowed_by, criteria_of
 from catopt.checks.criterion import CheckSource, Criterion, Place
 from catopt.checks.evaluation import evaluate
-from catopt.checks.kinds import CHECK_KINDS, CheckKind
+from catopt.checks.kinds import CheckKind
 from catopt.checks.remarks import Lifted, in_load_case, of_uplift
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.errors import FloatsUpError, InputError
@@ -46,7 +46,7 @@ on the bed and a factor where they are high."""
 
 @pytest.mark.parametrize("first", [0, 1])
 def test_of_two_limits_the_stricter_counts_whichever_comes_first(first: int) -> None:
-    assert set(STRICT) == set(CHECK_KINDS) - {"tension", "equilibrium"}
+    assert set(STRICT) == set(SEARCHED) - {"tension", "equilibrium"}
     asked = [
         limit(check, values[first if index == 0 else 1 - first])
         for index in (0, 1)
@@ -54,6 +54,12 @@ def test_of_two_limits_the_stricter_counts_whichever_comes_first(first: int) -> 
     ]
     strictest = [values[0] for values in STRICT.values()]
     assert list(keeping(*asked).limits("extreme")) == strictest
+
+
+def test_a_search_is_refused_under_a_check_that_it_does_not_keep() -> None:
+    asked = [limit("span", 50.0), limit("new", 1.0)]  # type: ignore[arg-type]
+    with pytest.raises(InputError, match="checks: new: found asked for by code; no search keeps"):
+        keeping(*asked).limits("extreme")
 
 
 def test_a_limit_of_another_state_or_load_case_does_not_count() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 
 import pytest
@@ -140,7 +141,6 @@ REFUSED = {
          18, "rods"),
         ("--- LINES ---", "--- BODIES ---\nx\nx\n1 Free 0 0 0 0 0 0 1 0 0 1 0 0\n--- LINES ---",
          18, "body that moves by itself"),
-        ("--- LINES ---", "--- FAILURE ---\nx\nx\n1 1 4 10 0\n--- LINES ---", 18, "do not fail"),
         ("3 main 3 6", "3 main 3 9", 20, "no such point"),
         ("3 main 3 6", "3 chain 3 6", 20, "known: main"),
         ("3 main 3 6", "3 main 3 R1A", 20, "rods"),
@@ -150,8 +150,6 @@ REFUSED = {
         ("1 main 1 4 902.2", "1 main 1 4 -902.2", 18, "above 0"),
         (" 1.6 1.0 0.1 0.0", " 1.6 1.0 0.1 0.0 0 0", 5, "12 columns"),
         ("384.243e6", "polyester.txt", 5, "table of strain"),
-        ("1 main 1 4 902.2", "1 main 1 4 905", 18, "made up differently"),
-        ("6 Coupled -2.6", "6 Coupled -2.4", 18, "ends up to"),
         ("--- OPTIONS ---", "--- SYROPE ---\n1 2 3\n--- OPTIONS ---", 22, "not known"),
     ],
     ONTOLOGY: [
@@ -197,8 +195,8 @@ def test_what_has_no_case_is_refused_with_its_line(
     old, new, line, words = change
     assert old in deck
     found = problems(deck.replace(old, new, 1), Asked(line=1) if deck is C06 else None)
-    place = f"line {line}: " if line else "file: "
-    assert any(each.startswith(place) and words in each for each in found), found
+    place = rf"lines? {line}\b.*: " if line else "file: "
+    assert any(re.match(place, each) and words in each for each in found), found
 
 
 def test_a_joint_of_three_lines_is_refused_where_one_line_is_wanted() -> None:
@@ -214,9 +212,7 @@ def test_all_errors_at_once() -> None:
     found = problems(deck)
     assert [problem.split(":")[0] for problem in found] == [
         "line 5",
-        "line 18",
-        "line 19",
-        "line 20",
+        "lines 18, 19 and 20",
     ]
 
 

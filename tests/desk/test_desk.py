@@ -118,7 +118,7 @@ def test_every_field_has_a_label(language: Language) -> None:
 @pytest.mark.parametrize("moored", ["buoy", "tanker"])
 def test_the_form_of_a_sizing_has_every_row_of_the_table(moored: Door) -> None:
     rows = [each.key for each in rows_of(moored) if each.takes != "FILE"]
-    assert [each.key for each in fields_of(moored)] == rows
+    assert sorted(each.key for each in fields_of(moored)) == sorted(rows)
 
 
 @pytest.mark.parametrize("door", DOORS)
@@ -185,3 +185,17 @@ def test_what_a_file_beside_the_case_says_now_is_what_counts(
     assert "html" in ask("live", {"text": text})
     families.write_text("families of yesterday", encoding="utf-8")
     assert ask("live", {"text": text})["status"] == 2
+
+
+@pytest.mark.parametrize("moored", ["buoy", "tanker"])
+def test_an_empty_field_says_what_is_taken_and_never_an_example_of_it(moored: Door) -> None:
+    """Of what is left out; an example stands only where nothing is taken, as such."""
+    rows = {each.key: each for each in rows_of(moored)}
+    for field in fields_of(moored):
+        row, hint = rows[field.key], say(field.hint, "en")
+        if row.default or row.left_out:
+            assert "such as" not in hint
+        else:
+            assert hint.startswith("such as ")
+    taken = {each.key: say(each.hint, "en") for each in fields_of("buoy")}
+    assert taken["environment.current"] == "taken: 1 m/s"

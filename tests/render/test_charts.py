@@ -211,3 +211,9 @@ def test_no_global_state_is_left_behind() -> None:
     before = dict(mpl.rcParams)
     image(picture(made("tension")), "svg")
     assert dict(mpl.rcParams) == before
+
+
+def test_the_number_of_the_most_loaded_line_is_red() -> None:
+    """Of rules of one weight the last counts, and its words have the class `beside`, too."""
+    rules = stylesheet()
+    assert rules.index("svg .beside{") < rules.index("svg .most-loaded{fill:var(--bad)")

@@ -61,11 +61,17 @@ class Tab:
                 return dict(answer["result"])
 
     def open(
-        self, page: Path, width: int, *, scheme: Scheme = "light", scripts: bool = True
+        self,
+        page: Path,
+        width: int,
+        *,
+        height: int = 900,
+        scheme: Scheme = "light",
+        scripts: bool = True,
     ) -> None:
         """Open a file at a width, in a colour scheme, with or without scripts."""
         self.call("Emulation.setScriptExecutionDisabled", value=not scripts)
-        screen = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 600}
+        screen = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 600}
         self.call("Emulation.setDeviceMetricsOverride", **screen)
         features = [{"name": "prefers-color-scheme", "value": scheme}]
         self.call("Emulation.setEmulatedMedia", features=features)
@@ -96,6 +102,12 @@ class Tab:
     def point_at(self, x: float, y: float) -> None:
         """Move the pointer to a place of the window."""
         self.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
+
+    def click(self, x: float, y: float) -> None:
+        """Click on a place of the window."""
+        self.point_at(x, y)
+        for kind in ("mousePressed", "mouseReleased"):
+            self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
 
     def press(self, key: str) -> None:
         """Press and let go of a key."""

@@ -10,7 +10,17 @@ import pytest
 
 from catopt.errors import NotConvergedError
 from catopt.fem import run_dynamics
-from catopt.model import Case, Checks, Dynamics, Line, Load, Motion, Segment, Site
+from catopt.model import (
+    Case,
+    Checks,
+    Dynamics,
+    Line,
+    Load,
+    Motion,
+    Segment,
+    Site,
+    WaveState,
+)
 from catopt.verify import dynamic, dynamic_lines
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicPart
@@ -145,6 +155,26 @@ def test_twice_the_bars_go_on_from_where_the_first_run_ended(
     assert told == pytest.approx([0.0, 0.5, 1.0, 1 / 3, 2 / 3, 1.0])
 
 
+def test_nothing_is_run_twice_where_all_is_run_anew_with_twice_the_bars(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The run with twice the bars is that at half the step of the next mesh, to the digit."""
+    sixteen = Dynamics(30.0, ramp=12.0, elements=16)
+    fresh = proven(replace(SNAPPING, dynamics=sixteen))
+    own, made = dynamic._run, []
+
+    def run(lines: Any, number: int, tell: Any, finer: int = 1, elements: int | None = None) -> Any:
+        made.append((finer, elements))
+        return own(lines, number, tell, finer, elements)
+
+    monkeypatch.setattr(dynamic, "_run", run)
+    monkeypatch.setattr(dynamic, "_wants_more_bars", lambda part: part.elements == 8)
+    (part,) = verify_dynamic(SNAPPING).parts
+    assert made == [(1, None), (2, 8), (2, 16), (1, None), (2, 32), (1, 16), (1, 16)]
+    assert part.runs[0].again == fresh.runs[0].again
+    assert part.runs[0].damped == fresh.runs[0].damped
+
+
 def test_changes_by_step_and_bars_are_added() -> None:
     """Errors of step and bars add up, and halving shows three quarters of one that is a square."""
     part = proven(SNAPPING)
@@ -171,6 +201,38 @@ def test_a_change_decides_beyond_5_percent_of_itself_and_2_of_the_MBL(
     assert Change("anchor_tension", "step", size, amount).decides(MBL) == decides
     if size > LIMIT:  # a length has no MBL
         assert Change("offset", "step", size, amount).decides(MBL)
+
+
+@pytest.mark.parametrize(
+    ("size", "amount", "governs", "decides"),
+    [
+        (0.20, 99e3, False, False),  # other seeds move it as far
+        (0.20, 101e3, False, True),
+        (0.03, 101e3, False, True),  # 5 % is no measure of what seeds do not explain
+        (0.20, 99e3, True, True),  # the line that governs meets 5 % always
+        (0.03, 101e3, True, False),
+    ],
+)
+def test_a_most_probable_maximum_is_judged_by_its_interval_over_seeds(
+    size: float, amount: float, governs: bool, decides: bool
+) -> None:
+    change = Change("fairlead_tension", "step", size, amount, chance=100e3)
+    assert replace(proven(TAUT), governs=governs).decides(change) == decides
+    assert change.decides(10_000e3) is False  # 2 % of the MBL
+
+
+def test_the_interval_is_that_of_the_runs_as_they_were_asked_for() -> None:
+    """Half of what is printed for the seeds; in periodic motion, and for lengths, there is none."""
+    sea = WaveState("jonswap", 2.0, 6.0, components=20)
+    case = replace(TAUT, motion=None, waves=sea, dynamics=Dynamics(200.0, ramp=10.0, time_step=0.2))
+    (part,) = verify_dynamic(case).parts
+    tail = part.of("fairlead_tension").tail
+    assert tail is not None
+    found = {each.quantity: each for each in part.changes}
+    half = 0.5 * (tail.extreme.high - tail.extreme.low)
+    assert found["fairlead_tension"].chance == pytest.approx(half)
+    assert found["grounded_length"].chance is None
+    assert all(each.chance is None for each in proven(TAUT).changes)
 
 
 def test_a_check_that_turns_out_otherwise_is_never_passed_over() -> None:

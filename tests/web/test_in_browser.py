@@ -10,6 +10,7 @@ import tarfile
 import time
 from collections.abc import Iterator
 from functools import partial
+from html import unescape
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from threading import Thread
@@ -18,7 +19,7 @@ from typing import Any, Literal
 import pytest
 
 from catopt.desk import ask
-from catopt.desk.fields import DOORS, START
+from catopt.desk.fields import DOORS, START, Door
 from catopt.errors import InputError
 from catopt.web.build import Part, fetched, parts, pieces
 from catopt.web.document import document
@@ -74,20 +75,23 @@ def wait(tab: Tab, wanted: str = "ready") -> None:
 
 
 def displayed(tab: Tab) -> str:
-    """Read the table of results, with a space between its cells."""
-    cells: list[str] = tab.value(
-        "[...document.querySelectorAll('[data-key=results] :is(caption, th, td)')]"
-        ".map((each) => each.textContent)"
+    """Read the card and the table of results, with a space between words."""
+    parts: list[str] = tab.value(
+        "[...document.querySelectorAll('.card > p, .card dt, .card dd,"
+        " [data-key=results] :is(caption, th, td)')].map((each) => each.textContent)"
     )
-    return " ".join(" ".join(cells).split())
+    return " ".join(" ".join(parts).split())
 
 
-def expected(**question: str) -> str:
-    """Make the same table by Python outside of the browser."""
-    reply = ask("whole", {"door": "line", "values": START["line"], **question})
-    table = read_page(reply["html"]).table("results")
-    rows = [text for row in table.texts() for text in row]
-    return " ".join(" ".join([table.caption, *table.headings, *rows]).split())
+def expected(door: Door = DOORS[0], **question: str) -> str:
+    """Make the same by Python outside of the browser."""
+    reply = ask("whole", {"door": door, "values": START[door], **question})
+    card = re.sub(r"<[^>]*>", " ", reply["card"])
+    words = [unescape(card)]
+    if door == "line":
+        table = read_page(reply["html"]).table("results")
+        words += [table.caption, *table.headings, *(text for row in table.texts() for text in row)]
+    return " ".join(" ".join(words).split())
 
 
 def choose(tab: Tab, name: str, value: str) -> None:
@@ -102,10 +106,12 @@ def test_from_disk_both_languages_show_the_digits_of_the_command(tab: Tab, page:
     tab.open(page, 1280)
     wait(tab)
     assert displayed(tab) == expected() != ""
+    choose(tab, "door", "line")
+    assert displayed(tab) == expected("line")
     choose(tab, "lang", "vi")
-    assert displayed(tab) == expected(lang="vi")
+    assert displayed(tab) == expected("line", lang="vi")
     choose(tab, "units", "tf")
-    assert displayed(tab) == expected(lang="vi", units="tf")
+    assert displayed(tab) == expected("line", lang="vi", units="tf")
     choose(tab, "door", "body")
     asked = [each for each in tab.requests if not each.startswith(("file:", "data:", "blob:"))]
     assert asked == []
@@ -115,6 +121,7 @@ def test_from_disk_both_languages_show_the_digits_of_the_command(tab: Tab, page:
 def test_from_disk_an_error_stands_at_its_field(tab: Tab, page: Path) -> None:
     tab.open(page, 390)
     wait(tab)
+    choose(tab, "door", "line")
     tab.value("""(() => { const field = document.getElementById("line-site.water_depth");
       field.value = "-3 m"; field.dispatchEvent(new Event("change", { bubbles: true })); })()""")
     time.sleep(1.0)
@@ -189,6 +196,7 @@ def test_every_door_leads_to_its_note_and_nothing_keeps_people_from_it(
     for door in DOORS:
         choose(tab, "door", door)
         tab.value("document.querySelector('[data-do=compare]').click()")
+        wait(tab)
         for language in languages:
             choose(tab, "lang", language)
             assert tab.value("document.querySelector('.compared').textContent.trim()") != ""
@@ -227,3 +235,84 @@ def test_from_a_server_it_asks_for_its_own_files_alone(
         finally:
             server.shutdown()
             thread.join()
+
+
+def typed(tab: Tab, field: str, value: str) -> None:
+    """Write into a field and leave it."""
+    tab.value(
+        f"(() => {{ const field = document.getElementById({field!r}); field.value = {value!r};"
+        ' field.dispatchEvent(new Event("change", { bubbles: true })); })()'
+    )
+
+
+SEEN = """[...document.querySelectorAll(":is(.card, .brief-card) > :is(.headline, .verdict)")]
+  .filter((each) => {
+    const box = each.getBoundingClientRect();
+    return box.height > 0 && box.top >= 0 && box.bottom <= innerHeight;
+  }).map((each) => each.textContent)"""
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize(("width", "height"), [(1366, 768), (390, 844)])
+def test_the_first_screen_has_chain_length_sinker_and_verdict_in_the_reader_s_language(
+    tab: Tab, page: Path, width: int, height: int, language: Language
+) -> None:
+    """At once: what the page opens with was answered when it was made."""
+    tab.call("Emulation.setUserAgentOverride", userAgent="x", acceptLanguage=f"{language}-XX")
+    tab.open(page, width, height=height)
+    reply = ask("whole", {"door": "buoy", "values": START["buoy"], "lang": language})
+    said = re.findall(r'<p class="(?:headline|verdict[^"]*)">(.*?)</p>', reply["card"])
+    assert len(said) == 2
+    assert tab.value("document.documentElement.lang") == language
+    assert set(map(unescape, said)) <= set(tab.value(SEEN))
+
+
+UNITS = {
+    "environment.wind": ("50 knots", "50 kt", "100 km/h", "60 mph", "80 ft/s", "50 hải lý/giờ"),
+    "site.water_depth": ("40 ft", "12 metres", "11 fathom", "12 mét", "0.01 hải lý", "12 bananas"),
+}
+
+
+def test_no_unit_ends_in_a_traceback(tab: Tab, page: Path) -> None:
+    tab.open(page, 1366)
+    wait(tab)
+    for key, values in UNITS.items():
+        for value in values:
+            typed(tab, f"buoy-{key}", value)
+            time.sleep(1.0)
+            wait(tab, "failed" if "bananas" in value else "ready")
+    assert "Traceback" not in tab.value("document.body.textContent")
+
+
+def test_a_line_of_the_drawing_is_taken_by_a_click(tab: Tab, page: Path) -> None:
+    tab.open(page, 1366)
+    wait(tab)
+    before = displayed(tab)
+    places = json.loads(
+        tab.value("document.querySelectorAll('[data-figure=choices] script')[1].textContent")
+    )
+    said = json.loads(
+        tab.value("document.querySelectorAll('[data-figure=choices] script')[0].textContent")
+    )
+    lightest = next(k for k, words in enumerate(said) if words.startswith("lightest"))
+    x, y = tab.value(
+        "(() => { const svg = document.querySelector('[data-figure=choices] svg');"
+        " svg.scrollIntoView({ block: 'center' });"
+        f" const at = new DOMPoint(...{places[lightest]}).matrixTransform(svg.getScreenCTM());"
+        " return [at.x, at.y]; })()"
+    )
+    tab.click(x, y)
+    time.sleep(1.0)
+    wait(tab)
+    values = START["buoy"] | {"line.prefer": "lightest"}
+    card = re.sub(r"<[^>]*>", " ", ask("whole", {"door": "buoy", "values": values})["card"])
+    assert displayed(tab) == " ".join(unescape(card).split()) != before
+
+
+def test_the_link_of_a_file_has_no_path(tab: Tab, page: Path) -> None:
+    tab.open(page, 1366)
+    wait(tab)
+    tab.value("navigator.clipboard.writeText = async (text) => { window.copied = text; }")
+    tab.value("document.querySelector('[data-do=link]').click()")
+    assert tab.value("window.copied").startswith("#%7B")
+    assert not tab.value("document.querySelector('.toast').hidden")

@@ -1,0 +1,379 @@
+"""One step in time of a hull, and of a hull with its lines: the hull is one more block of unknowns.
+
+A line's last node is fixed to the hull at its mooring eye, by a rigid arm. Each line hands its
+equations for that node over, as to a body without rotation; turned by the arm into force and
+moment, they and the hull's own are solved for its three unknowns, which are put back into every
+line. So hull and lines are one Newton iteration. Rows of the scheme as in `newmark`.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Final, NamedTuple
+
+from catopt.compiled import inlined, packed
+from catopt.fem.block_tridiagonal import back_substitute_blocks, eliminate_blocks
+from catopt.fem.moving import Blend, BodyNode, Moving, MovingLines
+from catopt.fem.moving_assembly import assemble_moving
+from catopt.fem.newmark import predict
+from catopt.fem.rows import copy_rows, copy_values
+from catopt.fem.sampling import Room, Setting
+from catopt.fem.water_at import fill_water
+from catopt.hydro.hull import (
+    PARTS,
+    Hull,
+    HullRecord,
+    HullRoom,
+    HullState,
+    carry_memory,
+    fill_forces_on_hull,
+    fill_sea,
+    hull_inertia,
+)
+from catopt.waves.kinematics import Flow
+
+_LEAST: Final = 1.0 / 32.0
+"""As `newmark._LEAST`."""
+
+
+@packed
+class Afloat(NamedTuple):
+    """A hull that is stepped in time, with its lines or alone."""
+
+    hull: Hull
+    now: HullState
+    before: HullState
+    room: HullRoom
+    record: HullRecord
+    held: BodyNode  # the lines' last nodes in their own equations: they go where the hull goes
+
+
+def attempt_afloat(
+    t: float, h: float, setting: Setting, before: Moving, room: Room, body: Afloat
+) -> tuple[bool, int, float, int]:
+    """Take one step of hull and lines into their `now`, as `march.attempt`."""
+    now, lines = room.now, setting.lines
+    predict(t, h, setting, before, room)
+    _predict_hull(h, body)
+    _place_ends(lines, now, body)
+    copy_rows(before.foot, now.foot)
+    if setting.has_sea:
+        early, water_0 = setting.rules.alpha_f, room.water_before
+        fill_water(t + h, now.x, lines.start, setting.flow, early, water_0, room.water)
+    _prepare(t, h, setting.flow, body)
+    return _close(h, setting, before, room, body)
+
+
+def step_hull(t: float, h: float, rules: Any, flow: Flow, body: Afloat) -> tuple[bool, int]:
+    """Take one step of a hull without lines; `rules` has the scheme, limit and tolerance."""
+    _predict_hull(h, body)
+    _prepare(t, h, flow, body)
+    blend = _blend(h, rules)
+    for iteration in range(rules.limit + 1):
+        _start_hull(flow.depth, blend, body)
+        worst = _left_over(body)
+        if worst <= rules.tolerance and iteration > 0:
+            return True, iteration
+        if iteration == rules.limit or not _solve_hull(body):
+            break
+        _move_hull(1.0, h, rules, body)
+    return False, rules.limit
+
+
+def run_hull(samples: int, every: int, rules: Any, flow: Flow, body: Afloat) -> tuple[int, int]:
+    """Step a hull without lines; return the samples taken after the first, and iterations."""
+    used = 0
+    for step in range(samples * every):
+        t = step * rules.step
+        closed, more = step_hull(t, rules.step, rules, flow, body)
+        used += more
+        if not closed:
+            return step // every, used
+        accept_hull(t + rules.step, rules.since, body)
+        if (step + 1) % every == 0:
+            sample_hull((step + 1) // every, body)
+    return samples, used
+
+
+def start_hull(t: float, flow: Flow, body: Afloat) -> None:
+    """Find the forces with which a hull without lines sets off, and its acceleration."""
+    room, before, now = body.room, body.before, body.now
+    fill_sea(t, body.hull, before.q, flow, room)
+    for m in range(room.carried.shape[0]):
+        for i in range(2):
+            room.carried[m, i], room.by_speed[m, i] = before.memory[m, i], 0.0
+    _start_hull(flow.depth, Blend(0.0, 0.0, 0.0, 0.0, 1.0), body)
+    _solve_hull(body)
+    for i in range(3):
+        before.a[i] += room.rest[i]
+        before.force[i], now.a[i] = now.force[i], before.a[i]
+    copy_rows(now.parts, before.parts)
+    copy_values(now.wet, before.wet)
+    sample_hull(0, body)
+
+
+@inlined
+def _blend(h: float, rules: Any) -> Blend:
+    late, by_a = 1.0 - rules.alpha_f, (1.0 - rules.alpha_m) / (rules.beta * h * h)
+    return Blend(rules.alpha_f, rules.alpha_m, late, late * rules.gamma / (rules.beta * h), by_a, h)
+
+
+def _predict_hull(h: float, body: Afloat) -> None:
+    """Go on as if accelerations stayed."""
+    now, before = body.now, body.before
+    for i in range(3):
+        now.a[i] = before.a[i]
+        now.v[i] = before.v[i] + h * before.a[i]
+        now.q[i] = before.q[i] + h * (before.v[i] + 0.5 * h * before.a[i])
+
+
+def _prepare(t: float, h: float, flow: Flow, body: Afloat) -> None:
+    """Take the sea where the hull is expected, and its memory of what was."""
+    fill_sea(t + h, body.hull, body.now.q, flow, body.room)
+    carry_memory(h, body.hull, body.before, body.room)
+
+
+def _place_ends(lines: MovingLines, now: Moving, body: Afloat) -> None:
+    """Put the last node of every line to its mooring eye, with its velocity and acceleration."""
+    hull, at = body.hull, body.now
+    for k in range(lines.start.shape[0] - 1):
+        n = lines.start[k + 1] + k
+        x, z = _arm(hull, at, k)
+        turn, spin = at.v[2], at.a[2]
+        now.x[n, 0], now.x[n, 2] = at.q[0] + x, at.q[1] + z
+        now.v[n, 0], now.v[n, 2] = at.v[0] + turn * z, at.v[1] - turn * x
+        now.a[n, 0] = at.a[0] + spin * z - turn * turn * x
+        now.a[n, 2] = at.a[1] - spin * x - turn * turn * z
+        now.v[n, 1] = now.a[n, 1] = 0.0
+
+
+@inlined
+def _arm(hull: Hull, at: HullState, k: int) -> tuple[float, float]:
+    """From the centre of gravity to a mooring eye along x and z, m."""
+    sine, cosine = math.sin(at.q[2]), math.cos(at.q[2])
+    across, along = hull.eye[k, 0], hull.eye[k, 1]
+    return across * cosine + along * sine, along * cosine - across * sine
+
+
+@inlined
+def _blended_arm(body: Afloat, early: float, k: int) -> tuple[float, float]:
+    """Arm by which the lines' forces, that balance within the step, turn the hull."""
+    x, z = _arm(body.hull, body.now, k)
+    x_0, z_0 = _arm(body.hull, body.before, k)
+    return (1.0 - early) * x + early * x_0, (1.0 - early) * z + early * z_0
+
+
+def _close(
+    h: float, setting: Setting, before: Moving, room: Room, body: Afloat
+) -> tuple[bool, int, float, int]:
+    """Iterate on hull and lines until all forces balance; as `newmark.close_step`."""
+    rules, lines, now = setting.rules, setting.lines, room.now
+    blend = _blend(h, rules)
+    by_v = rules.gamma / (rules.beta * h)
+    by_a = 1.0 / (rules.beta * h * h)
+    x, v, a, rest, start = now.x, now.v, now.a, room.equations.rest, lines.start
+    worst, node, part = math.inf, 0, 1.0
+    for iteration in range(rules.limit + 1):
+        last = worst
+        worst, node = assemble_moving(lines, body.held, now, before, blend, room)
+        _start_hull(setting.flow.depth, blend, body)
+        _take_lines(lines, rest, blend, body)
+        own = _left_over(body)
+        if not own <= worst:
+            worst, node = own, -1
+        if worst <= rules.tolerance and iteration > 0:
+            return True, iteration, worst, node
+        if iteration == rules.limit or not worst < 1e3 * max(last, 1.0):
+            break
+        if not _solve_all(lines, blend, room, body):
+            break
+        part = min(2.0 * part, 1.0) if worst < last else max(0.5 * part, _LEAST)
+        _move_hull(part, h, rules, body)
+        for k in range(start.shape[0] - 1):
+            for n in range(start[k] + k + (not lines.lower_free[k]), start[k + 1] + k):
+                for i in range(3):
+                    move = part * rest[n, i]
+                    x[n, i] += move
+                    v[n, i] += by_v * move
+                    a[n, i] += by_a * move
+        _place_ends(lines, now, body)
+    return False, rules.limit, worst, node
+
+
+def _start_hull(depth: float, blend: Blend, body: Afloat) -> None:
+    """Write what of its own forces a hull leaves over, and its derivatives."""
+    hull, now, before, room = body.hull, body.now, body.before, body.room
+    fill_forces_on_hull(hull, now, depth, room)
+    early_f, early_m = blend.before_force, blend.before_inertia
+    for i in range(3):
+        left = (1.0 - early_f) * now.force[i] + early_f * before.force[i]
+        for j in range(3):
+            mass = hull_inertia(hull, i, j)
+            left -= mass * ((1.0 - early_m) * now.a[j] + early_m * before.a[j])
+            room.matrix[i, j] = mass * blend.by_a + room.by_v[i, j] * blend.by_v
+            room.matrix[i, j] += hull.stiffness[i, j] * blend.by_x
+        room.rest[i] = left
+        now.line[i] = 0.0
+
+
+def _take_lines(lines: MovingLines, rest: Any, blend: Blend, body: Afloat) -> None:
+    """Add force and moment of the lines, with their inertia, to what is left over."""
+    now, to = body.now, body.room.rest
+    for k in range(lines.start.shape[0] - 1):
+        n = lines.start[k + 1] + k
+        x, z = _blended_arm(body, blend.before_force, k)
+        pull, lift = rest[n, 0], rest[n, 2]
+        moment = z * pull - x * lift
+        now.line[0] += pull
+        now.line[1] += lift
+        now.line[2] += moment
+        to[0] += pull
+        to[1] += lift
+        to[2] += moment
+
+
+def _left_over(body: Afloat) -> float:
+    """Largest force left over, over the hull's weight; a moment by the hull's own length."""
+    hull, rest = body.hull, body.room.rest
+    long = math.sqrt(max(hull.inertia, 1e-12) / hull.mass)
+    worst = 0.0
+    for i in range(3):
+        size = abs(rest[i]) * hull.free[i]
+        worst = max(worst, size / long if i == 2 else size)
+    return worst / (hull.mass * hull.gravity)
+
+
+def _solve_all(lines: MovingLines, blend: Blend, room: Room, body: Afloat) -> bool:
+    """Turn the equations of hull and lines into displacements, in their `rest`."""
+    to, hull, now, mine = room.equations, body.hull, body.now, body.room
+    regular = True
+    for i in range(3):
+        mine.rest[i] -= now.line[i]
+    for k in range(lines.start.shape[0] - 1):
+        first, last = lines.start[k] + k + (not lines.lower_free[k]), lines.start[k + 1] + k
+        regular = eliminate_blocks(to, first, last) and regular
+        x, z = _arm(hull, now, k)
+        x_m, z_m = _blended_arm(body, blend.before_force, k)
+        d_00, d_01 = to.diagonal[last, 0, 0], to.diagonal[last, 0, 2]
+        d_10, d_11 = to.diagonal[last, 2, 0], to.diagonal[last, 2, 2]
+        # J = (1 0 z; 0 1 -x): what the eye does when the hull moves.
+        pull, lift = to.rest[last, 0], to.rest[last, 2]
+        turn_0, turn_1 = d_00 * z - d_01 * x, d_10 * z - d_11 * x
+        mine.rest[0] += pull
+        mine.rest[1] += lift
+        mine.rest[2] += z_m * pull - x_m * lift
+        mine.matrix[0, 0] += d_00
+        mine.matrix[0, 1] += d_01
+        mine.matrix[1, 0] += d_10
+        mine.matrix[1, 1] += d_11
+        mine.matrix[0, 2] += turn_0
+        mine.matrix[1, 2] += turn_1
+        mine.matrix[2, 0] += z_m * d_00 - x_m * d_10
+        mine.matrix[2, 1] += z_m * d_01 - x_m * d_11
+        mine.matrix[2, 2] += z_m * turn_0 - x_m * turn_1
+    regular = _solve_hull(body) and regular
+    move = mine.rest
+    for k in range(lines.start.shape[0] - 1):
+        first, last = lines.start[k] + k + (not lines.lower_free[k]), lines.start[k + 1] + k
+        x, z = _arm(hull, now, k)
+        to.rest[last, 0], to.rest[last, 1] = move[0] + z * move[2], 0.0
+        to.rest[last, 2] = move[1] - x * move[2]
+        back_substitute_blocks(to, first, last)
+    return regular
+
+
+def _solve_hull(body: Afloat) -> bool:
+    """Turn what is left over into the move of the hull, by elimination with exchange of rows."""
+    matrix, rest = body.room.matrix, body.room.rest
+    _hold_hull(body.hull, matrix, rest)
+    for j in range(3):
+        pivot = j
+        for r in range(j + 1, 3):
+            if abs(matrix[r, j]) > abs(matrix[pivot, j]):
+                pivot = r
+        if matrix[pivot, j] == 0.0:
+            return False
+        for c in range(3):
+            matrix[j, c], matrix[pivot, c] = matrix[pivot, c], matrix[j, c]
+        rest[j], rest[pivot] = rest[pivot], rest[j]
+        for r in range(j + 1, 3):
+            factor = matrix[r, j] / matrix[j, j]
+            for c in range(j, 3):
+                matrix[r, c] -= factor * matrix[j, c]
+            rest[r] -= factor * rest[j]
+    for r in range(2, -1, -1):
+        for c in range(r + 1, 3):
+            rest[r] -= matrix[r, c] * rest[c]
+        rest[r] /= matrix[r, r]
+    return True
+
+
+def _hold_hull(hull: Hull, matrix: Any, rest: Any) -> None:
+    """Take the directions in which a hull is held out of its equations."""
+    for i in range(3):
+        if hull.free[i] == 0.0:
+            rest[i] = 0.0
+            for j in range(3):
+                matrix[i, j] = matrix[j, i] = 0.0
+            matrix[i, i] = 1.0
+
+
+def _move_hull(part: float, h: float, rules: Any, body: Afloat) -> None:
+    now, by_v, by_a = body.now, rules.gamma / (rules.beta * h), 1.0 / (rules.beta * h * h)
+    for i in range(3):
+        move = part * body.room.rest[i]
+        now.q[i] += move
+        now.v[i] += by_v * move
+        now.a[i] += by_a * move
+
+
+def accept_hull(t: float, since: float, body: Afloat) -> None:
+    """Make the end of a step its start; book works and keep what was largest."""
+    now, before, record = body.now, body.before, body.record
+    works, put_in = record.works, 0.0
+    for i in range(PARTS):
+        work = 0.0
+        for j in range(3):
+            way = now.q[j] - before.q[j]
+            work += 0.5 * (now.parts[i, j] + before.parts[i, j]) * way
+        works[i] += work
+        put_in += max(work, 0.0)
+    by_lines = 0.0
+    for j in range(3):
+        by_lines += now.line[j] * (now.q[j] - before.q[j])
+    works[PARTS] += by_lines
+    works[PARTS + 1] += put_in + max(by_lines, 0.0)
+    if t >= since - 1e-9:
+        for i in range(3):
+            record.extreme[i, 0] = min(record.extreme[i, 0], now.q[i])
+            record.extreme[i, 1] = max(record.extreme[i, 1], now.q[i])
+        record.extreme[3, 0] = min(record.extreme[3, 0], now.wet[0])
+        record.extreme[3, 1] = max(record.extreme[3, 1], now.wet[0])
+    copy_values(now.q, before.q)
+    copy_values(now.v, before.v)
+    copy_values(now.a, before.a)
+    copy_values(now.force, before.force)
+    copy_rows(now.parts, before.parts)
+    copy_rows(now.memory, before.memory)
+    copy_values(now.wet, before.wet)
+    copy_values(now.line, before.line)
+
+
+def sample_hull(sample: int, body: Afloat) -> None:
+    """Write a sample."""
+    at, record = body.before, body.record
+    for i in range(3):
+        record.q[sample, i] = at.q[i]
+        record.v[sample, i] = at.v[i]
+        record.line[sample, i] = at.line[i]
+    record.wet[sample] = at.wet[0]
+    record.surface[sample] = body.room.sea[0]
+
+
+def hull_kinetic_energy(hull: Hull, at: HullState) -> float:
+    """Energy of motion, with that of the added mass, J."""
+    total = 0.0
+    for i in range(3):
+        for j in range(3):
+            total += 0.5 * at.v[i] * hull_inertia(hull, i, j) * at.v[j]
+    return float(total)

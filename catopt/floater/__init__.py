@@ -1,0 +1,1 @@
+"""Bodies afloat, by themselves and on their lines."""

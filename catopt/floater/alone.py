@@ -1,0 +1,135 @@
+"""A hull by itself in the sea: let go, pushed or in waves, without lines."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from catopt.arrays import Array
+from catopt.compiled import compiled
+from catopt.errors import NotConvergedError
+from catopt.fem.afloat import Afloat, hull_kinetic_energy, run_hull, start_hull
+from catopt.fem.moving import BodyNode
+from catopt.fem.run_settings import TimeStepping
+from catopt.fem.sampling import Rules
+from catopt.hydro.build import FloatingHull, record_of, room_of, state_of
+from catopt.hydro.hull import PARTS
+from catopt.waves import Sea
+from catopt.words import Message
+
+_A_SLICE: Final = 1e-5
+"""Time that a slice takes in one step as plain Python, s; and so a wave."""
+
+
+@dataclass(frozen=True, eq=False)
+class HullHistory:
+    """How a hull moved.
+
+    `time` (n,), s; `place` (n, 3): of its centre of gravity, x and height above still water, m, and
+    pitch, rad; `velocity` (n, 3); `wet` (n,): volume under water, m3; `surface` (n,): elevation
+    over it, m; `lines` (n, 3): force and moment of its lines with their inertia, N and N m;
+    `extreme` (4, 2): least and largest of place and volume of every step; `works`: of weight and
+    pressure, diffraction, the waves that it makes, drag, wind, linear damping and lines, J;
+    `numerical_part`: energy that the steps lost or gained, over what was put in; `volume`: of
+    all its slices, m3.
+    """
+
+    time: Array
+    place: Array
+    velocity: Array
+    wet: Array
+    surface: Array
+    lines: Array
+    extreme: Array
+    works: Array
+    numerical_part: float
+    volume: float
+
+
+def history_of(body: Afloat, time: Array, depth: float, kinetic_at_first: float) -> HullHistory:
+    """Take out of a hull that was stepped what is kept of it."""
+    record = body.record
+    gained = hull_kinetic_energy(body.hull, body.before) - kinetic_at_first
+    off = abs(float(record.works[: PARTS + 1].sum()) - gained)
+    put_in = float(record.works[PARTS + 1]) + kinetic_at_first
+    level = np.array([0.0, depth, 0.0])
+    return HullHistory(
+        time,
+        record.q - level,
+        record.v,
+        record.wet,
+        record.surface,
+        record.line,
+        record.extreme - np.array([[0.0], [depth], [0.0], [0.0]]),
+        record.works[: PARTS + 1].copy(),
+        off / put_in if put_in > 0.0 else 0.0,
+        float((np.pi * body.hull.radius**2 * (body.hull.top - body.hull.foot)).sum()),
+    )
+
+
+def run_alone(
+    hull: FloatingHull,
+    stepping: TimeStepping,
+    *,
+    sea: Sea,
+    offset: tuple[float, float, float] = (0.0, 0.0, 0.0),
+) -> HullHistory:
+    """Let a hull go from an offset to its place at rest, and step it in time.
+
+    Parameters
+    ----------
+    hull : FloatingHull
+        At its draught at rest.
+    stepping : TimeStepping
+        Steps all as long as its `step`; samples at its output interval.
+    sea : Sea
+        Its waves travel along x or against it; those without a ramp take that of `stepping`.
+    offset : tuple of float
+        Surge and heave, m, and pitch, rad, at first.
+
+    Raises
+    ------
+    NotConvergedError
+        When a step does not close.
+    """
+    flow = sea.flow
+    laid = hull.lay_out(flow)
+    x, z, turn = offset
+    height = flow.depth - hull.draught + hull.centre
+    samples, every, how = stepping.samples, stepping.every, stepping.scheme
+    none = np.zeros(3)
+    body = Afloat(
+        laid,
+        state_of(laid, x, height + z, turn),
+        state_of(laid, x, height + z, turn),
+        room_of(laid),
+        record_of(samples + 1),
+        BodyNode(none, none, none),
+    )
+    controls = stepping.controls
+    rules = Rules(
+        alpha_m=float(how.alpha_m),
+        alpha_f=float(how.alpha_f),
+        beta=float(how.beta),
+        gamma=float(how.gamma),
+        step=float(stepping.step),
+        every=every,
+        limit=int(controls.max_iterations),
+        halvings=0,
+        refinements=0,
+        surprise=float(controls.surprise),
+        transits=float(controls.transits),
+        tolerance=float(controls.tolerance),
+        since=float(stepping.counted_since),
+        until=float(stepping.duration),
+    )
+    start_hull(0.0, flow, body)
+    work = _A_SLICE * (laid.foot.size * (3 + flow.waves.shape[0])) * samples * every
+    done, _ = compiled(run_hull, work)(samples, every, rules, flow, body)
+    if done < samples:
+        reached = done * every * stepping.step
+        raise NotConvergedError(Message("truss.not_closed", time=reached))
+    time = np.asarray(every * float(stepping.step) * np.arange(samples + 1.0))
+    return history_of(body, time, flow.depth, 0.0)

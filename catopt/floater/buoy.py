@@ -1,0 +1,189 @@
+"""A buoy of the library, or of one's own, as a hull that is stepped in time."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from dataclasses import replace
+from typing import Final, NamedTuple
+
+import numpy as np
+
+from catopt.arrays import Array
+from catopt.constants import STANDARD_GRAVITY
+from catopt.errors import InputError, Problem
+from catopt.hydro.build import FloatingHull, Radiation
+from catopt.hydro.cylinder import FloatingCylinder
+from catopt.loads.buoy import AIR_DENSITY
+from catopt.loads.buoy_library import buoy, read_buoys
+from catopt.loads.buoy_shape import BuoyShape
+from catopt.model import Floater
+from catopt.waves.dispersion import fill_wave_numbers
+
+_THICK: Final = 0.1
+"""Thickest slice, over the height of the hull."""
+_CARRIED: Final = 0.9
+"""Part of the reserve buoyancy that the line takes at most where the radiation is found."""
+
+
+class _Slices(NamedTuple):
+    """Slices of a buoy from below, heights above the hull's bottom, m."""
+
+    foot: Array
+    top: Array
+    volume: Array  # m3
+    width: Array  # as the water sees it from the side; 0 of what stands inside the hull, m
+    below: Array  # part of it that is below the hull
+
+
+def floating_buoy(of: Floater) -> BuoyShape:
+    """Look a floater's buoy up; InputError by the keys of ``[floater]``."""
+    try:
+        return buoy(of.buoy, read_buoys(of.file) if of.file else None)
+    except InputError as error:
+        raise InputError(
+            [replace(each, key=f"floater.{each.key}") for each in error.problems], "--dynamic"
+        ) from None
+
+
+def buoy_hull(
+    of: Floater, depth: float, density: float, pull: float, *, shape: BuoyShape | None = None
+) -> FloatingHull:
+    """Make the hull of a buoy.
+
+    Parameters
+    ----------
+    of : Floater
+        What is known of it.
+    depth, density : float
+        Of the water, m and kg/m3.
+    pull : float
+        Of its line downwards in calm water, N, for the draught of its radiation.
+    shape : BuoyShape, optional
+        The buoy; looked up when left out.
+
+    Raises
+    ------
+    InputError
+        For a buoy that is not known, or would not stay upright.
+    """
+    shape = shape or floating_buoy(of)
+    carried = min(max(pull, 0.0), _CARRIED * max(shape.reserve_buoyancy(density), 0.0))
+    afloat = shape.afloat(carried, density)
+    draught, slices = afloat.draught, _slices(shape)
+    centre, gyration = _mass_of(of, shape, slices)
+    radius = np.sqrt(slices.volume / (math.pi * (slices.top - slices.foot)))
+    mass, displaced = shape.total_mass, shape.ballast / shape.ballast_density
+    hull = FloatingHull(
+        slices.foot,
+        slices.top,
+        radius,
+        mass,
+        mass * gyration**2,
+        centre,
+        draught,
+        drag=0.5 * density * shape.drag_in_water * slices.width,
+        bottom_drag=0.125 * math.pi * density * of.heave_drag * shape.widest**2,
+        bottom_radius=0.5 * shape.widest,
+        wind=_wind(of.wind_speed, shape, draught),
+        constant=(0.0, density * STANDARD_GRAVITY * displaced, 0.0),
+        eyes=((0.0, shape.eye),),
+        density=density,
+    )
+    upright = hull.stiffness[2, 2]
+    upright += carried * max(centre - shape.eye, 0.0)  # its line rights it
+    if upright <= 0.0:
+        found = f"{centre:.3g} m above the hull's bottom"
+        allowed = "so high it would not float upright: give the height that it has"
+        raise InputError([Problem("floater.centre_of_gravity", found, allowed)], "--dynamic")
+    radiation = _radiation(hull, slices, depth)
+    inertia = hull.inertia + radiation.infinite[2, 2]
+    own = 2.0 * (of.pitch_damping or 0.0) * math.sqrt(inertia * upright)
+    return replace(hull, radiation=radiation, damping=(0.0, 0.0, own))
+
+
+def _slices(shape: BuoyShape) -> _Slices:
+    """Cut a buoy into slices; what stands inside the hull displaces, and is not seen."""
+    hull, structure = shape.stacks
+    rows = []
+    for stack, is_hull in ((hull, True), (structure, False)):
+        for foot, each in stack:
+            cuts = [foot, foot + each.height]
+            if not is_hull:  # where it enters the hull and leaves it
+                cuts += [level for level in (0.0, shape.deck) if foot < level < cuts[1]]
+            cuts.sort()
+            for low, high in itertools.pairwise(cuts):
+                count = max(1, math.ceil((high - low) / (_THICK * shape.deck)))
+                ends = np.linspace(low, high, count + 1)
+                for a, b in itertools.pairwise(ends.tolist()):
+                    volume = each.displaced(b - foot) - each.displaced(a - foot)
+                    seen = is_hull or b <= 1e-9 or a >= shape.deck - 1e-9
+                    width = each.outline(a - foot, b - foot) / (b - a) if seen else 0.0
+                    under = 0.0 if is_hull or a >= 0.0 else 1.0
+                    rows.append((a, b, max(volume, 0.0), width, under))
+    rows.sort()
+    return _Slices(*(np.array(column) for column in zip(*rows, strict=True)))
+
+
+def _mass_of(of: Floater, shape: BuoyShape, slices: _Slices) -> tuple[float, float]:
+    """Height of the centre of gravity above the hull's bottom, and radius of gyration, m."""
+    middle = 0.5 * (slices.foot + slices.top)
+    long = slices.top - slices.foot
+    share = slices.volume / slices.volume.sum() * shape.mass
+    total = shape.total_mass
+    centre = of.centre_of_gravity
+    if centre is None:
+        centre = float((share @ middle + shape.ballast * shape.lowest) / total)
+    if of.pitch_radius is not None:
+        return centre, of.pitch_radius
+    radius = np.sqrt(slices.volume / (math.pi * long))
+    about = 0.25 * radius**2 + long**2 / 12.0 + (middle - centre) ** 2
+    own = share @ about + shape.ballast * (shape.lowest - centre) ** 2
+    return centre, math.sqrt(float(own) / total)
+
+
+def _wind(speed: float, shape: BuoyShape, draught: float) -> tuple[float, float]:
+    """Force of the wind, N, and the height above the hull's bottom at which it acts, m."""
+    height = shape.tower_height or math.fsum(each.height for each in shape.pylons)
+    areas = (
+        (shape.outline(low=draught), 0.5 * (draught + shape.deck)),
+        (shape.tower_area, shape.deck + 0.5 * height),
+        (shape.marks_area, shape.deck + height),
+    )
+    area = math.fsum(each for each, _ in areas)
+    if area == 0.0:
+        return 0.0, shape.deck
+    force = 0.5 * AIR_DENSITY * shape.drag_in_air * area * speed**2
+    return force, math.fsum(each * z for each, z in areas) / area
+
+
+def _radiation(hull: FloatingHull, slices: _Slices, depth: float) -> Radiation:
+    """Find that of a cylinder of the hull's waterplane and volume; what hangs below by strips."""
+    area, _ = hull.waterplane
+    wet = np.clip(hull.draught - slices.foot, 0.0, slices.top - slices.foot)
+    volumes = math.pi * hull.radius**2 * wet
+    floats = float((volumes * (1.0 - slices.below)).sum())
+    radius = math.sqrt(area / math.pi)
+    draught = min(floats / area, 0.95 * depth)
+    of = Radiation.of_cylinder(
+        FloatingCylinder(
+            radius, draught, depth, hull.centre - hull.draught, hull.density, hull.gravity
+        )
+    )
+    assert of.excitation is not None
+    # Added mass across a long tube is what it displaces.
+    middle = 0.5 * (slices.foot + np.minimum(slices.top, hull.draught))
+    added = hull.density * volumes * slices.below
+    arm = middle - hull.centre
+    more = np.zeros((3, 3))
+    more[0, 0], more[2, 2] = added.sum(), added @ arm**2
+    more[0, 2] = more[2, 0] = added @ arm
+    k = np.empty(of.omega.size)
+    fill_wave_numbers(of.omega, depth, k)
+    along = hull.water_acceleration(of.omega, k, depth, middle - hull.draught)
+    excitation = of.excitation.copy()
+    excitation[:, 0] += along @ added
+    excitation[:, 2] += along @ (added * arm)
+    return replace(
+        of, added_mass=of.added_mass + more, infinite=of.infinite + more, excitation=excitation
+    )

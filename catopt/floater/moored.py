@@ -1,0 +1,215 @@
+"""A hull on its line: brought to rest in current and wind, then run in the sea, as one system."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Final, NamedTuple
+
+import numpy as np
+
+from catopt.arrays import Array
+from catopt.errors import NoEquilibriumError, NotConvergedError
+from catopt.fem.afloat import Afloat, sample_hull
+from catopt.fem.bed import HeldBed
+from catopt.fem.block_tridiagonal import eliminate_blocks
+from catopt.fem.dynamic_model import LineProperties
+from catopt.fem.dynamics import check_run, line_at_rest, ramped, run_from_rest
+from catopt.fem.history import History
+from catopt.fem.mesh import LineMesh
+from catopt.fem.moving import Blend, BodyNode
+from catopt.fem.run_settings import TimeStepping
+from catopt.fem.seabed import Seabed
+from catopt.fem.simulation import Simulation
+from catopt.floater.alone import HullHistory, history_of
+from catopt.hydro.build import FloatingHull, record_of, room_of, state_of
+from catopt.hydro.hull import Hull, HullState, fill_forces_on_hull, fill_sea
+from catopt.waves import Sea
+from catopt.words import Message
+
+_AT_REST: Final = Blend(0.0, 0.0, 1.0, 0.0, 0.0)
+_ROUNDS: Final = 80
+"""Of Newton's method for the hull at rest."""
+_CLOSED: Final = 1e-7
+"""Force left over at rest, over the hull's weight."""
+_MOST_MOVE: Final = 0.5
+"""Way, over the hull's size, that a step of it may go."""
+_LEAST_PULL: Final = 0.02
+"""Pull by which the line is first laid out, over its weight from the bed to the eye."""
+
+
+class AtRest(NamedTuple):
+    """A hull at rest on its line, in the current and the wind."""
+
+    simulation: Simulation
+    hull: Hull
+    state: HullState
+    line: Array  # (3,): force and moment of the line on it, N and N m
+
+
+def moored_at_rest(
+    hull: FloatingHull,
+    mesh: LineMesh,
+    *,
+    sea: Sea,
+    properties: LineProperties,
+    anchor_height: float = 0.0,
+) -> AtRest:
+    """Find where hull and line are at rest, without waves; the anchor is at x = y = 0.
+
+    Raises NoEquilibriumError where the line draws the hull under, NotConvergedError.
+    """
+    flow = sea.flow_at_rest
+    laid = hull.lay_out(sea.flow)
+    still, room = hull.lay_out(flow), room_of(laid)
+    state = state_of(laid, 0.0, flow.depth - hull.draught + hull.centre)
+
+    def pushed(q: Array) -> Array:
+        state.q[:] = q
+        state.v[:] = 0.0
+        fill_sea(0.0, still, state.q, flow, room)
+        room.carried[:] = room.by_speed[:] = 0.0
+        fill_forces_on_hull(still, state, flow.depth, room)
+        return state.force.copy()
+
+    def laid_out(at: LineProperties, eye: Array, force: float | None = None) -> Simulation:
+        simulation = line_at_rest(
+            mesh,
+            height=float(eye[1]),
+            span=None if force is not None else float(eye[0]),
+            horizontal_force=force,
+            anchor_height=anchor_height,
+            properties=at,
+            sea=sea,
+        )
+        simulation.hold_ends()
+        return simulation
+
+    q = state.q.copy()
+    drift = pushed(q)[0]
+    weight = float(np.mean([each.submerged_weight for each in mesh.line.segments]))
+    eye = _eye(laid, q)
+    least = _LEAST_PULL * abs(weight) * max(eye[1] - anchor_height, 1.0)
+    # First without friction of the bed, whose springs would be all of the stiffness.
+    smooth = replace(properties, seabed=_without_friction(properties.seabed))
+    simulation = laid_out(smooth, eye, max(drift, least))
+    q[0] += simulation.state.x[-1, 0] - eye[0]
+    scale = hull.mass * hull.gravity
+    long = math.sqrt(max(hull.inertia, 1e-12) / hull.mass)
+    size = max(hull.draught, 2.0 * float(hull.radius.max()))
+    is_rubbed, matrix = False, np.eye(3)
+    for _ in range(_ROUNDS):
+        arm = _eye(laid, q) - q[:2]
+        turned = np.array([[1.0, 0.0, arm[1]], [0.0, 1.0, -arm[0]]])
+        if is_rubbed:
+            simulation = laid_out(properties, _eye(laid, q))
+            pull = simulation.state.force[-1, [0, 2]].copy()
+        else:
+            pull, stiffness = _of_line(laid_out(smooth, _eye(laid, q)))
+            matrix = turned.T @ stiffness @ turned - _slope(pushed, q, size)
+            # Heavier pulls turn the eye in under the hull.
+            matrix[2, 2] += arm[1] * pull[1] + arm[0] * pull[0]
+            matrix[laid.free == 0.0] = 0.0
+            matrix[:, laid.free == 0.0] = 0.0
+            matrix += np.diag(1.0 - laid.free)
+            matrix += 1e-6 * scale * np.diag([1.0 / size, 1.0 / size, size])
+        line = turned.T @ pull
+        left = (pushed(q) + line) * laid.free
+        worst = float(np.abs(left / [scale, scale, scale * long]).max())
+        if worst <= _CLOSED and is_rubbed:
+            state.q[:] = q
+            pushed(q)
+            return AtRest(simulation, laid, state, line)
+        is_rubbed = is_rubbed or worst <= _CLOSED
+        move = np.linalg.solve(matrix, left)
+        far = max(float(np.hypot(move[0], move[1])), abs(float(move[2])) * size)
+        q = q + move * min(1.0, _MOST_MOVE * size / max(far, 1e-300))
+        top = q[1] + float(hull.top.max() - hull.centre)
+        if top < flow.depth - 3.0 * size:
+            raise NoEquilibriumError(Message("floater.drawn_under"), "force", 0.0)
+    raise NotConvergedError(Message("floater.not_at_rest", rounds=_ROUNDS))
+
+
+def _without_friction(seabed: Seabed | HeldBed | None) -> Seabed | HeldBed | None:
+    return replace(seabed, friction=0.0) if isinstance(seabed, Seabed) else seabed
+
+
+def _eye(hull: Hull, q: Array) -> Array:
+    """Place of the mooring eye, x and z, m."""
+    sine, cosine = math.sin(q[2]), math.cos(q[2])
+    across, along = hull.eye[0]
+    return np.array([q[0] + across * cosine + along * sine, q[1] + along * cosine - across * sine])
+
+
+def _slope(pushed: Callable[[Array], Array], q: Array, size: float) -> Array:
+    """Find the derivative of the forces on the hull by its place, by differences."""
+    out = np.zeros((3, 3))
+    for j, step in enumerate((1e-5 * size, 1e-5 * size, 1e-5)):
+        way = np.zeros(3)
+        way[j] = step
+        out[:, j] = (pushed(q + way) - pushed(q - way)) / (2.0 * step)
+    return out
+
+
+def _of_line(simulation: Simulation) -> tuple[Array, Array]:
+    """Force of a line on its upper end, (2,) N, and its stiffness there, (2, 2) N/m."""
+    at = simulation.state
+    simulation.assemble(_AT_REST)
+    to, last = simulation.equations, at.x.shape[0] - 1
+    pull = at.force[last, [0, 2]].copy()
+    eliminate_blocks(to, 1, last)
+    return pull, to.diagonal[last][np.ix_([0, 2], [0, 2])].copy()
+
+
+def run_moored(
+    hull: FloatingHull,
+    mesh: LineMesh,
+    stepping: TimeStepping,
+    *,
+    sea: Sea,
+    properties: LineProperties,
+    anchor_height: float = 0.0,
+    progress: Callable[[float], None] | None = None,
+) -> tuple[History, HullHistory]:
+    """Run a hull and its line in a sea, from rest, by one Newton iteration a step for both.
+
+    Parameters
+    ----------
+    hull : FloatingHull
+        With one mooring eye.
+    mesh : LineMesh
+        Of the line from its anchor at x = y = 0.
+    stepping, sea, properties, anchor_height, progress
+        As for `run_dynamics`; waves and current go along x or against it.
+
+    Raises
+    ------
+    InputError, NoEquilibriumError, NotConvergedError
+        As `run_dynamics`, and where the line draws the hull under.
+    """
+    in_sea = ramped(sea, stepping)
+    assert in_sea is not None
+    warnings = check_run(stepping, sea=in_sea)
+    rest = moored_at_rest(
+        hull, mesh, sea=in_sea, properties=properties, anchor_height=anchor_height
+    )
+    simulation, laid = rest.simulation, rest.hull
+    simulation.start()
+    ones, none = np.ones(3), np.zeros(3)
+    before = rest.state._replace(line=rest.line)
+    now = HullState(*(each.copy() for each in before))
+    body = Afloat(
+        laid,
+        now,
+        before,
+        room_of(laid),
+        record_of(stepping.samples + 1),
+        BodyNode(none, none, none),
+    )
+    simulation.afloat = body
+    simulation.body = BodyNode(ones, none, none)
+    sample_hull(0, body)
+    history = run_from_rest(simulation, stepping, [mesh], warnings, progress)
+    of = history_of(body, history.time, in_sea.depth, 0.0)
+    return history, of

@@ -1,0 +1,1 @@
+"""A hull in waves: pressure, radiation, excitation and memory."""

@@ -1,0 +1,289 @@
+"""From what is known of a hull to what the kernels step in time."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+from scipy.interpolate import CubicSpline
+
+from catopt.arrays import Array
+from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
+from catopt.hydro.cylinder import FloatingCylinder
+from catopt.hydro.hull import PARTS, Hull, HullRecord, HullRoom, HullState
+from catopt.hydro.memory import Memory
+from catopt.model.validity import Findings
+from catopt.waves.dispersion import fill_wave_numbers
+from catopt.waves.kinematics import Flow
+
+Complex = npt.NDArray[np.complex128]
+
+COLUMNS: Final = 9
+"""In which a slice that is cut by the surface is divided across."""
+_LOWEST, _HIGHEST, _COUNT = 0.05, 3.6, 60
+"""Frequencies of a cylinder's radiation, over sqrt(g/a), and how many."""
+_LASTS: Final = 40.0
+"""After which its memory is over, over sqrt(a/g)."""
+
+
+@dataclass(frozen=True, eq=False)
+class Radiation:
+    """Added mass, damping and excitation about the centre of gravity; surge, heave, pitch.
+
+    `omega` (n,): rising, rad/s; `added_mass`, `damping` (n, 3, 3); `infinite` (3, 3): added mass of
+    motion much faster than its waves; `excitation` (n, 3): force for a wave of 1 m,
+    exp(i (k x - omega t)), N and N m; None: not known. `longest`: when the memory is over, s.
+    """
+
+    omega: Array
+    added_mass: Array
+    damping: Array
+    infinite: Array
+    excitation: Complex | None
+    longest: float
+
+    @classmethod
+    def of_cylinder(cls, of: FloatingCylinder) -> Radiation:
+        """Find that of a floating vertical cylinder, pitching about its reference."""
+        scale = math.sqrt(of.gravity / of.radius)
+        omega = scale * (_LOWEST + (_HIGHEST - _LOWEST) * np.linspace(0.0, 1.0, _COUNT) ** 1.3)
+        answer = of.at(omega)
+        return cls(
+            omega,
+            answer.added_mass,
+            answer.damping,
+            of.at_infinite_frequency(),
+            answer.excitation,
+            _LASTS / scale,
+        )
+
+    @classmethod
+    def none(cls) -> Radiation:
+        """Return that of a body that makes no waves."""
+        zero, grid = np.zeros((4, 3, 3)), np.linspace(1.0, 4.0, 4)
+        return cls(grid, zero, zero, np.zeros((3, 3)), None, 1.0)
+
+    @property
+    def memory(self) -> Memory:
+        """Its memory as exponentials."""
+        if not self.damping.any():
+            return Memory.none()
+        return Memory.of(self.omega, self.damping, self.longest)
+
+
+@dataclass(frozen=True, eq=False)
+class FloatingHull:
+    """A body of revolution at rest: slices from below upwards, heights above its keel, m.
+
+    Parameters
+    ----------
+    foot, top, radius : array, shape (n,)
+        Of each slice: heights of its ends, and radius of the disc that displaces as much, m.
+    mass, inertia : float
+        kg; in pitch about the centre of gravity, kg m2.
+    centre, draught : float
+        Heights of the centre of gravity and of still water, m.
+    radiation : Radiation
+        About the centre of gravity.
+    drag : array, shape (n,)
+        0.5 rho C D across each slice, N s2/m3.
+    bottom_drag, bottom_radius : float
+        0.5 rho C A along the axis, N s2/m2, of the lowest face; its radius, m.
+    wind : tuple of float
+        Force along x, N, and height of where it acts, m.
+    damping, constant : tuple of float
+        Linear damping and constant force in surge, heave, pitch.
+    eyes : tuple of tuple of float
+        Place of each mooring eye: towards +x from the axis, height above the keel, m.
+    free : tuple of bool
+        Whether it moves in surge, heave and pitch.
+    """
+
+    foot: Array
+    top: Array
+    radius: Array
+    mass: float
+    inertia: float
+    centre: float
+    draught: float
+    radiation: Radiation = field(default_factory=Radiation.none)
+    drag: Array | None = None
+    bottom_drag: float = 0.0
+    bottom_radius: float = 0.0
+    wind: tuple[float, float] = (0.0, 0.0)
+    damping: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    constant: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    eyes: tuple[tuple[float, float], ...] = ()
+    free: tuple[bool, bool, bool] = (True, True, True)
+    density: float = SEA_WATER_DENSITY
+    gravity: float = STANDARD_GRAVITY
+
+    def __post_init__(self) -> None:
+        found = Findings("FloatingHull")
+        found.number("mass", self.mass, "kg", above=0.0)
+        found.number("inertia", self.inertia, "kg m2", at_least=0.0)
+        found.number("draught", self.draught, "m", above=0.0)
+        if not (self.foot.size == self.top.size == self.radius.size > 0):
+            found.add("slices", f"{self.foot.size}", "foot, top and radius of one or more")
+        elif not (self.top > self.foot).all():
+            found.add("slices", "", "the top of each is above its foot")
+        found.raise_if_any()
+
+    @property
+    def volume(self) -> float:
+        """Under still water at rest, m3."""
+        return float((math.pi * self.radius**2 * self._wet).sum())
+
+    @property
+    def _wet(self) -> Array:
+        """Length of each slice under still water, m."""
+        return np.clip(self.draught - self.foot, 0.0, self.top - self.foot)
+
+    @property
+    def waterplane(self) -> tuple[float, float]:
+        """Area, m2, and its second moment, m4, at the draught."""
+        cut = (self.foot < self.draught) & (self.draught <= self.top)
+        square = float((self.radius[cut] ** 2).sum())
+        fourth = float((self.radius[cut] ** 4).sum())
+        return math.pi * square, 0.25 * math.pi * fourth
+
+    @property
+    def stiffness(self) -> Array:
+        """Of weight and buoyancy at rest, (3, 3): N/m and N m."""
+        area, second = self.waterplane
+        lever = 0.5 * (self.foot + np.minimum(self.top, self.draught)) - self.centre
+        volumes = math.pi * self.radius**2 * self._wet
+        unit = self.density * self.gravity
+        out = np.zeros((3, 3))
+        out[1, 1] = unit * area
+        out[2, 2] = unit * (second + float((volumes * lever).sum()))
+        return out
+
+    def long_wave(self, omega: Array, k: Array, depth: float) -> Complex:
+        """Force (n, 3) that the kernels find on it at rest for a small wave of 1 m."""
+        s = 0.5 * (self.foot + np.minimum(self.top, self.draught)) - self.centre
+        height = np.minimum(0.5 * (self.foot + self.top) - self.draught, 0.0)
+        mass = self.density * math.pi * self.radius**2 * self._wet
+        along = self.water_acceleration(omega, k, depth, height)
+        rise = self.water_acceleration(omega, k, depth, height, upwards=True)
+        area, second = self.waterplane
+        unit = self.density * self.gravity
+        out = np.zeros((omega.size, 3), dtype=complex)
+        out[:, 0] = along @ mass
+        out[:, 1] = rise @ mass + unit * area
+        out[:, 2] = along @ (mass * s) - 1.0j * k * unit * second
+        return out
+
+    @staticmethod
+    def water_acceleration(
+        omega: Array, k: Array, depth: float, height: Array, *, upwards: bool = False
+    ) -> Complex:
+        """Of a wave of 1 m, at heights over still water, 0 or below: (frequencies, heights)."""
+        up, down = np.exp(np.outer(k, height)), np.exp(-np.outer(k, height + 2.0 * depth))
+        over = (omega**2 / -np.expm1(-2.0 * k * depth))[:, np.newaxis]
+        found: Complex = -over * (up - down) if upwards else -1.0j * over * (up + down)
+        return found + 0j
+
+    def lay_out(self, flow: Flow) -> Hull:
+        """Arrays for the kernels, in a sea whose waves travel along x or against it."""
+        of, memory = self.radiation, self.radiation.memory
+        x = np.cos(np.arange(1, COLUMNS + 1) * math.pi / (COLUMNS + 1))
+        share = (
+            2.0 / (COLUMNS + 1) * np.sin(np.arange(1, COLUMNS + 1) * math.pi / (COLUMNS + 1)) ** 2
+        )
+        pair = memory.row, memory.column
+        return Hull(
+            mass=float(self.mass),
+            inertia=float(self.inertia),
+            added=np.ascontiguousarray(of.infinite, dtype=float),
+            density=float(self.density),
+            gravity=float(self.gravity),
+            foot=np.ascontiguousarray(self.foot - self.centre, dtype=float),
+            top=np.ascontiguousarray(self.top - self.centre, dtype=float),
+            radius=np.ascontiguousarray(self.radius, dtype=float),
+            drag=np.zeros(self.foot.size) if self.drag is None else np.array(self.drag, float),
+            bottom=float(self.foot.min() - self.centre),
+            bottom_drag=float(self.bottom_drag),
+            bottom_radius=float(self.bottom_radius),
+            column=np.ascontiguousarray(np.stack([x, share], axis=1)),
+            wind=np.array([self.wind[0], self.wind[1] - self.centre]),
+            damping=np.array(self.damping, dtype=float),
+            constant=np.array(self.constant, dtype=float),
+            stiffness=self.stiffness,
+            eye=np.array([(x, z - self.centre) for x, z in self.eyes]).reshape(-1, 2),
+            free=np.array(self.free, dtype=float),
+            mode=np.ascontiguousarray(np.stack(pair, axis=1).reshape(-1, 2)),
+            rate=_parts(memory.rate),
+            strength=_parts(memory.strength),
+            excited=self._excited(flow),
+        )
+
+    def _excited(self, flow: Flow) -> Array:
+        """Diffraction of each wave, beyond what the kernels find by slices."""
+        of, waves, out = self.radiation, flow.waves, np.zeros((flow.waves.shape[0], 6))
+        if of.excitation is None or waves.shape[0] == 0:
+            return out
+        k = np.empty(of.omega.size)
+        fill_wave_numbers(of.omega, flow.depth, k)
+        beyond = of.excitation - self.long_wave(of.omega, k, flow.depth)
+        omega = waves[:, 0]
+        at = CubicSpline(of.omega, beyond)(np.clip(omega, of.omega[0], of.omega[-1]))
+        # Long waves pass as if there were no hull; beyond the table the whole force fades.
+        at[omega < of.omega[0]] *= (omega[omega < of.omega[0], np.newaxis] / of.omega[0]) ** 2
+        short = omega > of.omega[-1]
+        at[short] = -self.long_wave(omega[short], waves[short, 3], flow.depth)
+        at *= waves[:, 7, np.newaxis]
+        at[:, [0, 2]] *= waves[:, 5, np.newaxis]  # cos b: +1 or -1
+        out[:, 0::2], out[:, 1::2] = at.real, at.imag
+        return out
+
+
+def _parts(values: Complex) -> Array:
+    return np.ascontiguousarray(np.stack([values.real, values.imag], axis=1).reshape(-1, 2))
+
+
+def state_of(hull: Hull, x: float, z: float, pitch: float = 0.0) -> HullState:
+    """At rest at a place of its centre of gravity, m, above the bed; pitch in rad."""
+    return HullState(
+        q=np.array([x, z, pitch], dtype=float),
+        v=np.zeros(3),
+        a=np.zeros(3),
+        force=np.zeros(3),
+        parts=np.zeros((PARTS, 3)),
+        memory=np.zeros((hull.mode.shape[0], 2)),
+        wet=np.zeros(1),
+        line=np.zeros(3),
+    )
+
+
+def room_of(hull: Hull) -> HullRoom:
+    """Work space of a hull."""
+    slices, modes = hull.foot.size, hull.mode.shape[0]
+    return HullRoom(
+        points=np.zeros((slices, 3)),
+        velocity=np.zeros((slices, 3)),
+        acceleration=np.zeros((slices, 3)),
+        surface=np.zeros(slices),
+        sea=np.zeros(5),
+        carried=np.zeros((modes, 2)),
+        by_speed=np.zeros((modes, 2)),
+        matrix=np.zeros((3, 3)),
+        rest=np.zeros(3),
+        by_v=np.zeros((3, 3)),
+    )
+
+
+def record_of(samples: int) -> HullRecord:
+    """Room for so many samples."""
+    return HullRecord(
+        q=np.zeros((samples, 3)),
+        v=np.zeros((samples, 3)),
+        wet=np.zeros(samples),
+        surface=np.zeros(samples),
+        line=np.zeros((samples, 3)),
+        extreme=np.array([[np.inf, -np.inf]] * 4),
+        works=np.zeros(PARTS + 2),
+    )

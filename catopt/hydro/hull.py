@@ -1,0 +1,278 @@
+"""A body of revolution afloat in the plane of the weather, as the kernels take it.
+
+Its place is q = (x, z, theta): of its centre of gravity along the waves and above the bed, m, and
+its pitch about y, rad, by which its upper end goes to +x. Along its axis it is a stack of slices;
+s is the height above the centre of gravity along it. Forces at one time:
+
+    weight; the pressure of the undisturbed wave over what is under the instantaneous surface, as
+    rho (g + du/dt) on each wet volume, the slices at the surface in columns; diffraction, what the
+    linear theory has beyond that, summed over the waves; memory of the waves it made; drag by
+    slice and at its bottom on the velocity relative to the water; wind; linear damping.
+
+The surface is a plane over the hull's width: such a hull is small beside the waves. Added mass,
+memory and diffraction are those of the hull at rest at its mean draught, however deep it is.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Final, NamedTuple
+
+from catopt.arrays import Array, Codes
+from catopt.compiled import packed
+from catopt.waves.fast_functions import cos_sin
+from catopt.waves.kinematics import Flow, fill_kinematics, smooth_ramp
+
+PRESSURE, DIFFRACTION, MEMORY, DRAG, WIND, DAMPING = range(6)
+"""Rows of `HullState.parts`; the first with the weight."""
+PARTS: Final = 6
+LEAST_COSINE: Final = 0.05
+"""Of the angle between the axis and the surface, as far as columns are cut by it."""
+
+
+@packed
+class Hull(NamedTuple):
+    """What does not change in a run."""
+
+    mass: float  # kg
+    inertia: float  # about its centre of gravity, kg m2
+    added: Array  # (3, 3): added mass of motion much faster than its waves, about that point
+    density: float  # of the water, kg/m3
+    gravity: float  # m/s2
+    foot: Array  # (slices,): s of each slice's foot, m
+    top: Array  # (slices,): and of its top
+    radius: Array  # (slices,): of the disc that displaces as much, m
+    drag: Array  # (slices,): 0.5 rho C D, per length, N s2/m3
+    bottom: float  # s of the lowest face, m
+    bottom_drag: float  # 0.5 rho C A of it along the axis, N s2/m2
+    bottom_radius: float  # m
+    column: Array  # (columns, 2): place across, over the radius, and share of the disc
+    wind: Array  # (2,): force along x, N, and s of where it acts, m
+    damping: Array  # (3,): linear, N s/m and N m s
+    constant: Array  # (3,): other constant forces, N and N m
+    stiffness: Array  # (3, 3): derivative of the restoring forces at rest, for Newton's steps
+    eye: Array  # (lines, 2): place of each mooring eye across and along the axis, m
+    free: Array  # (3,): 1.0 for each direction in which it moves
+    mode: Codes  # (modes, 2): force and motion of each exponential of the memory
+    rate: Array  # (modes, 2): its rate, real and imaginary, 1/s
+    strength: Array  # (modes, 2)
+    excited: Array  # (waves, 6): diffraction of each wave of the sea, real and imaginary parts of
+    # surge, heave, pitch, with the wave's amplitude, N and N m
+
+
+@packed
+class HullState(NamedTuple):
+    """Where it is at one time."""
+
+    q: Array  # (3,): place, velocity, acceleration
+    v: Array
+    a: Array
+    force: Array  # (3,): all forces but inertia and lines
+    parts: Array  # (PARTS, 3): of which it consists
+    memory: Array  # (modes, 2): integral of exp(rate (t - s)) v(s) ds, real and imaginary
+    wet: Array  # (1,): volume under the surface, m3
+    line: Array  # (3,): force and moment of the lines with their inertia
+
+
+@packed
+class HullRoom(NamedTuple):
+    """Work space, and the water at the step's end where the hull is expected."""
+
+    points: Array  # (slices, 3)
+    velocity: Array  # (slices, 3)
+    acceleration: Array  # (slices, 3)
+    surface: Array  # (slices,)
+    sea: Array  # (5,): elevation, m, its slope along x, diffraction in three directions
+    carried: Array  # (modes, 2): memory at the step's end by what was before
+    by_speed: Array  # (modes, 2): and by each m/s at the step's end
+    matrix: Array  # (3, 3): of Newton's step
+    rest: Array  # (3,): what is left over, then the move
+    by_v: Array  # (3, 3): derivative of the drag
+
+
+@packed
+class HullRecord(NamedTuple):
+    """What is kept of a run."""
+
+    q: Array  # (samples, 3)
+    v: Array  # (samples, 3)
+    wet: Array  # (samples,): volume under the surface, m3
+    surface: Array  # (samples,): elevation over its centre, m
+    line: Array  # (samples, 3)
+    extreme: Array  # (4, 2): least and largest x, z, pitch, wet volume of every step
+    works: Array  # (PARTS + 2,): of each part, of the lines, and what was put in, J
+
+
+def fill_sea(t: float, hull: Hull, q: Any, flow: Flow, room: HullRoom) -> None:
+    """Take the water at time t, s, about a hull at q."""
+    sine, cosine = math.sin(q[2]), math.cos(q[2])
+    points, sea = room.points, room.sea
+    for j in range(points.shape[0]):
+        s = 0.5 * (hull.foot[j] + hull.top[j])
+        points[j, 0] = q[0] + s * sine
+        points[j, 1] = 0.0
+        points[j, 2] = min(q[1] + s * cosine, flow.depth)
+    fill_kinematics(t, points, flow, room.velocity, room.acceleration, room.surface)
+    eta = slope = surge = heave = pitch = 0.0
+    waves, excited = flow.waves, hull.excited
+    for i in range(waves.shape[0]):
+        cos, sin = cos_sin(waves[i, 1] * q[0] - (waves[i, 0] * t) % (2.0 * math.pi) + waves[i, 4])
+        eta += waves[i, 7] * cos
+        slope -= waves[i, 7] * waves[i, 1] * sin
+        surge += excited[i, 0] * cos - excited[i, 1] * sin
+        heave += excited[i, 2] * cos - excited[i, 3] * sin
+        pitch += excited[i, 4] * cos - excited[i, 5] * sin
+    ramp, _ = smooth_ramp(t, flow.ramp_time)
+    sea[0], sea[1] = ramp * eta, ramp * slope
+    sea[2], sea[3], sea[4] = ramp * surge, ramp * heave, ramp * pitch
+
+
+def fill_forces_on_hull(hull: Hull, now: HullState, depth: float, room: HullRoom) -> None:
+    """Write the forces on a hull in the water at hand; `depth` of still water, m."""
+    parts, sea, by_v, v = now.parts, room.sea, room.by_v, now.v
+    for i in range(PARTS):
+        for j in range(3):
+            parts[i, j] = 0.0
+    for i in range(3):
+        for j in range(3):
+            by_v[i, j] = 0.0
+    now.wet[0] = _press(hull, now, depth, room)
+    parts[PRESSURE, 1] -= hull.mass * hull.gravity
+    for i in range(3):
+        parts[PRESSURE, i] += hull.constant[i]
+        parts[DIFFRACTION, i] = sea[2 + i]
+        parts[DAMPING, i] = -hull.damping[i] * v[i]
+        by_v[i, i] += hull.damping[i]
+    for m in range(hull.mode.shape[0]):
+        of, by = hull.mode[m, 0], hull.mode[m, 1]
+        real = room.carried[m, 0] + room.by_speed[m, 0] * v[by]
+        imaginary = room.carried[m, 1] + room.by_speed[m, 1] * v[by]
+        now.memory[m, 0], now.memory[m, 1] = real, imaginary
+        r, i_ = hull.strength[m, 0], hull.strength[m, 1]
+        parts[MEMORY, of] -= r * real - i_ * imaginary
+        by_v[of, by] += r * room.by_speed[m, 0] - i_ * room.by_speed[m, 1]
+    sine, cosine = math.sin(now.q[2]), math.cos(now.q[2])
+    parts[WIND, 0] = hull.wind[0]
+    parts[WIND, 2] = hull.wind[0] * hull.wind[1] * cosine
+    _drag_bottom(hull, now, depth, sine, cosine, room)
+    for j in range(3):
+        total = 0.0
+        for i in range(PARTS):
+            total += parts[i, j]
+        now.force[j] = total
+
+
+def _press(hull: Hull, now: HullState, depth: float, room: HullRoom) -> float:
+    """Add the pressure on all slices and the drag across them; give the volume under water, m3."""
+    q, v, column = now.q, now.v, hull.column
+    sine, cosine = math.sin(q[2]), math.cos(q[2])
+    above = depth + room.sea[0] - q[1]
+    lean = room.sea[1] * cosine + sine
+    upright = max(cosine - room.sea[1] * sine, LEAST_COSINE)
+    volume = 0.0
+    for j in range(hull.foot.shape[0]):
+        s_0, s_1, R = hull.foot[j], hull.top[j], hull.radius[j]
+        ax, az = room.acceleration[j, 0], room.acceleration[j, 2] + hull.gravity
+        middle = 0.5 * (s_0 + s_1)
+        whole = math.pi * R * R * (s_1 - s_0)
+        reach = abs(lean) * R
+        wet, arm_x, arm_z = 0.0, 0.0, 0.0
+        if (above - reach) >= s_1 * upright:
+            wet = whole
+            arm_x, arm_z = middle * sine * whole, middle * cosine * whole
+        elif (above + reach) > s_0 * upright:
+            for c in range(column.shape[0]):
+                across = column[c, 0] * R
+                long = min(max((above + across * lean) / upright - s_0, 0.0), s_1 - s_0)
+                part = column[c, 1] * math.pi * R * R * long
+                s = s_0 + 0.5 * long
+                wet += part
+                arm_x += part * (across * cosine + s * sine)
+                arm_z += part * (s * cosine - across * sine)
+        if wet <= 0.0:
+            continue
+        volume += wet
+        now.parts[PRESSURE, 0] += hull.density * wet * ax
+        now.parts[PRESSURE, 1] += hull.density * wet * az
+        now.parts[PRESSURE, 2] += hull.density * (arm_z * ax - arm_x * az)
+        if hull.drag[j] > 0.0:
+            long = (s_1 - s_0) * (wet / whole if whole > 0.0 else 0.0)
+            s = arm_x / wet * sine + arm_z / wet * cosine
+            off = (room.velocity[j, 0] - v[0]) * cosine - (room.velocity[j, 2] - v[1]) * sine
+            off -= s * v[2]
+            factor = hull.drag[j] * long * abs(off)
+            push = factor * off
+            now.parts[DRAG, 0] += push * cosine
+            now.parts[DRAG, 1] -= push * sine
+            now.parts[DRAG, 2] += push * s
+            _add_square(room.by_v, 2.0 * factor, cosine, -sine, s)
+    return volume
+
+
+def _drag_bottom(
+    hull: Hull, now: HullState, depth: float, sine: float, cosine: float, room: HullRoom
+) -> None:
+    """Add the drag along the axis on the lowest face, in columns."""
+    if hull.bottom_drag <= 0.0:
+        return
+    q, v, s = now.q, now.v, hull.bottom
+    for c in range(hull.column.shape[0]):
+        across = hull.column[c, 0] * hull.bottom_radius
+        x, z = across * cosine + s * sine, s * cosine - across * sine
+        under = depth + room.sea[0] + room.sea[1] * x - (q[1] + z)
+        part = min(max(under / max(hull.bottom_radius, 1e-9), 0.0), 1.0)
+        off = (room.velocity[0, 0] - v[0]) * sine + (room.velocity[0, 2] - v[1]) * cosine
+        off += across * v[2]
+        factor = hull.bottom_drag * hull.column[c, 1] * part * abs(off)
+        push = factor * off
+        now.parts[DRAG, 0] += push * sine
+        now.parts[DRAG, 1] += push * cosine
+        now.parts[DRAG, 2] -= push * across
+        _add_square(room.by_v, 2.0 * factor, sine, cosine, -across)
+
+
+def _add_square(to: Any, factor: float, x: float, z: float, turn: float) -> None:
+    """Add a vector's product with itself."""
+    to[0, 0] += factor * x * x
+    to[0, 1] += factor * x * z
+    to[0, 2] += factor * x * turn
+    to[1, 0] += factor * z * x
+    to[1, 1] += factor * z * z
+    to[1, 2] += factor * z * turn
+    to[2, 0] += factor * turn * x
+    to[2, 1] += factor * turn * z
+    to[2, 2] += factor * turn * turn
+
+
+def carry_memory(h: float, hull: Hull, before: HullState, room: HullRoom) -> None:
+    """Carry the memory over a step of h, s, in which velocities change evenly."""
+    for m in range(hull.mode.shape[0]):
+        p, w = hull.rate[m, 0], hull.rate[m, 1]
+        decay, cos, sin = math.exp(p * h), math.cos(w * h), math.sin(w * h)
+        e_r, e_i = decay * cos, decay * sin
+        # With z = rate h: w_1 = h (e^z - 1 - z)/z^2 of the end, w_0 = h (e^z - 1)/z - w_1.
+        z_r, z_i = p * h, w * h
+        size = z_r * z_r + z_i * z_i
+        if size < 1e-4:
+            # By series: (e^z - 1)/z = 1 + z/2 + z^2/6, (e^z - 1 - z)/z^2 = 1/2 + z/6 + z^2/24.
+            s_r, s_i = z_r * z_r - z_i * z_i, 2.0 * z_r * z_i
+            f_r, f_i = 1.0 + 0.5 * z_r + s_r / 6.0, 0.5 * z_i + s_i / 6.0
+            g_r, g_i = 0.5 + z_r / 6.0 + s_r / 24.0, z_i / 6.0 + s_i / 24.0
+        else:
+            f_r = ((e_r - 1.0) * z_r + e_i * z_i) / size
+            f_i = (e_i * z_r - (e_r - 1.0) * z_i) / size
+            g_r = ((f_r - 1.0) * z_r + f_i * z_i) / size
+            g_i = (f_i * z_r - (f_r - 1.0) * z_i) / size
+        old = before.v[hull.mode[m, 1]]
+        r, i = before.memory[m, 0], before.memory[m, 1]
+        room.carried[m, 0] = e_r * r - e_i * i + h * (f_r - g_r) * old
+        room.carried[m, 1] = e_i * r + e_r * i + h * (f_i - g_i) * old
+        room.by_speed[m, 0], room.by_speed[m, 1] = h * g_r, h * g_i
+
+
+def hull_inertia(hull: Hull, i: int, j: int) -> float:
+    """Mass or moment of inertia with the added mass."""
+    own = 0.0
+    if i == j:
+        own = hull.inertia if i == 2 else hull.mass
+    return float(own + hull.added[i, j])

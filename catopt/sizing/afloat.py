@@ -1,0 +1,51 @@
+"""The case of a sizing with what it knows of the sea, so that its line runs in motion as it is."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Final
+
+from catopt.catalogue import component
+from catopt.loads.buoy_library import buoys
+from catopt.loads.buoy_shape import BuoyShape
+from catopt.model import Case, CurrentProfile, Dynamics, Floater, Segment, WaveState
+from catopt.sizing.buoy_request import BuoyRequest
+
+DURATION: Final = 600.0
+"""Of the run that such a case asks for, s; `BARS` are those of the line."""
+BARS: Final = 40
+_STIFF: Final = "chain studless R3"
+"""Chain whose axial stiffness stands for one of which no source states any."""
+
+
+def buoy_afloat(case: Case, request: BuoyRequest) -> Case | None:
+    """Add buoy, waves, current and the settings of a run to the case of its recommended line.
+
+    None for a buoy that is not one of the library, or a sea without waves.
+    """
+    sea, shape = request.environment.sea, request.buoy
+    if not isinstance(shape, BuoyShape) or shape not in buoys() or not sea.hs > 0.0:
+        return None
+    env = request.environment
+    segments = tuple(_stiff(each) for each in case.line.segments)
+    source = case.source
+    if any(math.isinf(each.EA) for each in case.line.segments):
+        source = f"{source}; EA as that of {_STIFF}"
+    flows = env.current.speed > 0.0
+    return replace(
+        case,
+        line=replace(case.line, segments=segments),
+        source=source,
+        waves=WaveState(spectrum="jonswap", height=sea.hs, period=sea.period),
+        current=CurrentProfile("power", speed=env.current.speed) if flows else None,
+        floater=Floater(shape.name, wind_speed=env.wind.speed),
+        dynamics=Dynamics(DURATION, elements=BARS),
+    )
+
+
+def _stiff(segment: Segment) -> Segment:
+    if not math.isinf(segment.EA) or not segment.nominal_diameter:
+        return segment
+    like = component(_STIFF, segment.nominal_diameter).segment(1.0)
+    return replace(segment, EA=like.EA)

@@ -1,0 +1,55 @@
+"""Memory: what goes in comes out, and Cummins' equation by hand."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from catopt.errors import InputError
+from catopt.hydro.cylinder import HEAVE, PITCH, SURGE, FloatingCylinder
+from catopt.hydro.memory import Memory, infinite_added_mass, retardation
+
+
+def test_retardation_of_a_closed_form() -> None:
+    """K = a exp(-b t) has B = a b/(b^2 + w^2); the tail beyond 60 rad/s is another's."""
+    a, b = 3.0, 0.8
+    omega = np.linspace(0.05, 60.0, 1200)
+    # A resonator: B(0) = 0, as a body's. K = a exp(-b t) cos(c t), less what makes B(0) = 0.
+    c = 2.0
+    rate = complex(-b, c)
+    strength = complex(a, a * b / c)
+    s = 1j * omega
+    B = (0.5 * (strength / (s - rate) + strength.conjugate() / (s - rate.conjugate()))).real
+    t = np.linspace(0.0, 6.0, 50)
+    expected = (strength * np.exp(rate * t)).real
+    found = retardation(omega, B, t)
+    assert found[5:] == pytest.approx(expected[5:], abs=0.01 * a)
+
+
+@pytest.mark.parametrize("shape", [(1.2, 0.8, 12.0), (5.0, 4.0, 40.0)])
+def test_exponentials_give_damping_and_added_mass_back(shape: tuple[float, float, float]) -> None:
+    """Added mass comes by another way, Ogilvie's relation with the fast limit: within 1 %."""
+    cylinder = FloatingCylinder(*shape)
+    scale = math.sqrt(cylinder.gravity / cylinder.radius)
+    omega = scale * np.linspace(0.05, 3.5, 60)
+    found = cylinder.at(omega)
+    memory = Memory.of(omega, found.damping, 40.0 / scale)
+    assert (memory.rate.real < 0.0).all()
+    limit = cylinder.at_infinite_frequency()
+    for i, j in ((SURGE, SURGE), (HEAVE, HEAVE), (PITCH, PITCH), (SURGE, PITCH)):
+        largest = np.abs(found.damping[:, i, j]).max()
+        assert memory.damping(omega, i, j) == pytest.approx(
+            found.damping[:, i, j], abs=0.01 * largest
+        )
+        size = math.sqrt(found.added_mass[:, i, i].max() * found.added_mass[:, j, j].max())
+        both = limit[i, j] + memory.added_mass(omega, i, j)
+        assert both == pytest.approx(found.added_mass[:, i, j], abs=0.01 * size)
+    by_relation = infinite_added_mass(omega, found.added_mass, memory)
+    assert by_relation[HEAVE, HEAVE] == pytest.approx(limit[HEAVE, HEAVE], rel=0.01)
+
+
+def test_refusals() -> None:
+    with pytest.raises(InputError, match="omega"):
+        Memory.of(np.array([1.0, 0.5, 2.0, 3.0]), np.zeros((4, 3, 3)), 10.0)

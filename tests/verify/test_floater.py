@@ -1,0 +1,132 @@
+"""A buoy afloat by its case file: what is refused, what is run, and what the answer holds."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from catopt.answers.motion import motion_answer
+from catopt.casefile import parse_case, write_case
+from catopt.errors import InputError
+from catopt.render.files import csv_files
+from catopt.verify.dynamic import verify_dynamic
+
+CASE = """
+title = "Buoy afloat"
+
+[site]
+water_depth = "12 m"
+seabed_friction = 0.5
+
+[line]
+fairlead_height = "10 m"
+
+[[line.segments]]
+component = "chain studless R3"
+diameter = "30 mm"
+length = "40 m"
+
+[load]
+horizontal_force = "5 kN"
+
+[waves]
+spectrum = "regular"
+height = "0.6 m"
+period = "8 s"
+
+[floater]
+buoy = "pillar 2.4 m"
+wind_speed = "15 m/s"
+centre_of_gravity = "0.4 m"
+pitch_radius = "0.8 m"
+
+[dynamics]
+duration = "12 s"
+ramp = "4 s"
+time_step = "0.1 s"
+elements = 8
+"""
+
+
+def test_it_is_written_and_read_again() -> None:
+    case = parse_case(CASE)
+    assert case.floater is not None
+    assert case.floater.wind_speed == 15.0
+    assert parse_case(write_case(case)) == case
+
+
+def test_buoy_and_line_in_a_long_wave() -> None:
+    """It rises with the wave, leans from the wind to the line, and nothing of it is led."""
+    found = verify_dynamic(parse_case(CASE), proof="none")
+    (part,) = found.parts
+    (run,) = part.runs
+    hull = run.hull
+    assert hull is not None
+    late = run.history.time > 4.0
+    rise = hull.place[late, 1] - hull.place[0, 1]
+    assert rise.max() == pytest.approx(hull.surface[late].max(), abs=0.05)
+    assert hull.place[0, 2] > 0.0
+    by_name = {each.quantity: each for each in found.body}
+    assert set(by_name) == {"floater_x", "floater_z", "floater_pitch", "floater_wet"}
+    assert by_name["floater_z"].maximum >= hull.place[late, 1].max() - 1e-12
+    # At rest the buoy's own mass, the line's pull and the water displaced are one.
+    volume = hull.wet[0] * 1025.0 * 9.80665
+    lift = -hull.lines[0, 1]
+    assert volume == pytest.approx(2000.0 * 9.80665 + lift, rel=1e-5)
+    assert run.history.balance.numerical_part < 1e-2
+    said = " ".join(str(each) for each in part.remarks)
+    assert "pillar 2.4 m" in said
+    assert "damping of the pitch" in said
+    assert "centre of gravity" not in said
+    table = csv_files(motion_answer(found, with_series=False))
+    assert table
+
+
+@pytest.mark.parametrize(
+    ("change", "key"),
+    [
+        (("[waves]\nspectrum = \"regular\"\nheight = \"0.6 m\"\nperiod = \"8 s\"\n", ""), "waves"),
+        (("[dynamics]", '[motion]\nperiod = "8 s"\nheave = "1 m"\n\n[dynamics]'), "motion"),
+        (("time_step = ", "broken_line = 1\nbroken_at = \"5 s\"\ntime_step = "), "broken_line"),
+    ],
+)  # fmt: skip
+def test_what_does_not_go_with_it(change: tuple[str, str], key: str) -> None:
+    with pytest.raises(InputError) as caught:
+        parse_case(CASE.replace(*change))
+    assert any(key in each.key for each in caught.value.problems)
+
+
+def test_a_buoy_that_is_not_there() -> None:
+    case = parse_case(CASE.replace("pillar 2.4 m", "pillar 2.5 m"))
+    with pytest.raises(InputError, match=r"floater\.buoy"):
+        verify_dynamic(case, proof="none")
+
+
+@pytest.mark.parametrize(
+    ("change", "key"),
+    [
+        (('period = "8 s"', 'period = "8 s"\ndirection = "20 deg"'), "waves.direction"),
+        (
+            (
+                "[floater]",
+                '[current]\nprofile = "power"\nspeed = 1.0\ndirection = 0.3\n\n[floater]',
+            ),
+            "current.direction",
+        ),
+    ],
+)
+def test_weather_across_the_line_is_refused(change: tuple[str, str], key: str) -> None:
+    """Only surge, heave and pitch are there."""
+    with pytest.raises(InputError) as caught:
+        verify_dynamic(parse_case(CASE.replace(*change, 1)), proof="none")
+    assert [each.key for each in caught.value.problems] == [key]
+
+
+def test_a_wide_buoy_is_said_to_be_so() -> None:
+    """Waves of 2.5 s are 9.8 m long in deep water: a fifth is 1.95 m, and the buoy has 2.4."""
+    text = CASE.replace('period = "8 s"', 'period = "2.5 s"').replace("0.6 m", "0.1 m")
+    text = text.replace('duration = "12 s"', 'duration = "1 s"').replace('"4 s"', '"0.5 s"')
+    (part,) = verify_dynamic(parse_case(text), proof="none").parts
+    assert 0.2 * 9.80665 * 2.5**2 / (2.0 * math.pi) < 2.4
+    assert any("above a fifth" in str(each) for each in part.remarks)
