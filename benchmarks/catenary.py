@@ -1,6 +1,6 @@
 """Lines a second: the compiled kernel beside MoorPy and pycatenary, in one run on one core.
 
-    python benchmarks/catenary.py [--out benchmarks/results/catenary.md]
+    python -m benchmarks.catenary [--out benchmarks/results/catenary.md]
 
 MoorPy and pycatenary are the optional extra ``peers``; without them their columns stay empty.
 Each figure is the median of several rounds; rounds of the sides alternate, so that a slow moment
@@ -13,22 +13,21 @@ import argparse
 import contextlib
 import io
 import math
-import platform
 import statistics
 import time
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from benchmarks.common import page
 from catopt.catenary.batch import solve_many
 from catopt.catenary.pieces import LineProblem, Pieces, cut
 from catopt.catenary.solve import solve
 from catopt.catenary.span import given_span
-from catopt.compiled import compiled
+from catopt.machine_code import _inner
 from catopt.model import Line, Segment
 
 DEPTH = 71.4
@@ -56,21 +55,14 @@ class Task:
 def main() -> None:
     """Run all tasks and print the table."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--rounds", type=int, default=7)
-    parser.add_argument("--out", type=Path)
-    arguments = parser.parse_args()
-    text = _report([_timed(task, arguments.rounds) for task in _tasks()])
-    print(text)
-    if arguments.out is not None:
-        arguments.out.write_text(text, encoding="utf-8")
+    page(parser, _report, rounds=(7, 1), lines=(20_000, 50))
 
 
-def _tasks() -> list[Task]:
-    n = 20_000
+def _tasks(n: int, smoke: bool) -> list[Task]:
     forces = np.geomspace(1e5, 4e6, n)
     spans = np.linspace(1070.0, 1085.0, n)
     single_spans = np.linspace(420.0, 560.0, n)
-    curve = np.linspace(1070.0, 1085.0, 50)
+    curve = np.linspace(1070.0, 1085.0, 2 if smoke else 50)
     return [
         Task(
             "single elastic line on the bed, span given, cold",
@@ -87,7 +79,7 @@ def _tasks() -> list[Task]:
                 lambda: [solve_many(LEG, height=DEPTH, span=curve) for _ in range(50)], 50
             ),
             "MoorPy",
-            _subsystem_curve(),
+            _subsystem_curve(curve.size),
         ),
         Task("one line from Python, plain scalars", _scalar, "MoorPy", _moorpy_single()),
         *(Task(f"{k} segments, force given", _segments(k, n)) for k in (1, 2, 4, 8, 16, 32)),
@@ -95,9 +87,9 @@ def _tasks() -> list[Task]:
 
 
 def _per_line(call: Callable[[], object], lines: int) -> float:
-    start = time.perf_counter()
+    start = time.process_time()
     call()
-    return (time.perf_counter() - start) / lines
+    return (time.process_time() - start) / lines
 
 
 def _batch(**known: Any) -> float:
@@ -109,7 +101,7 @@ def _warm(n: int) -> Callable[[], float]:
     """Follow a leg whose fairlead moves by 1 mm a step, each start being the last answer."""
     import numba
 
-    kernel = compiled(given_span)
+    kernel = _inner(given_span)
     pieces = Pieces(*(np.array(column) for column in cut(LEG)[0]))
 
     @numba.njit
@@ -179,12 +171,12 @@ def _subsystem() -> Callable[[], float] | None:
     return run
 
 
-def _subsystem_curve() -> Callable[[], float] | None:
+def _subsystem_curve(points: int) -> Callable[[], float] | None:
     try:
         leg = _leg_subsystem()
     except ImportError:
         return None
-    spans = np.linspace(1070.0, 1085.0, 50).tolist()
+    spans = np.linspace(1070.0, 1085.0, points).tolist()
     return lambda: _per_line(lambda: _follow(leg, spans), 1)
 
 
@@ -200,13 +192,13 @@ def _place(leg: Any, span: float) -> None:
         leg.staticSolve()
 
 
-def _subsystem_error() -> str:
+def _subsystem_error(points: int) -> str:
     """How far MoorPy's tension is off over the timed curve, in words; nothing when it is absent."""
     try:
         leg = _leg_subsystem()
     except ImportError:
         return ""
-    spans = np.linspace(1070.0, 1085.0, 50)
+    spans = np.linspace(1070.0, 1085.0, points)
     ours = solve_many(LEG, height=DEPTH, span=spans).tension
     theirs = []
     for span in spans.tolist():
@@ -229,17 +221,18 @@ def _timed(task: Task, rounds: int) -> tuple[Task, float, float | None]:
     return task, statistics.median(ours), statistics.median(theirs) if theirs else None
 
 
-def _report(results: list[tuple[Task, float, float | None]]) -> str:
-    rows = ["| task | catopt | peer | ratio |", "|---|---|---|---|"]
-    for task, ours, theirs in results:
+def _report(of: argparse.Namespace) -> Iterator[str]:
+    yield "# Lines a second"
+    yield ""
+    yield "Medians of processor time, one core."
+    yield ""
+    yield "| task | catopt | peer | ratio |"
+    yield "|---|---|---|---|"
+    for task, ours, theirs in (_timed(task, of.rounds) for task in _tasks(of.lines, of.smoke)):
         peer = "-" if theirs is None else f"{task.peer} {_time(theirs)}"
         ratio = "-" if theirs is None else f"{theirs / ours:,.0f}"
-        rows.append(f"| {task.name} | {_time(ours)} | {peer} | {ratio} |")
-    head = (
-        "# Lines a second\n\n`python benchmarks/catenary.py`, medians, one core; Python "
-        f"{platform.python_version()}, {platform.machine()}.\n"
-    )
-    return "\n".join([head, *rows, _subsystem_error()])
+        yield f"| {task.name} | {_time(ours)} | {peer} | {ratio} |"
+    yield _subsystem_error(2 if of.smoke else 50)
 
 
 def _time(seconds: float) -> str:

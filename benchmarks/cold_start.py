@@ -1,6 +1,6 @@
 """Time from the shell to the answer: ``catopt solve`` beside ``python -c "import numpy"``.
 
-    python benchmarks/cold_start.py [--rounds 21] [--out benchmarks/results/cold_start.md]
+    python -m benchmarks.cold_start [--rounds 21] [--out benchmarks/results/cold_start.md]
 
 Every process is new. The commands alternate, so that a slow moment of the machine meets all of
 them; before the first round each has run once, so that bytecode is on disk. Quote the ratios.
@@ -13,14 +13,16 @@ from __future__ import annotations
 
 import argparse
 import os
-import platform
 import resource
 import statistics
 import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Sequence
 from pathlib import Path
+
+from benchmarks.common import page
 
 CASE = Path("cases/buoy-9.5m/case.toml")
 NUMPY = 'python -c "import numpy"'
@@ -48,13 +50,11 @@ FIRST = (
 def main() -> None:
     """Measure and print."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--rounds", type=int, default=21)
-    parser.add_argument("--out", type=Path, help="also write the table here")
-    arguments = parser.parse_args()
-    text = report(timed(arguments.rounds), arguments.rounds, first_runs())
-    print(text)
-    if arguments.out is not None:
-        arguments.out.write_text(text + "\n", encoding="utf-8")
+    page(
+        parser,
+        lambda of: report(timed(of.rounds), first_runs(FIRST[3:4] if of.smoke else FIRST)),
+        rounds=(11, 1),
+    )
 
 
 def timed(rounds: int) -> dict[str, list[float]]:
@@ -76,10 +76,10 @@ def once(command: list[str]) -> float:
     return time.perf_counter() - start
 
 
-def first_runs() -> dict[str, list[float]]:
+def first_runs(lines: Sequence[str]) -> dict[str, list[float]]:
     """Processor time of each command on one core: with nothing compiled, and once more, s."""
     taken = {}
-    for line in FIRST:
+    for line in lines:
         with tempfile.TemporaryDirectory() as folder:
             arguments = line.format(folder=folder).split()
             taken[line] = [processor_time(arguments, folder) for _ in range(2)]
@@ -101,7 +101,7 @@ def processor_time(arguments: list[str], folder: str) -> float:
     return end.ru_utime - start.ru_utime + end.ru_stime - start.ru_stime
 
 
-def report(taken: dict[str, list[float]], rounds: int, first: dict[str, list[float]]) -> str:
+def report(taken: dict[str, list[float]], first: dict[str, list[float]]) -> list[str]:
     """Lay the times out as a Markdown page."""
     base = statistics.median(taken[NUMPY])
     rows = [
@@ -109,24 +109,19 @@ def report(taken: dict[str, list[float]], rounds: int, first: dict[str, list[flo
         f"{statistics.median(times) / base:.2f} |"
         for name, times in taken.items()
     ]
-    return "\n".join(
-        [
-            "# Cold start",
-            "",
-            f"`python benchmarks/cold_start.py --rounds {rounds}`, each command a new process, "
-            "one after the other in turn.",
-            f"Python {platform.python_version()}, {platform.system()} {platform.machine()}, "
-            f"{os.cpu_count()} cores.",
-            "",
-            "| command | median, ms | fastest, ms | median over that of numpy |",
-            "|---|---|---|---|",
-            *rows,
-            "",
-            "| command, on one core | first run, processor time in s | second |",
-            "|---|---|---|",
-            *(f"| `catopt {line}` | {one:.1f} | {two:.1f} |" for line, (one, two) in first.items()),
-        ]
-    )
+    return [
+        "# Cold start",
+        "",
+        "Each command a new process, one after the other in turn.",
+        "",
+        "| command | median, ms | fastest, ms | median over that of numpy |",
+        "|---|---|---|---|",
+        *rows,
+        "",
+        "| command, on one core | first run, processor time in s | second |",
+        "|---|---|---|",
+        *(f"| `catopt {line}` | {one:.1f} | {two:.1f} |" for line, (one, two) in first.items()),
+    ]
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """Designs a second: the compiled evaluation beside simpler ways, and whole searches.
 
-    python benchmarks/design.py [--out benchmarks/results/design.md]
+    python -m benchmarks.design [--out benchmarks/results/design.md]
 
 A design is a line of 3 segments with 2 clump weights, solved and checked in 4 load cases; one core.
 Each figure is the median of several rounds; rounds of all ways alternate, so that a slow moment of
@@ -10,16 +10,16 @@ the machine meets them all. Quote the ratios. MoorPy is the optional extra ``pee
 from __future__ import annotations
 
 import argparse
-import platform
 import statistics
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from benchmarks.common import page
 from catopt.casefile import read_case
 from catopt.catenary.batch import solve_many
 from catopt.catenary.equilibrium import given_force
@@ -27,13 +27,13 @@ from catopt.catenary.pieces import LineProblem, Pieces, cut
 from catopt.catenary.solve import solve
 from catopt.checks.case import check_line
 from catopt.checks.excess import ROUNDING
-from catopt.compiled import compiled
 from catopt.design.answer import Found, answer
 from catopt.design.enumeration import enumerate_designs
 from catopt.design.evaluation import DesignProblem
 from catopt.design.outcome import Outcome
 from catopt.design.problem import Floats, Genes
 from catopt.design.search import design_case
+from catopt.machine_code import _inner
 from catopt.model import (
     Case,
     Checks,
@@ -69,7 +69,6 @@ CASE = Case(
     ),
     design=DESIGN,
 )
-DESIGNS = 100_000
 CASES = ("design-buoy-9.5m", "design-tanker-20m", "design-leg-56m")
 FRONT = 500
 
@@ -77,51 +76,45 @@ FRONT = 500
 def main() -> None:
     """Time everything and print the report."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--rounds", type=int, default=7)
-    parser.add_argument("--out", type=Path)
-    arguments = parser.parse_args()
-    text = "\n".join([*_head(), *_evaluation(arguments.rounds), *_searches()]) + "\n"
-    print(text)
-    if arguments.out is not None:
-        arguments.out.write_text(text, encoding="utf-8")
+    page(parser, _report, rounds=(7, 1), designs=(40_000, 10))
 
 
-def _head() -> list[str]:
-    return [
-        "# Designs a second",
-        "",
-        f"`python benchmarks/design.py`, medians, one core; Python {platform.python_version()}, "
-        f"{platform.machine()}.",
-        "",
-    ]
+def _report(of: argparse.Namespace) -> Iterator[str]:
+    yield "# Designs a second"
+    yield ""
+    yield "Medians, one core."
+    yield ""
+    yield from _evaluation(of.rounds, of.designs)
+    if not of.smoke:
+        yield from _searches()
 
 
-def _evaluation(rounds: int) -> list[str]:
+def _evaluation(rounds: int, designs: int) -> list[str]:
     """Time the ways to evaluate one design of 3 segments, 2 clump weights, 4 load cases."""
     problem = DesignProblem.of(CASE)
     generator = np.random.default_rng(1)
-    genes = np.stack([generator.integers(0, size, DESIGNS) for size in problem.sizes], axis=1)
+    genes = np.stack([generator.integers(0, size, designs) for size in problem.sizes], axis=1)
     ways: list[tuple[str, Callable[[], object], int]] = [
         (
             "all checks in all load cases",
             lambda: problem.assess(genes),
-            DESIGNS,
+            designs,
         ),
         (
             "as enumeration does: left at the first failed check",
             lambda: problem.assess(genes, stops_early=True),
-            DESIGNS,
+            designs,
         ),
-        ("equilibrium alone, the same lines", _kernel_alone(problem, genes), DESIGNS),
+        ("equilibrium alone, the same lines", _kernel_alone(problem, genes), designs),
         (
             "`solve_many`, a call a load case: end forces and span, no check",
             lambda: _by_solve_many(problem, genes),
-            DESIGNS,
+            designs,
         ),
         (
             "`check_line` in plain Python, design by design",
             lambda: [check_line(_line(problem, row), CASE) for row in genes[:100]],
-            100,
+            min(100, designs),
         ),
     ]
     moorpy = _moorpy(problem, genes[:3])
@@ -158,7 +151,7 @@ def _kernel_alone(problem: DesignProblem, genes: Genes) -> Callable[[], object]:
     """Only `given_force`, over lines that were cut before."""
     import numba
 
-    kernel = compiled(given_force)
+    kernel = _inner(given_force)
     cut_lines = [cut(_line(problem, row))[0] for row in genes[:2000]]
     tables = [np.array([getattr(each, key) for each in cut_lines]) for key in Pieces._fields]
     force, height = problem.tables.force, problem.tables.height
@@ -173,7 +166,7 @@ def _kernel_alone(problem: DesignProblem, genes: Genes) -> Callable[[], object]:
                     total += kernel(force[c], LineProblem(pieces, 0.0, height[c], 0.0)).span
         return total
 
-    return lambda: run(*tables, DESIGNS // 2000)
+    return lambda: run(*tables, max(1, len(genes) // 2000))
 
 
 def _by_solve_many(problem: DesignProblem, genes: Genes) -> Floats:

@@ -1,6 +1,6 @@
 """Time of the truss model's dynamics beside MoorDyn's, each at its largest good step.
 
-    python benchmarks/dynamics.py [--out benchmarks/results/dynamics.md]
+    python -m benchmarks.dynamics [--out benchmarks/results/dynamics.md]
 
 Good enough: the largest end force within 0.5 % of that program's own with a tenth of its smallest
 step tried. Both run in the same process on one core, three times; the least time of the processor
@@ -13,18 +13,18 @@ from __future__ import annotations
 import argparse
 import math
 import os
-import platform
 import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
 import numpy as np
 
+from benchmarks.common import page
 from catopt.fem import (
     Fluid,
     Harmonic,
@@ -124,27 +124,30 @@ FSO = Task(
 def main() -> None:
     """Run all and print the tables."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--out", type=Path)
-    arguments = parser.parse_args()
-    rows = [*_head()]
+    page(parser, _report, storm=(10800.0, 2.0))
+
+
+def _report(of: argparse.Namespace) -> Iterator[str]:
+    yield "# Dynamics"
+    yield ""
+    yield (
+        "One core. Largest step of each whose largest end force is within 0.5 % of its own "
+        "converged one. Seconds are the processor's, so that other programs count little."
+    )
+    yield ""
+    if of.smoke:
+        found = _ours(_short(CHAIN), Scheme.generalised_alpha(0.5), 0.4)
+        yield f"A coarse chain, largest end force {found.peak / 1e3:.1f} kN."
+        return
     for task in (CHAIN, FSO):
-        rows += _compare(task)
-    rows += _storm()
-    text = "\n".join(rows) + "\n"
-    print(text)
-    if arguments.out is not None:
-        arguments.out.write_text(text, encoding="utf-8")
+        yield from _compare(task)
+    yield from _storm(of.storm)
 
 
-def _head() -> list[str]:
-    return [
-        "# Dynamics",
-        "",
-        f"`python benchmarks/dynamics.py`, one core; Python {platform.python_version()}, "
-        f"{platform.machine()}. Largest step of each whose largest end force is within 0.5 % of "
-        "its own converged one. Seconds are the processor's, so that other programs count little.",
-        "",
-    ]
+def _short(task: Task) -> Task:
+    """Two periods of a coarse model: to see it run."""
+    (section,) = task.sections
+    return replace(task, sections=(replace(section, bars=4),), duration=20.0)
 
 
 def _compare(task: Task) -> list[str]:
@@ -324,7 +327,7 @@ def _moordyn_input(task: Task, step: float, solver: str) -> str:
     ]) + "\n"  # fmt: skip
 
 
-def _storm() -> list[str]:
+def _storm(duration: float) -> list[str]:
     """Three hours with 200 waves on one line, samples thinned."""
     waves = random_waves(jonswap(8.0, 12.0), 200, np.random.default_rng(2), direction=math.pi)
     amplitude = np.zeros((200, 3))
@@ -336,7 +339,7 @@ def _storm() -> list[str]:
         Fluid(RHO, G), Seabed(3e6 * section.diameter, 3e5 * section.diameter),
     )  # fmt: skip
     line = Line([Segment(600.0, 1000.0, EA=8e8, mass=115.0)])
-    stepping = TimeStepping(10800.0, 0.1, ramp_time=60.0, output_interval=0.5)
+    stepping = TimeStepping(duration, 0.1, ramp_time=min(60.0, 0.5 * duration), output_interval=0.5)
     began = time.process_time()
     history = run_dynamics(line, stepping, height=195.0, span=554.5, motion=motion,
                            properties=properties, sea=Sea(200.0, waves), elements=40)  # fmt: skip

@@ -1,6 +1,6 @@
 """Extremes: which tail finds a known three-hour value, 20 seeds beside 200, and seeds side by side.
 
-    python benchmarks/extremes.py [--out benchmarks/results/extremes.md] [--sections ...] [--quick]
+    python -m benchmarks.extremes [--out benchmarks/results/extremes.md] [--sections ...] [--quick]
 
 The processes are functions of Gaussian ones (JONSWAP, Tp 10 s, gamma 3.3), so that what is random
 in them is alike; their three-hour value is that of 720 hours. The line is the chain of
@@ -12,7 +12,6 @@ from __future__ import annotations
 import argparse
 import math
 import os
-import platform
 import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -22,6 +21,7 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
+from benchmarks.common import page
 from catopt.casefile import read_case
 from catopt.fem.extremes import Extreme, gumbel, weibull_tail
 from catopt.fem.statistics import peaks_above_mean
@@ -282,29 +282,21 @@ def _speed(runs: int, elements: int, rounds: int) -> Iterator[str]:
 def main() -> None:
     """Run all and print the tables."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--out", type=Path)
     parser.add_argument("--sections", nargs="+", choices=SECTIONS, default=SECTIONS)
-    parser.add_argument("--quick", action="store_true", help="few draws and seeds, to see it run")
-    arguments = parser.parse_args()
-    quick = arguments.quick
-    rows = [
-        "# Extremes",
-        "",
-        f"`python benchmarks/extremes.py`; Python {platform.python_version()}, "
-        f"{platform.machine()}.",
-        "",
-    ]
+    page(parser, _report)
+
+
+def _report(of: argparse.Namespace) -> Iterator[str]:
+    smoke = of.smoke
+    yield "# Extremes"
+    yield ""
     sections = {
-        "study": _study({1: 20, 20: 5} if quick else {1: 150, 5: 60, 20: 40}),
-        "line": _line(20 if quick else 200, 10 if quick else 20),
-        "speed": _speed(4 if quick else 20, 12 if quick else 40, 1),
+        "study": lambda: _study({1: 3} if smoke else {1: 150, 5: 60, 20: 40}),
+        "line": lambda: _line(20 if smoke else 200, 10 if smoke else 20),
+        "speed": lambda: _speed(4 if smoke else 20, 12 if smoke else 40, 1),
     }
-    for name in arguments.sections:
-        for row in sections[name]:
-            rows.append(row)
-            print(row, flush=True)
-    if arguments.out is not None:
-        arguments.out.write_text("\n".join(rows) + "\n", encoding="utf-8")
+    for name in of.sections[:1] if smoke else of.sections:
+        yield from sections[name]()
 
 
 if __name__ == "__main__":

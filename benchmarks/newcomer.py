@@ -1,6 +1,6 @@
 """A newcomer's path, from ``git clone`` to a calculation note in the hand, stage by stage.
 
-    python benchmarks/newcomer.py [--out benchmarks/results/newcomer.md]
+    python -m benchmarks.newcomer [--out benchmarks/results/newcomer.md]
 
 Nothing is there but git, a Python and a package index: a fresh clone, an empty virtual environment
 and an empty cache of compiled code. Beside it, in the same run, the peer: an empty environment and
@@ -11,12 +11,13 @@ from __future__ import annotations
 
 import argparse
 import os
-import platform
 import subprocess
 import sys
 import tempfile
 import time
 from pathlib import Path
+
+from benchmarks.common import page
 
 ROOT = Path(__file__).parents[1]
 CASE = "cases/size-tanker/sizing.toml"
@@ -29,18 +30,22 @@ LIMIT = 300.0
 
 def main() -> None:
     """Measure and print; fail where the path takes longer than it may."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--out", type=Path, help="also write the table here")
-    arguments = parser.parse_args()
-    with tempfile.TemporaryDirectory() as folder:
-        ours, page = path(Path(folder))
-        theirs = peer(Path(folder))
-    text = report(ours, theirs, page)
-    print(text)
-    if arguments.out is not None:
-        arguments.out.write_text(text + "\n", encoding="utf-8")
-    if sum(ours.values()) > LIMIT:
+    total = [0.0]
+    page(argparse.ArgumentParser(description=__doc__), lambda of: measured(total, of.smoke))
+    if total[0] > LIMIT:
         sys.exit(f"the path takes longer than {LIMIT:g} s")
+
+
+def measured(total: list[float], smoke: bool) -> list[str]:
+    """Walk both paths; of a smoke the environment alone."""
+    with tempfile.TemporaryDirectory() as folder:
+        if smoke:
+            made = once([sys.executable, "-m", "venv", "--without-pip", "ours"], Path(folder))
+            return ["# A newcomer's path", "", f"An environment alone: {made:.1f} s."]
+        ours, page_size = path(Path(folder))
+        theirs = peer(Path(folder))
+    total[0] = sum(ours.values())
+    return report(ours, theirs, page_size)
 
 
 def path(folder: Path) -> tuple[dict[str, float], int]:
@@ -89,32 +94,27 @@ def once(command: list[str], folder: Path) -> float:
     return time.perf_counter() - start
 
 
-def report(ours: dict[str, float], theirs: dict[str, float], page: int) -> str:
+def report(ours: dict[str, float], theirs: dict[str, float], size: int) -> list[str]:
     """Lay the times out as a Markdown page."""
     total = sum(seconds for stage, seconds in ours.items() if stage != AGAIN)
     rows = [f"| {stage} | {seconds:.1f} |" for stage, seconds in ours.items() if stage != AGAIN]
-    return "\n".join(
-        [
-            "# A newcomer's path: from git clone to the note of a tanker's mooring",
-            "",
-            "`python benchmarks/newcomer.py`: a fresh clone, an empty virtual environment, no "
-            "compiled code yet.",
-            f"Python {platform.python_version()}, {platform.system()} {platform.machine()}, "
-            f"{os.cpu_count()} cores.",
-            "",
-            "| stage | s |",
-            "|---|---|",
-            *rows,
-            f"| **clone to page, {page / 1e3:.0f} kB** | **{total:.1f}** |",
-            f"| {AGAIN} | {ours[AGAIN]:.1f} |",
-            "",
-            f"Of the path {100.0 * ours[PIP] / total:.0f} % are pip's.",
-            "",
-            f"An empty environment with {PEER} in it, in the same run: "
-            f"{sum(theirs.values()):.1f} s; clone to page takes "
-            f"{total / sum(theirs.values()):.2f} times as long. The limit is {LIMIT:g} s.",
-        ]
-    )
+    return [
+        "# A newcomer's path: from git clone to the note of a tanker's mooring",
+        "",
+        "A fresh clone, an empty virtual environment, no compiled code yet.",
+        "",
+        "| stage | s |",
+        "|---|---|",
+        *rows,
+        f"| **clone to page, {size / 1e3:.0f} kB** | **{total:.1f}** |",
+        f"| {AGAIN} | {ours[AGAIN]:.1f} |",
+        "",
+        f"Of the path {100.0 * ours[PIP] / total:.0f} % are pip's.",
+        "",
+        f"An empty environment with {PEER} in it, in the same run: "
+        f"{sum(theirs.values()):.1f} s; clone to page takes "
+        f"{total / sum(theirs.values()):.2f} times as long. The limit is {LIMIT:g} s.",
+    ]
 
 
 if __name__ == "__main__":

@@ -10,14 +10,13 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
-import platform
 import tempfile
 import time
 from collections.abc import Iterator
 from pathlib import Path
 
-from catopt.web.build import fetched, pieces
+from benchmarks.common import page
+from catopt.web.build import fetched, pieces, site
 from catopt.web.document import document
 from tests.report.browser import Tab, chromium
 
@@ -99,20 +98,23 @@ def main() -> None:
     """Print the table; write it when asked to."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--from", dest="parts", type=Path, help="folder with the page's parts")
-    parser.add_argument("--out", type=Path)
-    arguments = parser.parse_args()
-    made = pieces(lambda part: fetched(part, arguments.parts))
-    system = f"Python {platform.python_version()}, {platform.system()}, {os.cpu_count()} cores"
-    lines = [
-        "# The page", "", "    python -m benchmarks.page --out benchmarks/results/page.md", "",
-        f"{system}; headless Chromium.", "", "| | measured | limit |", "|---|---|---|",
-    ]  # fmt: skip
+    page(parser, _report)
+
+
+def _report(of: argparse.Namespace) -> Iterator[str]:
+    yield "# The page"
+    yield ""
+    yield "Headless Chromium."
+    yield ""
+    yield "| | measured | limit |"
+    yield "|---|---|---|"
+    if of.smoke:
+        yield f"| catopt in the page, MB | {len(site([])) / 1e6:.1f} | 2 |"
+        return
+    made = pieces(lambda part: fetched(part, of.parts))
     with tempfile.TemporaryDirectory() as folder:
         for row in rows(made, Path(folder)):
-            print(*row, sep="  ", flush=True)
-            lines.append("| {} | {} | {} |".format(*row))
-    if arguments.out is not None:
-        arguments.out.write_text("\n".join(lines) + "\n", encoding="utf-8")
+            yield "| {} | {} | {} |".format(*row)
 
 
 if __name__ == "__main__":

@@ -13,14 +13,12 @@ size is sized too, at the same site: that line passes every check as well, where
 from __future__ import annotations
 
 import argparse
-import os
-import platform
-import sys
 import time
+from collections.abc import Iterator
 from dataclasses import dataclass
-from pathlib import Path
 
 import catopt
+from benchmarks.common import page
 from catopt.catalogue.choice import chosen
 from catopt.catalogue.practice import laid_for_buoy
 from catopt.errors import CatoptError
@@ -74,32 +72,33 @@ OWN = (
 
 def main() -> None:
     """Run and print."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--out", type=Path, help="also write the page here")
-    arguments = parser.parse_args()
+    page(argparse.ArgumentParser(description=__doc__), lambda of: report(of.smoke))
+
+
+def report(smoke: bool) -> Iterator[str]:
+    """Yield the page; of a smoke the first site alone."""
     began = time.process_time()
-    text = "\n".join(report())
-    text += f"\n\n{time.process_time() - began:.0f} s of processor.\n"
-    print(text)
-    if arguments.out is not None:
-        arguments.out.write_text(text, encoding="utf-8")
-
-
-def report() -> list[str]:
-    """Write the page."""
-    head = "# catopt beside practice"
-    what = (
-        f"`python -m benchmarks.practice`, {time.strftime('%Y-%m-%d')}, "
-        f"catopt {catopt.__version__}, Python {sys.version.split()[0]}, {platform.machine()}, "
-        f"{os.cpu_count()} cores."
-    )
-    return [
-        *(head, "", what, ""),
-        *("## Beside a maker's table", "", *_table(TABLE), ""),
-        *("## Buoys that are laid", "", *_table(LAID), ""),
-        *("## Every buoy of the library", "", *_table(OWN), ""),
-        *("## A ship beside her own cable", "", *_ship()),
-    ]
+    yield "# catopt beside practice"
+    yield ""
+    yield "## Beside a maker's table"
+    yield ""
+    yield from _table(TABLE[:1] if smoke else TABLE)
+    if smoke:
+        return
+    yield ""
+    yield "## Buoys that are laid"
+    yield ""
+    yield from _table(LAID)
+    yield ""
+    yield "## Every buoy of the library"
+    yield ""
+    yield from _table(OWN)
+    yield ""
+    yield "## A ship beside her own cable"
+    yield ""
+    yield from _ship()
+    yield ""
+    yield f"{time.process_time() - began:.0f} s of processor."
 
 
 def _table(sites: tuple[Site, ...]) -> list[str]:

@@ -10,9 +10,6 @@ a space far too large to enumerate, where all that can be said is who comes furt
 from __future__ import annotations
 
 import argparse
-import os
-import platform
-import sys
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
@@ -21,6 +18,7 @@ from pathlib import Path
 
 import numpy as np
 
+from benchmarks.common import page
 from catopt.casefile import read_case
 from catopt.checks.excess import ROUNDING
 from catopt.design import steps
@@ -193,23 +191,22 @@ def by_the_metre(lengths: tuple[float, ...]) -> tuple[float, ...]:
     return tuple(np.arange(lengths[0], lengths[-1] + 1e-9, 1.0).tolist())
 
 
-def report(seeds: int) -> Iterator[str]:
+def report(seeds: int, smoke: bool) -> Iterator[str]:
     """Yield the whole page."""
     yield "# NSGA-II and the swarm beside the exact front"
     yield ""
-    yield f"    python -m benchmarks.search --seeds {seeds}"
-    yield ""
-    yield (
-        f"Python {platform.python_version()}, pymoo {version('pymoo')}, pyswarms "
-        f"{version('pyswarms')}, numpy {np.__version__}, {platform.system()} "
-        f"{platform.machine()}, {os.cpu_count()} cores, one thread."
-    )
+    yield f"pymoo {version('pymoo')}, pyswarms {version('pyswarms')}; one thread."
     yield ""
     yield (
         "Population 100. The reference point is the worst of each objective on the exact front "
         "and a tenth of its range more. Times include the evaluation, of a table or of lines."
     )
     yield ""
+    if smoke:
+        problem = from_case("design-tanker-20m", "mass", "offset")
+        for name, search in METHODS.items():
+            yield f"{name}: {search(problem, evaluations=10, seed=1).evaluations} designs"
+        return
     known = list(spaces())
     yield from beside_exact(known, seeds)
     yield from shares(known, max(1, seeds // 4))
@@ -218,16 +215,8 @@ def report(seeds: int) -> Iterator[str]:
 
 def main() -> None:
     """Run, and print or write the page."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
-    parser.add_argument("--seeds", type=int, default=20)
-    parser.add_argument("--out", type=Path)
-    arguments = parser.parse_args()
-    page = []
-    for row in report(arguments.seeds):
-        print(row, file=sys.stderr if arguments.out else sys.stdout, flush=True)
-        page.append(row)
-    if arguments.out:
-        arguments.out.write_text("\n".join(page), encoding="utf-8")
+    parser = argparse.ArgumentParser(description=__doc__)
+    page(parser, lambda of: report(of.seeds, of.smoke), seeds=(20, 1))
 
 
 if __name__ == "__main__":

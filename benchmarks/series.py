@@ -1,6 +1,6 @@
 """Tension series of chains in heave beside OrcaFlex's: catopt, MoorDyn, CableDyn in one run.
 
-    python benchmarks/series.py [--out benchmarks/results/series.md]
+    python -m benchmarks.series [--out benchmarks/results/series.md]
 
 The runs are those of `catopt reproduce chain_in_waves`. The series are each program's with a tenth
 of its smallest step; its time is that of its largest step whose largest tension is within 0.5 % of
@@ -15,7 +15,6 @@ import importlib.metadata
 import importlib.util
 import math
 import os
-import platform
 import resource
 import sys
 import tempfile
@@ -29,6 +28,7 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
+from benchmarks.common import page
 from catopt.reproduce.lines_in_motion import (
     BARS,
     CHAIN,
@@ -114,9 +114,11 @@ class Run:
 
 def main() -> None:
     """Run all and print the table."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--out", type=Path)
-    out = parser.parse_args().out
+    page(argparse.ArgumentParser(description=__doc__), lambda of: tables(of.smoke))
+
+
+def tables(smoke: bool) -> Iterator[str]:
+    """Yield the page."""
     programs: list[tuple[str, Callable[[Task, float], Run], Sequence[float], float]] = [
         ("catopt", _catopt, (0.5, 0.4, 0.25, 0.2, 0.1, 0.05), 0.005)
     ]
@@ -131,27 +133,26 @@ def main() -> None:
         else:
             version = importlib.metadata.version(module)
             programs.append((f"{name} {version}", run, steps, 0.1 * steps[-1]))
-    rows = [*_head(absent)]
-    for run_of in RUNS:
+    yield from _head(absent)
+    for run_of in RUNS[:1] if smoke else RUNS:
         task = Task(*run_of)
         series = np.loadtxt(DATA / f"{task.name}.csv", delimiter=",", skiprows=1)
         t, theirs = series[:, 0], series[:, 2]
-        rows += [
-            f"## {task.depth} m, heave of {task.heave} m in {PERIOD:g} s",
-            "",
+        yield f"## {task.depth} m, heave of {task.heave} m in {PERIOD:g} s"
+        yield ""
+        yield (
             "| | rms of the difference (kN) | largest (kN) | off | smallest (kN) | step (ms) "
-            "| processor, ms per simulated second |",
-            "|---|---|---|---|---|---|---|",
-            f"| OrcaFlex, printed | | {theirs.max():.1f} | | {theirs.min():.1f} | | |",
-        ]
+            "| processor, ms per simulated second |"
+        )
+        yield "|---|---|---|---|---|---|---|"
+        yield f"| OrcaFlex, printed | | {theirs.max():.1f} | | {theirs.min():.1f} | | |"
         for name, run, steps, fine in programs:
+            few, finest = ((0.5,), 0.25) if smoke and name == "catopt" else (steps, fine)
+            if smoke and name != "catopt":
+                continue
             print(task.name, name, file=sys.stderr, flush=True)
-            rows.append(_row(name, run, steps, fine, task, t, theirs))
-        rows.append("")
-    text = "\n".join(rows)
-    print(text)
-    if out is not None:
-        out.write_text(text, encoding="utf-8")
+            yield _row(name, run, few, finest, task, t, theirs)
+        yield ""
 
 
 def _head(absent: Sequence[str]) -> list[str]:
@@ -159,8 +160,7 @@ def _head(absent: Sequence[str]) -> list[str]:
     return [
         "# Series of chains in heave",
         "",
-        f"`python benchmarks/series.py`, one core; Python {platform.python_version()}, "
-        f"{platform.machine()}. OrcaFlex's series are those of MoorDyn's tests, two periods of "
+        "One core. OrcaFlex's series are those of MoorDyn's tests, two periods of "
         "settled motion, sampled each 0.1 s.",
         "",
         "Conventions, the same for all three programs:",

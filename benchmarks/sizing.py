@@ -1,6 +1,6 @@
 """Time from the shell to the answer of ``catopt size``, each run a new process.
 
-    python benchmarks/sizing.py [--rounds 11] [--out benchmarks/results/sizing.md]
+    python -m benchmarks.sizing [--rounds 11] [--out benchmarks/results/sizing.md]
 
 Before the first round each command has run once, so that compiled loops and bytecode are on disk.
 """
@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import argparse
 import os
-import platform
 import statistics
 import subprocess
 import sys
 import time
-from pathlib import Path
+
+from benchmarks.common import page
 
 SHIP = (
     *("tanker", "--length", "234 m", "--breadth", "31.3 m", "--draught", "12.4 m"),
@@ -40,22 +40,18 @@ COMMANDS = {
 def main() -> None:
     """Measure and print."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--rounds", type=int, default=11)
-    parser.add_argument("--out", type=Path, help="also write the table here")
-    arguments = parser.parse_args()
-    text = report(timed(arguments.rounds), arguments.rounds)
-    print(text)
-    if arguments.out is not None:
-        arguments.out.write_text(text + "\n", encoding="utf-8")
+    page(parser, lambda of: report(timed(of.rounds, of.smoke)), rounds=(11, 1))
 
 
-def timed(rounds: int) -> dict[str, list[tuple[float, float]]]:
+def timed(rounds: int, smoke: bool) -> dict[str, list[tuple[float, float]]]:
     """Seconds that each command took in each round."""
-    for options in COMMANDS.values():
-        once(options)
-    taken: dict[str, list[tuple[float, float]]] = {name: [] for name in COMMANDS}
+    commands = dict(list(COMMANDS.items())[:1]) if smoke else COMMANDS
+    if not smoke:
+        for options in commands.values():
+            once(options)
+    taken: dict[str, list[tuple[float, float]]] = {name: [] for name in commands}
     for _ in range(rounds):
-        for name, options in COMMANDS.items():
+        for name, options in commands.items():
             taken[name].append(once(options))
     return taken
 
@@ -74,7 +70,7 @@ def _processor() -> float:
     return times.children_user + times.children_system
 
 
-def report(taken: dict[str, list[tuple[float, float]]], rounds: int) -> str:
+def report(taken: dict[str, list[tuple[float, float]]]) -> list[str]:
     """Lay the times out as a Markdown page."""
     rows = [
         f"| {name} | {statistics.median(wall):.2f} | {min(wall):.2f} | {max(wall):.2f} | "
@@ -82,21 +78,17 @@ def report(taken: dict[str, list[tuple[float, float]]], rounds: int) -> str:
         for name, times in taken.items()
         for wall, processor in (tuple(zip(*times, strict=True)),)
     ]
-    return "\n".join(
-        [
-            "# Sizing",
-            "",
-            f"`python benchmarks/sizing.py --rounds {rounds}`, each command a new process, one "
-            "after the other in turn; seconds from the shell to the end. Other work on the machine "
-            "lengthens the clock; the processor time hardly minds it.",
-            f"Python {platform.python_version()}, {platform.system()} {platform.machine()}, "
-            f"{os.cpu_count()} cores, load {os.getloadavg()[0]:.1f} at the end.",
-            "",
-            "| `catopt size` | median, s | fastest, s | slowest, s | processor, median, s |",
-            "|---|---|---|---|---|",
-            *rows,
-        ]
-    )
+    return [
+        "# Sizing",
+        "",
+        "Each command a new process, one after the other in turn; seconds from the shell to the "
+        "end. Other work on the machine lengthens the clock; the processor time hardly minds "
+        f"it. Load {os.getloadavg()[0]:.1f} at the end.",
+        "",
+        "| `catopt size` | median, s | fastest, s | slowest, s | processor, median, s |",
+        "|---|---|---|---|---|",
+        *rows,
+    ]
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """Lines that go slack and snap: what their largest tension hangs on, and whether the proof sees it.
 
-    python benchmarks/slack.py [--lines 200] [--out benchmarks/results/slack.md]
+    python -m benchmarks.slack [--lines 200] [--out benchmarks/results/slack.md]
 
 Three tables: the largest tension over line damping, bars and step; two cases of one line, as they
 are run by default, beside a run at a tenth of the step with twice the bars; and random lines that
@@ -13,12 +13,14 @@ import argparse
 import csv
 import itertools
 import math
+import tempfile
 from collections.abc import Iterator
 from dataclasses import astuple, dataclass, fields, replace
 from pathlib import Path
 
 import numpy as np
 
+from benchmarks.common import page
 from catopt.errors import NoAnswerError, NotConvergedError
 from catopt.model import Case, Dynamics, Line, Load, Motion, Segment, Site, WaveState
 from catopt.model.dynamics import BARS
@@ -286,43 +288,43 @@ def random_lines(count: int, kept: Path) -> Iterator[str]:
 def main() -> None:
     """Print the tables; write them, too, where --out says."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--lines", type=int, default=200)
     parser.add_argument("--kept", type=Path, default=_KEPT, help="a row a line, to go on from")
-    parser.add_argument("--out", type=Path)
-    asked = parser.parse_args()
-    import tempfile
+    page(parser, _report, lines=(200, 1))
 
+
+def _report(of: argparse.Namespace) -> Iterator[str]:
+    yield "# Lines that go slack and snap"
+    yield ""
+    yield (
+        "60 m of 38 mm studless chain in 20 m of water, 20 kN at rest, friction 0.5, "
+        "generalised-alpha, steps that follow the snap. `line_damping` is a part of what is "
+        "critical for a hundredth of the line, however many bars there are."
+    )
+    yield ""
+    if of.smoke:
+        part = run(heaving(), "none", duration=7.0, ramp=6.0, elements=4)
+        yield f"Seven seconds of four bars: {len(part.runs)} run."
+        return
+    yield "## Damping of the line: largest fairlead tension (kN), heave of 3 m in 6 s"
+    yield ""
+    yield from damping_table(heaving())
+    yield ""
+    yield "## As run by default"
+    yield ""
     with tempfile.TemporaryDirectory() as folder:
-        cases = {"heave 3 m, 6 s": heaving(), "Hs 2.5 m, Tp 7 s": at_sea(Path(folder))}
-        lines = [
-            "# Lines that go slack and snap",
-            "",
-            "`python benchmarks/slack.py`. 60 m of 38 mm studless chain in 20 m of water, 20 kN at",
-            "rest, friction 0.5, generalised-alpha, steps that follow the snap. `line_damping` is",
-            "a part of what is critical for a hundredth of the line, however many bars there are.",
-            "",
-            "## Damping of the line: largest fairlead tension (kN), heave of 3 m in 6 s",
-            "",
-            *damping_table(heaving()),
-            "",
-            "## As run by default",
-            "",
-            *two_cases(cases),
-            "",
-            "## Lindahl's model test, measured 51.4 N at 3.5 s and slack in every cycle at 1.25 s",
-            "",
-            "Friction as printed is 0.3; damping of the line as printed, 2 N s.",
-            "",
-            *friction_table(),
-            "",
-            "## Random lines",
-            "",
-            *random_lines(asked.lines, asked.kept),
-        ]
-    text = "\n".join(lines) + "\n"
-    print(text)
-    if asked.out is not None:
-        asked.out.write_text(text, encoding="utf-8")
+        yield from two_cases(
+            {"heave 3 m, 6 s": heaving(), "Hs 2.5 m, Tp 7 s": at_sea(Path(folder))}
+        )
+    yield ""
+    yield "## Lindahl's model test, measured 51.4 N at 3.5 s and slack in every cycle at 1.25 s"
+    yield ""
+    yield "Friction as printed is 0.3; damping of the line as printed, 2 N s."
+    yield ""
+    yield from friction_table()
+    yield ""
+    yield "## Random lines"
+    yield ""
+    yield from random_lines(of.lines, of.kept)
 
 
 if __name__ == "__main__":

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import argparse
 import os
-import platform
 import resource
 import subprocess
 import sys
@@ -23,6 +22,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
+
+from benchmarks.common import page
 
 CASES = Path(__file__).parents[1] / "cases"
 HOURS = 8766
@@ -40,37 +41,36 @@ class Took(NamedTuple):
 def main() -> None:
     """Run all studies and print the tables."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--years", type=int, default=40)
-    parser.add_argument("--runs", type=int, default=40)
-    parser.add_argument("--many", type=int, default=0)
-    parser.add_argument("--out", type=Path)
-    arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        text = "\n".join(_report(Path(folder), arguments)) + "\n"
-    print(text)
-    if arguments.out is not None:
-        arguments.out.write_text(text, encoding="utf-8")
+        page(
+            parser,
+            lambda of: _report(Path(folder), of),
+            years=(40, 1),
+            draws=(1_000_000, 100),
+            runs=(40, 1),
+            many=(0, 0),
+        )
 
 
 def _report(folder: Path, of: argparse.Namespace) -> Iterator[str]:
     years, runs = of.years, of.runs
     yield "# Studies"
     yield ""
-    yield (
-        "`python -m benchmarks.study`, one run each, from the study file to the tables; "
-        f"{os.cpu_count()} cores, Python {platform.python_version()}, {platform.machine()}."
-    )
+    yield ("One run each, from the study file to the tables.")
     yield ""
     yield "At rest, one process."
     yield ""
     yield "| study | members | wall clock | processor | members a second | memory |"
     yield "| --- | --- | --- | --- | --- | --- |"
+    if of.smoke:
+        yield _row("one line", line(folder, of.draws), timed(folder, "line"))
+        return
     hours(folder, years)
     timed(folder, "hours")  # fills the cache
     for each in (years, 2 * years):
         members = hours(folder, each)
         yield _row(f"nine lines, {each} years of hours", members, timed(folder, "hours"))
-    for count in (100_000, 1_000_000):
+    for count in (of.draws // 10, of.draws):
         members = line(folder, count)
         yield _row("one line, drawn loads", members, timed(folder, "line"))
     yield ""

@@ -1,6 +1,6 @@
 """The swarm method beside a plain pyswarms call: how small f ends, and what a run costs.
 
-    python benchmarks/swarm.py [--seeds 1000] [--lines 300] [--out benchmarks/results/swarm.md]
+    python -m benchmarks.swarm [--seeds 1000] [--lines 300] [--out benchmarks/results/swarm.md]
 
 Both sides minimise the same f within the same bounds, with 200 particles and 200 iterations, one
 run a seed, taken in turns so that a slow moment of the machine meets both. The last table has lines
@@ -14,8 +14,6 @@ import contextlib
 import io
 import logging
 import os
-import platform
-import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterator, Sequence
@@ -26,6 +24,7 @@ from typing import get_args
 
 import numpy as np
 
+from benchmarks.common import page
 from catopt.catenary.pieces import cut
 from catopt.catenary.solve import solve
 from catopt.catenary.swarm import solve_swarm
@@ -362,17 +361,12 @@ def _distances(lines: list[Moored]) -> str:
     return f"{without} | {max(span):.1e} | {max(tension):.1e}"
 
 
-def heading(arguments: list[str]) -> Iterator[str]:
+def heading() -> Iterator[str]:
     """Say what was run, on what."""
     yield "# The swarm method beside pyswarms"
     yield ""
-    yield f"    python benchmarks/swarm.py {' '.join(arguments)}".rstrip()
-    yield ""
     packages = ", ".join(f"{name} {version(name)}" for name in ("pyswarms", "numpy"))
-    yield (
-        f"Python {platform.python_version()}, {packages}, {platform.system()} "
-        f"{platform.machine()}, {os.cpu_count()} cores, one thread."
-    )
+    yield f"{packages}; one thread."
     yield ""
     yield (
         f"catopt: {SETTINGS.particles} particles, {SETTINGS.iterations} iterations, c1 = "
@@ -385,9 +379,9 @@ def heading(arguments: list[str]) -> Iterator[str]:
     yield ""
 
 
-def report(arguments: argparse.Namespace, given: list[str]) -> Iterator[str]:
+def report(arguments: argparse.Namespace) -> Iterator[str]:
     """Yield the whole page, line by line."""
-    yield from heading(given)
+    yield from heading()
     yield from comparison(arguments.seeds)
     yield from article()
     yield from robustness(arguments.lines)
@@ -396,17 +390,8 @@ def report(arguments: argparse.Namespace, given: list[str]) -> Iterator[str]:
 
 def main() -> None:
     """Print the page as it grows; write it whole when asked to."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
-    parser.add_argument("--seeds", type=int, default=1000, help="runs a case and contender")
-    parser.add_argument("--lines", type=int, default=300, help="lines of many shapes")
-    parser.add_argument("--out", type=Path, help="file to write the page to")
-    page = []
-    for line in report(parser.parse_args(), sys.argv[1:]):
-        print(line, flush=True)
-        page.append(line)
-    out = parser.parse_args().out
-    if out is not None:
-        out.write_text("\n".join(page).rstrip() + "\n", encoding="utf-8")
+    parser = argparse.ArgumentParser(description=__doc__)
+    page(parser, report, seeds=(100, 1), lines=(60, 1))
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """A moored body at rest: the compiled loop beside nine MoorPy Subsystems, in one run on one core.
 
-    python benchmarks/system.py [--out benchmarks/results/system.md]
+    python -m benchmarks.system [--out benchmarks/results/system.md]
 
 The turret of FSO Rang Dong: nine legs of four segments, random horizontal forces, every solve from
 the zero-load position. MoorPy (the optional extra ``peers``) has no route of its own that settles
@@ -14,17 +14,19 @@ import argparse
 import contextlib
 import io
 import math
-import platform
 import statistics
 import time
 import warnings
-from pathlib import Path
+from collections.abc import Iterator
+from contextlib import nullcontext
 from typing import Any
 
 import numpy as np
 
+from benchmarks.common import page
 from catopt.catenary.batch import solve_many
 from catopt.catenary.state import CONVERGED
+from catopt.compile_jobs import compile_always
 from catopt.model import Line, Segment, System
 from catopt.mooring.batch import Batch, solve_system_many
 from catopt.mooring.solve import solve_system
@@ -40,9 +42,6 @@ LEG = Line(
 )
 AZIMUTHS = [math.radians(angle) for angle in (-3, 0, 3, 117, 120, 123, 237, 240, 243)]
 TURRET = System.around(LEG, azimuths=AZIMUTHS, anchor_radius=ANCHOR_RADIUS, fairlead_height=DEPTH)
-LOADS = 500
-"""Random loads a round."""
-
 LARGEST = {"up to 1,000 kN": 1e6, "up to 4,281 kN": 4.281e6, "up to 9,824 kN": 9.824e6}
 """N: PEERS' force, the static force of S4 and its largest."""
 
@@ -50,41 +49,42 @@ LARGEST = {"up to 1,000 kN": 1e6, "up to 4,281 kN": 4.281e6, "up to 9,824 kN": 9
 def main() -> None:
     """Time both sides and print the table."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--rounds", type=int, default=7)
-    parser.add_argument("--out", type=Path)
-    arguments = parser.parse_args()
-    text = _report(arguments.rounds)
-    print(text)
-    if arguments.out is not None:
-        arguments.out.write_text(text, encoding="utf-8")
+    page(parser, _report, rounds=(7, 1), loads=(500, 3))
 
 
-def _report(rounds: int) -> str:
+def _report(of: argparse.Namespace) -> Iterator[str]:
+    """Compile at once: 500 loads are too few for that to happen by itself."""
+    with nullcontext() if of.smoke else compile_always():
+        yield from _table(of.rounds, of.loads)
+
+
+def _table(rounds: int, loads: int) -> Iterator[str]:
     batch = Batch(TURRET)
-    rows = ["| 500 random forces | converged | Newton steps, mean | a solve |", "|---|---|---|---|"]
+    rows = [
+        f"| {loads} random forces | converged | Newton steps, mean | a solve |",
+        "|---|---|---|---|",
+    ]
     for name, largest in LARGEST.items():
-        forces = _forces(largest, LOADS)
+        forces = _forces(largest, loads)
         answers = batch.under(forces)
         seconds = statistics.median(_timed(lambda f=forces: batch.under(f)) for _ in range(rounds))
         converged = int((answers.status == CONVERGED).sum())
         rows.append(
             f"| {name} | {converged} | {answers.steps.mean():.2f} "
-            f"| {seconds / LOADS * 1e6:.1f} us |"
+            f"| {seconds / loads * 1e6:.1f} us |"
         )
-    return "\n".join(
-        [
-            "# A moored body at rest\n",
-            f"`python benchmarks/system.py`, medians of {rounds} rounds, one core; Python "
-            f"{platform.python_version()}, {platform.machine()}. The turret of FSO Rang Dong: nine "
-            "legs of four segments, each solve from the zero-load position.\n",
-            *rows,
-            "",
-            _single(),
-            "",
-            _beside_moorpy(batch),
-            "",
-        ]
+    yield "# A moored body at rest"
+    yield ""
+    yield (
+        f"Medians of {rounds} rounds, one core. The turret of FSO Rang Dong: nine legs of four "
+        "segments, each solve from the zero-load position."
     )
+    yield ""
+    yield from rows
+    yield ""
+    yield _single(rounds, 40 * loads)
+    yield ""
+    yield _beside_moorpy(batch, loads)
 
 
 def _forces(largest: float, count: int) -> Any:
@@ -95,43 +95,44 @@ def _forces(largest: float, count: int) -> Any:
 
 
 def _timed(call: Any) -> float:
-    start = time.perf_counter()
+    start = time.process_time()
     call()
-    return time.perf_counter() - start
+    return time.process_time() - start
 
 
-def _single() -> str:
+def _single(rounds: int, lines: int) -> str:
     loaded = TURRET.under((-4.281e6, 0.0))
-    seconds = statistics.median(_timed(lambda: solve_system(loaded)) for _ in range(15))
+    seconds = statistics.median(_timed(lambda: solve_system(loaded)) for _ in range(2 * rounds))
     many = statistics.median(
-        _timed(lambda: solve_system_many(TURRET, force=_forces(1e6, 10))) for _ in range(7)
+        _timed(lambda: solve_system_many(TURRET, force=_forces(1e6, 10))) for _ in range(rounds)
     )
-    spans = np.linspace(1070.0, 1085.0, 20_000)
+    spans = np.linspace(1070.0, 1085.0, lines)
     solve_many(LEG, height=DEPTH, span=spans)
     one = statistics.median(
-        _timed(lambda: solve_many(LEG, height=DEPTH, span=spans)) / spans.size for _ in range(7)
+        _timed(lambda: solve_many(LEG, height=DEPTH, span=spans)) / spans.size
+        for _ in range(rounds)
     )
     return (
         f"A yardstick of the same run, one leg from cold with its span given: {one * 1e6:.2f} us. "
-        f"One `solve_system` in plain Python, the zero-load position and the laid-out lines "
+        f"One `solve_system`, the zero-load position and the laid-out lines "
         f"included: {seconds * 1e3:.1f} ms; `solve_system_many` with 10 loads, the zero-load "
         f"position included: {many * 1e3:.1f} ms."
     )
 
 
-def _beside_moorpy(batch: Batch) -> str:
+def _beside_moorpy(batch: Batch, loads: int) -> str:
     try:
         legs = [_subsystem() for _ in AZIMUTHS]
     except ImportError:
         return "MoorPy is not installed."
-    forces = np.array([[1e6, 0.0], [-4.281e6, 0.0], [5e5, 8e5]])
+    forces = np.array([[1e6, 0.0], [-4.281e6, 0.0], [5e5, 8e5]])[: max(1, min(3, loads // 3))]
     ours, theirs, apart, loops = [], [], [], []
     for force in forces:
-        many = np.repeat(force[None, :], LOADS, axis=0)
-        ours.append(_timed(lambda f=many: batch.under(f)) / LOADS)
-        start = time.perf_counter()
+        many = np.repeat(force[None, :], loads, axis=0)
+        ours.append(_timed(lambda f=many: batch.under(f)) / loads)
+        start = time.process_time()
         place, steps = _by_moorpy(legs, force)
-        theirs.append(time.perf_counter() - start)
+        theirs.append(time.process_time() - start)
         apart.append(float(np.linalg.norm(place - batch.under(force[None, :]).offset[0])))
         loops.append(steps)
     mine, other = statistics.median(ours), statistics.median(theirs)

@@ -1,6 +1,6 @@
 """Time of the truss model's statics: one line over the number of bars, and a mooring of nine.
 
-    python benchmarks/truss.py [--out benchmarks/results/truss.md]
+    python -m benchmarks.truss [--out benchmarks/results/truss.md]
 
 Every solution starts from a straight line. Each figure is the median of several rounds after
 compilation, which is timed on its own in a fresh folder of machine code.
@@ -11,16 +11,16 @@ from __future__ import annotations
 import argparse
 import math
 import os
-import platform
 import statistics
 import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 
+from benchmarks.common import page
 from catopt.fem import Bed, HeldBed, Leg, TrussSolution, solve_line, solve_system
 from catopt.fem.result import SystemSolution
 from catopt.model import Line, Segment
@@ -35,30 +35,26 @@ LEG = Line(
     ]
 )
 HEIGHT, RADIUS, FORCE = 71.4, 1056.0, (-4281e3, 0.0)
+SIZES = (20, 40, 80, 160, 320, 640)
 AZIMUTHS = (-3, 0, 3, 117, 120, 123, 237, 240, 243)
 
 
 def main() -> None:
     """Run all and print the tables."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--rounds", type=int, default=9)
-    parser.add_argument("--out", type=Path)
-    arguments = parser.parse_args()
-    text = "\n".join([*_head(), *_one_line(arguments.rounds), *_mooring(arguments.rounds)]) + "\n"
-    print(text)
-    if arguments.out is not None:
-        arguments.out.write_text(text, encoding="utf-8")
+    page(parser, _report, rounds=(9, 1))
 
 
-def _head() -> list[str]:
-    return [
-        "# Truss statics",
-        "",
-        f"`python benchmarks/truss.py`, medians, one core; Python {platform.python_version()}, "
-        f"{platform.machine()}. From a straight start, to 1e-10 of the tension at every node.",
-        f"Compilation, once a machine: {_compilation():.0f} s.",
-        "",
-    ]
+def _report(of: argparse.Namespace) -> Iterator[str]:
+    yield "# Truss statics"
+    yield ""
+    yield "Medians, one core. From a straight start, to 1e-10 of the tension at every node."
+    if not of.smoke:
+        yield f"Compilation, once a machine: {_compilation():.0f} s."
+    yield ""
+    yield from _one_line(of.rounds, SIZES[:1] if of.smoke else SIZES)
+    if not of.smoke:
+        yield from _mooring(of.rounds)
 
 
 def _compilation() -> float:
@@ -85,13 +81,13 @@ def solved(elements: int, force: float) -> TrussSolution:
     return solve_line(LEG, height=HEIGHT, horizontal_force=force, elements=elements)
 
 
-def _one_line(rounds: int) -> list[str]:
+def _one_line(rounds: int, sizes: Sequence[int]) -> list[str]:
     rows = [
         "| bars of one line | force given | iterations | us per bar and iteration | span given |",
         "|---|---|---|---|---|",
     ]
     span = solved(100, 1.2e6).span
-    for elements in (20, 40, 80, 160, 320, 640):
+    for elements in sizes:
         force, iterations = _median(partial(solved, elements, 1.2e6), rounds)
         at_span = partial(solve_line, LEG, height=HEIGHT, span=span, elements=elements)
         held, _ = _median(at_span, rounds)

@@ -1,6 +1,6 @@
 """What the motion of the water costs: ns for each point, wave and time step.
 
-    python benchmarks/waves.py [--out benchmarks/results/waves.md]
+    python -m benchmarks.waves [--out benchmarks/results/waves.md]
 
 The compiled kernel is measured in turns with two others of the same formulas: compiled with the
 library's exp, sin and cos, and numpy's arrays. One thread.
@@ -10,23 +10,20 @@ from __future__ import annotations
 
 import argparse
 import math
-import os
-import platform
 import time
 from collections.abc import Callable, Iterator
-from importlib.metadata import version
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from benchmarks.common import page
 from catopt.compiled import compiled
 from catopt.waves import Flow, Sea, fill_kinematics, jonswap, random_waves, strongest_return
 from catopt.waves.random_surface import Bands
 
 DEPTH = 56.0
 SPECTRUM = jonswap(8.48, 12.965)
-ROUNDS, STEP = 7, 0.1
+STEP = 0.1
 SIZES = [(41, 20), (41, 200), (181, 200), (41, 1)]
 
 Filling = Callable[..., object]
@@ -85,7 +82,7 @@ def sea(count: int, *, wheeler: bool = False) -> Sea:
     return Sea(DEPTH, waves, stretching="wheeler" if wheeler else "none")
 
 
-def measured(count: int, nodes: int) -> dict[str, float]:
+def measured(count: int, nodes: int, rounds: int) -> dict[str, float]:
     """Least seconds a time step of each contender, taken in turns."""
     points = np.random.default_rng(2).uniform([0, 0, 0], [1000.0, 0.0, DEPTH], (nodes, 3))
     plain, stretched = sea(count).flow, sea(count, wheeler=True).flow
@@ -95,9 +92,11 @@ def measured(count: int, nodes: int) -> dict[str, float]:
         "compiled with the library's functions": (_njit(by_library), plain),
         "numpy": (by_numpy, plain),
     }
-    steps = max(20, 400_000 // (count * nodes))
+    steps = 1 if rounds == 1 else max(20, 400_000 // (count * nodes))
+    if rounds == 1:  # of a smoke: nothing is compiled
+        contenders = {"catopt": contenders["catopt"], "numpy": contenders["numpy"]}
     least = dict.fromkeys(contenders, math.inf)
-    for _ in range(ROUNDS):
+    for _ in range(rounds):
         for name, (fill, flow) in contenders.items():
             out = np.empty((nodes, 3)), np.empty((nodes, 3)), np.empty(nodes)
             fill(0.0, points, flow, *out)
@@ -115,26 +114,26 @@ def _njit(function: Callable[..., None]) -> Filling:
     return result
 
 
-def cost() -> Iterator[str]:
+def cost(rounds: int) -> Iterator[str]:
     """Yield the table of times."""
     yield "| points | waves | | us a step | ns a point, wave and step | three hours at 0.1 s, s |"
     yield "|---|---|---|---|---|---|"
-    for nodes, count in SIZES:
-        for name, seconds in measured(count, nodes).items():
+    for nodes, count in SIZES[:1] if rounds == 1 else SIZES:
+        for name, seconds in measured(count, nodes, rounds).items():
             yield (
                 f"| {nodes} | {count} | {name} | {1e6 * seconds:.1f} "
                 f"| {1e9 * seconds / (nodes * count):.1f} | {10800.0 / STEP * seconds:.0f} |"
             )
 
 
-def repetition(seeds: int = 10) -> Iterator[str]:
+def repetition(seeds: int) -> Iterator[str]:
     """Yield how strongly seas of different cuts return within a run."""
     yield "| bands | waves | run, s | mean of R over seeds | least | greatest |"
     yield "|---|---|---|---|---|---|"
     cuts: list[Bands] = ["equal-energy", "equal-width", "S4"]
     for bands in cuts:
-        for count in (20, 50, 100, 200, 400):
-            for duration in (1200.0, 10800.0):
+        for count in (20,) if seeds == 1 else (20, 50, 100, 200, 400):
+            for duration in (1200.0,) if seeds == 1 else (1200.0, 10800.0):
                 R = [
                     strongest_return(
                         random_waves(SPECTRUM, count, np.random.default_rng(seed), bands=bands),
@@ -146,38 +145,29 @@ def repetition(seeds: int = 10) -> Iterator[str]:
                 yield f"| {bands} | {count} | {duration:.0f} | {row} |"
 
 
-def report() -> Iterator[str]:
+def report(rounds: int, seeds: int) -> Iterator[str]:
     """Yield the page."""
     yield "# Waves"
     yield ""
-    yield "    python benchmarks/waves.py --out benchmarks/results/waves.md"
-    yield ""
-    yield (
-        f"Python {platform.python_version()}, numpy {np.__version__}, numba {version('numba')}, "
-        f"{platform.system()} {platform.machine()}, {os.cpu_count()} cores, one thread. "
-        f"Least of {ROUNDS} rounds."
-    )
+    yield f"One thread. Least of {rounds} rounds."
     yield ""
     yield "## The motion of the water, one call a time step"
     yield ""
-    yield from cost()
+    yield from cost(rounds)
     yield ""
     yield "## How strongly a sea returns: R of docs/waves.md, JONSWAP, Hs 8.48 m, Tp 12.965 s"
     yield ""
-    yield from repetition()
+    yield from repetition(seeds)
 
 
 def main() -> None:
     """Print the page as it grows; write it whole when asked to."""
-    parser = argparse.ArgumentParser(description="What the motion of the water costs")
-    parser.add_argument("--out", type=Path, help="file to write the page to")
-    out = parser.parse_args().out
-    page = []
-    for line in report():
-        print(line, flush=True)
-        page.append(line)
-    if out is not None:
-        out.write_text("\n".join(page).rstrip() + "\n", encoding="utf-8")
+    page(
+        argparse.ArgumentParser(description=__doc__),
+        lambda of: report(of.rounds, of.seeds),
+        rounds=(7, 1),
+        seeds=(10, 1),
+    )
 
 
 if __name__ == "__main__":

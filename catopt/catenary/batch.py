@@ -187,7 +187,7 @@ def solve_many(
     per_line = [wanted, *(given[key] for key in ("height", "anchor_height", "seabed_friction"))]
     tables = _tables(line, lengths, submerged_weights, EA, positions, point_weights)
     count = _count(per_line, tables)
-    columns = [np.ascontiguousarray(np.broadcast_to(_vector(a), (count,))) for a in per_line]
+    columns = [_column(_vector(each), count) for each in per_line]
     status = np.empty(count, dtype=np.int64)
     regime = np.empty(count, dtype=np.int64)
     out = np.empty((count, len(COLUMNS)))
@@ -278,6 +278,11 @@ def _vector(values: Numbers) -> Array:
     return np.asarray(values, dtype=np.float64)
 
 
+def _column(values: Array, count: int) -> Array:
+    """Return an entry for each line of an array with one for each, or one for all."""
+    return np.ascontiguousarray(values) if values.shape == (count,) else np.full(count, values)
+
+
 def _tables(
     line: Line,
     lengths: Numbers | None,
@@ -298,7 +303,8 @@ def _tables(
     problems = []
     tables = []
     for key, (given, default) in own.items():
-        table = np.atleast_2d(_vector(default if given is None else given))
+        table = _vector(default if given is None else given)
+        table = table[np.newaxis] if table.ndim == 1 else np.atleast_2d(table)
         if table.ndim != 2 or table.shape[1] != len(default):
             wanted = f"shape ({len(default)},) or (n, {len(default)}) is wanted, as the line has it"
             problems.append(Problem(key, f"shape {np.shape(table)}", wanted))

@@ -34,7 +34,8 @@ def newton(known: int, wanted: float, problem: LineProblem, H: float, V: float) 
     pieces, height, friction = problem.pieces, problem.fairlead_height, problem.friction
     length = total_length(pieces)
     size = wanted if known == BY_TENSION else length
-    for _ in range(25):
+    is_near = False
+    for _ in range(26):
         state = hung_state(H, V, pieces, height, friction, FIRST_TOUCHDOWN)
         z_error = state.height_error
         if known == BY_TENSION:
@@ -42,6 +43,8 @@ def newton(known: int, wanted: float, problem: LineProblem, H: float, V: float) 
             error, by_H, by_V = T - wanted, H / T, V / T
         else:
             error, by_H, by_V = state.span - wanted, state.x_H, state.x_V
+        if is_near and abs(error) <= 1e-14 * size and abs(z_error) <= 1e-14 * size:
+            return state if is_certain(state, pieces, length) else failed(NOT_CONVERGED)
         determinant = by_H * state.z_V - by_V * state.z_H
         if determinant == 0.0 or math.isnan(determinant):
             break
@@ -52,11 +55,7 @@ def newton(known: int, wanted: float, problem: LineProblem, H: float, V: float) 
             return state if is_certain(state, pieces, length) else failed(NOT_CONVERGED)
         H = min(max(H + dH, 0.1 * H), 10.0 * H)
         V = max(V + dV, 0.1 * V)
-        if steps <= LAST_STEP:
-            state = hung_state(H, V, pieces, height, friction, FIRST_TOUCHDOWN)
-            reached = tension_of(state) if known == BY_TENSION else state.span
-            if abs(reached - wanted) <= 1e-14 * size and abs(state.height_error) <= 1e-14 * size:
-                return state if is_certain(state, pieces, length) else failed(NOT_CONVERGED)
+        is_near = steps <= LAST_STEP
     return failed(NOT_CONVERGED)
 
 

@@ -20,7 +20,7 @@ from catopt.catenary.part import (
     with_force,
     with_slope,
 )
-from catopt.catenary.pieces import LineProblem, Pieces, total_length, total_weight
+from catopt.catenary.pieces import LineProblem, Pieces, is_plain, total_length, total_weight
 
 CLEARANCE = 1e-12
 """How far below the bed, as a part of the length, a hanging line may seem to pass by rounding."""
@@ -50,6 +50,10 @@ def upper_part(H: float, problem: LineProblem) -> Part:
     """
     pieces, height = problem.pieces, problem.fairlead_height
     tolerance = CLEARANCE * total_length(pieces)
+    if H == 0.0 and is_plain(problem):
+        slack = _lying_slack(problem)
+        if slack.top >= 0:
+            return slack
     free = _to_anchor(H, problem)
     pulled_down = math.inf
     if free.top >= 0:
@@ -68,6 +72,33 @@ def upper_part(H: float, problem: LineProblem) -> Part:
         return free
     if height == 0.0 and pieces.weight[len(pieces.length) - 1] >= 0.0:
         return lying_end(H, pieces)
+    return NO_PART
+
+
+def _lying_slack(problem: LineProblem) -> Part:
+    """Find the part that hangs straight of a plain line that is longer than its fairlead is high.
+
+    What it would hang as above its anchor cannot be it, for the rest hung below the bed; nor can a
+    touchdown above which more hangs, before its stretch, than the height. NO_PART where a piece
+    weighs nothing, or the line is hardly longer.
+    """
+    pieces, height = problem.pieces, problem.fairlead_height
+    reaches = (1.0 + WELL_HUNG) * height
+    above = 0.0
+    first = len(pieces.length)
+    for k in range(len(pieces.length) - 1, -1, -1):
+        if pieces.weight[k] <= 0.0:
+            return NO_PART
+        if above <= reaches:
+            first = k
+        above += pieces.length[k]
+    if height <= 0.0 or above <= reaches:
+        return NO_PART
+    start = _from_fairlead(0.0, pieces, 0, pieces.length[0], 0, 0.0, NO_TOUCHDOWN)
+    for code in range(2 * first, 2 * len(pieces.length)):
+        part = to_touchdown(start, height, pieces, code)
+        if part.top >= 0 and part_reach(part, pieces).low >= -CLEARANCE * above:
+            return part
     return NO_PART
 
 

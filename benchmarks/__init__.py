@@ -1,0 +1,1 @@
+"""What catopt is measured by: `python -m benchmarks --list`."""
