@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import ast
 import json
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
+
+from tests.snippets import PAGES, blocks
 
 NOTEBOOK = Path("docs") / "for-moorpy-users.ipynb"
 
@@ -40,3 +44,27 @@ def test_the_notebook_runs(capsys: pytest.CaptureFixture[str]) -> None:
     assert sum(hasattr(each, "savefig") for each in shown) == 2
     assert hasattr(names["case"], "line")
     assert len(shown[-1]) > 3
+
+
+def test_a_figure_has_a_picture_of_its_own_whatever_the_backend() -> None:
+    """A PNG file by its first bytes: no backend is asked."""
+    import catopt
+
+    line = catopt.Line([catopt.Segment(length="20 m", submerged_weight="9.5 kgf/m")])
+    figure: Any = catopt.solve(line, height="9.5 m", horizontal_force="343 kgf").plot()
+    assert figure._repr_png_().startswith(b"\x89PNG\r\n\x1a\n")
+
+
+@pytest.mark.slow
+def test_a_type_checker_passes_what_the_pages_show(tmp_path: Path) -> None:
+    """README and the pages that show Python for users, a file a block."""
+    pages = {"README.md", "quick-start.md", "api.md", "study.md"}
+    for block in (each for page in PAGES if page.name in pages for each in blocks(page)):
+        if block.language == "python":
+            (tmp_path / f"{block.page.stem.replace('-', '_')}_{block.line}.py").write_text(
+                block.code, "utf-8"
+            )
+    command = [sys.executable, "-m", "mypy", "--ignore-missing-imports", str(tmp_path)]
+    cache = ["--cache-dir", str(tmp_path / "cache")]
+    checked = subprocess.run([*command, *cache], capture_output=True, text=True, check=False)
+    assert checked.returncode == 0, checked.stdout
