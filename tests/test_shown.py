@@ -13,7 +13,7 @@ import pytest
 import catopt
 from catopt.answers.design import design_answer
 from catopt.answers.of_result import answer_of
-from catopt.mooring.watch_circle import watch_circle
+from catopt.mooring.circle import watch_circle
 from catopt.render.files import csv_files
 from catopt.verify.case import verify_case
 

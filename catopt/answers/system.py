@@ -30,7 +30,6 @@ if TYPE_CHECKING:
     from catopt.mooring.response import Response
     from catopt.mooring.restoring import RestoringCurve
     from catopt.mooring.solution import SystemSolution
-    from catopt.mooring.watch_circle import WatchCircle
 
 _EVERY = 10
 """One direction of the watch circle in so many is shown: 30 degrees."""

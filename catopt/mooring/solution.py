@@ -13,7 +13,7 @@ from catopt.shown import Shown
 from catopt.ties import first_largest
 
 if TYPE_CHECKING:
-    from catopt.mooring.watch_circle import WatchCircle
+    from catopt.mooring.circle import WatchCircle
 
 __all__ = ["LegState", "Position", "SystemResidual", "SystemSolution"]
 
@@ -168,7 +168,7 @@ class SystemSolution(Shown):
         >>> len(circle.responses)
         12
         """
-        from catopt.mooring.watch_circle import watch_circle
+        from catopt.mooring.circle import watch_circle
 
         return watch_circle(self.system, force=force, directions=directions)
 
