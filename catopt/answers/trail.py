@@ -86,7 +86,7 @@ def is_uniform(solution: Solution) -> bool:
     return (
         len(segments) == 1
         and not solution.line.point_loads
-        and not segments[0].stretches
+        and math.isinf(segments[0].EA)
         and segments[0].submerged_weight > 0.0
         and (
             solution.regime == "suspended"

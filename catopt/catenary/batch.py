@@ -22,7 +22,6 @@ from catopt.catenary.state import CONVERGED, REASONS, REGIMES
 from catopt.compiled import compiled, is_compiled
 from catopt.errors import InputError, Problem
 from catopt.model import Line
-from catopt.model.line import INEXTENSIBLE
 from catopt.model.validity import Findings
 
 if TYPE_CHECKING:
@@ -312,7 +311,7 @@ def _tables(
     if problems:
         raise InputError(problems, "solve_many")
     with np.errstate(divide="ignore"):
-        tables[2] = np.where(tables[2] > INEXTENSIBLE, 0.0, 1.0 / tables[2])
+        tables[2] = 1.0 / tables[2]
     return tables
 
 

@@ -305,7 +305,7 @@ class _Way:
     def _farthest(self) -> Iterator[Message]:
         rise = self.problem.fairlead_height - self.problem.anchor_height
         room = self.line.length**2 - rise**2
-        is_stiff = all(not segment.stretches for segment in self.line.segments)
+        is_stiff = all(math.isinf(segment.EA) for segment in self.line.segments)
         if self.over == "span" and room > 0.0 and is_stiff:
             yield Message("catenary.end_the_range", span=math.sqrt(room))
 

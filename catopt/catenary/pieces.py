@@ -228,7 +228,7 @@ def cut(line: Line) -> tuple[Pieces, tuple[int, ...]]:
     split(
         [float(segment.length) for segment in line.segments],
         [float(segment.submerged_weight) for segment in line.segments],
-        [1.0 / segment.EA if segment.stretches else 0.0 for segment in line.segments],
+        [1.0 / segment.EA for segment in line.segments],
         [float(load.position) for load in line.point_loads],
         [float(load.submerged_weight) for load in line.point_loads],
         [-1.0 if load.friction is None else float(load.friction) for load in line.point_loads],

@@ -13,6 +13,7 @@ from itertools import count
 from catopt.catenary.solution import Solution
 from catopt.errors import FloatsUpError
 from catopt.model import Line
+from catopt.model.line import INEXTENSIBLE
 from catopt.words import Measure, Message
 
 OPEN_FORCE = 1e-6
@@ -31,7 +32,7 @@ def plausibility(solution: Solution) -> Iterator[Message]:
         yield Message("catenary.slack", length=solution.grounded_length, span=solution.span)
     parts = list(zip(count(1), solution.segments, solution.line.segments))
     for number, state, segment in parts:
-        if not segment.stretches and segment.EA < math.inf:
+        if INEXTENSIBLE < segment.EA < math.inf:
             yield Message("catenary.inextensible", number=number, EA=segment.EA)
         strain = state.max_tension / segment.EA
         if strain > LARGE_STRAIN:

@@ -79,7 +79,7 @@ def solve_line(
     NotConvergedError
         With the node and the force left over there.
     """
-    _check_line(height, horizontal_force, span, seabed_friction, anchor_height)
+    _check_line(line, height, horizontal_force, span, seabed_friction, anchor_height)
     _check_water([line], water)
     cut = mesh or mesh_line(line, elements)
     rise = height - anchor_height
@@ -185,6 +185,7 @@ def _at_rest(
 
 
 def _check_line(
+    line: Line,
     height: float,
     horizontal_force: float | None,
     span: float | None,
@@ -202,6 +203,9 @@ def _check_line(
         found.number("horizontal_force", horizontal_force, "N", above=0.0)
     if span is not None:
         found.number("span", span, "m", at_least=0.0)
+        if span == 0.0 and line.length > height - anchor_height:
+            allowed = "above 0 for bars: a line that is slack under its fairlead lies in a heap"
+            found.add("span", "0 m", allowed)
     found.raise_if_any()
 
 

@@ -32,7 +32,7 @@ from catopt.units import Dimension
 from catopt.words import Message
 
 INEXTENSIBLE: Final = 1e12
-"""Axial stiffness beyond which a line is taken not to stretch, N; no real one comes near it."""
+"""Axial stiffness beyond which a line hardly stretches, N; no real one comes near it."""
 
 HIGHEST_COV: Final = 0.25
 """Coefficient of variation from which c (3 - 6 c) falls: more scatter would make more strength."""
@@ -166,11 +166,6 @@ class Segment(Checked):
             MBL_mean: Given | None = None,
             MBL_cov: Given | None = None,
         ) -> None: ...
-
-    @property
-    def stretches(self) -> bool:
-        """Whether its axial stiffness is one that a line can have; a larger one means none."""
-        return self.EA <= INEXTENSIBLE
 
     def _check(self, found: Findings) -> None:
         found.check("length", "submerged_weight", "EA", "mass", "MBL", *TESTS)

@@ -120,7 +120,7 @@ class Network(Checked):
                 found.add(f"lines[{k}].segments", *weightless("a line between points"))
             if {each.start, each.end} & set(joints):
                 allowed = "missing; lines that meet in joints have to stretch"
-                for i in (i for i, segment in enumerate(segments) if not segment.stretches):
+                for i in (i for i, segment in enumerate(segments) if math.isinf(segment.EA)):
                     found.add(f"lines[{k}].segments[{i}].EA", "", allowed)
         if self.site.seabed_slope != 0.0:
             slope = f"{math.degrees(self.site.seabed_slope):g} deg"

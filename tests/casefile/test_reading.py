@@ -267,7 +267,7 @@ def test_problems_come_in_the_order_of_the_file() -> None:
 runs = 0
 [load]
 horizontal_force = 1
-span = 0
+span = -1
 [[line.segments]]
 submerged_weight = 5
 EA = 0
