@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from typing import Annotated, Literal
@@ -145,31 +146,36 @@ def network_misfits(
 
     `pulled`: joints that a force or their buoyancy keeps from falling.
     """
+    first = {name: k for k, name in reversed([*enumerate(names)])}
     found = [
         Problem(f"points[{k}].name", name, "another point has this name")
         for k, name in enumerate(names)
-        if name in names[:k]
+        if first[name] < k
     ]
     for k, pair in enumerate(ends):
         found += (
             Problem(f"lines[{k}].{key}", end, f"no such point; there are {', '.join(names)}")
             for key, end in zip(("start", "end"), pair, strict=True)
-            if end not in names
+            if end not in first
         )
         if pair[0] == pair[1]:
             found.append(Problem(f"lines[{k}].end", pair[1], "the line begins there, too"))
+    meeting = Counter(name for pair in ends for name in {*pair})
     return found or [
         Problem(f"points[{k}]", name, allowed)
         for k, name in enumerate(names)
-        if (allowed := _loose(name, joints, ends, pulled))
+        if (allowed := _loose(name, meeting[name], joints, ends, pulled))
     ]
 
 
 def _loose(
-    name: str, joints: list[str], ends: list[tuple[str, str]], pulled: Collection[str]
+    name: str,
+    meeting: int,
+    joints: Collection[str],
+    ends: list[tuple[str, str]],
+    pulled: Collection[str],
 ) -> str:
     """Say why nothing holds a point, or what it is for; empty where that is in order."""
-    meeting = sum(name in pair for pair in ends)
     if not meeting:
         return "no line ends here; take it out"
     if name not in joints:
@@ -182,4 +188,4 @@ def _loose(
     reached = {name}
     while grown := {end for pair in ends if reached & set(pair) for end in pair} - reached:
         reached |= grown
-    return "" if reached - set(joints) else "no line leads from here to an anchor or a fairlead"
+    return "" if reached - {*joints} else "no line leads from here to an anchor or a fairlead"
