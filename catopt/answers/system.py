@@ -301,7 +301,11 @@ def _closing(report: SystemReport, checks: CheckReport) -> Iterator[blocks.Block
 
 
 def network_answer(
-    rest: NetworkAtRest, held: Sequence[NetworkAtRest], *, with_stiffness: bool
+    rest: NetworkAtRest,
+    held: Sequence[NetworkAtRest],
+    checks: CheckReport,
+    *,
+    with_stiffness: bool,
 ) -> blocks.Answer:
     """Lay out the joints and the lines with the body in place, and where it is held."""
     network = rest.network
@@ -318,10 +322,13 @@ def network_answer(
         network.title or Message("captions.moored_body"),
         section("captions.joints", blocks.Text(solved), _joints(rest, "joints")),
         section("captions.lines", _meeting(rest, "lines")),
+        section("captions.checks", *verdict_blocks(checks)),
         *(held_section(number, body) for number, body in enumerate(bodies, start=1)),
         *(section(Message("captions.held_lines", number=k), *each) for k, *each in tables),
         section(
-            "captions.residuals", blocks.Text(Message("mooring.residual_of_joints", value=residual))
+            "captions.residuals",
+            blocks.Text(Message("mooring.residual_of_joints", value=residual)),
+            blocks.Warnings(checks.warnings),
         ),
     )
 

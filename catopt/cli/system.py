@@ -8,8 +8,7 @@ from typing import Annotated, Any
 import typer
 
 from catopt.answers.system import network_answer, system_answer
-from catopt.casefile import read_mooring
-from catopt.casefile.design_directory import read_case_or_design
+from catopt.casefile.design_directory import read_mooring_or_design
 from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CaseArgument, DesignOption, OutOption
 from catopt.cli.values import in_si, refuse, refused
@@ -33,6 +32,7 @@ def system(
     held: Annotated[list[str] | None, typer.Option(metavar="SIX")] = None,
 ) -> None:
     """Find where a moored body comes to rest, and what each of its lines carries."""
+    from catopt.checks.network import check_network
     from catopt.checks.system import check_system
     from catopt.mooring.case import report_system
     from catopt.report.bundle import system_pictures
@@ -41,8 +41,7 @@ def system(
     directions = _in_si("--curve", curve, Dimension.ANGLE)
     levels = _in_si("--level", level, Dimension.LENGTH)
     displacements = [_displacement(text) for text in held or []]
-    is_design = design is not None or case.is_dir()
-    read = read_case_or_design(case, design) if is_design else read_mooring(case)
+    read = read_mooring_or_design(case, design)
     if isinstance(read, Network):  # the body is in place, and where it is to be held
         from catopt.mooring.held import hold, network_document
 
@@ -57,8 +56,10 @@ def system(
         places = [(0.0,) * 6, *displacements]
         total = Message("words.held_places", total=len(places))
         rest, *away = [hold(read, each) for each in paced(total, places)]
-        answer = network_answer(rest, away, with_stiffness=stiffness)
-        asked.give(answer, lambda: network_document([rest, *away]))
+        judged = check_network(read, rest)
+        answer = network_answer(rest, away, judged, with_stiffness=stiffness)
+        verdict = {"checks": judged.verdict_document()}
+        asked.give(answer, lambda: network_document([rest, *away]) | verdict, read)
         return
     report = report_system(
         read,

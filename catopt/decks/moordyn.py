@@ -381,8 +381,10 @@ def _point(
         )
         notes.refuse(row.number, " ".join(f"{each:g}" for each in force), allowed)
     keys = ("Mass", "Volume", "CdA", "Ca")
-    of_body = (notes.number(row, at[key.lower()], key, at_least=0.0) for key in keys)
-    return Point(row.number, name, end or "free", x, y, z, *of_body)
+    mass, volume, area, added = (
+        notes.number(row, at[key.lower()], key, at_least=0.0) for key in keys
+    )
+    return Point(row.number, name, end or "free", x, y, z, mass, volume, area, added)
 
 
 def _piece(row: Row, heads: Mapping[str, Row], notes: Notes, *, first: bool) -> Piece:

@@ -14,7 +14,7 @@ from catopt.model.network import Network
 from catopt.words.message import Message
 
 NOT_FOR_THIS: Final = (
-    "lines that meet in joints, or differ, are taken by catopt system and catopt import alone; a "
+    "lines that meet in joints, or differ, are taken by catopt system, check and import alone; a "
     "case for other commands has a [line]: catopt import FILE --line N takes one of several"
 )
 
