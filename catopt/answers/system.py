@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
     from catopt.mooring.case import SystemReport
     from catopt.mooring.circle import WatchCircle
-    from catopt.mooring.held import HeldBody, NetworkAtRest
+    from catopt.mooring.held import HeldBody, LinesAtRest, NetworkAtRest
     from catopt.mooring.response import Response
     from catopt.mooring.restoring import RestoringCurve
     from catopt.mooring.solution import SystemSolution
@@ -313,15 +313,19 @@ def network_answer(
     solved = Message("mooring.joints_solved", lines=len(network.lines), joints=joints)
     bodies = [*([rest.body] if with_stiffness else []), *(each.body for each in held)]
     tables = (
-        (number, _joints(each, f"held_joints_{number}"), _meeting(each, f"held_lines_{number}"))
+        (
+            number,
+            joints_table(each, f"held_joints_{number}"),
+            meeting_table(each, f"held_lines_{number}"),
+        )
         for number, each in enumerate(held, start=1 + with_stiffness)
     )
     residual = max(each.joints.residual for each in (rest, *held))
     return blocks.answered(
         "network",
         network.title or Message("captions.moored_body"),
-        section("captions.joints", blocks.Text(solved), _joints(rest, "joints")),
-        section("captions.lines", _meeting(rest, "lines")),
+        section("captions.joints", blocks.Text(solved), joints_table(rest, "joints")),
+        section("captions.lines", meeting_table(rest, "lines", checks)),
         section("captions.checks", *verdict_blocks(checks)),
         *(held_section(number, body) for number, body in enumerate(bodies, start=1)),
         *(section(Message("captions.held_lines", number=k), *each) for k, *each in tables),
@@ -333,7 +337,8 @@ def network_answer(
     )
 
 
-def _joints(rest: NetworkAtRest, name: str) -> blocks.Table:
+def joints_table(rest: LinesAtRest, name: str) -> blocks.Table:
+    """Tabulate where joints lie, and what the bed carries of them."""
     found = zip(rest.network.points, rest.joints.places, rest.joints.reactions, strict=True)
     of = Rows(each for each in found if each[0].kind == "joint")
     return tabulate(
@@ -350,10 +355,15 @@ def _joints(rest: NetworkAtRest, name: str) -> blocks.Table:
     )
 
 
-def _meeting(rest: NetworkAtRest, name: str) -> blocks.Table:
+def meeting_table(
+    rest: LinesAtRest, name: str, checks: CheckReport | None = None, marked: int | None = None
+) -> blocks.Table:
+    """Tabulate what each line carries, and how far it is used: by its checks, or else of MBL."""
     points, runs, of = rest.network.points, Rows(rest.runs), Rows(rest.lines)
-    used = (largest(each.utilisation() for each in line.segments) for line in rest.lines)
-    return tabulate(
+    used = [checks.used(line=k + 1) if checks else None for k in range(len(rest.runs))]
+    if all(value is None for value in used):
+        used = [largest(each.utilisation() for each in line.segments) for line in rest.lines]
+    table = tabulate(
         name,
         runs.texts("line", "name"),
         runs.texts("from_point", lambda run: points[run.first].name),
@@ -365,3 +375,4 @@ def _meeting(rest: NetworkAtRest, name: str) -> blocks.Table:
         *if_known(measured("utilisation", used)),
         caption=Message("captions.lines"),
     )
+    return replace(table, marked=marked)

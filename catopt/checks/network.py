@@ -48,7 +48,7 @@ def check_network(
     `rest` is what `at_rest` gave for it, `line_out` what `each_line_out` did; what is left out is
     solved here. Raises what `check_case` and `at_rest` raise.
     """
-    criteria = criteria_of(_Asked(network.checks, network.anchor, network.service))
+    criteria = criteria_of_network(network)
     count = len(network.lines)
     damaged = for_line_out(criteria, count)
     wanted: tuple[State, ...] = ("intact", "one_line_out") if damaged else ("intact",)
@@ -94,6 +94,11 @@ def check_network(
         warnings=tuple(dict.fromkeys(warnings)),
         places=tuple(place for _, place, _ in solved),
     )
+
+
+def criteria_of_network(network: Network) -> Criteria:
+    """Gather all that a file of points and lines asks of them; as `criteria_of`."""
+    return criteria_of(_Asked(network.checks, network.anchor, network.service))
 
 
 def _states(
