@@ -135,7 +135,7 @@ def _check_diameter(
 ) -> None:
     """Note a problem unless the nominal diameter lies within the family's range.
 
-    It names the families of the same kind that are known there, and how to do without any.
+    It names the families of the same kind that are known there.
     """
     before = len(check.problems)
     check.number("diameter", diameter, "m", above=0.0)
@@ -148,13 +148,13 @@ def _check_diameter(
         if meant_mm:
             allowed = Message("refused.known_in_m", known=allowed, meant=diameter / 1e3)
         else:
-            others = [
+            others = ", ".join(
                 each.name
                 for each in families
                 if within(diameter, each.range) and line_kind(each.name) == line_kind(family.name)
-            ]
-            listed = Message("refused.known_others", names=", ".join(others)) if others else ""
-            allowed = Message("refused.own_figures", known=allowed, others=listed)
+            )
+            if others:
+                allowed = Message("refused.known_others", known=allowed, names=others)
         check.add("diameter", in_mm(diameter), allowed)
 
 
