@@ -49,7 +49,7 @@ def texts_of(table: Mapping[str, Any], name: str) -> Iterator[tuple[str, str]]:
 def strings_of(path: Path) -> Iterator[tuple[str, str]]:
     """Yield the strings of a file that are no docstrings."""
     tree = ast.parse(path.read_text("utf-8"))
-    bodies = (node.body for node in ast.walk(tree) if isinstance(getattr(node, "body", None), list))
+    bodies = (body for each in ast.walk(tree) if isinstance(body := getattr(each, "body", 0), list))
     docs = {id(each.value) for body in bodies for each in body if isinstance(each, ast.Expr)}
     for node in ast.walk(tree):
         if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in docs:
@@ -110,7 +110,7 @@ def unknown_options(text: str) -> list[str]:
     """List what a text tells to type and no command has."""
     wrong = [option for option in _OPTION.findall(text) if option not in options()]
     for name, below, rest in _TYPED.findall(text):
-        typed = (name,)
+        typed: tuple[str, ...] = (name,)
         if typed not in commands():
             wrong += [] if name in VERBS else [f"catopt {name}"]
             continue
