@@ -8,18 +8,16 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from catopt.answers import blocks
-from catopt.answers.blocks import Block, Figure, Rows, Section, Text, Verdict, about, texts
+from catopt.answers.blocks import Block, Figure, Section, Text, Verdict, about
 from catopt.answers.check import checked_body
 from catopt.answers.note import inputs_table, note_answer, opening, section, small
 from catopt.answers.note_sheet import damaged_section, network_basis_section
 from catopt.answers.solution import given_tables, method_name
-from catopt.answers.system import joints_table, meeting_table
+from catopt.answers.system import joints_table, meeting_table, network_out_table
 from catopt.figures.network import network_plan, network_side
-from catopt.notes.network import largest_tensions
 from catopt.words import Message
 
 if TYPE_CHECKING:
-    from catopt.mooring.network_out import NetworkOut
     from catopt.notes.network import NetworkNote
 
 _section = partial(section, group="note_system")
@@ -117,34 +115,12 @@ def _line_out(note: NetworkNote) -> Iterator[Block]:
     gone = note.line_out
     if not gone:
         return
-    of, hardest = Rows(gone), [_hardest(each) for each in gone]
     yield Text(Message("note_system.network_line_out_about"))
-    used = (note.checks.used(missing=each.missing + 1) for each in gone)
-    yield blocks.tabulate(
-        "network_line_out",
-        of.texts("line_out", lambda each: each.missing + 1),
-        blocks.measured(
-            "tension", [each and each[0] for each in hardest], "largest_tension", symbol=""
-        ),
-        texts("in_line", [each and each[1] for each in hardest]),
-        blocks.measured("utilisation", tuple(used)),
-        of.texts(
-            "note_system.loose", lambda each: ", ".join(f"{number + 1}" for number in each.loose)
-        ),
-    )
+    yield network_out_table(gone, note.checks)
     for each in gone:
         if each.rest is None:
             lost = Message("mooring.lost", number=each.missing + 1, refusal=each.refusal)
             yield Verdict(lost, passes=False)
-
-
-def _hardest(gone: NetworkOut) -> tuple[float, int] | None:
-    """Find the largest tension that is left, N, and in which line, from 1."""
-    if gone.rest is None:
-        return None
-    found = zip(largest_tensions(gone.rest), gone.left, strict=True)
-    tension, line = max(found, key=lambda each: (each[0], -each[1]))
-    return tension, line + 1
 
 
 def _components(note: NetworkNote) -> Iterator[Block]:

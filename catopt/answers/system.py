@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from catopt.mooring.case import SystemReport
     from catopt.mooring.circle import WatchCircle
     from catopt.mooring.held import HeldBody, LinesAtRest, NetworkAtRest
+    from catopt.mooring.network_out import NetworkOut
     from catopt.mooring.response import Response
     from catopt.mooring.restoring import RestoringCurve
     from catopt.mooring.solution import SystemSolution
@@ -305,6 +306,7 @@ def network_answer(
     held: Sequence[NetworkAtRest],
     checks: CheckReport,
     *,
+    line_out: Sequence[NetworkOut] = (),
     with_stiffness: bool,
 ) -> blocks.Answer:
     """Lay out the joints and the lines with the body in place, and where it is held."""
@@ -321,12 +323,13 @@ def network_answer(
         for number, each in enumerate(held, start=1 + with_stiffness)
     )
     residual = max(each.joints.residual for each in (rest, *held))
-    return blocks.answered(
+    whole = blocks.answered(
         "network",
         network.title or Message("captions.moored_body"),
         section("captions.joints", blocks.Text(solved), joints_table(rest, "joints")),
         section("captions.lines", meeting_table(rest, "lines", checks)),
         section("captions.checks", *verdict_blocks(checks)),
+        *_network_out(line_out, checks),
         *(held_section(number, body) for number, body in enumerate(bodies, start=1)),
         *(section(Message("captions.held_lines", number=k), *each) for k, *each in tables),
         section(
@@ -334,6 +337,47 @@ def network_answer(
             blocks.Text(Message("mooring.residual_of_joints", value=residual)),
             blocks.Warnings(checks.warnings),
         ),
+    )
+    if not line_out:
+        return whole
+    to_be_known = (
+        blocks.Brief((said,), Message("answers.card_to_be_known"), 3)
+        for said in checks.warnings[:1]
+    )
+    card: tuple[blocks.CardBlock, ...] = (
+        *verdict_blocks(checks),
+        network_out_table(line_out, checks),
+        meeting_table(rest, "lines", checks),
+        *to_be_known,
+        blocks.Brief((solved,)),
+    )
+    return replace(whole, card=card)
+
+
+def _network_out(gone: Sequence[NetworkOut], checks: CheckReport) -> Iterator[blocks.Section]:
+    if gone:
+        lost = (
+            blocks.Text(Message("mooring.lost", number=each.missing + 1, refusal=each.refusal))
+            for each in gone
+            if each.rest is None
+        )
+        yield section("captions.one_line_out", network_out_table(gone, checks), *lost)
+
+
+def network_out_table(gone: Sequence[NetworkOut], checks: CheckReport) -> blocks.Table:
+    """Tabulate what each line gone leaves to the others, by the strictest check where there is."""
+    of, hardest = Rows(gone), [each.hardest for each in gone]
+    return tabulate(
+        "line_out",
+        of.texts("line_out", lambda each: each.missing + 1),
+        measured("tension", [each and each[0] for each in hardest], "largest_tension", symbol=""),
+        texts("in_line", [each and each[1] + 1 for each in hardest]),
+        *if_known(
+            measured("utilisation", [checks.used(missing=each.missing + 1) for each in gone])
+        ),
+        of.texts("loose", lambda each: ", ".join(f"{number + 1}" for number in each.loose)),
+        of.texts("refusal", only="files"),
+        caption=Message("captions.one_line_out"),
     )
 
 

@@ -44,9 +44,9 @@ def system(
     read = read_mooring_or_design(case, design)
     if isinstance(read, Network):  # the body is in place, and where it is to be held
         from catopt.mooring.held import hold, network_document
+        from catopt.mooring.network_out import each_line_out
 
         given = {
-            "--line-out": line_out,
             "--watch-circle": watch_circle,
             "--curve": directions,
             "--level": levels,
@@ -56,10 +56,13 @@ def system(
         places = [(0.0,) * 6, *displacements]
         total = Message("words.held_places", total=len(places))
         rest, *away = [hold(read, each) for each in paced(total, places)]
-        judged = check_network(read, rest)
-        answer = network_answer(rest, away, judged, with_stiffness=stiffness)
-        verdict = {"checks": judged.verdict_document()}
-        asked.give(answer, lambda: network_document([rest, *away]) | verdict, read)
+        gone = each_line_out(read) if line_out else ()
+        judged = check_network(read, rest, gone or None)
+        answer = network_answer(rest, away, judged, line_out=gone, with_stiffness=stiffness)
+        more: dict[str, Any] = {"checks": judged.verdict_document()}
+        if line_out:
+            more["one_line_out"] = [each.to_dict() for each in gone]
+        asked.give(answer, lambda: network_document([rest, *away]) | more, read)
         return
     report = report_system(
         read,

@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import Any
 
 from catopt.errors import NoAnswerError
 from catopt.model.network import LineBetween, Network, Point
 from catopt.mooring.held import LinesAtRest, at_rest
 from catopt.patience import paced
+from catopt.ties import first_largest
 from catopt.words import Message
 
 
@@ -27,6 +29,32 @@ class NetworkOut:
     loose: tuple[int, ...] = ()
     rest: LinesAtRest | None = None
     refusal: str = ""
+
+    @property
+    def hardest(self) -> tuple[float, int] | None:
+        """The largest tension that is left, N, and in which line, from 0; the first of several."""
+        if self.rest is None:
+            return None
+        tensions = largest_tensions(self.rest)
+        first = first_largest(tensions)
+        return tensions[first], self.left[first]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Lay it out as the documents have it; lines are counted from 1."""
+        tension, line = self.hardest or (None, None)
+        return {
+            "missing_line": self.missing + 1,
+            "lines_left": [number + 1 for number in self.left],
+            "loose_lines": [number + 1 for number in self.loose],
+            "largest_tension_N": tension,
+            "most_loaded_line": None if line is None else line + 1,
+            "refusal": self.refusal,
+        }
+
+
+def largest_tensions(rest: LinesAtRest) -> tuple[float, ...]:
+    """Return the largest tension of each line, N."""
+    return tuple(max(part.max_tension for part in line.segments) for line in rest.lines)
 
 
 def each_line_out(network: Network) -> tuple[NetworkOut, ...]:

@@ -12,7 +12,7 @@ from catopt.checks.network import check_network, criteria_of_network
 from catopt.checks.remarks import NO_CHECK
 from catopt.model.network import Network
 from catopt.mooring.held import LinesAtRest, at_rest
-from catopt.mooring.network_out import NetworkOut, each_line_out
+from catopt.mooring.network_out import NetworkOut, each_line_out, largest_tensions
 from catopt.notes.directory import Asked, case_path
 from catopt.notes.origin import origin_of, read_source
 from catopt.notes.sheet import AnyNote, Stated
@@ -63,11 +63,6 @@ class NetworkNote(AnyNote):
     def most_loaded(self) -> int:
         """The line of the largest tension, counted from 0; the first of several."""
         return first_largest(self.tensions)
-
-
-def largest_tensions(rest: LinesAtRest) -> tuple[float, ...]:
-    """Return the largest tension of each line, N."""
-    return tuple(max(part.max_tension for part in line.segments) for line in rest.lines)
 
 
 def read_network_note(path: Path, asked: Asked | None = None) -> NetworkNote:

@@ -35,6 +35,23 @@ def test_documents_are_of_their_schemas(run: Run, tmp_path: Path) -> None:
     assert solved["checks"]["checks"] == len(checked["checks"])
 
 
+def test_every_line_out_is_tabulated(run: Run, tmp_path: Path) -> None:
+    place = tmp_path / "leg.toml"
+    place.write_text(write_case(leg(checks=CHECKS)), encoding="utf-8")
+    solved = document_of(run, "system", place, "--line-out")
+    validate(solved)
+    out = solved["one_line_out"]
+    assert [each["missing_line"] for each in out] == [1, 2, 3]
+    assert [each["lines_left"] for each in out] == [[2, 3], [1, 3], [1, 2]]
+    # Left to one rope, the joint's horizontal pull is all its own.
+    checked = document_of(run, "check", place)["load_cases"]
+    of_rope = next(each for each in checked if each["line"] == 3 and each["missing_line"] == 2)
+    assert out[1]["largest_tension_N"] == pytest.approx(of_rope["fairlead_tension_N"], rel=1e-9)
+    assert out[1]["most_loaded_line"] == 3
+    shown = run("system", place, "--line-out").out
+    assert "Loose then" in shown
+
+
 def test_an_answer_is_written_with_its_case_and_again(run: Run, tmp_path: Path) -> None:
     place, folder = written(tmp_path), tmp_path / "out"
     run("check", place, "--out", folder)
