@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from catopt.model import Case, Line, Segment
     from catopt.notes.line import Note
     from catopt.notes.origin import Origin
-    from catopt.notes.sheet import AnyNote, Sheet
+    from catopt.notes.sheet import AnyNote, Stated
     from catopt.notes.system import SystemNote
 
 _PREFIX = {"note_size": "size_", "note_system": "system_"}
@@ -118,7 +118,7 @@ def opening(
     yield section("warnings", [blocks.Warnings(note.warnings)] if note.warnings else [])
 
 
-def _reserve(sheet: Sheet) -> Number:
+def _reserve(sheet: Stated) -> Number:
     factor = sheet.break_factor
     if factor is None or not math.isfinite(factor):
         least = min(each.grounded_length for each in sheet.intact)
@@ -126,7 +126,7 @@ def _reserve(sheet: Sheet) -> Number:
     return Message("note_first.break_factor"), "safety_factor", factor
 
 
-def _not_covered(sheet: Sheet, in_motion: bool) -> Iterator[str]:
+def _not_covered(sheet: Stated, in_motion: bool) -> Iterator[str]:
     """Yield what the answer leaves out."""
     for key, is_left_out in (
         ("no_motion", not in_motion),

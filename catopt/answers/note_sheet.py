@@ -15,7 +15,8 @@ from catopt.words import Cited, Measure, Message, Several, term
 if TYPE_CHECKING:
     from catopt.checks.criterion import Criterion
     from catopt.model import Case, Segment
-    from catopt.notes.sheet import Sheet
+    from catopt.model.network import Network
+    from catopt.notes.sheet import Sheet, Stated
 
 
 def basis_section(
@@ -53,6 +54,26 @@ def basis_section(
     return section("basis", [Facts("basis", tuple(facts)), *limits], "note_sheet")
 
 
+def network_basis_section(sheet: Stated) -> Section:
+    """State what lines between points are judged by, and under what."""
+    site = sheet.case.site
+    rows = {
+        "analysis": Message("note_sheet.quasi_static"),
+        "datum": Message("note_sheet.datum_is", depth=Measure("water_depth", site.depth_to_seabed)),
+        "friction": Message("sizing.about", value=site.seabed_friction),
+        "density": Message("sizing.measure", value=Measure("density", site.water_density)),
+        "life": _life(sheet.case),
+    }
+    facts = (Fact(Message(f"note_sheet.{key}"), said) for key, said in rows.items())
+    limits = [_limit_states(sheet)] if sheet.criteria.all else []
+    return section("basis", [Facts("basis", tuple(facts)), *limits], "note_sheet")
+
+
+def damaged_section(sheet: Stated) -> Section:
+    """Say what comes of the loss of a line."""
+    return section("damaged", [Text(_damaged(sheet))], "note_sheet")
+
+
 def sheet_sections(sheet: Sheet, held: str = "") -> Iterator[Section]:
     """State parts, tolerance of the anchor's place, wear, damage and fatigue.
 
@@ -61,7 +82,7 @@ def sheet_sections(sheet: Sheet, held: str = "") -> Iterator[Section]:
     yield section("bill", _bill(sheet, held), "note_sheet")
     yield section("anchor_place", _anchor_place(sheet), "note_sheet")
     yield section("wear", _wear(sheet), "note_sheet")
-    yield section("damaged", [Text(_damaged(sheet))], "note_sheet")
+    yield damaged_section(sheet)
     yield section("fatigue", [Text(Message("note_sheet.fatigue_not_asked"))], "note_sheet")
 
 
@@ -75,7 +96,7 @@ def _tide(levels: Sequence[float]) -> Message:
     return Message("note_sheet.tide_is", low=low, high=high)
 
 
-def _life(case: Case) -> Message:
+def _life(case: Case | Network) -> Message:
     service = case.service
     if service is None:
         return Message("note_sheet.not_stated")
@@ -93,7 +114,7 @@ def _pretension(sheet: Sheet) -> Message:
     return Message(f"note_sheet.pretension_{key}", tension=tension)
 
 
-def _limit_states(sheet: Sheet) -> Table:
+def _limit_states(sheet: Stated) -> Table:
     """Tabulate criteria by limit state: state of the mooring and kind of load case."""
     kinds = {each.kind for each in sheet.report.load_cases} or {"extreme"}
     states: list[str] = [kind for kind in ("extreme", "reference") if kind in kinds]
@@ -219,7 +240,7 @@ def _wear(sheet: Sheet) -> Iterator[Block]:
     )
 
 
-def _damaged(sheet: Sheet) -> Message:
+def _damaged(sheet: Stated) -> Message:
     if sheet.lines == 1:
         return Message("note_sheet.damaged_one")
     if not sheet.judges_line_out:

@@ -26,7 +26,8 @@ if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
     from catopt.mooring.case import SystemReport
     from catopt.mooring.circle import WatchCircle
-    from catopt.mooring.held import HeldBody, NetworkAtRest
+    from catopt.mooring.held import HeldBody, LinesAtRest, NetworkAtRest
+    from catopt.mooring.network_out import NetworkOut
     from catopt.mooring.response import Response
     from catopt.mooring.restoring import RestoringCurve
     from catopt.mooring.solution import SystemSolution
@@ -301,7 +302,12 @@ def _closing(report: SystemReport, checks: CheckReport) -> Iterator[blocks.Block
 
 
 def network_answer(
-    rest: NetworkAtRest, held: Sequence[NetworkAtRest], *, with_stiffness: bool
+    rest: NetworkAtRest,
+    held: Sequence[NetworkAtRest],
+    checks: CheckReport,
+    *,
+    line_out: Sequence[NetworkOut] = (),
+    with_stiffness: bool,
 ) -> blocks.Answer:
     """Lay out the joints and the lines with the body in place, and where it is held."""
     network = rest.network
@@ -309,24 +315,74 @@ def network_answer(
     solved = Message("mooring.joints_solved", lines=len(network.lines), joints=joints)
     bodies = [*([rest.body] if with_stiffness else []), *(each.body for each in held)]
     tables = (
-        (number, _joints(each, f"held_joints_{number}"), _meeting(each, f"held_lines_{number}"))
+        (
+            number,
+            joints_table(each, f"held_joints_{number}"),
+            meeting_table(each, f"held_lines_{number}"),
+        )
         for number, each in enumerate(held, start=1 + with_stiffness)
     )
     residual = max(each.joints.residual for each in (rest, *held))
-    return blocks.answered(
+    whole = blocks.answered(
         "network",
         network.title or Message("captions.moored_body"),
-        section("captions.joints", blocks.Text(solved), _joints(rest, "joints")),
-        section("captions.lines", _meeting(rest, "lines")),
+        section("captions.joints", blocks.Text(solved), joints_table(rest, "joints")),
+        section("captions.lines", meeting_table(rest, "lines", checks)),
+        section("captions.checks", *verdict_blocks(checks)),
+        *_network_out(line_out, checks),
         *(held_section(number, body) for number, body in enumerate(bodies, start=1)),
         *(section(Message("captions.held_lines", number=k), *each) for k, *each in tables),
         section(
-            "captions.residuals", blocks.Text(Message("mooring.residual_of_joints", value=residual))
+            "captions.residuals",
+            blocks.Text(Message("mooring.residual_of_joints", value=residual)),
+            blocks.Warnings(checks.warnings),
         ),
+    )
+    if not line_out:
+        return whole
+    to_be_known = (
+        blocks.Brief((said,), Message("answers.card_to_be_known"), 3)
+        for said in checks.warnings[:1]
+    )
+    card: tuple[blocks.CardBlock, ...] = (
+        *verdict_blocks(checks),
+        network_out_table(line_out, checks),
+        meeting_table(rest, "lines", checks),
+        *to_be_known,
+        blocks.Brief((solved,)),
+    )
+    return replace(whole, card=card)
+
+
+def _network_out(gone: Sequence[NetworkOut], checks: CheckReport) -> Iterator[blocks.Section]:
+    if gone:
+        lost = (
+            blocks.Text(Message("mooring.lost", number=each.missing + 1, refusal=each.refusal))
+            for each in gone
+            if each.rest is None
+        )
+        yield section("captions.one_line_out", network_out_table(gone, checks), *lost)
+
+
+def network_out_table(gone: Sequence[NetworkOut], checks: CheckReport) -> blocks.Table:
+    """Tabulate what each line gone leaves to the others, by the strictest check where there is."""
+    of, hardest = Rows(gone), [each.hardest for each in gone]
+    return tabulate(
+        "line_out",
+        of.texts("line_out", lambda each: each.missing + 1),
+        measured("tension", [each and each[0] for each in hardest], "largest_tension", symbol=""),
+        texts("in_line", [each and each[1] + 1 for each in hardest]),
+        *if_known(
+            measured("utilisation", [checks.used(missing=each.missing + 1) for each in gone])
+        ),
+        of.texts("loose", lambda each: ", ".join(f"{number + 1}" for number in each.loose)),
+        of.texts("refusal", only="files"),
+        caption=Message("captions.one_line_out"),
     )
 
 
-def _joints(rest: NetworkAtRest, name: str) -> blocks.Table:
+def joints_table(rest: LinesAtRest, name: str) -> blocks.Table:
+    """Tabulate where joints lie, and what the bed carries of them."""
     found = zip(rest.network.points, rest.joints.places, rest.joints.reactions, strict=True)
     of = Rows(each for each in found if each[0].kind == "joint")
     return tabulate(
@@ -343,10 +399,15 @@ def _joints(rest: NetworkAtRest, name: str) -> blocks.Table:
     )
 
 
-def _meeting(rest: NetworkAtRest, name: str) -> blocks.Table:
+def meeting_table(
+    rest: LinesAtRest, name: str, checks: CheckReport | None = None, marked: int | None = None
+) -> blocks.Table:
+    """Tabulate what each line carries, and how far it is used: by its checks, or else of MBL."""
     points, runs, of = rest.network.points, Rows(rest.runs), Rows(rest.lines)
-    used = (largest(each.utilisation() for each in line.segments) for line in rest.lines)
-    return tabulate(
+    used = [checks.used(line=k + 1) if checks else None for k in range(len(rest.runs))]
+    if all(value is None for value in used):
+        used = [largest(each.utilisation() for each in line.segments) for line in rest.lines]
+    table = tabulate(
         name,
         runs.texts("line", "name"),
         runs.texts("from_point", lambda run: points[run.first].name),
@@ -358,3 +419,4 @@ def _meeting(rest: NetworkAtRest, name: str) -> blocks.Table:
         *if_known(measured("utilisation", used)),
         caption=Message("captions.lines"),
     )
+    return replace(table, marked=marked)

@@ -92,21 +92,7 @@ class _Builder:
         if isinstance(table, FatigueSeaStateTable):
             given["share"] = share_of_year(given) or 0.0
             given.pop("time_per_year", None)
-        if table.model is Checks and "code" in given:
-            given["codes"] = (given.pop("code"),)
-        if {"density", "volume"} & set(given) and not table.choices:
-            given = self._weighed(given)
-        return given if table.model is None else table.model(**given)
-
-    def _weighed(self, given: dict[str, Any]) -> dict[str, Any]:
-        """Put the weight in water in the place of a body's density or volume."""
-        density, volume = given.pop("density", None), given.pop("volume", None)
-        water = self.site.water_density
-        if volume is not None:
-            weight = (given["mass"] - water * volume) * STANDARD_GRAVITY
-        else:
-            weight = weight_in_water(given["mass"], density, water)
-        return given | {"submerged_weight": weight}
+        return made_of(table, given, self.site)
 
     def _segment_choice(self, given: dict[str, Any], path: Path) -> SegmentChoice:
         """Build what a segment may be; what is left out is as the line has it at the same place."""
@@ -125,6 +111,25 @@ class _Builder:
         one, many = given.pop("diameter", None), given.pop("diameters", ())
         diameters = tuple(sorted(many)) if one is None else (one,)
         return SegmentChoice(**given, components=components, diameters=diameters)
+
+
+def made_of(table: Table, given: dict[str, Any], site: Site) -> Any:
+    """Make the part of the model of what a table gives; of variants of figures, a mapping."""
+    if table.model is Checks and "code" in given:
+        given["codes"] = (given.pop("code"),)
+    if {"density", "volume"} & set(given) and not table.choices:
+        given = _weighed(given, site.water_density)
+    return given if table.model is None else table.model(**given)
+
+
+def _weighed(given: dict[str, Any], water: float) -> dict[str, Any]:
+    """Put the weight in water in the place of a body's density or volume."""
+    density, volume = given.pop("density", None), given.pop("volume", None)
+    if volume is not None:
+        weight = (given["mass"] - water * volume) * STANDARD_GRAVITY
+    else:
+        weight = weight_in_water(given["mass"], density, water)
+    return given | {"submerged_weight": weight}
 
 
 def _segment(table: SegmentTable, component: Component | None) -> Any:

@@ -116,7 +116,7 @@ def _resolve(found: FromCatalogue, catalogue: ChosenCatalogue, path: Path, name:
     try:
         parsed = families.parse_name(name)
     except InputError as error:
-        found.findings += [Finding(path, p.found, p.allowed) for p in error.problems]
+        found.findings += [Finding(path, p.found, _or_own(path, p.allowed)) for p in error.problems]
         return
     grades = families.family(parsed.family).grades
     if grades and parsed.grade is None:
@@ -172,7 +172,14 @@ def _refusals(error: InputError, path: Path, name: str, shown: str) -> Iterator[
             if quantity != "diameter":
                 values = {"quantity": quantity, "name": name}
                 allowed = Message("refused.of_component", allowed=allowed, **values)
-            yield Finding(path, shown, allowed)
+            yield Finding(path, shown, _or_own(path, allowed))
+
+
+def _or_own(path: Path, allowed: str) -> str:
+    """Add that a line may do without the catalogue; not to a slip, and a design may not."""
+    if path[0] != "line" or allowed.endswith("?"):
+        return allowed
+    return Message("refused.own_figures", said=allowed)
 
 
 def _sizes(found: FromCatalogue, catalogue: ChosenCatalogue, segment: Section) -> None:

@@ -49,9 +49,17 @@ def consistency_findings(case: Section, components: Mapping[Path, Component]) ->
         *_levels(case, case.tables("load_cases")),
         *_levels(case, case.table("design").tables("loads")),
         *_system(case),
+        *judged_findings(case, segments),
+    ]
+
+
+def judged_findings(case: Section, segments: list[Section]) -> list[Finding]:
+    """List what contradicts itself in what lines are judged by: checks, anchor, service."""
+    service = case.table("service").given
+    return [
         *_checks(case),
         *_anchor(case),
-        *case.refused(wear_misfits(case.table("service").given, [s.given for s in segments])),
+        *case.refused(wear_misfits(service, [segment.given for segment in segments])),
     ]
 
 
@@ -243,7 +251,8 @@ def _checks(case: Section) -> Iterator[Finding]:
     """Find codes or a largest span given in two ways, and what goes with several lines."""
     checks = case.table("checks")
     for section in (checks, case.table("anchor")):
-        if "safety_factor_line_out" in section and case.lacks("system"):
+        single = case.lacks("system") and "points" not in case.given
+        if "safety_factor_line_out" in section and single:
             yield section.wrong("safety_factor_line_out", Message("refused.needs_several_lines"))
     if "code" in checks and "codes" in checks:
         yield Finding(("checks",), "code and codes", Message("refused.all_into_codes"))

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import fields, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
-from catopt.casefile.reading import read_case
+from catopt.casefile.reading import read_case, read_mooring
 from catopt.documents import attributes
 from catopt.errors import InputError, Problem
 from catopt.model import Anchor, Case, Line, PointLoad, Segment, System
+from catopt.model.network import Network
 from catopt.schemas import read_document
 from catopt.words.saved import with_messages
+
+T = TypeVar("T")
 
 DESIGN_DOCUMENT = "design.json"
 """Name of the document in a result directory."""
@@ -28,12 +32,21 @@ def read_case_or_design(path: Path, design: int | None) -> Case:
 
     InputError as `read_case` and `read_design`; or a directory without a number of a design.
     """
+    return _read(path, design, read_case)
+
+
+def read_mooring_or_design(path: Path, design: int | None) -> Case | Network:
+    """Read the same, or a file of lines that meet in joints."""
+    return _read(path, design, read_mooring)
+
+
+def _read(path: Path, design: int | None, read: Callable[[Path], T]) -> T | Case:
     if design is not None:
         return read_design(path, design)
     if path.is_dir() and (path / DESIGN_DOCUMENT).exists():
         allowed = "a result directory; add --design K with the number of a design"
         raise InputError([Problem("CASE", str(path), allowed)], "options")
-    return read_case(path)
+    return read(path)
 
 
 def read_design(directory: Path, number: int) -> Case:

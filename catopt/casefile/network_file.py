@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
+from catopt.casefile.building import made_of
+from catopt.casefile.consistency import judged_findings
+from catopt.casefile.document import Section
 from catopt.casefile.location import Finding, parts, refuse
-from catopt.casefile.schema import LineBetweenTable, NetworkTable
+from catopt.casefile.schema import LineBetweenTable, NetworkTable, Table
 from catopt.casefile.structure import read_tables
 from catopt.documents import parse_toml
 from catopt.errors import InputError, Problem
@@ -26,6 +29,8 @@ def parse_network(text: str, source: str = "") -> Network:
     """
     document = parse_toml(text, source)
     table, findings = read_tables(document, NetworkTable)
+    case = Section(document, schema=NetworkTable)
+    findings += judged_findings(case, [])
     problems: list[Problem] = []
     points: list[Any] = []
     lines: list[Any] = []
@@ -37,18 +42,30 @@ def parse_network(text: str, source: str = "") -> Network:
         lines = [_line(problems, f"lines[{k}]", each) for k, each in enumerate(table.lines)]
         findings = [Finding(parts(each.key), each.found, each.allowed) for each in problems]
     refuse(document, findings, source)
-    head = {key: getattr(table, key) or "" for key in ("title", "source")}
+    site = Site(**table.site.given())
+    given: dict[str, Any] = {key: getattr(table, key) or "" for key in ("title", "source")}
+    for key in ("checks", "service", "anchor"):
+        if (part := table.given().get(key)) is not None:
+            own = {k: tuple(v) if isinstance(v, list) else v for k, v in part.given().items()}
+            given[key] = made_of(part, own, site)
     try:
-        return Network(Site(**table.site.given()), tuple(points), tuple(lines), **head)
+        return Network(site, tuple(points), tuple(lines), **given)
     except InputError as error:
         raise InputError(error.problems, source) from None
 
 
 def _line(problems: list[Problem], path: str, table: LineBetweenTable) -> Any:
-    segments = [Segment(**each.given()) for each in table.segments]
+    segments = [_segment(each) for each in table.segments]
     loads = [PointLoad(**each.given()) for each in table.point_loads or ()]
     line = _built(problems, path, Line, segments=segments, point_loads=loads)
     return LineBetween(line, table.start, table.end, table.name or "")
+
+
+def _segment(table: Table) -> Segment:
+    given = table.given()
+    if "diameter" in given:
+        given["nominal_diameter"] = given.pop("diameter")
+    return Segment(**given)
 
 
 def _built(problems: list[Problem], path: str, part: Any, /, **given: Any) -> Any:

@@ -65,10 +65,14 @@ def read_mooring(path: str | os.PathLike[str]) -> Case | Network:
             case, remarks = read_any_deck(deck, source)
             tell(remarks)
             return case
-    text = read_text(Path(path), source)
+    return parse_mooring(read_text(Path(path), source), source, folder=str(Path(path).parent))
+
+
+def parse_mooring(text: str, source: str = "", *, folder: str = "") -> Case | Network:
+    """Read the text of a case file, or of a file of lines that meet in joints; as `parse_case`."""
     if is_network(parse_toml(text, source)):
         return parse_network(text, source)
-    return parse_case(text, source, folder=str(Path(path).parent))
+    return parse_case(text, source, folder=folder)
 
 
 def parse_case(text: str, source: str = "", *, folder: str = "") -> Case:

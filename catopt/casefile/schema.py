@@ -362,7 +362,15 @@ class NetworkSegmentTable(Table):
     """A uniform stretch of a line between points."""
 
     model = model.Segment
-    keys = "name length submerged_weight EA MBL"
+    keys = """name length diameter submerged_weight EA MBL MBL_mean MBL_cov proof_load wear_rate"""
+    symbols: ClassVar = {
+        "L": "length",
+        "w": "submerged_weight",
+        "d": "diameter",
+        "nominal_diameter": "diameter",
+    }
+
+    diameter: Length | None = None
 
 
 class NetworkLoadTable(Table):
@@ -386,7 +394,7 @@ class NetworkTable(Table):
     """A whole file of lines that meet in joints."""
 
     model = Network
-    keys = "title source site points lines"
+    keys = "title source site points lines checks service anchor"
 
 
 @dataclass(frozen=True)

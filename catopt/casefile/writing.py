@@ -52,7 +52,7 @@ _NAMED_FILE = re.compile(r'^(\w*file) = "(.*)"$', re.MULTILINE)
 _WIDTH = 100
 
 
-def case_digest(case: Case) -> str:
+def case_digest(case: Case | Network) -> str:
     """Return the SHA-256 of a case: of the text that `write_case` gives it, as `text_digest`."""
     return text_digest(write_case(case))
 

@@ -13,6 +13,7 @@ from catopt.catalogue.figure import RECALLED, SPECS, Figure, within
 from catopt.catalogue.names import ComponentName, find_name, meant, shared_names
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import InputError, Problem
+from catopt.model.line_kind import line_kind
 from catopt.model.validity import Findings
 from catopt.units import as_written
 from catopt.words import Message
@@ -68,7 +69,7 @@ class Catalogue:
         water_density = check.taken("water_density", water_density, "kg/m3", at_least=0.0)
         check.raise_if_any()
         grade = _grade(check, found, grade if grade is not None else parsed.grade)
-        _check_diameter(check, found, diameter)
+        _check_diameter(check, found, diameter, self.families)
         check.number("water_density", water_density, "kg/m3", above=0.0)
         chosen = _choose(check, found, grade, variants, allow_recalled)
         check.raise_if_any()
@@ -129,8 +130,13 @@ def _grade(check: Findings, family: Family, grade: str | None) -> str | None:
     return by_plain[grade.casefold()]
 
 
-def _check_diameter(check: Findings, family: Family, diameter: float) -> None:
-    """Note a problem unless the nominal diameter lies within the family's range."""
+def _check_diameter(
+    check: Findings, family: Family, diameter: float, families: Iterable[Family]
+) -> None:
+    """Note a problem unless the nominal diameter lies within the family's range.
+
+    It names the families of the same kind that are known there.
+    """
     before = len(check.problems)
     check.number("diameter", diameter, "m", above=0.0)
     if len(check.problems) > before:
@@ -141,6 +147,14 @@ def _check_diameter(check: Findings, family: Family, diameter: float) -> None:
         allowed = Message("refused.known", name=family.name, low=low, high=high)
         if meant_mm:
             allowed = Message("refused.known_in_m", known=allowed, meant=diameter / 1e3)
+        else:
+            others = ", ".join(
+                each.name
+                for each in families
+                if within(diameter, each.range) and line_kind(each.name) == line_kind(family.name)
+            )
+            if others:
+                allowed = Message("refused.known_others", known=allowed, names=others)
         check.add("diameter", in_mm(diameter), allowed)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from catopt.checks.criterion import (
     STATES,
@@ -20,11 +20,14 @@ from catopt.checks.kinds import OF_LINE, CheckKind
 from catopt.checks.profiles import Profile, profiles_of
 from catopt.checks.strength import Strength, strength_of
 from catopt.errors import InputError, Problem
-from catopt.model import Anchor, Case, CatalogueChoice, Line, Segment, Service
+from catopt.model import Anchor, CatalogueChoice, Line, Segment, Service
 from catopt.model.checks import Checks
 from catopt.model.load_case import LoadCaseKind
 from catopt.model.wear import Condition
 from catopt.words import Cited, Message
+
+if TYPE_CHECKING:
+    from catopt.checks.kinds import Asks
 
 HORIZONTAL_PULL = CheckSource(
     "drag anchor", "UFC 4-159-03 Design: Moorings (3 October 2005)", "Table 3-18", "A"
@@ -246,7 +249,7 @@ def allowed_by(
 
 
 def criteria_of(
-    case: Case, *, anchor_key: str = "anchor", analysis: Analysis = "quasi-static"
+    case: Asks, *, anchor_key: str = "anchor", analysis: Analysis = "quasi-static"
 ) -> Criteria:
     """Gather all that a case asks a line to keep.
 
@@ -292,7 +295,7 @@ def _notes(checks: Checks, profiles: tuple[Profile, ...]) -> Iterator[Message]:
             yield Message("checks.code_note", code=each.name, note=each.note)
 
 
-def _own(case: Case) -> Iterator[Criterion]:
+def _own(case: Asks) -> Iterator[Criterion]:
     """List the numbers of the case itself; they hold in every state that has none of its own."""
     checks = case.checks
     damaged = checks.safety_factor_line_out

@@ -23,7 +23,7 @@ from catopt.quantities import QUANTITIES, Quantity
 from catopt.words import Measure, Message
 
 if TYPE_CHECKING:
-    from catopt.model import Anchor, Case
+    from catopt.model import Anchor, Buoy, CatalogueChoice, Checks, Service
 
 CheckKind = Literal[
     "tension",
@@ -83,6 +83,30 @@ class Judged(Protocol):
     @property
     def span(self) -> float:
         """Horizontal distance of its ends, m."""
+
+
+class Asks(Protocol):
+    """What asks lines to keep something: a case, or lines between points."""
+
+    @property
+    def checks(self) -> Checks:
+        """Its own numbers, and the codes that it names."""
+
+    @property
+    def anchor(self) -> Anchor | None:
+        """What holds a line."""
+
+    @property
+    def buoy(self) -> Buoy | None:
+        """What carries its upper end."""
+
+    @property
+    def service(self) -> Service | None:
+        """For how long, and how fast a line wears."""
+
+    @property
+    def catalogue(self) -> CatalogueChoice:
+        """Where components come from."""
 
 
 Measuring = Callable[[float, Judged, "Anchor | None"], Demand]
@@ -145,17 +169,17 @@ class LineCheck(NamedTuple):
     quantity: str
     """Of its demand and its capacity, a key of `catopt.quantities.QUANTITIES`."""
     measure: Measuring
-    own: Callable[[Case], float | None] | None = None
+    own: Callable[[Asks], float | None] | None = None
     """The limit that a case gives itself, None where it gives none."""
     is_factor: bool = False
 
 
-def _longest_span(case: Case) -> float | None:
+def _longest_span(case: Asks) -> float | None:
     checks = case.checks
     return checks.max_span if checks.max_offset is None else checks.max_offset
 
 
-def _reserve(case: Case) -> float | None:
+def _reserve(case: Asks) -> float | None:
     return None if case.buoy is None else case.buoy.reserve_buoyancy
 
 

@@ -35,11 +35,16 @@ class InState:
     @property
     def name(self) -> Message:
         """The state in words, with its load where there are several."""
-        gone = self.place.missing
-        said = Message("checks.intact") if gone is None else Message("checks.line_out", number=gone)
+        said = state_words(self.place)
         if self.under is None:
             return said
         return Message("checks.state_under", state=said, load=self.under)
+
+
+def state_words(place: Place) -> Message:
+    """Name a state of a mooring: ``"intact"``, ``"line 2 out"``."""
+    gone = place.missing
+    return Message("checks.intact") if gone is None else Message("checks.line_out", number=gone)
 
 
 def check_system(case: Case, report: SystemReport | None = None) -> CheckReport:
@@ -55,7 +60,7 @@ def check_system(case: Case, report: SystemReport | None = None) -> CheckReport:
     assert case.system is not None
     criteria = criteria_of(case)
     legs = case.system.legs
-    damaged = _for_line_out(criteria, len(legs)) if case.system.judged_line_out else ()
+    damaged = for_line_out(criteria, len(legs)) if case.system.judged_line_out else ()
     wanted: tuple[State, ...] = ("intact", "one_line_out") if damaged else ("intact",)
     known = {line: criteria.strengths(line, {"extreme"}, wanted) for line in {e.line for e in legs}}
     report = report or report_system(case)
@@ -65,7 +70,7 @@ def check_system(case: Case, report: SystemReport | None = None) -> CheckReport:
     solved: list[tuple[Lifted, Place]] = []
     for state in states:
         if state.solution is None:
-            results += _lost(state, damaged)
+            results += lost_results(state.place, state.refusal, damaged)
             continue
         for number, line in zip(state.numbers, state.solution.lines, strict=True):
             place = replace(state.place, line=number)
@@ -76,7 +81,7 @@ def check_system(case: Case, report: SystemReport | None = None) -> CheckReport:
     warnings = (
         *(warning for told in lines.values() for warning in told),
         *(
-            _of_line_out(criteria, damaged, len(legs))
+            of_line_out(criteria, damaged, len(legs))
             if case.system.judged_line_out
             else (Message("checks.line_out_not_asked"),)
         ),
@@ -117,7 +122,7 @@ def check_state(
     yield from _of_the_body(state, criteria)
 
 
-def _for_line_out(criteria: Criteria, lines: int) -> tuple[Criterion, ...]:
+def for_line_out(criteria: Criteria, lines: int) -> tuple[Criterion, ...]:
     """List the criteria for one line out; of one line, those that are for nothing else."""
     return tuple(
         each
@@ -136,20 +141,22 @@ def _states(solution: SystemSolution, lost: Sequence[LineOut]) -> Iterator[InSta
         yield InState(place, each.solution, left, each.refusal)
 
 
-def _lost(state: InState, damaged: tuple[Criterion, ...]) -> Iterator[CheckResult]:
+def lost_results(
+    place: Place, refusal: str, damaged: tuple[Criterion, ...]
+) -> Iterator[CheckResult]:
     """Fail every source of criteria for one line out: without this line there is no equilibrium."""
     for source in dict.fromkeys(each.source for each in damaged):
         yield CheckResult(
             name=Message("checks.equilibrium"),
             kind="equilibrium",
-            load_case=state.name,
+            load_case=state_words(place),
             demand=1.0,
             capacity=0.0,
             unit="",
             excess=1.0,
             source=source,
-            note=state.refusal,
-            place=state.place,
+            note=refusal,
+            place=place,
         )
 
 
@@ -160,7 +167,7 @@ def _of_the_body(state: InState, criteria: Criteria) -> Iterator[CheckResult]:
     yield from check_buoyancy(pulls, criteria, state.name, state.place)
 
 
-def _of_line_out(
+def of_line_out(
     criteria: Criteria, damaged: tuple[Criterion, ...], lines: int
 ) -> Iterator[Message]:
     """Say which codes have no factor for one line out, or that nothing has."""

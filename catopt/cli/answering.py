@@ -23,6 +23,7 @@ from catopt.words import Language, say
 if TYPE_CHECKING:
     from catopt.answers.blocks import Answer
     from catopt.model import Case
+    from catopt.model.network import Network
 
 FAILED = 3
 """The input is right, but the answer is not what ``--strict`` asks for."""
@@ -61,7 +62,7 @@ class Asked:
         self,
         answer: Answer,
         document: Documents,
-        case: Case | None = None,
+        case: Case | Network | None = None,
         further: Files | None = None,
         printed: Documents | None = None,
     ) -> None:
@@ -114,7 +115,10 @@ class Asked:
         return nullcontext() if self.as_json else self.output.working(say(what, self.language))
 
     def write(
-        self, files: Mapping[str, bytes], case: Case | None = None, front: Path | None = None
+        self,
+        files: Mapping[str, bytes],
+        case: Case | Network | None = None,
+        front: Path | None = None,
     ) -> None:
         """Write files of an answer, with its case if there is one, and tell how many there are.
 
@@ -246,8 +250,9 @@ def refuse_own_case(directory: Path) -> None:
 
 def _stays(directory: Path, *, with_front: bool) -> str:
     """Say why the case file in a directory must not be replaced; empty where it may."""
-    from catopt.casefile import parse_case, write_case
+    from catopt.casefile import write_case
     from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
+    from catopt.casefile.reading import parse_mooring
 
     place = directory / DESIGN_CASE
     if not place.exists():
@@ -256,17 +261,17 @@ def _stays(directory: Path, *, with_front: bool) -> str:
         return "for the front in design.json goes with it"
     try:
         text = place.read_text("utf-8")
-        is_ours = text == write_case(parse_case(text, folder=str(directory)))
+        is_ours = text == write_case(parse_mooring(text, folder=str(directory)))
     except (OSError, ValueError, InputError):
         is_ours = False
     return "" if is_ours else "for catopt did not write it"
 
 
-def _is_of(place: Path, case: Case) -> bool:
+def _is_of(place: Path, case: Case | Network) -> bool:
     """Whether a case file says what a case is."""
-    from catopt.casefile import read_case
+    from catopt.casefile import read_mooring
 
     try:
-        return read_case(place) == case
+        return read_mooring(place) == case
     except InputError:
         return False

@@ -8,11 +8,12 @@ from typing import Annotated
 import typer
 
 from catopt.answers.check import check_answer, verdict_sentence
-from catopt.casefile.design_directory import read_case_or_design
+from catopt.casefile.design_directory import read_mooring_or_design
 from catopt.cli.answering import FAILED, Asked, answering
 from catopt.cli.completion import completed
 from catopt.cli.options import CaseArgument, DesignOption, StrictOption, TablesOutOption
 from catopt.cli.values import by_option
+from catopt.model.network import Network
 
 _CODE = typer.Option(metavar="NAME", autocompletion=completed("code"))
 
@@ -26,19 +27,20 @@ def check(
     design: DesignOption = None,
     strict: StrictOption = False,
 ) -> None:
-    """Check a line under every load case, or the lines of a body in every state."""
+    """Check a line under every load case, or the lines of a mooring in every state."""
     from catopt.checks.case import check_case
+    from catopt.checks.network import check_network
     from catopt.checks.profiles import profiles_of
 
     asked.check_place()
-    read = read_case_or_design(case, design)
+    read = read_mooring_or_design(case, design)
     checks = replace(read.checks, allow_recalled=read.checks.allow_recalled or recalled)
     if code:
         checks = replace(checks, codes=tuple(code))
         with by_option(lambda _: "--code"):
             profiles_of(checks)
     read = replace(read, checks=checks)
-    report = check_case(read)
+    report = check_network(read) if isinstance(read, Network) else check_case(read)
     asked.give(check_answer(report), report.to_dict, read)
     if strict and not report.passes:
         asked.leave(FAILED, verdict_sentence(report))

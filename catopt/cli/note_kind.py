@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from catopt.answers.blocks import Answer
 from catopt.answers.note_line import line_note_answer
+from catopt.answers.note_network import network_note_answer
 from catopt.answers.note_size import size_note_answer
 from catopt.answers.note_system import system_note_answer
 from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
@@ -18,13 +19,14 @@ from catopt.documents import parse_toml, read_text
 from catopt.errors import InputError, Problem
 from catopt.notes.directory import Asked, asked_in
 from catopt.notes.line import Note, read_note
+from catopt.notes.network import NetworkNote, read_network_note
 from catopt.notes.origin import read_source
 from catopt.notes.size import Given, SizeNote, size_note
 from catopt.notes.system import SystemNote, read_system_note
 from catopt.sizing.file import read_file, sized
 
 if TYPE_CHECKING:
-    AnyNote = Note | SizeNote | SystemNote
+    AnyNote = Note | NetworkNote | SizeNote | SystemNote
 
 
 def note_of_file(
@@ -52,7 +54,11 @@ def note_of_file(
         )
         refuse(_of_a_line_alone(why, design=design, motion=motion))
         return note_of_sizing(path, moored, Asked(date, verify, bool(swarm)))
-    if is_of_a_body(path):
+    if has_table(path, "points"):
+        why = "it is for a case with a [line]; this file is of lines between points"
+        refuse(_of_a_line_alone(why, design=design, swarm=swarm, motion=motion))
+        return read_network_note(path, asked_in(path, date=date, verify=verify))
+    if has_table(path, "system"):
         why = "it is for one line with a load; this file is of a body moored by several"
         has_front = path.is_dir() and (path / DESIGN_DOCUMENT).is_file()
         refuse(_of_a_line_alone(why, design=None if has_front else design, swarm=swarm))
@@ -70,14 +76,14 @@ def note_of_file(
     )
 
 
-def is_of_a_body(path: Path) -> bool:
-    """Say whether a case file, or the one in a result directory, has a moored body.
+def has_table(path: Path, key: str) -> bool:
+    """Say whether a case file, or the one in a result directory, has a table of a kind of mooring.
 
     What cannot be read, or is no TOML, has none: reading it as a line says what is wrong.
     """
     place = path / DESIGN_CASE if path.is_dir() else path
     try:
-        return "system" in parse_toml(read_text(place, str(place)), str(place))
+        return key in parse_toml(read_text(place, str(place)), str(place))
     except InputError:
         return False
 
@@ -106,4 +112,6 @@ def answer_of(note: AnyNote) -> Answer:
         return size_note_answer(note)
     if isinstance(note, SystemNote):
         return system_note_answer(note)
+    if isinstance(note, NetworkNote):
+        return network_note_answer(note)
     return line_note_answer(note)

@@ -130,12 +130,13 @@ def _document(
     workbook: dict[str, Any] | None = None,
 ) -> dict[str, Any]:
     """Say what was written (schema catopt.report/1); of a sizing, of its recommended line."""
+    from catopt.notes.line import Note
     from catopt.notes.motion import motion_document
+    from catopt.notes.network import NetworkNote
     from catopt.notes.size import SizeNote
-    from catopt.notes.system import SystemNote
 
     of = note.line if isinstance(note, SizeNote) else note
-    line = None if isinstance(of, SystemNote) else of
+    line = of if isinstance(of, Note) else None
     checks = of.checks
     governing = checks.governing
     return {
@@ -152,9 +153,9 @@ def _document(
         "sections": sections,
         "passes": checks.passes if checks.results else None,
         "governing": "" if governing is None else governing.in_case,
-        "verification": _verification(of),
+        "verification": None if isinstance(of, NetworkNote) else _verification(of),
         "swarm": None if line is None else line.swarm_document(),
-        "motion": motion_document(of.motion),
+        "motion": None if isinstance(of, NetworkNote) else motion_document(of.motion),
         "warnings": list(note.warnings),
     }
 

@@ -8,8 +8,7 @@ from typing import Annotated, Any
 import typer
 
 from catopt.answers.system import network_answer, system_answer
-from catopt.casefile import read_mooring
-from catopt.casefile.design_directory import read_case_or_design
+from catopt.casefile.design_directory import read_mooring_or_design
 from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CaseArgument, DesignOption, OutOption
 from catopt.cli.values import in_si, refuse, refused
@@ -33,6 +32,7 @@ def system(
     held: Annotated[list[str] | None, typer.Option(metavar="SIX")] = None,
 ) -> None:
     """Find where a moored body comes to rest, and what each of its lines carries."""
+    from catopt.checks.network import check_network
     from catopt.checks.system import check_system
     from catopt.mooring.case import report_system
     from catopt.report.bundle import system_pictures
@@ -41,13 +41,12 @@ def system(
     directions = _in_si("--curve", curve, Dimension.ANGLE)
     levels = _in_si("--level", level, Dimension.LENGTH)
     displacements = [_displacement(text) for text in held or []]
-    is_design = design is not None or case.is_dir()
-    read = read_case_or_design(case, design) if is_design else read_mooring(case)
+    read = read_mooring_or_design(case, design)
     if isinstance(read, Network):  # the body is in place, and where it is to be held
         from catopt.mooring.held import hold, network_document
+        from catopt.mooring.network_out import each_line_out
 
         given = {
-            "--line-out": line_out,
             "--watch-circle": watch_circle,
             "--curve": directions,
             "--level": levels,
@@ -57,8 +56,13 @@ def system(
         places = [(0.0,) * 6, *displacements]
         total = Message("words.held_places", total=len(places))
         rest, *away = [hold(read, each) for each in paced(total, places)]
-        answer = network_answer(rest, away, with_stiffness=stiffness)
-        asked.give(answer, lambda: network_document([rest, *away]))
+        gone = each_line_out(read) if line_out else ()
+        judged = check_network(read, rest, gone or None)
+        answer = network_answer(rest, away, judged, line_out=gone, with_stiffness=stiffness)
+        more: dict[str, Any] = {"checks": judged.verdict_document()}
+        if line_out:
+            more["one_line_out"] = [each.to_dict() for each in gone]
+        asked.give(answer, lambda: network_document([rest, *away]) | more, read)
         return
     report = report_system(
         read,

@@ -61,19 +61,37 @@ def check_meeting(deck: Deck, notes: Notes) -> dict[str, list[Piece]]:
         point = deck.points[name]
         if not pieces:
             notes.say("unattached", line=point.row, name=name)
-        elif point.end == "free" and len(pieces) == 1:
-            notes.refuse(point.row, f"point {name}", "one line ends here and nothing holds it")
+        elif point.end == "free" and len(pieces) == 1 and not _is_pulled(deck, point):
+            allowed = (
+                "one line ends here and nothing holds it; hold the point, or give it buoyancy (a "
+                "volume that lifts more than its mass) or a force"
+            )
+            notes.refuse(point.row, f"point {name}", allowed)
         elif point.end != "free" and (point.mass or point.volume):
             notes.say("held_mass", line=point.row, name=name)
     return meeting
 
 
 def _refuse_joints(deck: Deck, meeting: Mapping[str, Sequence[Piece]], notes: Notes) -> None:
-    """Refuse a free point that joins lines, of which one alone is wanted."""
+    """Refuse a free point that does not hang in one line, of which one alone is wanted."""
     for name, pieces in meeting.items():
-        if deck.points[name].end == "free" and len(pieces) > 2:
-            allowed = "lines that meet in a joint are read together; leave out --line"
-            notes.refuse(deck.points[name].row, f"point {name} joins {len(pieces)} lines", allowed)
+        if pieces and is_joint(deck.points[name], len(pieces)):
+            allowed = (
+                "lines of a free point with a force, or in which not just two lines end, are read "
+                "together; leave out --line"
+            )
+            count = f"{len(pieces)} line{'s' if len(pieces) > 1 else ''}"
+            notes.refuse(deck.points[name].row, f"point {name} of {count}", allowed)
+
+
+def is_joint(point: Point, lines: int) -> bool:
+    """Whether a point in which so many lines end is one of its own, and no load on one line."""
+    return point.end == "free" and (lines != 2 or any(point.force))
+
+
+def _is_pulled(deck: Deck, point: Point) -> bool:
+    along, across, up = point.force
+    return up > deck.hung_weight(point) or along != 0.0 or across != 0.0
 
 
 def _meeting(deck: Deck, notes: Notes) -> dict[str, list[Piece]]:

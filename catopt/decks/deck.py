@@ -44,7 +44,7 @@ class LineType:
 
 @dataclass(frozen=True)
 class Point:
-    """Where lines end or meet; M (kg), V (m3) and Cd A (m2) of what hangs there."""
+    """Where lines end or meet; M (kg), V (m3), Cd A (m2) and force (N) of what hangs there."""
 
     row: int
     name: str
@@ -56,6 +56,7 @@ class Point:
     volume: float = 0.0
     drag_area: float = 0.0
     added_mass: float = 0.0
+    force: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True)
@@ -79,6 +80,10 @@ class Deck:
     points: Mapping[str, Point]
     pieces: Sequence[Piece]
     friction: float | None = None
+
+    def hung_weight(self, point: Point) -> float:
+        """Return the weight in water of what hangs at a point, N."""
+        return (point.mass - self.density * point.volume) * self.gravity
 
 
 LONGEST = 80

@@ -98,14 +98,18 @@ def _point(row: Row, depth: float, notes: Notes) -> Point:
         notes.refuse(row.number, " ".join(row.words[:2]), "fix, connect or vessel is wanted")
     end = _ENDS.get(kind, "free")
     x, y, z = (_coordinate(row, column, depth, end, notes) for column in (2, 3, 4))
-    if end == "free" and any(
-        not word.startswith("#") and notes.value(row.number, word, "F") != 0.0
-        for word in row.words[7:10]
-    ):
-        allowed = "a constant force on a node has no case; give mass and volume instead"
-        notes.refuse(row.number, " ".join(row.words[7:10]), allowed)
     mass, volume = (notes.number(row, 5 + k, "MB"[k], at_least=0.0) for k in (0, 1))
-    return Point(row.number, row.words[0], end, x, y, z, mass, volume)
+    point = Point(row.number, row.words[0], end, x, y, z, mass, volume)
+    if end != "free":
+        return point  # MAP++ takes what stands there for a guess
+    along, across, up = (_force(row, 7 + k, notes) for k in range(3))
+    return replace(point, force=(along, across, up))
+
+
+def _force(row: Row, column: int, notes: Notes) -> float:
+    """Read what pulls a node that is to be found; a number after # is no force of it."""
+    word = row.words[column] if column < len(row.words) else "#"
+    return 0.0 if word.startswith("#") else notes.value(row.number, word, f"F{'XYZ'[column - 7]}")
 
 
 def _coordinate(row: Row, column: int, depth: float, end: End, notes: Notes) -> float:
@@ -156,7 +160,15 @@ def _turned(
     tag = f"@{angle:g}"
     copies = {
         name + tag: replace(
-            point, name=name + tag, x=c * point.x + s * point.y, y=c * point.y - s * point.x
+            point,
+            name=name + tag,
+            x=c * point.x + s * point.y,
+            y=c * point.y - s * point.x,
+            force=(
+                c * point.force[0] + s * point.force[1],
+                c * point.force[1] - s * point.force[0],
+                point.force[2],
+            ),
         )
         for name, point in own.items()
     }

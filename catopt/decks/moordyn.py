@@ -375,11 +375,16 @@ def _point(
         x, y, z = body.place(x, y, z)
     force = [notes.number(row, at[key], key.upper()) for key in ("fx", "fy", "fz") if key in at]
     if any(force) and end == "free":
-        allowed = "a constant force on a point has no case; give mass and volume instead"
+        allowed = (
+            "whether N or kN is not said where a program reads it; put 0 here, and the force of "
+            "the joint into the case file"
+        )
         notes.refuse(row.number, " ".join(f"{each:g}" for each in force), allowed)
     keys = ("Mass", "Volume", "CdA", "Ca")
-    of_body = (notes.number(row, at[key.lower()], key, at_least=0.0) for key in keys)
-    return Point(row.number, name, end or "free", x, y, z, *of_body)
+    mass, volume, area, added = (
+        notes.number(row, at[key.lower()], key, at_least=0.0) for key in keys
+    )
+    return Point(row.number, name, end or "free", x, y, z, mass, volume, area, added)
 
 
 def _piece(row: Row, heads: Mapping[str, Row], notes: Notes, *, first: bool) -> Piece:

@@ -14,8 +14,8 @@ from catopt.model.network import Network
 from catopt.words.message import Message
 
 NOT_FOR_THIS: Final = (
-    "lines that meet in joints, or differ, are taken by catopt system and catopt import alone; a "
-    "case for other commands has a [line]: catopt import FILE --line N takes one of several"
+    "lines that meet in joints, or differ, are for catopt system, check, report and import; a case "
+    "for other commands has a [line]: catopt import FILE --line N takes one of several"
 )
 
 

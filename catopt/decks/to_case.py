@@ -108,11 +108,6 @@ def weight_of(deck: Deck, kind: LineType) -> float:
     return (kind.mass - volume * deck.density) * deck.gravity
 
 
-def hung_weight(deck: Deck, point: Point) -> float:
-    """Return the weight in water of what hangs at a point, N."""
-    return (point.mass - deck.density * point.volume) * deck.gravity
-
-
 def _line(deck: Deck, chain: Chain) -> Line:
     """Put the pieces together; those of one type that follow each other are one segment."""
     segments = [
@@ -125,7 +120,7 @@ def _line(deck: Deck, chain: Chain) -> Line:
             loads.append(
                 PointLoad(
                     math.fsum(piece.length for piece in chain.pieces[:number]),
-                    hung_weight(deck, point),
+                    deck.hung_weight(point),
                     mass=point.mass,
                     name=f"point {point.name}",
                     drag_area=point.drag_area or None,

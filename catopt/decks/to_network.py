@@ -4,15 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from catopt.decks.chains import Chain, check_meeting
+from catopt.decks.chains import Chain, check_meeting, is_joint
 from catopt.decks.deck import Deck, Notes
-from catopt.decks.to_case import (
-    height_of,
-    hung_weight,
-    site_of,
-    site_of_chains,
-    weight_of,
-)
+from catopt.decks.to_case import height_of, site_of, site_of_chains, weight_of
 from catopt.errors import InputError
 from catopt.model import Line, Segment, Site
 from catopt.model.network import LineBetween, Network, Point, PointKind
@@ -21,10 +15,11 @@ _KIND: dict[str, PointKind] = {"fixed": "anchor", "coupled": "fairlead", "free":
 
 
 def has_joints(deck: Deck) -> bool:
-    """Whether more than two lines meet in a free point."""
+    """Whether a free point is more than what hangs between two lines."""
     ends = [end for piece in deck.pieces for end in piece.ends]
-    free = (name for name, point in deck.points.items() if point.end == "free")
-    return any(ends.count(name) > 2 for name in free)
+    return any(
+        is_joint(point, ends.count(name)) for name, point in deck.points.items() if name in ends
+    )
 
 
 def network_of(deck: Deck, notes: Notes, title: str) -> Network:
@@ -41,7 +36,8 @@ def network_of(deck: Deck, notes: Notes, title: str) -> Network:
     for point in points:
         kind = _KIND[point.end]
         if kind == "joint":
-            made.append(Point(point.name, kind, submerged_weight=hung_weight(deck, point)))
+            weight = deck.hung_weight(point)
+            made.append(Point(point.name, kind, submerged_weight=weight, force=point.force))
         else:
             made.append(Point(point.name, kind, point.x, point.y, height_of(deck, point.z)))
     lines = []

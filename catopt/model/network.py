@@ -5,12 +5,15 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Collection, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Annotated, Literal
 
 from catopt.errors import Problem
+from catopt.model.anchor import Anchor
+from catopt.model.checks import Checks
 from catopt.model.kinds import Force, Height, Place, Size, Text
 from catopt.model.line import Line, weightless
+from catopt.model.service import Service
 from catopt.model.site import Site
 from catopt.model.validity import Checked, Findings
 
@@ -103,6 +106,10 @@ class Network(Checked):
     lines: tuple[LineBetween, ...]
     title: str = ""
     source: str = ""
+    checks: Checks = field(default_factory=Checks)
+    service: Service | None = None
+    anchor: Anchor | None = None
+    """What holds each line that ends at an anchor."""
 
     def _check(self, found: Findings) -> None:
         object.__setattr__(self, "points", tuple(self.points))
@@ -123,12 +130,34 @@ class Network(Checked):
                 allowed = "missing; lines that meet in joints have to stretch"
                 for i in (i for i, segment in enumerate(segments) if math.isinf(segment.EA)):
                     found.add(f"lines[{k}].segments[{i}].EA", "", allowed)
+        self._check_site(found)
+        for key in ("max_span", "max_offset"):
+            if (limit := getattr(self.checks, key)) is not None:
+                allowed = "leave it out: it is of a line from its anchor to its fairlead"
+                found.add(f"checks.{key}", f"{limit:g} m", allowed)
+        if self.anchor is not None:
+            self._check_anchors(found, ends)
+
+    def _check_site(self, found: Findings) -> None:
         if self.site.seabed_slope != 0.0:
             slope = f"{math.degrees(self.site.seabed_slope):g} deg"
             found.add("site.seabed_slope", slope, "lines with joints lie on a level bed")
         if offset := self.site.contact_offset:
             allowed = "leave it out of lines with joints: give depth and heights less by it"
             found.add("site.contact_offset", f"{offset:g} m", allowed)
+
+    def _check_anchors(self, found: Findings, ends: list[tuple[str, str]]) -> None:
+        """Refuse anchors of several lines, and lines of two, where what holds a line is checked."""
+        anchors = [point.name for point in self.points if point.kind == "anchor"]
+        for name in anchors:
+            lines = [f"{k}" for k, pair in enumerate(ends, start=1) if name in pair]
+            if len(lines) > 1:
+                allowed = "[anchor] holds one line: give each an anchor of its own, or leave it out"
+                found.add("anchor", f"lines {', '.join(lines)} at {name}", allowed)
+        for k, pair in enumerate(ends, start=1):
+            if pair[0] != pair[1] and set(pair) <= set(anchors):
+                allowed = "[anchor] holds one end of a line: make the other a fairlead"
+                found.add("anchor", f"line {k} from {pair[0]} to {pair[1]}", allowed)
 
     @property
     def numbers(self) -> dict[str, int]:

@@ -100,6 +100,7 @@ def apart(
     """
     places = dict(zip((point.name for point in whole.points), found.places, strict=True))
     up = dict(zip((point.name for point in whole.points), found.reactions, strict=True))
+    kinds = {point.name: point.kind for point in network.points}
     parted: dict[int, tuple[Run, Ends]] = {}
     for row, run, ends in zip(rows, runs, found.ends, strict=True):
         if not row.joints:
@@ -111,6 +112,8 @@ def apart(
         names = (row.start, *row.joints, row.end)
         for (number, is_turned), start, end in zip(row.lines, names, names[1:], strict=False):
             given = network.lines[number].line
+            if kinds[end] == "anchor" != kinds[start] and not network.site.seabed_friction:
+                start, end, is_turned = end, start, not is_turned  # every line from its anchor
             own = run_of(
                 network.lines[number].name or f"{number + 1}",
                 network.numbers[start],

@@ -93,13 +93,12 @@ class HeldBody:
 
 
 @dataclass(frozen=True)
-class NetworkAtRest:
+class LinesAtRest:
     """Lines between points with their joints at rest, the body held; `runs` from their anchors."""
 
     network: Network
     runs: tuple[Run, ...]
     joints: JointsAtRest
-    body: HeldBody
 
     def place_of(self, name: str) -> Vector:
         """X, y and height of a point, m."""
@@ -119,6 +118,17 @@ class NetworkAtRest:
             )
             for run, end in zip(self.runs, self.joints.ends, strict=True)
         )
+
+    def is_anchored(self, line: int) -> bool:
+        """Whether a line, counted from 0, ends at an anchor: its first end then."""
+        return self.network.points[self.runs[line].first].kind == "anchor"
+
+
+@dataclass(frozen=True)
+class NetworkAtRest(LinesAtRest):
+    """The same, with what the lines do to the body."""
+
+    body: HeldBody
 
     def to_dict(self) -> dict[str, Any]:
         """Lay it out as the documents have it."""
@@ -232,9 +242,7 @@ def hold(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> Netw
     """
     rows = rows_of(network)
     whole = in_rows(network, rows)
-    arms, held = _ends_held(whole, displacement)
-    runs = runs_of(whole)
-    found = joints_at_rest(whole, runs, held)
+    arms, runs, found = _in_place(whole, displacement)
     _check_pull(runs, found)
     load, stiffness = [0.0] * 6, _condensed(whole, runs, found, arms)
     for run, end in zip(runs, found.ends, strict=True):
@@ -258,6 +266,26 @@ def hold(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> Netw
         tuple(tuple(row) for row in stiffness),
     )
     return NetworkAtRest(network, runs, found, body)
+
+
+def at_rest(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> LinesAtRest:
+    """Hold a body and bring the joints to rest; lines may hang slack, for no stiffness is asked.
+
+    Raises what `hold` raises, but for slack lines.
+    """
+    rows = rows_of(network)
+    whole = in_rows(network, rows)
+    _, runs, found = _in_place(whole, displacement)
+    return LinesAtRest(network, *apart(network, rows, whole, found, runs))
+
+
+def _in_place(
+    network: Network, displacement: tuple[float, ...]
+) -> tuple[dict[int, Vector], tuple[Run, ...], JointsAtRest]:
+    """Place the ends of lines, and bring the joints to rest: arms of fairleads, lines, joints."""
+    arms, held = _ends_held(network, displacement)
+    runs = runs_of(network)
+    return arms, runs, joints_at_rest(network, runs, held)
 
 
 def _ends_held(

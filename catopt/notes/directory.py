@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from catopt.casefile import case_digest, design_directory, read_case
+from catopt.casefile import case_digest, design_directory, read_case, read_mooring
 from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
 from catopt.errors import InputError, Problem
 from catopt.model import Case
@@ -114,7 +114,7 @@ def _refuse_mixed(directory: Path, documents: Mapping[str, dict[str, Any]]) -> N
     digests = {name: each[CASE_DIGEST] for name, each in documents.items() if CASE_DIGEST in each}
     if not digests or not (directory / DESIGN_CASE).is_file():
         return
-    own = case_digest(read_case(directory / DESIGN_CASE))
+    own = case_digest(read_mooring(directory / DESIGN_CASE))
     strange = {name for name, digest in digests.items() if digest != own}
     if strange and DESIGN_DOCUMENT in documents.keys() - strange:
         count = len(design_directory.read_design_document(directory)["front"])

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
     from catopt.checks.result import CheckReport
     from catopt.model import Case
+    from catopt.notes.sheet import Sheet
     from catopt.verify.result import Verification
 
 _MOST_FORCE, _LEAST_FORCE = 4.0, 0.01
@@ -46,6 +47,8 @@ class Note(AnyNote):
     `verification_failure` why the truss model has no answer.
     """
 
+    case: Case
+    sheet: Sheet
     load_case: str
     solution: Solution
     checks: CheckReport

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
     from catopt.checks.result import CheckReport
     from catopt.model import Case, Line
+    from catopt.model.network import Network
     from catopt.mooring.solution import SystemSolution
     from catopt.notes.origin import Origin
     from catopt.verify.result import Verification
@@ -41,39 +42,24 @@ class AnchorMoved:
     refusal: str = ""
 
 
-@dataclass(frozen=True)
-class Sheet:
-    """What is stated of a case with all its load cases.
+@dataclass(frozen=True, kw_only=True)
+class Stated:
+    """What is stated of any mooring; `report` is by `criteria`, `anchor` holds each line."""
 
-    `line` is that of the note, of a body one of its lines; `report` is of it and by `criteria`;
-    `anchor` holds it; `system` is the body under its load. `pretension` (N) is the largest tension
-    at a fairlead of the body under no load, of a line in its reference load case. `moved` is the
-    most loaded line's anchor elsewhere, or that of a line whose span is given; empty where the
-    force on the line is given, which does not change by that. `least` is how far segments may wear.
-    """
-
-    case: Case
-    line: Line
+    case: Case | Network
     report: CheckReport
     criteria: Criteria
     anchor: Anchor | None = None
-    system: SystemSolution | None = None
-    pretension: float | None = None
-    moved: tuple[AnchorMoved, ...] = ()
-    least: tuple[LeastDiameter, ...] = ()
 
     @property
     def lines(self) -> int:
         """How many there are."""
-        return 1 if self.system is None else len(self.system.lines)
+        return 1
 
     @property
     def intact(self) -> tuple[Solution, ...]:
         """Every line with all there, in every load case."""
-        if self.system is not None:
-            return tuple(each.solution for each in self.system.lines)
-        out = {each.name for each in self.report.load_cases if each.state != "intact"}
-        return tuple(solution for name, solution in self.report.solutions if name not in out)
+        return tuple(solution for _, solution in self.report.solutions)
 
     @property
     def break_factor(self) -> float | None:
@@ -96,14 +82,46 @@ class Sheet:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Sheet(Stated):
+    """What is stated of a case with all its load cases.
+
+    `line` is that of the note, of a body one of its lines; `report` is of it and by `criteria`;
+    `anchor` holds it; `system` is the body under its load. `pretension` (N) is the largest tension
+    at a fairlead of the body under no load, of a line in its reference load case. `moved` is the
+    most loaded line's anchor elsewhere, or that of a line whose span is given; empty where the
+    force on the line is given, which does not change by that. `least` is how far segments may wear.
+    """
+
+    case: Case
+    line: Line
+    system: SystemSolution | None = None
+    pretension: float | None = None
+    moved: tuple[AnchorMoved, ...] = ()
+    least: tuple[LeastDiameter, ...] = ()
+
+    @property
+    def lines(self) -> int:
+        """How many there are."""
+        return 1 if self.system is None else len(self.system.lines)
+
+    @property
+    def intact(self) -> tuple[Solution, ...]:
+        """Every line with all there, in every load case."""
+        if self.system is not None:
+            return tuple(each.solution for each in self.system.lines)
+        out = {each.name for each in self.report.load_cases if each.state != "intact"}
+        return tuple(solution for name, solution in self.report.solutions if name not in out)
+
+
+@dataclass(frozen=True, kw_only=True)
 class AnyNote:
     """What every note has: its case, what it states, what it rests on, what to know before its use.
 
     The case of a line is under the load that is drawn.
     """
 
-    case: Case
-    sheet: Sheet
+    case: Case | Network
+    sheet: Stated
     origin: Origin
     warnings: tuple[str, ...] = ()
 

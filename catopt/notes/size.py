@@ -23,7 +23,9 @@ from catopt.words import Cited, Message, term
 
 if TYPE_CHECKING:
     from catopt.loads.sinker import SinkerSize
+    from catopt.model import Case
     from catopt.mooring.solution import SystemSolution
+    from catopt.notes.sheet import Sheet
     from catopt.sizing import Sizing
 
 
@@ -46,6 +48,8 @@ class SizeNote(AnyNote):
     equilibrium of several lines under the load case that is hardest on one of them.
     """
 
+    case: Case
+    sheet: Sheet
     sizing: Sizing
     line: Note
     options: tuple[tuple[str, str], ...] = ()

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
     from catopt.model import Case
     from catopt.mooring.solution import LegState, SystemSolution
+    from catopt.notes.sheet import Sheet
     from catopt.verify.dynamic_result import DynamicVerification
     from catopt.verify.result import Verification
 
@@ -47,6 +48,8 @@ class SystemNote(AnyNote):
     reason of `verification_failure`; `motion` has all lines, None where nobody asked for it.
     """
 
+    case: Case
+    sheet: Sheet
     report: SystemReport
     checks: CheckReport
     verification: Verification | None = None

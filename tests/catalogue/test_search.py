@@ -38,7 +38,7 @@ def test_one_of_each_family_and_grade_from_the_lightest() -> None:
     masses = [component.mass for component in found]
     assert masses == sorted(masses)
     assert all(component.MBL_in_water >= 500 * KN for component in found if component.MBL_in_water)
-    # Of chain only the long-link one and the short-link one of 12 mm do not reach it: 9 grades of
+    # Of chain only the long-link one and the short-link one of 13 mm do not reach it: 9 grades of
     # stud-link, 6 of studless, 12 of open-link chain; 8 ropes and 4 wires in 2 grades do.
     assert len(found) == 9 + 6 + 12 + 8 + 4 * 2
 

@@ -107,7 +107,6 @@ def test_the_drag_of_an_early_deck_is_that_of_its_heads() -> None:
     ("name", "asked", "words"),
     [
         ("11_free_body.txt", None, "a body that moves by itself"),
-        ("16_grid_node_force.map", Asked(9.81, 1025.0, 30.0), "a constant force on a node"),
         ("17_rope_table.txt", None, "a table of strain and tension"),
     ],
 )
@@ -115,6 +114,39 @@ def test_what_has_no_case_is_one_error(name: str, asked: Asked | None, words: st
     with pytest.raises(InputError, match=words) as caught:
         brought(name, asked)
     assert len(caught.value.problems) == 1
+
+
+def test_a_float_on_one_line_stands_over_its_anchor() -> None:
+    """6 kN at the float, 400 m x 2 N/m less at its foot, stretched by 5.6 kN x 400 m / 4 MN."""
+    from catopt.casefile import read_mooring
+
+    found = hold(read_mooring(BROUGHT / "14_subsurface_float.toml"))  # type: ignore[arg-type]
+    assert found.lines[0].fairlead.tension == pytest.approx(6e3, rel=1e-12)
+    assert found.place_of("float") == pytest.approx((0.0, 0.0, 400.56), abs=1e-6)
+
+
+def test_the_node_of_a_grid_is_in_balance_under_its_force() -> None:
+    """Each line hangs as the elastic catenary with the pull of its end, and the pulls sum up.
+
+    w of the rope is below 0: it floats up, and hangs the other way round.
+    """
+    network, said = brought("16_grid_node_force.map", Asked(9.81, 1025.0, 30.0))
+    assert isinstance(network, Network)
+    assert "points that are free" in said
+    found = hold(network)
+    x, y, z = found.place_of("2")
+    assert y == 0.0
+    w, EA = (1.3 - math.pi / 4.0 * 0.05**2 * 1025.0) * 9.81, 3e6
+    total = [-30e3, 15e3]
+    for line, anchor, length in zip(found.lines, (150.0, -150.0), (108.0, 204.0), strict=True):
+        H, top = line.fairlead.horizontal_force, line.fairlead.vertical_force
+        foot = top - w * length
+        span = H / w * (math.asinh(top / H) - math.asinh(foot / H)) + H * length / EA
+        rise = (math.hypot(H, top) - math.hypot(H, foot)) / w + (top + foot) * length / (2.0 * EA)
+        assert (abs(x - anchor), z) == pytest.approx((span, rise), rel=1e-9)
+        total[0] += math.copysign(H, anchor - x)
+        total[1] -= top
+    assert total == pytest.approx([0.0, 0.0], abs=1e-4)
 
 
 def test_one_fault_of_many_lines_is_told_once() -> None:

@@ -204,7 +204,7 @@ def test_a_joint_of_three_lines_is_refused_where_one_line_is_wanted() -> None:
         "2 chain 2 1", "3 rope 4 2 380 20 -\n2 chain 2 1"
     )
     (problem,) = problems(deck, Asked(line=1))
-    assert problem.startswith("line 11: found point 2 joins 3 lines")
+    assert problem.startswith("line 11: found point 2 of 3 lines")
 
 
 def test_all_errors_at_once() -> None:

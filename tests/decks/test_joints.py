@@ -12,7 +12,7 @@ from catopt.casefile import read_mooring, write_case
 from catopt.decks.reading import Asked, read_any_deck, read_deck
 from catopt.model.network import Network
 from catopt.mooring.held import hold
-from tests.decks.own import BRIDLE, MAP_BRIDLE
+from tests.decks.own import BRIDLE, MAP_BRIDLE, MOORDYN
 
 SITE = Asked(9.81, 1025.0, 350.0)
 
@@ -52,6 +52,43 @@ def test_a_free_point_of_two_lines_is_a_joint_too() -> None:
     assert len(found.lines) == 7
 
 
+def test_a_force_turns_with_the_node_it_pulls() -> None:
+    pulled = MAP_BRIDLE.replace("#-80 0 0 0 0 0", "#-80 0 0 3000 400 -50").replace(
+        "repeat 120 240", "repeat 90"
+    )
+    found, _ = read_any_deck(pulled, "bridle.map", SITE)
+    assert isinstance(found, Network)
+    forces = {point.name: point.force for point in found.points if point.kind == "joint"}
+    assert forces["2"] == (3000.0, 400.0, -50.0)
+    assert forces["2@90"] == pytest.approx((400.0, -3000.0, -50.0), abs=1e-9)  # clockwise
+    unread = MAP_BRIDLE.replace("#-80 0 0 0 0 0", "#-80 0 0 #300 # x")
+    with pytest.raises(InputError, match="FZ x"):
+        read_any_deck(unread, "bridle.map", SITE)
+
+
+def test_a_float_of_a_deck_ends_its_line() -> None:
+    """400 kg and 40 m3 lift (40 x 1025 - 400) x 9.81 N: the tension there."""
+    deck = MOORDYN.replace("4 Coupled 5.2 0 -70 0 0", "4 Free 840 0 -70 400 40").replace(
+        "902.2 20 -", "100 20 -", 1
+    )
+    found, _ = read_any_deck(deck.replace("9.80665 g", "9.81 g"), "float.txt")
+    assert isinstance(found, Network)
+    first = hold(found).lines[0].fairlead
+    assert first.tension == pytest.approx((40.0 * 1025.0 - 400.0) * 9.81, rel=1e-9)
+    with pytest.raises(InputError, match="point 4 of 1 line; lines of a free point"):
+        read_any_deck(deck, asked=Asked(line=2))
+
+
+def test_the_force_of_a_moordyn_point_is_refused_with_a_way_out() -> None:
+    deck = (
+        MOORDYN.replace("Volume CdA Ca", "Volume FX FY FZ CdA Ca")
+        .replace(" 0 0 0 0\n", " 0 0 0 0 0 0 0\n")
+        .replace("4 Coupled 5.2 0 -70 0 0 0 0 0", "4 Free 5.2 0 -70 0 0 5 0 0")
+    )
+    with pytest.raises(InputError, match="force of the joint into the case file"):
+        read_any_deck(deck)
+
+
 @pytest.mark.parametrize("text", [MAP_BRIDLE, BRIDLE], ids=["map", "moordyn"])
 def test_what_is_written_reads_back(text: str, tmp_path: Path) -> None:
     found, _ = read_any_deck(text, "deck.txt", SITE if text is MAP_BRIDLE else None)
@@ -61,11 +98,11 @@ def test_what_is_written_reads_back(text: str, tmp_path: Path) -> None:
 
 
 def test_other_commands_refuse_it(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="catopt system and catopt import alone"):
+    with pytest.raises(InputError, match="catopt system, check, report and import"):
         read_deck(BRIDLE)
     place = tmp_path / "bridle.txt"
     place.write_text(BRIDLE)
-    with pytest.raises(InputError, match="catopt system and catopt import alone"):
+    with pytest.raises(InputError, match="catopt system, check, report and import"):
         read_case(place)
     with pytest.raises(InputError, match="leave out --line"):
         read_any_deck(BRIDLE, asked=Asked(line=1))

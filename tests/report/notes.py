@@ -11,7 +11,7 @@ import pytest
 
 from catopt.answers.blocks import Answer
 from catopt.casefile.sizing_file import moored_in
-from catopt.cli.note_kind import answer_of, is_of_a_body, note_of_sizing
+from catopt.cli.note_kind import answer_of, has_table, note_of_sizing
 from catopt.errors import NotConvergedError
 from catopt.notes.line import Note, read_note
 from catopt.notes.size import SizeNote
@@ -67,7 +67,7 @@ def note_named(name: str) -> Any:
     moored = moored_in(path)
     if moored is not None:
         return note_of_sizing(path, moored)
-    if is_of_a_body(path):
+    if has_table(path, "system"):
         return read_system_note(path)
     if name in (*MOVING, "swarm"):
         return read_note(path, swarm=name == "swarm", motion=name != "swarm", verify=False)

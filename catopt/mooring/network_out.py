@@ -1,0 +1,141 @@
+"""One line out of lines between points: what the others carry, the body held where it is."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from catopt.errors import NoAnswerError
+from catopt.model.network import LineBetween, Network, Point
+from catopt.mooring.held import LinesAtRest, at_rest
+from catopt.patience import paced
+from catopt.ties import first_largest
+from catopt.words import Message
+
+
+@dataclass(frozen=True)
+class NetworkOut:
+    """Lines between points without one of them; all lines are counted from 0.
+
+    `left` are those that carry, `loose` those that hang or lie from one end alone since then: their
+    weight in water, and what hangs on them, stands at the joint where they hang. `rest` is None
+    where the joints find no rest, for the reason of `refusal`.
+    """
+
+    missing: int
+    left: tuple[int, ...] = ()
+    loose: tuple[int, ...] = ()
+    rest: LinesAtRest | None = None
+    refusal: str = ""
+
+    @property
+    def hardest(self) -> tuple[float, int] | None:
+        """The largest tension that is left, N, and in which line, from 0; the first of several."""
+        if self.rest is None:
+            return None
+        tensions = largest_tensions(self.rest)
+        first = first_largest(tensions)
+        return tensions[first], self.left[first]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Lay it out as the documents have it; lines are counted from 1."""
+        tension, line = self.hardest or (None, None)
+        return {
+            "missing_line": self.missing + 1,
+            "lines_left": [number + 1 for number in self.left],
+            "loose_lines": [number + 1 for number in self.loose],
+            "largest_tension_N": tension,
+            "most_loaded_line": None if line is None else line + 1,
+            "refusal": self.refusal,
+        }
+
+
+def largest_tensions(rest: LinesAtRest) -> tuple[float, ...]:
+    """Return the largest tension of each line, N."""
+    return tuple(max(part.max_tension for part in line.segments) for line in rest.lines)
+
+
+def each_line_out(network: Network) -> tuple[NetworkOut, ...]:
+    """Take each line away in turn; the body stays where it is held, and the joints rest anew.
+
+    NotConvergedError: a solver stopped short. What happens on the way there, when the line parts,
+    is dynamics and not looked at.
+    """
+    count = len(network.lines)
+    return tuple(
+        _without(network, missing)
+        for missing in paced(Message("words.lines_out", total=count), range(count))
+    )
+
+
+def _without(network: Network, missing: int) -> NetworkOut:
+    left = {k: line for k, line in enumerate(network.lines) if k != missing}
+    points = {point.name: point for point in network.points}
+    loose: list[int] = []
+    while (found := _hanging(points, left)) is not None:
+        number, end, held = found
+        line = left.pop(number)
+        loose.append(number)
+        if points[held].kind == "joint":
+            weight = points[held].submerged_weight - points[end].hung[2] + _weight(line)
+            points[held] = replace(points[held], submerged_weight=weight)
+        points[end] = Point(end, "joint")
+    adrift = _adrift(points, left)
+    if adrift:
+        refusal = Message("mooring.adrift", names=", ".join(adrift))
+        return NetworkOut(missing, loose=tuple(sorted(loose)), refusal=refusal)
+    if not left:
+        return NetworkOut(missing, loose=tuple(sorted(loose)), refusal=_NOTHING_LEFT)
+    ends = {end for line in left.values() for end in (line.start, line.end)}
+    names = {k: line.name or f"{k + 1}" for k, line in left.items()}
+    lines = tuple(replace(line, name=names[k]) for k, line in left.items())
+    kept = tuple(point for name, point in points.items() if name in ends)
+    made = NetworkOut(missing, tuple(left), tuple(sorted(loose)))
+    try:
+        return replace(made, rest=at_rest(Network(network.site, kept, lines)))
+    except NoAnswerError as error:
+        return replace(made, left=(), refusal=error.args[0])
+
+
+_NOTHING_LEFT = Message("mooring.no_line_left")
+
+
+def _hanging(
+    points: Mapping[str, Point], lines: Mapping[int, LineBetween]
+) -> tuple[int, str, str] | None:
+    """Find a line that ends in a joint with no other line and no pull: its free end, the other."""
+    for point in points.values():
+        along, across, up = point.hung
+        if point.kind != "joint" or up > 0.0 or along or across:
+            continue
+        ending = [k for k, line in lines.items() if point.name in (line.start, line.end)]
+        if len(ending) == 1:
+            line = lines[ending[0]]
+            return ending[0], point.name, line.end if line.start == point.name else line.start
+    return None
+
+
+def _weight(line: LineBetween) -> float:
+    """Weight in water of a line with what hangs on it, N."""
+    return math.fsum(
+        [
+            *(each.submerged_weight * each.length for each in line.line.segments),
+            *(each.submerged_weight for each in line.line.point_loads),
+        ]
+    )
+
+
+def _adrift(points: Mapping[str, Point], lines: Mapping[int, LineBetween]) -> list[str]:
+    """List the joints that something pulls or lines end in, and that no line holds any more."""
+    held = {name for name, point in points.items() if point.kind != "joint"}
+    pairs = [{line.start, line.end} for line in lines.values()]
+    while more := {end for pair in pairs if pair & held for end in pair} - held:
+        held |= more
+    ends = {end for pair in pairs for end in pair}
+    return [
+        name
+        for name, point in points.items()
+        if name not in held and (name in ends or point.hung[2] > 0.0 or any(point.hung[:2]))
+    ]

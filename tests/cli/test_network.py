@@ -1,0 +1,115 @@
+"""Commands of lines between points: documents of their schemas, and the note."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from catopt.casefile import write_case
+from catopt.casefile.network_file import parse_network
+from catopt.figures.network import network_plan, network_side
+from catopt.mooring.held import at_rest
+from catopt.notes.network import read_network_note
+from tests.checks.test_network import CHECKS, FILE, leg
+
+from .conftest import Run, document_of, refused, validate
+
+
+def written(folder: Path) -> Path:
+    place = folder / "network.toml"
+    place.write_text(FILE, encoding="utf-8")
+    return place
+
+
+def test_documents_are_of_their_schemas(run: Run, tmp_path: Path) -> None:
+    place = written(tmp_path)
+    checked = document_of(run, "check", place)
+    validate(checked)
+    assert {each["line"] for each in checked["checks"]} == {
+        1,
+        None,
+    }  # None: the leg is lost with its one line
+    solved = document_of(run, "system", place)
+    validate(solved)
+    assert solved["checks"]["checks"] == len(checked["checks"])
+
+
+def test_every_line_out_is_tabulated(run: Run, tmp_path: Path) -> None:
+    place = tmp_path / "leg.toml"
+    place.write_text(write_case(leg(checks=CHECKS)), encoding="utf-8")
+    solved = document_of(run, "system", place, "--line-out")
+    validate(solved)
+    out = solved["one_line_out"]
+    assert [each["missing_line"] for each in out] == [1, 2, 3]
+    assert [each["lines_left"] for each in out] == [[2, 3], [1, 3], [1, 2]]
+    # Left to one rope, the joint's horizontal pull is all its own.
+    checked = document_of(run, "check", place)["load_cases"]
+    of_rope = next(each for each in checked if each["line"] == 3 and each["missing_line"] == 2)
+    assert out[1]["largest_tension_N"] == pytest.approx(of_rope["fairlead_tension_N"], rel=1e-9)
+    assert out[1]["most_loaded_line"] == 3
+    shown = run("system", place, "--line-out").out
+    assert "Loose then" in shown
+
+
+def test_an_answer_is_written_with_its_case_and_again(run: Run, tmp_path: Path) -> None:
+    place, folder = written(tmp_path), tmp_path / "out"
+    run("check", place, "--out", folder)
+    assert parse_network((folder / "case.toml").read_text("utf-8")) == parse_network(FILE)
+    again = run("check", place, "--out", folder)
+    assert again.status == 0
+    assert "stays as it is" not in again.err
+
+
+def test_the_note_has_plan_and_side_and_every_line_out(run: Run, tmp_path: Path) -> None:
+    place = tmp_path / "leg.toml"
+    place.write_text(write_case(leg(checks=CHECKS, title="A leg that splits")), encoding="utf-8")
+    written = document_of(run, "report", place, "--out", tmp_path / "note")
+    validate(written)
+    assert written["passes"] is True
+    assert {"basis", "system_side", "system_joints", "system_checks", "system_line_out"} <= {
+        *written["sections"]
+    }
+    page = (tmp_path / "note" / "leg.html").read_text("utf-8")
+    for words in ("Plan of the points and their 3 lines", "over x, to scale", "Loose then"):
+        assert words in page
+    note = read_network_note(place)
+    assert [each.missing for each in note.line_out] == [0, 1, 2]
+    assert note.most_loaded == 0
+    assert "the truss model takes no lines between points" in "".join(note.warnings)
+    # With the chain gone each rope holds itself and half of the 2 kN at its upper end.
+    found = note.line_out[0].rest
+    assert found is not None
+    for line in found.lines:
+        up = max((line.fairlead, line.anchor), key=lambda end: end.tension)
+        assert abs(up.vertical_force) == pytest.approx(1e3 + 40.0 * 60.0, rel=1e-6)
+
+
+def test_the_note_of_an_answer_is_of_its_case(run: Run, tmp_path: Path) -> None:
+    folder = tmp_path / "out"
+    run("check", written(tmp_path), "--out", folder)
+    ran = run("report", folder, "--out", tmp_path / "note.html", "--lang", "vi")
+    assert ran.status == 0, ran.err
+    assert "Nhìn từ bên" in (tmp_path / "note.html").read_text("utf-8")
+
+
+def test_the_note_refuses_what_is_of_one_line(run: Run, tmp_path: Path) -> None:
+    said = refused(run, "report", written(tmp_path), "--method", "pso", "--dynamic").err
+    assert "this file is of lines between points" in said
+    assert "--method" in said
+    assert "--dynamic" in said
+
+
+def test_drawings_are_where_the_lines_are() -> None:
+    rest = at_rest(leg())
+    plan, side = network_plan(rest, 0), network_side(rest, 0)
+    joint = rest.place_of("joint")
+    signs = [(mark.x, mark.y) for mark in plan.marks if mark.role == "joint-spot"]
+    assert signs == [joint[:2]]
+    assert [(m.x, m.y) for m in side.marks if m.role == "joint-spot"] == [(joint[0], joint[2])]
+    chain = next(each for each in side.series if max(each.x) == pytest.approx(250.0))
+    assert (chain.x[-1], chain.y[-1]) == pytest.approx((joint[0], joint[2]), abs=1e-6)
+    (lying,) = [each for each in plan.series if each.role == "lying"]
+    assert max(lying.x) == pytest.approx(250.0)
+    assert side.x.low < 10.0
+    assert side.x.high > 250.0
