@@ -12,6 +12,7 @@ from catopt.model.kinds import Force, Height, Place, Size, Text
 from catopt.model.line import Line, weightless
 from catopt.model.site import Site
 from catopt.model.validity import Checked, Findings
+from catopt.words import Message
 
 PointKind = Literal["anchor", "fairlead", "joint"]
 PointName = Annotated[str, Text(filled=True, example='"joint 1"')]
@@ -39,7 +40,7 @@ class Point(Checked):
 
     def _check(self, found: Findings) -> None:
         if not self.name:
-            found.add("name", "", "missing; lines name a point by it")
+            found.add("name", "", Message("refused_case.missing_lines_name_point_by"))
         found.check("kind")
         found.problems += point_misfits(vars(self))
         object.__setattr__(self, "force", tuple(self.force))
@@ -67,11 +68,13 @@ def point_misfits(given: dict[str, object]) -> list[Problem]:
     for key in ("x", "y", "height"):
         value = given.get(key)
         if is_joint and value is not None:
-            allowed = "leave it out: where a joint comes to rest is found"
+            allowed = Message("refused_case.leave_out_where_joint_comes")
             found.append(Problem(key, f"{value}", allowed))
         elif value is None and given.get("kind") in ("anchor", "fairlead"):
-            found.append(Problem(key, "", f"missing; {given['kind']}s have x, y and height"))
-    allowed = "leave it out: only a joint feels it"
+            found.append(
+                Problem(key, "", Message("refused_case.missing_s_have_x_y", value=given["kind"]))
+            )
+    allowed = Message("refused_case.leave_out_only_joint_feels")
     if given.get("submerged_weight") and not is_joint:
         found.append(Problem("submerged_weight", f"{given['submerged_weight']}", allowed))
     force = given.get("force")
@@ -108,7 +111,7 @@ class Network(Checked):
         object.__setattr__(self, "lines", tuple(self.lines))
         for key in ("points", "lines"):
             if not getattr(self, key):
-                found.add(key, "none", "at least one is wanted")
+                found.add(key, Message("refused.none"), Message("refused_case.at_least_one_wanted"))
         names = [point.name for point in self.points]
         joints = [point.name for point in self.points if point.kind == "joint"]
         pulled = {each.name for each in self.points if each.hung[2] > 0.0 or any(each.hung[:2])}
@@ -119,14 +122,14 @@ class Network(Checked):
             if not any(segment.submerged_weight for segment in segments):
                 found.add(f"lines[{k}].segments", *weightless("a line between points"))
             if {each.start, each.end} & set(joints):
-                allowed = "missing; lines that meet in joints have to stretch"
+                allowed = Message("refused_case.missing_lines_meet_joints_have")
                 for i in (i for i, segment in enumerate(segments) if math.isinf(segment.EA)):
                     found.add(f"lines[{k}].segments[{i}].EA", "", allowed)
         if self.site.seabed_slope != 0.0:
             slope = f"{math.degrees(self.site.seabed_slope):g} deg"
-            found.add("site.seabed_slope", slope, "lines with joints lie on a level bed")
+            found.add("site.seabed_slope", slope, Message("refused_case.lines_with_joints_lie_on"))
         if offset := self.site.contact_offset:
-            allowed = "leave it out of lines with joints: give depth and heights less by it"
+            allowed = Message("refused_case.leave_out_lines_with_joints")
             found.add("site.contact_offset", f"{offset:g} m", allowed)
 
     @property
@@ -146,18 +149,24 @@ def network_misfits(
     `pulled`: joints that a force or their buoyancy keeps from falling.
     """
     found = [
-        Problem(f"points[{k}].name", name, "another point has this name")
+        Problem(f"points[{k}].name", name, Message("refused_case.another_point_has_this_name"))
         for k, name in enumerate(names)
         if name in names[:k]
     ]
     for k, pair in enumerate(ends):
         found += (
-            Problem(f"lines[{k}].{key}", end, f"no such point; there are {', '.join(names)}")
+            Problem(
+                f"lines[{k}].{key}",
+                end,
+                Message("refused_case.no_such_point_there_are", names=", ".join(names)),
+            )
             for key, end in zip(("start", "end"), pair, strict=True)
             if end not in names
         )
         if pair[0] == pair[1]:
-            found.append(Problem(f"lines[{k}].end", pair[1], "the line begins there, too"))
+            found.append(
+                Problem(f"lines[{k}].end", pair[1], Message("refused_case.line_begins_there_too"))
+            )
     return found or [
         Problem(f"points[{k}]", name, allowed)
         for k, name in enumerate(names)
