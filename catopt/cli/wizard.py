@@ -71,7 +71,10 @@ def _answer(each: Input, spelled: str, default: str, language: Language) -> obje
         _say(f"{question}: ")
         line = sys.stdin.readline()
         if not line:
-            raise InputError([Problem(spelled, "", "missing; nobody answered")], "options")
+            raise InputError(
+                [Problem(spelled, "", Message("refused_command.missing_nobody_answered"))],
+                "options",
+            )
         answer = from_text(each, line.strip() or default)
         wrong = _wrong(each, spelled, answer, choices)
         if not wrong:

@@ -73,9 +73,9 @@ def neighbours(size: float, series: Sequence[float]) -> tuple[float | None, floa
 def _check(series: Sequence[float]) -> None:
     found = Findings("series of sizes")
     if not series:
-        found.add("series", "none", "one size or more")
+        found.add("series", Message("refused.none"), Message("refused_sizing.one_size_or_more"))
     for index, size in enumerate(series):
         found.number(f"series[{index}]", size, "kg", above=0.0)
     if not found.problems and list(series) != sorted(set(series)):
-        found.add("series", "", "must rise")
+        found.add("series", "", Message("refused_motion.must_rise"))
     found.raise_if_any()

@@ -142,7 +142,7 @@ def equilibrium_headings(
     found.number("mooring_point", lever, "m", at_least=-half, at_most=half)
     own = coefficients
     if turning.yaw is None and (own is None or not own.turns):
-        allowed = "missing; neither its coefficients nor a table of the ship's own has it"
+        allowed = Message("refused_sizing.missing_neither_coefficients_nor_table")
         found.add("current_yaw", "", allowed)
     found.raise_if_any()
     per_metre = flat_side_drift(
@@ -162,7 +162,11 @@ def equilibrium_headings(
         return sum(moment - force * lever for force, moment in pushes) + by_waves(seen.waves)
 
     if wind.speed == current.speed == sea.hmax == 0.0:
-        found.add("wind", "no wind, no current and no waves", "something has to push the ship")
+        found.add(
+            "wind",
+            "no wind, no current and no waves",
+            Message("refused_sizing.something_has_push_ship"),
+        )
         found.raise_if_any()
     return _stable(turned)
 

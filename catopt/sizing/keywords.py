@@ -13,6 +13,7 @@ from catopt.sizing.requests import size
 from catopt.sizing.result import Sizing
 from catopt.sizing.tanker import sized_tanker
 from catopt.sizing.tanker_request import TankerRequest
+from catopt.words import Message
 
 
 def size_buoy(request: BuoyRequest | str | None = None, /, **inputs: Any) -> Sizing:
@@ -85,5 +86,5 @@ def _sized(moored: Moored, request: object, inputs: dict[str, Any]) -> Sizing:
     source = f"size_{moored}"
     if request is None:
         return size(known(moored, inputs, source=source))
-    allowed = f"the request for a {moored} is wanted, or keywords, not both"
+    allowed = Message("refused_sizing.request_wanted_or_keywords_not", moored=moored)
     raise InputError([Problem("request", f"a {type(request).__name__}", allowed)], source)
