@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from catopt.errors import NoAnswerError
+from catopt.errors import NoAnswerError, NotConvergedError
 from catopt.model.network import LineBetween, Network, Point
 from catopt.mooring.held import LinesAtRest, at_rest
 from catopt.patience import paced
@@ -97,6 +97,9 @@ def _without(network: Network, missing: int) -> NetworkOut:
         return replace(made, rest=at_rest(Network(network.site, kept, lines)))
     except NoAnswerError as error:
         return replace(made, left=(), refusal=error.args[0])
+    except NotConvergedError as error:
+        said = Message("mooring.out_not_converged", number=missing + 1, why=error.args[0])
+        raise NotConvergedError(said) from error
 
 
 _NOTHING_LEFT = Message("mooring.no_line_left")
