@@ -90,6 +90,7 @@ def test_words_are_found_by_their_plain_letters(text: str, plain: list[str]) -> 
 
 def test_marks_of_what_is_run_are_taken_off() -> None:
     assert HOOKS.unmarked("```sh run\na run\n```\n") == "```sh\na run\n```\n"
+    assert HOOKS.unmarked("```diff a/b.py\n+c\n```\n") == '```diff title="a/b.py"\n+c\n```\n'
 
 
 def test_tables_of_names_give_way_to_docstrings() -> None:

@@ -56,6 +56,7 @@ NOTEBOOK = ".ipynb"
 
 FENCE = re.compile(r"^(?P<fence>`{3,}).*?^(?P=fence)$", re.MULTILINE | re.DOTALL)
 MARK = re.compile(r"^(```\w+) run$", re.MULTILINE)
+PATCH = re.compile(r"^```diff (\S+)$", re.MULTILINE)
 LINK = re.compile(r"(?P<image>!?)\[(?P<text>(?:[^\]\[]|\[[^\]]*\])*)\]\((?P<target>[^)\s]+)\)")
 NAMES = re.compile(
     r"^<!-- (?P<module>catopt[a-z_.]*)[\w ]*: python -m tests\.api_page -->\n"
@@ -151,7 +152,7 @@ def _picture(data: bytes) -> str:
 
 def _table(html: str) -> str:
     """Put it on one line: what is set in, or follows an empty line, Markdown takes for its own."""
-    return "<div>" + re.sub(r"\s*\n\s*", " ", html) + "</div>"
+    return '<div style="overflow-x: auto">' + re.sub(r"\s*\n\s*", " ", html) + "</div>"
 
 
 _SHOWS = {"_repr_png_": _picture, "_repr_html_": _table}
@@ -198,8 +199,8 @@ def plain_letters(word: str) -> str:
 
 
 def unmarked(markdown: str) -> str:
-    """Take the marks of blocks that a test runs off."""
-    return MARK.sub(r"\1", markdown)
+    """Take the marks of blocks that a test runs off; the file of a patch becomes its title."""
+    return PATCH.sub(r'```diff title="\1"', MARK.sub(r"\1", markdown))
 
 
 def described(markdown: str) -> str:
