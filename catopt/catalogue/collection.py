@@ -58,28 +58,28 @@ class Catalogue:
     def component(
         self,
         family: str,
-        diameter: float,
+        diameter: float | str,
         *,
         grade: str | None = None,
         variants: Mapping[str, str] = NO_VARIANTS,
-        water_density: float = SEA_WATER_DENSITY,
+        water_density: float | str = SEA_WATER_DENSITY,
         allow_recalled: bool = False,
     ) -> Component:
         """Look a component up; see `catopt.catalogue.component`."""
         parsed = self.parse_name(family)
         found = self.family(parsed.family)
         check = Findings(f"component {found.name}")
-        diameter = check.taken("diameter", diameter, "m", at_least=0.0)
-        water_density = check.taken("water_density", water_density, "kg/m3", at_least=0.0)
+        nominal = check.taken("diameter", diameter, "m", at_least=0.0)
+        density = check.taken("water_density", water_density, "kg/m3", at_least=0.0)
         check.raise_if_any()
         grade = _grade(check, found, grade if grade is not None else parsed.grade)
-        _check_diameter(check, found, diameter, self.families)
-        check.number("water_density", water_density, "kg/m3", above=0.0)
+        _check_diameter(check, found, nominal, self.families)
+        check.number("water_density", density, "kg/m3", above=0.0)
         chosen = _choose(check, found, grade, variants, allow_recalled)
         check.raise_if_any()
         asked = _asked(variants)
-        evaluation = Evaluation(found, grade, diameter, chosen, asked, allow_recalled)
-        return evaluation.component(water_density)
+        evaluation = Evaluation(found, grade, nominal, chosen, asked, allow_recalled)
+        return evaluation.component(density)
 
     def sold(
         self,

@@ -35,6 +35,7 @@ from catopt.errors import (
 from catopt.model import Line
 from catopt.model.validity import Findings
 from catopt.patience import paced
+from catopt.shown import Tabled
 from catopt.words import Message, Several, term
 
 __all__ = ["Curve", "Mark", "check_range", "load_curve"]
@@ -60,7 +61,7 @@ class Mark:
 
 
 @dataclass(frozen=True)
-class Curve:
+class Curve(Tabled):
     """A load curve, by rising span; arrays of shape (points,).
 
     The stiffness is 0 where the line is slack, nan where the span does not change with the force.

@@ -20,6 +20,7 @@ from catopt.loads.holding_data import (
 from catopt.loads.sizes import NextSize, neighbours, next_size
 from catopt.loads.source import UFC, LoadSource, refuse_recalled
 from catopt.model.validity import Findings
+from catopt.shown import Tabled
 from catopt.words import Measure, Message, Several, term
 
 FACTOR_SOURCE: Final = LoadSource(UFC, "table 3-7, page 26", "A")
@@ -29,7 +30,7 @@ _STEEPEST_LIMIT: Final = math.radians(10.0)
 
 
 @dataclass(frozen=True)
-class HoldingCapacity:
+class HoldingCapacity(Tabled):
     """What an anchor holds at the most, pulled horizontally, N, by a curve."""
 
     capacity: float

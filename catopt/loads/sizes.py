@@ -8,6 +8,7 @@ from typing import Final
 
 from catopt.errors import NoAnswerError
 from catopt.model.validity import Findings
+from catopt.shown import Tabled
 from catopt.words import Message
 
 SINKER_MASSES: Final = tuple(
@@ -23,7 +24,7 @@ _ROUNDING = 1e-9
 
 
 @dataclass(frozen=True, kw_only=True)
-class NextSize:
+class NextSize(Tabled):
     """The next size sold that holds a pull: masses in kg, forces in N."""
 
     needed_mass: float

@@ -23,6 +23,7 @@ from catopt.loads.ship_loads import AIR_DENSITY, governing_loads
 from catopt.loads.ufc_current import transverse_load, yaw_moment
 from catopt.loads.wave_drift import DriftWave, flat_side_drift, width_across
 from catopt.model.validity import Findings
+from catopt.shown import Tabled
 from catopt.words import Message
 
 _STEPS: Final = 720
@@ -77,7 +78,7 @@ class Afloat(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Lying:
+class Lying(Tabled):
     """How a ship lies in water of a depth, m, and what the mooring holds at that heading."""
 
     afloat: Afloat

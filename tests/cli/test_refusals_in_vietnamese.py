@@ -10,6 +10,8 @@ from typing import get_args
 import pytest
 
 from catopt.casefile.new_case import TEMPLATES
+from catopt.casefile.schema import entries
+from catopt.casefile.sizing_file import Moored
 from catopt.catalogue import standard
 from catopt.cli.app import _PLACES
 from catopt.loads.blendermann import TYPES
@@ -17,10 +19,10 @@ from catopt.loads.buoy_library import buoys
 from catopt.loads.holding_data import SOILS
 from catopt.loads.sinker import SOIL_FRICTION
 from catopt.model.case import Boundary
-from catopt.schemas import names as schema_names
-from catopt.schemas import schema
+from catopt.sizing.inputs import inputs_of
 from catopt.words import LANGUAGES
 from catopt.words.texts import group, groups
+from tests.casefile.test_schema import tables
 
 from .cases import write_files
 from .conftest import Run
@@ -51,22 +53,21 @@ def names() -> set[str]:
     """List the words of what has one name in every language: keys, families, kinds and soils."""
     found = {*_PLACES, *TEMPLATES, *TYPES, *SOILS, *SOIL_FRICTION, *get_args(Boundary)}
     found |= {each.name for each in buoys()}
-    found |= {key for of in schema_names() for key in keys_of(schema(of))}
+    found |= {*keys()}
     families = standard().families
     found |= {each for family in families for each in (family.name, *family.grades)}
     return {word for each in found for word in re.findall(r"[a-z]{2,}", each.replace("_", " "))}
 
 
-def keys_of(node: object) -> Iterator[str]:
-    """Yield the keys of what a schema describes, and the words that they take."""
-    if isinstance(node, dict):
-        yield from node.get("properties", {})
-        yield from (each for each in node.get("enum", ()) if isinstance(each, str))
-        for each in node.values():
-            yield from keys_of(each)
-    elif isinstance(node, list):
-        for each in node:
-            yield from keys_of(each)
+def keys() -> Iterator[str]:
+    """Yield the keys of files, and the words that they take."""
+    for table in tables().values():
+        yield from entries(table)
+        for entry in entries(table).values():
+            yield from getattr(entry.kind, "words", ())
+    for moored in get_args(Moored):
+        for each in inputs_of(moored).values():
+            yield from (each.name, *each.path, *each.words)
 
 
 ENGLISH = english_words()
@@ -96,4 +97,5 @@ def test_words_that_only_english_has_are_known() -> None:
 def test_no_refusal_is_english(run: Run, inside: Path, session: list[str]) -> None:
     write_files(inside)
     for said, own in refusals(run, session):
-        assert words_of(said) & ENGLISH - own == set(), said
+        told = re.sub(r"(?m)^  [^:\n]*: ", "", said)  # without the keys
+        assert words_of(told) & ENGLISH - own == set(), said

@@ -81,7 +81,7 @@ COMPOSED = {
 }
 """Groups whose keys are put together where they are used, of the group and a name."""
 
-SAID_BY_WORD = {"terms", "columns"}
+SAID_BY_WORD = {"terms", "columns", "names"}
 """Groups that are looked up by the English that code or data have, too."""
 
 LEAST = 4
