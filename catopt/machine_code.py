@@ -34,7 +34,7 @@ from catopt.machine_tuples import Packed, pack
 
 _PACKAGE = __name__.partition(".")[0] + "."
 _A_BYTE = 2.5e-4
-"""Processor time that a byte of bytecode takes to compile, s: of steps in time, 2e-4; at rest, 3e-4."""
+"""Time that a byte of bytecode takes to compile, s: 2e-4 of steps in time, 3e-4 at rest."""
 _SIZE = hashlib.sha256().digest_size
 _FORM = 2
 """Counts up when the same source gives other machine code, so that none of before is taken."""
