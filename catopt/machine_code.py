@@ -255,7 +255,7 @@ def _remembering() -> Iterator[None]:
     if plainly.__name__ == recall.__name__:  # a function that another one calls
         yield
         return
-    types.Function.get_call_type = recall
+    types.Function.get_call_type = recall  # type: ignore[method-assign]
     looks = gc.get_threshold()
     gc.set_threshold(max(looks[0], _GARBAGE) if looks[0] else 0, *looks[1:])
     try:

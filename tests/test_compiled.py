@@ -11,6 +11,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numba
 import numpy as np
@@ -365,9 +366,9 @@ def test_numba_is_asked_once_what_a_sum_is_and_is_then_as_it_was(
 
     plainly, asked = types.functions.BaseFunction.get_call_type, []
 
-    def counted(self: types.Function, *arguments: object) -> object:
+    def counted(self: Any, *arguments: Any) -> Any:
         asked.append(self.typing_key)
-        return plainly(self, *arguments)  # type: ignore[no-untyped-call]
+        return plainly(self, *arguments)
 
     monkeypatch.setattr(types.functions.BaseFunction, "get_call_type", counted)
     looks = gc.get_threshold()
