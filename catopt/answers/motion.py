@@ -16,7 +16,7 @@ from catopt.ties import largest
 from catopt.units import lasting
 from catopt.verify.judged import beyond_MBL
 from catopt.verify.motion_words import DYNAMIC_QUANTITY_OF, motion_sentences, proof_sentences
-from catopt.words import Listed, Measure, Message, Several, term
+from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:
     import numpy as np
@@ -167,9 +167,11 @@ def _beyond_MBL(parts: Sequence[DynamicPart]) -> Iterator[blocks.Block]:
         segment=found.segment,
     )
     if len(over) > 1:
-        numbers = Listed([str(each.line) for each, _ in over], "and")
+        numbers = ", ".join(str(each.line) for each, _ in over)
         told = Several((told, Message("motion.beyond_MBL_lines", numbers=numbers)), " ")
-    yield blocks.Verdict(Message("motion.why_of", where=part.where, why=told), False)
+    if part.drive.case.load_cases:
+        told = Message("motion.why_of", where=part.where, why=told)
+    yield blocks.Verdict(_of_line(part, told), False)
 
 
 def lines_of_body(parts: Sequence[DynamicPart]) -> blocks.Table:
@@ -182,9 +184,16 @@ def lines_of_body(parts: Sequence[DynamicPart]) -> blocks.Table:
         fairlead.measured("tension", "mean", "mean", symbol=""),
         fairlead.measured("tension", "std", "standard_deviation", symbol=""),
         fairlead.measured("tension", "maximum", "max", symbol=""),
-        *_by_damping(parts, "fairlead_tension", "motion.{}_by_damping"),
+        *_by_damping(
+            parts, "fairlead_tension", "motion.least_by_damping", "motion.most_by_damping"
+        ),
         anchor.measured("tension", "maximum", "motion.max_at_anchor", symbol=""),
-        *_by_damping(parts, "anchor_tension", "motion.{}_at_anchor_by_damping"),
+        *_by_damping(
+            parts,
+            "anchor_tension",
+            "motion.least_at_anchor_by_damping",
+            "motion.most_at_anchor_by_damping",
+        ),
         of.measured("tension", "quasi_static_max", "quasi_static", symbol=""),
         of.measured(_RATIO, "amplification", "amplification"),
         of.measured(_SLACK, "slack_time", "slack"),
@@ -196,13 +205,13 @@ def lines_of_body(parts: Sequence[DynamicPart]) -> blocks.Table:
 
 
 def _by_damping(
-    parts: Sequence[DynamicPart], quantity: str, heading: str
+    parts: Sequence[DynamicPart], quantity: str, *headings: str
 ) -> Iterator[blocks.Column]:
     """List least and largest maximum by damping of each line that snaps; none where none does."""
     of = Rows(part.damping_range(quantity) or (None, None) for part in parts)
     if any(each != (None, None) for each in of.rows):
-        for k, which in enumerate(("least", "most")):
-            yield of.measured("tension", itemgetter(k), heading.format(which), symbol="")
+        for k, heading in enumerate(headings):
+            yield of.measured("tension", itemgetter(k), heading, symbol="")
 
 
 # ------------------------------------------------------------------ files, in SI
