@@ -16,6 +16,7 @@ import argparse
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import catopt
 from benchmarks.common import page
@@ -132,7 +133,7 @@ def _row(site: Site) -> str:
     )
 
 
-def sized(site: Site, **more: object) -> Sizing:
+def sized(site: Site, **more: Any) -> Sizing:
     """Size a buoy at its site."""
     return catopt.size_buoy(
         site.buoy,

@@ -34,13 +34,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
             heed_signals()
         from contextvars import copy_context
 
+        from catopt.cli.options import asked_language
         from catopt.cli.output import Output
     except KeyboardInterrupt:  # while the program is still being loaded
         sys.stderr.write("catopt: interrupted\n")
         return INTERRUPTED
     output = Output()
     asked = sys.argv[1:] if arguments is None else list(arguments)
-    output.language = "vi" if _wants_vietnamese(asked) else "en"
+    output.language = asked_language(asked)
     status = 0
     try:
         if arguments is None:
@@ -63,13 +64,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return status
 
 
-def _wants_vietnamese(arguments: Sequence[str]) -> bool:
-    """Whether ``--lang vi`` is among the arguments, before any of them is read."""
-    from itertools import pairwise
-
-    return "--lang=vi" in arguments or ("--lang", "vi") in pairwise(arguments)
-
-
 def _run(arguments: Sequence[str] | None, output: Output) -> None:
     from catopt.cli.app import command
     from catopt.cli.help_words import HELP_ALL, WHOLE
@@ -78,7 +72,12 @@ def _run(arguments: Sequence[str] | None, output: Output) -> None:
     if HELP_ALL in (sys.argv if typed is None else typed):
         typed = ["--help" if each == HELP_ALL else each for each in typed or sys.argv[1:]]
         WHOLE.set(True)
-    command(args=typed, prog_name="catopt", obj=output)
+    if output.language == "en":
+        command(args=typed, prog_name="catopt", obj=output)
+    else:
+        from catopt.cli.typed_wrong import run_in_vietnamese
+
+        raise SystemExit(run_in_vietnamese(command, args=typed, prog_name="catopt", obj=output))
 
 
 def _failed(error: Exception, output: Output) -> int:

@@ -111,6 +111,8 @@ def _mode() -> str:
 
 @cache
 def _has_numba() -> bool:
+    # numba colours every error, and of a thousand that it meets on its way it shows none.
+    os.environ.setdefault("NUMBA_DISABLE_ERROR_MESSAGE_HIGHLIGHTING", "1")
     try:
         import numba  # noqa: F401
     except ImportError:

@@ -20,7 +20,7 @@ from pathlib import Path as FilePath
 from typing import Any
 
 from catopt.errors import InputError, Problem
-from catopt.words import Message
+from catopt.words import Cited, Message, term
 
 Path = tuple[str | int, ...]
 """Keys and array indices from the top of a document: ``("line", "segments", 0, "length")``."""
@@ -44,7 +44,7 @@ _LONG_KEY = re.compile(
 """A dotted key of more parts than tables may be deep: the time that it takes grows with the square
 of them."""
 
-_PLACE = re.compile(r" \(at (line (\d+), column \d+|end of document)\)$")
+_PLACE = re.compile(r" \(at (line (\d+), column (\d+)|end of document)\)$")
 _UNIT = re.compile("_(m|N|kg|rad|s|J|USD)(_per_(m|m3|s))?$")
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 
@@ -109,7 +109,7 @@ def parse_toml(text: str, source: str) -> dict[str, Any]:
     check_entries(document, source, "=,[{")
     if found := _LONG_KEY.search(document):
         place = f"line {document.count(chr(10), 0, found.start()) + 1}"
-        allowed = f"the key has more than {_DEEPEST} parts; tables are nested too deeply"
+        allowed = Message("refused_command.key_has_more_than_parts", deepest=_DEEPEST)
         raise InputError([Problem(place, _shown(found[0]), allowed)], source)
 
     def parse() -> dict[str, Any]:
@@ -125,7 +125,7 @@ def check_entries(text: str, source: str, marks: str) -> None:
     """Refuse a text, before it is parsed, with more entries than anybody writes: by their marks."""
     entries = sum(map(text.count, marks))
     if entries > MOST_ENTRIES:
-        allowed = f"{MOST_ENTRIES:,} are the most; give long tables of numbers as CSV files"
+        allowed = Message("refused_command.are_most_give_long_tables", most_entries=MOST_ENTRIES)
         raise InputError([Problem("file", f"some {entries:,} keys and values", allowed)], source)
 
 
@@ -143,7 +143,9 @@ def parse_json(text: str, source: str) -> dict[str, Any]:
         except json.JSONDecodeError as error:
             place = f"line {error.lineno}, column {error.colno}"
             line = text.split("\n")[error.lineno - 1].strip()
-            problem = Problem(place, _shown(line), f"it is no JSON: {error.msg}")
+            problem = Problem(
+                place, _shown(line), Message("refused_command.no_json", msg=error.msg)
+            )
             raise InputError([problem], source) from None
         if not isinstance(found, dict):
             raise InputError([Problem("file", "", Message("refused.object"))], source)
@@ -186,8 +188,11 @@ def unfit(text: str) -> str:
         is_control = unicodedata.category(each) in ("Cc", "Cs", "Zl", "Zp") and each not in "\n\t"
         is_none = code & 0xFFFE == 0xFFFE or 0xFDD0 <= code <= 0xFDEF
         if is_control or is_none or each in _TURNING:
-            name = unicodedata.name(each, "a control character" if is_control else "no character")
-            return f"U+{code:04X}, {name.lower()}"
+            key = "refused.control_character" if is_control else "refused.no_character"
+            name = unicodedata.name(each, "").lower()
+            if name:
+                return Message("refused.character_named", code=f"{code:04X}", name=Cited(name))
+            return Message(key, code=f"{code:04X}")
     return ""
 
 
@@ -199,7 +204,7 @@ def _parsed(parse: Callable[[], dict[str, Any]], source: str) -> dict[str, Any]:
         raise InputError([_too_deep(())], source) from None
     except ValueError as error:
         is_long = "integer string conversion" in str(error)  # a number of thousands of digits
-        said = "a number has too many digits" if is_long else str(error)
+        said = Message("refused_command.number_has_too_many_digits") if is_long else str(error)
         raise InputError([Problem("file", "", said)], source) from None
     problems = list(_unfit_parts(document))
     if problems:
@@ -239,31 +244,34 @@ def _finite(word: str) -> float:
 
 
 def _read_bytes(path: FilePath, source: str, kind: str, most: int) -> bytes:
-    def refused(reason: str) -> InputError:
-        return InputError([Problem(kind, "", reason)], source)
+    def refused(reason: Message) -> InputError:
+        return InputError([Problem(term(kind), "", reason)], source)
 
     try:
         found = path.stat()
         if stat.S_ISDIR(found.st_mode):
-            raise refused("it is a folder" + _case_in(path))
+            raise refused(_case_in(path))
         if not stat.S_ISREG(found.st_mode):
             raise refused(Message("refused.no_regular_file"))
         if found.st_size > most:
             size = f"{found.st_size / 2**20:.1f} MB"
-            raise refused(f"it has {size}; {most / 2**20:g} MB are the most")
+            raise refused(Message("refused.too_large", size=size, most=most / 2**20))
         return path.read_bytes()
     except FileNotFoundError:
         raise refused(_similar(path)) from None
     except (OSError, ValueError) as error:  # ValueError: a NUL in the name
         reason = getattr(error, "strerror", None) or str(error)
-        raise refused(f"it cannot be read: {reason}") from None
+        raise refused(Message("refused.not_read", reason=term(reason))) from None
 
 
 def _syntax_problem(document: str, message: str) -> Problem:
     place = _PLACE.search(message)
     reason = message[: place.start()] if place else message
     line = document.split("\n")[int(place[2]) - 1].strip() if place and place[2] else ""
-    return Problem(place[1] if place else "file", _shown(line), _advice(line, reason))
+    where: str = place[1] if place else "file"
+    if place and place[2]:
+        where = Message("refused.line_column", line=place[2], column=place[3])
+    return Problem(where, _shown(line), _advice(line, reason))
 
 
 def _advice(line: str, reason: str) -> str:
@@ -283,22 +291,26 @@ def _shown(line: str) -> str:
 
 def _not_utf8(data: bytes, start: int, kind: str) -> Problem:
     if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
-        return Problem("file", "UTF-16 text", Message("refused.save_utf8"))
+        return Problem("file", Message("refused.utf16_text"), Message("refused.save_utf8"))
     if b"\0" in data:
-        example = ", as catopt new writes one" if kind == "case file" else " in UTF-8"
-        return Problem("file", "no text", f"give a {kind}{example}")
+        key = "refused.give_case_file" if kind == "case file" else "refused.give_utf8"
+        return Problem("file", Message("refused.no_text"), Message(key, kind=term(kind)))
     line = data.count(b"\n", 0, start) + 1
     return Problem(
-        f"line {line}", f"the byte 0x{data[start]:02X}", Message("refused.save_utf8_file")
+        f"line {line}",
+        Message("refused.the_byte", byte=f"{data[start]:02X}"),
+        Message("refused.save_utf8_file"),
     )
 
 
-def _case_in(folder: FilePath) -> str:
+def _case_in(folder: FilePath) -> Message:
     inside = folder / "case.toml"
-    return f"; give the file in it, {inside.as_posix()}" if inside.is_file() else "; give a file"
+    if inside.is_file():
+        return Message("refused.a_folder_with", inside=inside.as_posix())
+    return Message("refused.a_folder")
 
 
-def _similar(path: FilePath) -> str:
+def _similar(path: FilePath) -> Message:
     """Say that there is no such file, and name one beside it that is spelt nearly so."""
     if not path.parent.is_dir():
         return Message("refused.no_folder", folder=path.parent.as_posix())

@@ -105,5 +105,7 @@ def need_package(name: str, extra: str, source: str, module: str = "") -> None:
     from importlib.util import find_spec
 
     if find_spec(module or name) is None:
-        allowed = f"is not installed: pip install 'catopt[{extra}]'"
+        from catopt.words import Message
+
+        allowed = Message("refused_case.not_installed_pip_install_catopt", extra=extra)
         raise InputError([Problem(name, "", allowed)], source)

@@ -13,6 +13,9 @@ if TYPE_CHECKING:
 LONGEST = 60
 """Letters of a text that still go into a line."""
 
+_WIDEST = 200
+"""Letters of a value that still go into a cell."""
+
 faces: dict[str, Callable[[Any], Any]] = {}
 """What shows a result, by ``"html"``, ``"table"`` and ``"figure"``; `catopt` puts them in."""
 
@@ -38,6 +41,29 @@ class Shown:
         """Return the main table of what the command writes, with the unit in each heading."""
         table: pd.DataFrame = faces["table"](self)
         return table
+
+
+class Tabled:
+    """A result, a dataclass, that a notebook shows as a table of what it holds, in SI units."""
+
+    def _repr_html_(self) -> str:
+        """Lay out names and values; of an array its shape with its least and greatest value."""
+        from html import escape
+
+        rows = "".join(
+            f"<tr><td>{escape(name)}</td><td>{escape(_in_a_cell(value))}</td></tr>"
+            for name, value in _own(self)
+        )
+        return f"<table><caption>{type(self).__name__} (SI)</caption>{rows}</table>"
+
+
+def _in_a_cell(value: Any) -> str:
+    if hasattr(value, "shape") and value.size > 1:
+        return f"array {value.shape}: {value.min():.6g} to {value.max():.6g}"
+    if isinstance(value, float):
+        return f"{value:.6g}"
+    said = repr(value) if hasattr(value, "__dataclass_fields__") else str(value)
+    return said if len(said) <= _WIDEST else f"{said[:_WIDEST]}..."
 
 
 def _own(value: Any) -> list[tuple[str, Any]]:

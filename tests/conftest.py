@@ -20,9 +20,10 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Mark what is longer, and therefore slow."""
+    """Mark what is longer, and therefore slow, of what is not marked slow where it stands."""
     names = read(LONGER)
     for item in items:
-        if not names.isdisjoint(names_of(item.nodeid)):
+        is_slow = item.get_closest_marker("slow") is not None
+        if not is_slow and not names.isdisjoint(names_of(item.nodeid)):
             item.add_marker("longer")
             item.add_marker("slow")

@@ -39,7 +39,7 @@ RESULTS = {
 
 MAY_IMPORT: dict[str, set[str]] = {
     "_version": set(),
-    "errors": set(),
+    "errors": {"words"},
     "constants": set(),
     "arrays": set(),
     "documents": {"errors", "words"},
@@ -56,7 +56,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "patience": {"words"},
     "ties": set(),
     "shown": set(),
-    "schemas": {"errors", "documents"},
+    "schemas": {"errors", "documents", "words"},
     "model": BASE,
     "catalogue": BASE | {"model"},
     "decks": SOLVING,

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import errno
+import gc
+import operator
 import os
 import signal
 import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numba
 import numpy as np
@@ -349,3 +352,27 @@ def test_a_line_is_solved_without_counting_references() -> None:
     inner.compile(tuple(map(numba.typeof, (1e5, LineProblem(pieces, 0.0, 200.0, 0.0)))))
     (code,) = inner.inspect_llvm().values()
     assert "call void @NRT_incref" not in code
+
+
+def sum_of_five(x: float) -> float:
+    return x + 1.0 + x + 2.0 + x
+
+
+def test_numba_is_asked_once_what_a_sum_is_and_is_then_as_it_was(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Four sums of numbers, whose types are found once and used again where code is written."""
+    from numba.core import types
+
+    plainly, asked = types.functions.BaseFunction.get_call_type, []
+
+    def counted(self: Any, *arguments: Any) -> Any:
+        asked.append(self.typing_key)
+        return plainly(self, *arguments)
+
+    monkeypatch.setattr(types.functions.BaseFunction, "get_call_type", counted)
+    looks = gc.get_threshold()
+    assert compiled(sum_of_five)(1.5) == 7.5
+    assert asked.count(operator.add) <= 1
+    assert "get_call_type" not in vars(types.Function)
+    assert gc.get_threshold() == looks

@@ -46,6 +46,22 @@ def test_the_notebook_runs(capsys: pytest.CaptureFixture[str]) -> None:
     assert len(shown[-1]) > 3
 
 
+@pytest.mark.slow
+def test_a_notebook_shows_a_picture_at_each_plot() -> None:
+    """Run by Jupyter's own client, whose front ends show what it gets."""
+    client = pytest.importorskip("nbclient", reason="optional extra: notebook")
+    pytest.importorskip("ipykernel", reason="optional extra: notebook")
+    formats = pytest.importorskip("nbformat", reason="optional extra: notebook")
+    notebook = formats.read(NOTEBOOK, as_version=4)
+    places = {"metadata": {"path": str(Path.cwd())}}
+    client.NotebookClient(notebook, timeout=300, resources=places).execute()
+    plots = [each for each in notebook.cells if ".plot()" in each.source]
+    assert len(plots) == 2
+    for cell in plots:
+        shown = [each.get("data", {}) for each in cell.outputs]
+        assert any("image/png" in each for each in shown), cell.source
+
+
 def test_a_figure_has_a_picture_of_its_own_whatever_the_backend() -> None:
     """A PNG file by its first bytes: no backend is asked."""
     import catopt
@@ -58,7 +74,7 @@ def test_a_figure_has_a_picture_of_its_own_whatever_the_backend() -> None:
 @pytest.mark.slow
 def test_a_type_checker_passes_what_the_pages_show(tmp_path: Path) -> None:
     """README and the pages that show Python for users, a file a block."""
-    pages = {"README.md", "quick-start.md", "api.md", "study.md"}
+    pages = {"README.md", "quick-start.md", "api.md", "study.md", "design.md", "sizing.md"}
     for block in (each for page in PAGES if page.name in pages for each in blocks(page)):
         if block.language == "python":
             (tmp_path / f"{block.page.stem.replace('-', '_')}_{block.line}.py").write_text(

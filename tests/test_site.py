@@ -6,6 +6,7 @@ The longer checks want the extra ``docs``, and Chromium (Debian's package ``chro
 from __future__ import annotations
 
 import importlib.util
+import json
 import os
 import re
 import subprocess
@@ -89,6 +90,7 @@ def test_words_are_found_by_their_plain_letters(text: str, plain: list[str]) -> 
 
 def test_marks_of_what_is_run_are_taken_off() -> None:
     assert HOOKS.unmarked("```sh run\na run\n```\n") == "```sh\na run\n```\n"
+    assert HOOKS.unmarked("```diff a/b.py\n+c\n```\n") == '```diff title="a/b.py"\n+c\n```\n'
 
 
 def test_tables_of_names_give_way_to_docstrings() -> None:
@@ -97,6 +99,22 @@ def test_tables_of_names_give_way_to_docstrings() -> None:
         "| [`Sea`](../src/x.py) | A sea. |\n\n<!-- end -->\n"
     )
     assert HOOKS.described(f"a\n{table}b") == "a\n::: catopt.waves.Sea\nb"
+
+
+def test_a_notebook_is_a_page_with_what_it_prints_and_shows() -> None:
+    def cell(kind: str, source: str) -> dict[str, object]:
+        return {"cell_type": kind, "source": [source]}
+
+    code = (
+        "class Shown:\n    def _repr_png_(self):\n        return b'picture'\nprint(6 * 7)\nShown()"
+    )
+    cells = [cell("markdown", "# Title"), cell("code", code), cell("code", "'a' * 3")]
+    page = HOOKS.notebook_page(json.dumps({"cells": cells}))
+    assert page.startswith("# Title\n\n```python\n")
+    assert "```text\n42\n```" in page
+    assert '<img alt="" src="data:image/png;base64,cGljdHVyZQ==">' in page
+    assert page.endswith("```text\n'aaa'\n```\n")
+    assert HOOKS.relinked("[n](n.ipynb)", "api.md", {"n.md"}) == "[n](n.md)"
 
 
 # ------------------------------------------------------------------ the site

@@ -12,7 +12,7 @@ from catopt.answers.blocks import Rows, answered, if_known, measured, section, t
 from catopt.answers.catalogue_parts import for_people, keys, parts_of
 from catopt.catalogue.figure import SPECS, weakest
 from catopt.quantities import QUANTITIES, Quantity
-from catopt.words import Measure, Message, Several, quantity_name, term
+from catopt.words import Cited, Measure, Message, Several, quantity_name, term
 
 if TYPE_CHECKING:
     from catopt.catalogue import Alternative, Component, Family, Figure, Source
@@ -56,7 +56,7 @@ def catalogue_answer(found: Found, *, in_full: bool = False) -> blocks.Answer:
         seen = parts_of(found)
     elif in_full:
         (family,), (component,) = found.families, found.components
-        title = Message("catalogue.titled", title=family.title, name=component.name)
+        title = Message("catalogue.titled", title=family.title, name=Cited(component.name))
         seen, how = _one(family, component), (_how(_figures_of(component)),)
     else:
         (family,) = found.families
@@ -82,7 +82,7 @@ def _components(components: Sequence[Component]) -> blocks.Table:
     of = Rows(components)
     return tabulate(
         "components",
-        of.texts("component", "name"),
+        of.texts("component", lambda each: Cited(each.name)),
         of.texts("family"),
         of.texts("grade", lambda each: each.grade or ""),
         *of.own("nominal_diameter", symbol=""),
@@ -196,7 +196,7 @@ def _search(found: Found) -> Iterator[blocks.Block]:
     of = Rows(components)
     yield tabulate(
         "found",
-        of.texts("component", "name"),
+        of.texts("component", lambda each: Cited(each.name)),
         *_weights(of),
         of.measured("MBL", "MBL_in_water", "minimum_breaking_load_in_water"),
         *of.own("price"),

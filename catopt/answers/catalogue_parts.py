@@ -32,7 +32,7 @@ def _components(found: Found) -> blocks.Table:
     of = Rows(found.components)
     return tabulate(
         "named",
-        of.texts("component", "name"),
+        of.texts("component", lambda each: Cited(each.name)),
         of.measured("mass_per_length", "mass"),
         of.measured("MBL", "MBL_in_water", symbol="MBL"),
         *if_known(*of.own("proof_load")),

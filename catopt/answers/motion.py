@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from operator import itemgetter
 from typing import TYPE_CHECKING
 
 from catopt.answers import blocks
@@ -11,9 +12,11 @@ from catopt.answers.blocks import Rows, answered, measured, section, tabulate, t
 from catopt.answers.check import checks_in_motion
 from catopt.answers.verification import label, remarks
 from catopt.quantities import QUANTITIES, Quantity
+from catopt.ties import largest
 from catopt.units import lasting
+from catopt.verify.judged import beyond_MBL
 from catopt.verify.motion_words import DYNAMIC_QUANTITY_OF, motion_sentences, proof_sentences
-from catopt.words import Message, Several, term
+from catopt.words import Listed, Measure, Message, Several, term
 
 if TYPE_CHECKING:
     import numpy as np
@@ -84,6 +87,7 @@ def _of_load_cases(found: DynamicVerification) -> Iterator[blocks.Block]:
             caption = Message("motion.the_buoy")
             yield tabulate("motion_body", *_over_runs(found.body), caption=caption, only="people")
         yield from _said(part, part, part.remarks)
+        yield from _beyond_MBL([part])
 
 
 def _said(
@@ -142,31 +146,45 @@ def _over_runs(found: Sequence[OverRuns]) -> Iterator[blocks.Column]:
 
 def _of_body(found: DynamicVerification) -> Iterator[blocks.Block]:
     """Say what all lines of a body carry, where the body goes, and how it was proven."""
-    yield _lines(found.parts)
+    yield lines_of_body(found.parts)
     caption = Message("motion.the_body")
     yield tabulate("motion_body", *_over_runs(found.body), caption=caption, only="people")
     remarked = dict.fromkeys(each for part in found.parts for each in part.remarks)
     yield from _said(found.governing, found.least_proven, remarked)
+    yield from _beyond_MBL(found.parts)
 
 
-def _lines(parts: Sequence[DynamicPart]) -> blocks.Table:
+def _beyond_MBL(parts: Sequence[DynamicPart]) -> Iterator[blocks.Block]:
+    """Say, whatever is checked, that the tension exceeds the MBL: where by most, and of which."""
+    over = [(part, found) for part in parts if (found := beyond_MBL(part)) is not None]
+    if not over:
+        return
+    part, found = largest(over, lambda each: each[1].tension / each[1].MBL)
+    told: str = Message(
+        "motion.beyond_MBL",
+        tension=Measure("tension", found.tension),
+        MBL=Measure("tension", found.MBL),
+        segment=found.segment,
+    )
+    if len(over) > 1:
+        numbers = Listed([str(each.line) for each, _ in over], "and")
+        told = Several((told, Message("motion.beyond_MBL_lines", numbers=numbers)), " ")
+    yield blocks.Verdict(Message("motion.why_of", where=part.where, why=told), False)
+
+
+def lines_of_body(parts: Sequence[DynamicPart]) -> blocks.Table:
+    """Tabulate what every line of a body came to, both ends."""
     of, fairlead = Rows(parts), Rows(part.of("fairlead_tension") for part in parts)
     anchor = Rows(part.of("anchor_tension") for part in parts)
-    damped = Rows(part.damping_range("fairlead_tension") or (None, None) for part in parts)
-    by_damping: tuple[blocks.Column, ...] = ()
-    if any(each != (None, None) for each in damped.rows):
-        by_damping = (
-            damped.measured("tension", lambda each: each[0], "motion.least_by_damping", symbol=""),
-            damped.measured("tension", lambda each: each[1], "motion.most_by_damping", symbol=""),
-        )
     return tabulate(
         "motion_lines",
         of.texts("line"),
         fairlead.measured("tension", "mean", "mean", symbol=""),
         fairlead.measured("tension", "std", "standard_deviation", symbol=""),
         fairlead.measured("tension", "maximum", "max", symbol=""),
-        *by_damping,
+        *_by_damping(parts, "fairlead_tension", "motion.{}_by_damping"),
         anchor.measured("tension", "maximum", "motion.max_at_anchor", symbol=""),
+        *_by_damping(parts, "anchor_tension", "motion.{}_at_anchor_by_damping"),
         of.measured("tension", "quasi_static_max", "quasi_static", symbol=""),
         of.measured(_RATIO, "amplification", "amplification"),
         of.measured(_SLACK, "slack_time", "slack"),
@@ -175,6 +193,16 @@ def _lines(parts: Sequence[DynamicPart]) -> blocks.Table:
         caption=Message("motion.lines_of_body"),
         only="people",
     )
+
+
+def _by_damping(
+    parts: Sequence[DynamicPart], quantity: str, heading: str
+) -> Iterator[blocks.Column]:
+    """List least and largest maximum by damping of each line that snaps; none where none does."""
+    of = Rows(part.damping_range(quantity) or (None, None) for part in parts)
+    if any(each != (None, None) for each in of.rows):
+        for k, which in enumerate(("least", "most")):
+            yield of.measured("tension", itemgetter(k), heading.format(which), symbol="")
 
 
 # ------------------------------------------------------------------ files, in SI

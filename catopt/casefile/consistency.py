@@ -24,7 +24,6 @@ from catopt.model.anchor import ANCHOR_KINDS
 from catopt.model.find import FIND_QUANTITIES, FORCES, misfits
 from catopt.model.line import END_ROUNDING, break_test_misfits, drag_misfits, point_drag_misfits
 from catopt.model.service import wear_misfits
-from catopt.model.site import LEVEL_ONLY
 from catopt.model.system import system_misfits
 from catopt.units import Dimension
 from catopt.words import Message
@@ -197,7 +196,7 @@ def _contact_offset(site: Section, line: Section) -> Iterator[Finding]:
     if not offset:
         return
     if site.number("seabed_slope"):
-        yield site.wrong("contact_offset", LEVEL_ONLY)
+        yield site.wrong("contact_offset", Message("refused_case.level_only"))
     allowed = Message("refused.above_contact_offset", offset=offset)
     if (site.number("water_depth") or math.inf) <= offset:
         yield site.wrong("water_depth", allowed)

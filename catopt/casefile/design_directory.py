@@ -14,6 +14,7 @@ from catopt.errors import InputError, Problem
 from catopt.model import Anchor, Case, Line, PointLoad, Segment, System
 from catopt.model.network import Network
 from catopt.schemas import read_document
+from catopt.words import Message
 from catopt.words.saved import with_messages
 
 T = TypeVar("T")
@@ -44,7 +45,7 @@ def _read(path: Path, design: int | None, read: Callable[[Path], T]) -> T | Case
     if design is not None:
         return read_design(path, design)
     if path.is_dir() and (path / DESIGN_DOCUMENT).exists():
-        allowed = "a result directory; add --design K with the number of a design"
+        allowed = Message("refused_command.result_directory_add_design_k")
         raise InputError([Problem("CASE", str(path), allowed)], "options")
     return read(path)
 
@@ -58,7 +59,7 @@ def read_design(directory: Path, number: int) -> Case:
     """
     front = read_design_document(directory)["front"]
     if not 1 <= number <= len(front):
-        allowed = f"the front has the designs 1 to {len(front)}"
+        allowed = Message("refused_command.front_has_designs_1", front=len(front))
         raise InputError([Problem("--design", str(number), allowed)], "options")
     case = read_case(directory / DESIGN_CASE)
     design = front[number - 1]
@@ -76,13 +77,17 @@ def read_design(directory: Path, number: int) -> Case:
 def read_design_document(directory: Path) -> dict[str, Any]:
     """Read the document of what ``catopt design --out`` wrote; InputError if there is none."""
     if not (directory / DESIGN_DOCUMENT).is_file():
-        wanted = f"a directory that catopt design --out wrote is wanted (no {DESIGN_DOCUMENT})"
+        wanted = Message(
+            "refused_command.directory_catopt_design_out_wrote", design_document=DESIGN_DOCUMENT
+        )
         raise InputError([Problem("CASE", str(directory), wanted)], "options")
     document = read_document(directory / DESIGN_DOCUMENT, _SCHEMA)
     try:
         found: dict[str, Any] = with_messages(document, document.pop("messages", {}))
     except ValueError as error:
-        problem = Problem("messages", str(error), "as this edition of catopt design writes them")
+        problem = Problem(
+            "messages", str(error), Message("refused_command.this_edition_catopt_design_writes")
+        )
         raise InputError([problem], str(directory / DESIGN_DOCUMENT)) from None
     return found
 

@@ -11,7 +11,14 @@ from typing import Any
 
 from catopt.casefile.location import Finding, missing, parts
 from catopt.casefile.names import stands_for
-from catopt.casefile.schema import MOST_LISTED, MOST_TABLES, CaseTable, Table, entries
+from catopt.casefile.schema import (
+    MOST_FINDINGS,
+    MOST_LISTED,
+    MOST_TABLES,
+    CaseTable,
+    Table,
+    entries,
+)
 from catopt.documents import Path
 from catopt.errors import InputError, Problem
 from catopt.units import as_written
@@ -83,6 +90,8 @@ class Section:
         """
         known = entries(self.schema)
         unknown = [key for key in self.given if key not in known]
+        if len(unknown) > MOST_FINDINGS:
+            return True  # another kind of file, and reported as such
         return any(stands_for(self.schema, key) in (keys or known) for key in unknown)
 
     def lacks(self, *keys: str) -> bool:

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from catopt.errors import InputError, Problem
 from catopt.units import as_written
+from catopt.words import Message
 
 
 class Template(NamedTuple):
@@ -58,7 +59,7 @@ def template(name: str) -> str:
     if name not in TEMPLATES:
         from catopt.catalogue.names import meant
 
-        allowed = f"one of {', '.join(TEMPLATES)} is wanted{meant(name, TEMPLATES)}"
+        allowed = meant(Message("refused.one_of", words=", ".join(TEMPLATES)), name, TEMPLATES)
         raise InputError([Problem("template", as_written(name), allowed)])
     from importlib.resources import files
 

@@ -39,6 +39,9 @@ MOST_LISTED, MOST_TABLES = 1_000, 200
 """Values that an array may have, and tables that an array of tables may; at least one, unless said
 otherwise."""
 
+MOST_FINDINGS = 200
+"""Findings of one file: a file with more has one fault, that it is another kind of file."""
+
 
 @dataclass(frozen=True)
 class Values:

@@ -6,14 +6,11 @@ from typing import Any, TypeVar
 
 from catopt.casefile.location import Finding, header, missing
 from catopt.casefile.names import hint, stands_for
-from catopt.casefile.schema import Entry, LoadTable, Table, entries
+from catopt.casefile.schema import MOST_FINDINGS, Entry, LoadTable, Table, entries
 from catopt.documents import Path
 from catopt.errors import InputError
 from catopt.units import as_written
 from catopt.words import Message
-
-_MOST = 200
-"""Findings of one file: a file with more has one fault, that it is another kind of file."""
 
 AnyTable = TypeVar("AnyTable", bound=Table)
 
@@ -25,7 +22,7 @@ def read_tables(document: dict[str, Any], top: type[AnyTable]) -> tuple[AnyTable
     """
     reader = _Reader(top)
     table = reader.table((), top, document)
-    return table, reader.findings[:_MOST]
+    return table, reader.findings[:MOST_FINDINGS]
 
 
 class _Reader:
@@ -39,10 +36,14 @@ class _Reader:
         A missing key is not reported when an unknown key beside it is a misspelling of it, or
         belongs to a later version and would stand for it: one mistake, one message.
         """
-        if len(self.findings) >= _MOST:
+        if len(self.findings) >= MOST_FINDINGS:
             return schema({})
         known = entries(schema)
         unknown = [key for key in given if key not in known]
+        if len(unknown) > MOST_FINDINGS:
+            many = Message("refused.many_unknown_keys", count=len(unknown))
+            self.findings.append(Finding((*path, unknown[0]), Message("refused.unknown_key"), many))
+            return schema({})
         meant = {stands_for(schema, key, self.top) for key in unknown}
         read = {}
         for key, entry in known.items():

@@ -40,6 +40,7 @@ from catopt.model.kinds import Measured
 from catopt.model.motion import HARMONIC
 from catopt.model.network import LineBetween, Network, Point
 from catopt.units import UNITS, Dimension
+from catopt.words import Message
 
 _ESCAPES = {
     '"': '\\"',
@@ -142,7 +143,7 @@ def _around(case: Case, system: System) -> dict[str, Any]:
         **arrangement,
     )
     if around != system:
-        allowed = "a case file holds equal lines, each like the case's own, around the body"
+        allowed = Message("refused_command.case_file_holds_equal_lines")
         raise InputError([Problem("system", "lines of their own", allowed)], "write_case")
     if system.judged_line_out:
         del arrangement["judged_line_out"]
@@ -238,7 +239,13 @@ def _written(value: Any, unit: str | None) -> str:
         return f'"{digits} {unit}"' if unit else digits
     if isinstance(value, str):
         if unfit(value):
-            raise InputError([Problem("text", unfit(value), f"take it out of {value[:40]!r}")])
+            raise InputError(
+                [
+                    Problem(
+                        "text", unfit(value), Message("refused_command.take_out", value=value[:40])
+                    )
+                ]
+            )
         return f'"{"".join(_ESCAPES.get(character, character) for character in value)}"'
     return str(value).lower() if isinstance(value, bool) else str(int(value))
 

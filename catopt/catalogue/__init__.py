@@ -47,11 +47,11 @@ def families(among: Catalogue | None = None) -> tuple[Family, ...]:
 
 def component(
     family: str,
-    diameter: float,
+    diameter: float | str,
     *,
     grade: str | None = None,
     variants: Mapping[str, str] = NO_VARIANTS,
-    water_density: float = SEA_WATER_DENSITY,
+    water_density: float | str = SEA_WATER_DENSITY,
     allow_recalled: bool = False,
     among: Catalogue | None = None,
 ) -> Component:

@@ -32,7 +32,11 @@ class Catalogue:
 
     def __post_init__(self) -> None:
         problems = [
-            Problem("family", as_written(name), f'a name of "{owner}" already; give another')
+            Problem(
+                "family",
+                as_written(name),
+                Message("refused_sizing.name_already_give_another", owner=owner),
+            )
             for name, owner in shared_names(self.families)
         ]
         if problems:
@@ -54,28 +58,28 @@ class Catalogue:
     def component(
         self,
         family: str,
-        diameter: float,
+        diameter: float | str,
         *,
         grade: str | None = None,
         variants: Mapping[str, str] = NO_VARIANTS,
-        water_density: float = SEA_WATER_DENSITY,
+        water_density: float | str = SEA_WATER_DENSITY,
         allow_recalled: bool = False,
     ) -> Component:
         """Look a component up; see `catopt.catalogue.component`."""
         parsed = self.parse_name(family)
         found = self.family(parsed.family)
         check = Findings(f"component {found.name}")
-        diameter = check.taken("diameter", diameter, "m", at_least=0.0)
-        water_density = check.taken("water_density", water_density, "kg/m3", at_least=0.0)
+        nominal = check.taken("diameter", diameter, "m", at_least=0.0)
+        density = check.taken("water_density", water_density, "kg/m3", at_least=0.0)
         check.raise_if_any()
         grade = _grade(check, found, grade if grade is not None else parsed.grade)
-        _check_diameter(check, found, diameter, self.families)
-        check.number("water_density", water_density, "kg/m3", above=0.0)
+        _check_diameter(check, found, nominal, self.families)
+        check.number("water_density", density, "kg/m3", above=0.0)
         chosen = _choose(check, found, grade, variants, allow_recalled)
         check.raise_if_any()
         asked = _asked(variants)
-        evaluation = Evaluation(found, grade, diameter, chosen, asked, allow_recalled)
-        return evaluation.component(water_density)
+        evaluation = Evaluation(found, grade, nominal, chosen, asked, allow_recalled)
+        return evaluation.component(density)
 
     def sold(
         self,
@@ -117,15 +121,19 @@ def _grade(check: Findings, family: Family, grade: str | None) -> str | None:
     """Note a problem unless the grade is one of the family's; return it as the family writes it."""
     if not family.grades:
         if grade is not None:
-            check.add("grade", as_written(grade), f"{family.name} has no grades; leave it out")
+            check.add(
+                "grade",
+                as_written(grade),
+                Message("refused_sizing.has_no_grades_leave_out", name=family.name),
+            )
         return None
-    allowed = f"one of {', '.join(family.grades)} is wanted"
+    allowed = Message("refused.one_of", words=", ".join(family.grades))
     if grade is None:
-        check.add("grade", "", f"missing; {allowed}")
+        check.add("grade", "", Message("refused.missing", wanted=allowed))
         return None
     by_plain = {each.casefold(): each for each in family.grades}
     if grade.casefold() not in by_plain:
-        check.add("grade", as_written(grade), allowed + meant(grade, family.grades))
+        check.add("grade", as_written(grade), meant(allowed, grade, family.grades))
         return None
     return by_plain[grade.casefold()]
 
@@ -180,7 +188,7 @@ def _choose(
         if quantity == ALL:
             continue
         if quantity not in SPECS:
-            allowed = f"one of {', '.join(SPECS)}{meant(quantity, SPECS)}"
+            allowed = meant(Message("refused.of_these", words=", ".join(SPECS)), quantity, SPECS)
             check.add("variants", as_written(quantity), allowed)
             continue
         own = {f.variant: f for f in reversed(family.alternatives(quantity, grade))}

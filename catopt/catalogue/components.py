@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from catopt.catalogue.figure import RECALLED, Confidence, Source
 from catopt.errors import InputError, Problem
 from catopt.model import Segment
+from catopt.shown import Tabled
 from catopt.words import Message
 
 if TYPE_CHECKING:
@@ -71,7 +72,7 @@ class Alternative:
 
 
 @dataclass(frozen=True)
-class Component:
+class Component(Tabled):
     """Chain, wire or rope of one family, grade and nominal diameter, in SI.
 
     Densities in kg/m3. A quantity that is not known is None, and `missing` says why.
@@ -148,7 +149,7 @@ class Component:
         """What the variants that were not chosen give here, recalled ones included."""
         return self._evaluation.alternatives()
 
-    def segment(self, length: float, name: str | None = None) -> Segment:
+    def segment(self, length: float | str, name: str | None = None) -> Segment:
         """Make a segment of a line of an unstretched length, m; its name is for tables.
 
         It has the MBL in water, and all that is known of it for motion, both coefficients of drag

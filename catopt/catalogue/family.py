@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from catopt.catalogue.figure import RECALLED, Confidence, Figure, Source
+from catopt.words import Message
 
 
 def in_mm(diameter: float) -> str:
@@ -73,6 +74,6 @@ class Family:
         yield from self.also
 
     @property
-    def known_range(self) -> str:
+    def known_range(self) -> Message:
         """The range in words: ``from 19 mm to 185 mm``."""
-        return f"from {in_mm(self.range[0])} to {in_mm(self.range[1])}"
+        return Message("catalogue.from_to", low=in_mm(self.range[0]), high=in_mm(self.range[1]))

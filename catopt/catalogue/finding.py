@@ -224,7 +224,7 @@ def _problem(
     """Say why nothing was found, with the nearest."""
     if query.size is not None:
         known = [
-            *(f"{family.name} {family.known_range}" for family, _ in families),
+            *(Several((family.name, family.known_range), " ") for family, _ in families),
             *_sizes_of(_fittings(replace(query, size=None))),
         ]
         if known:
@@ -235,6 +235,6 @@ def _problem(
     every = {word for each in things for word in _words(each.name, each.title, each.also)}
     odd = [word for word in query.words if word not in every]
     near = [(word, nearest(word, every)) for word in odd]
-    hints = ", ".join(f'"{good}" for "{word}"' for word, good in near if good)
+    hints = [Message("catalogue.for_word", good=good, word=word) for word, good in near if good]
     key = "catalogue.nothing_but" if hints else "catalogue.nothing_found"
-    return Problem("component", as_written(text), Message(key, hints=hints))
+    return Problem("component", as_written(text), Message(key, hints=Several(hints, ", ")))

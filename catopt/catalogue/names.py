@@ -63,10 +63,10 @@ def nearest(word: str, words: Iterable[str]) -> str | None:
     return by_plain[close[0]] if close else None
 
 
-def meant(word: str, words: Iterable[str]) -> str:
-    """Ask after the word that was meant, to be put behind what is wanted; empty if none is near."""
+def meant(wanted: Message, word: str, words: Iterable[str]) -> Message:
+    """Say what is wanted, and ask after the word that was meant if one is near."""
     near = nearest(word, words)
-    return f"; did you mean {near}?" if near else ""
+    return Message("refused.and_meant", wanted=wanted, near=near) if near else wanted
 
 
 def _names(families: Iterable[Family]) -> Iterator[tuple[tuple[str, ...], str, ComponentName]]:

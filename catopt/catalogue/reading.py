@@ -18,6 +18,7 @@ from catopt.catalogue.formula_reading import read_formula
 from catopt.catalogue.table import Table
 from catopt.documents import read_text
 from catopt.model.validity import Findings
+from catopt.words import Message
 
 SCHEMA = "catopt.families/1"
 """What a file of families has under its key ``schema``."""
@@ -233,7 +234,11 @@ def _check_family(findings: Findings, path: str, family: Family) -> None:
             what = f"{quantity} of grade {grade}" if grade else quantity
             found = family.alternatives(quantity, grade)
             if spec.needed and family.default(quantity, grade) is None:
-                findings.add(path, "", f'"{family.name}" has no default figure for {what}')
+                findings.add(
+                    path,
+                    "",
+                    Message("refused_sizing.has_no_default_figure", name=family.name, what=what),
+                )
             if len(found) > 1:
                 _check_choice(findings, path, what, found)
             for figure in found:
@@ -245,11 +250,25 @@ def _check_choice(findings: Findings, path: str, what: str, found: Sequence[Figu
     names = [figure.variant for figure in found]
     defaults = [figure for figure in found if figure.default]
     if not all(names) or len(set(names)) < len(names):
-        findings.add(path, "", f"{what} has {len(found)} figures: give each a variant of its own")
+        findings.add(
+            path,
+            "",
+            Message("refused_sizing.has_figures_give_each_variant", what=what, found=len(found)),
+        )
     elif len(defaults) > 1:
-        findings.add(path, "", f"{what} has {len(defaults)} defaults: set default = false")
+        findings.add(
+            path,
+            "",
+            Message(
+                "refused_sizing.has_defaults_set_default_false", what=what, defaults=len(defaults)
+            ),
+        )
     elif defaults and not defaults[0].reason:
-        findings.add(path, "", f"{what} has a choice: give the default {names[0]} a reason")
+        findings.add(
+            path,
+            "",
+            Message("refused_sizing.has_choice_give_default_reason", what=what, value=names[0]),
+        )
 
 
 def _check_positive(findings: Findings, path: str, figure: Figure, what: str) -> None:
@@ -260,7 +279,11 @@ def _check_positive(findings: Findings, path: str, figure: Figure, what: str) ->
         value = figure.formula.value(end, _nothing)
         if not value > 0.0:
             found = f"{value:g} {SPECS[figure.quantity].unit}".rstrip()
-            findings.add(path, found, f"{what} must be positive: it is not at {in_mm(end)}")
+            findings.add(
+                path,
+                found,
+                Message("refused_sizing.must_be_positive_not_at", what=what, end=in_mm(end)),
+            )
 
 
 def _nothing(quantity: str) -> float:
@@ -272,4 +295,8 @@ def _check_rests(
 ) -> None:
     for other in figure.formula.rests_on:
         if not family.alternatives(other, grade):
-            findings.add(path, "", f"{what} is taken from {other}, for which there is no figure")
+            findings.add(
+                path,
+                "",
+                Message("refused_sizing.taken_from_which_there_no", what=what, other=other),
+            )

@@ -13,6 +13,7 @@ from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import InputError, Problem
 from catopt.model.validity import Findings
 from catopt.units import as_written
+from catopt.words import Message
 
 
 def search(
@@ -122,7 +123,11 @@ def _wanted(
     possible = {grade.casefold(): grade for family, _ in named for grade in family.grades}
     for grade in grades or ():
         if grade.casefold() not in possible:
-            listed = f"one of {', '.join(possible.values())} is wanted" if possible else "no grades"
+            listed = (
+                Message("refused.one_of", words=", ".join(possible.values()))
+                if possible
+                else Message("refused_sizing.no_grades")
+            )
             check.add("grade", as_written(grade), listed)
     asked = None if grades is None else {grade.casefold() for grade in grades}
     for family, of_name in named:
@@ -138,7 +143,11 @@ def _check_variants(
     for quantity, variant in variants.items():
         if not any(held_by(family, grade, {quantity: variant}) for family, grade in wanted):
             known = quantity in SPECS or quantity == "all"
-            what = "none of these families has it" if known else f"one of {', '.join(SPECS)}"
+            what = (
+                Message("refused_sizing.none_these_families_has")
+                if known
+                else Message("refused.of_these", words=", ".join(SPECS))
+            )
             check.add(f"variants.{quantity}", as_written(variant), what)
 
 

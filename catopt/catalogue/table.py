@@ -173,12 +173,16 @@ class Table:
         for index, row in enumerate(value):
             at = f"{self.at(key)}[{index}]"
             if not isinstance(row, list) or len(row) != 2:
-                self._findings.add(at, as_written(row), "a row [diameter in mm, value] is wanted")
+                self._findings.add(
+                    at, as_written(row), Message("refused_sizing.row_diameter_mm_value_wanted")
+                )
                 continue
             first, second = (self._number(each, at, above=0.0) for each in row)
             if first is not None and second is not None:
                 if read and not first > read[-1][0]:
-                    self._findings.add(at, f"{first:g} mm", "the diameters of the rows must rise")
+                    self._findings.add(
+                        at, f"{first:g} mm", Message("refused_sizing.diameters_rows_must_rise")
+                    )
                 read.append((first, second))
         return read
 

@@ -23,6 +23,7 @@ from catopt.compiled import compiled, is_compiled
 from catopt.errors import InputError, Problem
 from catopt.model import Line
 from catopt.model.validity import Findings
+from catopt.words import Message
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -265,7 +266,7 @@ def _known(*given: Numbers | None) -> tuple[int, Numbers]:
                 Problem(
                     "load",
                     f"{len(found)} of them",
-                    "exactly one of horizontal_force, span and fairlead_tension is wanted",
+                    Message("refused.one_load"),
                 )
             ],
             "solve_many",

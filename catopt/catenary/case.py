@@ -56,8 +56,8 @@ def under_a_load(case: Case) -> tuple[Case, tuple[str, ...]]:
     if case.load is not None or case.find is not None:
         return case, ()
     if case.system is not None:
-        wanted = "this case is a body with several lines: catopt system solves it"
-        raise InputError([Problem("system", "instead of [load]", wanted)])
+        wanted = Message("refused_motion.this_case_body_with_several")
+        raise InputError([Problem("system", Message("refused_motion.instead_of_load"), wanted)])
     first, *others = case.load_cases
     if not others:
         return case.under(first), ()

@@ -150,7 +150,10 @@ def curve_case(
         ``stop`` and ``points``.
     """
     if over not in STEPPED:
-        raise InputError([Problem("over", repr(over), "one of " + ", ".join(STEPPED))], "curve")
+        raise InputError(
+            [Problem("over", repr(over), Message("refused.of_these", words=", ".join(STEPPED)))],
+            "curve",
+        )
     case, warnings = under_a_load(case)
     reference = solve_case(case).with_warnings(warnings)
     zero = reference.span if over == "offset" else 0.0
@@ -164,7 +167,7 @@ def curve_case(
         first = _stepped(case, reference, over, least) if first is None else first
         last = _stepped(case, reference, over, BEYOND * force) if last is None else last
         if first == last and start is None and stop is None:
-            told = "the span of this line does not change with the force; step the force"
+            told = Message("refused_motion.span_this_line_does_not")
             raise InputError([Problem("over", over, told)], "curve")
     check_range(first, last, points, "N" if over == "force" else "m", zero)
     kernel_over: Over = "horizontal_force" if over == "force" else "span"

@@ -35,6 +35,7 @@ from catopt.errors import (
 from catopt.model import Line
 from catopt.model.validity import Findings
 from catopt.patience import paced
+from catopt.shown import Tabled
 from catopt.words import Message, Several, term
 
 __all__ = ["Curve", "Mark", "check_range", "load_curve"]
@@ -60,7 +61,7 @@ class Mark:
 
 
 @dataclass(frozen=True)
-class Curve:
+class Curve(Tabled):
     """A load curve, by rising span; arrays of shape (points,).
 
     The stiffness is 0 where the line is slack, nan where the span does not change with the force.
@@ -212,13 +213,26 @@ def check_range(start: float, stop: float, points: int, unit: str, zero: float =
     problems = []
     for key, value in (("start", start), ("stop", stop)):
         if not 0.0 < value < math.inf:
-            least = f"{0.0 - zero:.6g} {unit}" + (", where the span is 0" if zero else "")
-            problems.append(Problem(key, f"{value - zero:.6g} {unit}", f"must be above {least}"))
+            key_ = "refused_motion.above_zero_span" if zero else "refused_motion.above_least"
+            allowed = Message(key_, least=0.0 - zero, unit=unit)
+            problems.append(
+                Problem(
+                    key,
+                    f"{value - zero:.6g} {unit}",
+                    allowed,
+                )
+            )
     if not problems and not start < stop:
-        above = f"must be above the start of the range, {start - zero:.6g} {unit}"
+        above = Message("refused_motion.must_be_above_start_range", start=start - zero, unit=unit)
         problems.append(Problem("stop", f"{stop - zero:.6g} {unit}", above))
     if not 2 <= points <= MOST_POINTS:
-        problems.append(Problem("points", str(points), f"must be from 2 to {MOST_POINTS}"))
+        problems.append(
+            Problem(
+                "points",
+                str(points),
+                Message("refused_motion.must_be_from_2", most_points=MOST_POINTS),
+            )
+        )
     if problems:
         raise InputError(problems, "curve")
 

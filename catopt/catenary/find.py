@@ -264,8 +264,17 @@ def find_limit_force(
     MBL = {k: line.segments[k].MBL for k in chosen}
     limits = {k: load / safety_factor for k, load in MBL.items() if load is not None}
     if not limits:
-        which = "at least one segment" if segment is None else f"segment {segment}"
-        raise InputError([Problem("MBL", "none", f"{which} needs its MBL")], "find_limit_force")
+        which = Message("refused_motion.at_least_one_segment")
+        if segment is not None:
+            which = Message("refused_motion.this_segment", segment=segment)
+        raise InputError(
+            [
+                Problem(
+                    "MBL", Message("refused.none"), Message("refused_motion.needs_mbl", which=which)
+                )
+            ],
+            "find_limit_force",
+        )
 
     def at(force: float) -> Solution:
         return solve(

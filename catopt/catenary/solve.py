@@ -120,13 +120,19 @@ def _other_answers(
 def _check(line: Line, load: Load, found: Findings) -> None:
     for value in (load.horizontal_force, load.fairlead_tension):
         if value is not None and not LEAST_FORCE <= value <= GREATEST_FORCE:
-            found.add("load", f"{value:g} N", f"from {LEAST_FORCE:g} to {GREATEST_FORCE:g} N")
+            found.add(
+                "load",
+                f"{value:g} N",
+                Message(
+                    "refused_motion.from_n", least_force=LEAST_FORCE, greatest_force=GREATEST_FORCE
+                ),
+            )
     weightless = all(segment.submerged_weight == 0.0 for segment in line.segments)
     if weightless and not line.point_loads and load.horizontal_force is None:
         found.add(
             "segments",
             "no submerged weight in any of them",
-            "a line without weight needs load.horizontal_force: its shape does not tell the force",
+            Message("refused_motion.line_without_weight_needs_load"),
         )
     found.raise_if_any()
 

@@ -18,6 +18,7 @@ from typing import Literal, NamedTuple
 from catopt.catenary.brent import root
 from catopt.catenary.solution import FoundQuantity, Solution
 from catopt.errors import InputError, NoAnswerError, NoEquilibriumError, NotConvergedError
+from catopt.shown import Tabled
 from catopt.words import Message, Several
 
 ROUNDING = 4.0 * 2.0**-52
@@ -34,7 +35,7 @@ MET = 1e-8
 
 
 @dataclass(frozen=True)
-class Found(FoundQuantity):
+class Found(Tabled, FoundQuantity):
     """An unknown that meets a condition, with the line that has it."""
 
     solution: Solution = field(kw_only=True)

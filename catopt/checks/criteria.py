@@ -34,8 +34,6 @@ HORIZONTAL_PULL = CheckSource(
 )
 """A drag anchor holds against a horizontal pull, unless the case says how much uplift it takes."""
 
-_NO_TESTS = "leave it out, or name a code that judges by tests, such as DNV-OS-E301-2008-CC1"
-
 _INTACT: tuple[State, ...] = ("intact",)
 
 UPLIFT: tuple[CheckKind, ...] = ("uplift_angle", "uplift_force")
@@ -139,7 +137,13 @@ class Criteria:
                 continue
             found.append(strength)
             if strength.tested is not None and not any(each.takes_tests for each in self.all):
-                problems[Problem(f"{key}.MBL_mean", f"{segment.MBL_mean:g} N", _NO_TESTS)] = None
+                problems[
+                    Problem(
+                        f"{key}.MBL_mean",
+                        f"{segment.MBL_mean:g} N",
+                        Message("refused_case.leave_out_or_name_code"),
+                    )
+                ] = None
             problems |= dict.fromkeys(self.lacking(strength, kinds, key, states))
         if problems:
             raise InputError(tuple(problems), "checks")
@@ -224,7 +228,11 @@ def _not_searched(criterion: Criterion) -> Problem:
     """Say that a design cannot be searched for under a criterion."""
     found = f"asked for by {criterion.source.code}"
     way_out = "leave it out, and check the design that is found"
-    return Problem(f"checks: {criterion.check}", found, f"no search keeps this check; {way_out}")
+    return Problem(
+        f"checks: {criterion.check}",
+        found,
+        Message("refused_case.no_search_keeps_this_check", way_out=way_out),
+    )
 
 
 def allowed_by(
@@ -335,7 +343,7 @@ def _of_anchor(anchor: Anchor | None, coded: list[Criterion], key: str) -> Itera
         if each.check == check
     ]
     if not factors:
-        allowed = f"missing; give the factor on {check}, or name a code that has one"
+        allowed = Message("refused_case.missing_give_factor_on_or", check=check)
         raise InputError([Problem(f"{key}.safety_factor", "", allowed)], "checks")
     yield from factors
 

@@ -205,14 +205,14 @@ def _curve(case: Case, segment: Segment, index: int) -> FatigueCurve:
     if own is not None:
         curve = CURVES[own.name] if own.name else _given(own)
         if curve.line is not None and kind is not None and curve.line != kind:
-            allowed = f"is for {curve.line}, and the segment is {segment.component}"
+            allowed = Message("refused_case.segment", line=curve.line, component=segment.component)
             key = f"fatigue.curves[{fatigue.curves.index(own)}].name"
             raise InputError([Problem(key, own.name, allowed)])
         return replace(curve, line=kind or curve.line)
     of = next((name for start, name in _OF_COMPONENT if segment.component.startswith(start)), "")
     name = f"{_OF_CODE[fatigue.code]} {of}" if fatigue.code else ""
     if name not in CURVES:
-        what = f"{fatigue.code or 'no code'} has no curve for it: give one by [[fatigue.curves]]"
+        what = Message("refused_case.has_no_curve_give_one", value=fatigue.code or "no code")
         found = segment.component or "no component"
         raise InputError([Problem(f"line.segments[{index}]", found, what)])
     return CURVES[name]
@@ -235,7 +235,9 @@ def _strength(curve: FatigueCurve, segment: Segment, case: Case, index: int) -> 
     if curve.kind == "T-N" and not curve.ORQ:
         return FatigueStrength(curve, strength.need("MBL", key, curve.kind), diameter)
     if diameter is None:
-        raise InputError([Problem(f"{key}.diameter", "", "missing; the curve needs it")])
+        raise InputError(
+            [Problem(f"{key}.diameter", "", Message("refused_case.missing_curve_needs"))]
+        )
     if curve.ORQ:
         from catopt.catalogue import component
 
@@ -243,7 +245,7 @@ def _strength(curve: FatigueCurve, segment: Segment, case: Case, index: int) -> 
         assert MBL is not None
         return FatigueStrength(curve, MBL, diameter)
     if curve.line is None:
-        allowed = "missing; the area of a stress is that of a chain's two legs or of a rope"
+        allowed = Message("refused_case.missing_area_stress_chain_s")
         raise InputError([Problem(f"{key}.component", "", allowed)])
     legs = 2.0 if curve.line == "chain" else 1.0
     return FatigueStrength(curve, legs * math.pi / 4.0 * diameter**2, diameter)

@@ -12,7 +12,7 @@ from catopt.checks.evaluation import check_buoyancy, check_tensions, result_of
 from catopt.checks.kinds import OF_LINE
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.model import Case, Line
-from catopt.model.load_case import LoadCaseKind
+from catopt.model.load_case import LoadCase, LoadCaseKind
 from catopt.words import Listed, Message
 
 
@@ -66,14 +66,14 @@ def check_motion(case: Case, lines: Sequence[LineInMotion]) -> CheckReport:
 
     A code's factors for dynamic analysis are taken; where it has none, those for lines at rest.
     Uplift, length on the bed, span, buoyancy and what holds the line are judged by the least
-    favourable value of each at any step, as if they came together. A run in which a line breaks is
-    judged by what is for the transient state, and the broken line not at all.
+    favourable value of each at any step, as if they came together. A load case is judged in its own
+    state and condition, as at rest; a run in which a line breaks in the transient state, and the
+    broken line not at all.
 
     The lines are every line under every load case. InputError as for `check_case`.
     """
     criteria = criteria_of(case, analysis="dynamic")
     broken = _broken(case)
-    state: State = "intact" if broken is None else "transient"
     judged = [each for each in lines if broken is None or (each.number or broken) != broken]
     load_cases = {each.name: each for each in case.load_cases}
     results: list[CheckResult] = []
@@ -81,6 +81,7 @@ def check_motion(case: Case, lines: Sequence[LineInMotion]) -> CheckReport:
         load_case = load_cases.get(moved.load_case)
         kind = "extreme" if load_case is None else load_case.kind
         condition = None if load_case is None else load_case.condition
+        state = _state(load_case, broken)
         place = Place(state, moved.number, broken)
         results += check_tensions(
             moved.line,
@@ -92,9 +93,9 @@ def check_motion(case: Case, lines: Sequence[LineInMotion]) -> CheckReport:
         )
         results += _others(case, criteria, moved, kind, place)
     if case.system is not None:
-        results += _of_the_body(criteria, judged, state, broken)
+        results += _of_the_body(criteria, judged, _state(None, broken), broken)
     warnings = (
-        *_of_codes(case, criteria, state),
+        *_of_codes(case, criteria),
         *_of_a_break(broken, bool(judged)),
         *_of_the_mean(criteria, judged),
     )
@@ -131,16 +132,28 @@ def check_strengths(case: Case) -> None:
     criteria = criteria_of(case, analysis="dynamic")
     legs = () if case.system is None else case.system.legs
     kinds = {each.kind for each in case.load_cases} or {"extreme"}
-    state: State = "intact" if _broken(case) is None else "transient"
     for line in dict.fromkeys(leg.line for leg in legs) or (case.line,):
-        criteria.strengths(line, kinds, {state})
+        criteria.strengths(line, kinds, _states(case))
+
+
+def _states(case: Case) -> set[State]:
+    """States of the mooring in which a case in motion is judged."""
+    broken = _broken(case)
+    return {_state(each, broken) for each in case.load_cases or (None,)}
+
+
+def _state(load_case: LoadCase | None, broken: int | None) -> State:
+    """State in which a run is judged: that of its load case, unless a line breaks in it."""
+    if broken is not None:
+        return "transient"
+    return "intact" if load_case is None else load_case.state
 
 
 def _broken(case: Case) -> int | None:
     return None if case.dynamics is None else case.dynamics.broken_line
 
 
-def _of_codes(case: Case, criteria: Criteria, state: State) -> Iterator[Message]:
+def _of_codes(case: Case, criteria: Criteria) -> Iterator[Message]:
     """Say that no code is named, or which of those named have nothing for this."""
     if not case.checks.codes:
         yield Message("checks.motion_no_code")
@@ -149,7 +162,8 @@ def _of_codes(case: Case, criteria: Criteria, state: State) -> Iterator[Message]
     at_rest = _codes(each.source.code for each in tensions if each.analysis != "dynamic")
     if at_rest:
         yield Message("checks.motion_at_rest", codes=Listed(at_rest, "and"))
-    judging = {each.source.code for each in tensions if state in each.states}
+    states = _states(case)
+    judging = {each.source.code for each in tensions if states & set(each.states)}
     silent = [code for code in _codes(e.source.code for e in tensions) if code not in judging]
     if silent:
         yield Message("checks.motion_not_transient", codes=Listed(silent, "and"))

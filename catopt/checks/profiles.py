@@ -111,9 +111,7 @@ def _refused(name: str, found: Profile | None, allow_recalled: bool) -> str:
         key = "refused.code_meant" if near else "refused.codes_are"
         return Message(key, near=near, names=", ".join(names))
     if found.is_recalled and not allow_recalled:
-        return (
-            "recalled, read in no document: to use it, checks.allow_recalled = true or --recalled"
-        )
+        return Message("refused_case.recalled_read_no_document_use")
     return ""
 
 

@@ -18,8 +18,6 @@ if TYPE_CHECKING:
     from catopt.catalogue import Component
     from catopt.catalogue.choice import ChosenCatalogue
 
-_NOT_KNOWN = "missing; give it, or a component of the catalogue with its diameter"
-
 
 @dataclass(frozen=True)
 class Strength:
@@ -54,8 +52,14 @@ class Strength:
         value = self.of(kind)
         if value is None:
             why = dict(self.missing).get(kind)
-            allowed = f"{why}; give it" if why else _NOT_KNOWN
-            problem = Problem(f"{key}.{kind}", "", f"{allowed} ({wanted_by} needs it)")
+            allowed = Message("refused_case.no_strength")
+            if why:
+                allowed = Message("refused_case.reason_give_it", why=why)
+            problem = Problem(
+                f"{key}.{kind}",
+                "",
+                Message("refused_case.needs", allowed=allowed, wanted_by=wanted_by),
+            )
             raise InputError([problem], "checks")
         return value
 

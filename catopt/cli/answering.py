@@ -18,7 +18,7 @@ from catopt.cli.values import refused
 from catopt.errors import InputError
 from catopt.patience import when_long
 from catopt.quantities import Units
-from catopt.words import Language, say
+from catopt.words import Language, Message, say
 
 if TYPE_CHECKING:
     from catopt.answers.blocks import Answer
@@ -97,7 +97,6 @@ class Asked:
 
     def _further(self, answer: Answer) -> str:
         """Say what to type next, and how all of the answer is had."""
-        from catopt.words import Message
         from catopt.words.texts import group
 
         key = "answers.more_full" if answer.name == "size" else "answers.more"
@@ -241,10 +240,7 @@ def keyword(
 def refuse_own_case(directory: Path) -> None:
     """Raise InputError for a directory whose case file, to be replaced, is the user's own."""
     if _stays(directory, with_front=True):
-        allowed = (
-            "has a case.toml that catopt did not write, in whose place that of the answer would "
-            "go; give another directory"
-        )
+        allowed = Message("refused_command.has_case_toml_catopt_did")
         raise refused("--out", str(directory), allowed)
 
 

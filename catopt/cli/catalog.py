@@ -16,7 +16,7 @@ from catopt.cli.options import ForceOption, LengthOption, TablesOutOption
 from catopt.cli.values import by_option, given_ones, in_si, refuse
 from catopt.errors import InputError, NoAnswerError, Problem
 from catopt.units import Dimension, as_written
-from catopt.words import Message, say
+from catopt.words import Measure, Message, say
 
 if TYPE_CHECKING:
     from catopt.catalogue import Catalogue, Component
@@ -58,7 +58,15 @@ def show(
     known = _catalogue(families)
     family, grade, size = _sized(known, family, grade, size)
     if size is not None and diameter is not None:
-        refuse([Problem("--diameter", as_written(diameter), "the size is named already; leave it")])
+        refuse(
+            [
+                Problem(
+                    "--diameter",
+                    as_written(diameter),
+                    Message("refused_command.size_named_already_leave"),
+                )
+            ]
+        )
     diameter = diameter if size is None else size
     values = in_si(
         {
@@ -144,7 +152,9 @@ def fittings(
     known = _catalogue(families)
     family, grade, size = _sized(known, family, grade, size)
     if size is None:
-        refuse([Problem("SIZE", "", 'missing; the nominal diameter is wanted, such as "38 mm"')])
+        refuse(
+            [Problem("SIZE", "", Message("refused_command.missing_nominal_diameter_wanted_such"))]
+        )
     nominal = in_si({"SIZE": (size, Dimension.LENGTH)})["SIZE"]
     with _by_option({"component": "FAMILY", "grade": "GRADE", "diameter": "SIZE"}):
         parsed = known.parse_name(family)
@@ -192,7 +202,9 @@ def sinker(
     ]
     if not own:
         listed = ", ".join(each.soil for each in held)
-        refuse([Problem("--soil", as_written(soil), f"one of {listed}, mud")])
+        refuse(
+            [Problem("--soil", as_written(soil), Message("refused_command.one_mud", listed=listed))]
+        )
     _give(asked, "sinker", (), sinkers=tuple(own))
 
 
@@ -272,7 +284,15 @@ def _sized(
             given.append(grade)
             grade = None
     if len(given) > 1:
-        refuse([Problem("SIZE", as_written(given[1]), f"the size is {given[0]} already")])
+        refuse(
+            [
+                Problem(
+                    "SIZE",
+                    as_written(given[1]),
+                    Message("refused_command.size_already", value=given[0]),
+                )
+            ]
+        )
     return (name if own is not None else family), grade, _in_mm(given[0]) if given else None
 
 
@@ -295,7 +315,7 @@ def _settings(
 ) -> dict[str, Any]:
     """Gather what a look-up and a search have in common."""
     pairs = [text.partition("=") for text in variants or ()]
-    wanted = "QUANTITY=NAME is wanted, such as EA=orcaflex"
+    wanted = Message("refused_command.quantity_name_wanted_such_ea")
     refuse(
         Problem("--variant", as_written("".join(pair)), wanted)
         for pair in pairs
@@ -311,7 +331,6 @@ def _search(
 ) -> tuple[Component, ...]:
     """Search; an empty answer is an error that names the nearest miss."""
     from catopt import catalogue
-    from catopt.quantities import QUANTITIES
 
     limits: dict[str, Any] = {
         name: values[option] for option, name in _LIMITS.items() if option in values
@@ -323,12 +342,10 @@ def _search(
         return found
     strong = [component for component in every if component.MBL_in_water is not None]
     if not strong:
-        raise NoAnswerError("no component fits")
+        raise NoAnswerError(Message("refused_command.no_component_fits"))
     strongest = max(strong, key=lambda component: component.MBL_in_water or 0.0)
-    load = QUANTITIES["MBL"].format(strongest.MBL_in_water, unit=True)
-    raise NoAnswerError(
-        f"no component fits; the strongest that was searched is {strongest.name} with {load}"
-    )
+    load = Measure("MBL", strongest.MBL_in_water or 0.0)
+    raise NoAnswerError(Message("refused_command.strongest_is", name=strongest.name, load=load))
 
 
 def _by_option(names: dict[str, str]) -> AbstractContextManager[None]:

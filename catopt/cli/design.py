@@ -14,6 +14,7 @@ from catopt.cli.answering import INTERRUPTED, Asked, answering, refuse_own_case
 from catopt.cli.options import CaseArgument, CountOption, OutOption
 from catopt.cli.values import by_option, given_ones
 from catopt.errors import InputError, Problem
+from catopt.words import Message
 
 SearchMethod = Literal["auto", "enumeration", "nsga2", "swarm"]
 
@@ -33,7 +34,7 @@ def design(
     how = given_ones(method=method, evaluations=evaluations, seed=seed)
     read = read_case(case)
     if read.design is None:
-        allowed = "missing; a table [design] says what may vary (docs/case-file.md)"
+        allowed = Message("refused_command.missing_table_design_says_what")
         raise InputError([Problem("design", "", allowed)], str(case))
     with by_option():
         read = replace(read, design=replace(read.design, **how))

@@ -16,6 +16,7 @@ from catopt.model import Case
 from catopt.model.validity import Findings
 from catopt.notes.origin import file_name, read_source
 from catopt.units import Dimension
+from catopt.words import Message
 
 Target = Literal["moordyn", "map", "moorpy", "ontology", "orcaflex", "dxf"]
 """What reads the file."""
@@ -74,7 +75,7 @@ def _settings(
     if elements is not None:
         found.number("--elements", elements, "", at_least=_FEWEST, at_most=_MOST)
     if to != "moordyn":
-        only = "goes with --to moordyn; leave it out"
+        only = Message("refused_command.goes_with_moordyn_leave_out")
         if elements is not None:
             found.add("--elements", str(elements), only)
         if true_depth:
@@ -89,11 +90,7 @@ def _check_stiffness(case: Case, EA: float | None, given: str | None, to: Target
 
     rigid = rigid_segments(case)
     if EA is not None and not rigid:
-        raise refused("--EA", str(given), "every segment has its own EA; leave it out")
+        raise refused("--EA", str(given), Message("refused_command.every_segment_has_own_ea"))
     if EA is None and rigid and to != "dxf":
-        allowed = (
-            f"missing; --to {to} wants it. Give the segment its EA in the case file, "
-            'or one for this file with --EA "500 MN"; with 10,000 times the tension or more the '
-            "line hardly stretches"
-        )
+        allowed = Message("refused_command.missing_wants_give_segment_ea", to=to)
         raise InputError([Problem(f"{key}.EA", "", allowed) for key in rigid], f"--to {to}")

@@ -34,6 +34,7 @@ _OWN: Final = {
     "Show this message and exit.": "Hiện trang này rồi thoát.",
 }
 """Headings that typer writes, and its own option."""
+_OPTIONS, _BELOW = "[TÙY CHỌN]", "LỆNH [THAM SỐ]..."
 _ADDED: Final = {
     "env var: ": "biến môi trường: ",
     "default: ": "mặc định: ",
@@ -127,6 +128,17 @@ class GroupWithWords(_WithWords, TyperGroup):
     """A group of commands whose help is in the table."""
 
 
+def usage_in_vietnamese(usage: str) -> str:
+    """Put typer's own words of a line of usage into Vietnamese."""
+    for word, said in (
+        ("Usage: ", f"{_OWN['Usage']}: "),
+        ("[OPTIONS]", _OPTIONS),
+        ("COMMAND [ARGS]...", _BELOW),
+    ):
+        usage = usage.replace(word, said)
+    return usage
+
+
 def group(name: str, kind: type[GroupWithWords] = GroupWithWords) -> typer.Typer:
     """Make a group of commands."""
     return typer.Typer(
@@ -148,13 +160,13 @@ def built(app: typer.Typer) -> Any:
 
 def _in_vietnamese(command: Any) -> None:
     """Make typer's own words Vietnamese, of a command and of all below it."""
-    command.options_metavar = "[TÙY CHỌN]"
+    command.options_metavar = _OPTIONS
     context = command.context_class
     formatter = _formatter(context.formatter_class)
     command.context_class = type(context.__name__, (context,), {"formatter_class": formatter})
     below = getattr(command, "commands", {})
     if below:
-        command.subcommand_metavar = "LỆNH [THAM SỐ]..."
+        command.subcommand_metavar = _BELOW
     for each in below.values():
         _in_vietnamese(each)
 

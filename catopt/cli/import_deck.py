@@ -16,6 +16,7 @@ from catopt.decks.reading import is_deck, read_any_deck
 from catopt.documents import read_text
 from catopt.model.validity import Findings
 from catopt.units import Dimension
+from catopt.words import Message
 
 
 @answering(PlaceOption, without=["units"])
@@ -40,10 +41,7 @@ def import_deck(
     found.raise_if_any()
     text = read_text(file, str(file), kind="input file", broken=True)
     if not is_deck(text):
-        allowed = (
-            "an input file of MoorDyn or MAP++ is wanted, which has a section LINE TYPES, or YAML "
-            "with mooring_systems or LineTypes"
-        )
+        allowed = Message("refused_command.input_file_moordyn_or_map")
         raise refused("FILE", str(file), allowed)
     read, remarks = read_any_deck(text, str(file), missing)
     case = write_case(read)

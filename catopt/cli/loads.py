@@ -96,7 +96,9 @@ def buoy(
         of.want("buoy", "depth")
         for each in ("force", "reserve_buoyancy"):
             if each in of.given:
-                of.telling.add(each, f"{of[each]:g} N", "leave it out: these loads are computed")
+                of.telling.add(
+                    each, f"{of[each]:g} N", Message("refused_command.leave_out_these_loads_are")
+                )
         own = make(in_si, {"--chain": (chain, Dimension.LENGTH), "--pull": (pull, Dimension.FORCE)})
         body = shape_of(of)
         weather = _weather(of, of["wind"])
@@ -179,7 +181,9 @@ def ship(
             needless = {name: text for name, text in needless.items() if name in of.given}
             needless |= given_ones(mooring_point=mooring_point, wind_centre=wind_centre)
             for name, text in needless.items():
-                of.telling.add(name, str(text), "leave it out, or give --weathervane with it")
+                of.telling.add(
+                    name, str(text), Message("refused_command.leave_out_or_give_weathervane")
+                )
         of.telling.raise_if_any()
         assert own is not None
         if file is not None:
@@ -311,7 +315,9 @@ def _sea(of: Known) -> SeaState:
     if of["hs"] is None and of["hmax"] is None:
         return SeaState(of["period"] or 1.0, 0.0)
     if of["period"] is None:
-        raise InputError([Problem("period", "", 'missing; waves need it, such as "8 s"')], "waves")
+        raise InputError(
+            [Problem("period", "", Message("refused_command.missing_waves_need_such_8"))], "waves"
+        )
     return SeaState(of["period"], of["hs"], of["hmax"])
 
 
@@ -365,7 +371,7 @@ def _ships_afloat(of: Known, form: _Form) -> Iterator[Afloat]:
             of.telling.raise_if_any()
         own = own_tables(of, condition)
         if form.kind and own is not None:
-            allowed = "leave it out: this ship has coefficients of its own"
+            allowed = Message("refused_command.leave_out_this_ship_has")
             of.telling.add("kind", form.kind, allowed)
         of.telling.raise_if_any()
         yield Afloat(condition, body, form.kind or wind_on.format(condition), own)

@@ -13,6 +13,7 @@ from catopt.cli.completion import completed
 from catopt.cli.options import JsonOption, LangOption
 from catopt.cli.output import Output
 from catopt.errors import InputError, Problem
+from catopt.words import Message, term
 
 _NAME = typer.Argument(metavar="NAME", autocompletion=completed("template"))
 
@@ -30,7 +31,10 @@ def new(
     if out is not None and path is None and out.suffix.lower() == ".xlsx":
         moored: Moored = "tanker" if "tanker" in name else "buoy"
         if moored not in name:
-            raise InputError([Problem("--out", str(out), "goes with buoy or tanker")], "options")
+            raise InputError(
+                [Problem("--out", str(out), Message("refused_command.goes_with_buoy_or_tanker"))],
+                "options",
+            )
         from catopt.sizing.form import form
 
         _create(out, form(moored, lang))
@@ -63,11 +67,13 @@ def _create(place: Path, text: str | bytes) -> None:
         with place.open("xb") as stream:
             stream.write(text.encode() if isinstance(text, str) else text)
     except FileExistsError as error:
-        raise _refused(place, "is there already and is kept; give another path") from error
+        raise _refused(place, Message("refused_command.there_already_kept_give_another")) from error
     except OSError as error:
         place.unlink(missing_ok=True)
-        raise _refused(place, f"cannot be written: {error.strerror}") from error
+        raise _refused(
+            place, Message("refused_command.not_written", reason=term(error.strerror or str(error)))
+        ) from error
 
 
-def _refused(place: Path, why: str) -> InputError:
+def _refused(place: Path, why: Message) -> InputError:
     return InputError([Problem("path", str(place), why)])

@@ -24,6 +24,7 @@ from catopt.notes.origin import read_source
 from catopt.notes.size import Given, SizeNote, size_note
 from catopt.notes.system import SystemNote, read_system_note
 from catopt.sizing.file import read_file, sized
+from catopt.words import Message
 
 if TYPE_CHECKING:
     AnyNote = Note | NetworkNote | SizeNote | SystemNote
@@ -48,18 +49,15 @@ def note_of_file(
     """
     moored = moored_in(path)
     if moored is not None:
-        why = (
-            f"it is of a line that is known; this file is for catopt size {moored}, which writes "
-            "the line that it finds with --save: report on that case"
-        )
+        why = Message("refused_command.of_a_known_line", moored=moored)
         refuse(_of_a_line_alone(why, design=design, motion=motion))
         return note_of_sizing(path, moored, Asked(date, verify, bool(swarm)))
     if has_table(path, "points"):
-        why = "it is for a case with a [line]; this file is of lines between points"
+        why = Message("refused_command.for_a_case_of_a_line")
         refuse(_of_a_line_alone(why, design=design, swarm=swarm, motion=motion))
         return read_network_note(path, asked_in(path, date=date, verify=verify))
     if has_table(path, "system"):
-        why = "it is for one line with a load; this file is of a body moored by several"
+        why = Message("refused_command.for_one_line")
         has_front = path.is_dir() and (path / DESIGN_DOCUMENT).is_file()
         refuse(_of_a_line_alone(why, design=None if has_front else design, swarm=swarm))
         asked = asked_in(path, date=date, verify=verify).with_options(motion=motion, once=once)
@@ -95,7 +93,7 @@ def note_of_sizing(path: Path, moored: Moored, asked: Asked | None = None) -> Si
 
 
 def _of_a_line_alone(
-    why: str, *, design: int | None, swarm: bool | None = None, motion: bool | None = None
+    why: Message, *, design: int | None, swarm: bool | None = None, motion: bool | None = None
 ) -> Iterator[Problem]:
     """Yield what was asked for and is of one line alone."""
     if design is not None:
@@ -103,7 +101,7 @@ def _of_a_line_alone(
     if swarm:
         yield Problem("--method", "pso", why)
     if motion:
-        yield Problem("--dynamic", "given", why)
+        yield Problem("--dynamic", Message("refused_command.given"), why)
 
 
 def answer_of(note: AnyNote) -> Answer:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
+from itertools import pairwise
 from pathlib import Path
 from typing import Annotated, Literal
 
 import typer
 
-from catopt.words.texts import Language
+from catopt.words.texts import LANGUAGES, Language
 
 LANGUAGE_VARIABLE = "CATOPT_LANG"
 """Environment variable with the language of a user who does not type it each time."""
@@ -17,6 +19,17 @@ LANGUAGE_VARIABLE = "CATOPT_LANG"
 def in_environment() -> Language:
     """Language that the environment names; English where it names none, or none that there is."""
     return "vi" if os.environ.get(LANGUAGE_VARIABLE, "").strip() == "vi" else "en"
+
+
+def asked_language(arguments: Sequence[str]) -> Language:
+    """Language that is asked for, before any of the arguments is read.
+
+    By ``--lang`` among them, or by the environment where they name none that there is.
+    """
+    typed = [each.removeprefix("--lang=") for each in arguments if each.startswith("--lang=")]
+    typed += [each for option, each in pairwise(arguments) if option == "--lang"]
+    known = [each for each in LANGUAGES if each in typed]
+    return known[-1] if known else in_environment()
 
 
 LangOption = Annotated[

@@ -15,6 +15,7 @@ from catopt.cli.values import refused
 from catopt.cli.verify import stop_in_doubt
 from catopt.notes.origin import file_name
 from catopt.verify.motion_words import stopped_words
+from catopt.words import Message
 
 if TYPE_CHECKING:
     from catopt.cli.note_kind import AnyNote
@@ -108,7 +109,7 @@ def _check_place(out: Path | None) -> None:
     from catopt.report.files import check_directory
 
     if out.suffix.lower() in OTHER_ENDINGS and not out.exists():
-        allowed = "a page, in a file that ends in .html, or a directory is wanted"
+        allowed = Message("refused_command.page_file_ends_html_or")
         raise refused("--out", str(out), allowed)
     check_directory(_place(out, "")[0])
 

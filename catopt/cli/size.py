@@ -15,6 +15,7 @@ from catopt.cli.help_words import GroupWithWords, WithWords, group
 from catopt.cli.options import OutOption
 from catopt.cli.size_options import as_option, by_option, typed, with_inputs
 from catopt.cli.values import refused
+from catopt.words import Message
 
 if TYPE_CHECKING:
     from catopt.answers.blocks import Answer
@@ -128,7 +129,7 @@ def _size_form(
 
     files, found = read_form(place), []
     if save is not None and len(files) > 1:
-        raise refused("--save", str(save), "goes with a form of one mooring, not with a fleet")
+        raise refused("--save", str(save), Message("refused_command.goes_with_form_one_mooring"))
     for file in files:
         with file.telling():
             found.append(_sized(asked, file.known(given, spell)))
@@ -152,7 +153,6 @@ def _sized(asked: Asked, of: Known) -> tuple[Sizing, Answer]:
     from catopt.answers.size import size_answer
     from catopt.design.near_miss import NoFeasibleDesignError
     from catopt.sizing.requests import size as size_known
-    from catopt.words import Message
 
     try:
         with asked.working(Message("answers.sizing_now")):
@@ -169,9 +169,13 @@ def _sized(asked: Asked, of: Known) -> tuple[Sizing, Answer]:
 def _check_places(asked: Asked, save: Path | None) -> None:
     """Refuse, before anything is computed, what cannot be written or would replace a case."""
     if save is not None and save.exists():
-        raise refused("--save", str(save), "is there already and is kept; give another path")
+        raise refused(
+            "--save", str(save), Message("refused_command.there_already_kept_give_another")
+        )
     if save is not None and not save.parent.is_dir():
-        raise refused("--save", str(save), f"there is no directory {save.parent}")
+        raise refused(
+            "--save", str(save), Message("refused_command.there_no_directory", parent=save.parent)
+        )
     asked.check_place()
     if asked.out is not None:
         refuse_own_case(asked.out)
@@ -182,7 +186,6 @@ def _give(asked: Asked, found: Sizing, answer: Answer, save: Path | None, given:
     if asked.out is not None:
         from catopt.render.files import files_of
         from catopt.report.bundle import size_files
-        from catopt.words import Message
 
         with asked.working(Message("answers.note_now")):
             files = files_of(answer, found.to_dict(), asked.language)

@@ -13,6 +13,7 @@ from catopt.cli import values
 from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CaseArgument, CountOption, DesignOption, LoadCaseOption, OutOption
 from catopt.errors import Problem
+from catopt.words import Message
 
 Method = Literal["closed-form", "pso"]
 
@@ -41,7 +42,7 @@ def solve(
     )
     read = values.in_state(values.read_known(case, design), load_case)
     if method != "pso":
-        needs = "needs --method pso"
+        needs = Message("refused_command.needs_method_pso")
         values.refuse(Problem(f"--{key}", str(value), needs) for key, value in given.items())
     if given:
         with values.by_option():

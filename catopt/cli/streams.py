@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any, NoReturn, TextIO, cast
 
 from catopt.errors import InputError, Problem
+from catopt.words import Message
 
 
 def guard_streams() -> None:
@@ -28,7 +29,7 @@ def guard_streams() -> None:
     sys.stderr = cast(TextIO, _Messages(messages))
     answer: Any = sys.stdout
     if answer is None:
-        _refuse("it is closed")
+        _refuse(Message("refused_command.closed"))
     sys.stdout = cast(TextIO, _Answer(answer))
 
 
@@ -76,8 +77,13 @@ class _Answer(_Messages):
         if isinstance(self._failure, BrokenPipeError):
             raise self._failure
         if self._failure is not None:
-            _refuse(f"the answer cannot be written: {self._failure.strerror or self._failure}")
+            _refuse(
+                Message(
+                    "refused_command.answer_not_written",
+                    reason=self._failure.strerror or self._failure,
+                )
+            )
 
 
-def _refuse(why: str) -> NoReturn:
+def _refuse(why: Message) -> NoReturn:
     raise InputError([Problem("standard output", "", why)])

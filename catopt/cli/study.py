@@ -15,6 +15,7 @@ from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CountOption, OutOption
 from catopt.cli.values import refuse, refused
 from catopt.errors import Problem
+from catopt.words import Message
 
 if TYPE_CHECKING:
     from catopt.study.result import StudyResult
@@ -51,7 +52,7 @@ def study(
     asked.check_place()
     read = read_study(file)
     if notes and read.base.moored is None:
-        raise refused("--notes", "", 'goes with compute = "sizing"')
+        raise refused("--notes", "", Message("refused_command.goes_with_compute_sizing"))
     if plan:
         from catopt.study.run import plan_study
 
@@ -80,13 +81,15 @@ def _problems(
 ) -> Iterator[Problem]:
     """Yield what does not go together; `missing` are options without the --out that they need."""
     if is_both:
-        yield Problem("--plan", "", "does not go with --status")
+        yield Problem("--plan", "", Message("refused_command.does_not_go_with_status"))
     for option in missing:
-        yield Problem(option, "", "goes with --out DIR, which is missing")
+        yield Problem(option, "", Message("refused_command.goes_with_out_dir_which"))
     if workers is not None and workers < 1:
-        yield Problem("--workers", str(workers), "1 or more processes")
+        yield Problem("--workers", str(workers), Message("refused_command.n_1_or_more_processes"))
     if workers is not None and scheduler is not None:
-        yield Problem("--workers", str(workers), "does not go with --scheduler")
+        yield Problem(
+            "--workers", str(workers), Message("refused_command.does_not_go_with_scheduler")
+        )
 
 
 def _run(

@@ -51,7 +51,7 @@ def system(
             "--curve": directions,
             "--level": levels,
         }
-        allowed = "does not go with lines that meet in joints: their body is held; leave it out"
+        allowed = Message("refused_command.does_not_go_with_lines")
         refuse(Problem(option, "", allowed) for option, value in given.items() if value)
         places = [(0.0,) * 6, *displacements]
         total = Message("words.held_places", total=len(places))
@@ -93,7 +93,7 @@ def _displacement(text: str) -> tuple[float, ...]:
 
     parts = [each.strip() for each in text.split(",")]
     if len(parts) != len(FREEDOMS):
-        wanted = f"must be six values with commas between them: {', '.join(FREEDOMS)}"
+        wanted = Message("refused_command.must_be_six_values_with", freedoms=", ".join(FREEDOMS))
         raise refused("--held", repr(text), wanted)
     dimensions = (Dimension.LENGTH,) * 3 + (Dimension.ANGLE,) * 3
     given = {

@@ -12,6 +12,7 @@ from catopt.errors import InputError, Problem
 from catopt.model.validity import Findings
 from catopt.numerals import bare_number
 from catopt.units import Dimension, as_written, to_si
+from catopt.words import Message
 
 if TYPE_CHECKING:
     from catopt.model import Case
@@ -104,9 +105,11 @@ def in_state(case: Case, name: str | None) -> Case:
     states = {state.name: state for state in case.load_cases}
     if name in states and case.find is None:
         return case.under(states[name])
-    allowed = "the case has no [[load_cases]]"
+    allowed = Message("refused_command.case_has_no_load_cases")
     if name in states and case.find is not None:
-        allowed = f"the case seeks something, {case.find.quantity}; leave out the option or [find]"
+        allowed = Message(
+            "refused_command.case_seeks_something_leave_out", quantity=case.find.quantity
+        )
     elif states:
-        allowed = f"one of {', '.join(states)} is wanted"
+        allowed = Message("refused.one_of", words=", ".join(states))
     raise refused("--load-case", as_written(name), allowed)

@@ -36,7 +36,7 @@ from catopt.model import Case
 from catopt.verify.motion_words import not_converged_sentence, stopped_sentence
 from catopt.verify.proof import Proof
 from catopt.verify.settings import ELEMENTS, TOLERANCE, check_settings
-from catopt.words import say
+from catopt.words import Message, say
 
 if TYPE_CHECKING:
     from catopt.notes.front_in_motion import FrontInMotion
@@ -83,7 +83,7 @@ def verify(
     how = {"elements": elements, "tolerance": tolerance}
     moving = {"proof": proof, "workers": workers} if with_motion else None
     if every:
-        wanted = "does not go with --all, which takes every design in the load case that governs it"
+        wanted = Message("refused_command.does_not_go_with_all")
         given = {"--load-case": load_case, "--design": design}
         refuse(Problem(key, str(each), wanted) for key, each in given.items() if each is not None)
         found = _front(asked, case, how, moving)
@@ -115,11 +115,11 @@ def _of_motion(
     """Yield what says how a line in motion is proven, where none is run or in two ways."""
     for option, is_given in {**proofs, "--workers": workers is not None}.items():
         if is_given and not with_motion:
-            yield Problem(option, "", "goes with --dynamic, which is missing")
+            yield Problem(option, "", Message("refused_command.goes_with_dynamic_which_missing"))
     if all(proofs.values()):
-        yield Problem("--once", "", "does not go with --twice-the-bars")
+        yield Problem("--once", "", Message("refused_command.does_not_go_with_twice"))
     if workers is not None and workers < 1:
-        yield Problem("--workers", str(workers), "1 or more processes")
+        yield Problem("--workers", str(workers), Message("refused_command.n_1_or_more_processes"))
 
 
 # ------------------------------------------------------------------ one case

@@ -9,6 +9,7 @@ import typer
 
 from catopt.cli.output import Output
 from catopt.cli.values import refused
+from catopt.words import Message
 
 
 def web(
@@ -24,7 +25,7 @@ def web(
 
     output: Output = context.obj
     if (out is None) == (single is None):
-        raise refused("--out", "", "give either --out DIR or --single FILE")
+        raise refused("--out", "", Message("refused_command.give_either_out_dir_or"))
     folder = out if single is None else single.parent
     assert folder is not None
     check_directory(folder)
@@ -54,7 +55,7 @@ def page_app(
     try:
         server = PageServer(port)
     except (OSError, OverflowError) as error:
-        allowed = "give a port from 0 to 65535 that no other program uses"
+        allowed = Message("refused_command.give_port_from_0_65535")
         raise refused("--port", f"{port} ({error})", allowed) from error
     with server:
         output.text(server.address)

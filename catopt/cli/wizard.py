@@ -11,7 +11,8 @@ from catopt.sizing.inputs import Input, inputs_of
 from catopt.sizing.kinds import choices_of, from_text, kind_of
 from catopt.sizing.known import is_needless
 from catopt.sizing.telling import Spelling
-from catopt.words import Language, Message, say, term
+from catopt.words import Cited, Language, Message, say, term
+from catopt.words.refusals import problem_words
 
 _OWN = "own"
 """Answer of one whose buoy is not in the library."""
@@ -71,7 +72,10 @@ def _answer(each: Input, spelled: str, default: str, language: Language) -> obje
         _say(f"{question}: ")
         line = sys.stdin.readline()
         if not line:
-            raise InputError([Problem(spelled, "", "missing; nobody answered")], "options")
+            raise InputError(
+                [Problem(spelled, "", Message("refused_command.missing_nobody_answered"))],
+                "options",
+            )
         answer = from_text(each, line.strip() or default)
         wrong = _wrong(each, spelled, answer, choices)
         if not wrong:
@@ -82,10 +86,10 @@ def _answer(each: Input, spelled: str, default: str, language: Language) -> obje
 def _beside(each: Input, default: str) -> Message:
     """Say in what unit a question may be answered, and what the return key gives."""
     if default:
-        return Message("left_out.offered", default=default)
+        return Message("left_out.offered", default=Cited(default))
     of_all = each.required or each.name == "buoy"
     key = "left_out.asked" if of_all else "left_out.asked_or_blank"
-    return Message(key, example=each.example)
+    return Message(key, example=Cited(each.example))
 
 
 def _say(words: str) -> None:
@@ -103,5 +107,5 @@ def _wrong(each: Input, spelled: str, answer: object, choices: tuple[str, ...]) 
         kind_of(each).read(answer)
     except InputError as error:
         (problem,) = error.problems
-        return str(Problem(spelled, problem.found, problem.allowed))
+        return problem_words(Problem(spelled, problem.found, problem.allowed))
     return ""

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from catopt.decks.deck import Deck, End, LineType, Notes, Piece, Point, Row
+from catopt.words import Message
 
 _SECTIONS = ("types", "points", "lines", "options")
 _HEADINGS = 2
@@ -39,10 +40,7 @@ def parse_mappp(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
     """
     missing = [option for key, option in _GIVEN.items() if key not in given]
     if missing:
-        allowed = (
-            "a MAP++ file has no gravity, water density and depth; give them: catopt import FILE "
-            f"{' '.join(missing)} --out case.toml"
-        )
+        allowed = Message("refused_command.map_has_none", missing=" ".join(missing))
         notes.refuse(0, "", allowed)
     sections = _sections(text, notes)
     depth = given.get("depth", math.nan)

@@ -13,10 +13,7 @@ from catopt.model import Case
 from catopt.model.network import Network
 from catopt.words.message import Message
 
-NOT_FOR_THIS: Final = (
-    "lines that meet in joints, or differ, are for catopt system, check, report and import; a case "
-    "for other commands has a [line]: catopt import FILE --line N takes one of several"
-)
+NOT_FOR_THIS: Final = Message("refused_command.lines_meet_joints_or_differ")
 
 
 @dataclass(frozen=True)

@@ -261,15 +261,15 @@ def load_cases_of(case: Case) -> tuple[LoadCase, ...]:
     """
     found = Findings("design")
     if case.design is None:
-        found.add("design", "", "missing; a table [design] says what may vary")
+        found.add("design", "", Message("refused_case.missing_table_design_says_what"))
     elif "excursion" in case.design.objectives and not any(
         state.kind == "reference" for state in case.load_cases
     ):
-        allowed = 'a load case of kind "reference" is wanted, which excursions start from'
+        allowed = Message("refused_case.load_case_kind_reference_wanted")
         found.add("design.objectives", "excursion", allowed)
     force = None if case.load is None else case.load.horizontal_force
     if not case.load_cases and force is None:
-        allowed = "missing; load cases, or a load with its horizontal_force, are wanted"
+        allowed = Message("refused_case.missing_load_cases_or_load")
         found.add("load_cases", "", allowed)
     found.raise_if_any()
     return case.load_cases or (LoadCase(LOAD, force or 0.0),)

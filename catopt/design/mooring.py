@@ -232,12 +232,14 @@ def _layout(
     first = system.legs[0]
     radii = () if design.pretensions else design.anchor_radii or (first.anchor_radius,)
     if radii and radii[0] <= first.fairlead_radius:
-        allowed = f"must be above {first.fairlead_radius:g} m, the fairlead_radius"
+        allowed = Message(
+            "refused_case.must_be_above_m_fairlead", fairlead_radius=first.fairlead_radius
+        )
         found.add("design.anchor_radii", f"{radii[0]:g} m", allowed)
     gone = [i for i, load in enumerate(loads) if load.line_out]
     if gone and min(map(len, regular or (own,))) < 2:
         key = f"design.loads[{gone[0]}].line_out" if design.loads else "design.line_out"
-        found.add(key, "true", "with one line alone, none is left; leave it out")
+        found.add(key, "true", Message("refused_case.with_one_line_alone_none"))
     return LayoutVariable(regular or (own,), radii, design.pretensions)
 
 
@@ -246,7 +248,7 @@ def _check_stretch(space: DesignSpace, found: Findings) -> None:
     for variable in space.segments:
         if not variable.is_optional and all(option.EA < np.inf for option in variable.options):
             return
-    allowed = "no EA is known of some lines; one segment at least needs it in every option"
+    allowed = Message("refused_case.no_ea_known_some_lines")
     found.add("design.segments", "lines that do not stretch", allowed)
 
 

@@ -46,7 +46,7 @@ def no_feasible_design(problem: DesignProblem, outcome: Outcome) -> NoFeasibleDe
         return NoFeasibleDesignError(said, None, interrupted=outcome.interrupted)
     flaw = problem.space.flaw(outcome.closest)
     if flaw:
-        allowed = "nearer to the anchor, or longer segments, are wanted"
+        allowed = Message("refused_case.nearer_anchor_or_longer_segments")
         raise InputError([Problem("design.clump_weights", flaw, allowed)], "design")
     miss = near_miss(problem, outcome.closest)
     reasons = [_check_words(result) for result in miss.failing] or [miss.reason]

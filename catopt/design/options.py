@@ -17,7 +17,7 @@ from catopt.model import Case, ClumpWeightChoice, LoadCase, Segment, SegmentChoi
 from catopt.model.immersion import weight_in_water
 from catopt.model.line_kind import line_kind
 from catopt.model.validity import Findings
-from catopt.words import Listed, Message
+from catopt.words import Listed, Message, Several
 
 
 def resolve(
@@ -81,17 +81,19 @@ def _components(
             found.problems += [Problem(place, p.found, p.allowed) for p in error.problems]
             continue
         if not components:
-            found.add(place, f'"{name}"', f"no size is sold {_bounds(choice)}")
+            found.add(
+                place, f'"{name}"', Message("refused_case.no_size_sold", choice=_bounds(choice))
+            )
         yield from components
 
 
-def _bounds(choice: SegmentChoice) -> str:
+def _bounds(choice: SegmentChoice) -> Message:
     parts = []
     if choice.diameter_min is not None:
-        parts.append(f"from {choice.diameter_min * 1e3:g} mm")
+        parts.append(Message("refused_case.from_mm", least=choice.diameter_min * 1e3))
     if choice.diameter_max is not None:
-        parts.append(f"up to {choice.diameter_max * 1e3:g} mm")
-    return " ".join(parts) if parts else "as far as is known; give diameters"
+        parts.append(Message("refused_case.up_to_mm", most=choice.diameter_max * 1e3))
+    return Several(parts, " ") if parts else Message("refused_case.give_diameters")
 
 
 def _wear(case: Case, index: int, component: Component) -> dict[str, Any]:
@@ -116,7 +118,9 @@ def _own(
         segment = case.line.segments[index]
         yield replace(segment, length=choice.lengths[0], name=segment.name or choice.name)
     else:
-        allowed = f"missing, and line.segments has only {len(case.line.segments)} to go by"
+        allowed = Message(
+            "refused_case.missing_line_segments_has_only", segments=len(case.line.segments)
+        )
         found.add(f"{key}.components", "", allowed)
 
 
@@ -181,7 +185,7 @@ def _clump_weight(
 ) -> ClumpWeightVariable:
     water = case.site.water_density
     if choice.density <= water:
-        allowed = f"a clump weight sinks: above {water:g} kg/m3, the density of the water"
+        allowed = Message("refused_case.clump_weight_sinks_above_kg", water=water)
         found.add(f"{key}.density", f"{choice.density:g} kg/m3", allowed)
     return ClumpWeightVariable(
         choice.masses,

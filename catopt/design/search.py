@@ -18,6 +18,7 @@ from catopt.design.result import DesignResult
 from catopt.errors import InputError, Problem
 from catopt.model import Case, Design
 from catopt.model.design import SearchMethod
+from catopt.words import Message
 
 LARGE_SPACES: Final = "nsga2"
 """What "auto" takes where a space is too large to enumerate: the better of the two by
@@ -94,9 +95,10 @@ def _search(problem: DesignProblem, progress: Progress | None, announce: Announc
     method, workers = _method(design, designs), os.cpu_count() or 1
     if method == "enumeration":
         if designs > MOST_ENUMERATED:
-            allowed = (
-                f"is for {MOST_ENUMERATED:,} designs at most, of which the space has {designs:,}: "
-                "widen the steps, or take nsga2 or swarm"
+            allowed = Message(
+                "refused_case.designs_at_most_which_space",
+                most_enumerated=MOST_ENUMERATED,
+                designs=designs,
             )
             raise InputError([Problem("design.method", "enumeration", allowed)], "design")
         size = estimate(problem, workers=workers)
@@ -112,7 +114,7 @@ def _search(problem: DesignProblem, progress: Progress | None, announce: Announc
         try:
             from catopt.design.nsga2 import nsga2 as search
         except ModuleNotFoundError as error:
-            allowed = f"{error.name} is not installed here; take swarm, or enumeration"
+            allowed = Message("refused_case.not_installed_here_take_swarm", name=error.name)
             raise InputError([Problem("design.method", "nsga2", allowed)], "design") from error
     else:
         from catopt.design.swarm import swarm as search

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError, Problem
 from catopt.model import PointLoad, Segment
+from catopt.words import Message
 
 STEEL_DENSITY = 7850.0
 """kg/m3: stands in for a segment whose mass is not known."""
@@ -50,12 +51,12 @@ def of_segment(segment: Segment, water_density: float, key: str) -> BodyInWater:
     """
     weight = segment.submerged_weight / STANDARD_GRAVITY
     if segment.mass == 0.0:
-        allowed = "must be above 0 kg/m: a line without mass does not come to rest"
+        allowed = Message("refused_command.must_be_above_0_kg")
         raise InputError([Problem(f"{key}.mass", "0 kg/m", allowed)], "export")
     if segment.mass is not None:
         return _displacing(segment.mass, weight, water_density, f"{key}.mass", "kg/m")
     if weight <= 0.0:
-        allowed = "missing; a segment that does not sink has no mass that would stand in for it"
+        allowed = Message("refused_command.missing_segment_does_not_sink")
         raise InputError([Problem(f"{key}.mass", "", allowed)], "export")
     mass = weight / (1.0 - water_density / STEEL_DENSITY)
     return BodyInWater(mass, mass / STEEL_DENSITY, is_known=False)
@@ -82,6 +83,6 @@ def _displacing(
 ) -> BodyInWater:
     volume = (mass - weight) / water_density
     if volume < LEAST_VOLUME * mass / water_density:
-        allowed = f"must be above {weight:.6g} {unit}, what the weight in water alone asks for"
+        allowed = Message("refused_command.must_be_above_what_weight", weight=weight, unit=unit)
         raise InputError([Problem(key, f"{mass:.6g} {unit}", allowed)], "export")
     return BodyInWater(mass, volume)

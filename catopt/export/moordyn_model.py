@@ -12,6 +12,7 @@ from catopt.export.body_in_water import BodyInWater, of_point_load, of_segment
 from catopt.export.exported_line import ExportedLine, ExportedLines
 from catopt.export.text import word
 from catopt.model import Line, PointLoad, Segment
+from catopt.words import Message
 
 ELEMENTS = 50
 """Of a line, unless it is said how many."""
@@ -145,7 +146,7 @@ def _line_type(
 ) -> LineType:
     key = f"line.segments[{number}]"
     if math.isinf(segment.EA):
-        allowed = f"missing; {program} lets every line stretch: give the segment its EA"
+        allowed = Message("refused_command.missing_lets_every_line_stretch", program=program)
         raise InputError([Problem(f"{key}.EA", "", allowed)], program)
     wanted = word(segment.name or segment.component, f"segment_{number + 1}")
     taken = {each.name for each in known.values()}

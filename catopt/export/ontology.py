@@ -9,6 +9,7 @@ from catopt.decks.chains import Chain, chains_of
 from catopt.decks.deck import Deck, Notes
 from catopt.errors import InputError, Problem
 from catopt.export.text import exact
+from catopt.words import Message
 
 
 def ontology_lines(deck: Deck, said: Iterable[str]) -> Iterator[str]:
@@ -19,7 +20,7 @@ def ontology_lines(deck: Deck, said: Iterable[str]) -> Iterator[str]:
     chains = chains_of(deck, Notes())
     raised = max(chain.anchor.z for chain in chains) + deck.depth
     if raised > 0.0:
-        allowed = "must be 0: in the ontology anchors stand on the bed"
+        allowed = Message("refused_command.must_be_0_ontology_anchors")
         raise InputError([Problem("line.anchor_height", f"{raised:.6g} m", allowed)], "ontology")
     for line in said:
         yield f"# {line}".rstrip()

@@ -16,6 +16,7 @@ import numpy as np
 from catopt.arrays import Array
 from catopt.fem.statistics import SeriesStatistics, peaks_above_mean
 from catopt.model.validity import Findings
+from catopt.words import Message
 
 FOLLOWED: Final = (
     "fairlead_tension",
@@ -101,7 +102,7 @@ class Course:
         """Say what it does; refused where nothing was followed."""
         if self.duration <= 0.0:
             found = Findings("statistics")
-            found.add("time", "nothing", "two steps or more are wanted: is `since` too late?")
+            found.add("time", "nothing", Message("refused_motion.two_steps_or_more_are"))
             found.raise_if_any()
         return SeriesStatistics(
             mean=self.mean,

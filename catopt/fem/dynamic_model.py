@@ -20,6 +20,7 @@ from catopt.fem.problem import node_friction
 from catopt.fem.seabed import Seabed
 from catopt.model import PointLoad
 from catopt.model.validity import Findings
+from catopt.words import Message
 
 MassMatrix = Literal["consistent", "lumped"]
 
@@ -216,19 +217,21 @@ def _check(
         for j, segment in enumerate(mesh.line.segments):
             key = f"lines[{i}].segments[{j}]"
             if segment.mass is None or segment.mass == 0.0:
-                found.add(f"{key}.mass", "", "is needed for the line's inertia")
+                found.add(f"{key}.mass", "", Message("refused_motion.needed_line_s_inertia"))
             elif segment.mass * fluid.gravity < segment.submerged_weight * (1.0 - 1e-6):
                 words = f"{segment.mass:g} kg/m in air, {segment.submerged_weight:g} N/m in water"
-                found.add(f"{key}.mass", words, "a line weighs more in air than in water")
+                found.add(f"{key}.mass", words, Message("refused_motion.line_weighs_more_air_than"))
             if math.isinf(segment.EA):
-                found.add(f"{key}.EA", "inf", "a line in motion needs its axial stiffness")
+                found.add(
+                    f"{key}.EA", "inf", Message("refused_motion.line_motion_needs_axial_stiffness")
+                )
         for j, load in enumerate(mesh.line.point_loads):
             key = f"lines[{i}].point_loads[{j}].mass"
             if load.mass is None:
-                found.add(key, "", "is needed for its inertia")
+                found.add(key, "", Message("refused_motion.needed_inertia"))
             elif load.mass * fluid.gravity < load.submerged_weight * (1.0 - 1e-6):
                 words = f"{load.mass:g} kg in air, {load.submerged_weight:g} N in water"
-                found.add(key, words, "a body weighs more in air than in water")
+                found.add(key, words, Message("refused_motion.body_weighs_more_air_than"))
         if sections is not None and len(sections) != len(mesh.line.segments):
             wanted = f"one for each of the {len(mesh.line.segments)} segments of line {i + 1}"
             found.add("sections", str(len(sections)), wanted)

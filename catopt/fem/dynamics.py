@@ -160,7 +160,7 @@ def _check_above_bed(fairlead: Array, slope: float) -> None:
     bed = float(fairlead[0]) * math.tan(slope)
     if not fairlead[2] > bed:
         found = Findings("run_dynamics")
-        allowed = f"the bed rises to {bed:.4g} m under the fairlead"
+        allowed = Message("refused_motion.bed_rises_m_under_fairlead", bed=bed)
         found.add("height", f"{fairlead[2]:g} m", allowed)
         found.raise_if_any()
 
@@ -282,7 +282,7 @@ def _check_beginning(simulation: Simulation) -> None:
         away = float(np.linalg.norm(out[0] - led.base[end]))
         if away > SAME_PLACE * max(1.0, float(np.abs(led.base[end]).max())):
             found = Findings("TimeStepping")
-            wanted = f"the motion begins {away:.3g} m away from rest: it needs a ramp to grow over"
+            wanted = Message("refused_motion.motion_begins_m_away_from", away=away)
             found.add("ramp_time", f"{led.ramp_time:g} s", wanted)
             found.raise_if_any()
 

@@ -193,7 +193,7 @@ def linear_model(simulation: Simulation) -> LinearModel:
 def _check(simulation: Simulation) -> None:
     lines, found = simulation.lines, Findings("linear motion")
     if lines.drag_by_speed.any() or lines.drag_by_across.any():
-        allowed = "drag along a bar by the flow across it has no linear form; give drag_axial"
+        allowed = Message("refused_motion.drag_along_bar_by_flow")
         found.add("drag_method", "roughness", allowed)
     if lines.stiffness_factor > 0.0:
         found.add("stiffness_factor", f"{lines.stiffness_factor:g} s", "0 is wanted")

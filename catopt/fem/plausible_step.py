@@ -37,7 +37,12 @@ def step_warnings(
     found = Findings("TimeStepping")
     for name, period in driven.items():
         if step > period / _FEWEST:
-            wanted = f"{name} has periods down to {period:.3g} s: {period / _WANTED:.2g} s or less"
+            wanted = Message(
+                "refused_motion.has_periods_down_s_s",
+                name=name,
+                period=period,
+                period2=period / _WANTED,
+            )
             found.add("step", f"{step:g} s", wanted)
         elif step > period / _WANTED * (1.0 + 1e-9):
             warnings.append(

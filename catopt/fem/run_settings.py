@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from catopt.fem.newmark import Scheme
 from catopt.model.validity import Findings
+from catopt.words import Message
 
 
 @dataclass(frozen=True)
@@ -64,12 +65,20 @@ class TimeStepping:
         found.numbers(self, "s", "output_interval", above=0.0)
         found.raise_if_any()
         if self.step > self.duration:
-            found.add("step", f"{self.step:g} s", f"longer than the run of {self.duration:g} s")
+            found.add(
+                "step",
+                f"{self.step:g} s",
+                Message("refused_motion.longer_than_run_s", duration=self.duration),
+            )
         if (self.since or 0.0) >= self.duration:
-            found.add("since", f"{self.since:g} s", f"the run ends at {self.duration:g} s")
+            found.add(
+                "since",
+                f"{self.since:g} s",
+                Message("refused_motion.run_ends_at_s", duration=self.duration),
+            )
         ratio = (self.output_interval or self.step) / self.step
         if abs(ratio - round(ratio)) > 1e-6 * ratio or round(ratio) < 1:
-            wanted = f"a multiple of the step of {self.step:g} s"
+            wanted = Message("refused_motion.multiple_step_s", step=self.step)
             found.add("output_interval", f"{self.output_interval:g} s", wanted)
         found.raise_if_any()
 

@@ -20,6 +20,7 @@ from catopt.compiled import compiled, packed
 from catopt.model.validity import Findings
 from catopt.waves.fast_functions import cos_sin
 from catopt.waves.kinematics import row_at
+from catopt.words import Message
 
 Complex = npt.NDArray[np.complex128]
 
@@ -49,7 +50,9 @@ class Harmonic:
             if shape not in ((3,), (count, 3)):
                 found.add(name, f"shape {shape}", f"(3,) or ({count}, 3) is wanted")
             elif not np.isfinite(np.asarray(getattr(self, name), dtype=float)).all():
-                found.add(name, "nan or infinity", "finite numbers are wanted")
+                found.add(
+                    name, "nan or infinity", Message("refused_motion.finite_numbers_are_wanted")
+                )
         found.raise_if_any()
 
     @cached_property
@@ -255,10 +258,14 @@ def _check_times(times: Array, found: Findings) -> None:
     steps = np.diff(times)
     if not (steps > 0.0).all():
         row = int(np.flatnonzero(steps <= 0.0)[0])
-        found.add("times", f"{times[row]:g} s, then {times[row + 1]:g} s", "must rise")
+        found.add(
+            "times",
+            f"{times[row]:g} s, then {times[row + 1]:g} s",
+            Message("refused_motion.must_rise"),
+        )
         return
     usual = float(np.median(steps))
     if steps.max() > _GAP * usual:
         row = int(steps.argmax())
         gap = f"nothing between {times[row]:g} s and {times[row + 1]:g} s"
-        found.add("times", gap, f"a gap; the usual step is {usual:g} s. Fill it, or cut the record")
+        found.add("times", gap, Message("refused_motion.gap_usual_step_s_fill", usual=usual))

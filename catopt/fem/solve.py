@@ -204,7 +204,7 @@ def _check_line(
     if span is not None:
         found.number("span", span, "m", at_least=0.0)
         if span == 0.0 and line.length > height - anchor_height:
-            allowed = "above 0 for bars: a line that is slack under its fairlead lies in a heap"
+            allowed = Message("refused_motion.above_0_bars_line_slack")
             found.add("span", "0 m", allowed)
     found.raise_if_any()
 
@@ -220,7 +220,9 @@ def _check_system(
     found.number("height", height, "m", at_least=0.0)
     found.number("seabed_friction", friction, "", at_least=0.0)
     if not legs:
-        found.add("legs", "none", "a system has at least one line")
+        found.add(
+            "legs", Message("refused.none"), Message("refused_motion.system_has_at_least_one")
+        )
     if (force is None) == (position is None):
         given = "neither" if force is None else "both"
         found.add("load", given, "exactly one of force and position is wanted")
@@ -238,11 +240,15 @@ def _check_water(lines: Sequence[Line], water: Water | None) -> None:
             for j, segment in enumerate(line.segments):
                 if segment.mass is None:
                     key = f"lines[{i}].segments[{j}].mass"
-                    found.add(key, "", "is needed for the weight in air above the surface")
+                    found.add(key, "", Message("refused_motion.needed_weight_air_above_surface"))
     if water is not None and water.current is not None:
         count = len(water.current.sections)
         if any(len(line.segments) != count for line in lines):
-            found.add("current.sections", str(count), "one is wanted for each segment of a line")
+            found.add(
+                "current.sections",
+                str(count),
+                Message("refused_motion.one_wanted_each_segment_line"),
+            )
     found.raise_if_any()
 
 

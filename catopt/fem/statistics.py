@@ -9,6 +9,7 @@ import numpy as np
 
 from catopt.arrays import Array
 from catopt.model.validity import Findings
+from catopt.words import Message
 
 
 @dataclass(frozen=True)
@@ -34,7 +35,7 @@ def series_statistics(time: Array, values: Array) -> SeriesStatistics:
     """
     if time.size < 2:
         found = Findings("series_statistics")
-        found.add("time", f"{time.size} samples", "two or more are wanted: is `since` too late?")
+        found.add("time", f"{time.size} samples", Message("refused_motion.two_or_more_are_wanted"))
         found.raise_if_any()
     return SeriesStatistics(
         mean=float(values.mean()),

@@ -64,7 +64,9 @@ def newton_step(net: Net, body: Body) -> StepReport:
             rhs[end - 3 + i] = move[i]
         back_substitute(band, rhs, first, end)
     turn = _largest_turn(bars, state, rhs)
-    tension = np.abs(state.tension).max()
+    tension = 0.0
+    for e in range(state.tension.shape[0]):
+        tension = max(tension, abs(state.tension[e]))
     singular = singular or not math.isfinite(turn)
     return StepReport(imbalance, node, strain, tension, changed, away, turn, singular)
 

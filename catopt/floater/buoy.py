@@ -19,6 +19,7 @@ from catopt.loads.buoy_library import buoy, read_buoys
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.model import Floater
 from catopt.waves.dispersion import fill_wave_numbers
+from catopt.words import Message
 
 _THICK: Final = 0.1
 """Thickest slice, over the height of the hull."""
@@ -94,7 +95,7 @@ def buoy_hull(
     upright += carried * max(centre - shape.eye, 0.0)  # its line rights it
     if upright <= 0.0:
         found = f"{centre:.3g} m above the hull's bottom"
-        allowed = "so high it would not float upright: give the height that it has"
+        allowed = Message("refused_motion.so_high_would_not_float")
         raise InputError([Problem("floater.centre_of_gravity", found, allowed)], "--dynamic")
     radiation = _radiation(hull, slices, depth)
     inertia = hull.inertia + radiation.infinite[2, 2]

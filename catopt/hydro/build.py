@@ -18,6 +18,7 @@ from catopt.hydro.memory import Memory
 from catopt.model.validity import Findings
 from catopt.waves.dispersion import fill_wave_numbers
 from catopt.waves.kinematics import Flow
+from catopt.words import Message
 
 Complex = npt.NDArray[np.complex128]
 
@@ -127,9 +128,11 @@ class FloatingHull:
         found.number("inertia", self.inertia, "kg m2", at_least=0.0)
         found.number("draught", self.draught, "m", above=0.0)
         if not (self.foot.size == self.top.size == self.radius.size > 0):
-            found.add("slices", f"{self.foot.size}", "foot, top and radius of one or more")
+            found.add(
+                "slices", f"{self.foot.size}", Message("refused_motion.foot_top_radius_one_or")
+            )
         elif not (self.top > self.foot).all():
-            found.add("slices", "", "the top of each is above its foot")
+            found.add("slices", "", Message("refused_motion.top_each_above_foot"))
         found.raise_if_any()
 
     @property

@@ -26,6 +26,7 @@ from catopt.arrays import Array
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.model.validity import Findings
 from catopt.waves.dispersion import wave_number
+from catopt.words import Message
 
 Complex = npt.NDArray[np.complex128]
 
@@ -80,7 +81,9 @@ class FloatingCylinder:
         found.number("gravity", self.gravity, "m/s2", above=0.0)
         if not found.problems and not self.draught < self.depth:
             found.add(
-                "draught", f"{self.draught:g} m", f"must be below {self.depth:g} m, the depth"
+                "draught",
+                f"{self.draught:g} m",
+                Message("refused_motion.must_be_below_m_depth", depth=self.depth),
             )
         found.raise_if_any()
 

@@ -112,7 +112,7 @@ def buoy_loads(
     floating = shape.afloat(pull, water_density)
     keel = floating.keel_depth
     if keel >= levels.low:
-        refused = f"the buoy reaches {keel:.2f} m below the water: it would touch the bed"
+        refused = Message("refused_sizing.buoy_reaches_m_below_water", keel=keel)
         raise InputError([Problem("levels.low", f"{levels.low:g} m", refused)], "buoy loads")
     speed = surface_speed(wind, current, sea, levels.high, wave_height)
     at_chain = speed if chain_waves else current.speed
@@ -208,10 +208,14 @@ def _check(
     found.number("marine_growth", growth, "m", at_least=0.0, at_most=0.5)
     found.word("wave_height", wave_height, get_args(WaveHeight))
     if levels.high > DEEPEST:
-        limit = f"CALMAR holds down to {DEEPEST:g} m of water"
+        limit = Message("refused_sizing.calmar_holds_down_m_water", deepest=DEEPEST)
         found.add("levels.high", f"{levels.high:g} m", limit)
     if current.speed > FASTEST:
-        found.add("current.speed", f"{current.speed:g} m/s", f"CALMAR holds up to {FASTEST:g} m/s")
+        found.add(
+            "current.speed",
+            f"{current.speed:g} m/s",
+            Message("refused_sizing.calmar_holds_up_m_s", fastest=FASTEST),
+        )
     found.raise_if_any()
 
 

@@ -73,7 +73,7 @@ def parse_buoys(text: str, source: str = "") -> tuple[BuoyShape, ...]:
     found = tuple(shape for shape in read if shape is not None)
     names = [shape.name for shape in found]
     for name in sorted({name for name in names if names.count(name) > 1}):
-        findings.add("buoy", f'"{name}"', "this name is used twice")
+        findings.add("buoy", f'"{name}"', Message("refused_sizing.this_name_used_twice"))
     findings.raise_if_any()
     return found
 

@@ -46,10 +46,14 @@ class BuoySlice:
         found.raise_if_any()
         narrow, wide = sorted((self.lower, self.upper))
         if self.volume is None and narrow < self.inner < wide:
-            allowed = "wider than one end and narrower than the other: state the volume"
+            allowed = Message("refused_sizing.wider_than_one_end_narrower")
             found.add("inner", f"{self.inner:g} m", allowed)
         if self.volume and not wide:
-            found.add("volume", f"{self.volume:g} m3", "it has no width to displace water with")
+            found.add(
+                "volume",
+                f"{self.volume:g} m3",
+                Message("refused_sizing.has_no_width_displace_water"),
+            )
         found.raise_if_any()
 
     def _width(self, height: float) -> float:
@@ -186,7 +190,7 @@ class BuoyShape:
         found.number("ballast_mass", self.ballast_mass, "kg", at_least=0.0, at_most=1e6)
         found.number("ballast_pieces", self.ballast_pieces, "", at_least=0, at_most=1000)
         if self.ballast_pieces != int(self.ballast_pieces or 0):
-            found.add("ballast_pieces", f"{self.ballast_pieces!r}", "a whole number is wanted")
+            found.add("ballast_pieces", f"{self.ballast_pieces!r}", Message("refused.whole"))
         found.number("ballast_density", self.ballast_density, "kg/m3", above=1100.0, at_most=2e4)
         for key in ("drag_in_water", "drag_in_air"):
             found.number(key, getattr(self, key), "", above=0.0, at_most=5.0)
@@ -202,29 +206,38 @@ class BuoyShape:
             found.number("hull_depth", self.hull_depth, "m", at_least=0.1, at_most=60.0)
             for key in ("structure", "structure_depth", "eye_offset"):
                 if value := getattr(self, key):
-                    found.add(key, f"{value!r}", "it belongs to a hull of slices, which is missing")
+                    found.add(
+                        key,
+                        f"{value!r}",
+                        Message("refused_sizing.belongs_hull_slices_which_missing"),
+                    )
             return
         for key in ("hull_diameter", "hull_depth", "tube_diameter", "tube_length"):
             if value := getattr(self, key):
-                found.add(key, f"{value!r}", "leave it out: the hull is given by its slices")
+                found.add(key, f"{value!r}", Message("refused_sizing.leave_out_hull_given_by"))
 
     def _check_together(self, found: Findings) -> None:
         if self.chain_min and self.chain_max and self.chain_max < self.chain_min:
-            allowed = f"not below chain_min, {self.chain_min:g} m"
+            allowed = Message("refused_sizing.not_below_chain_min_m", chain_min=self.chain_min)
             found.add("chain_max", f"{self.chain_max:g} m", allowed)
         if not self.hull and self.tube_diameter > self.hull_diameter:
-            found.add("tube_diameter", f"{self.tube_diameter:g} m", "wider than the hull")
+            found.add(
+                "tube_diameter",
+                f"{self.tube_diameter:g} m",
+                Message("refused_sizing.wider_than_hull"),
+            )
         draught = self._draught(SEA_WATER_DENSITY, 0.0)
         freeboard = self.deck - draught
         if draught <= 0.0:
-            light = "less than what is below its hull displaces: the hull would float clear of it"
+            light = Message("refused_sizing.less_than_what_below_hull")
             found.add("mass", f"{self.mass:g} kg", light)
         elif freeboard <= self.least_freeboard:
             most = SEA_WATER_DENSITY * self.displaced_at(self.least_freeboard)
-            heavy = (
-                f"floats, without a mooring, with a freeboard of {freeboard:.2f} m,"
-                f" not above the least one of {self.least_freeboard:g} m: "
-                f"below {most - self.ballast:.0f} kg"
+            heavy = Message(
+                "refused_sizing.floats_without_mooring_with_freeboard",
+                freeboard=freeboard,
+                least_freeboard=self.least_freeboard,
+                most=most - self.ballast,
             )
             found.add("mass", f"{self.mass:g} kg", heavy)
 
@@ -387,7 +400,11 @@ class BuoyShape:
         found.raise_if_any()
         draught = self._draught(water_density, pull)
         if draught <= 0.0:
-            found.add("water_density", f"{water_density:g} kg/m3", "its hull floats clear of it")
+            found.add(
+                "water_density",
+                f"{water_density:g} kg/m3",
+                Message("refused_sizing.hull_floats_clear"),
+            )
         found.raise_if_any()
         return Floating(self, pull, water_density, draught)
 

@@ -12,6 +12,7 @@ from catopt.documents import read_text, unfit
 from catopt.errors import InputError, Problem
 from catopt.loads.buoy_shape import BuoyShape, BuoySlice
 from catopt.model.validity import Findings
+from catopt.words import Message
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
@@ -78,7 +79,7 @@ def parse_calmar_buoy(
     found = Findings(source)
     top = _parsed(text, source)
     if top.tag != "Calmar":
-        found.add("file", f"<{top.tag}>", "a buoy that CALMAR saved begins with <Calmar>")
+        found.add("file", f"<{top.tag}>", Message("refused_sizing.buoy_calmar_saved_begins_with"))
         found.raise_if_any()
     _check(top, "", found)
     found.raise_if_any()
@@ -97,9 +98,17 @@ def parse_calmar_buoy(
     least, most = (int(_number(buoy, f"NombreLest{end}")) for end in ("Min", "Max"))
     pieces = least if ballast_pieces is None else ballast_pieces
     if not floats and not frame:
-        found.add("Buoy.Flotteur", "no ElementDimItem", "float or structure wants one")
+        found.add(
+            "Buoy.Flotteur",
+            "no ElementDimItem",
+            Message("refused_sizing.float_or_structure_wants_one"),
+        )
     if not least <= pieces <= most:
-        found.add("ballast_pieces", f"{pieces}", f"this buoy has {least} to {most}")
+        found.add(
+            "ballast_pieces",
+            f"{pieces}",
+            Message("refused_sizing.this_buoy_has", least=least, most=most),
+        )
     found.raise_if_any()
 
     depth = _number(tail, "OffsetFlotteur") if frame else 0.0
@@ -134,7 +143,9 @@ def _parsed(text: str, source: str) -> Element:
     from xml.etree import ElementTree
 
     if declared := re.search(r"<!(?!--)\w*", text):
-        refused = Problem("file", declared[0], "a buoy of CALMAR declares nothing: take it out")
+        refused = Problem(
+            "file", declared[0], Message("refused_sizing.buoy_calmar_declares_nothing_take")
+        )
         raise InputError([refused], source)
     try:
         return ElementTree.fromstring(text)
@@ -142,7 +153,9 @@ def _parsed(text: str, source: str) -> Element:
         line, column = error.position
         place = f"line {line}, column {column + 1}"
         said = str(error).partition(":")[0]
-        raise InputError([Problem(place, "", f"it is no XML: {said}")], source) from None
+        raise InputError(
+            [Problem(place, "", Message("refused_sizing.no_xml", said=said))], source
+        ) from None
 
 
 def _check(of: Element, path: str, found: Findings) -> None:
@@ -151,10 +164,12 @@ def _check(of: Element, path: str, found: Findings) -> None:
     _check_attributes(of, path, tag, found)
     for text in (of.text, *(each.tail for each in of)):
         if text and text.strip():
-            found.add(path or of.tag, "text between its elements", "take it out")
+            found.add(
+                path or of.tag, "text between its elements", Message("refused_sizing.take_out")
+            )
     for name in tag.one:
         if (count := len(of.findall(name))) != 1:
-            found.add(_at(path, name), f"{count} of them", "one is wanted")
+            found.add(_at(path, name), f"{count} of them", Message("refused_sizing.one_wanted"))
     inside = tag.one + tag.several
     counts: dict[str, int] = {}
     for each in of:
@@ -169,29 +184,33 @@ def _check(of: Element, path: str, found: Findings) -> None:
 def _check_attributes(of: Element, path: str, tag: _Tag, found: Findings) -> None:
     for key in (*tag.texts, *tag.numbers):
         if key not in of.attrib:
-            found.add(_at(path, key), "", "missing")
+            found.add(_at(path, key), "", Message("refused_sizing.missing"))
     for key, value in of.attrib.items():
         if key in tag.numbers:
             _check_number(_at(path, key), value, found)
         elif key not in tag.texts:
             found.add(_at(path, key), "an unknown attribute", _allowed(tag.texts + tag.numbers))
         elif unfit(value):
-            found.add(_at(path, key), unfit(value), "take it out of the text")
+            found.add(_at(path, key), unfit(value), Message("refused.out_of_text"))
 
 
 def _allowed(names: Sequence[str]) -> str:
-    return f"allowed here: {', '.join(names)}" if names else "none is allowed here"
+    return (
+        Message("refused_sizing.allowed_here", names=", ".join(names))
+        if names
+        else Message("refused_sizing.none_allowed_here")
+    )
 
 
 def _check_number(at: str, value: str, found: Findings) -> None:
     try:
         number = float(value)
     except ValueError:
-        allowed = "a number with a decimal point is wanted"
+        allowed = Message("refused_sizing.number_with_decimal_point_wanted")
         found.add(at, f'"{value}"', allowed)
         return
     if "NombreLest" in at and number % 1.0:
-        found.add(at, f'"{value}"', "a whole number is wanted")
+        found.add(at, f'"{value}"', Message("refused.whole"))
     else:
         found.number(at, number, "", at_least=0.0)
 

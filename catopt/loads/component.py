@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from catopt.loads.source import LoadSource
+from catopt.shown import Tabled
 from catopt.words.measure import number
 
 Axis = Literal["along", "surge", "sway"]
@@ -70,7 +71,7 @@ class LoadComponent:
 
 
 @dataclass(frozen=True)
-class Loads:
+class Loads(Tabled):
     """All horizontal forces on a buoy or a ship in some weather, in the order of computation."""
 
     title: str

@@ -20,6 +20,7 @@ from catopt.loads.holding_data import (
 from catopt.loads.sizes import NextSize, neighbours, next_size
 from catopt.loads.source import UFC, LoadSource, refuse_recalled
 from catopt.model.validity import Findings
+from catopt.shown import Tabled
 from catopt.words import Measure, Message, Several, term
 
 FACTOR_SOURCE: Final = LoadSource(UFC, "table 3-7, page 26", "A")
@@ -29,7 +30,7 @@ _STEEPEST_LIMIT: Final = math.radians(10.0)
 
 
 @dataclass(frozen=True)
-class HoldingCapacity:
+class HoldingCapacity(Tabled):
     """What an anchor holds at the most, pulled horizontally, N, by a curve."""
 
     capacity: float
@@ -169,7 +170,7 @@ def _curves(anchor: str, soil: str, data: str, allow_recalled: bool) -> tuple[Ho
     """Gather the curves to be used."""
     found = Findings("holding capacity")
     if anchor not in ANCHORS:
-        found.add("anchor", repr(anchor), "one of " + "; ".join(ANCHORS))
+        found.add("anchor", repr(anchor), Message("refused.of_these", words="; ".join(ANCHORS)))
     found.word("soil", soil, SOILS)
     found.word("data", data, ("lower", *DATA_SETS))
     found.raise_if_any()
@@ -177,7 +178,9 @@ def _curves(anchor: str, soil: str, data: str, allow_recalled: bool) -> tuple[Ho
     own = [curve for curve in of_anchor if curve.soil == soil and data in ("lower", curve.data)]
     if not own:
         there = ", ".join(f"{curve.data} in {curve.soil}" for curve in of_anchor)
-        lacks = f"no figures of {anchor} for data {data!r}; there are: {there}"
+        lacks = Message(
+            "refused_sizing.no_figures_data_there_are", anchor=anchor, data=data, there=there
+        )
         found.add("soil", repr(soil), lacks)
         found.raise_if_any()
     if all(curve.source.recalled for curve in own):

@@ -8,6 +8,7 @@ from typing import Final
 
 from catopt.constants import STANDARD_GRAVITY
 from catopt.model.validity import Findings
+from catopt.words import Message
 
 HMAX_OVER_HS: Final = 1.85
 """Largest wave over significant wave height, as IALA's CALMAR has it."""
@@ -38,8 +39,7 @@ class Wind:
             found.add(
                 "speed",
                 f"{self.speed:g} m/s",
-                f"above {_STRONGEST_WIND:g} m/s, more than any design wind: were km/h or knots "
-                "meant? Write the unit",
+                Message("refused_sizing.above_m_s_more_than", strongest_wind=_STRONGEST_WIND),
             )
         found.raise_if_any()
 
@@ -65,7 +65,7 @@ class SurfaceCurrent:
             found.add(
                 "speed",
                 f"{self.speed:g} m/s",
-                f"above {_FASTEST_CURRENT:g} m/s, faster than any tide: were cm/s or knots meant?",
+                Message("refused_sizing.above_m_s_faster_than", fastest_current=_FASTEST_CURRENT),
             )
         found.raise_if_any()
 
@@ -88,10 +88,16 @@ class SeaState:
         found.numbers(self, "m", *heights, at_least=0.0, at_most=_HIGHEST_WAVE)
         hs, hmax = self.significant_height, self.maximum_height
         if hs is None and hmax is None:
-            found.add("significant_height", "", "missing; it or maximum_height is wanted")
+            found.add(
+                "significant_height", "", Message("refused_sizing.missing_or_maximum_height_wanted")
+            )
         found.raise_if_any()
         if hs is not None and hmax is not None and hmax < hs:
-            found.add("maximum_height", f"{hmax:g} m", f"below the significant height of {hs:g} m")
+            found.add(
+                "maximum_height",
+                f"{hmax:g} m",
+                Message("refused_sizing.below_significant_height_m", hs=hs),
+            )
         found.raise_if_any()
 
     @property
@@ -178,7 +184,11 @@ class WaterLevels:
         for key in ("low", "high"):
             found.number(key, getattr(self, key), "m", above=0.0, at_most=_DEEPEST)
         if not found.problems and self.high < self.low:
-            found.add("high", f"{self.high:g} m", f"below low water, {self.low:g} m")
+            found.add(
+                "high",
+                f"{self.high:g} m",
+                Message("refused_sizing.below_low_water_m", low=self.low),
+            )
         found.raise_if_any()
 
     @classmethod

@@ -25,6 +25,7 @@ from catopt.loads.sinker import (
 )
 from catopt.model.validity import Findings
 from catopt.units import as_written
+from catopt.words import Message
 
 
 @dataclass(frozen=True)
@@ -85,7 +86,7 @@ def named_anchors(name: str) -> tuple[AnchorType, ...]:
     exact = [e for e in every.values() if asked in [set(words_of(n)) for n in (e.name, *e.also)]]
     if exact:
         return tuple(exact[:1])
-    wanted = f"one of {'; '.join(every)} is wanted{meant(name, every)}"
+    wanted = meant(Message("refused.one_of", words="; ".join(every)), name, every)
     raise InputError([Problem("anchor", as_written(name), wanted)], "catalogue")
 
 

@@ -9,6 +9,7 @@ from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.source import LoadSource
 from catopt.model.validity import Findings
+from catopt.shown import Tabled
 from catopt.words import Message
 
 Medium = Literal["water", "air"]
@@ -21,7 +22,7 @@ LAYING_SOURCE: Final = LoadSource(
 
 
 @dataclass(frozen=True)
-class LayingCheck:
+class LayingCheck(Tabled):
     """Weight of buoy, chain and sinker beside the buoyancy that the buoy has, N."""
 
     name: str

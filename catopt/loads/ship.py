@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from catopt.model.validity import Findings
+from catopt.words import Message
 
 PROPELLER_AREA_RATIOS = MappingProxyType(
     {
@@ -18,9 +19,6 @@ PROPELLER_AREA_RATIOS = MappingProxyType(
     }
 )
 """LwL B over the propellers' projected area (UFC 4-159-03 of 2005, page 92, A)."""
-
-
-_BEYOND_THE_BOX = "above length x breadth x draught, {:.0f} m3: it is a volume"
 
 
 @dataclass(frozen=True)
@@ -67,22 +65,22 @@ class Ship:
         box = self.length_waterline * self.breadth * self.draught
         section = self.breadth * self.draught
         limits = (
-            ("length_waterline", "m", self.length_overall, "longer than the ship, {:g} m"),
-            ("displacement", "m3", box, _BEYOND_THE_BOX),
-            ("midship_area", "m2", section, "above breadth x draught, {:g}"),
-            ("draught", "m", self.breadth, "above the breadth, {:g} m"),
+            ("length_waterline", "m", self.length_overall, "refused_sizing.longer_than_ship"),
+            ("displacement", "m3", box, "refused_sizing.beyond_the_box"),
+            ("midship_area", "m2", section, "refused_sizing.above_section"),
+            ("draught", "m", self.breadth, "refused_sizing.above_breadth"),
         )
         for key, unit, most, words in limits:
             value = getattr(self, key)
             if value > most:
-                found.add(key, f"{value:g} {unit}", words.format(most))
+                found.add(key, f"{value:g} {unit}", Message(words, limit=most))
 
     def check_afloat(self, depth: float) -> None:
         """Raise InputError unless there is water, of a depth in m, under the keel."""
         found = self._findings()
         found.number("depth", depth, "m", above=0.0)
         if not found.problems and self.draught >= depth:
-            aground = f"the water is {depth:g} m deep: the ship would be aground"
+            aground = Message("refused_sizing.water_m_deep_ship_would", depth=depth)
             found.add("draught", f"{self.draught:g} m", aground)
         found.raise_if_any()
 

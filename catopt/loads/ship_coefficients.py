@@ -23,7 +23,7 @@ from catopt.loads.ship import Ship
 from catopt.loads.ship_estimate import Condition
 from catopt.loads.source import LoadSource
 from catopt.model.validity import Findings
-from catopt.words import Cited, Message
+from catopt.words import Cited, Message, term
 
 SCHEMA: Final = "catopt.ship-coefficients/1"
 """What a file of coefficients has under its key ``schema``."""
@@ -65,7 +65,11 @@ class CoefficientTable:
         low, high = self.angles[0], self.angles[-1]
         if not low - _ROUNDING <= off <= high + _ROUNDING:
             found = Findings("ship coefficients")
-            spans = f"the table has {math.degrees(low):g} to {math.degrees(high):g} deg off the bow"
+            spans = Message(
+                "refused_sizing.table_has_deg_off_bow",
+                value=math.degrees(low),
+                value2=math.degrees(high),
+            )
             found.add("angles", f"{math.degrees(off):g} deg", spans)
             found.raise_if_any()
         below, above, part = _between(self.angles, off)
@@ -119,7 +123,7 @@ class ShipCoefficients:
         low, high = ratios[0], ratios[-1]
         if not low * (1.0 - _ROUNDING) <= depth_over_draught <= high * (1.0 + _ROUNDING):
             found = Findings("ship coefficients")
-            spans = f"there are tables for depths of {low:g} to {high:g} draughts"
+            spans = Message("refused_sizing.there_are_tables_depths_draughts", low=low, high=high)
             found.add("depth_over_draught", f"{depth_over_draught:.4g}", spans)
             found.raise_if_any()
         below, above, part = _between(ratios, depth_over_draught)
@@ -328,8 +332,14 @@ def _check_conditions(findings: Findings, of: ShipCoefficients) -> None:
     for condition in get_args(Condition):
         own = of.in_condition(condition)
         if len(own.wind) > 1:
-            findings.add("wind", f"{len(own.wind)} tables", f"one for a ship that is {condition}")
+            findings.add(
+                "wind",
+                f"{len(own.wind)} tables",
+                Message("refused_sizing.one_ship", condition=term(condition)),
+            )
         ratios = [each.depth_over_draught for each in own.current]
         if len(ratios) > 1 and (None in ratios or len(set(ratios)) < len(ratios)):
-            allowed = f"each of a ship that is {condition} wants a depth_over_draught of its own"
+            allowed = Message(
+                "refused_sizing.each_ship_wants_depth_over", condition=term(condition)
+            )
             findings.add("current", f"{len(ratios)} tables", allowed)

@@ -8,6 +8,7 @@ from types import MappingProxyType
 from typing import Final, Literal, NamedTuple, TypeAlias, get_args
 
 from catopt.model.validity import Findings
+from catopt.words import Message
 
 ShipKind = Literal["tanker", "bulk carrier", "general cargo", "barge"]
 """A barge or a pontoon has square ends."""
@@ -81,7 +82,7 @@ def ship_dimensions(kind: str, deadweight: float) -> ShipDimensions:
     found = Findings("ship dimensions")
     found.word("kind", kind, get_args(ShipKind))
     if kind == "barge":
-        allowed = "no table of barges and pontoons was read: give length, breadth and draught"
+        allowed = Message("refused_sizing.no_table_barges_pontoons_was")
         found.add("deadweight", f"{deadweight / _TONNE:.6g} t", allowed)
     found.raise_if_any()
     rows = _TABLE[kind]
@@ -90,8 +91,12 @@ def ship_dimensions(kind: str, deadweight: float) -> ShipDimensions:
         found.add(
             "deadweight",
             f"{tonnes:.6g} t",
-            f"the dimensions of a {kind} are known from {known[0]:g} to {known[-1]:g} t: "
-            "give length, breadth and draught",
+            Message(
+                "refused_sizing.dimensions_are_known_from_t",
+                kind=kind,
+                value=known[0],
+                value2=known[-1],
+            ),
         )
     found.raise_if_any()
     if tonnes in rows:

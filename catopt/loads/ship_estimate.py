@@ -94,7 +94,7 @@ def estimated_tanker(
     found.number("draught", draught, "m", above=0.0)
     found.number("moulded_depth", moulded_depth, "m", above=0.0)
     if not found.problems and moulded_depth <= draught:
-        low = f"not above the draught of {draught:g} m: the deck would be under water"
+        low = Message("refused_sizing.not_above_draught_m_deck", draught=draught)
         found.add("moulded_depth", f"{moulded_depth:g} m", low)
     found.raise_if_any()
     freeboard = moulded_depth - draught

@@ -192,11 +192,16 @@ def _check_method(method: str, wind_on: str | UfcWind, headings: Headings) -> No
     found = Findings("loads on a ship")
     found.word("method", method, METHODS)
     if method == UFC_ALONE and isinstance(wind_on, str) and _is_off_the_bow(headings):
-        allowed = (
-            f"{UFC_ALONE} has coefficients here for wind along the ship only: take "
-            f"{UFC_BLENDERMANN}, or give the coefficients of your edition (UfcWind)"
+        allowed = Message(
+            "refused_sizing.has_coefficients_here_wind_along",
+            ufc_alone=UFC_ALONE,
+            ufc_blendermann=UFC_BLENDERMANN,
         )
-        found.add("Headings.wind", f"{math.degrees(headings.wind):g} deg off the bow", allowed)
+        found.add(
+            "Headings.wind",
+            Message("refused_sizing.off_the_bow", angle=math.degrees(headings.wind)),
+            allowed,
+        )
     found.raise_if_any()
 
 

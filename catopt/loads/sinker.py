@@ -172,11 +172,17 @@ def friction_of(soil: str, material: Material = "concrete") -> tuple[float, Load
         found.add("soil", repr(soil), Message("loads.mud", low=low, high=high))
     elif soil not in SOIL_FRICTION:
         listed = "; ".join(SOIL_FRICTION)
-        found.add("soil", repr(soil), f"one of {listed}; for others, soft mud too, give friction")
+        found.add(
+            "soil", repr(soil), Message("refused_sizing.one_others_soft_mud_too", listed=listed)
+        )
     check_material(found, material)
     of = SOIL_FRICTION[soil].of(material)
     if of is None:
-        refused = Problem("soil", repr(soil), f"no figure for {material} on it: give friction")
+        refused = Problem(
+            "soil",
+            repr(soil),
+            Message("refused_sizing.no_figure_on_give_friction", material=material),
+        )
         raise InputError([refused], "sinker")
     return of
 
@@ -192,7 +198,9 @@ def adhesion_holding(
     found = Findings("sinker")
     name = AS_CLAY.get(soil, soil)
     if name not in ADHESION:
-        found.add("soil", repr(soil), f"one of {', '.join(ADHESION)}, mud")
+        found.add(
+            "soil", repr(soil), Message("refused_sizing.one_mud", adhesion=", ".join(ADHESION))
+        )
     found.number("base_area", base_area, "m^2", above=0.0)
     check_material(found, material)
     row = ADHESION[name]
@@ -267,7 +275,11 @@ _SINKERS: Final = {
 def check_material(found: Findings, material: str) -> None:
     """Raise InputError for what was found, and for an unknown material."""
     if material not in DENSITIES:
-        found.add("material", as_written(material), f"one of {', '.join(DENSITIES)}")
+        found.add(
+            "material",
+            as_written(material),
+            Message("refused.of_these", words=", ".join(DENSITIES)),
+        )
     found.raise_if_any()
 
 
@@ -290,7 +302,7 @@ def _check(
     found.number("safety_factor", factor, "", at_least=1.0)
     if (soil is None) == (friction is None):
         given = "neither" if soil is None else "both"
-        found.add("soil", given, "one of soil and friction is wanted")
+        found.add("soil", given, Message("refused_sizing.one_soil_friction_wanted"))
     if friction is not None:
         found.number("friction", friction, "", above=0.0, at_most=1.5)
     found.raise_if_any()
@@ -301,5 +313,7 @@ def _check_density(density: float, water_density: float) -> None:
     found.number("water_density", water_density, "kg/m3", at_least=900.0, at_most=1100.0)
     found.number("density", density, "kg/m3", at_most=20e3)
     if not found.problems and density <= water_density:
-        found.add("density", f"{density:g} kg/m3", "it floats: above that of the water is wanted")
+        found.add(
+            "density", f"{density:g} kg/m3", Message("refused_sizing.floats_above_water_wanted")
+        )
     found.raise_if_any()

@@ -8,6 +8,7 @@ from typing import Final
 
 from catopt.errors import NoAnswerError
 from catopt.model.validity import Findings
+from catopt.shown import Tabled
 from catopt.words import Message
 
 SINKER_MASSES: Final = tuple(
@@ -23,7 +24,7 @@ _ROUNDING = 1e-9
 
 
 @dataclass(frozen=True, kw_only=True)
-class NextSize:
+class NextSize(Tabled):
     """The next size sold that holds a pull: masses in kg, forces in N."""
 
     needed_mass: float
@@ -73,9 +74,9 @@ def neighbours(size: float, series: Sequence[float]) -> tuple[float | None, floa
 def _check(series: Sequence[float]) -> None:
     found = Findings("series of sizes")
     if not series:
-        found.add("series", "none", "one size or more")
+        found.add("series", Message("refused.none"), Message("refused_sizing.one_size_or_more"))
     for index, size in enumerate(series):
         found.number(f"series[{index}]", size, "kg", above=0.0)
     if not found.problems and list(series) != sorted(set(series)):
-        found.add("series", "", "must rise")
+        found.add("series", "", Message("refused_motion.must_rise"))
     found.raise_if_any()

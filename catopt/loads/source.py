@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from catopt.catalogue.figure import RECALLED, Confidence
 from catopt.errors import InputError, Problem
+from catopt.words import Message
 
 CALMAR = "IALA CALMAR technical reference, 27 February 2014"
 UFC = "UFC 4-159-03 Design: Moorings, 3 October 2005 (superseded by the edition of 12 March 2020)"
@@ -44,5 +45,5 @@ def refuse_recalled(where: str, key: str, what: str, instead: str, *, allowed: b
     The message names function and argument, what was read in no document, and the way out.
     """
     if not allowed:
-        out = f"recalled (R), read in no document: {instead}, or set allow_recalled"
+        out = Message("refused_sizing.recalled_r_read_no_document", instead=instead)
         raise InputError([Problem(key, what, out)], where)

@@ -15,6 +15,7 @@ from catopt.loads.ship import Ship
 from catopt.loads.ship_estimate import Condition, estimated_tanker, estimates
 from catopt.loads.ship_loads import METHODS, ship_loads
 from catopt.loads.wave_drift import DriftWave
+from catopt.shown import Tabled
 from catopt.words import Message, Sentence
 
 PRINTED_FORCE: Final = 450e3
@@ -43,7 +44,7 @@ _STATEMENTS: Final = {
 
 
 @dataclass(frozen=True)
-class TankerComparison:
+class TankerComparison(Tabled):
     """Computed beside printed, N."""
 
     loads: Loads

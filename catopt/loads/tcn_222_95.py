@@ -155,8 +155,10 @@ def _on_an_axis(angle: float, chi: float) -> tuple[float, float]:
     found = Findings("22TCN 222-95")
     found.number("wave_coefficient", chi, "", at_least=0.0, at_most=1.0)
     if chi > 0.0 and not (is_along or is_across):
-        allowed = "its wave load is for waves from ahead, from astern or from the beam"
-        found.add("waves", f"{math.degrees(angle):g} deg off the bow", allowed)
+        allowed = Message("refused_sizing.wave_load_waves_from_ahead")
+        found.add(
+            "waves", Message("refused_sizing.off_the_bow", angle=math.degrees(angle)), allowed
+        )
     found.raise_if_any()
     return sine if is_across else 0.0, cosine if is_along else 0.0
 

@@ -23,6 +23,7 @@ from catopt.loads.ship_loads import AIR_DENSITY, governing_loads
 from catopt.loads.ufc_current import transverse_load, yaw_moment
 from catopt.loads.wave_drift import DriftWave, flat_side_drift, width_across
 from catopt.model.validity import Findings
+from catopt.shown import Tabled
 from catopt.words import Message
 
 _STEPS: Final = 720
@@ -77,7 +78,7 @@ class Afloat(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Lying:
+class Lying(Tabled):
     """How a ship lies in water of a depth, m, and what the mooring holds at that heading."""
 
     afloat: Afloat
@@ -142,7 +143,7 @@ def equilibrium_headings(
     found.number("mooring_point", lever, "m", at_least=-half, at_most=half)
     own = coefficients
     if turning.yaw is None and (own is None or not own.turns):
-        allowed = "missing; neither its coefficients nor a table of the ship's own has it"
+        allowed = Message("refused_sizing.missing_neither_coefficients_nor_table")
         found.add("current_yaw", "", allowed)
     found.raise_if_any()
     per_metre = flat_side_drift(
@@ -162,7 +163,11 @@ def equilibrium_headings(
         return sum(moment - force * lever for force, moment in pushes) + by_waves(seen.waves)
 
     if wind.speed == current.speed == sea.hmax == 0.0:
-        found.add("wind", "no wind, no current and no waves", "something has to push the ship")
+        found.add(
+            "wind",
+            "no wind, no current and no waves",
+            Message("refused_sizing.something_has_push_ship"),
+        )
         found.raise_if_any()
     return _stable(turned)
 

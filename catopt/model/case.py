@@ -64,9 +64,10 @@ class SwarmSettings(Checked):
         found.check("particles", "iterations", "runs")
         evaluations = 0 if found.problems else self.particles * self.iterations * self.runs
         if evaluations > MOST_EVALUATIONS:
-            allowed = (
-                f"with particles and iterations {evaluations:,} evaluations; {MOST_EVALUATIONS:,} "
-                "are the most, which take hours"
+            allowed = Message(
+                "refused_case.with_particles_iterations_evaluations_are",
+                evaluations=evaluations,
+                most_evaluations=MOST_EVALUATIONS,
             )
             found.add("runs", f"{self.runs}", allowed)
         found.check("seed", "cognitive", "social", "inertia", "boundary")
@@ -162,7 +163,7 @@ class Case(Checked):
         self._check_levels("load_cases", self.load_cases, found)
         for index, state in enumerate(self.load_cases):
             if state.condition is not None and self.service is None:
-                allowed = "goes with [service], which is missing: nothing wears without it"
+                allowed = Message("refused_case.goes_with_service_which_missing")
                 found.add(f"load_cases[{index}].condition", f'"{state.condition}"', allowed)
         if self.design is not None:
             self._check_levels("design.loads", self.design.loads, found)
@@ -185,7 +186,9 @@ class Case(Checked):
             found.problems += broken_line_misfits(self.dynamics.broken_line, lines)
         lower = self.anchor_motion
         if lower is not None and (lower.rao_file or lower.of_a_body):
-            found.add("anchor_motion", "RAOs or a drift", "give period, or file")
+            found.add(
+                "anchor_motion", "RAOs or a drift", Message("refused_case.give_period_or_file")
+            )
 
     def _check_levels(
         self, place: str, states: Sequence[LoadCase | DesignLoad], found: Findings
@@ -193,7 +196,11 @@ class Case(Checked):
         names = [state.name for state in states]
         for index, state in enumerate(states):
             if state.name in names[:index]:
-                found.add(f"{place}[{index}].name", state.name, "another has this name")
+                found.add(
+                    f"{place}[{index}].name",
+                    state.name,
+                    Message("refused_case.another_has_this_name"),
+                )
             lowest = min(self.site.water_depth, self.fairlead_height + state.fairlead_rise)
             if not state.water_level > -lowest:
                 allowed = Message("refused.fairlead_above_bed", least=-lowest)

@@ -7,6 +7,7 @@ from typing import Annotated
 
 from catopt.model.kinds import Factor, Height, Length, SomeForce, Text, Uplift
 from catopt.model.validity import Checked, Findings
+from catopt.words import Message
 
 """Why a case of one line has no factor for one line out."""
 
@@ -43,4 +44,8 @@ class Checks(Checked):
         found.check("max_anchor_uplift_angle", "max_anchor_uplift_force", "min_grounded_length")
         found.check("max_span", "max_offset")
         if None not in (self.max_span, self.max_offset):
-            found.add("max_offset", f"{self.max_offset:g} m", "leave it out beside max_span")
+            found.add(
+                "max_offset",
+                f"{self.max_offset:g} m",
+                Message("refused_case.leave_out_beside_max_span"),
+            )

@@ -67,17 +67,19 @@ class CurrentProfile(Checked):
             is_given = given is not None and given != ()
             if key == "speed" and self.series_file and self.profile != "table":
                 if is_given:
-                    found.add(key, repr(given), "stands in the series_file; leave it out")
+                    found.add(
+                        key, repr(given), Message("refused_case.stands_series_file_leave_out")
+                    )
             elif is_given and key not in _TAKES[self.profile]:
                 allowed: str = Message("refused.not_with_profile", profile=self.profile)
                 found.add(key, repr(given), allowed)
             elif not is_given and key in _NEEDS[self.profile]:
                 found.add(key, "", Message("refused.profile_needs", profile=self.profile))
         if self.directions and self.direction != 0.0:
-            allowed = "goes with one of all depths; leave it out"
+            allowed = Message("refused_case.goes_with_one_all_depths")
             found.add("direction", repr(self.direction), allowed)
         if self.series_file and self.speeds and self.speeds[0] <= 0.0:
-            allowed = "must be above 0 m/s: the series_file scales the table by its first speed"
+            allowed = Message("refused_case.must_be_above_0_m")
             found.add("speeds[0]", f"{self.speeds[0]:g} m/s", allowed)
 
     def _check_table(self, found: Findings) -> None:
@@ -89,7 +91,7 @@ class CurrentProfile(Checked):
         self._check_length("directions", found)
         for index, turn in enumerate(turns(self.directions), start=1):
             if turn > _TURN:
-                allowed = "more than a right angle from the row before: give a row between them"
+                allowed = Message("refused_case.more_than_right_angle_from")
                 shown = f"a turn of {math.degrees(turn):.4g} deg"
                 found.add(f"directions[{index}]", shown, allowed)
 

@@ -64,7 +64,11 @@ class SegmentChoice(Checked):
 
     def _check(self, found: Findings) -> None:
         if not self.lengths:
-            found.add("lengths", "none", "at least one length is wanted")
+            found.add(
+                "lengths",
+                Message("refused.none"),
+                Message("refused_case.at_least_one_length_wanted"),
+            )
         found.check()
 
 
@@ -90,10 +94,12 @@ class ClumpWeightChoice(Checked):
 
     def _check(self, found: Findings) -> None:
         if not self.masses:
-            found.add("masses", "none", "at least one mass is wanted")
+            found.add(
+                "masses", Message("refused.none"), Message("refused_case.at_least_one_mass_wanted")
+            )
         found.check()
         if (self.joint is None) == (not self.positions):
-            found.add("positions", "", "either positions or a joint is wanted")
+            found.add("positions", "", Message("refused_case.either_positions_or_joint_wanted"))
 
 
 @dataclass(frozen=True)
@@ -115,7 +121,9 @@ class SinkerChoice(Checked):
         if self.factor_source and self.safety_factor is None:
             found.add("factor_source", "", Message("refused.with_safety_factor"))
         if not self.masses:
-            found.add("masses", "none", "at least one mass is wanted")
+            found.add(
+                "masses", Message("refused.none"), Message("refused_case.at_least_one_mass_wanted")
+            )
         found.check()
 
 
@@ -198,12 +206,20 @@ class Design(Checked):
 
     def _check(self, found: Findings) -> None:
         if not self.segments:
-            found.add("segments", "none", "at least one segment is wanted")
+            found.add(
+                "segments",
+                Message("refused.none"),
+                Message("refused_case.at_least_one_segment_wanted"),
+            )
         if all(segment.optional for segment in self.segments):
             found.add("segments", "all optional", Message("refused.one_segment"))
         unknown = [name for name in self.objectives if name not in OBJECTIVES]
         if unknown:
-            found.add("objectives", ", ".join(unknown), "two or three of " + ", ".join(OBJECTIVES))
+            found.add(
+                "objectives",
+                ", ".join(unknown),
+                Message("refused_case.two_or_three_of", words=", ".join(OBJECTIVES)),
+            )
         elif not 2 <= len(set(self.objectives)) == len(self.objectives) <= 3:
             named = ", ".join(self.objectives) or "none"
             found.add("objectives", named, Message("refused.two_or_three"))
@@ -213,10 +229,14 @@ class Design(Checked):
         for index, number in enumerate(self.lines):
             found.number(f"lines[{index}]", number, "", at_least=fewest, at_most=most)
         if list(self.lines) != sorted(set(self.lines)):
-            found.add("lines", ", ".join(map(str, self.lines)), "rising numbers, each once")
+            found.add(
+                "lines",
+                ", ".join(map(str, self.lines)),
+                Message("refused_case.rising_numbers_each_once"),
+            )
         found.check("anchor_radii", "pretensions")
         if self.anchor_radii and self.pretensions:
-            allowed = "one of both places the anchors: give the radius or the pretension"
+            allowed = Message("refused_case.one_both_places_anchors_give")
             found.add("pretensions", "beside anchor_radii", allowed)
         found.check("headings")
 
@@ -252,24 +272,21 @@ def body_misfits(
         return bool(given.get(key)) and given[key] != _PLAIN.get(key)
 
     if not has_system:
-        allowed = "is for a body with several lines: add [system], or leave it out"
+        allowed = Message("refused_case.body_with_several_lines_add")
         for key in filter(said, _OF_A_BODY):
             yield Problem(f"design.{key}", "without a system", allowed)
         return
     if not has_force and not given.get("loads"):
-        allowed = (
-            "missing; a design is for a force on the body, along x and y, other than 0, or for "
-            "[[design.loads]]"
-        )
+        allowed = Message("refused_case.missing_design_force_on_body")
         yield Problem("system.force", "", allowed)
     if given.get("loads"):
-        allowed = "say it in each of [[design.loads]] that it is for, and leave it out here"
+        allowed = Message("refused_case.say_each_design_loads_leave")
         for key in filter(said, ("headings", "line_out")):
             yield Problem(f"design.{key}", "beside design.loads", allowed)
     if given.get("sinker"):
-        allowed = "leave it out: a mooring is searched with the anchors of [anchor]"
+        allowed = Message("refused_case.leave_out_mooring_searched_with")
         yield Problem("design.sinker", "beside a system", allowed)
     objectives = given.get("objectives")
     if isinstance(objectives, (tuple, list)) and "excursion" in objectives:
-        allowed = "take offset: that of a body is counted from where it rests without a load"
+        allowed = Message("refused_case.take_offset_body_counted_from")
         yield Problem("design.objectives", "excursion", allowed)

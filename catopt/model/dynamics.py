@@ -126,9 +126,9 @@ def break_misfits(given: Collection[str]) -> list[Problem]:
     """List what is missing where a line breaks: which one, or when."""
     for key, other in (("broken_line", "broken_at"), ("broken_at", "broken_line")):
         if key in given and other not in given:
-            return [Problem(other, "", "missing; broken_line and broken_at go together")]
+            return [Problem(other, "", Message("refused_case.missing_broken_line_broken_at"))]
     if "broken_end" in given and "broken_line" not in given:
-        return [Problem("broken_line", "", "missing; broken_end needs it, and broken_at")]
+        return [Problem("broken_line", "", Message("refused_case.missing_broken_end_needs_broken"))]
     return []
 
 
@@ -136,7 +136,11 @@ def broken_line_misfits(number: int | None, lines: int) -> list[Problem]:
     """List a line that breaks and is not one of so many."""
     if number is None or number <= lines:
         return []
-    allowed = f"there are {lines} lines" if lines > 1 else "there is one line"
+    allowed = (
+        Message("refused_case.there_are_lines", lines=lines)
+        if lines > 1
+        else Message("refused_case.there_one_line")
+    )
     return [Problem("dynamics.broken_line", f"{number}", allowed)]
 
 
@@ -162,15 +166,14 @@ def dynamics_misfits(present: Collection[str], given: Mapping[str, Any]) -> list
     if "dynamics.broken_line" in given and not (
         {"system", "body"} <= set(present) or given.get("dynamics.broken_end") == "anchor"
     ):
-        allowed = (
-            "goes with [system] and [body]: a body that is led feels nothing of it; a line that "
-            'is lost at its anchor has broken_end = "anchor"'
-        )
+        allowed = Message("refused_case.goes_with_system_body_body")
         problems.append(Problem("dynamics.broken_line", "", allowed))
     if "system" not in present:
         keys = ["body"] if "body" in present else []
         keys += [f"motion.{key}" for key in OF_A_BODY if f"motion.{key}" in given]
-        problems += [Problem(key, "", "goes with [system], which is missing") for key in keys]
+        problems += [
+            Problem(key, "", Message("refused_case.goes_with_system_which_missing")) for key in keys
+        ]
     if "waves" not in present:
         for key, what in (
             ("motion.rao_file", "a ship's response"),
@@ -185,36 +188,34 @@ def _of_a_floater(present: Collection[str], given: Collection[str]) -> Iterator[
     """Yield what does not go together with a buoy that floats at the end of its line."""
     for key in ("motion", "anchor_motion", "body", "system"):
         if key in present:
-            allowed = (
-                "does not go with [floater]: one line, and a buoy that moves as the sea has it"
-            )
+            allowed = Message("refused_case.does_not_go_with_floater_too")
             yield Problem(key, "", allowed)
     if "waves" not in present:
-        yield Problem("waves", "", "missing; nothing moves a [floater] but waves")
+        yield Problem("waves", "", Message("refused_case.missing_nothing_moves_floater_but"))
     if "dynamics.broken_line" in given:
-        yield Problem("dynamics.broken_line", "", "does not go with [floater]")
+        yield Problem("dynamics.broken_line", "", Message("refused_case.does_not_go_with_floater"))
 
 
 def _of_a_body(present: Collection[str], given: Collection[str]) -> Iterator[Problem]:
     """Yield what does not go together in how a body with several lines moves."""
     if "anchor_motion" in present:
-        yield Problem("anchor_motion", "", "does not go with [system]: of one line alone")
+        yield Problem("anchor_motion", "", Message("refused_case.does_not_go_with_system"))
     if "motion" in present and "body" in present:
-        allowed = "does not go with [motion]: a body is led, or moves under the forces on it"
+        allowed = Message("refused_case.does_not_go_with_motion")
         yield Problem("body", "", allowed)
     elif "motion" not in present and "body" not in present:
-        allowed = "a moored body in motion needs [motion], which leads it, or [body]"
+        allowed = Message("refused_case.moored_body_motion_needs_motion")
         yield Problem("dynamics", "", allowed)
     elif "body" in present and "waves" not in present and "body.force_file" not in given:
-        yield Problem("body", "", "nothing moves: force_file or [waves] is missing")
+        yield Problem("body", "", Message("refused_case.nothing_moves_force_file_or"))
     if "motion.drift_file" in given and "motion.file" in given:
-        allowed = "does not go with file: add the drift to the motion there"
+        allowed = Message("refused_case.does_not_go_with_file")
         yield Problem("motion.drift_file", "", allowed)
     has_raos = "motion.rao_file" in given
     for key in RAO_CONVENTIONS:
         if has_raos and f"motion.{key}" not in given:
-            allowed = "missing; the RAOs of a body mean nothing without it (docs/verify.md)"
+            allowed = Message("refused_case.missing_raos_body_mean_nothing")
             yield Problem(f"motion.{key}", "", allowed)
     for key in (*RAO_CONVENTIONS, "rao_crest"):
         if f"motion.{key}" in given and not has_raos:
-            yield Problem(f"motion.{key}", "", "goes with rao_file, which is missing")
+            yield Problem(f"motion.{key}", "", Message("refused_case.goes_with_rao_file_which"))

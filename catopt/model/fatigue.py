@@ -21,6 +21,7 @@ from catopt.model.kinds import (
 )
 from catopt.model.validity import Checked, Findings
 from catopt.units import Dimension
+from catopt.words import Message
 
 FATIGUE_CODES: Final = ("DNV-OS-E301-2008", "API-RP-2SK")
 """Codes of which catopt has curves."""
@@ -106,7 +107,7 @@ def share_misfits(shares: Sequence[float]) -> list[Problem]:
     """List what is wrong in the parts of a year that sea states last: more than all of it."""
     if sum(shares) <= 1.0 + _ROUNDING:
         return []
-    allowed = "the shares add up to more than 1, the whole year; lower them"
+    allowed = Message("refused_case.shares_add_up_more_than")
     return [Problem("sea_states", f"{sum(shares):.6g}", allowed)]
 
 
@@ -115,7 +116,7 @@ def curve_misfits(given: Collection[str]) -> list[Problem]:
     if set(given) - {"segment"} in [set(way) for way in _WAYS]:
         return []
     found = " and ".join(key for key in given if key != "segment") or "none of them"
-    return [Problem("", found, "exactly one of name, log_a_D with m, K with M is wanted")]
+    return [Problem("", found, Message("refused_case.exactly_one_name_log_d"))]
 
 
 def fatigue_misfits(given: Collection[str]) -> list[Problem]:
@@ -124,11 +125,17 @@ def fatigue_misfits(given: Collection[str]) -> list[Problem]:
     states = [key for key in ("sea_states", "sea_states_file") if key in given]
     if len(states) != 1:
         found = " and ".join(states) or "none of them"
-        allowed = "exactly one of sea_states, sea_states_file is wanted"
+        allowed = Message("refused_case.exactly_one_sea_states_sea")
         problems.append(Problem("", found, allowed))
     if "code" not in given:
         problems += [
-            Problem(key, "", f"missing; give it, or a code: one of {', '.join(FATIGUE_CODES)}")
+            Problem(
+                key,
+                "",
+                Message(
+                    "refused_case.missing_give_or_code_one", fatigue_codes=", ".join(FATIGUE_CODES)
+                ),
+            )
             for key in ("design_factor", "curves")
             if key not in given
         ]
@@ -145,19 +152,33 @@ def sections_misfits(
     """
     problems = []
     for section, why in (
-        ("dynamics", "the line is run in time"),
-        ("waves", "the sea states take the place of their height and period"),
-        ("service", "it has the life"),
+        ("dynamics", "run_in_time"),
+        ("waves", "sea_states_in_place"),
+        ("service", "has_the_life"),
     ):
         if section not in present:
-            problems.append(Problem("fatigue", "", f"needs [{section}], which is missing: {why}"))
+            problems.append(
+                Problem(
+                    "fatigue",
+                    "",
+                    Message(
+                        "refused_case.needs_which_missing",
+                        section=section,
+                        why=Message(f"refused_case.{why}"),
+                    ),
+                )
+            )
     if "waves" in present and "spectrum" not in waves:
-        allowed = "[fatigue] needs waves of one spectrum, whose height and period a sea state gives"
+        allowed = Message("refused_case.fatigue_needs_waves_one_spectrum")
         problems.append(Problem("waves", "no spectrum", allowed))
     for index, segment in enumerate(curves):
         key = f"fatigue.curves[{index}].segment"
         if segment in curves[:index]:
-            problems.append(Problem(key, f"{segment or ''}", "another curve is for the same"))
+            problems.append(
+                Problem(key, f"{segment or ''}", Message("refused_case.another_curve_same"))
+            )
         elif segment is not None and segments and segment > segments:
-            problems.append(Problem(key, f"{segment}", f"the line has {segments}"))
+            problems.append(
+                Problem(key, f"{segment}", Message("refused_case.line_has", segments=segments))
+            )
     return problems

@@ -57,7 +57,7 @@ def break_test_misfits(given: Collection[str]) -> list[Problem]:
     missing = [key for key in TESTS if key not in given]
     if len(missing) != 1:
         return []
-    return [Problem(missing[0], "", "missing; MBL_mean and MBL_cov go together")]
+    return [Problem(missing[0], "", Message("refused_case.missing_mbl_mean_mbl_cov"))]
 
 
 def drag_misfits(given: Mapping[str, Any]) -> list[Problem]:
@@ -66,24 +66,24 @@ def drag_misfits(given: Mapping[str, Any]) -> list[Problem]:
     By its name in `Segment`, what the segment is given; a value that cannot be read is None.
     """
     if given.get("drag_method") != "roughness":
-        allowed = 'goes with drag_method = "roughness", which is missing'
+        allowed = Message("refused_case.goes_with_drag_method_roughness")
         return [Problem(key, repr(given[key]), allowed) for key in _ROUGH if key in given]
     problems = [
-        Problem(key, repr(given[key]), "follows from the roughness; leave it out")
+        Problem(key, repr(given[key]), Message("refused_case.follows_from_roughness_leave_out"))
         for key in _GIVEN
         if key in given
     ]
     if str(given.get("component") or "").startswith("chain"):
-        allowed = "is for round wires and ropes; a chain is none: give drag_normal, or leave it out"
+        allowed = Message("refused_case.round_wires_ropes_chain_none")
         problems.append(Problem("drag_method", "'roughness'", allowed))
     problems += [
-        Problem(key, "", 'missing; drag_method = "roughness" needs it')
+        Problem(key, "", Message("refused_case.missing_drag_method_roughness_needs"))
         for key in _ROUGH[:2]
         if key not in given
     ]
     KC = given.get("keulegan_carpenter")
     if KC is not None and KC >= STEADY_FROM and "wake_amplification" not in given:
-        graph = f"missing; for a KC of {STEADY_FROM:g} or more S4 has it in a graph (figure 2.10)"
+        graph = Message("refused_case.missing_kc_or_more_s4", steady_from=STEADY_FROM)
         problems.append(Problem("wake_amplification", "", graph))
     return problems
 
@@ -272,20 +272,23 @@ class Line:
         object.__setattr__(self, "point_loads", loads)
         found = Findings(of=self)
         if not self.segments:
-            found.add("segments", "none", "a line has at least one segment")
+            found.add(
+                "segments", Message("refused.none"), Message("refused_case.line_has_at_least_one")
+            )
         for index, load in enumerate(self.point_loads):
             nearest = min(load.position, self.length - load.position)
             if self.segments and not nearest > END_ROUNDING * self.length:
-                allowed = (
-                    f"must lie between the ends of the line, which is {self.length:g} m long, and "
-                    "farther from them than its rounding"
-                )
+                allowed = Message("refused_case.must_lie_between_ends_line", length=self.length)
                 found.add(f"point_loads[{index}].position", f"{load.position:g} m", allowed)
         for lower, upper in pairwise(self.point_loads):
             if lower.position == upper.position and lower.friction != upper.friction:
                 shown = f"{lower.friction} and {upper.friction} at {lower.position:g} m"
-                allowed = "point loads in one place lie on the bed with one friction: "
-                found.add("point_loads.friction", shown, f"{allowed}give both the same")
+                allowed = Message("refused_case.point_loads_one_place_lie")
+                found.add(
+                    "point_loads.friction",
+                    shown,
+                    Message("refused_case.give_both_same", allowed=allowed),
+                )
         found.raise_if_any()
 
     @property

@@ -8,6 +8,7 @@ from typing import Annotated, Literal
 from catopt.model.kinds import Place, Strength, Text
 from catopt.model.validity import Checked, Findings
 from catopt.model.wear import Condition
+from catopt.words import Message, term
 
 LoadCaseKind = Literal["extreme", "reference"]
 LoadCaseState = Literal["intact", "one_line_out"]
@@ -44,6 +45,7 @@ class LoadCase(Checked):
 
     def _check(self, found: Findings) -> None:
         if not self.name.strip():
-            found.add("name", repr(self.name), "a name is wanted")
+            found.add("name", repr(self.name), Message("refused_case.name_wanted"))
+        object.__setattr__(self, "name", term(self.name))  # templates' names are shown translated
         found.check("horizontal_force", "water_level", "fairlead_rise")
         found.check("kind", "state", "condition")

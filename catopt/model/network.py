@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass, field
 from typing import Annotated, Literal
@@ -15,6 +16,7 @@ from catopt.model.line import Line, weightless
 from catopt.model.service import Service
 from catopt.model.site import Site
 from catopt.model.validity import Checked, Findings
+from catopt.words import Message
 
 PointKind = Literal["anchor", "fairlead", "joint"]
 PointName = Annotated[str, Text(filled=True, example='"joint 1"')]
@@ -42,7 +44,7 @@ class Point(Checked):
 
     def _check(self, found: Findings) -> None:
         if not self.name:
-            found.add("name", "", "missing; lines name a point by it")
+            found.add("name", "", Message("refused_case.missing_lines_name_point_by"))
         found.check("kind")
         found.problems += point_misfits(vars(self))
         object.__setattr__(self, "force", tuple(self.force))
@@ -70,11 +72,13 @@ def point_misfits(given: dict[str, object]) -> list[Problem]:
     for key in ("x", "y", "height"):
         value = given.get(key)
         if is_joint and value is not None:
-            allowed = "leave it out: where a joint comes to rest is found"
+            allowed = Message("refused_case.leave_out_where_joint_comes")
             found.append(Problem(key, f"{value}", allowed))
         elif value is None and given.get("kind") in ("anchor", "fairlead"):
-            found.append(Problem(key, "", f"missing; {given['kind']}s have x, y and height"))
-    allowed = "leave it out: only a joint feels it"
+            found.append(
+                Problem(key, "", Message("refused_case.missing_s_have_x_y", value=given["kind"]))
+            )
+    allowed = Message("refused_case.leave_out_only_joint_feels")
     if given.get("submerged_weight") and not is_joint:
         found.append(Problem("submerged_weight", f"{given['submerged_weight']}", allowed))
     force = given.get("force")
@@ -115,7 +119,7 @@ class Network(Checked):
         object.__setattr__(self, "lines", tuple(self.lines))
         for key in ("points", "lines"):
             if not getattr(self, key):
-                found.add(key, "none", "at least one is wanted")
+                found.add(key, Message("refused.none"), Message("refused_case.at_least_one_wanted"))
         names = [point.name for point in self.points]
         joints = [point.name for point in self.points if point.kind == "joint"]
         pulled = {each.name for each in self.points if each.hung[2] > 0.0 or any(each.hung[:2])}
@@ -126,13 +130,13 @@ class Network(Checked):
             if not any(segment.submerged_weight for segment in segments):
                 found.add(f"lines[{k}].segments", *weightless("a line between points"))
             if {each.start, each.end} & set(joints):
-                allowed = "missing; lines that meet in joints have to stretch"
+                allowed = Message("refused_case.missing_lines_meet_joints_have")
                 for i in (i for i, segment in enumerate(segments) if math.isinf(segment.EA)):
                     found.add(f"lines[{k}].segments[{i}].EA", "", allowed)
         self._check_site(found)
         for key in ("max_span", "max_offset"):
             if (limit := getattr(self.checks, key)) is not None:
-                allowed = "leave it out: it is of a line from its anchor to its fairlead"
+                allowed = Message("refused_case.span_is_of_a_line")
                 found.add(f"checks.{key}", f"{limit:g} m", allowed)
         if self.anchor is not None:
             self._check_anchors(found, ends)
@@ -140,9 +144,9 @@ class Network(Checked):
     def _check_site(self, found: Findings) -> None:
         if self.site.seabed_slope != 0.0:
             slope = f"{math.degrees(self.site.seabed_slope):g} deg"
-            found.add("site.seabed_slope", slope, "lines with joints lie on a level bed")
+            found.add("site.seabed_slope", slope, Message("refused_case.lines_with_joints_lie_on"))
         if offset := self.site.contact_offset:
-            allowed = "leave it out of lines with joints: give depth and heights less by it"
+            allowed = Message("refused_case.leave_out_lines_with_joints")
             found.add("site.contact_offset", f"{offset:g} m", allowed)
 
     def _check_anchors(self, found: Findings, ends: list[tuple[str, str]]) -> None:
@@ -151,11 +155,11 @@ class Network(Checked):
         for name in anchors:
             lines = [f"{k}" for k, pair in enumerate(ends, start=1) if name in pair]
             if len(lines) > 1:
-                allowed = "[anchor] holds one line: give each an anchor of its own, or leave it out"
+                allowed = Message("refused_case.anchor_holds_one_line")
                 found.add("anchor", f"lines {', '.join(lines)} at {name}", allowed)
         for k, pair in enumerate(ends, start=1):
             if pair[0] != pair[1] and set(pair) <= set(anchors):
-                allowed = "[anchor] holds one end of a line: make the other a fairlead"
+                allowed = Message("refused_case.anchor_holds_one_end")
                 found.add("anchor", f"line {k} from {pair[0]} to {pair[1]}", allowed)
 
     @property
@@ -174,31 +178,42 @@ def network_misfits(
 
     `pulled`: joints that a force or their buoyancy keeps from falling.
     """
+    first = {name: k for k, name in reversed([*enumerate(names)])}
     found = [
-        Problem(f"points[{k}].name", name, "another point has this name")
+        Problem(f"points[{k}].name", name, Message("refused_case.another_point_has_this_name"))
         for k, name in enumerate(names)
-        if name in names[:k]
+        if first[name] < k
     ]
     for k, pair in enumerate(ends):
         found += (
-            Problem(f"lines[{k}].{key}", end, f"no such point; there are {', '.join(names)}")
+            Problem(
+                f"lines[{k}].{key}",
+                end,
+                Message("refused_case.no_such_point_there_are", names=", ".join(names)),
+            )
             for key, end in zip(("start", "end"), pair, strict=True)
-            if end not in names
+            if end not in first
         )
         if pair[0] == pair[1]:
-            found.append(Problem(f"lines[{k}].end", pair[1], "the line begins there, too"))
+            found.append(
+                Problem(f"lines[{k}].end", pair[1], Message("refused_case.line_begins_there_too"))
+            )
+    meeting = Counter(name for pair in ends for name in {*pair})
     return found or [
         Problem(f"points[{k}]", name, allowed)
         for k, name in enumerate(names)
-        if (allowed := _loose(name, joints, ends, pulled))
+        if (allowed := _loose(name, meeting[name], joints, ends, pulled))
     ]
 
 
 def _loose(
-    name: str, joints: list[str], ends: list[tuple[str, str]], pulled: Collection[str]
+    name: str,
+    meeting: int,
+    joints: Collection[str],
+    ends: list[tuple[str, str]],
+    pulled: Collection[str],
 ) -> str:
     """Say why nothing holds a point, or what it is for; empty where that is in order."""
-    meeting = sum(name in pair for pair in ends)
     if not meeting:
         return "no line ends here; take it out"
     if name not in joints:
@@ -211,4 +226,4 @@ def _loose(
     reached = {name}
     while grown := {end for pair in ends if reached & set(pair) for end in pair} - reached:
         reached |= grown
-    return "" if reached - set(joints) else "no line leads from here to an anchor or a fairlead"
+    return "" if reached - {*joints} else "no line leads from here to an anchor or a fairlead"

@@ -15,6 +15,7 @@ from catopt.errors import InputError, Problem
 from catopt.model.kinds import Measured, OneOf, WearRate
 from catopt.model.validity import Checked
 from catopt.units import Dimension
+from catopt.words import Message
 
 WEAR_ZONES: Final = ("splash", "catenary", "bottom", "wire")
 """Where a segment hangs or lies; "wire" is for wire rope wherever it is."""
@@ -82,7 +83,11 @@ class Service(Checked):
         if wear_rate is None and self.table is not None:
             rates = self.table.rates
             if wear_zone is None or wear_zone not in rates:
-                allowed = f"wear_table {self.wear_table} has {', '.join(rates)}; or give wear_rate"
+                allowed = Message(
+                    "refused_case.wear_table_has_or_give",
+                    wear_table=self.wear_table,
+                    rates=", ".join(rates),
+                )
                 found = "" if wear_zone is None else f'"{wear_zone}"'
                 raise InputError([Problem("wear_zone", found, allowed)], "Service")
             wear_rate = rates[wear_zone]
@@ -100,16 +105,28 @@ def wear_misfits(
     problems = []
     name = service.get("wear_table")
     if name and service.get("wear_rate"):
-        problems.append(Problem("service.wear_rate", "", "one of wear_rate and wear_table"))
+        problems.append(
+            Problem("service.wear_rate", "", Message("refused_case.one_wear_rate_wear_table"))
+        )
     for index, segment in enumerate(segments):
         zone, key = segment.get("wear_zone"), f"line.segments[{index}].wear_zone"
         if not zone:
             continue
         table = WEAR_TABLES.get(name or "")
         if not name:
-            problems.append(Problem(key, f'"{zone}"', "goes with service.wear_table, not given"))
+            problems.append(
+                Problem(key, f'"{zone}"', Message("refused_case.goes_with_service_wear_table"))
+            )
         elif segment.get("wear_rate") is not None:
-            problems.append(Problem(key, f'"{zone}"', "one of wear_rate and wear_zone"))
+            problems.append(
+                Problem(key, f'"{zone}"', Message("refused_case.one_wear_rate_wear_zone"))
+            )
         elif table is not None and zone not in table.rates:
-            problems.append(Problem(key, f'"{zone}"', f"{name} has {', '.join(table.rates)}"))
+            problems.append(
+                Problem(
+                    key,
+                    f'"{zone}"',
+                    Message("refused_case.has", name=name, rates=", ".join(table.rates)),
+                )
+            )
     return problems

@@ -11,6 +11,7 @@ from catopt.errors import InputError, Problem
 from catopt.model.kinds import Density, Given, Length, Measured, NotNegative
 from catopt.model.validity import Checked, Findings
 from catopt.units import Dimension
+from catopt.words import Message
 
 STEEPEST = math.radians(45.0)
 """Slope of a bed, either way, rad."""
@@ -24,8 +25,6 @@ Offset = Annotated[
     float,
     Measured(Dimension.LENGTH, at_least=0.0, at_most=HIGHEST, example='"0.164 m"'),
 ]
-
-LEVEL_ONLY = "must be 0 or left out: seabed_slope is not 0"
 
 
 @dataclass(frozen=True)
@@ -59,7 +58,9 @@ class Site(Checked):
     def _check(self, found: Findings) -> None:
         found.check()
         if self.seabed_slope and self.contact_offset:
-            found.add("contact_offset", f"{self.contact_offset:g} m", LEVEL_ONLY)
+            found.add(
+                "contact_offset", f"{self.contact_offset:g} m", Message("refused_case.level_only")
+            )
 
     @property
     def depth_to_seabed(self) -> float:
@@ -73,7 +74,6 @@ class Site(Checked):
     def check_level(self) -> None:
         """Raise InputError where the bed slopes, for what takes it to be level."""
         if self.seabed_slope != 0.0:
-            who = "only catopt verify --dynamic without [find] has a bed that slopes"
-            allowed = f"must be 0 or left out: {who}"
+            allowed = Message("refused_case.level_bed_unless")
             found = f"{math.degrees(self.seabed_slope):g} deg"
             raise InputError([Problem("site.seabed_slope", found, allowed)])

@@ -10,6 +10,7 @@ from catopt.errors import Problem
 from catopt.model.kinds import Angle, Force, Height, Length, Moment, NotNegative
 from catopt.model.line import Line, weightless
 from catopt.model.validity import Checked, Findings
+from catopt.words import Message
 
 
 @dataclass(frozen=True)
@@ -112,18 +113,21 @@ class System(Checked):
         object.__setattr__(self, "legs", tuple(self.legs))
         object.__setattr__(self, "force", tuple(self.force))
         if not self.legs:
-            found.add("legs", "none", "a system has at least one line")
+            found.add(
+                "legs", Message("refused.none"), Message("refused_motion.system_has_at_least_one")
+            )
         if len(self.force) != 2:
-            found.add("force", f"{len(self.force)} numbers", "two are wanted: along x and y")
+            found.add(
+                "force",
+                f"{len(self.force)} numbers",
+                Message("refused_case.two_are_wanted_along_x"),
+            )
         found.check("force", "moment", "seabed_friction")
         if self.yaw_free and not self.has_arms:
-            allowed = (
-                "no fairlead lies off the body's origin, so that nothing holds the body in yaw; "
-                "give a fairlead radius or leave yaw held"
-            )
+            allowed = Message("refused_case.no_fairlead_lies_off_body")
             found.add("yaw_free", "True", allowed)
         if not found.problems and self.moment != 0.0 and not self.turns:
-            allowed = "must be 0 where the body does not yaw: the lines feel nothing of it"
+            allowed = Message("refused_case.must_be_0_where_body")
             found.add("moment", f"{self.moment:g} N m", allowed)
 
     @classmethod
@@ -216,10 +220,14 @@ class System(Checked):
 
 def system_misfits(others: Mapping[str, object]) -> list[Problem]:
     """List the parts of a case that do not go with a system; one it lacks is empty or None."""
-    reasons = {"site.seabed_slope": "a bed slopes along one line"}
-    own_load = "a system has a load of its own"
+    reasons = {"site.seabed_slope": Message("refused_case.slopes_along_one")}
+    own_load = Message("refused_case.load_of_its_own")
     return [
-        Problem(key, "beside a system", f"leave out {key} or system: {reasons.get(key, own_load)}")
+        Problem(
+            key,
+            Message("refused_case.beside_a_system"),
+            Message("refused_case.leave_out_or_system", key_=key, value=reasons.get(key, own_load)),
+        )
         for key, value in others.items()
         if value
     ]

@@ -163,16 +163,14 @@ def train_misfits(given: Mapping[str, Any]) -> list[Problem]:
         allowed: str = Message("refused.with_not_with", way="jonswap", other=spectrum)
         problems.append(Problem("peak_enhancement", repr(given["peak_enhancement"]), allowed))
     if "spreading_exponent" in given and spectrum == "regular":
-        allowed = "a regular wave has one direction; leave it out"
+        allowed = Message("refused_case.regular_wave_has_one_direction")
         problems.append(Problem("spreading_exponent", repr(given["spreading_exponent"]), allowed))
     if "spreading_directions" in given and "spreading_exponent" not in given:
-        allowed = "goes with spreading_exponent, which is missing"
+        allowed = Message("refused_case.goes_with_spreading_exponent_which")
         found = repr(given["spreading_directions"])
         return [*problems, Problem("spreading_directions", found, allowed)]
     directions = given.get("spreading_directions", DIRECTIONS)
     if "spreading_exponent" in given and count and directions and count % directions:
-        allowed = (
-            f"must be a multiple of the {directions} directions, so that each has the same energy"
-        )
+        allowed = Message("refused_case.must_be_multiple_directions_so", directions=directions)
         problems.append(Problem("components", repr(count), allowed))
     return problems

@@ -36,7 +36,7 @@ def end_diameter(segment: Segment, service: Service | None) -> float | None:
     if loss == 0.0:
         return new
     if new is None:
-        allowed = "missing; wear is taken off it: give the nominal diameter, or leave the wear out"
+        allowed = Message("refused_case.missing_wear_taken_off_give")
         raise InputError([Problem("diameter", "", allowed)], "wear")
     if not new > loss:
         allowed = Message("checks.worn_away", loss=loss * 1e3)

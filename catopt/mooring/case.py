@@ -102,7 +102,7 @@ def report_system(
     """
     system = case.system
     if system is None:
-        wanted = "missing; a table [system] with anchor_radius and azimuths is wanted"
+        wanted = Message("refused_motion.missing_table_system_with_anchor")
         raise InputError([Problem("system", "", wanted)])
     solution = solve_system(system)
     above: list[str] = []

@@ -10,6 +10,7 @@ from catopt.model.validity import Findings
 from catopt.mooring.response import Response, response_of
 from catopt.mooring.zero_load import zero_load_position
 from catopt.patience import paced
+from catopt.shown import Tabled
 from catopt.ties import first_largest
 from catopt.words import Message
 
@@ -17,7 +18,7 @@ __all__ = ["WatchCircle", "watch_circle"]
 
 
 @dataclass(frozen=True)
-class WatchCircle:
+class WatchCircle(Tabled):
     """Offsets of a body under a force that goes round.
 
     Attributes

@@ -25,6 +25,7 @@ from catopt.mooring.joints import (
     solve,
 )
 from catopt.mooring.line_ends import Matrix, Vector
+from catopt.words import Message
 
 FREEDOMS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 """Along x, y and z (up), and about them in the sense of the right hand."""
@@ -305,14 +306,14 @@ def _ends_held(
             held[k] = (surge + a, sway + b, depth + heave + c)
             if not held[k][2] >= 0.0:
                 found = f"{point.name} at {held[k][2]:.6g} m"
-                allowed = "its fairlead must not be below the bed"
+                allowed = Message("refused_motion.fairlead_must_not_be_below")
                 raise InputError([Problem("displacement", found, allowed)], "held body")
     return arms, held
 
 
 def _check_pull(runs: Sequence[Run], found: JointsAtRest) -> None:
     """Refuse a line that hangs slack."""
-    allowed = "without a horizontal force it has no linear stiffness"
+    allowed = Message("refused_motion.without_horizontal_force_has_no")
     problems = [
         Problem("displacement", f"line {run.name} hangs slack", allowed)
         for run, each in zip(runs, found.ends, strict=True)

@@ -14,6 +14,7 @@ from catopt.model import Case
 from catopt.notes.origin import SourceFile, read_source
 from catopt.schemas import CASE_DIGEST, is_ours, read_any, read_document
 from catopt.verify.proof import Proof
+from catopt.words import Message
 
 _SOLUTION, _VERIFICATION = "solution.json", "verify.json"
 _SHOWN = 5
@@ -77,10 +78,10 @@ def case_path(path: Path) -> Path:
         return path
     if (path / DESIGN_CASE).is_file():
         return path / DESIGN_CASE
-    allowed = (
-        f"a directory with a {DESIGN_CASE} is wanted, as --out of catopt solve, check, curve, "
-        f"verify, system and design writes it; there is {_contents(path)}. Give a case file, or "
-        "run the command with --out once more, for older directories have no case"
+    allowed = Message(
+        "refused_command.directory_with_wanted_out_catopt",
+        design_case=DESIGN_CASE,
+        path=_contents(path),
     )
     raise InputError([Problem("CASE", str(path), allowed)], "options")
 
@@ -124,17 +125,16 @@ def _refuse_mixed(directory: Path, documents: Mapping[str, dict[str, Any]]) -> N
         known = {case_digest(each) for each in designs}
         strange = {name for name in strange if digests[name] not in known}
     if strange:
-        allowed = (
-            f"it is of another case than {DESIGN_CASE} beside it: run its command with --out once "
-            "more, or give each case a directory of its own"
-        )
+        allowed = Message("refused_command.another_case_than_beside_run", design_case=DESIGN_CASE)
         raise InputError([Problem(name, "", allowed) for name in sorted(strange)], str(directory))
 
 
-def _contents(directory: Path) -> str:
+def _contents(directory: Path) -> Message:
     """Say in words what a directory has."""
     names = sorted(each.name for each in directory.iterdir() if not each.name.startswith("."))
     if not names:
-        return "nothing in it"
+        return Message("refused_command.nothing_in_it")
     more = len(names) - _SHOWN
-    return ", ".join(names[:_SHOWN]) + (f" and {more} more" if more > 0 else "")
+    shown = ", ".join(names[:_SHOWN])
+    key = "refused_command.contents_and_more" if more > 0 else "refused_command.contents"
+    return Message(key, shown=shown, more=more)

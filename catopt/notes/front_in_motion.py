@@ -13,6 +13,7 @@ from catopt.design.front import knee
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.notes.motion import checks_in_motion, lines_at_rest
 from catopt.ties import largest
+from catopt.words import Message
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckReport, CheckResult
@@ -118,8 +119,11 @@ def front_in_motion(
 
     for _, case, _ in cases[:1]:
         if not any(each.check == "tension" for each in criteria_of(case, analysis="dynamic").all):
-            allowed = "codes or a safety_factor are wanted, by which a design passes in motion"
-            raise InputError([Problem("checks", "no limit of the tension", allowed)], "case file")
+            allowed = Message("refused_command.codes_or_safety_factor_are")
+            raise InputError(
+                [Problem("checks", Message("refused_command.no_tension_limit"), allowed)],
+                "case file",
+            )
     designs: list[DesignInMotion] = []
     for done, (number, case, objectives) in enumerate(cases):
         if progress is not None:

@@ -16,6 +16,7 @@ from catopt.errors import InputError, Problem
 from catopt.interrupt import signals_wait
 from catopt.render.files import document_bytes
 from catopt.schemas import CASE_DIGEST
+from catopt.words import Message, Several, term
 
 _TEMPORARY = re.compile(r"\..+\.\d+\.tmp")
 _STALE = 600.0
@@ -28,7 +29,7 @@ def check_directory(directory: Path) -> None:
     Raises InputError where it is a file, or cannot be made or written to.
     """
     if directory.exists() and not directory.is_dir():
-        raise _refused(directory, "is a file; give a directory")
+        raise _refused(directory, Message("refused_command.is_a_file"))
     place = directory
     try:
         while not place.exists() and place != place.parent:
@@ -66,7 +67,7 @@ def write_files(
     places = {directory / name: _marked(each, of) for name, each in contents.items()}
     for place in places:
         if any(_is_same(place, read) for read in keep):
-            raise _refused(place, "is the file that is read; give another place")
+            raise _refused(place, Message("refused_command.is_read"))
     try:
         _sweep(directory)
         for place, content in places.items():
@@ -123,10 +124,13 @@ def _write_through(place: Path, content: bytes) -> None:
         os.fsync(stream.fileno())
 
 
-def _reason(error: OSError) -> str:
+def _reason(error: OSError) -> Message:
     name = f"{Path(error.filename2 or error.filename).name}: " if error.filename else ""
-    return f"cannot be written: {name}{error.strerror or error}"
+    return Message(
+        "refused_command.not_written",
+        reason=Several((name, term(error.strerror or str(error))), ""),
+    )
 
 
-def _refused(directory: Path, why: str) -> InputError:
+def _refused(directory: Path, why: Message) -> InputError:
     return InputError([Problem("--out", str(directory), why)])

@@ -7,6 +7,7 @@ from decimal import Decimal
 from typing import TYPE_CHECKING, Any, Literal
 
 from catopt.documents import figures
+from catopt.shown import Tabled
 from catopt.words import Message, Several, term
 
 if TYPE_CHECKING:
@@ -228,7 +229,7 @@ class Study(Heading):
 
 
 @dataclass(frozen=True)
-class Reproduction:
+class Reproduction(Tabled):
     """The outcome of one or more studies."""
 
     studies: tuple[Study, ...]

@@ -85,9 +85,7 @@ def reproduce(name: str | None = None, *, progress: Progress | None = None) -> R
     return Reproduction(tuple((_STUDIES | by_swarm)[each]() for each in wanted))
 
 
-def _allowed(name: str) -> str:
-    from catopt.catalogue.names import nearest
+def _allowed(name: str) -> Message:
+    from catopt.catalogue.names import meant
 
-    near = nearest(name, names())
-    hint = f"; did you mean {near}?" if near else ""
-    return f"one of {', '.join(names())} is wanted{hint}"
+    return meant(Message("refused.one_of", words=", ".join(names())), name, names())

@@ -9,6 +9,7 @@ from typing import Any
 
 from catopt.documents import MOST_BYTES_OF_DATA, parse_json, read_text
 from catopt.errors import InputError, Problem
+from catopt.words import Message
 
 __all__ = ["CASE_DIGEST", "is_ours", "names", "read_any", "read_document", "schema"]
 
@@ -32,7 +33,9 @@ def schema(name: str) -> dict[str, Any]:
     InputError when there is no such document.
     """
     if name not in names():
-        raise InputError([Problem("name", repr(name), f"one of {', '.join(names())} is wanted")])
+        raise InputError(
+            [Problem("name", repr(name), Message("refused.one_of", words=", ".join(names())))]
+        )
     resource = name.removeprefix("catopt.").replace("/", "-") + ".json"
     document: dict[str, Any] = json.loads(files(__name__).joinpath(resource).read_text("utf-8"))
     return document
@@ -48,11 +51,13 @@ def read_document(path: Path, name: str) -> dict[str, Any]:
 
     document = read_any(path)
     if document.get("schema") != name:
-        problem = Problem("schema", repr(document.get("schema")), f"{name!r} is wanted")
+        problem = Problem(
+            "schema", repr(document.get("schema")), Message("refused_command.wanted", name=name)
+        )
         raise InputError([problem], str(path))
     problems = list(misfits(document, schema(name)))
     if len(problems) > _SHOWN:
-        more = f"{len(problems) - _SHOWN} more of the kind"
+        more = Message("refused_command.more_kind", problems=len(problems) - _SHOWN)
         problems[_SHOWN:] = [Problem("document", "", more)]
     if problems:
         raise InputError(problems, str(path))

@@ -8,6 +8,7 @@ from typing import Any
 
 from catopt.documents import Path, dotted
 from catopt.errors import Problem
+from catopt.words import Listed, Message
 
 Schema = Mapping[str, Any] | bool
 
@@ -22,17 +23,20 @@ _TYPES: Mapping[str, type | tuple[type, ...]] = {
 }
 
 _BOUNDS: Mapping[str, tuple[Callable[[float, float], bool], str]] = {
-    "minimum": (lambda value, bound: value >= bound, "must be {} or more"),
-    "maximum": (lambda value, bound: value <= bound, "must be {} or less"),
-    "exclusiveMinimum": (lambda value, bound: value > bound, "must be above {}"),
-    "exclusiveMaximum": (lambda value, bound: value < bound, "must be below {}"),
+    "minimum": (lambda value, bound: value >= bound, "refused.or_more"),
+    "maximum": (lambda value, bound: value <= bound, "refused.or_less"),
+    "exclusiveMinimum": (lambda value, bound: value > bound, "refused.above"),
+    "exclusiveMaximum": (lambda value, bound: value < bound, "refused.below"),
 }
 
 _IN_WORDS = {
-    "object": "an object",
-    "array": "an array",
-    "integer": "a whole number",
-    "null": "null",
+    "object": "refused.an_object",
+    "array": "refused.a_list",
+    "integer": "refused.a_whole_number",
+    "number": "refused.a_number",
+    "string": "refused.a_string",
+    "boolean": "refused.a_boolean",
+    "null": "refused.a_null",
 }
 
 
@@ -42,18 +46,18 @@ def misfits(document: Any, schema: Mapping[str, Any]) -> Iterator[Problem]:
         yield Problem(dotted(path) or "document", found, allowed)
 
 
-_Misfit = tuple[Path, str, str]
+_Misfit = tuple[Path, str, Message]
 
 
 def _misfits(value: Any, schema: Schema, path: Path, whole: Mapping[str, Any]) -> Iterator[_Misfit]:
     if isinstance(schema, bool):
         if not schema:
-            yield path, _shown(value), "leave it out"
+            yield path, _shown(value), Message("refused.leave_out")
         return
     if "$ref" in schema:
         yield from _misfits(value, _referred(schema["$ref"], whole), path, whole)
     if "type" in schema and not _is_of(value, schema["type"]):
-        yield path, _shown(value), f"{_wanted(schema['type'])} is wanted"
+        yield path, _shown(value), Message("refused.this_is_wanted", what=_wanted(schema["type"]))
         return
     yield from ((path, _shown(value), allowed) for allowed in _of_value(value, schema))
     if isinstance(value, list):
@@ -63,27 +67,27 @@ def _misfits(value: Any, schema: Schema, path: Path, whole: Mapping[str, Any]) -
     yield from _combined(value, schema, path, whole)
 
 
-def _of_value(value: Any, schema: Mapping[str, Any]) -> Iterator[str]:
+def _of_value(value: Any, schema: Mapping[str, Any]) -> Iterator[Message]:
     """Say what a single value has to be otherwise."""
     if "const" in schema and not _same(value, schema["const"]):
-        yield f"{_shown(schema['const'])} is wanted"
+        yield Message("refused.this_is_wanted", what=_shown(schema["const"]))
     if "enum" in schema and not any(_same(value, each) for each in schema["enum"]):
-        yield f"one of {', '.join(map(_shown, schema['enum']))} is wanted"
+        yield Message("refused.one_of", words=", ".join(map(_shown, schema["enum"])))
     if isinstance(value, str) and not re.search(schema.get("pattern", ""), value):
-        yield f"must match {schema['pattern']}"
+        yield Message("refused.must_match", pattern=schema["pattern"])
     if _is_of(value, "number"):
         for keyword, (is_kept, words) in _BOUNDS.items():
             if keyword in schema and not is_kept(value, schema[keyword]):
-                yield words.format(schema[keyword])
+                yield Message(words, bound=schema[keyword])
 
 
 def _of_array(
     value: list[Any], schema: Mapping[str, Any], path: Path, whole: Mapping[str, Any]
 ) -> Iterator[_Misfit]:
     if len(value) < schema.get("minItems", 0):
-        yield path, _shown(value), f"at least {schema['minItems']} are wanted"
+        yield path, _shown(value), Message("refused.at_least_wanted", count=schema["minItems"])
     if len(value) > schema.get("maxItems", len(value)):
-        yield path, _shown(value), f"at most {schema['maxItems']} are wanted"
+        yield path, _shown(value), Message("refused.at_most_wanted", count=schema["maxItems"])
     for index, each in enumerate(value):
         yield from _misfits(each, schema.get("items", True), (*path, index), whole)
 
@@ -94,11 +98,11 @@ def _of_object(
     known = schema.get("properties", {})
     for key in schema.get("required", ()):
         if key not in value:
-            yield (*path, key), "", "missing"
+            yield (*path, key), "", Message("refused.is_missing")
     for key, each in value.items():
         further = known.get(key, schema.get("additionalProperties", True))
         if further is False and key not in known:
-            yield (*path, key), "an unknown key", "leave it out"
+            yield (*path, key), Message("refused.unknown_key"), Message("refused.leave_out")
         else:
             yield from _misfits(each, further, (*path, key), whole)
 
@@ -115,7 +119,7 @@ def _combined(
         if not fitting:  # the one that fits furthest into the document was meant
             yield from max(tried, key=lambda each: max(len(place) for place, _, _ in each))
         elif keyword == "oneOf" and fitting > 1:
-            yield path, _shown(value), "only one of its kinds is wanted"
+            yield path, _shown(value), Message("refused.only_one_kind")
     if "if" in schema:
         met = not any(_misfits(value, schema["if"], path, whole))
         yield from _misfits(value, schema.get("then" if met else "else", True), path, whole)
@@ -143,16 +147,16 @@ def _same(value: Any, other: Any) -> bool:
     return type(value) is type(other) and bool(value == other)
 
 
-def _wanted(kinds: str | list[str]) -> str:
+def _wanted(kinds: str | list[str]) -> Message:
     listed = [kinds] if isinstance(kinds, str) else kinds
-    return " or ".join(_IN_WORDS.get(each, f"a {each}") for each in listed)
+    return Listed([Message(_IN_WORDS[each]) for each in listed], "or")
 
 
 def _shown(value: Any) -> str:
     if isinstance(value, dict):
-        return "an object"
+        return Message("refused.an_object")
     if isinstance(value, list):
-        return f"an array of {len(value)}" if value else "an empty array"
+        return Message("refused.an_array" if value else "refused.an_empty_array", count=len(value))
     if value is None or isinstance(value, bool):
         return str(value).lower().replace("none", "null")
     shown = repr(value)

@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 from typing import Final
 
-from catopt.catalogue import component
+from catopt.catalogue import component, standard
 from catopt.loads.buoy_library import buoys
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.model import Case, CurrentProfile, Dynamics, Floater, Segment, WaveState
@@ -16,7 +16,7 @@ DURATION: Final = 600.0
 """Of the run that such a case asks for, s; `BARS` are those of the line."""
 BARS: Final = 40
 _STIFF: Final = "chain studless R3"
-"""Chain whose axial stiffness stands for one of which no source states any."""
+"""Chain whose axial stiffness, per area of bar, stands for one of which no source states any."""
 
 
 def buoy_afloat(case: Case, request: BuoyRequest) -> Case | None:
@@ -47,5 +47,8 @@ def buoy_afloat(case: Case, request: BuoyRequest) -> Case | None:
 def _stiff(segment: Segment) -> Segment:
     if not math.isinf(segment.EA) or not segment.nominal_diameter:
         return segment
-    like = component(_STIFF, segment.nominal_diameter).segment(1.0)
-    return replace(segment, EA=like.EA)
+    diameter = segment.nominal_diameter
+    least, greatest = standard().family(_STIFF).range
+    known = min(max(diameter, least), greatest)
+    per_area = component(_STIFF, known).segment(1.0).EA / known**2
+    return replace(segment, EA=per_area * diameter**2)

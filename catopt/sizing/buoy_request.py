@@ -12,6 +12,7 @@ from catopt.sizing.environment import Environment
 from catopt.sizing.kinds import usual
 from catopt.sizing.known import ReadInput
 from catopt.sizing.line_choice import MOST_DEPTHS, LineChoice, unpriced_components
+from catopt.words import Message
 
 
 @dataclass(frozen=True)
@@ -61,18 +62,24 @@ class BuoyRequest:
         found.number("scope", self.scope, "", above=0.0, at_most=MOST_DEPTHS)
         low, high = self.environment.levels.low, self.environment.levels.high
         if isinstance(self.buoy, BuoyShape) and high > DEEPEST:
-            allowed = f"CALMAR holds down to {DEEPEST:g} m of water"
+            allowed = Message("refused_sizing.calmar_holds_down_m_water", deepest=DEEPEST)
             found.add("levels.high", f"{high:g} m", allowed)
         keel = self.keel_depth(0.0)
         if keel >= low:
-            allowed = f"the water is {low:g} m deep at low water: the buoy would touch the bed"
+            allowed = Message("refused_sizing.water_m_deep_at_low", low=low)
             if isinstance(self.buoy, BuoyShape):
-                allowed = f"it reaches {keel:.3g} m under water; {allowed}"
+                allowed = Message(
+                    "refused_sizing.reaches_m_under_water", keel=keel, allowed=allowed
+                )
                 found.add("buoy", f'"{self.buoy.name}"', allowed)
             else:
                 found.add("keel_depth", f"{keel:.3g} m", allowed)
         if isinstance(self.buoy, BuoyShape) and self.environment.is_calm:
-            found.add("wind", "no wind, no current and no waves", "something has to push the buoy")
+            found.add(
+                "wind",
+                Message("refused_sizing.calm"),
+                Message("refused_sizing.something_has_push_buoy"),
+            )
         found.raise_if_any()
 
     @property

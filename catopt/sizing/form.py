@@ -102,10 +102,14 @@ def read_form(path: str | os.PathLike[str]) -> list[SizingFile]:
     book = _opened(Path(path), source)
     moored = book[_FORM]["A1"].value if _FORM in book.sheetnames else None
     if moored not in ("buoy", "tanker"):
-        allowed = "a form that catopt new buoy --out FORM.xlsx wrote is wanted"
+        allowed = Message("refused_sizing.form_catopt_new_buoy_out")
         raise InputError([Problem("A1", f"{moored}", allowed)], source)
     problems = [
-        Problem(f"{sheet.title}!{cell.coordinate}", "a formula", "a value is wanted in its place")
+        Problem(
+            f"{sheet.title}!{cell.coordinate}",
+            Message("refused_sizing.a_formula"),
+            Message("refused_sizing.value_wanted_place"),
+        )
         for sheet in book
         for row in sheet.iter_rows()
         for cell in row
@@ -129,20 +133,24 @@ def _opened(path: Path, source: str) -> Any:
     import openpyxl
     from openpyxl.utils.exceptions import InvalidFileException
 
-    wanted = "a workbook (.xlsx) of at most 20 MB is wanted"
+    wanted = Message("refused_sizing.workbook_xlsx_at_most_20")
     try:
         with zipfile.ZipFile(path) as packed:
             parts = packed.infolist()
         if sum(part.file_size for part in parts) > MOST_BYTES:
-            raise InputError([Problem("file", "more than that", wanted)], source)
+            raise InputError(
+                [Problem("file", Message("refused_sizing.more_than_that"), wanted)], source
+            )
         if any("vbaproject" in part.filename.lower() for part in parts):
-            allowed = "save it without: catopt takes no workbook that holds a program"
-            raise InputError([Problem("file", "macros", allowed)], source)
+            allowed = Message("refused_sizing.save_without_catopt_takes_no")
+            raise InputError([Problem("file", Message("refused_sizing.macros"), allowed)], source)
         return openpyxl.load_workbook(path)
     except FileNotFoundError:
-        raise InputError([Problem("file", "", "there is no such file")], source) from None
+        raise InputError([Problem("file", "", Message("refused.no_file"))], source) from None
     except (OSError, ValueError, KeyError, zipfile.BadZipFile, InvalidFileException):
-        raise InputError([Problem("file", "no workbook", wanted)], source) from None
+        raise InputError(
+            [Problem("file", Message("refused_sizing.no_workbook"), wanted)], source
+        ) from None
 
 
 def _fleet(book: Any, inputs: Mapping[str, Input]) -> Iterator[dict[str, object]]:

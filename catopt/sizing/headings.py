@@ -35,7 +35,10 @@ def weathervaning_of(of: Known, *, is_turned: bool = False) -> Weathervaning | N
     make = of.telling.make
     if of.given.isdisjoint(DIRECTIONS):
         if "current_yaw" in of.given:
-            allowed = f"leave it out, or give one of {', '.join(map(of.telling.spell, DIRECTIONS))}"
+            allowed = Message(
+                "refused_sizing.leave_out_or_give_one",
+                spell=", ".join(map(of.telling.spell, DIRECTIONS)),
+            )
             of.telling.add("current_yaw", as_written(of["current_yaw"]), allowed)
         return Weathervaning()
     if of.values.keys().isdisjoint(DIRECTIONS):
@@ -61,16 +64,16 @@ def read_turning(
     `current_yaw` is a key of `catopt.loads.YAW_TYPES`, or "a, b" of UFC's table 4-10, b per degree;
     the mooring point is in m forward of midships, the bow when left out.
     """
-    allowed = (
-        f'one of {", ".join(YAW_TYPES)} (recalled, R) or "a, b" of UFC\'s table 4-10 is wanted'
-    )
+    allowed = Message("refused_sizing.one_recalled_r_or_b", yaw_types=", ".join(YAW_TYPES))
     if is_known:
         if current_yaw:
-            own = "leave it out: the ship's own tables have the moment of the current"
+            own = Message("refused_sizing.leave_out_ship_s_own")
             raise InputError([Problem("current_yaw", f'"{current_yaw}"', own)], "heading")
         return Turning(None, mooring_point)
     if not current_yaw:
-        raise InputError([Problem("current_yaw", "", f"missing; {allowed}")], "heading")
+        raise InputError(
+            [Problem("current_yaw", "", Message("refused.missing", wanted=allowed))], "heading"
+        )
     if current_yaw in YAW_TYPES:
         return Turning(YAW_TYPES[current_yaw], mooring_point)
     try:
@@ -89,7 +92,9 @@ def turned_round(directions: Headings, step: float) -> tuple[Headings, ...]:
         return (directions,)
     if not _LEAST_STEP <= step <= math.pi:
         found = f"{math.degrees(step):g} deg"
-        raise InputError([Problem("scan", found, "a step of 1 to 180 deg is wanted")], "heading")
+        raise InputError(
+            [Problem("scan", found, Message("refused_sizing.step_1_180_deg_wanted"))], "heading"
+        )
     count = math.ceil(2.0 * math.pi / step - 1e-9)
     turned = (math.remainder(directions.current + k * step, 2.0 * math.pi) for k in range(count))
     return tuple(

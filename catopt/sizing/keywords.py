@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Mapping
+from typing import Unpack
 
 from catopt.casefile.sizing_file import Moored
 from catopt.errors import InputError, Problem
@@ -13,9 +14,11 @@ from catopt.sizing.requests import size
 from catopt.sizing.result import Sizing
 from catopt.sizing.tanker import sized_tanker
 from catopt.sizing.tanker_request import TankerRequest
+from catopt.sizing.typed_inputs import BuoyInputs, TankerInputs
+from catopt.words import Message
 
 
-def size_buoy(request: BuoyRequest | str | None = None, /, **inputs: Any) -> Sizing:
+def size_buoy(request: BuoyRequest | str | None = None, /, **inputs: Unpack[BuoyInputs]) -> Sizing:
     """Size the chain and the sinker of a buoy.
 
     Parameters
@@ -51,7 +54,7 @@ def size_buoy(request: BuoyRequest | str | None = None, /, **inputs: Any) -> Siz
     return _sized("buoy", request, inputs)
 
 
-def size_tanker(request: TankerRequest | None = None, /, **inputs: Any) -> Sizing:
+def size_tanker(request: TankerRequest | None = None, /, **inputs: Unpack[TankerInputs]) -> Sizing:
     """Size the chain and the anchor of a tanker's mooring.
 
     Parameters
@@ -77,7 +80,7 @@ def size_tanker(request: TankerRequest | None = None, /, **inputs: Any) -> Sizin
     return _sized("tanker", request, inputs)
 
 
-def _sized(moored: Moored, request: object, inputs: dict[str, Any]) -> Sizing:
+def _sized(moored: Moored, request: object, inputs: Mapping[str, object]) -> Sizing:
     if isinstance(request, BuoyRequest) and moored == "buoy" and not inputs:
         return sized_buoy(request)
     if isinstance(request, TankerRequest) and moored == "tanker" and not inputs:
@@ -85,5 +88,5 @@ def _sized(moored: Moored, request: object, inputs: dict[str, Any]) -> Sizing:
     source = f"size_{moored}"
     if request is None:
         return size(known(moored, inputs, source=source))
-    allowed = f"the request for a {moored} is wanted, or keywords, not both"
+    allowed = Message("refused_sizing.request_wanted_or_keywords_not", moored=moored)
     raise InputError([Problem("request", f"a {type(request).__name__}", allowed)], source)

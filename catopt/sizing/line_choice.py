@@ -74,22 +74,38 @@ class LineChoice:
     def __post_init__(self) -> None:
         found = Findings("LineChoice")
         if not self.components:
-            found.add("components", "none", "one family with its grade is wanted, or several")
+            found.add(
+                "components",
+                Message("refused.none"),
+                Message("refused_sizing.one_family_with_grade_wanted"),
+            )
         found.numbers(self, "m", "diameter_min", "diameter_max", "length_step", above=0.0)
         found.numbers(self, "m", "max_swing", above=0.0)
         found.number("swing_price", self.swing_price, "USD/m", at_least=0.0)
         least, most = self.diameter_min, self.diameter_max
         if not found.problems and least is not None and most is not None and most < least:
-            found.add("diameter_max", f"{most * 1e3:g} mm", f"below diameter_min, {least * 1e3:g}")
+            found.add(
+                "diameter_max",
+                f"{most * 1e3:g} mm",
+                Message("refused_sizing.below_diameter_min", least=least * 1000.0),
+            )
         self._check_preference(found)
         found.number("life", self.life, "s", at_least=0.0)
         if self.life > _LONGEST_LIFE * YEAR:
             years = f"{self.life / YEAR:g} years"
-            found.add("life", years, f"must be {_LONGEST_LIFE:g} years or less")
+            found.add(
+                "life",
+                years,
+                Message("refused_sizing.must_be_years_or_less", longest_life=_LONGEST_LIFE),
+            )
         found.number("wear_rate", self.wear_rate, "m/s", at_least=0.0)
         if self.wear_rate > _FASTEST_WEAR / YEAR:
             rate = f"{self.wear_rate * YEAR * 1e3:g} mm/year"
-            found.add("wear_rate", rate, f"must be {_FASTEST_WEAR * 1e3:g} mm/year or less")
+            found.add(
+                "wear_rate",
+                rate,
+                Message("refused_sizing.must_be_mm_year_or", fastest_wear=_FASTEST_WEAR * 1000.0),
+            )
         if self.dynamic_factor is not None:
             found.number("dynamic_factor", self.dynamic_factor, "", at_least=1.0, at_most=10.0)
         try:
@@ -101,15 +117,23 @@ class LineChoice:
 
     def _check_preference(self, found: Findings) -> None:
         if self.prefer not in (None, *PREFERENCES):
-            found.add("prefer", repr(self.prefer), "one of " + ", ".join(PREFERENCES))
+            found.add(
+                "prefer",
+                repr(self.prefer),
+                Message("refused.of_these", words=", ".join(PREFERENCES)),
+            )
         lowest, highest = self.scope
         found.number("scope_min", lowest, "", at_least=0.0, at_most=MOST_DEPTHS)
         if highest != math.inf:
             found.number("scope_max", highest, "", above=0.0, at_most=MOST_DEPTHS)
         if 0.0 < highest < lowest <= MOST_DEPTHS:
-            found.add("scope_max", f"{highest:g}", f"below scope_min, {lowest:g}")
+            found.add(
+                "scope_max",
+                f"{highest:g}",
+                Message("refused_sizing.below_scope_min", lowest=lowest),
+            )
         if self.swing_price and self.prefer != "cheapest":
-            allowed = 'leave it out: prefer = "cheapest" alone weighs it, and wants known prices'
+            allowed = Message("refused_sizing.leave_out_prefer_cheapest_alone")
             found.add("swing_price", f"{self.swing_price:g} USD/m", allowed)
 
     @property
@@ -247,7 +271,7 @@ def sold(choice: LineChoice, water_density: float) -> tuple[Segment, ...]:
     if not within_bounds:
         names = ", ".join(choice.components)
         least, most = limits[0] * 1e3, limits[1] * 1e3
-        allowed = f"no size of it is sold from {least:g} to {most:g} mm"
+        allowed = Message("refused_sizing.no_size_sold_from_mm", least=least, most=most)
         raise InputError([Problem("components", names, allowed)], "LineChoice")
     return tuple(each.segment(1.0) for each in within_bounds)
 

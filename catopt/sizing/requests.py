@@ -42,7 +42,7 @@ from catopt.sizing.service_type import demands, left_out
 from catopt.sizing.tanker import sized_tanker
 from catopt.sizing.tanker_request import MooredShip, TankerRequest, note_aground
 from catopt.units import lasting
-from catopt.words import Cited, Message, term
+from catopt.words import Cited, Message, Several, term
 
 WIND_MEAN: Final = 30.0
 """s: the wind that loads on a ship are computed for is a mean over this (UFC 3-8.1, page 42)."""
@@ -221,12 +221,16 @@ def draughts_of(of: Known) -> dict[Condition, float]:
     loaded, ballast = of["draught"], of["ballast_draught"]
     wanted: tuple[Condition, ...] = of["condition"] or ("loaded", "ballast")
     if ballast is not None and "ballast" not in wanted:
-        allowed = f"leave it out, or name ballast with {of.telling.spell('condition')}"
+        allowed = Message(
+            "refused_sizing.leave_out_or_name_ballast", value=of.telling.spell("condition")
+        )
         of.telling.add("ballast_draught", f"{ballast:g} m", allowed)
         return {}
     if ballast is not None and ballast > loaded:
         of.telling.add(
-            "ballast_draught", f"{ballast:g} m", f"not above the loaded draught, {loaded:g} m"
+            "ballast_draught",
+            f"{ballast:g} m",
+            Message("refused_sizing.not_above_loaded_draught_m", loaded=loaded),
         )
         return {}
     found: dict[Condition, float] = {"loaded": loaded} if "loaded" in wanted else {}
@@ -235,7 +239,9 @@ def draughts_of(of: Known) -> dict[Condition, float]:
         if ballast is not None or (light < loaded and of["ship"] != BARGE):
             found["ballast"] = light
         elif not found:
-            of.telling.add("ballast_draught", "", "missing; of this ship it cannot be estimated")
+            of.telling.add(
+                "ballast_draught", "", Message("refused_sizing.missing_this_ship_cannot_be")
+            )
     return found
 
 
@@ -283,7 +289,9 @@ def own_tables(of: Known, condition: str) -> ShipCoefficients | None:
             of.telling.add("coefficients", f"{each.key} {each.found}".strip(), each.allowed)
         return None
     if is_barge and not (own.wind and own.current):
-        allowed = f"a barge wants tables of wind and current in it, {condition}"
+        allowed = Message(
+            "refused_sizing.barge_wants_tables_wind_current", condition=term(condition)
+        )
         of.telling.add("coefficients", str(of["coefficients"]), allowed)
     return own
 
@@ -412,13 +420,19 @@ def _preference(of: Known, line: LineChoice | None) -> dict[str, Any]:
         return {"prefer": prefer or own}
     unpriced = list(unpriced_components(line, of["water_density"]))
     if of["clump_weight"]:
-        unpriced.append("clump weights")
+        unpriced.append(term("clump weights"))
     if unpriced:
-        allowed = f"no price is known of {', '.join(unpriced)}"
+        allowed = Message("refused_sizing.no_price_known", names=Several(unpriced, ", "))
         if prefer == "cheapest":
-            of.telling.add("prefer", '"cheapest"', f"{allowed}: take lightest")
+            of.telling.add(
+                "prefer", '"cheapest"', Message("refused_sizing.take_lightest", allowed=allowed)
+            )
         if swing_price:
-            of.telling.add("swing_price", f"{swing_price:g}", f"{allowed}: leave it out")
+            of.telling.add(
+                "swing_price",
+                f"{swing_price:g}",
+                Message("refused_sizing.leave_out", allowed=allowed),
+            )
         return {"prefer": own if prefer in (None, "cheapest") else prefer}
     return {"prefer": prefer or ("cheapest" if swing_price else own), "swing_price": swing_price}
 

@@ -19,6 +19,7 @@ from catopt.sizing.kinds import usual
 from catopt.sizing.known import ReadInput
 from catopt.sizing.line_choice import LineChoice, unpriced_components
 from catopt.sizing.service_type import SERVICE_TYPES, ServiceType
+from catopt.words import Message
 
 _LEAST_CARGO: Final = 0.4
 """Deadweight over displacement of a loaded ship at least; catopt's own. Merchant ships have 0.55 to
@@ -52,14 +53,18 @@ def check_deadweight(deadweight: float, ship: Ship) -> None:
     found = Findings("MooredShip")
     found.number("deadweight", deadweight, "kg", above=0.0)
     displaced = ship.displacement * 1025.0
-    of_it = f"what a ship of these dimensions displaces, {displaced / 1e3:.6g} t"
+    of_it = Message("refused_sizing.what_it_displaces", displaced=displaced / 1e3)
     own = f"{deadweight / 1e3:.6g} t"
     if not found.problems and deadweight >= displaced:
         is_box = ship.displacement >= ship.length_waterline * ship.breadth * ship.draught
-        hint = "" if is_box else " (a square-ended hull is a barge)"
-        found.add("deadweight", own, f"not below {of_it}{hint}")
+        key = "refused_sizing.not_below" if is_box else "refused_sizing.not_below_or_barge"
+        found.add("deadweight", own, Message(key, of_it=of_it))
     elif not found.problems and deadweight < _LEAST_CARGO * displaced:
-        found.add("deadweight", own, f"below {_LEAST_CARGO:g} of {of_it}")
+        found.add(
+            "deadweight",
+            own,
+            Message("refused_sizing.below", least_cargo=_LEAST_CARGO, of_it=of_it),
+        )
     found.raise_if_any()
 
 
@@ -70,7 +75,7 @@ def note_aground(
     for each in ships:
         if each.ship.draught >= low:
             key = "ballast_draught" if each.condition == "ballast" else "draught"
-            allowed = f"the water is {low:g} m deep at low water: the ship would be aground"
+            allowed = Message("refused_sizing.water_m_deep_at_low_too", low=low)
             add(key, f"{each.ship.draught:g} m", allowed)
 
 
@@ -116,18 +121,28 @@ class TankerRequest:
     def __post_init__(self) -> None:
         found = Findings("TankerRequest")
         if not self.ships:
-            found.add("ships", "none", "the ship in one condition at least is wanted")
+            found.add(
+                "ships",
+                Message("refused.none"),
+                Message("refused_sizing.ship_one_condition_at_least"),
+            )
         found.number("hawser", self.hawser, "m", at_least=0.0, at_most=1000.0)
         found.number("pretension", self.pretension, "", above=0.0, at_most=0.9)
         if not isinstance(self.lines, int) or self.lines not in (1, *range(3, 25)):
-            found.add("lines", str(self.lines), "1, or 3 to 24 around the body, are wanted")
+            found.add("lines", str(self.lines), Message("refused_sizing.n_1_or_3_24_around"))
         if self.hawser > 0.0 and self.buoy is None:
-            found.add("hawser", f"{self.hawser:g} m", "goes to a buoy: give one, or leave it out")
+            found.add(
+                "hawser", f"{self.hawser:g} m", Message("refused_sizing.goes_buoy_give_one_or")
+            )
         for index, mass in enumerate(self.clump_masses):
             found.number(f"clump_masses[{index}]", mass, "kg", above=0.0)
         found.number("clump_density", self.clump_density, "kg/m3", above=1100.0, at_most=20e3)
         if self.environment.is_calm:
-            found.add("wind", "no wind, no current and no waves", "something has to push the ship")
+            found.add(
+                "wind",
+                Message("refused_sizing.calm"),
+                Message("refused_sizing.something_has_push_ship"),
+            )
         found.word("service_type", self.service_type, SERVICE_TYPES)
         self._check_methods(found)
         if self.ships:
@@ -139,30 +154,38 @@ class TankerRequest:
         """Note a method that is unknown, or that would leave the waves out."""
         for index, method in enumerate(self.load_methods):
             if method not in METHODS:
-                found.add(f"load_methods[{index}]", repr(method), "one of " + ", ".join(METHODS))
+                found.add(
+                    f"load_methods[{index}]",
+                    repr(method),
+                    Message("refused.of_these", words=", ".join(METHODS)),
+                )
         if not self.load_methods:
-            found.add("load_methods", "none", "one at least of " + ", ".join(METHODS))
+            found.add(
+                "load_methods",
+                "none",
+                Message("refused_sizing.one_at_least_of", words=", ".join(METHODS)),
+            )
         is_tcn = TCN in self.load_methods
         if self.wave_coefficient is not None:
             found.number("wave_coefficient", self.wave_coefficient, "", at_least=0.0, at_most=1.0)
             if not is_tcn:
-                allowed = f"leave it out, or name {TCN} among the load methods"
+                allowed = Message("refused_sizing.leave_out_or_name_among", tcn=TCN)
                 found.add("wave_coefficient", f"{self.wave_coefficient:g}", allowed)
         elif is_tcn and self.environment.sea.hmax > 0.0:
-            allowed = f"missing; {TCN} wants its chi in waves, or 0 to leave the waves out"
+            allowed = Message("refused_sizing.missing_wants_chi_waves_or", tcn=TCN)
             found.add("wave_coefficient", "", allowed)
 
     def _check_swing(self, found: Findings) -> None:
         """Note a bound on the swing radius that no line keeps, or that nothing evaluates."""
         most, rest = self.line.max_swing, self.beyond_the_line
         if self.lines > 1:
-            allowed = "leave it out: it is of one line, and several hold the ship in its place"
+            allowed = Message("refused_sizing.leave_out_one_line_several")
             if most is not None:
                 found.add("max_swing", f"{most:g} m", allowed)
             if self.line.swing_price:
                 found.add("swing_price", f"{self.line.swing_price:g} USD/m", allowed)
         elif most is not None and most <= rest:
-            allowed = f"ship and hawser alone are {rest:g} m long: more is wanted, or several lines"
+            allowed = Message("refused_sizing.ship_hawser_alone_are_m", rest=rest)
             found.add("max_swing", f"{most:g} m", allowed)
 
     @property

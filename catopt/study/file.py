@@ -28,6 +28,7 @@ from catopt.study.schema import StudyTable, VaryTable
 from catopt.study.study import Study
 from catopt.study.table import read_table
 from catopt.units import Dimension, to_si
+from catopt.words import Listed, Message, Several
 
 _MOST = 100_000_000
 """Members of a study: more is a slip of a count, or work for weeks."""
@@ -51,12 +52,12 @@ def read_study(path: str | os.PathLike[str]) -> Study:
         raise InputError(problems, source)
     study = Study(table.title, base, tuple(axes), limits)
     if len(study) > _MOST:
-        allowed = f"{_MOST:,} members are the most; give fewer values"
+        allowed = Message("refused_study.members_are_most_give_fewer", most=_MOST)
         raise InputError([Problem("vary", f"{len(study):,} members", allowed)], source)
     case = read_member(base, study.piece(0).changes(0))
     if base.compute == "checks" and isinstance(case, Case) and not criteria_of(case).all:
-        allowed = "[checks] with codes or limits is wanted: there is nothing to check"
-        raise InputError([Problem("checks", "none", allowed)], base.source)
+        allowed = Message("refused_study.checks_with_codes_or_limits")
+        raise InputError([Problem("checks", Message("refused.none"), allowed)], base.source)
     return study
 
 
@@ -65,10 +66,15 @@ def _base(table: StudyTable, folder: Path, source: str) -> Base:
     document, compute = _document(place), table.compute
     moored = moored_of(document)
     if (compute == "sizing") != (moored is not None):
-        wanted = "a file for catopt size is" if compute == "sizing" else "a case file is"
-        raise InputError([Problem("case", f'"{table.case}"', f"{wanted} wanted here")], source)
+        key = "refused_study.file_for_size" if compute == "sizing" else "refused_study.a_case_file"
+        raise InputError(
+            [Problem("case", f'"{table.case}"', Message(key))],
+            source,
+        )
     if table.proof is not None and compute != "motion":
-        problem = Problem("proof", f'"{table.proof}"', 'goes with compute = "motion"')
+        problem = Problem(
+            "proof", f'"{table.proof}"', Message("refused_study.goes_with_compute_motion")
+        )
         raise InputError([problem], source)
     return Base(document, str(place), str(place.parent), compute, moored, table.proof or "step")
 
@@ -102,7 +108,9 @@ def _axes(table: StudyTable, base: Base, folder: Path, problems: list[Problem]) 
                     axis = read_table(base, path, each.columns or {}, each.weight)
                 keys = set(axis.columns)
             for key in sorted(keys & seen):
-                raise InputError([Problem("key", f'"{key}"', "varies already above")])
+                raise InputError(
+                    [Problem("key", f'"{key}"', Message("refused_study.varies_already_above"))]
+                )
             seen |= keys
             if axis is not None:
                 yield axis
@@ -110,7 +118,7 @@ def _axes(table: StudyTable, base: Base, folder: Path, problems: list[Problem]) 
         yield from _drawn(table, base, drawn, problems)
     elif table.samples is not None or table.seed is not None:
         key = "samples" if table.samples is not None else "seed"
-        problems.append(Problem(key, "", "nothing is drawn: no [[vary]] has a distribution"))
+        problems.append(Problem(key, "", Message("refused_study.nothing_drawn_no_vary_has")))
 
 
 @contextmanager
@@ -136,13 +144,24 @@ _FORMS = (
 def _check_form(each: VaryTable) -> None:
     given = set(each.given())
     if not any(wanted <= given <= wanted | more for wanted, more in _FORMS):
-        forms = "; ".join(
-            " and ".join(sorted(wanted, key=list(entries(VaryTable)).index)) for wanted, _ in _FORMS
+        order = list(entries(VaryTable)).index
+        forms = Several([Listed(sorted(wanted, key=order), "and") for wanted, _ in _FORMS])
+        raise InputError(
+            [
+                Problem(
+                    "",
+                    ", ".join(each.given()),
+                    Message("refused_study.one_these_wanted", forms=forms),
+                )
+            ]
         )
-        raise InputError([Problem("", ", ".join(each.given()), f"one of these is wanted: {forms}")])
     if each.distribution is not None and (each.distribution == "uniform") != ("min" in given):
-        wanted = "min and max" if each.distribution == "uniform" else "mean and deviation"
-        problem = Problem("distribution", f'"{each.distribution}"', f"{wanted} are wanted with it")
+        both = ("min", "max") if each.distribution == "uniform" else ("mean", "deviation")
+        problem = Problem(
+            "distribution",
+            f'"{each.distribution}"',
+            Message("refused_study.are_wanted_with", wanted=Listed(both, "and")),
+        )
         raise InputError([problem])
 
 
@@ -169,14 +188,16 @@ def _number(base: Base, each: VaryTable, name: str, *, spread: bool = False) -> 
     """Read a value of a key that is measured; `spread` is a width, which has no range."""
     kind = kind_of_key(base, each.key)
     if not isinstance(kind, Measured):
-        raise InputError([Problem("key", f'"{each.key}"', "it is no number with a range")])
+        raise InputError(
+            [Problem("key", f'"{each.key}"', Message("refused_study.no_number_with_range"))]
+        )
     value = getattr(each, name)
     try:
         number = to_si(value, kind.dimension, bare=kind.bare) if spread else kind.read(value)
     except InputError as error:
         raise InputError([replace(p, key=name) for p in error.problems]) from None
     if spread and not number > 0.0:
-        raise InputError([Problem(name, f"{value}", "must be above 0")])
+        raise InputError([Problem(name, f"{value}", Message("refused_study.must_be_above_0"))])
     return number
 
 
@@ -185,7 +206,7 @@ def _drawn(
 ) -> Iterator[Axis]:
     """Draw all keys with a distribution together; the numbers hang on nothing but the seed."""
     if table.samples is None:
-        problems.append(Problem("samples", "", "missing; how many are to be drawn"))
+        problems.append(Problem("samples", "", Message("refused_study.missing_how_many_are_be")))
         return
     rng = np.random.default_rng(table.seed or 0)
     columns: dict[str, Array] = {}
@@ -206,7 +227,9 @@ def _distribution(each: VaryTable, base: Base) -> Distribution:
     mean = _number(base, each, "mean")
     deviation = _number(base, each, "deviation", spread=True)
     if each.distribution == "lognormal" and not mean > 0.0:
-        raise InputError([Problem("mean", f"{each.mean}", "must be above 0")])
+        raise InputError(
+            [Problem("mean", f"{each.mean}", Message("refused_study.must_be_above_0"))]
+        )
     return Distribution(each.distribution, mean, deviation)
 
 
@@ -215,7 +238,7 @@ def _limits(table: StudyTable, base: Base, problems: list[Problem]) -> dict[str,
     found = {}
     for name, value in (table.limits or {}).items():
         if name not in measured:
-            allowed = f"one of {', '.join(measured)} is wanted"
+            allowed = Message("refused.one_of", words=", ".join(measured))
             problems.append(Problem(f"limits.{name}", "an unknown quantity", allowed))
             continue
         unit = measured[name].measure.si_unit

@@ -140,7 +140,9 @@ class StudyResult(Shown):
         """
         names = [each.name for each in self.measured]
         if name not in names:
-            raise InputError([Problem("name", f'"{name}"', f"one of {', '.join(names)} is wanted")])
+            raise InputError(
+                [Problem("name", f'"{name}"', Message("refused.one_of", words=", ".join(names)))]
+            )
         return self.store.column(names.index(name))
 
     @cached_property

@@ -22,6 +22,7 @@ from catopt.mooring.case import report_system
 from catopt.study.base import Base
 from catopt.study.member import kind_of_key, read_member, reason_of
 from catopt.study.study import Piece
+from catopt.words import Message
 
 LOADS: Final = frozenset(
     [*(f"load.{key}" for key in OF_A_LINE), "system.force[0]", "system.force[1]", "system.moment"]
@@ -121,13 +122,11 @@ Loads = Mapping[str, Array]
 Solved = tuple[dict[str, Array], dict[int, str]]
 """Values by name, and the reason of each that has none."""
 
-_WANTED = 'a case with [load] or [system] is wanted; compute = "checks" takes load cases'
-
 
 def _lines(case: Case, loads: Loads, count: int) -> Solved:
     """Solve one line under many loads."""
     if case.load is None:
-        raise InputError([Problem("case", "", _WANTED)])
+        raise InputError([Problem("case", "", Message("refused_study.case_with_load_or_system"))])
     given: dict[str, Any] = {name: getattr(case.load, name) for name in OF_A_LINE}
     given |= {key.removeprefix("load."): values for key, values in loads.items()}
     wanted: dict[str, Any] = {

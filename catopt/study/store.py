@@ -16,6 +16,7 @@ import numpy as np
 from catopt.arrays import Array
 from catopt.errors import InputError, Problem
 from catopt.study.study import Study
+from catopt.words import Message
 
 STORE: Final = "study.sqlite"
 """Name of the file within the directory of a study."""
@@ -72,11 +73,11 @@ class Store:
         try:
             yield
         except sqlite3.OperationalError as error:
-            way = "; what was computed by now is kept: mend that and run the same again"
-            raise InputError([Problem("--out", self._file, f"{error}{way}")], "options") from error
+            way = Message("refused_study.and_kept", error=error)
+            raise InputError([Problem("--out", self._file, way)], "options") from error
         except (OSError, sqlite3.Error) as error:
-            way = "; give another directory, or delete the file to compute all anew"
-            raise InputError([Problem("--out", self._file, f"{error}{way}")], "options") from error
+            way = Message("refused_study.and_anew", error=error)
+            raise InputError([Problem("--out", self._file, way)], "options") from error
 
     def _check(self) -> None:
         wanted = (self._study.digest, len(self._study))
@@ -85,7 +86,7 @@ class Store:
             with self._database:
                 self._database.execute("INSERT INTO study VALUES (?, ?)", wanted)
         elif tuple(found) != wanted:
-            allowed = "holds another study, or this one before its files were changed; give another"
+            allowed = Message("refused_study.holds_another_study_or_this")
             self.close()
             raise InputError([Problem("--out", self._file, allowed)], "options")
 
@@ -115,7 +116,7 @@ class Store:
                 except (TypeError, ValueError, AttributeError) as error:
                     with self._database:
                         self._database.execute("DELETE FROM pieces WHERE number = ?", (number,))
-                    allowed = f"piece {number} was damaged and is taken out: run the same again"
+                    allowed = Message("refused_study.piece_was_damaged_taken_out", number=number)
                     raise InputError([Problem("--out", self._file, allowed)], "options") from error
                 yield piece
 

@@ -20,6 +20,7 @@ from catopt.study.base import Base
 from catopt.study.member import in_file, kind_of_key
 from catopt.units import as_written, to_si
 from catopt.verify.motion_file import few
+from catopt.words import Message
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -50,18 +51,22 @@ def read_table(base: Base, path: Path, columns: Mapping[str, str], weight: str |
                 continue
             key = columns.get(name, name)
             if key in found:
-                raise InputError([Problem("headings", f'"{key}"', "twice")])
+                raise InputError([Problem("headings", f'"{key}"', Message("refused_study.twice"))])
             found[key] = _values(_kind(base, key, columns), cells, name, unit)
         except InputError as error:
             problems += error.problems
     known = [str(head).split("(")[0].strip() for head in frame.columns]
     for name in columns:
         if name not in known:
-            problems.append(Problem("columns", f'"{name}"', "the table has no such heading"))
+            problems.append(
+                Problem("columns", f'"{name}"', Message("refused_study.table_has_no_such_heading"))
+            )
     if weight is not None and weight not in known:
-        problems.append(Problem("weight", f'"{weight}"', "the table has no such heading"))
+        problems.append(
+            Problem("weight", f'"{weight}"', Message("refused_study.table_has_no_such_heading"))
+        )
     if not problems and not found:
-        problems.append(Problem("headings", "", "none of them is a key that varies"))
+        problems.append(Problem("headings", "", Message("refused_study.none_them_key_varies")))
     if problems:
         raise InputError(problems, str(path))
     return Axis(found, weights)
@@ -70,7 +75,9 @@ def read_table(base: Base, path: Path, columns: Mapping[str, str], weight: str |
 def _read(path: Path) -> pd.DataFrame:
     frame = _of_parquet(path) if path.suffix.lower() == ".parquet" else _of_csv(path)
     if frame.empty:
-        raise InputError([Problem("table", "no rows", "one row a member is wanted")], str(path))
+        raise InputError(
+            [Problem("table", "no rows", Message("refused_study.one_row_member_wanted"))], str(path)
+        )
     return frame
 
 
@@ -86,7 +93,9 @@ def _of_parquet(path: Path) -> pd.DataFrame:
     try:
         return pd.read_parquet(path)
     except (OSError, ValueError) as error:
-        raise InputError([Problem("table", "", f"it is no table: {error}")], str(path)) from None
+        raise InputError(
+            [Problem("table", "", Message("refused_study.no_table", error=error))], str(path)
+        ) from None
 
 
 def _of_csv(path: Path) -> pd.DataFrame:
@@ -104,7 +113,9 @@ def _of_csv(path: Path) -> pd.DataFrame:
             keep_default_na=False,
         )
     except (pd.errors.ParserError, pd.errors.EmptyDataError) as error:
-        raise InputError([Problem("table", "", f"it is no table: {error}")], str(path)) from None
+        raise InputError(
+            [Problem("table", "", Message("refused_study.no_table", error=error))], str(path)
+        ) from None
     return frame
 
 
@@ -115,7 +126,7 @@ def _kind(base: Base, key: str, columns: Mapping[str, str]) -> Kind:
         (problem,) = error.problems
         wanted = problem.allowed
         if key not in columns.values():
-            wanted += "; name its key under columns, or leave the column out"
+            wanted += Message("refused_study.name_key_under_columns_or")
         raise InputError([Problem("headings", f'"{key}"', wanted)]) from None
 
 
@@ -123,7 +134,9 @@ def _values(kind: Kind, cells: pd.Series[Any], name: str, unit: str) -> Sequence
     if isinstance(kind, Measured):
         return in_range(kind, _numbers(cells, name) * _size(kind, name, unit), name)
     if unit:
-        raise InputError([Problem("headings", f'"{name} ({unit})"', "it has no unit")])
+        raise InputError(
+            [Problem("headings", f'"{name} ({unit})"', Message("refused_study.has_no_unit"))]
+        )
     as_they_are = isinstance(kind, Whole)
     written = (c if as_they_are or isinstance(c, bool) else str(c) for c in cells.tolist())
     return _read_each(kind, written, name)
@@ -133,7 +146,9 @@ def _size(kind: Measured, name: str, unit: str) -> float:
     """SI units in one of the unit that a heading names."""
     dimension = kind.dimension
     if not unit and dimension.si_unit:
-        wanted = f"its unit in brackets is wanted, such as {name} ({dimension.si_unit})"
+        wanted = Message(
+            "refused_study.unit_brackets_wanted_such", name=name, si_unit=dimension.si_unit
+        )
         raise InputError([Problem("headings", f'"{name}"', wanted)])
     if unit in ("", "-"):
         return 1.0
@@ -157,7 +172,9 @@ def _weights(cells: pd.Series[Any], name: str) -> Array:
     weights = _numbers(cells, name)
     _refuse(name, np.flatnonzero(weights < 0.0).tolist(), cells, "must be 0 or more")
     if not weights.sum() > 0.0:
-        raise InputError([Problem(name, "all 0", "what each row counts is wanted")])
+        raise InputError(
+            [Problem(name, "all 0", Message("refused_study.what_each_row_counts_wanted"))]
+        )
     return weights
 
 

@@ -98,7 +98,11 @@ def load_states(case: Case, wanted: str | None) -> list[tuple[str, Case]]:
         return list(states.items())
     if wanted not in {state.name for state in case.load_cases}:
         names = ", ".join(state.name for state in case.load_cases)
-        allowed = f"one of {names} is wanted" if names else "the case has no [[load_cases]]"
+        allowed = (
+            Message("refused.one_of", words=names)
+            if names
+            else Message("refused_command.case_has_no_load_cases")
+        )
         raise InputError([Problem("--load-case", as_written(wanted), allowed)], "options")
     return [(wanted, states[wanted])]
 

@@ -101,7 +101,10 @@ def verify_dynamic(
         When a step does not close, or what is computed is the scheme's own ringing.
     """
     if workers is not None and workers < 1:
-        raise InputError([Problem("workers", f"{workers}", "1 or more processes")], "options")
+        raise InputError(
+            [Problem("workers", f"{workers}", Message("refused_command.n_1_or_more_processes"))],
+            "options",
+        )
     check_for_motion(case)
     states = load_states(case, load_case)
     drives = [

@@ -63,7 +63,7 @@ class OneLine:
     @classmethod
     def _on_slope(cls, drive: Drive, load: Load) -> OneLine:
         if load.fairlead_tension is not None:
-            allowed = "give horizontal_force or span: site.seabed_slope is not 0"
+            allowed = Message("refused_motion.give_horizontal_force_or_span")
             found = f"{load.fairlead_tension:g} N"
             raise InputError([Problem("load.fairlead_tension", found, allowed)], "--dynamic")
         rest = cls(drive, load, 0.0).simulation()
@@ -384,7 +384,7 @@ class LineOfAFloater:
 def _check_in_plane(drive: Drive) -> None:
     """Refuse waves and currents that do not go along the line, in whose plane a buoy moves."""
     sea, problems = drive.sea(0), []
-    allowed = "along the line or against it, 0 or 180 deg: [floater] moves in the line's plane"
+    allowed = Message("refused_motion.along_line_or_against_0")
     if sea.waves is not None:
         across = np.abs(np.sin(sea.waves.direction)).max()
         if across > _ALONG:

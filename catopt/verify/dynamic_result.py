@@ -20,7 +20,7 @@ from catopt.fem.extremes import gumbel as gumbel_of
 from catopt.fem.history import History
 from catopt.fem.statistics import SeriesStatistics, power_spectrum, series_statistics
 from catopt.floater.alone import HullHistory
-from catopt.model import Case
+from catopt.model import Case, Line
 from catopt.model.dynamics import InitialFriction
 from catopt.shown import Shown
 from catopt.ties import largest
@@ -354,12 +354,17 @@ class DynamicPart:
         return tuple(largest_changes(change for each in self._moved for change in added(each)))
 
     @property
+    def own_line(self) -> Line:
+        """The line that it is of: the case's, or one of its body's."""
+        system = self.drive.case.system
+        if system is None or self.line is None:
+            return self.drive.case.line
+        return system.legs[self.line - 1].line
+
+    @property
     def MBL(self) -> float | None:
         """Least of the line's segments, N; None where one has none."""
-        known = [each.MBL for each in self.drive.case.line.segments]
-        legs = () if self.drive.case.system is None else self.drive.case.system.legs
-        if legs and self.line is not None:
-            known = [each.MBL for each in legs[self.line - 1].line.segments]
+        known = [each.MBL for each in self.own_line.segments]
         return (
             min([each for each in known if each is not None], default=None) if all(known) else None
         )

@@ -334,16 +334,16 @@ def check_for_motion(case: Case) -> None:
     """
     problems = []
     if case.dynamics is None:
-        allowed = "missing; write [dynamics] with a duration, and [motion] or [waves]"
+        allowed = Message("refused_motion.missing_write_dynamics_with_duration")
         problems.append(Problem("dynamics", "", allowed))
     elif case.dynamics.runs > 1 and not Drive(case).is_random:
-        allowed = "without a random sea all runs are alike; leave it out"
+        allowed = Message("refused_motion.without_random_sea_all_runs")
         problems.append(Problem("dynamics.runs", f"{case.dynamics.runs}", allowed))
     for index, segment in enumerate(case.line.segments):
         problems += _of_segment(index, segment)
     for index, load in enumerate(case.line.point_loads):
         if load.mass is None:
-            allowed = "missing; a line in motion needs it"
+            allowed = Message("refused_motion.missing_line_motion_needs")
             problems.append(Problem(f"line.point_loads[{index}].mass", "", allowed))
     if problems:
         raise InputError(problems, "--dynamic")
@@ -352,17 +352,17 @@ def check_for_motion(case: Case) -> None:
 def _of_segment(index: int, segment: Segment) -> list[Problem]:
     path, lacks = f"line.segments[{index}]", []
     if not segment.mass:
-        lacks.append(("mass", "a line in motion needs it"))
+        lacks.append(("mass", "missing_line_motion_needs"))
     if math.isinf(segment.EA):
-        lacks.append(("EA", "a line in motion needs its axial stiffness"))
+        lacks.append(("EA", "missing_motion_EA"))
     if segment.drag_method == "roughness":
         if segment.drag_diameter is None:
-            lacks.append(("drag_diameter", "the drag by the roughness refers to it"))
+            lacks.append(("drag_diameter", "missing_roughness_refers"))
     elif segment.drag_normal is None:
-        lacks.append(("drag_normal", "a line in motion needs it; 0 for no drag"))
+        lacks.append(("drag_normal", "missing_motion_drag"))
     elif segment.drag_diameter is None and (segment.drag_normal or segment.drag_axial):
-        lacks.append(("drag_diameter", "the drag coefficients refer to it"))
-    return [Problem(f"{path}.{key}", "", f"missing; {why}") for key, why in lacks]
+        lacks.append(("drag_diameter", "missing_drag_refers"))
+    return [Problem(f"{path}.{key}", "", Message(f"refused_motion.{why}")) for key, why in lacks]
 
 
 def _section(segment: Segment) -> MorisonSection:
@@ -431,7 +431,7 @@ def _train(train: WaveTrain, generator: np.random.Generator) -> Waves:
 def _current_series(given: CurrentProfile, duration: float) -> CurrentSeries:
     series = read_current(given.series_file, duration)
     if series.directions is not None and given.direction != 0.0:
-        allowed = "stands in the series_file, too; leave it out"
+        allowed = Message("refused_motion.stands_series_file_too_leave")
         found = f"{math.degrees(given.direction):g} deg"
         raise InputError([Problem("current.direction", found, allowed)], "--dynamic")
     return series

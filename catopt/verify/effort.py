@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from catopt.errors import InputError, Problem
 from catopt.verify.dynamic_lines import LinesAtRest
 from catopt.verify.proof import Proof, work_of_proof
+from catopt.words import Message
 
 SECONDS_PER_BAR_AND_STEP = 6e-6
 """On one core: 4 million bars times steps take 15 to 30 s."""
@@ -49,15 +50,25 @@ class Effort:
         return self.samples * self.lines * self.runs * BYTES_PER_SAMPLE
 
     def __str__(self) -> str:
-        time = self.seconds / 60.0
-        words = f"{time:.0f} min" if time < 120.0 else f"{time / 60.0:.0f} h"
-        if time > 100.0 * 60.0:
-            words = f"{time / 1440.0:,.0f} days"
-        often = f"{self.runs} time{'s' if self.runs > 1 else ''}"
-        proof = f" and up to {self.proof} times that for the proof" if self.proof else ""
-        return (
-            f"{self.steps:,.0f} steps of {self.bars} bars, {often}{proof}: some {words} on one "
-            f"core, {self.bytes / 1e9:.2g} GB for the samples"
+        return self.words
+
+    @property
+    def words(self) -> Message:
+        """What is to be run, how long it takes and what it keeps."""
+        minutes = self.seconds / 60.0
+        key, divisor = ("in_minutes", 1.0) if minutes < 120.0 else ("in_hours", 60.0)
+        if minutes > 100.0 * 60.0:
+            key, divisor = "in_days", 1440.0
+        time = Message(f"refused_motion.{key}", time=minutes / divisor)
+        proof = "effort_with_proof" if self.proof else "effort"
+        return Message(
+            f"refused_motion.{proof}",
+            steps=self.steps,
+            bars=self.bars,
+            often=Message("refused_motion.times", count=self.runs),
+            proof=self.proof,
+            time=time,
+            size=self.bytes / 1e9,
         )
 
     def check(self, duration: float) -> None:
@@ -67,13 +78,18 @@ class Effort:
         """
         problems = []
         if self.seconds > MOST_SECONDS:
-            allowed = (
-                f"{self}; {MOST_SECONDS / 86400.0:.0f} days are the most: a shorter duration, a "
-                "longer time_step, fewer elements or runs"
+            allowed = Message(
+                "refused_motion.days_are_most_shorter_duration",
+                effort=self.words,
+                most_seconds=MOST_SECONDS / 86400.0,
             )
             problems.append(Problem("dynamics.duration", f"{duration:g} s", allowed))
         if self.bytes > MOST_BYTES:
-            allowed = f"{self}; {MOST_BYTES / 1e9:g} GB are the most: keep fewer samples"
+            allowed = Message(
+                "refused_motion.gb_are_most_keep_fewer",
+                effort=self.words,
+                most_bytes=MOST_BYTES / 1000000000.0,
+            )
             problems.append(Problem("dynamics.output_interval", "", allowed))
         if problems:
             raise InputError(problems)

@@ -231,18 +231,20 @@ def verify_fatigue(
     take, where that is minutes. The others, and what is raised, are as for `verify_dynamic`.
     """
     if case.fatigue is None:
-        raise InputError([Problem("fatigue", "", "[fatigue] is missing; the sea states are there")])
+        raise InputError(
+            [Problem("fatigue", "", Message("refused_motion.fatigue_missing_sea_states_are"))]
+        )
     need_rainflow()
     check_for_motion(case)
     if case.dynamics is not None and case.dynamics.broken_line is not None:
-        allowed = "leave it out: a year is run with every line"
+        allowed = Message("refused_motion.leave_out_year_run_with")
         raise InputError([Problem("dynamics.broken_line", "", allowed)])
     for strength in fatigue_strengths(case):
         design_factor(case, strength.curve)
     loads = load_states(case, load_case)
     if len(loads) > 1:
         names = ", ".join(name for name, _ in loads)
-        allowed = f"one of {names} is wanted: a year is run under one load"
+        allowed = Message("refused_motion.one_wanted_year_run_under", names=names)
         raise InputError([Problem("--load-case", "", allowed)], "options")
     states = sea_states(case)
     seas = [_in_sea(case, state) for state in states]
@@ -307,7 +309,10 @@ def sea_states(case: Case) -> tuple[FatigueSeaState, ...]:
     columns = read_columns(path, _UNITS, needed=("height", "period"), some_of=_LASTING)
     given = [key for key in _LASTING if key in columns]
     if len(given) > 1:
-        raise InputError([Problem("headings", " and ".join(given), "one of them is wanted")], path)
+        raise InputError(
+            [Problem("headings", " and ".join(given), Message("refused_motion.one_them_wanted"))],
+            path,
+        )
     shares = columns[given[0]] / (YEAR if given == ["time"] else 1.0)
     states, problems = [], share_misfits(shares.tolist())
     for row, (line, share) in enumerate(zip(lines_of(path), shares.tolist(), strict=True)):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 from catopt.catenary.case import solve_case
 from catopt.catenary.solution import Solution
@@ -12,8 +13,31 @@ from catopt.checks.motion import Carried, LineInMotion, Pull, check_motion
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.model import Case, Line
 from catopt.mooring.solve import solve_system
-from catopt.ties import first_largest
+from catopt.ties import first_largest, largest
 from catopt.verify.dynamic_result import DynamicPart, DynamicRun
+
+
+class BeyondMBL(NamedTuple):
+    """A segment that carries more than its MBL in motion."""
+
+    segment: int
+    """Which, from 1 at the anchor."""
+    tension: float
+    """Largest, N."""
+    MBL: float
+
+
+def beyond_MBL(part: DynamicPart) -> BeyondMBL | None:
+    """Find the segment that exceeds its MBL by most, whatever is checked; None where none does."""
+    line = part.own_line
+    over = [
+        BeyondMBL(number, tension, segment.MBL)
+        for number, (segment, tension) in enumerate(
+            zip(line.segments, largest_of_segments(part.runs, line), strict=True), start=1
+        )
+        if segment.MBL is not None and tension > segment.MBL
+    ]
+    return largest(over, lambda each: each.tension / each.MBL) if over else None
 
 
 def solutions_at_rest(case: Case, parts: Sequence[DynamicPart]) -> Sequence[Solution | None]:

@@ -15,6 +15,7 @@ from catopt.fem.series import Harmonic
 from catopt.model import Case, WaveState
 from catopt.verify.dynamic_lines import LineOfAFloater, lines_at_rest
 from catopt.verify.dynamic_setup import check_for_motion, read_drive
+from catopt.words import Message
 
 
 @dataclass(frozen=True)
@@ -103,18 +104,20 @@ def _not_linear(case: Case) -> Iterator[Problem]:
     motion, dynamics = case.motion, case.dynamics
     assert dynamics is not None
     if case.waves is None or not (case.waves.is_random or case.waves.elevation_file):
-        yield Problem("waves", "", "a random sea is wanted: a spectrum, or a recorded surface")
+        yield Problem("waves", "", Message("refused_motion.random_sea_wanted_spectrum_or"))
     if motion is not None and not motion.rao_file:
-        yield Problem("motion", "", "a rao_file is wanted, or no [motion]: the waves alone drive")
+        yield Problem("motion", "", Message("refused_motion.rao_file_wanted_or_no"))
     if motion is not None and motion.drift_file:
-        yield Problem("motion.drift_file", "", "leave it out: drift is the mean offset")
+        yield Problem(
+            "motion.drift_file", "", Message("refused_motion.leave_out_drift_mean_offset")
+        )
     if case.anchor_motion is not None:
-        yield Problem("anchor_motion", "", "leave it out: the lower end is held")
+        yield Problem("anchor_motion", "", Message("refused_motion.leave_out_lower_end_held"))
     if case.body is not None:
-        yield Problem("body", "", "leave it out: a body is led by the RAOs of [motion]")
+        yield Problem("body", "", Message("refused_motion.leave_out_body_led_by"))
     if case.floater is not None:
-        yield Problem("floater", "", "leave it out: a buoy that floats has no linear form here")
+        yield Problem("floater", "", Message("refused_motion.leave_out_buoy_floats_has"))
     if case.current is not None and case.current.series_file:
-        yield Problem("current.series_file", "", "leave it out: the current is steady")
+        yield Problem("current.series_file", "", Message("refused_motion.leave_out_current_steady"))
     if dynamics.broken_at is not None:
-        yield Problem("dynamics.broken_at", "", "leave it out: no line is lost on the way")
+        yield Problem("dynamics.broken_at", "", Message("refused_motion.leave_out_no_line_lost"))

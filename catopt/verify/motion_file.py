@@ -18,6 +18,7 @@ from catopt.errors import InputError, Problem
 from catopt.fem.series import Harmonic, Sampled
 from catopt.units import UNITS, Dimension, as_written
 from catopt.waves import CurrentSeries, ElevationRecord, Waves
+from catopt.words import Message
 
 Units = Mapping[str, Mapping[str, float] | None]
 """Headings that a file may have, with the units that each may name and their sizes in SI.
@@ -140,8 +141,10 @@ def _record_of(path: str, key: str, times: Array, duration: float) -> Iterator[N
         raise InputError(error.problems, path) from None
     length = float(times[-1] - times[0])
     if length < duration * (1.0 - 1e-9):
-        wanted = f"the run of {duration:g} s is longer: shorten it, or give a longer record"
-        raise refused(path, key, f"{length:g} s from the first row to the last", wanted)
+        wanted = Message("refused_motion.run_is_longer", duration=duration)
+        raise refused(
+            path, key, Message("refused_motion.s_from_first_row_last", length=length), wanted
+        )
 
 
 def read_raos(path: str) -> Raos:
@@ -157,10 +160,15 @@ def read_raos(path: str) -> Raos:
     columns |= {each: np.radians(columns[each]) for each in phases if each in columns}
     period = columns["period"]
     if not (period > 0.0).all():
-        raise refused(path, "period", f"{period.min():g} s", "must be above 0 s")
+        raise refused(path, "period", f"{period.min():g} s", Message("refused_motion.above_0_s"))
     order = np.argsort(period)[::-1]
     if (np.diff(period[order]) == 0.0).any():
-        raise refused(path, "period", "the same twice", "one row a period is wanted")
+        raise refused(
+            path,
+            "period",
+            Message("refused_motion.same_twice"),
+            Message("refused_motion.one_row_period"),
+        )
     response = responses(columns, _MOTIONS, period.size)
     return Raos(2.0 * math.pi / period[order], response[order])
 
@@ -192,25 +200,33 @@ def read_columns(
     """
     rows = _rows(path)
     if len(rows) < 2:
-        raise refused(path, "rows", f"{len(rows)}", "a row of headings and rows of numbers")
+        raise refused(path, "rows", f"{len(rows)}", Message("refused_motion.headings_and_rows"))
     heads = [cell.split("(")[0].strip().casefold() for cell in rows[0][1]]
     problems = [
-        Problem("headings", _shown(each) or "an empty one", f"one of {', '.join(known)} is wanted")
+        Problem(
+            "headings",
+            _shown(each) or "an empty one",
+            Message("refused.one_of", words=", ".join(known)),
+        )
         for each in heads
         if each not in known
     ]
     problems += [
-        Problem("headings", "", f"{each} is missing") for each in needed if each not in heads
+        Problem("headings", "", Message("refused_motion.missing", each=each))
+        for each in needed
+        if each not in heads
     ]
     problems += [
-        Problem("headings", each, "twice")
+        Problem("headings", each, Message("refused_study.twice"))
         for each in sorted({h for h in heads if heads.count(h) > 1})
     ]
     sizes, wrong = _sizes(rows[0][1], heads, known)
     problems += wrong
     some = some_of or needed
     if not any(each in heads for each in some):
-        problems.append(Problem("headings", "", f"one of {', '.join(some)} is missing"))
+        problems.append(
+            Problem("headings", "", Message("refused_motion.one_missing", some=", ".join(some)))
+        )
     if problems:
         raise InputError(problems, path)
     values = np.full((len(rows) - 1, len(heads)), np.nan)
@@ -231,9 +247,11 @@ def _sizes(
         allowed = units.get(head)
         sizes.append(1.0 if allowed is None else _size(unit, allowed))
         if allowed is not None and math.isnan(sizes[-1]):
-            wanted = f"its unit in brackets is wanted, one of {', '.join(filter(None, allowed))}"
+            wanted = Message(
+                "refused_motion.unit_brackets_wanted_one", value=", ".join(filter(None, allowed))
+            )
             if OF_TOTAL in allowed:
-                wanted = "the total that it is part of is wanted in brackets, as in (of 1000)"
+                wanted = Message("refused_motion.total_part_wanted_brackets_1000")
             problems.append(Problem("headings", _shown(cell), wanted))
     return sizes, problems
 
@@ -255,7 +273,13 @@ def lines_of(path: str) -> list[int]:
 
 def _fill(row: Array, line: int, cells: list[str], heads: list[str]) -> list[Problem]:
     if len(cells) != len(heads):
-        return [Problem(f"line {line}", f"{len(cells)} cells", f"{len(heads)} are wanted")]
+        return [
+            Problem(
+                f"line {line}",
+                f"{len(cells)} cells",
+                Message("refused_motion.are_wanted", heads=len(heads)),
+            )
+        ]
     problems = []
     for column, cell in enumerate(cells):
         try:
@@ -264,14 +288,16 @@ def _fill(row: Array, line: int, cells: list[str], heads: list[str]) -> list[Pro
             row[column] = math.nan
         if not math.isfinite(row[column]):
             found = _shown(cell) or "an empty cell"
-            problems.append(Problem(f"line {line}, {heads[column]}", found, "a number is wanted"))
+            problems.append(
+                Problem(f"line {line}, {heads[column]}", found, Message("refused.number"))
+            )
     return problems
 
 
 def few(problems: Sequence[Problem], of: str = "file") -> list[Problem]:
     """Keep the first problems of a file or a table, and say how many more there are."""
     more = len(problems) - SHOWN
-    rest = [Problem(of, "", f"{more} more of the kind")] if more > 0 else []
+    rest = [Problem(of, "", Message("refused_motion.more_kind", more=more))] if more > 0 else []
     return [*problems[:SHOWN], *rest]
 
 
@@ -291,7 +317,9 @@ def _rows(path: str) -> list[tuple[int, list[str]]]:
             if line.strip() and not line.lstrip().startswith("#")
         ]
     except csv.Error as error:
-        raise refused(path, "file", "", f"it is no table of numbers: {error}") from None
+        raise refused(
+            path, "file", "", Message("refused_motion.no_table_of_numbers", error=error)
+        ) from None
 
 
 def refused(path: str, key: str, found: str, allowed: str) -> InputError:

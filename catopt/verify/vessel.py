@@ -16,6 +16,7 @@ from catopt.documents import MOST_BYTES_OF_DATA, read_text
 from catopt.errors import InputError, Problem
 from catopt.units import as_written
 from catopt.verify.motion_file import SHOWN, Raos, few, read_columns, refused, responses
+from catopt.words import Message
 
 if TYPE_CHECKING:
     from catopt.model import Motion
@@ -65,9 +66,13 @@ class VesselRaos:
         first, last = float(self.heading[0]), float(self.heading[-1])
         wanted = first + (heading - first + _SAME) % (2.0 * math.pi) - _SAME
         if wanted > last + _SAME:
-            found = f"waves travel to {math.degrees(wanted) % 360.0:.4g} deg from the ship's x axis"
-            rows = f"{math.degrees(first):.4g} to {math.degrees(last):.4g} deg"
-            raise refused(self.path, "heading", found, f"the file has {rows}; give rows around it")
+            found = Message(
+                "refused_motion.waves_travel_deg_from_ship", value=math.degrees(wanted) % 360.0
+            )
+            allowed = Message(
+                "refused_motion.file_has_rows", first=math.degrees(first), last=math.degrees(last)
+            )
+            raise refused(self.path, "heading", found, allowed)
         above = min(int(np.searchsorted(self.heading, wanted)), self.heading.size - 1)
         below = max(above - 1, 0)
         gap = float(self.heading[above] - self.heading[below])
@@ -110,11 +115,26 @@ def read_vessel_raos(motion: Motion) -> VesselRaos:
         rows.append(at[np.argsort(omega[at])])
     frequencies = [omega[at] for at in rows]
     if any((np.diff(each) == 0.0).any() for each in frequencies):
-        raise refused(path, "period", "the same twice", "one row a heading and period is wanted")
+        raise refused(
+            path,
+            "period",
+            Message("refused_motion.same_twice"),
+            Message("refused_motion.one_row_heading_period"),
+        )
     if any(not np.array_equal(each, frequencies[0]) for each in frequencies):
-        raise refused(path, "period", "others in some heading", "every heading has the same ones")
+        raise refused(
+            path,
+            "period",
+            Message("refused_motion.others_some_heading"),
+            Message("refused_motion.every_heading_same"),
+        )
     if headings[-1] - headings[0] > 2.0 * math.pi * (1.0 + _SAME):
-        raise refused(path, "heading", "more than a full turn", "360 deg at most are wanted")
+        raise refused(
+            path,
+            "heading",
+            Message("refused_motion.more_than_full_turn"),
+            Message("refused_motion.full_turn_at_most"),
+        )
     laid = np.array([response[at] for at in rows], dtype=np.complex128)
     reference = motion.rao_reference
     crest = motion.rao_crest or reference[:2]
@@ -125,11 +145,11 @@ def _frequencies(path: str, columns: dict[str, Array]) -> Array:
     """Angular frequency of each row, rad/s, by its period or its frequency."""
     given = [key for key in ("period", "frequency") if key in columns]
     if len(given) != 1:
-        wanted = "one of period and frequency is wanted"
+        wanted = Message("refused_motion.one_period_frequency_wanted")
         raise InputError([Problem("headings", " and ".join(given), wanted)], path)
     values = columns[given[0]]
     if not (values > 0.0).all():
-        raise refused(path, given[0], f"{values.min():g}", "must be above 0")
+        raise refused(path, given[0], f"{values.min():g}", Message("refused.above", bound=0))
     return 2.0 * math.pi / values if given[0] == "period" else values
 
 
@@ -160,13 +180,15 @@ def read_wamit(motion: Motion) -> dict[str, Array]:
         at = place[per, beta], int(freedom) - 1
         if not math.isnan(size[at]):
             state = f"PER {per:g}, BETA {beta:g}, I {freedom:g}"
-            problems.append(Problem(state, "twice", "one row for each is wanted"))
+            problems.append(Problem(state, "twice", Message("refused_motion.one_row_each_wanted")))
         size[at], phase[at] = mod, math.radians(phs)
     known = ~np.isnan(size).all(axis=0)  # of a ship with fewer freedoms, the others are still
     for (per, beta), k in place.items():
         for freedom in np.flatnonzero(np.isnan(size[k]) & known).tolist():
             found = f"PER {per:g}, BETA {beta:g}, I {freedom + 1}"
-            problems.append(Problem(found, "", "is missing, and there at other periods"))
+            problems.append(
+                Problem(found, "", Message("refused_motion.missing_there_at_other_periods"))
+            )
     if problems:
         raise InputError(problems[:SHOWN], path)
     columns = {
@@ -181,16 +203,13 @@ def read_wamit(motion: Motion) -> dict[str, Array]:
 def _check_conventions(motion: Motion) -> None:
     problems = []
     if motion.rao_rotation != "rad/m":
-        allowed = 'a .4 file with ULEN 1 has "rad/m"; run WAMIT with ULEN 1, or give a CSV file'
+        allowed = Message("refused_motion.n_4_file_with_ulen_1")
         problems.append(Problem("motion.rao_rotation", f'"{motion.rao_rotation}"', allowed))
     if motion.rao_per != "amplitude":
-        allowed = 'a .4 file is for a wave of 1 m "amplitude"'
+        allowed = Message("refused_motion.n_4_file_wave_1_m")
         problems.append(Problem("motion.rao_per", f'"{motion.rao_per}"', allowed))
     if not motion.rao_crest:
-        allowed = (
-            "missing; phases of a .4 file count from the crest over the origin of WAMIT's global "
-            'axes: ["0 m", "0 m"] where that is above the body\'s origin'
-        )
+        allowed = Message("refused_motion.missing_phases_4_file_count")
         problems.append(Problem("motion.rao_crest", "", allowed))
     if problems:
         raise InputError(problems, motion.rao_file)
@@ -212,7 +231,13 @@ def _rows(path: str) -> Iterator[_Row]:
             if number > 1 or any(cell[:1].isdigit() for cell in line.split()):
                 problems.append(Problem(f"line {number}", as_written(line.strip()), str(error)))
     if not problems and not found:
-        problems.append(Problem("rows", "none", f"rows of {' '.join(_COLUMNS)} are wanted"))
+        problems.append(
+            Problem(
+                "rows",
+                "none",
+                Message("refused_motion.rows_are_wanted", columns=" ".join(_COLUMNS)),
+            )
+        )
     if problems:
         raise InputError(few(problems), path)
     return iter(found)

@@ -15,6 +15,7 @@ import numpy as np
 
 from catopt.arrays import Array, Flags
 from catopt.model.validity import Findings
+from catopt.words import Message
 
 _ARRAYS: Final = ("amplitude", "omega", "phase", "direction")
 
@@ -44,7 +45,9 @@ class Waves:
             if values.ndim != 1 or values.shape != np.shape(self.omega):
                 found.add(name, f"shape {values.shape}", "one number a wave is wanted")
             elif not np.isfinite(values).all():
-                found.add(name, "nan or infinity", "finite numbers are wanted")
+                found.add(
+                    name, "nan or infinity", Message("refused_motion.finite_numbers_are_wanted")
+                )
         if not found.problems and self.omega.size == 0:
             found.add("omega", "no wave", "one wave or more is wanted")
         if not (self.omega > 0.0).all():

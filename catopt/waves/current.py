@@ -98,13 +98,15 @@ class TableCurrent:
             found.number(f"speeds[{i}]", speed, "m/s")
         if self.directions and len(self.directions) != len(self.depths):
             sizes = f"{len(self.depths)} depths, {len(self.directions)} directions"
-            found.add("directions", sizes, "as many directions as depths are wanted, or none")
+            found.add(
+                "directions", sizes, Message("refused_motion.many_directions_depths_are_wanted")
+            )
         for i, direction in enumerate(self.directions):
             found.number(f"directions[{i}]", direction, "rad")
         found.raise_if_any()
         for i in range(1, len(self.depths)):
             if self.depths[i] <= self.depths[i - 1]:
-                above = f"must be below the row before, more than {self.depths[i - 1]:g} m"
+                above = Message("refused_motion.must_be_below_row_before", value=self.depths[i - 1])
                 found.add(f"depths[{i}]", repr(self.depths[i]), above)
         found.raise_if_any()
 
@@ -132,10 +134,14 @@ class CurrentSeries:
             if values.ndim != 1 or values.shape != t.shape or t.size == 0:
                 found.add(key, f"shape {values.shape}", "one number a time is wanted")
             elif not np.isfinite(values).all():
-                found.add(key, "nan or infinity", "finite numbers are wanted")
+                found.add(
+                    key, "nan or infinity", Message("refused_motion.finite_numbers_are_wanted")
+                )
         if not found.problems and not (np.diff(t) > 0.0).all():
             at = int(np.argmax(np.diff(t) <= 0.0))
-            found.add("times", f"{t[at + 1]:g} s after {t[at]:g} s", "must rise")
+            found.add(
+                "times", f"{t[at + 1]:g} s after {t[at]:g} s", Message("refused_motion.must_rise")
+            )
         found.raise_if_any()
 
     def rows(self, surface: complex) -> Array:

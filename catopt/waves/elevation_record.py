@@ -16,6 +16,7 @@ import numpy as np
 from catopt.arrays import Array
 from catopt.model.validity import Findings
 from catopt.waves.components import Waves
+from catopt.words import Message
 
 _FEWEST: Final = 8
 _UNEVEN: Final = 0.01
@@ -43,14 +44,20 @@ class ElevationRecord:
         found = Findings("ElevationRecord")
         t, eta = self.times, self.elevation
         if t.ndim != 1 or t.shape != eta.shape or t.size < _FEWEST:
-            wanted = f"{_FEWEST} times or more are wanted, with as many elevations"
+            wanted = Message("refused_motion.times_or_more_are_wanted", fewest=_FEWEST)
             found.add("times", f"{t.shape} and {eta.shape}", wanted)
         elif not (np.isfinite(t).all() and np.isfinite(eta).all()):
-            found.add("elevation", "nan or infinity", "finite numbers are wanted")
+            found.add(
+                "elevation", "nan or infinity", Message("refused_motion.finite_numbers_are_wanted")
+            )
         else:
             self._check_steps(found)
             if not found.problems and float(np.ptp(eta)) == 0.0:
-                found.add("elevation", f"{eta[0]:g} m throughout", "a surface that moves is wanted")
+                found.add(
+                    "elevation",
+                    f"{eta[0]:g} m throughout",
+                    Message("refused_motion.surface_moves_wanted"),
+                )
         found.raise_if_any()
 
     def _check_steps(self, found: Findings) -> None:
@@ -58,10 +65,14 @@ class ElevationRecord:
         usual, at = float(np.median(steps)), int(np.argmax(steps))
         if not (steps > 0.0).all():
             at = int(np.argmax(steps <= 0.0))
-            found.add("times", f"{self.times[at + 1]:g} s after {self.times[at]:g} s", "must rise")
+            found.add(
+                "times",
+                f"{self.times[at + 1]:g} s after {self.times[at]:g} s",
+                Message("refused_motion.must_rise"),
+            )
         elif steps[at] > _GAP * usual:
             gap = f"a gap of {steps[at]:g} s after {self.times[at]:g} s"
-            found.add("times", gap, f"steps of about {usual:g} s are wanted throughout")
+            found.add("times", gap, Message("refused_motion.steps_about_s_are_wanted", usual=usual))
 
     @property
     def duration(self) -> float:
@@ -113,7 +124,11 @@ class ElevationRecord:
             count = int((T / k >= shortest_period * (1.0 - 1e-9)).sum())
         if count == 0 or not amplitude[:count].any():
             found = Findings("ElevationRecord")
-            found.add("shortest_period", f"{shortest_period} s", "the record has no wave so slow")
+            found.add(
+                "shortest_period",
+                f"{shortest_period} s",
+                Message("refused_motion.record_has_no_wave_so"),
+            )
             found.raise_if_any()
         kept = slice(0, count)
         omega, phase = 2.0 * math.pi / T * k[kept], -np.angle(X[kept]).astype(float)

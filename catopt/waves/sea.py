@@ -26,6 +26,7 @@ from catopt.waves.current import (
 )
 from catopt.waves.dispersion import fill_wave_numbers
 from catopt.waves.kinematics import NEGLIGIBLE, Flow, fill_elevation, fill_kinematics
+from catopt.words import Message
 
 Stretching = Literal["none", "wheeler"]
 """``"none"``: the formulas up to still water, and no water above it, under a crest or not.
@@ -76,7 +77,7 @@ class Sea:
                 found.add(key, repr(getattr(self, key)), wanted)
         found.raise_if_any()
         if self.current_series is not None and self._surface_current == 0.0:
-            wanted = "a current that flows at the surface is wanted, for it to scale"
+            wanted = Message("refused_motion.current_flows_at_surface_wanted")
             found.add("current_series", "without a current", wanted)
         found.raise_if_any()
 

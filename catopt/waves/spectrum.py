@@ -21,6 +21,7 @@ import numpy.typing as npt
 
 from catopt.arrays import Array
 from catopt.model.validity import Findings
+from catopt.words import Message
 
 Normalisation = Literal["computed", "S4"]
 """C from the integral of the spectrum, or 1 - 0.287 ln gamma, S4 [2.67]."""
@@ -105,7 +106,11 @@ class Spectrum:
         found = _check_height_and_period("Spectrum", self.significant_height, self.peak_period)
         found.number("gamma", self.gamma, "", at_least=1.0, at_most=_GREATEST_GAMMA)
         if self.normalisation not in get_args(Normalisation):
-            found.add("normalisation", repr(self.normalisation), 'must be "computed" or "S4"')
+            found.add(
+                "normalisation",
+                repr(self.normalisation),
+                Message("refused_motion.must_be_computed_or_s4"),
+            )
         found.raise_if_any()
 
     @property

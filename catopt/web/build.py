@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Final
 
 from catopt.errors import InputError, Problem
+from catopt.words import Message
 
 __all__ = ["Part", "fetched", "parts", "pieces", "site"]
 
@@ -53,7 +54,7 @@ def fetched(part: Part, folder: Path | None = None) -> bytes:
     """
     from urllib.request import urlopen
 
-    way = f"put it into the folder of --from; it is at {part.url}"
+    way = Message("refused_command.put_into_folder_from_at", url=part.url)
     try:
         if folder is not None:
             data = (folder / part.name).read_bytes()
@@ -64,7 +65,7 @@ def fetched(part: Part, folder: Path | None = None) -> bytes:
         raise InputError([Problem(part.name, str(error), way)], "web") from error
     found = hashlib.sha256(data).hexdigest()
     if found != part.sha256:
-        wanted = f"must be {part.sha256}; {way}"
+        wanted = Message("refused_command.must_be", sha256=part.sha256, way=way)
         raise InputError([Problem(part.name, f"SHA-256 {found}", wanted)], "web")
     return data
 

@@ -7,6 +7,7 @@ from functools import cache
 
 from catopt.quantities import Quantity
 from catopt.words.message import Message, say
+from catopt.words.names import shown_name
 from catopt.words.texts import Language, group
 
 
@@ -14,7 +15,8 @@ class Term(Message):
     """A word that code or data have in English: ``"sand"``, ``"tanker"``.
 
     It is looked up when it is said in another language, to the letter, among the headings, the
-    names of quantities and the group ``terms``; what is in none of them stays as it is.
+    names of quantities and the group ``terms``, as a whole or, of a name like ``"storm, high
+    water"``, by all of its parts; what is in none of them is said as plain text is.
     """
 
     def __new__(cls, term: str) -> Term:
@@ -23,8 +25,11 @@ class Term(Message):
 
     def said(self, language: Language) -> str:
         """Say it in a language."""
-        key = _terms().get(self)
-        return str(self) if key is None else Message(key).said(language)
+        known = _terms()
+        parts = [str(self)] if self in known else self.split(", ")
+        if all(part in known for part in parts):
+            return ", ".join(Message(known[part]).said(language) for part in parts)
+        return shown_name(str(self), language)
 
 
 def term(english: str) -> Message:

@@ -8,19 +8,29 @@ from types import MappingProxyType
 from typing import Any, Literal, Self
 
 from catopt.words.measure import number
+from catopt.words.names import shown_name
 from catopt.words.texts import LANGUAGES, Language, text
 
 
 class _Filled(Formatter):
-    """Fills a text as `str.format` does; no number has an exponent that people do not read."""
+    """Fills a text as `str.format` does; no number has an exponent that people do not read.
+
+    `thousands` stands between the digits of a number whose format asks for commas.
+    """
+
+    def __init__(self, thousands: str = ",") -> None:
+        self._thousands = thousands
 
     def format_field(self, value: Any, format_spec: str) -> Any:
         if isinstance(value, float | int) and format_spec:
-            return number(value, format_spec)
+            return number(value, format_spec).replace(",", self._thousands)
         return super().format_field(value, format_spec)
 
 
-_FILLED = _Filled()
+_FILLED: Mapping[Language, _Filled] = MappingProxyType(
+    {"en": _Filled(), "vi": _Filled("\N{NO-BREAK SPACE}")}
+)
+"""A comma is the decimal sign of many Vietnamese readers: beside a point it would mislead."""
 
 
 class Message(str):
@@ -48,7 +58,7 @@ class Message(str):
 
     def __new__(cls, key: str, /, **values: object) -> Message:
         """Fill the English text."""
-        english = _FILLED.vformat(text(key, "en", values), (), values)
+        english = _FILLED["en"].vformat(text(key, "en", values), (), values)
         return cls.made_of(english, key=key, values=values)
 
     @classmethod
@@ -60,8 +70,9 @@ class Message(str):
 
     def said(self, language: Language) -> str:
         """Say it in a language."""
-        values = {name: _said(value, language) for name, value in self.values.items()}
-        return _FILLED.vformat(text(self.key, language, values), (), values)
+        is_typed = self.key.startswith("refused")  # what is wrong names what is to be typed
+        values = {name: _said(value, language, is_typed) for name, value in self.values.items()}
+        return _FILLED[language].vformat(text(self.key, language, values), (), values)
 
     def __reduce__(self) -> tuple[object, ...]:
         """Keep what it is made of when it is copied, or sent to another process."""
@@ -150,10 +161,15 @@ class Cited(str):
 
 
 def say(said: str, language: Language) -> str:
-    """Say a message in a language; any other text, a user's own words, stays as it is."""
-    if not isinstance(said, Message):
-        return said
-    return str(said) if language == "en" else said.said(language)
+    """Say a message in a language; any other text, a user's own words, stays as it is.
+
+    A component with its size, or a buoy of the library, is shown by its name there.
+    """
+    if language == "en":
+        return str(said) if isinstance(said, Message) else said
+    if isinstance(said, Message):
+        return said.said(language)
+    return said if isinstance(said, Cited) else shown_name(said, language)
 
 
 def is_said(said: str, key: str) -> bool:
@@ -161,5 +177,7 @@ def is_said(said: str, key: str) -> bool:
     return isinstance(said, Message) and said.key == key
 
 
-def _said(value: object, language: Language) -> object:
-    return say(value, language) if isinstance(value, str) else value
+def _said(value: object, language: Language, is_typed: bool) -> object:
+    if not isinstance(value, str) or (is_typed and not isinstance(value, Message)):
+        return value
+    return say(value, language)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Protocol
 
-from catopt.words.message import Message, say
+from catopt.words.labels import term
+from catopt.words.message import Message, Several, say
 from catopt.words.texts import Language
 
 
@@ -21,7 +22,9 @@ class _Problem(Protocol):
 def say_refusal(source: str, problems: Iterable[_Problem], language: Language = "en") -> str:
     """Say all that is wrong with an input, as its error does in English."""
     every = tuple(problems)
-    head = Message("refused.head", source=f"{source}: " if source else "", count=len(every))
+    head = Message(
+        "refused.head", source=Several((term(source), ": "), "") if source else "", count=len(every)
+    )
     lines = (say(problem_words(each), language).replace("\n", "\\n") for each in every)
     return "\n".join([say(head, language), *(f"  {each}" for each in lines)])
 

@@ -1,18 +1,25 @@
 """What the pages need on the way to the site: mkdocs calls these functions, see mkdocs.yml.
 
 The pages are written for the repository: they link to files beside docs/ and mark what a test runs.
-Here the files that they link to become pages of the site, links follow them there, and the tables
-of docs/api.md give way to the docstrings themselves.
+Here the files that they link to become pages of the site, links follow them there, the tables of
+docs/api.md give way to the docstrings themselves, and a notebook is run and shown with its answers.
 """
 
 from __future__ import annotations
 
+import ast
+import base64
+import io
 import json
+import os
 import posixpath
 import re
+import sys
 import unicodedata
+from collections.abc import Iterator
+from contextlib import redirect_stdout
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from mkdocs.config.defaults import MkDocsConfig
@@ -21,6 +28,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "described",
+    "notebook_page",
     "on_files",
     "on_page_markdown",
     "on_post_build",
@@ -44,8 +52,11 @@ BESIDE_DOCS = (
 FOUND_LAST = ("api", "CHANGELOG", "benchmarks", "cases", "reports", "catalogue-verdicts")
 """Pages that have every word, and are seldom what one looks for."""
 
+NOTEBOOK = ".ipynb"
+
 FENCE = re.compile(r"^(?P<fence>`{3,}).*?^(?P=fence)$", re.MULTILINE | re.DOTALL)
 MARK = re.compile(r"^(```\w+) run$", re.MULTILINE)
+PATCH = re.compile(r"^```diff (\S+)$", re.MULTILINE)
 LINK = re.compile(r"(?P<image>!?)\[(?P<text>(?:[^\]\[]|\[[^\]]*\])*)\]\((?P<target>[^)\s]+)\)")
 NAMES = re.compile(
     r"^<!-- (?P<module>catopt[a-z_.]*)[\w ]*: python -m tests\.api_page -->\n"
@@ -75,6 +86,11 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
     """Take in what the pages link to beside docs/: books, notes, benchmark results and cases."""
     from mkdocs.structure.files import File
 
+    for notebook in [each for each in files if each.src_uri.endswith(NOTEBOOK)]:
+        files.remove(notebook)
+        page = notebook.src_uri.removesuffix(NOTEBOOK) + ".md"
+        text = notebook_page(Path(notebook.abs_src_path).read_text("utf-8"))
+        files.append(File.generated(config, page, content=text))
     for pattern in BESIDE_DOCS:
         for path in sorted(ROOT.glob(pattern)):
             place = path.relative_to(ROOT).as_posix()
@@ -88,6 +104,59 @@ def on_page_markdown(markdown: str, page: Page, files: Files, **_: object) -> st
     if page.file.src_uri.startswith(FOUND_LAST):
         page.meta["search"] = {"boost": 0.2}
     return relinked(unmarked(described(markdown)), page.file.src_uri, known)
+
+
+def notebook_page(notebook: str) -> str:
+    """Run a notebook from the root of the repository, and write it as a page with its answers."""
+    names: dict[str, Any] = {}
+    parts: list[str] = []
+    before = Path.cwd()
+    sys.path.insert(0, str(ROOT))
+    os.chdir(ROOT)
+    try:
+        for cell in json.loads(notebook)["cells"]:
+            source = "".join(cell["source"])
+            if cell["cell_type"] == "markdown":
+                parts.append(source)
+            else:
+                parts += [f"```python\n{source}\n```", *_shown(source, names)]
+    finally:
+        os.chdir(before)
+        sys.path.remove(str(ROOT))
+    return "\n\n".join(parts) + "\n"
+
+
+def _shown(source: str, names: dict[str, Any]) -> Iterator[str]:
+    """Run a cell; yield what it prints, and the value of its last line as a notebook shows it."""
+    *before, last = ast.parse(source).body
+    is_shown = isinstance(last, ast.Expr)
+    body = ast.Module(before if is_shown else [*before, last], [])
+    value, printed = None, io.StringIO()
+    with redirect_stdout(printed):
+        exec(compile(body, "cell", "exec"), names)
+        if isinstance(last, ast.Expr):
+            value = eval(compile(ast.Expression(last.value), "cell", "eval"), names)
+    if printed.getvalue():
+        yield f"```text\n{printed.getvalue().rstrip()}\n```"
+    for name, show in _SHOWS.items():
+        if value is not None and hasattr(value, name):
+            yield show(getattr(value, name)())
+            return
+    if value is not None:
+        yield f"```text\n{value!r}\n```"
+
+
+def _picture(data: bytes) -> str:
+    return f'<img alt="" src="data:image/png;base64,{base64.b64encode(data).decode()}">'
+
+
+def _table(html: str) -> str:
+    """Put it on one line: what is set in, or follows an empty line, Markdown takes for its own."""
+    return '<div style="overflow-x: auto">' + re.sub(r"\s*\n\s*", " ", html) + "</div>"
+
+
+_SHOWS = {"_repr_png_": _picture, "_repr_html_": _table}
+"""How a notebook shows a value that can be shown so, the first one that it has."""
 
 
 def on_post_build(config: MkDocsConfig) -> None:
@@ -130,8 +199,8 @@ def plain_letters(word: str) -> str:
 
 
 def unmarked(markdown: str) -> str:
-    """Take the marks of blocks that a test runs off."""
-    return MARK.sub(r"\1", markdown)
+    """Take the marks of blocks that a test runs off; the file of a patch becomes its title."""
+    return PATCH.sub(r'```diff title="\1"', MARK.sub(r"\1", markdown))
 
 
 def described(markdown: str) -> str:
@@ -169,6 +238,8 @@ def _relinked(text: str, page: str, known: set[str]) -> str:
         path, hash_, anchor = found["target"].partition("#")
         if not path or re.match(r"[a-z]+:", path):
             return found[0]
+        if path.endswith(NOTEBOOK):  # a page of the site, too
+            path = path.removesuffix(NOTEBOOK) + ".md"
         goal = _on_site(posixpath.join(posixpath.dirname(_in_repository(page)), path))
         if goal not in known:
             return found["text"] if (ROOT / goal).exists() else found[0]

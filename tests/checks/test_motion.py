@@ -210,6 +210,16 @@ def test_normal_and_extreme_factors_in_motion_go_by_the_load_case() -> None:
     assert [each.utilisation for each in report.results] == pytest.approx([0.9, 0.6], rel=CLOSE)
 
 
+def test_the_state_of_a_load_case_is_judged_by_its_own_factor() -> None:
+    """API RP 2SK, dynamic analysis: 1.67 of a whole mooring, 1.25 with a line out, of 3000 kN."""
+    cases = (LoadCase("whole", 3e5), LoadCase("damaged", 3e5, state="one_line_out"))
+    case = replace(ALONE, checks=Checks(codes=("API-RP-2SK",)), load=None, load_cases=cases)
+    report = check_motion(case, [replace(MOVED, load_case=each.name) for each in cases])
+    used = [900.0 * 1.67 / 3000.0, 900.0 * 1.25 / 3000.0]
+    assert [each.utilisation for each in report.results] == pytest.approx(used, rel=CLOSE)
+    assert [each.place.state for each in report.results] == ["intact", "one_line_out"]
+
+
 @pytest.mark.parametrize("line_out", [None, 1.5])
 def test_the_case_s_factor_holds_as_a_line_breaks(line_out: float | None) -> None:
     """The factor with one line out is of the state after it; 2,900 kN by 3 of 3,000 kN is 2.9."""

@@ -436,6 +436,6 @@ def test_no_ship_a_condition_that_is_none_and_half_a_line_are_refused() -> None:
 
 
 def test_a_ship_draws_no_more_in_ballast_than_loaded() -> None:
-    sizes = {"length": 200.0, "breadth": 32.0, "draught": 12.0, "depth": 20.0}
+    sizes: dict[str, Any] = {"length": 200.0, "breadth": 32.0, "draught": 12.0, "depth": 20.0}
     found = told(lambda: catopt.size_tanker(**sizes, ballast_draught=12.5))
     assert found == {"ballast_draught": "not above the loaded draught, 12 m"}

@@ -16,7 +16,7 @@ from catopt.words import is_said, say
 
 from .test_what_people_know import requested
 
-SHIP: dict[str, object] = {"dwt": "50000 t", "depth": "20 m"}
+SHIP: dict[str, Any] = {"dwt": "50000 t", "depth": "20 m"}
 
 
 asked = partial(requested, **SHIP)

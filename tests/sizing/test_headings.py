@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import pytest
 
@@ -19,8 +20,13 @@ from catopt.sizing.result import Sizing
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.words import say
 
-SHIP = {"dwt": "50000 t", "depth": "20 m", "low_water": "18 m", "ballast_draught": "6.1 m"}
-SCAN = {"scan": "30 deg", "current_yaw": "series-60"}
+SHIP: dict[str, Any] = {
+    "dwt": "50000 t",
+    "depth": "20 m",
+    "low_water": "18 m",
+    "ballast_draught": "6.1 m",
+}
+SCAN: dict[str, Any] = {"scan": "30 deg", "current_yaw": "series-60"}
 
 
 @pytest.fixture(scope="module")
@@ -115,7 +121,7 @@ def test_the_note_adds_forces_along_and_across_the_ship_up(turned: Sizing) -> No
         ),
     ],
 )
-def test_what_cannot_be_turned_is_refused(inputs: dict[str, object], told: dict[str, str]) -> None:
+def test_what_cannot_be_turned_is_refused(inputs: dict[str, Any], told: dict[str, str]) -> None:
     with pytest.raises(InputError) as caught:
         catopt.size_tanker(**SHIP, **inputs)
     found = {each.key: each.allowed for each in caught.value.problems}

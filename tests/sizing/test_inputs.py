@@ -270,7 +270,13 @@ def test_what_is_not_evaluated_is_refused_by_its_keyword() -> None:
 
 def test_a_sizing_by_keywords_is_that_of_its_file() -> None:
     """Of docs/sizing.md, a buoy by hand: 50 mm, 31 m, to the digits that it prints."""
-    place = {"depth": 12, "low_water": "10 m", "current": 1.5, "hs": 1.5, "period": "6 s"}
+    place: dict[str, Any] = {
+        "depth": 12,
+        "low_water": "10 m",
+        "current": 1.5,
+        "hs": 1.5,
+        "period": "6 s",
+    }
     soil = "clean fine to medium sand"
     by_hand = catopt.size_buoy(buoy="pillar 2.4 m", soil=soil, **place)
     assert by_hand.point.line.length == 31.0

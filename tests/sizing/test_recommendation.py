@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import pytest
 
@@ -16,14 +17,14 @@ from catopt.sizing.line_choice import longest_useful
 from catopt.sizing.result import Sizing
 from catopt.words import say
 
-SHIP = {"dwt": "50000 t", "depth": "20 m"}
+SHIP: dict[str, Any] = {"dwt": "50000 t", "depth": "20 m"}
 SHOWN = ("loaded", "ballast")
 BOTH = ["chain studless R3", "chain studless R4"]
 PRICES = {"R3": (-234.0, 5.95e4), "R4": (-312.0, 8.56e4)}
 """USD/m of d in m (engineering facts, section on cost): a d + b d^2."""
 
 
-def sized(**inputs: object) -> Sizing:
+def sized(**inputs: Any) -> Sizing:
     return catopt.size_tanker(**SHIP, **inputs)
 
 
@@ -109,8 +110,8 @@ def test_a_hawser_takes_its_part_of_the_swing() -> None:
 
 def test_a_buoy_s_swing_is_bounded_too() -> None:
     """Of the sizes that the buoy is made for, up to 30 mm, none spans as little."""
-    place = {"buoy": "pillar 1.8 m", "depth": "12 m", "wind": "25 m/s", "prefer": "lightest"}
-    place |= {"diameter_max": "60 mm"}
+    place: dict[str, Any] = {"buoy": "pillar 1.8 m", "depth": "12 m", "wind": "25 m/s"}
+    place |= {"prefer": "lightest", "diameter_max": "60 mm"}
     free = catopt.size_buoy(**place)
     bound = catopt.size_buoy(**place, max_swing="30 m")
     assert bound.swing.total <= 30.0 < free.swing.total
@@ -171,7 +172,7 @@ def test_what_cannot_be_weighed_or_kept_is_refused(
 
 
 @pytest.mark.parametrize("ship", [SHIP, {"dwt": "3000 t", "depth": "7 m"}])
-def test_the_lightest_line_is_at_no_edge_of_what_is_looked_at(ship: dict[str, str]) -> None:
+def test_the_lightest_line_is_at_no_edge_of_what_is_looked_at(ship: dict[str, Any]) -> None:
     sizing = catopt.size_tanker(**ship, prefer="lightest")
     assert sizing.case.design is not None
     lengths = sizing.case.design.segments[0].lengths

@@ -39,7 +39,7 @@ def test_title_and_source_are_one_s_own_or_none() -> None:
 
 
 def test_a_case_says_where_its_figures_come_from() -> None:
-    quick = {"diameter_min": 0.06, "diameter_max": 0.07, "length_step": 27.5}
+    quick: dict[str, Any] = {"diameter_min": 0.06, "diameter_max": 0.07, "length_step": 27.5}
     own = catopt.size_tanker(**SHIP, **quick, source="Harbour survey of 2024", title="Berth 3")
     assert (own.case.source, own.case.title) == ("Harbour survey of 2024", "Berth 3")
     assert catopt.size_tanker(**SHIP, **quick).case.source == "catopt size tanker"

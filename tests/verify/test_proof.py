@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 
+from catopt.answers.motion import lines_of_body, motion_answer
 from catopt.errors import NotConvergedError
 from catopt.fem import run_dynamics
 from catopt.model import (
@@ -21,10 +22,12 @@ from catopt.model import (
     Site,
     WaveState,
 )
+from catopt.render.card import card_lines
 from catopt.verify import dynamic, dynamic_lines
 from catopt.verify.dynamic import verify_dynamic
-from catopt.verify.dynamic_result import DynamicPart
+from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
 from catopt.verify.dynamic_setup import Drive
+from catopt.verify.judged import beyond_MBL
 from catopt.verify.motion_words import motion_sentences, proof_sentences
 from catopt.verify.proof import LIMIT, Change, Proof
 
@@ -260,3 +263,38 @@ def test_a_snapping_line_is_run_with_half_and_twice_its_damping() -> None:
     assert high == max(each["fairlead_tension"] for each in found)
     assert "With half and with twice its damping" in " ".join(motion_sentences(part))
     assert proven(TAUT).damping_range("fairlead_tension") is None
+
+
+def strong(MBL: float) -> DynamicVerification:
+    """Take the taut line's runs as those of another breaking load; no check is asked."""
+    found = verify_dynamic(TAUT, proof="none")
+    (part,) = found.parts
+    line = replace(TAUT, line=Line([replace(CHAIN, MBL=MBL)]))
+    part = replace(part, drive=replace(part.drive, case=line))
+    return replace(found, case=line, parts=(part,))
+
+
+def test_a_tension_beyond_the_MBL_is_said_first_though_no_check_is_asked() -> None:
+    reached = strong(1.0).parts[0].max_tension
+    for times, is_said in ((0.999, True), (1.001, False)):
+        found = strong(times * reached)
+        beyond = beyond_MBL(found.parts[0])
+        assert (beyond is not None) is is_said
+        if beyond is not None:
+            assert beyond == (1, reached, times * reached)
+        answer = motion_answer(found)
+        screen = "\n".join(line.text for line in card_lines(answer))
+        assert ("THE TENSION EXCEEDS THE MBL" in screen) is is_said
+
+
+def test_of_a_body_s_lines_both_ends_show_what_hangs_on_damping() -> None:
+    """A row each; a line that does not snap has none."""
+    parts = [replace(proven(each), line=k) for k, each in enumerate((SNAPPING, TAUT), start=1)]
+    columns = {str(each.name): each.values for each in lines_of_body(parts).columns}
+    headings = {"fairlead": "Max., {} by damping", "anchor": "At anchor, {} by damping"}
+    for end, heading in headings.items():
+        ends = parts[0].damping_range(f"{end}_tension")
+        assert ends is not None
+        for value, which in zip(ends, ("least", "most"), strict=True):
+            snaps, taut = columns[heading.format(which)]
+            assert (snaps, taut) == (value, None)

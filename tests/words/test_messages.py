@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import ast
 import copy
+import errno
 import json
+import os
 import pickle
 import re
 import tomllib
@@ -18,6 +20,7 @@ import pytest
 import catopt
 from catopt import words
 from catopt.quantities import QUANTITIES
+from catopt.units import Dimension
 from catopt.words import LANGUAGES, Listed, Measure, Message, Sentence, Several, Told, say, term
 from catopt.words.saved import messages_in, with_messages
 from catopt.words.texts import group, groups
@@ -78,7 +81,7 @@ COMPOSED = {
 }
 """Groups whose keys are put together where they are used, of the group and a name."""
 
-SAID_BY_WORD = {"terms", "columns"}
+SAID_BY_WORD = {"terms", "columns", "names"}
 """Groups that are looked up by the English that code or data have, too."""
 
 LEAST = 4
@@ -117,7 +120,8 @@ def composed_in_code() -> list[re.Pattern[str]]:
 def test_every_text_is_used() -> None:
     shell = (PACKAGE / "desk" / "shell.html").read_text("utf-8")
     asked = {f"desk.{name}" for name in re.findall(r'say\("(\w+)"\)', shell)}
-    code = {*QUANTITIES, *texts_in_code()[0], *asked}
+    code = {*QUANTITIES, *texts_in_code()[0], *asked, *(each.name for each in Dimension)}
+    code |= {os.strerror(each) for each in errno.errorcode}
     code |= {key.replace("-", "_") for key in code}
     data = [
         tomllib.loads(path.read_text("utf-8"))

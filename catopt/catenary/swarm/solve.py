@@ -99,7 +99,7 @@ def _check(line: Line, height: float, horizontal_force: float, seabed_friction: 
         found.add(
             "horizontal_force",
             f"{horizontal_force:g} N on a line that weighs {weight:g} N",
-            f"forces from {least:g} to {most:g} N are carried",
+            Message("refused_motion.forces_from_n_are_carried", least=least, most=most),
         )
     found.raise_if_any()
 
@@ -199,18 +199,20 @@ def solve_case_by_swarm(case: Case, *, progress: Callable[[int], None] | None = 
     found = Findings("swarm")
     if case.find is not None:
         found.add(
-            "find", case.find.quantity, "the swarm method seeks nothing; the closed form does"
+            "find", case.find.quantity, Message("refused_motion.swarm_method_seeks_nothing_closed")
         )
     force = None if case.load is None else case.load.horizontal_force
     if force is None:
         found.add(
-            "load", "no horizontal_force", "the swarm method wants one; the closed form does not"
+            "load",
+            Message("refused_motion.no_horizontal_force"),
+            Message("refused_motion.swarm_method_wants_one_closed"),
         )
     if case.anchor_height != 0.0:
         found.add(
             "line.anchor_height",
             f"{case.anchor_height:g} m",
-            "the swarm method has the anchor on the bed; the closed form does not need that",
+            Message("refused_motion.swarm_method_has_anchor_on"),
         )
     found.raise_if_any()
     assert force is not None
