@@ -85,6 +85,7 @@ def check_network(
         *of_transient(criteria),
         *of_uplift((each for each, _, anchored in solved if anchored), criteria, network.anchor),
         *_of_anchors(criteria, rest),
+        *_of_joints(rest),
         *_of_lines(rest.lines),
     )
     return CheckReport(
@@ -165,6 +166,14 @@ def _of_anchors(criteria: Criteria, rest: LinesAtRest) -> Iterator[Message]:
         if points[run.second].kind == "anchor":
             name = points[run.second].name
             yield Message("checks.anchor_not_judged", number=number, name=name)
+
+
+def _of_joints(rest: LinesAtRest) -> Iterator[Message]:
+    """Say which joints something pulls out of the water."""
+    depth = rest.network.site.water_depth
+    for point, (_, _, height) in zip(rest.network.points, rest.joints.places, strict=True):
+        if point.kind == "joint" and height > depth:
+            yield Message("mooring.joint_above_water", name=point.name, height=height - depth)
 
 
 def _of_lines(lines: Sequence[Solution]) -> Iterator[str]:

@@ -258,3 +258,15 @@ def test_a_file_says_by_what_lines_are_judged() -> None:
 def test_what_a_file_has_wrong_is_told(old: str, new: str, said: str) -> None:
     with pytest.raises(InputError, match=said):
         parse_network(FILE.replace(old, new, 1))
+
+
+@pytest.mark.parametrize(("depth", "above"), [(9.0, True), (11.0, False)])
+def test_a_joint_that_is_pulled_out_of_the_water_is_said(depth: float, above: bool) -> None:
+    points = (
+        Point("left", "anchor", -4.0, 0.0, 7.0),
+        Point("right", "anchor", 4.0, 0.0, 7.0),
+        Point("joint", "joint", force=(0.0, 0.0, 6e3)),  # 3-4-5: at 10 m
+    )
+    lines = (LineBetween(rope(), "left", "joint"), LineBetween(rope(), "right", "joint"))
+    said = "\n".join(check_network(Network(Site(depth), points, lines)).warnings)
+    assert ("joint joint is pulled 1 m above the water surface" in said) is above

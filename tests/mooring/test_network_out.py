@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import pytest
 
@@ -20,7 +21,7 @@ def left_over(rest: LinesAtRest) -> float:
     for k, point in enumerate(rest.network.points):
         if point.kind != "joint":
             continue
-        pulls = [point.hung, (0.0, 0.0, rest.joints.reactions[k])]
+        pulls: list[Sequence[float]] = [point.hung, (0.0, 0.0, rest.joints.reactions[k])]
         for run, ends in zip(rest.runs, rest.joints.ends, strict=True):
             pulls += [ends.first] if run.first == k else []
             pulls += [ends.second] if run.second == k else []

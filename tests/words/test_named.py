@@ -29,9 +29,9 @@ HELP = ROOT / "cli" / "help.toml"
 
 EVERYWHERE = {"--help", "--help-all"}
 """Options that no command lists."""
-VERBS = {"by", "compiles", "counts", "did", "does", "goes", "has", "itself", "takes"}
+VERBS = {"by", "compiles", "counts", "did", "does", "goes", "has", "itself", "takes", "ghi"}
 """What catopt is said to do, where it is no command."""
-OF_OTHERS = {"site.general"}
+OF_OTHERS = {"site.general", "mooring_systems"}
 """Keys of other programs' files."""
 ROOTS = (CaseTable, NetworkTable, StudyTable, schema_of("buoy"), schema_of("tanker"))
 VALUES = {*FIND_QUANTITIES, *names()}
@@ -148,6 +148,15 @@ def keys() -> Mapping[str, set[str]]:
     return found
 
 
+@cache
+def attributes() -> set[str]:
+    """List the attributes of ships, buoys and sizings: Python gives some that no file has."""
+    code = (
+        path.read_text("utf-8") for of in ("loads", "sizing") for path in (ROOT / of).glob("*.py")
+    )
+    return {name for text in code for name in re.findall(r"(?m)^    ([a-z_]+): ", text)}
+
+
 _PLACEHOLDER = re.compile(r"\{[^}]*\}")
 _HEADER = re.compile(r"\[{1,2}([a-z]+(?:_[a-z]+)*(?:\.[a-z_]+)*)\]{1,2}")
 _KEY = re.compile(r"(?<![\w./-])([a-z]{2,}(?:_[a-zA-Z0-9]+)+)(?![\w(/=-])")
@@ -160,7 +169,8 @@ def unknown_keys(text: str) -> list[str]:
     wrong = [
         f"[{name}]" for name in _HEADER.findall(said) if not set(name.split(".")) <= keys().keys()
     ]
-    wrong += [key for key in _KEY.findall(said) if key not in keys() and key not in VALUES]
+    known = {*keys(), *VALUES, *OF_OTHERS, *attributes()}
+    wrong += [key for key in _KEY.findall(said) if key not in known]
     for table, key in _BELOW.findall(said):
         if keys().get(table) and key not in keys()[table] and f"{table}.{key}" not in OF_OTHERS:
             wrong.append(f"{table}.{key}")
