@@ -21,7 +21,7 @@ from catopt.sizing.posed import Assumed
 from catopt.sizing.result import Sizing, SwingRadius
 from catopt.sizing.settle import Settled
 from catopt.sizing.tanker_request import TankerRequest
-from catopt.words import Message
+from catopt.words import Message, Several, term
 
 
 def case_of(
@@ -48,7 +48,7 @@ def case_of(
 
 def worn_name(load_case: str) -> Message:
     """Name a load case of the line at the end of its service life."""
-    return Message("sizing.worn_chain", load_case=load_case)
+    return Several((load_case, term("worn chain")), ", ")
 
 
 def new_and_worn(states: Iterable[LoadCase], service: Service | None) -> tuple[LoadCase, ...]:
