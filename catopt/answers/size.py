@@ -271,6 +271,14 @@ def _verdict(of: Candidate) -> str:
 
 def _run_afloat(of: InMotion) -> blocks.Section:
     """Say how lines were run, what the recommended one came to, and which were tried."""
+    checks = blocks.Table("checks_in_motion", check_columns(of.checks.results), only="files")
+    warned = blocks.Warnings(of.checks.warnings, "people")
+    own = (tightest_table(of.checks), checks)
+    return section("captions.checks_in_motion", *own, *tried_blocks(of), warned)
+
+
+def tried_blocks(of: InMotion) -> tuple[blocks.Block, ...]:
+    """Say how lines were run, and tabulate them."""
     every = Rows(of.tried)
     tried = tabulate(
         "lines_in_motion",
@@ -282,12 +290,7 @@ def _run_afloat(of: InMotion) -> blocks.Section:
         every.texts("fails", "words"),
         caption=Message("sizing.lines_tried"),
     )
-    words = (blocks.Text(runs_words(of)), blocks.Text(of.counted.words))
-    checks = blocks.Table("checks_in_motion", check_columns(of.checks.results), only="files")
-    warned = blocks.Warnings(of.checks.warnings, "people")
-    return section(
-        "captions.checks_in_motion", *words, tightest_table(of.checks), checks, tried, warned
-    )
+    return blocks.Text(runs_words(of)), blocks.Text(of.counted.words), tried
 
 
 def _pattern(of: Sizing) -> Iterator[blocks.Section]:

@@ -2,26 +2,36 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from dataclasses import replace
+from importlib.resources import files
 from types import SimpleNamespace
 from typing import Any
 
+import jsonschema
 import pytest
 
 import catopt.sizing.motion_search as searching
 from catopt import size_buoy, size_tanker
+from catopt.answers.size import size_answer
 from catopt.casefile import parse_case, write_case
 from catopt.checks.criterion import CheckSource
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.errors import InputError
 from catopt.notes.motion import checks_in_motion
-from catopt.sizing.in_motion import LineTried, NoLineInMotionError, RunsAfloat
+from catopt.notes.size import Given
+from catopt.render.card import card_lines
+from catopt.render.files import csv_files
+from catopt.report.bundle import size_files
+from catopt.sizing.afloat import run_in_still_water
+from catopt.sizing.in_motion import Counted, InMotion, LineTried, NoLineInMotionError, RunsAfloat
 from catopt.sizing.known import known
 from catopt.sizing.line_choice import LineChoice, sold
 from catopt.sizing.requests import request_of
 from catopt.sizing.result import Sizing
 from catopt.verify.dynamic import verify_dynamic
+from catopt.words import Language, Message
 from tests.sizing.alone import alone
 
 PLACE = {"buoy": "pillar 1.8 m", "depth": "12 m"}
@@ -243,3 +253,55 @@ def test_other_seeds_pass_and_the_shorter_line_does_not(calm: Sizing) -> None:
     ]
     assert shorter
     assert not any(each.passes for each in shorter)
+
+
+# ------------------------------------------------------------------ how it is said
+
+
+def made_up_answer() -> Sizing:
+    """Take a line at rest for one that was run, with round numbers."""
+    with alone():
+        at_rest = size_buoy(**PLACE)
+    tried = LineTried("chain open-link 4D Q2", 0.03, 38.0, 660.0, 7, ())
+    case = run_in_still_water(at_rest.settled.case, request_of(known("buoy", PLACE)))  # type: ignore[arg-type]
+    assert case is not None
+    return replace(
+        at_rest,
+        dynamic_factor=1.0,
+        motion=Message("sizing.motion_by_runs"),
+        chain_life=None,
+        in_motion=InMotion(
+            RunsAfloat(),
+            case,
+            at_rest.point.checks,
+            "storm, high water",
+            *(90e3, 120e3, 100e3, 150e3, 8e3, 1.2),
+            Counted(70, 30, 28, 12, 40),
+            (tried,),
+        ),
+    )
+
+
+@pytest.mark.parametrize("language", ["en", "vi"])
+def test_the_screen_says_what_the_runs_come_to(language: Language) -> None:
+    of = made_up_answer()
+    lines = [each.text for each in card_lines(size_answer(of), language)]
+    assert len(lines) <= 22
+    assert max(map(len, lines)) <= 80
+    said = " ".join(" ".join(lines).split())
+    for what in ("120.0 kN", "100.0", "150.0", "8.000 kN", "15.00", "1.2", "10 min", "70", "12"):
+        assert what in said
+    if language == "en":
+        assert "in motion, new and worn" in said
+        assert "3 of 10 min in each of 2 load cases" in said
+        assert "most probable maximum in 3 h" in said
+        assert "70 lines: 12 run in motion (40 runs), 30 fail at rest, 28 needless" in said
+
+
+def test_the_answer_as_files_and_as_a_document() -> None:
+    of = made_up_answer()
+    tables = csv_files(size_answer(of))
+    assert "lines_in_motion.csv" in tables
+    assert set(size_files(of, "en", Given())) >= {"case.toml", "note.html"}
+    schema = json.loads(files("catopt.schemas").joinpath("size-1.json").read_text("utf-8"))
+    jsonschema.validate(of.to_dict(), schema)
