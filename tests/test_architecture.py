@@ -71,7 +71,9 @@ MAY_IMPORT: dict[str, set[str]] = {
     "checks": SOLVING | {"catalogue", "mooring"},
     "design": SOLVING | {"catalogue", "mooring", "checks"},
     "verify": SOLVING | {"mooring", "checks", "fem", "waves", "hydro", "floater"},
-    "sizing": SOLVING | DESIGNING | {"catalogue", "casefile", "loads", "mooring", "waves"},
+    "sizing": SOLVING
+    | DESIGNING
+    | {"catalogue", "casefile", "loads", "mooring", "waves", "verify"},
     "study": SOLVING | READING | {"checks", "mooring", "verify", "sizing", "notes", "_version"},
     "reproduce": SOLVING | READING | {"mooring", "loads", "waves", "fem", "verify"},
     "export": SOLVING | {"mooring", "decks", "_version"},

@@ -210,6 +210,7 @@ def _model(moved: InMotion) -> Iterator[Fact]:
     yield _fact("runs", dynamics.runs)
     yield _fact("duration", dynamics.duration, _S)
     yield _fact("of_interest", dynamics.duration_of_interest, _S)
+    yield _fact("judged_by", _said(f"by_{dynamics.judged_by.replace('-', '_')}"))
     yield _fact("ramp", moved.drive.ramp, _S)
     yield _fact("since", run.since, _S)
     yield _fact("step", run.step, _S4)

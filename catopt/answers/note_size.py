@@ -287,6 +287,9 @@ def _step(of: LoadComponent, force: float) -> blocks.Step:
 def _candidates(note: SizeNote) -> Iterator[Block]:
     """Tabulate the recommended size between its neighbours, and the steps to less that fail."""
     of = note.sizing
+    if of.in_motion is not None:  # others at rest say nothing beside it
+        yield from sized.tried_blocks(of.in_motion)
+        return
     yield Text(Message("note_size.candidates_about"))
     table = sized.candidates_table(of)
     every = Rows(of.candidates)

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from catopt.answers import blocks
 from catopt.answers.blocks import Rows, answered, largest, named, section, tabulate, texts
-from catopt.answers.check import check_columns, tightest_table
+from catopt.answers.check import check_columns, tightest_table, verdict_column
 from catopt.answers.loads import forces_table, notes_table, numbers_table
-from catopt.answers.size_card import size_card, verdict
+from catopt.answers.size_card import runs_words, size_card, verdict
 from catopt.constants import YEAR
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.units import UNITS, Dimension
@@ -19,6 +19,7 @@ from catopt.words import Cited, Measure, Message, Sentence, Several, term
 if TYPE_CHECKING:
     from catopt.sizing import Sizing
     from catopt.sizing.alternatives import Candidate
+    from catopt.sizing.in_motion import InMotion
     from catopt.sizing.pattern import Pattern, PatternState
 
 _FORCE = named("horizontal_force", "")
@@ -48,9 +49,10 @@ def size_answer(of: Sizing) -> blocks.Answer:
             *map(blocks.Text, _beside(of)),
             _summary(of),
             why,
-            alternatives_table(of),
+            *([alternatives_table(of)] if of.alternatives or of.in_motion is None else []),
         ),
-        section(term("Candidates"), candidates_table(of)),
+        *([] if of.in_motion is None else [_run_afloat(of.in_motion)]),
+        *([section(term("Candidates"), candidates_table(of))] if of.candidates else []),
         section("captions.checks", tightest_table(of.point.checks), checks),
         *_pattern(of),
         section(term("Forces"), *_forces(of)),
@@ -78,6 +80,8 @@ def read_table(of: Sizing) -> blocks.Table:
 
 def motion_sentence(of: Sizing) -> Message:
     """Say what stands for motion, and where that is from."""
+    if of.in_motion is not None:
+        return Message("sizing.in_runs", source=of.motion)
     if of.dynamic_factor == 1.0:
         return Message("sizing.no_motion", source=of.motion)
     return Message("sizing.motion", factor=of.dynamic_factor, source=of.motion)
@@ -263,6 +267,30 @@ def _verdict(of: Candidate) -> str:
         return of.reason
     governing = of.settled.point.governing
     return Message("sizing.passes", check="" if governing is None else governing.in_case)
+
+
+def _run_afloat(of: InMotion) -> blocks.Section:
+    """Say how lines were run, what the recommended one came to, and which were tried."""
+    checks = blocks.Table("checks_in_motion", check_columns(of.checks.results), only="files")
+    warned = blocks.Warnings(of.checks.warnings, "people")
+    own = (tightest_table(of.checks), checks)
+    return section("captions.checks_in_motion", *own, *tried_blocks(of), warned)
+
+
+def tried_blocks(of: InMotion) -> tuple[blocks.Block, ...]:
+    """Say how lines were run, and tabulate them."""
+    every = Rows(of.tried)
+    tried = tabulate(
+        "lines_in_motion",
+        every.texts("chain", lambda each: f"{each.component} {each.diameter * 1e3:g} mm"),
+        every.measured("length", "length"),
+        every.measured("mass", "mass", "mass_in_air", symbol=""),
+        texts("runs", (each.runs for each in of.tried)),
+        verdict_column(each.passes for each in of.tried),
+        every.texts("fails", "words"),
+        caption=Message("sizing.lines_tried"),
+    )
+    return blocks.Text(runs_words(of)), blocks.Text(of.counted.words), tried
 
 
 def _pattern(of: Sizing) -> Iterator[blocks.Section]:

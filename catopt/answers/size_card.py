@@ -26,12 +26,14 @@ from catopt.answers.blocks import (
 from catopt.answers.check import verdict_column, verdict_sentence
 from catopt.catalogue.in_words import chain_words
 from catopt.constants import YEAR
+from catopt.units import lasting
 from catopt.words import Measure, Message, Several, is_said, term
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckResult
     from catopt.sizing import Sizing
     from catopt.sizing.alternatives import Alternative
+    from catopt.sizing.in_motion import InMotion
 
 _OTHERS = ("practice", "balanced", "shortest", "least-swing", "lightest", "cheapest")
 """Preferences by how much their lines matter beside the recommended one."""
@@ -43,6 +45,7 @@ def size_card(of: Sizing, *, with_others: bool = True) -> tuple[CardBlock, ...]:
     """Lay out what is recommended on one screen, with other lines in words where wanted."""
     (code, *_) = of.case.checks.codes
     briefs = (
+        *(_of_the_runs(of.in_motion) if of.in_motion is not None else ()),
         Brief(of.departures, Message("sizing.card_departs", code=code), 2),
         Brief((of.practice,), Message("sizing.card_practice"), 3),
         Brief(of.fittings, Message("sizing.card_fittings")),
@@ -78,12 +81,12 @@ def verdict(of: Sizing) -> Verdict:
 
     The same words stand on the screen and on the first page of the note.
     """
-    report = of.point.checks
+    report = of.point.checks if of.in_motion is None else of.in_motion.checks
     said: Message = verdict_sentence(report)
     if report.results and report.passes:
         is_worn = any(each.condition == "worn" for each in of.case.load_cases)
         said = Message(
-            "sizing.all_met",
+            "sizing.all_met" if of.in_motion is None else "sizing.motion_met",
             codes=", ".join(of.case.checks.codes),
             states=Message("sizing.new_and_worn" if is_worn else "sizing.as_new_alone"),
             governs=_governs(report.governing),
@@ -111,6 +114,10 @@ def _numbers(of: Sizing) -> Iterator[Fact]:
     swing = "swing" if of.pattern is None else "swing_line_out"
     yield _measured(swing, "length", of.swing.total)
     yield _measured("force" if of.pattern is None else "line_force", "horizontal_force", force)
+    if of.in_motion is not None:
+        yield from _in_motion(of.in_motion)
+        yield _measured("mass", "mass", of.point.line.mass)
+        return
     yield _measured("tension", "tension", solution.fairlead.tension)
     yield from _strength(of)
     if of.reserve_buoyancy is not None:
@@ -126,6 +133,33 @@ def _numbers(of: Sizing) -> Iterator[Fact]:
     if of.chain_life is not None:
         yield _worded("life", Message("sizing.after_years", years=of.chain_life / YEAR))
     yield _measured("mass", "mass", of.point.line.mass)
+
+
+def _in_motion(of: InMotion) -> Iterator[Fact]:
+    """Yield the tension in the storm beside that at rest, and the factor that this is."""
+    time = lasting(of.case.dynamics.duration_of_interest) if of.case.dynamics else ""
+    probable = about("tension", of.most_probable or of.largest)
+    said = Message("sizing.measure", value=probable)
+    if of.low is not None and of.high is not None:
+        ends = {"low": about("tension", of.low), "high": about("tension", of.high)}
+        said = Message("sizing.from_to", value=probable, **ends)
+    yield Fact(Message("sizing.card_tension_in_storm", time=time), said)
+    yield _measured("tension_at_rest", "tension", of.at_rest)
+    factors = {"factor": of.factor, "allowance": of.allowance}
+    yield _worded("motion_factor", Message("sizing.in_place_of", **factors))
+
+
+def runs_words(of: InMotion) -> Message:
+    """Say how lines were run, and what the checks are held against."""
+    assert of.case.dynamics is not None
+    storm = lasting(of.case.dynamics.duration_of_interest)
+    return Message(
+        "sizing.runs_of",
+        seeds=of.how.seeds,
+        time=lasting(of.how.duration),
+        states=len(of.case.load_cases),
+        judged=Message(f"sizing.judged_{of.how.judged_by.replace('-', '_')}", time=storm),
+    )
 
 
 def _strength(of: Sizing) -> Iterator[Fact]:
@@ -147,6 +181,12 @@ def _worded(name: str, said: Value) -> Fact:
 
 def _about(force: float | None) -> Measure:
     return about("vertical_force", force or 0.0)
+
+
+def _of_the_runs(of: InMotion) -> Iterator[Brief]:
+    """Yield how lines were run, and how many."""
+    yield Brief((runs_words(of),), Message("sizing.card_runs"), 2)
+    yield Brief((of.counted.words,), Message("sizing.card_in_motion"), 2)
 
 
 def _others(of: Sizing) -> Iterator[Brief]:

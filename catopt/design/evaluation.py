@@ -96,7 +96,7 @@ class DesignProblem:
         assert case.design is not None
         sinkers = case.design.sinker
         # All sinkers have the same factors, which is all that the criteria want of an anchor.
-        checked = case if sinkers is None else replace(case, anchor=_sinker(case, sinkers, 0))
+        checked = case if sinkers is None else replace(case, anchor=sinker_of(case, sinkers, 0))
         criteria = criteria_of(checked, anchor_key="anchor" if sinkers is None else "design.sinker")
         space, remarks = resolve(case, criteria, states)
         tables = tables_of(checked, states, space, criteria, sinkers)
@@ -205,7 +205,7 @@ class DesignProblem:
         if self.design.sinker is None:
             return self.case.anchor
         index = int(self.assess(np.array([genes])).sinker[0])
-        return _sinker(self.case, self.design.sinker, index)
+        return sinker_of(self.case, self.design.sinker, index)
 
     def present(self) -> DesignPoint:
         """Check the line of the case; a sinker that the search chooses is not part of it."""
@@ -241,7 +241,7 @@ class DesignProblem:
         return {key: value for key, value in named if value is not None}
 
 
-def _sinker(case: Case, choice: SinkerChoice, index: int) -> Anchor:
+def sinker_of(case: Case, choice: SinkerChoice, index: int) -> Anchor:
     """Make one of the sinkers that a design may be held by."""
     mass = choice.masses[index]
     return Anchor(

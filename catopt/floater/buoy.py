@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from dataclasses import replace
+from functools import lru_cache
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -68,7 +69,12 @@ def buoy_hull(
     InputError
         For a buoy that is not known, or would not stay upright.
     """
-    shape = shape or floating_buoy(of)
+    return _hull(of, depth, density, pull, shape or floating_buoy(of))
+
+
+@lru_cache(maxsize=32)
+def _hull(of: Floater, depth: float, density: float, pull: float, shape: BuoyShape) -> FloatingHull:
+    """Do it for a shape: once for all runs of a line, for its radiation takes seconds."""
     carried = min(max(pull, 0.0), _CARRIED * max(shape.reserve_buoyancy(density), 0.0))
     afloat = shape.afloat(carried, density)
     draught, slices = afloat.draught, _slices(shape)

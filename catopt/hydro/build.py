@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Final
 
 import numpy as np
@@ -67,7 +68,7 @@ class Radiation:
         zero, grid = np.zeros((4, 3, 3)), np.linspace(1.0, 4.0, 4)
         return cls(grid, zero, zero, np.zeros((3, 3)), None, 1.0)
 
-    @property
+    @cached_property
     def memory(self) -> Memory:
         """Its memory as exponentials."""
         if not self.damping.any():

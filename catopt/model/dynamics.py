@@ -25,6 +25,8 @@ TimeScheme = Literal["newmark", "generalised-alpha"]
 InitialFriction = Literal["pulled", "none", "laid"]
 INITIAL_FRICTION: tuple[str, ...] = get_args(InitialFriction)
 
+JudgedBy = Literal["largest", "most-probable", "upper"]
+
 FOR_MOTION = (
     *("waves", "current", "motion", "anchor_motion", "body", "floater", "dynamics", "system"),
 )
@@ -86,10 +88,13 @@ class Dynamics(Checked):
         10800.0
     )
     """Of the storm for which extremes of a random sea are given, s."""
+    judged_by: JudgedBy = "largest"
+    """What the checks are held against: the largest values of the runs, the most probable maxima
+    of the storm, or the upper ends of their intervals; never less than the largest."""
 
     def _check(self, found: Findings) -> None:
         found.check("duration", "ramp", "time_step", "output_interval", "elements", "scheme")
-        found.check("initial_friction", "broken_end", "spectral_radius", "runs")
+        found.check("initial_friction", "broken_end", "spectral_radius", "runs", "judged_by")
         found.check("seabed_stiffness", "seabed_damping", "line_damping", "damping_time")
         found.check("broken_line", "broken_at")
         given = [key for key in ("broken_line", "broken_at") if getattr(self, key) is not None]

@@ -136,18 +136,23 @@ def checks_in_motion(
     solved = lines_at_rest(found) if at_rest is None else at_rest
     report = check_parts(found.case, found.parts, solved)
     if report.results:
-        report = replace(report, warnings=(*report.warnings, *_beyond_the_runs(found.parts)))
+        report = replace(report, warnings=(*report.warnings, *_of_the_storm(found.parts)))
     if found.verdict == "not converged" or not found.is_complete:
         doubt = Message("checks.motion_doubted")
         return replace(report, is_doubted=True, warnings=(doubt, *report.warnings))
     return report
 
 
-def _beyond_the_runs(parts: Sequence[DynamicPart]) -> Iterator[Message]:
-    """Say where the storm is likely to bring more than the runs that are judged."""
+def _of_the_storm(parts: Sequence[DynamicPart]) -> Iterator[Message]:
+    """Say that the storm's maxima are judged, or where it is likely to bring more than the runs."""
     for part in parts:
         fairlead = part.of("fairlead_tension")
-        probable = fairlead.most_probable_maximum
+        probable, judged_by = fairlead.most_probable_maximum, part.drive.dynamics.judged_by
+        if judged_by != "largest":
+            found = "no_storm" if probable is None else judged_by.replace("-", "_")
+            values = {"where": part.where, "time": lasting(part.duration_of_interest)}
+            yield Message(f"checks.motion_by_{found}", **values)
+            continue
         if probable is not None and probable > fairlead.maximum:
             yield Message(
                 "checks.motion_probable",
@@ -167,10 +172,10 @@ def lines_at_rest(found: DynamicVerification) -> Sequence[Solution | None]:
 
 def _uses(part: DynamicPart, solution: Solution, made: CheckReport) -> Iterator[SegmentUse]:
     """Yield what each segment carries beside what the checks of its tension allow."""
-    from catopt.verify.judged import largest_of_segments
+    from catopt.verify.judged import judged_tensions
 
     allowed = allowed_tensions(made, solution, part.name)
-    largest = largest_of_segments(part.runs, solution.line)
+    largest = judged_tensions(part, part.runs, solution.line)
     every = zip(solution.segments, largest, allowed, strict=True)
     for number, (segment, carried, capacity) in enumerate(every, start=1):
         yield SegmentUse(number, segment.name, carried, segment.max_tension, capacity)

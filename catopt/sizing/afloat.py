@@ -9,8 +9,9 @@ from typing import Final
 from catopt.catalogue import component, standard
 from catopt.loads.buoy_library import buoys
 from catopt.loads.buoy_shape import BuoyShape
-from catopt.model import Case, CurrentProfile, Dynamics, Floater, Segment, WaveState
+from catopt.model import Case, CurrentProfile, Dynamics, Floater, LoadCase, Segment, WaveState
 from catopt.sizing.buoy_request import BuoyRequest
+from catopt.sizing.in_motion import RunsAfloat
 
 DURATION: Final = 600.0
 """Of the run that such a case asks for, s; `BARS` are those of the line."""
@@ -42,6 +43,25 @@ def buoy_afloat(case: Case, request: BuoyRequest) -> Case | None:
         floater=Floater(shape.name, wind_speed=env.wind.speed),
         dynamics=Dynamics(DURATION, elements=BARS),
     )
+
+
+def run_in_still_water(case: Case, request: BuoyRequest) -> Case | None:
+    """Make the case whose runs decide on a line, as `buoy_afloat` does, with the request's runs.
+
+    Its levels are those of still water: the crest that a load case at rest is raised by comes with
+    the waves. Of load cases that then are alike one is left.
+    """
+    found, how = buoy_afloat(case, request), request.in_motion or RunsAfloat()
+    if found is None:
+        return None
+    states: dict[tuple[float, object], LoadCase] = {}
+    for each in found.load_cases:
+        level = min(each.water_level, 0.0)
+        states.setdefault((level, each.condition), replace(each, water_level=level))
+    dynamics = Dynamics(
+        how.duration, elements=how.elements, runs=how.seeds, judged_by=how.judged_by
+    )
+    return replace(found, load_cases=tuple(states.values()), dynamics=dynamics, design=None)
 
 
 def _stiff(segment: Segment) -> Segment:

@@ -120,14 +120,18 @@ def sizing_of(
         own["sinker"] = ground.sized(pull, max(0.0, *(e.vertical_force for e in ends)), density)
         own["other_sinker"] = ground.by_other_rule(own["sinker"], density)
     own = beside(request, settled) | own
+    if isinstance(request, TankerRequest) or request.in_motion is None:
+        priced = request.is_priced and len(line.components) > 1
+        own |= {
+            "candidates": candidates(
+                settled, lambda name, size: of_size(line.only(name, size), size)
+            ),
+            "alternatives": alternatives(kind, line.looks_for, by, priced=priced),
+            "limits": limits(settled),
+        }
     return Sizing(
         kind=kind,
         settled=settled,
-        candidates=candidates(settled, lambda name, size: of_size(line.only(name, size), size)),
-        alternatives=alternatives(
-            kind, line.looks_for, by, priced=request.is_priced and len(line.components) > 1
-        ),
-        limits=limits(settled),
         swing=swing(settled),
         dynamic_factor=line.allowance,
         motion=line.motion,

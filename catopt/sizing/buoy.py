@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import TYPE_CHECKING, Final
 
 from catopt.design.near_miss import NoFeasibleDesignError
 from catopt.design.result import DesignPoint
@@ -20,7 +21,12 @@ from catopt.sizing.posed import Assumed, LoadsAt, Posed, Water, rounded_up
 from catopt.sizing.result import Sizing, SwingRadius
 from catopt.sizing.settle import Settled, point_diameter, point_pull, settle
 from catopt.ties import largest
-from catopt.words import Measure, Message
+from catopt.words import Measure, Message, is_said
+
+if TYPE_CHECKING:
+    from catopt.sizing.motion_search import Moved
+
+_LIFE_AT_REST: Final = ("sizing.worn_to_discard", "sizing.worn_to_check")
 
 
 def sized_buoy(request: BuoyRequest) -> Sizing:
@@ -36,6 +42,14 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
     aim = request.scope * env.levels.deepest(env.sea)
     request = replace(request, line=replace(request.line, aim=aim))
     request, settled = _within_scope(request)
+    moved = None
+    if request.in_motion is not None:
+        from catopt.sizing.motion_search import search_in_motion
+
+        moved = search_in_motion(
+            request, settled, lambda line: _settled(replace(request, line=line))
+        )
+        settled = moved.settled
     found = sizing_of(
         "buoy",
         request,
@@ -48,8 +62,31 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
         assumptions=tuple(_assumptions(request, settled.assumed)),
         afloat=buoy_afloat(settled.case, request),
     )
+    if moved is not None:
+        found = _moved_sizing(found, request, moved)
     shape = request.buoy if isinstance(request.buoy, BuoyShape) else None
     return replace(found, shape=shape)
+
+
+def _moved_sizing(of: Sizing, request: BuoyRequest, moved: Moved) -> Sizing:
+    """Put what the runs say in the place of what an allowance for motion would.
+
+    Lines of other sizes and preferences were not run, and how long a chain may wear is known at
+    rest alone: nothing is said of them.
+    """
+    return replace(
+        of,
+        in_motion=moved.in_motion,
+        afloat=moved.in_motion.case,
+        dynamic_factor=1.0,
+        motion=Message("sizing.motion_by_runs"),
+        sinker=moved.sinker,
+        other_sinker=request.ground.by_other_rule(moved.sinker, request.environment.water_density),
+        chain_life=None,
+        advice=tuple(
+            each for each in of.advice if not any(is_said(each, key) for key in _LIFE_AT_REST)
+        ),
+    )
 
 
 def _within_scope(request: BuoyRequest) -> tuple[BuoyRequest, Settled]:

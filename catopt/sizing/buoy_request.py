@@ -9,6 +9,7 @@ from catopt.loads.buoy_shape import BuoyShape
 from catopt.model.validity import Findings
 from catopt.sizing.anchorage import SinkerGround
 from catopt.sizing.environment import Environment
+from catopt.sizing.in_motion import RunsAfloat
 from catopt.sizing.kinds import usual
 from catopt.sizing.known import ReadInput
 from catopt.sizing.line_choice import MOST_DEPTHS, LineChoice, unpriced_components
@@ -52,6 +53,8 @@ class BuoyRequest:
     chain_waves: bool = False
     # length that practice keeps to where it can, in depths under the largest crest
     scope: float = field(default_factory=lambda: usual("scope"))
+    # how lines are run with the buoy before one is recommended; None: at rest alone
+    in_motion: RunsAfloat | None = None
     title: str = ""  # of the case; made of the buoy and the depth when left out
     source: str = ""  # of the case: where its figures come from; the command when left out
     defaults: tuple[str, ...] = ()  # what was not given and was taken, in words; for the answer

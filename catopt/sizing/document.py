@@ -58,6 +58,7 @@ def sizing_document(of: Sizing) -> dict[str, Any]:
         },
         **figures(of, "excursion_m largest_tension_N dynamic_factor"),
         "motion": of.motion,
+        "in_motion": None if of.in_motion is None else of.in_motion.to_dict(),
         **figures(of, "practice chain_life_s"),
         "departures": list(of.departures),
         "fittings": list(of.fittings),

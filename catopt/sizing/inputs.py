@@ -313,6 +313,15 @@ INPUTS: Final = (
         "service_type", "service.type", "WHICH", "III", "II", of=_TANKER,
         words=("I", "II", "III", "IV"), taken="sizing.taken_service_type",
     ),
+    # Of a ship refused in words: it does not float yet.
+    Input("in_motion", "motion.run", "FLAG", True),
+    Input(
+        "seeds", "motion.seeds", "COUNT", 5, "3", of=_BUOY, only_with="in_motion",
+    ),
+    Input(
+        "run_time", "motion.duration", "TIME", "20 min", "10 min", of=_BUOY, at_least=60.0,
+        most="10 h", only_with="in_motion", called=("duration",),
+    ),
     Input(
         "dynamic_factor", "service.dynamic_factor", "NUMBER", 1.5, at_least=1.0, most="10",
         left_out="left_out.dynamic_factor",

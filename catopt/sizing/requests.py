@@ -33,6 +33,7 @@ from catopt.sizing.buoy import sized_buoy
 from catopt.sizing.buoy_request import BuoyRequest, GivenBuoy
 from catopt.sizing.environment import Environment, mean_over, usual_period
 from catopt.sizing.headings import Weathervaning, weathervaning_of
+from catopt.sizing.in_motion import RunsAfloat
 from catopt.sizing.inputs import SINKER
 from catopt.sizing.kinds import usual
 from catopt.sizing.known import Known
@@ -77,6 +78,7 @@ def _of_a_buoy(of: Known) -> BuoyRequest | None:
         wave_height=of["wave_height"] or "hs",
         chain_waves=bool(of["chain_waves"]),
         scope=of["scope"],
+        in_motion=_runs(of) if of["in_motion"] else None,
         title=of["title"] or "",
         source=of["source"] or "",
         defaults=_taken(of, place, ground),
@@ -87,6 +89,8 @@ def _of_a_buoy(of: Known) -> BuoyRequest | None:
 
 def _of_a_tanker(of: Known) -> TankerRequest | None:
     of.want("length", "breadth", "draught", "depth")
+    if of["in_motion"]:
+        of.telling.add("in_motion", "true", Message("refused.no_ship_afloat"))
     ships = _ships(of)
     place = _environment(of, wind=wind_of_30_s(of))
     shape = None if of["buoy"] is None else shape_of(of)
@@ -121,6 +125,11 @@ def _of_a_tanker(of: Known) -> TankerRequest | None:
     is_found = of["buoy"] is None or shape is not None
     is_made = is_found and vane is not None
     return of.telling.make(maker, ships, place, line, ground) if is_made else None
+
+
+def _runs(of: Known) -> RunsAfloat | None:
+    """Say how lines are run with the buoy."""
+    return of.telling.make(RunsAfloat, of["seeds"], of["run_time"])
 
 
 # ------------------------------------------------------------------ place and weather

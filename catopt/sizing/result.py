@@ -18,6 +18,7 @@ from catopt.model import Case
 from catopt.shown import Shown
 from catopt.sizing.alternatives import Alternative, Candidate, Limit, trade
 from catopt.sizing.document import sizing_document
+from catopt.sizing.in_motion import InMotion
 from catopt.sizing.known import ReadInput, estimated_dimensions
 from catopt.sizing.pattern import Pattern, system_case
 from catopt.sizing.settle import Settled, point_diameter
@@ -48,12 +49,14 @@ class Sizing(Shown):
 
     kind: Literal["buoy", "tanker"]  # of what
     settled: Settled  # loads, case, front and the recommended design
-    candidates: tuple[Candidate, ...]  # the recommended size between its neighbours
-    alternatives: tuple[Alternative, ...]  # the lines that other preferences would recommend
-    limits: tuple[Limit, ...]  # steps to less that fail
     swing: SwingRadius  # at low water
     dynamic_factor: float  # allowance for motion on the steady forces, in all load cases
     motion: str  # where it is from, and what stands for motion
+    # the recommended size between its neighbours; as the next two empty of one that was run in
+    # motion, for they are at rest
+    candidates: tuple[Candidate, ...] = ()
+    alternatives: tuple[Alternative, ...] = ()  # the lines that other preferences would recommend
+    limits: tuple[Limit, ...] = ()  # steps to less that fail
     # for the pull of the recommended line; its mass is that of the design's sinker
     sinker: SinkerSize | None = None
     # by the rule that was not chosen, for comparison; None where there is none
@@ -70,6 +73,7 @@ class Sizing(Shown):
     fittings: tuple[str, ...] = ()  # shackles, swivels and the like that go with the line
     advice: tuple[str, ...] = ()  # what a code asks for beyond the checks
     afloat: Case | None = None  # the case with buoy and sea, to be run in motion; None without
+    in_motion: InMotion | None = None  # what its runs came to; None: sized at rest alone
     shape: BuoyShape | None = None  # of the buoy that is moored, where it is known
 
     @property

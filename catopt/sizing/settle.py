@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from typing import Final
@@ -142,6 +142,20 @@ def _preferred(objectives: Floats, choice: LineChoice) -> int:
             prices = [mass + choice.swing_price * second for mass, second in rows]
             return prices.index(min(prices))
     return len(rows) - 1  # shortest, least swing
+
+
+def best_of(points: Sequence[DesignPoint], choice: LineChoice) -> DesignPoint:
+    """Pick the design that a preference chooses of some that pass, whatever they were sought by."""
+
+    def objectives(point: DesignPoint) -> list[float]:
+        known = {**point.objectives, OBJECTIVE_KEYS["length"]: point.line.length}
+        return [known[OBJECTIVE_KEYS[name]] for name in choice.objectives]
+
+    front: list[tuple[list[float], DesignPoint]] = []
+    for each in sorted(((objectives(one), one) for one in points), key=lambda pair: pair[0]):
+        if not front or each[0][1] < front[-1][0][1]:
+            front.append(each)
+    return front[_preferred(np.array([values for values, _ in front]), choice)][1]
 
 
 def _best(case: Case, choice: LineChoice) -> DesignPoint:

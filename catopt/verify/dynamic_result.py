@@ -298,7 +298,7 @@ class DynamicPart:
         peaks = self.cycle_peaks(quantity, runs)
         if peaks.size > 1:
             return float(peaks.mean())
-        tail = self._tail(quantity, runs)
+        tail = self.tail(quantity, runs)
         return None if tail is None else tail.extreme.most_probable
 
     def _chance(self, quantity: str) -> float | None:
@@ -308,7 +308,7 @@ class DynamicPart:
         """
         if quantity not in SERIES or self.cycle_peaks(quantity).size > 1:
             return None
-        tail = self._tail(quantity, self.runs)
+        tail = self.tail(quantity, self.runs)
         return None if tail is None else 0.5 * (tail.extreme.high - tail.extreme.low)
 
     def _changes_of(self, quantity: str) -> Iterator[list[Change]]:
@@ -470,7 +470,7 @@ class DynamicPart:
         found = []
         for quantity in SERIES:
             each = [run.statistics(quantity) for run in self.runs]
-            tail, gumbel = self._tail(quantity, self.runs), self._gumbel(quantity, each)
+            tail, gumbel = self.tail(quantity, self.runs), self._gumbel(quantity, each)
             found.append(_over_runs(quantity, each, tail, gumbel))
         return tuple(found)
 
@@ -527,7 +527,11 @@ class DynamicPart:
         """Of the storm for which extremes are given, s."""
         return self.drive.dynamics.duration_of_interest
 
-    def _tail(self, quantity: str, runs: Sequence[DynamicRun]) -> TailFit | None:
+    def tail(self, quantity: str, runs: Sequence[DynamicRun]) -> TailFit | None:
+        """Fit the highest peaks of a followed quantity in some runs; None where that says nothing.
+
+        That is where it is not random, or has too few peaks (`weibull_tail`).
+        """
         if not self.varies_at_random(quantity):
             return None
         if not all(run.history.counts for run in runs):

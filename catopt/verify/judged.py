@@ -11,6 +11,7 @@ from catopt.catenary.case import solve_case
 from catopt.catenary.solution import Solution
 from catopt.checks.motion import Carried, LineInMotion, Pull, check_motion
 from catopt.checks.result import CheckReport, CheckResult
+from catopt.fem.course import taken_together
 from catopt.model import Case, Line
 from catopt.mooring.solve import solve_system
 from catopt.ties import first_largest, largest
@@ -68,18 +69,34 @@ def line_in_motion(
     mean = None if at_rest is None else tuple(e.max_tension for e in at_rest.segments)
     return LineInMotion(
         line,
-        largest_of_segments(runs, line),
+        judged_tensions(part, runs, line),
         mean,
         part.name,
         part.line,
-        _carried(runs),
+        _carried(case, part, runs),
     )
 
 
-def largest_of_segments(runs: Sequence[DynamicRun], line: Line) -> tuple[float, ...]:
-    """Largest tension of each segment over all runs, N: of its bars, and of an end it holds."""
+def judged_tensions(part: DynamicPart, runs: Sequence[DynamicRun], line: Line) -> tuple[float, ...]:
+    """Tension of each segment that the checks are held against, N.
+
+    The largest over all runs, of its bars and of an end it holds. Where the storm's maximum is
+    judged in its place, that is as much higher as at the end of the line where it is most so.
+    """
     found = [tuple(_segments(run, line)) for run in runs]
-    return tuple(max(each) for each in zip(*found, strict=True))
+    higher = max(_higher(part, runs, f"{end}_tension") for end in ("fairlead", "anchor"))
+    return tuple(higher * max(each) for each in zip(*found, strict=True))
+
+
+def _higher(part: DynamicPart, runs: Sequence[DynamicRun], quantity: str) -> float:
+    """Say by how much a maximum that is judged is above the largest of the runs, as a factor."""
+    judged_by = part.drive.dynamics.judged_by
+    tail = None if judged_by == "largest" else part.tail(quantity, runs)
+    if tail is None:
+        return 1.0
+    extreme, largest = tail.extreme, max(run.history.course(quantity).maximum for run in runs)
+    storm = extreme.high if judged_by == "upper" else extreme.most_probable
+    return max(1.0, storm / largest)
 
 
 def _segments(run: DynamicRun, line: Line) -> Iterator[float]:
@@ -97,8 +114,11 @@ def _segments(run: DynamicRun, line: Line) -> Iterator[float]:
         start = end
 
 
-def _carried(runs: Sequence[DynamicRun]) -> Carried | None:
-    """Take the least favourable values at every step of all runs; None where nothing counts."""
+def _carried(case: Case, part: DynamicPart, runs: Sequence[DynamicRun]) -> Carried | None:
+    """Take the least favourable values at every step of all runs; None where nothing counts.
+
+    A buoy afloat carries the mean pull down: what its peaks do to it is in how it moves.
+    """
     if not all(run.history.counts for run in runs):
         return None
     of = [run.history for run in runs]
@@ -106,11 +126,16 @@ def _carried(runs: Sequence[DynamicRun]) -> Carried | None:
     def most(quantity: str) -> float:
         return max(each.course(quantity).maximum for each in of)
 
-    anchor = Pull(most("anchor_horizontal"), most("uplift_force"), most("uplift_angle"))
+    def storm(quantity: str) -> float:
+        return most(quantity) * _higher(part, runs, quantity)
+
+    anchor = Pull(storm("anchor_horizontal"), storm("uplift_force"), most("uplift_angle"))
     lies = min(each.course("grounded_length").minimum for each in of)
     unknown = math.nan  # no check asks for it yet; not 0, lest one that does pass unseen
-    fairlead = Pull(unknown, most("fairlead_vertical"), unknown)
-    return Carried(anchor, fairlead, lies, most("span"))
+    pull = storm("fairlead_vertical")
+    if case.floater is not None:
+        pull = taken_together([each.course("fairlead_vertical") for each in of])
+    return Carried(anchor, Pull(unknown, pull, unknown), lies, storm("span"))
 
 
 def _turned(case: Case, lines: Sequence[tuple[DynamicPart, Solution | None]]) -> list[CheckResult]:

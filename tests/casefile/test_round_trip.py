@@ -40,7 +40,7 @@ from catopt.model import (
 )
 from catopt.model.case import Boundary
 from catopt.model.design import OBJECTIVES, SearchMethod
-from catopt.model.dynamics import INITIAL_FRICTION, TimeScheme
+from catopt.model.dynamics import INITIAL_FRICTION, JudgedBy, TimeScheme
 from catopt.model.find import FIND_QUANTITIES
 from catopt.model.kinds import COUNTS
 from catopt.model.load_case import LoadCaseKind
@@ -327,6 +327,7 @@ RUNS = st.builds(
     line_damping=st.none() | NOT_NEGATIVE,
     damping_time=NOT_NEGATIVE,
     duration_of_interest=POSITIVE,
+    judged_by=st.sampled_from(get_args(JudgedBy)),
 )
 
 

@@ -49,14 +49,24 @@ BASE: dict[Moored, dict[str, object]] = {
         "buoy": "mooring buoy 5.0 m",
     },
 }
+STILL: dict[str, object] = dict.fromkeys(("in_motion", "seeds", "run_time"))
+"""Of what is run in time there are tests of their own: it takes minutes, and no ship floats."""
 SEVERAL: dict[str, object] = {"low_water": "20 m", "max_swing": None, "swing_price": None}
-ONE_LINE: dict[str, object] = {"low_water": "20 m", "prefer": "cheapest"}
+SEVERAL |= {"in_motion": None}
+ONE_LINE: dict[str, object] = {"low_water": "20 m", "prefer": "cheapest", "in_motion": None}
 ONE_LINE |= dict.fromkeys(("lines", "pretension", "clump_weight"))
 FULL: dict[str, tuple[Moored, dict[str, object]]] = {
-    "a buoy of the library": ("buoy", {"hs": "1.5 m", "swing_price": None}),
+    "a buoy of the library": ("buoy", {"hs": "1.5 m", "swing_price": None, **STILL}),
     "a buoy by its force": (
         "buoy",
-        {"buoy": None, "force": "5 kN", "soil": None, "friction": 0.4, "swing_price": None},
+        {
+            "buoy": None,
+            "force": "5 kN",
+            "soil": None,
+            "friction": 0.4,
+            "swing_price": None,
+            **STILL,
+        },
     ),
     "a tanker on a drag anchor": ("tanker", SEVERAL),
     "a tanker on a sinker": ("tanker", {**SEVERAL, "anchor": "sinker"}),
@@ -118,8 +128,8 @@ def test_keywords_options_and_a_file_come_to_the_same(name: str, tmp_path: Path)
 
 def test_the_examples_are_all_inputs_but_files() -> None:
     given = {
-        "buoy": {"buoys", "swing_price"},
-        "tanker": {"buoys", "coefficients"},
+        "buoy": {"buoys", "swing_price", *STILL},
+        "tanker": {"buoys", "coefficients", "in_motion"},
     }  # no buoy chain has a price
     for name in FULL:
         moored, examples_of_it = examples(name)

@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import pytest
 
 from catopt.answers.motion import motion_answer
 from catopt.casefile import parse_case, write_case
 from catopt.errors import InputError
+from catopt.model.dynamics import JudgedBy
+from catopt.notes.motion import checks_in_motion
 from catopt.render.files import csv_files
 from catopt.verify.dynamic import verify_dynamic
+from catopt.verify.dynamic_result import DynamicVerification
+from catopt.words import is_said
 
 CASE = """
 title = "Buoy afloat"
@@ -130,3 +135,58 @@ def test_a_wide_buoy_is_said_to_be_so() -> None:
     (part,) = verify_dynamic(parse_case(text), proof="none").parts
     assert 0.2 * 9.80665 * 2.5**2 / (2.0 * math.pi) < 2.4
     assert any("above a fifth" in str(each) for each in part.remarks)
+
+
+STORM = (
+    CASE.replace('spectrum = "regular"', 'spectrum = "jonswap"\nseed = 3')
+    .replace('height = "0.6 m"\nperiod = "8 s"', 'height = "0.8 m"\nperiod = "4 s"')
+    .replace('duration = "12 s"\nramp = "4 s"', 'duration = "100 s"\nramp = "8 s"')
+    + 'judged_by = "largest"\n[checks]\nmax_span = "60 m"\ncodes = ["API-RP-2SK"]\n'
+    '[buoy]\nreserve_buoyancy = "30 kN"\n'
+)
+
+
+@pytest.fixture(scope="module")
+def storm() -> DynamicVerification:
+    return verify_dynamic(parse_case(STORM), proof="none", workers=1)
+
+
+@pytest.mark.parametrize(
+    ("judged_by", "end"), [("most-probable", "most_probable"), ("upper", "high")]
+)
+def test_checks_are_held_against_what_the_case_says(
+    storm: DynamicVerification, judged_by: JudgedBy, end: str
+) -> None:
+    """The storm's maxima by the tail of the same run take the place of its largest values."""
+    (part,) = storm.parts
+    by_largest = _by_kind(storm)
+    drive = part.drive
+    dynamics = replace(drive.dynamics, judged_by=judged_by)
+    case = replace(storm.case, dynamics=dynamics)
+    other = replace(part, drive=replace(drive, case=replace(drive.case, dynamics=dynamics)))
+    by_storm = _by_kind(replace(storm, case=case, parts=(other,)))
+    over = 1.0
+    for quantity in ("fairlead_tension", "anchor_tension"):
+        of = part.of(quantity)
+        assert of.tail is not None
+        over = max(over, getattr(of.tail.extreme, end) / of.maximum)
+    assert over > 1.0
+    assert by_storm["tension"] == pytest.approx(over * by_largest["tension"], rel=1e-12)
+    assert by_storm["span"] >= by_largest["span"]
+    # The pull on a buoy afloat is the mean one by either: far below its peaks.
+    assert by_storm["buoyancy"] == by_largest["buoyancy"]
+    history = part.runs[0].history
+    assert by_largest["buoyancy"] == pytest.approx(history.course("fairlead_vertical").mean)
+    said = checks_in_motion(replace(storm, case=case, parts=(other,))).warnings
+    key = f"checks.motion_by_{judged_by.replace('-', '_')}"
+    assert any(is_said(each, key) for each in said)
+
+
+def _by_kind(found: DynamicVerification) -> dict[str, float]:
+    return {each.kind: each.demand for each in checks_in_motion(found).results}
+
+
+def test_waves_that_are_not_random_have_no_storm() -> None:
+    case = parse_case(CASE + 'judged_by = "upper"\n')
+    with pytest.raises(InputError, match=r'dynamics.judged_by: found "upper"; only a random sea'):
+        verify_dynamic(case)

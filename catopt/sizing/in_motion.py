@@ -1,0 +1,150 @@
+"""A buoy's mooring that was run afloat: how, which lines were looked at, and what came of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+from catopt.checks.result import CheckReport, CheckResult
+from catopt.design.near_miss import NoFeasibleDesignError
+from catopt.design.result import NearMiss
+from catopt.documents import figures
+from catopt.model import Case
+from catopt.model.dynamics import JudgedBy
+from catopt.model.validity import Findings
+from catopt.sizing.kinds import usual
+from catopt.words import Message, Several
+
+LEAST_DURATION = 60.0
+"""s, of a run of which a tenth is its ramp."""
+
+
+@dataclass(frozen=True)
+class RunsAfloat:
+    """How the lines of a sizing are run with their buoy."""
+
+    seeds: int = field(default_factory=lambda: usual("seeds"))  # runs of each load case
+    duration: float = field(default_factory=lambda: usual("run_time"))  # of one, with its ramp, s
+    elements: int = 40  # bars of the line
+    judged_by: JudgedBy = "upper"  # what the checks are held against
+
+    def __post_init__(self) -> None:
+        found = Findings("RunsAfloat")
+        found.count("seeds", self.seeds)
+        found.number("duration", self.duration, "s", at_least=LEAST_DURATION, at_most=36000.0)
+        found.count("elements", self.elements)
+        found.raise_if_any()
+
+
+@dataclass(frozen=True)
+class LineTried:
+    """A line that was run in motion."""
+
+    component: str
+    diameter: float  # nominal, m
+    length: float  # m
+    mass: float  # in air, kg
+    runs: int  # made of it: it is left at the first load case that fails
+    failing: tuple[CheckResult, ...]  # the worst first
+    reason: str = ""  # why a run has no answer; else empty
+
+    @property
+    def passes(self) -> bool:
+        """Whether every check is passed in motion."""
+        return not self.failing and not self.reason
+
+    @property
+    def words(self) -> str:
+        """The check that it fails by the most, or why it has no answer; empty if it passes."""
+        return self.reason or (self.failing[0].in_case if self.failing else "")
+
+
+class Counted(NamedTuple):
+    """What became of the lines that were looked at: sizes by lengths."""
+
+    considered: int
+    at_rest: int  # fail at rest already, without any allowance for motion
+    excluded: int  # needless to run: see `catopt.sizing.motion_search`
+    run: int
+    runs: int  # that this took, in all
+
+    @property
+    def words(self) -> Message:
+        """Say it."""
+        return Message("sizing.lines_run", **self._asdict())
+
+
+@dataclass(frozen=True)
+class InMotion:
+    """What the recommended line came to."""
+
+    how: RunsAfloat
+    case: Case  # that was run: `catopt verify --dynamic` runs it again
+    checks: CheckReport
+    load_case: str  # of the largest tension
+    largest: float  # at the fairlead, of its runs, N
+    most_probable: float | None  # in the storm, N; None where the runs have too few peaks
+    low: float | None  # interval of it, N
+    high: float | None
+    at_rest: float  # tension at the fairlead under the steady load of that load case, N
+    allowance: float  # for motion that the sizing at rest has, and this replaces
+    counted: Counted
+    tried: tuple[LineTried, ...]  # in the order of their runs
+
+    @property
+    def factor(self) -> float:
+        """Motion's own: the storm's tension over that at rest, as an allowance would be."""
+        return (self.most_probable or self.largest) / self.at_rest
+
+    def to_dict(self) -> dict[str, Any]:
+        """Lay it out for JSON, in SI."""
+        assert self.case.dynamics is not None
+        governing = self.checks.governing
+        return {
+            **figures(self.how, "seeds duration_s elements judged_by"),
+            "duration_of_interest_s": self.case.dynamics.duration_of_interest,
+            "load_case": self.load_case,
+            "largest_tension_N": self.largest,
+            "most_probable_tension_N": self.most_probable,
+            "interval_N": None if self.low is None else [self.low, self.high],
+            "tension_at_rest_N": self.at_rest,
+            **figures(self, "factor allowance"),
+            "checks": [each.to_dict() for each in self.checks.results],
+            "governing": "" if governing is None else governing.in_case,
+            "lines": self.counted._asdict(),
+            "tried": [
+                {
+                    "component": each.component,
+                    "nominal_diameter_m": each.diameter,
+                    **figures(each, "length_m mass_kg runs passes"),
+                    "fails": each.words,
+                }
+                for each in self.tried
+            ],
+            "warnings": list(self.checks.warnings),
+        }
+
+
+class NoLineInMotionError(NoFeasibleDesignError):
+    """Lines pass at rest, and none that was run passes in motion."""
+
+    def __init__(self, nearest: NearMiss, chain: str, how: RunsAfloat, counted: Counted) -> None:
+        self.counted = counted
+        said = [
+            Message("sizing.none_in_motion"),
+            counted.words,
+            Message("sizing.nearest_in_motion", chain=chain, length=nearest.line.length),
+            *(
+                Message(
+                    "sizing.miss_in_motion",
+                    check=each.in_case,
+                    times=(each.demand / each.capacity) if each.capacity > 0.0 else 0.0,
+                )
+                if each.capacity > 0.0
+                else each.in_case
+                for each in nearest.failing
+            ),
+            *([nearest.reason] if nearest.reason else []),
+        ]
+        self.how = how
+        super().__init__(Several(said, "\n"), nearest)

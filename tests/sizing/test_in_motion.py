@@ -1,0 +1,307 @@
+"""A buoy's line chosen among those that hold in motion: the search, the sinker, the answer."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from importlib.resources import files
+from types import SimpleNamespace
+from typing import Any
+
+import jsonschema
+import pytest
+
+import catopt.sizing.motion_search as searching
+from catopt import size_buoy, size_tanker
+from catopt.answers.size import size_answer
+from catopt.casefile import parse_case, write_case
+from catopt.checks.criterion import CheckSource
+from catopt.checks.result import CheckReport, CheckResult
+from catopt.errors import InputError
+from catopt.notes.motion import checks_in_motion
+from catopt.notes.size import Given
+from catopt.render.card import card_lines
+from catopt.render.files import csv_files
+from catopt.report.bundle import size_files
+from catopt.sizing.afloat import run_in_still_water
+from catopt.sizing.in_motion import Counted, InMotion, LineTried, NoLineInMotionError, RunsAfloat
+from catopt.sizing.known import known
+from catopt.sizing.line_choice import LineChoice, sold
+from catopt.sizing.requests import request_of
+from catopt.sizing.result import Sizing
+from catopt.verify.dynamic import verify_dynamic
+from catopt.words import Language, Message
+from tests.sizing.alone import alone
+
+PLACE = {"buoy": "pillar 1.8 m", "depth": "12 m"}
+FAILS = CheckResult("tension", "tension", "storm", 3.0, 1.0, "N", 2.0, CheckSource("user"))
+
+
+def searched(
+    holds: Callable[[float, float], bool], patched: pytest.MonkeyPatch, **inputs: object
+) -> tuple[Any, list[tuple[float, float]]]:
+    """Search with runs that are made up: by diameter, mm, and length, m; list what was run."""
+    run: list[tuple[float, float]] = []
+
+    def made_up(settled: Any, *_: object) -> Any:
+        line = settled.point.line
+        size = round(1e3 * line.segments[0].nominal_diameter, 6)
+        run.append((size, line.length))
+        failing = () if holds(size, line.length) else (FAILS,)
+        tried = LineTried("", size * 1e-3, line.length, line.mass, 1, failing)
+        return SimpleNamespace(tried=tried, settled=settled)
+
+    kept: list[Any] = []
+    patched.setattr(searching, "_run", made_up)
+    patched.setattr(searching, "_in_motion", lambda *found: found[3])
+    patched.setattr(searching, "_sinker_size", lambda *_: None)
+    own = searching.search_in_motion
+
+    def keep(*of: Any) -> Any:
+        kept.append(own(*of))
+        raise KeyboardInterrupt
+
+    patched.setattr(searching, "search_in_motion", keep)
+    with pytest.raises(KeyboardInterrupt):
+        size_buoy(**PLACE, in_motion=True, **inputs)
+    return kept[0], run
+
+
+NEEDS = {20.0: 70.0, 22.0: 66.0, 24.0: 60.0, 25.0: 58.0, 26.0: 50.0, 28.0: 46.0, 30.0: 44.0}
+"""Length from which each size holds, m."""
+
+
+@pytest.mark.parametrize("prefer", ["lightest", "practice", "shortest"])
+def test_it_finds_what_running_every_line_would(
+    prefer: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of all lines that hold the same one is chosen, with fewer runs than there are lines."""
+
+    def holds(size: float, length: float) -> bool:
+        return length >= NEEDS[size]
+
+    found, run = searched(holds, monkeypatch, prefer=prefer)
+    request: Any = request_of(known("buoy", {**PLACE, "prefer": prefer}))
+    per_metre = {
+        round(1e3 * (each.nominal_diameter or 0.0), 6): each.mass or 0.0
+        for each in sold(request.line, request.environment.water_density)
+    }
+    assert set(per_metre) <= set(NEEDS)
+    with alone():
+        at_rest = size_buoy(**PLACE, prefer=prefer).point.line.length
+    lengths = searching._ladder([float(k) for k in range(24, 161)], 2.0 * at_rest)
+    every = [(s, L) for s in per_metre for L in lengths if holds(s, L)]
+    if prefer == "lightest":
+        wanted = min(every, key=lambda each: per_metre[each[0]] * each[1])
+    else:  # 2.5 depths, 30 m and more, are too short for all of them
+        wanted = min(every, key=lambda each: (each[1], per_metre[each[0]]))
+    line = found.settled.point.line
+    assert (round(1e3 * line.segments[0].nominal_diameter, 6), line.length) == wanted
+    counted = found.in_motion
+    assert counted.considered == len(per_metre) * len(lengths)
+    assert counted.run == len(run) == len(set(run)) < counted.considered / 3
+    assert counted.considered == counted.at_rest + counted.excluded + counted.run
+    # The next shorter one of its size was run and failed, or fails at rest.
+    shorter = [L for s, L in run if s == wanted[0] and L < line.length]
+    assert shorter or counted.at_rest > 0
+
+
+def test_where_nothing_holds_the_nearest_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    tried = LineTried("", 0.02, 1.0, 1.0, 2, (FAILS,))
+
+    def fails(settled: Any, *_: object) -> Any:
+        return SimpleNamespace(settled=settled, tried=tried)
+
+    monkeypatch.setattr(searching, "_run", fails)
+    with pytest.raises(NoLineInMotionError) as caught:
+        size_buoy(**PLACE, in_motion=True)
+    counted = caught.value.counted
+    assert caught.value.exit_status == 3
+    assert counted.runs == 2 * counted.run
+    said = str(caught.value)
+    assert "none passes in motion" in said
+    assert "tension (storm): 3.00 times what is allowed" in said
+    assert caught.value.near_miss is not None
+    assert caught.value.near_miss.failing == (FAILS,)
+
+
+def test_the_sinker_is_what_the_pull_in_motion_needs() -> None:
+    """The least of those that are cast; it never becomes lighter than at rest."""
+    settled = size_buoy(**PLACE).settled
+    own = settled.point.anchor
+    assert own is not None
+    assert own.submerged_weight is not None
+
+    def held(weight: float) -> Any:
+        sliding = CheckResult(
+            "", "sliding", "storm", weight, own.submerged_weight or 0.0, "N", 0.0, FAILS.source
+        )
+        return searching._held(settled, CheckReport("", (FAILS, sliding), ()))
+
+    # Concrete of 2400 kg/m3 in water of 1025 weighs 5.618 N a kg: 30 kN are 5.34 t.
+    per_kg = 9.80665 * (1.0 - 1025.0 / 2400.0)
+    assert held(0.5 * own.submerged_weight) is own
+    assert held(30e3).mass == 6000.0
+    assert held(6000.0 * per_kg).mass == 6000.0
+    assert held(1e7).mass == 60e3
+
+
+@pytest.mark.parametrize(
+    ("inputs", "said"),
+    [
+        ({"buoy": None, "force": "5 kN", "reserve_buoyancy": "12 kN"}, "a buoy of the library in"),
+        ({"hs": "0 m"}, "a buoy of the library in waves is wanted"),
+        ({"run_time": "5 s"}, "run_time: found"),
+        ({"seeds": 0}, "seeds: found"),
+    ],
+)
+def test_what_cannot_be_run_is_refused(inputs: dict[str, object], said: str) -> None:
+    given = {k: v for k, v in {**PLACE, **inputs}.items() if v is not None}
+    with pytest.raises(InputError, match=said):
+        size_buoy(**given, in_motion=True)
+
+
+def test_runs_want_to_be_in_motion() -> None:
+    with pytest.raises(InputError, match="in_motion"):
+        size_buoy(**PLACE, seeds=2)
+
+
+def test_a_ship_is_not_afloat_yet() -> None:
+    ship = {"length": "234 m", "breadth": "31.3 m", "draught": "12.4 m", "depth": "22 m"}
+    with pytest.raises(InputError, match=r"in_motion: found true; .*a ship afloat"):
+        size_tanker(**ship, in_motion=True)
+
+
+# ------------------------------------------------------------------ run in time
+
+
+CALM = {
+    "buoy": "pillar 1.8 m",
+    "depth": "12 m",
+    "hs": "0.3 m",
+    "period": "3 s",
+    "current": "0.5 m/s",
+    "life": 0,
+    "code": "break/5",
+    "diameter_min": "20 mm",
+    "diameter_max": "22 mm",
+    "length_step": "8 m",
+    "prefer": "lightest",
+}
+SHORT = RunsAfloat(1, 60.0, 12)
+
+
+@pytest.fixture(scope="module")
+def calm() -> Sizing:
+    """Size one in a harbour's waves, with short runs of few bars."""
+    request: Any = request_of(known("buoy", CALM))
+    return size_buoy(replace(request, in_motion=SHORT))
+
+
+def test_what_is_recommended_passes_as_its_case_is_verified(calm: Sizing) -> None:
+    """The case that is written is run again, and comes to the same checks to the last digit."""
+    of = calm.in_motion
+    assert of is not None
+    assert of.checks.passes
+    case = parse_case(write_case(calm.line_case))
+    assert case.dynamics is not None
+    assert case.dynamics.judged_by == "upper"
+    again = checks_in_motion(verify_dynamic(case, proof="none", workers=1))
+    assert again.passes
+    for old, new in zip(of.checks.results, again.results, strict=True):
+        assert new.demand == pytest.approx(old.demand, rel=1e-9, abs=1e-9)
+        assert new.capacity == pytest.approx(old.capacity, rel=1e-9, abs=1e-9)
+    # No crest on top of the waves, and no state twice.
+    assert [each.water_level for each in case.load_cases] == [0.0]
+
+
+def test_what_its_document_has(calm: Sizing) -> None:
+    of = calm.in_motion
+    assert of is not None
+    found = calm.to_dict()["in_motion"]
+    assert found["lines"]["run"] == len(found["tried"])
+    assert found["factor"] == pytest.approx(
+        (found["most_probable_tension_N"] or found["largest_tension_N"])
+        / found["tension_at_rest_N"]
+    )
+    assert found["allowance"] == LineChoice(("chain open-link 4D Q2",), "break/5").allowance
+    (own,) = [
+        each
+        for each in found["tried"]
+        if each["passes"]
+        and each["length_m"] == calm.point.line.length
+        and each["nominal_diameter_m"] == calm.point.line.segments[0].nominal_diameter
+    ]
+    assert own["fails"] == ""
+
+
+def test_other_seeds_pass_and_the_shorter_line_does_not(calm: Sizing) -> None:
+    """Three other seas come to the same verdict, and the line a step shorter fails in its own."""
+    of = calm.in_motion
+    assert of is not None
+    assert of.case.waves is not None
+    assert of.case.dynamics is not None
+    for seed in (11, 12, 13):
+        waves = replace(of.case.waves, seed=seed)
+        dynamics = replace(of.case.dynamics, judged_by="largest")
+        case = replace(of.case, waves=waves, dynamics=dynamics)
+        assert checks_in_motion(verify_dynamic(case, proof="none", workers=1)).passes
+    size = calm.point.line.segments[0].nominal_diameter
+    shorter = [
+        each for each in of.tried if each.diameter == size and each.length < calm.point.line.length
+    ]
+    assert shorter
+    assert not any(each.passes for each in shorter)
+
+
+# ------------------------------------------------------------------ how it is said
+
+
+def made_up_answer() -> Sizing:
+    """Take a line at rest for one that was run, with round numbers."""
+    with alone():
+        at_rest = size_buoy(**PLACE)
+    tried = LineTried("chain open-link 4D Q2", 0.03, 38.0, 660.0, 7, ())
+    case = run_in_still_water(at_rest.settled.case, request_of(known("buoy", PLACE)))  # type: ignore[arg-type]
+    assert case is not None
+    return replace(
+        at_rest,
+        dynamic_factor=1.0,
+        motion=Message("sizing.motion_by_runs"),
+        chain_life=None,
+        in_motion=InMotion(
+            RunsAfloat(),
+            case,
+            at_rest.point.checks,
+            "storm, high water",
+            *(90e3, 120e3, 100e3, 150e3, 8e3, 1.2),
+            Counted(70, 30, 28, 12, 40),
+            (tried,),
+        ),
+    )
+
+
+@pytest.mark.parametrize("language", ["en", "vi"])
+def test_the_screen_says_what_the_runs_come_to(language: Language) -> None:
+    of = made_up_answer()
+    lines = [each.text for each in card_lines(size_answer(of), language)]
+    assert len(lines) <= 22
+    assert max(map(len, lines)) <= 80
+    said = " ".join(" ".join(lines).split())
+    for what in ("120.0 kN", "100.0", "150.0", "8.000 kN", "15.00", "1.2", "10 min", "70", "12"):
+        assert what in said
+    if language == "en":
+        assert "in motion, new and worn" in said
+        assert "3 of 10 min in each of 2 load cases" in said
+        assert "most probable maximum in 3 h" in said
+        assert "70 lines: 12 run in motion (40 runs), 30 fail at rest, 28 needless" in said
+
+
+def test_the_answer_as_files_and_as_a_document() -> None:
+    of = made_up_answer()
+    tables = csv_files(size_answer(of))
+    assert "lines_in_motion.csv" in tables
+    assert set(size_files(of, "en", Given())) >= {"case.toml", "note.html"}
+    schema = json.loads(files("catopt.schemas").joinpath("size-1.json").read_text("utf-8"))
+    jsonschema.validate(of.to_dict(), schema)
