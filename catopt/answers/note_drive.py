@@ -18,6 +18,12 @@ if TYPE_CHECKING:
     from catopt.notes.motion import InMotion
     from catopt.verify.motion_file import Raos
 
+_JUDGED_BY = {
+    "largest": "by_largest",
+    "most-probable": "by_most_probable",
+    "upper": "by_upper",
+}
+
 
 def significant(unit: str, digits: int = 6) -> Quantity:
     """Take what is written with some significant digits, in an SI unit."""
@@ -210,7 +216,7 @@ def _model(moved: InMotion) -> Iterator[Fact]:
     yield _fact("runs", dynamics.runs)
     yield _fact("duration", dynamics.duration, _S)
     yield _fact("of_interest", dynamics.duration_of_interest, _S)
-    yield _fact("judged_by", _said(f"by_{dynamics.judged_by.replace('-', '_')}"))
+    yield _fact("judged_by", _said(_JUDGED_BY[dynamics.judged_by]))
     yield _fact("ramp", moved.drive.ramp, _S)
     yield _fact("since", run.since, _S)
     yield _fact("step", run.step, _S4)

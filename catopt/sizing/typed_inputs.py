@@ -41,6 +41,7 @@ class _Inputs(TypedDict, total=False):
     life: float | str
     wear: float | str
     dynamic_factor: float | str
+    in_motion: bool
 
 
 class BuoyInputs(_Inputs, total=False):
@@ -51,6 +52,8 @@ class BuoyInputs(_Inputs, total=False):
     keel_depth: float | str
     wave_height: str
     chain_waves: bool
+    seeds: int
+    run_time: float | str
     growth: float | str
     scope_min: float | str
     scope: float | str

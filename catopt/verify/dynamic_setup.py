@@ -340,7 +340,7 @@ def check_for_motion(case: Case) -> None:
         allowed = Message("refused_motion.without_random_sea_all_runs")
         problems.append(Problem("dynamics.runs", f"{case.dynamics.runs}", allowed))
     elif case.dynamics.judged_by != "largest" and not Drive(case).is_random:
-        allowed = 'only a random sea has a most probable maximum; leave it out, or "largest"'
+        allowed = Message("refused_motion.judged_by_wants_a_random_sea")
         problems.append(Problem("dynamics.judged_by", f'"{case.dynamics.judged_by}"', allowed))
     for index, segment in enumerate(case.line.segments):
         problems += _of_segment(index, segment)

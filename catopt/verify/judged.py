@@ -34,7 +34,7 @@ def beyond_MBL(part: DynamicPart) -> BeyondMBL | None:
     over = [
         BeyondMBL(number, tension, segment.MBL)
         for number, (segment, tension) in enumerate(
-            zip(line.segments, largest_of_segments(part.runs, line), strict=True), start=1
+            zip(line.segments, judged_tensions(part, part.runs, line), strict=True), start=1
         )
         if segment.MBL is not None and tension > segment.MBL
     ]

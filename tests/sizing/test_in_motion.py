@@ -34,12 +34,12 @@ from catopt.verify.dynamic import verify_dynamic
 from catopt.words import Language, Message
 from tests.sizing.alone import alone
 
-PLACE = {"buoy": "pillar 1.8 m", "depth": "12 m"}
+PLACE: dict[str, Any] = {"buoy": "pillar 1.8 m", "depth": "12 m"}
 FAILS = CheckResult("tension", "tension", "storm", 3.0, 1.0, "N", 2.0, CheckSource("user"))
 
 
 def searched(
-    holds: Callable[[float, float], bool], patched: pytest.MonkeyPatch, **inputs: object
+    holds: Callable[[float, float], bool], patched: pytest.MonkeyPatch, **inputs: Any
 ) -> tuple[Any, list[tuple[float, float]]]:
     """Search with runs that are made up: by diameter, mm, and length, m; list what was run."""
     run: list[tuple[float, float]] = []
@@ -156,8 +156,8 @@ def test_the_sinker_is_what_the_pull_in_motion_needs() -> None:
         ({"seeds": 0}, "seeds: found"),
     ],
 )
-def test_what_cannot_be_run_is_refused(inputs: dict[str, object], said: str) -> None:
-    given = {k: v for k, v in {**PLACE, **inputs}.items() if v is not None}
+def test_what_cannot_be_run_is_refused(inputs: dict[str, Any], said: str) -> None:
+    given: dict[str, Any] = {k: v for k, v in {**PLACE, **inputs}.items() if v is not None}
     with pytest.raises(InputError, match=said):
         size_buoy(**given, in_motion=True)
 
@@ -168,7 +168,12 @@ def test_runs_want_to_be_in_motion() -> None:
 
 
 def test_a_ship_is_not_afloat_yet() -> None:
-    ship = {"length": "234 m", "breadth": "31.3 m", "draught": "12.4 m", "depth": "22 m"}
+    ship: dict[str, Any] = {
+        "length": "234 m",
+        "breadth": "31.3 m",
+        "draught": "12.4 m",
+        "depth": "22 m",
+    }
     with pytest.raises(InputError, match=r"in_motion: found true; .*a ship afloat"):
         size_tanker(**ship, in_motion=True)
 
@@ -176,7 +181,7 @@ def test_a_ship_is_not_afloat_yet() -> None:
 # ------------------------------------------------------------------ run in time
 
 
-CALM = {
+CALM: dict[str, Any] = {
     "buoy": "pillar 1.8 m",
     "depth": "12 m",
     "hs": "0.3 m",
