@@ -12,9 +12,7 @@ from catopt.answers.blocks import Rows, answered, measured, section, tabulate, t
 from catopt.answers.check import checks_in_motion
 from catopt.answers.verification import label, remarks
 from catopt.quantities import QUANTITIES, Quantity
-from catopt.ties import largest
 from catopt.units import lasting
-from catopt.verify.judged import beyond_MBL
 from catopt.verify.motion_words import DYNAMIC_QUANTITY_OF, motion_sentences, proof_sentences
 from catopt.words import Measure, Message, Several, term
 
@@ -87,7 +85,7 @@ def _of_load_cases(found: DynamicVerification) -> Iterator[blocks.Block]:
             caption = Message("motion.the_buoy")
             yield tabulate("motion_body", *_over_runs(found.body), caption=caption, only="people")
         yield from _said(part, part, part.remarks)
-        yield from _beyond_MBL([part])
+        yield from _beyond_MBL([part] if part.beyond_MBL else [])
 
 
 def _said(
@@ -151,23 +149,22 @@ def _of_body(found: DynamicVerification) -> Iterator[blocks.Block]:
     yield tabulate("motion_body", *_over_runs(found.body), caption=caption, only="people")
     remarked = dict.fromkeys(each for part in found.parts for each in part.remarks)
     yield from _said(found.governing, found.least_proven, remarked)
-    yield from _beyond_MBL(found.parts)
+    yield from _beyond_MBL(found.beyond_MBL)
 
 
 def _beyond_MBL(parts: Sequence[DynamicPart]) -> Iterator[blocks.Block]:
     """Say, whatever is checked, that the tension exceeds the MBL: where by most, and of which."""
-    over = [(part, found) for part in parts if (found := beyond_MBL(part)) is not None]
-    if not over:
+    if not parts or (found := parts[0].beyond_MBL) is None:
         return
-    part, found = largest(over, lambda each: each[1].tension / each[1].MBL)
+    part = parts[0]
     told: str = Message(
         "motion.beyond_MBL",
         tension=Measure("tension", found.tension),
         MBL=Measure("tension", found.MBL),
         segment=found.segment,
     )
-    if len(over) > 1:
-        numbers = ", ".join(str(each.line) for each, _ in over)
+    if len(parts) > 1:
+        numbers = ", ".join(sorted(str(each.line) for each in parts))
         told = Several((told, Message("motion.beyond_MBL_lines", numbers=numbers)), " ")
     if part.drive.case.load_cases:
         told = Message("motion.why_of", where=part.where, why=told)

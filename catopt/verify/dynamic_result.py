@@ -243,6 +243,21 @@ class Envelope(NamedTuple):
     longest_slack: Array
 
 
+class BeyondMBL(NamedTuple):
+    """A segment that carries more than its MBL in motion."""
+
+    segment: int
+    """Which, from 1 at the anchor."""
+    tension: float
+    """Largest, N."""
+    MBL: float
+
+    @property
+    def times(self) -> float:
+        """How many times its MBL that is."""
+        return self.tension / self.MBL
+
+
 @dataclass(frozen=True)
 class DynamicPart:
     """A line in motion under one load.
@@ -265,6 +280,7 @@ class DynamicPart:
     anchor_at_rest: Mapping[InitialFriction, float] = field(default_factory=dict)
     undecided: tuple[str, ...] = ()
     governs: bool = False
+    beyond_MBL: BeyondMBL | None = None
 
     @property
     def is_complete(self) -> bool:
@@ -571,6 +587,12 @@ class DynamicVerification(Shown):
     def governing(self) -> DynamicPart:
         """The part with the largest tension at the fairlead; of those alike the first."""
         return largest(self.parts, lambda part: part.of("fairlead_tension").maximum)
+
+    @property
+    def beyond_MBL(self) -> tuple[DynamicPart, ...]:
+        """The parts with a segment that exceeds its MBL, the one that does so by most first."""
+        beyond = [(part.beyond_MBL.times, part) for part in self.parts if part.beyond_MBL]
+        return tuple(part for _, part in sorted(beyond, key=lambda each: -each[0]))
 
     @property
     def least_proven(self) -> DynamicPart:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import NamedTuple
 
 from catopt.catenary.case import solve_case
 from catopt.catenary.solution import Solution
@@ -15,17 +14,7 @@ from catopt.fem.course import taken_together
 from catopt.model import Case, Line
 from catopt.mooring.solve import solve_system
 from catopt.ties import first_largest, largest
-from catopt.verify.dynamic_result import DynamicPart, DynamicRun
-
-
-class BeyondMBL(NamedTuple):
-    """A segment that carries more than its MBL in motion."""
-
-    segment: int
-    """Which, from 1 at the anchor."""
-    tension: float
-    """Largest, N."""
-    MBL: float
+from catopt.verify.dynamic_result import BeyondMBL, DynamicPart, DynamicRun
 
 
 def beyond_MBL(part: DynamicPart) -> BeyondMBL | None:
@@ -38,7 +27,7 @@ def beyond_MBL(part: DynamicPart) -> BeyondMBL | None:
         )
         if segment.MBL is not None and tension > segment.MBL
     ]
-    return largest(over, lambda each: each.tension / each.MBL) if over else None
+    return largest(over, lambda each: each.times) if over else None
 
 
 def solutions_at_rest(case: Case, parts: Sequence[DynamicPart]) -> Sequence[Solution | None]:
@@ -156,7 +145,7 @@ def _turned(case: Case, lines: Sequence[tuple[DynamicPart, Solution | None]]) ->
 
 
 def with_verdicts(case: Case, parts: Sequence[DynamicPart]) -> list[DynamicPart]:
-    """Say of every part which checks turn out otherwise in runs again, and which line governs."""
+    """Say of every part what turns out otherwise in runs again, is beyond its MBL, and governs."""
     moved = list(zip(parts, solutions_at_rest(case, parts), strict=True))
     together = [[each] for each in moved] if case.system is None else [moved]
     judged = []
@@ -164,7 +153,8 @@ def with_verdicts(case: Case, parts: Sequence[DynamicPart]) -> list[DynamicPart]
         turned = _turned(case, lines)
         for part, _ in lines:
             own = (each.name for each in turned if each.place.line in (None, part.line))
-            judged.append(replace(part, undecided=tuple(dict.fromkeys(own))))
+            undecided = tuple(dict.fromkeys(own))
+            judged.append(replace(part, undecided=undecided, beyond_MBL=beyond_MBL(part)))
     if len(judged) < 2 or case.system is None:
         return judged
     used = [part.max_tension / (part.MBL or 1.0) for part in judged]

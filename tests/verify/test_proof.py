@@ -27,7 +27,7 @@ from catopt.verify import dynamic, dynamic_lines
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
 from catopt.verify.dynamic_setup import Drive
-from catopt.verify.judged import beyond_MBL
+from catopt.verify.judged import beyond_MBL, with_verdicts
 from catopt.verify.motion_words import motion_sentences, proof_sentences
 from catopt.verify.proof import LIMIT, Change, Proof
 
@@ -271,7 +271,7 @@ def strong(MBL: float) -> DynamicVerification:
     (part,) = found.parts
     line = replace(TAUT, line=Line([replace(CHAIN, MBL=MBL)]))
     part = replace(part, drive=replace(part.drive, case=line))
-    return replace(found, case=line, parts=(part,))
+    return replace(found, case=line, parts=tuple(with_verdicts(line, [part])))
 
 
 def test_a_tension_beyond_the_MBL_is_said_first_though_no_check_is_asked() -> None:
