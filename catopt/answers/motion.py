@@ -164,7 +164,7 @@ def _beyond_MBL(parts: Sequence[DynamicPart]) -> Iterator[blocks.Block]:
         segment=found.segment,
     )
     if len(parts) > 1:
-        numbers = ", ".join(sorted(str(each.line) for each in parts))
+        numbers = ", ".join(f"{line}" for line in sorted(each.line or 0 for each in parts))
         told = Several((told, Message("motion.beyond_MBL_lines", numbers=numbers)), " ")
     if part.drive.case.load_cases:
         told = Message("motion.why_of", where=part.where, why=told)

@@ -26,16 +26,15 @@ def miss_answer(error: NoFeasibleDesignError, of: Known) -> Answer:
     """Lay out on one screen why nothing passes; `of` is what was asked for."""
     miss = error.near_miss
     card: list[Text | Brief] = []
-    counted = getattr(error, "counted", None)  # of runs in motion, where none of them passes
-    if counted is not None:
-        card += [Text(Message("sizing.none_in_motion")), Text(counted.words)]
+    if error.in_motion is not None:
+        card += [Text(Message("sizing.none_in_motion")), Text(error.in_motion)]
     if miss is not None:
         (first, *_) = miss.line.segments
         chain = chain_words(first.component, first.nominal_diameter)
         card.append(Text(Message("sizing.miss_nearest", chain=chain, length=miss.line.length)))
         card += [Brief((said,), name, 2) for name, said in _worst(miss)]
         helping = [said for kind in _kinds(miss) for said in _helps(kind, of)]
-        if counted is not None:
+        if error.in_motion is not None:
             options = {"scope": of.telling.spell("scope_max"), "code": of.telling.spell("code")}
             helping.append(Message("sizing.miss_helps_motion", **options))
         advice = dict.fromkeys(helping)

@@ -19,7 +19,10 @@ class NoFeasibleDesignError(NoAnswerError):
 
     `near_miss` is the design that fails by the least; None when the search was stopped before it
     was known. `interrupted`: whether it was stopped before its end, so that others may pass.
+    `in_motion`: how many lines were run afloat, in words, where lines pass at rest; else None.
     """
+
+    in_motion: Message | None = None
 
     def __init__(
         self, message: str, near_miss: NearMiss | None, *, interrupted: bool = False

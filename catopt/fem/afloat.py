@@ -12,7 +12,7 @@ import math
 from typing import Any, Final, NamedTuple
 
 from catopt.compiled import inlined, packed
-from catopt.fem.block_tridiagonal import back_substitute_blocks, eliminate_blocks
+from catopt.fem.block_tridiagonal import back_substitute_blocks, eliminate_blocks, hold, solve_3
 from catopt.fem.moving import Blend, BodyNode, Moving, MovingLines
 from catopt.fem.moving_assembly import assemble_moving
 from catopt.fem.newmark import predict
@@ -283,39 +283,10 @@ def _solve_all(lines: MovingLines, blend: Blend, room: Room, body: Afloat) -> bo
 
 
 def _solve_hull(body: Afloat) -> bool:
-    """Turn what is left over into the move of the hull, by elimination with exchange of rows."""
+    """Turn what is left over into the move of the hull; False where it has none."""
     matrix, rest = body.room.matrix, body.room.rest
-    _hold_hull(body.hull, matrix, rest)
-    for j in range(3):
-        pivot = j
-        for r in range(j + 1, 3):
-            if abs(matrix[r, j]) > abs(matrix[pivot, j]):
-                pivot = r
-        if matrix[pivot, j] == 0.0:
-            return False
-        for c in range(3):
-            matrix[j, c], matrix[pivot, c] = matrix[pivot, c], matrix[j, c]
-        rest[j], rest[pivot] = rest[pivot], rest[j]
-        for r in range(j + 1, 3):
-            factor = matrix[r, j] / matrix[j, j]
-            for c in range(j, 3):
-                matrix[r, c] -= factor * matrix[j, c]
-            rest[r] -= factor * rest[j]
-    for r in range(2, -1, -1):
-        for c in range(r + 1, 3):
-            rest[r] -= matrix[r, c] * rest[c]
-        rest[r] /= matrix[r, r]
-    return True
-
-
-def _hold_hull(hull: Hull, matrix: Any, rest: Any) -> None:
-    """Take the directions in which a hull is held out of its equations."""
-    for i in range(3):
-        if hull.free[i] == 0.0:
-            rest[i] = 0.0
-            for j in range(3):
-                matrix[i, j] = matrix[j, i] = 0.0
-            matrix[i, i] = 1.0
+    hold(body.hull.free, matrix, rest)
+    return solve_3(matrix, rest)
 
 
 def _move_hull(part: float, h: float, rules: Any, body: Afloat) -> None:

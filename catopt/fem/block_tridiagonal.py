@@ -70,3 +70,40 @@ def invert_3(blocks: Any, n: int) -> bool:
     blocks[n, 1, 1], blocks[n, 1, 2] = (a * i - c * g) * over, (c * d - a * f) * over
     blocks[n, 2, 1], blocks[n, 2, 2] = (b * g - a * h) * over, (a * e - b * d) * over
     return True
+
+
+def solve_3(matrix: Any, rest: Any) -> bool:
+    """Turn the right hand side of three equations into their solution, with exchange of rows.
+
+    False where there is none; both are overwritten.
+    """
+    for j in range(3):
+        pivot = j
+        for r in range(j + 1, 3):
+            if abs(matrix[r, j]) > abs(matrix[pivot, j]):
+                pivot = r
+        if matrix[pivot, j] == 0.0:
+            return False
+        for c in range(3):
+            matrix[j, c], matrix[pivot, c] = matrix[pivot, c], matrix[j, c]
+        rest[j], rest[pivot] = rest[pivot], rest[j]
+        for r in range(j + 1, 3):
+            factor = matrix[r, j] / matrix[j, j]
+            for c in range(j, 3):
+                matrix[r, c] -= factor * matrix[j, c]
+            rest[r] -= factor * rest[j]
+    for r in range(2, -1, -1):
+        for c in range(r + 1, 3):
+            rest[r] -= matrix[r, c] * rest[c]
+        rest[r] /= matrix[r, r]
+    return True
+
+
+def hold(free: Any, matrix: Any, rest: Any) -> None:
+    """Take the directions in which a body is held or led out of its three equations."""
+    for i in range(3):
+        if free[i] == 0.0:
+            rest[i] = 0.0
+            for j in range(3):
+                matrix[i, j] = matrix[j, i] = 0.0
+            matrix[i, i] = 1.0

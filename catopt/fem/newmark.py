@@ -21,7 +21,12 @@ import math
 from dataclasses import dataclass
 from typing import Any, Final
 
-from catopt.fem.block_tridiagonal import back_substitute_blocks, eliminate_blocks, invert_3
+from catopt.fem.block_tridiagonal import (
+    back_substitute_blocks,
+    eliminate_blocks,
+    hold,
+    invert_3,
+)
 from catopt.fem.moving import Blend, BodyNode, Moving, MovingLines
 from catopt.fem.moving_assembly import assemble_moving
 from catopt.fem.rows import copy_rows
@@ -133,7 +138,7 @@ def solve_moving(
             for j in range(3):
                 matrix[i, j] += to.diagonal[last, i, j]
     if moves:
-        _hold_body(body, matrix, pull)
+        hold(body.free, matrix, pull)
         regular = invert_3(room.small, 0) and regular
     for k in range(lines.start.shape[0] - 1):
         first, last = lines.start[k] + k + (not lines.lower_free[k]), lines.start[k + 1] + k
@@ -158,16 +163,6 @@ def _start_body(
         for j in range(3):
             matrix[i, j] = 0.0
         matrix[i, i] = blend.by_a * body.mass[i] + blend.by_v * body.damping[i]
-
-
-def _hold_body(body: BodyNode, matrix: Any, pull: Any) -> None:
-    """Take the directions in which the body is led out of its equations."""
-    for i in range(3):
-        if body.free[i] == 0.0:
-            pull[i] = 0.0
-            for j in range(3):
-                matrix[i, j] = matrix[j, i] = 0.0
-            matrix[i, i] = 1.0
 
 
 def close_step(

@@ -9,6 +9,7 @@ import numpy as np
 
 from catopt.fem.assembly import assemble
 from catopt.fem.banded import DIAGONAL, back_substitute, eliminate
+from catopt.fem.block_tridiagonal import solve_3
 from catopt.fem.resting import Bars, Body, Law, Net, State
 
 
@@ -99,7 +100,7 @@ def _gap_to_place(x: Any, node: int, body: Body, total: Any) -> float:
 
 
 def _body_move(schur: Any, total: Any, body: Body, law: Law) -> Any:
-    """Displacement of the body under what the lines and its force leave over."""
+    """Displacement of the body under what lines and force leave over; nan if it has none."""
     for i in range(3):
         schur[i, i] -= law.drag_in / law.soft
         if body.free[i] == 0.0:
@@ -108,29 +109,9 @@ def _body_move(schur: Any, total: Any, body: Body, law: Law) -> Any:
             schur[i, i] = 1.0
         else:
             total[i] -= body.force[i] / law.soft
-    return _solve_3(schur, total)
-
-
-def _solve_3(matrix: Any, rhs: Any) -> Any:
-    """Solution of three equations, with exchange of rows; nan or inf where there is none."""
-    for j in range(3):
-        pivot = j
-        for r in range(j + 1, 3):
-            if abs(matrix[r, j]) > abs(matrix[pivot, j]):
-                pivot = r
-        for c in range(3):
-            matrix[j, c], matrix[pivot, c] = matrix[pivot, c], matrix[j, c]
-        rhs[j], rhs[pivot] = rhs[pivot], rhs[j]
-        for r in range(j + 1, 3):
-            factor = matrix[r, j] / matrix[j, j]
-            for c in range(j, 3):
-                matrix[r, c] -= factor * matrix[j, c]
-            rhs[r] -= factor * rhs[j]
-    for r in range(2, -1, -1):
-        for c in range(r + 1, 3):
-            rhs[r] -= matrix[r, c] * rhs[c]
-        rhs[r] /= matrix[r, r]
-    return rhs
+    if not solve_3(schur, total):
+        total[:] = math.nan
+    return total
 
 
 def _largest_imbalance(bars: Bars, state: State, left: Any, body: Body) -> tuple[float, int]:

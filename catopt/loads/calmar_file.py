@@ -184,7 +184,7 @@ def _check(of: Element, path: str, found: Findings) -> None:
 def _check_attributes(of: Element, path: str, tag: _Tag, found: Findings) -> None:
     for key in (*tag.texts, *tag.numbers):
         if key not in of.attrib:
-            found.add(_at(path, key), "", Message("refused_sizing.missing"))
+            found.add(_at(path, key), "", Message("refused.is_missing"))
     for key, value in of.attrib.items():
         if key in tag.numbers:
             _check_number(_at(path, key), value, found)

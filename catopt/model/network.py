@@ -199,31 +199,28 @@ def network_misfits(
                 Problem(f"lines[{k}].end", pair[1], Message("refused_case.line_begins_there_too"))
             )
     meeting = Counter(name for pair in ends for name in {*pair})
+    held = joined({*names} - {*joints}, ends)
     return found or [
         Problem(f"points[{k}]", name, allowed)
         for k, name in enumerate(names)
-        if (allowed := _loose(name, meeting[name], joints, ends, pulled))
+        if (allowed := _loose(meeting[name], name in joints, name in pulled, name in held))
     ]
 
 
-def _loose(
-    name: str,
-    meeting: int,
-    joints: Collection[str],
-    ends: list[tuple[str, str]],
-    pulled: Collection[str],
-) -> str:
+def joined(to: Iterable[str], ends: Iterable[tuple[str, str]]) -> set[str]:
+    """Gather the points that lines join to some, by way of any others; these among them."""
+    found, pairs = {*to}, [{*pair} for pair in ends]
+    while more := {end for pair in pairs if pair & found for end in pair} - found:
+        found |= more
+    return found
+
+
+def _loose(meeting: int, is_joint: bool, is_pulled: bool, is_held: bool) -> str:
     """Say why nothing holds a point, or what it is for; empty where that is in order."""
     if not meeting:
-        return "no line ends here; take it out"
-    if name not in joints:
+        return Message("refused_case.no_line_ends_here")
+    if not is_joint:
         return ""
-    if meeting == 1 and name not in pulled:
-        return (
-            "one line ends here and nothing else holds it; a joint has two lines or more, or a "
-            "float (submerged_weight below 0) or a force on it"
-        )
-    reached = {name}
-    while grown := {end for pair in ends if reached & set(pair) for end in pair} - reached:
-        reached |= grown
-    return "" if reached - {*joints} else "no line leads from here to an anchor or a fairlead"
+    if meeting == 1 and not is_pulled:
+        return Message("refused_case.one_line_ends_here")
+    return "" if is_held else Message("refused_case.no_line_leads_to_an_anchor")

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from catopt.errors import NoAnswerError, NotConvergedError
-from catopt.model.network import LineBetween, Network, Point
+from catopt.model.network import LineBetween, Network, Point, joined
 from catopt.mooring.held import LinesAtRest, at_rest
 from catopt.patience import paced
 from catopt.ties import first_largest
@@ -132,10 +132,8 @@ def _weight(line: LineBetween) -> float:
 
 def _adrift(points: Mapping[str, Point], lines: Mapping[int, LineBetween]) -> list[str]:
     """List the joints that something pulls or lines end in, and that no line holds any more."""
-    held = {name for name, point in points.items() if point.kind != "joint"}
-    pairs = [{line.start, line.end} for line in lines.values()]
-    while more := {end for pair in pairs if pair & held for end in pair} - held:
-        held |= more
+    pairs = [(line.start, line.end) for line in lines.values()]
+    held = joined((name for name, point in points.items() if point.kind != "joint"), pairs)
     ends = {end for pair in pairs for end in pair}
     return [
         name

@@ -13,9 +13,6 @@ from catopt.model import Case, CurrentProfile, Dynamics, Floater, LoadCase, Segm
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.in_motion import RunsAfloat
 
-DURATION: Final = 600.0
-"""Of the run that such a case asks for, s; `BARS` are those of the line."""
-BARS: Final = 40
 _STIFF: Final = "chain studless R3"
 """Chain whose axial stiffness, per area of bar, stands for one of which no source states any."""
 
@@ -28,7 +25,7 @@ def buoy_afloat(case: Case, request: BuoyRequest) -> Case | None:
     sea, shape = request.environment.sea, request.buoy
     if not isinstance(shape, BuoyShape) or shape not in buoys() or not sea.hs > 0.0:
         return None
-    env = request.environment
+    env, how = request.environment, request.in_motion or RunsAfloat()
     segments = tuple(_stiff(each) for each in case.line.segments)
     source = case.source
     if any(math.isinf(each.EA) for each in case.line.segments):
@@ -41,7 +38,7 @@ def buoy_afloat(case: Case, request: BuoyRequest) -> Case | None:
         waves=WaveState(spectrum="jonswap", height=sea.hs, period=sea.period),
         current=CurrentProfile("power", speed=env.current.speed) if flows else None,
         floater=Floater(shape.name, wind_speed=env.wind.speed),
-        dynamics=Dynamics(DURATION, elements=BARS),
+        dynamics=Dynamics(how.duration, elements=how.elements),
     )
 
 
@@ -52,15 +49,13 @@ def run_in_still_water(case: Case, request: BuoyRequest) -> Case | None:
     the waves. Of load cases that then are alike one is left.
     """
     found, how = buoy_afloat(case, request), request.in_motion or RunsAfloat()
-    if found is None:
+    if found is None or found.dynamics is None:
         return None
     states: dict[tuple[float, object], LoadCase] = {}
     for each in found.load_cases:
         level = min(each.water_level, 0.0)
         states.setdefault((level, each.condition), replace(each, water_level=level))
-    dynamics = Dynamics(
-        how.duration, elements=how.elements, runs=how.seeds, judged_by=how.judged_by
-    )
+    dynamics = replace(found.dynamics, runs=how.seeds, judged_by=how.judged_by)
     return replace(found, load_cases=tuple(states.values()), dynamics=dynamics, design=None)
 
 

@@ -128,11 +128,11 @@ class InMotion:
 class NoLineInMotionError(NoFeasibleDesignError):
     """Lines pass at rest, and none that was run passes in motion."""
 
-    def __init__(self, nearest: NearMiss, chain: str, how: RunsAfloat, counted: Counted) -> None:
-        self.counted = counted
+    def __init__(self, nearest: NearMiss, chain: str, counted: Counted) -> None:
+        self.counted, self.in_motion = counted, counted.words
         said = [
             Message("sizing.none_in_motion"),
-            counted.words,
+            self.in_motion,
             Message("sizing.nearest_in_motion", chain=chain, length=nearest.line.length),
             *(
                 Message(
@@ -146,5 +146,4 @@ class NoLineInMotionError(NoFeasibleDesignError):
             ),
             *([nearest.reason] if nearest.reason else []),
         ]
-        self.how = how
         super().__init__(Several(said, "\n"), nearest)

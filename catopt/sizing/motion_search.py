@@ -110,7 +110,7 @@ def search_in_motion(request: BuoyRequest, best_at_rest: Settled, settle_line: S
                 chosen = passes
     counted = found.counted(sizes)
     if chosen is None:
-        raise _nothing_passes(found, how, counted)
+        raise _nothing_passes(found, counted)
     return Moved(
         replace(chosen.settled, choice=request.line),
         _in_motion(chosen, how, request.line.allowance, counted, found.tried),
@@ -366,7 +366,7 @@ def _sinker_size(request: BuoyRequest, of: _Judged) -> SinkerSize:
     )
 
 
-def _nothing_passes(found: _Search, how: RunsAfloat, counted: Counted) -> NoLineInMotionError:
+def _nothing_passes(found: _Search, counted: Counted) -> NoLineInMotionError:
     """Say which line fails by the least."""
     every = [each for each in found.judged.values() if each is not None]
 
@@ -378,4 +378,4 @@ def _nothing_passes(found: _Search, how: RunsAfloat, counted: Counted) -> NoLine
     chain = chain_words(first.component, first.nominal_diameter)
     tried = nearest.tried
     near = NearMiss(nearest.settled.point.line, tried.failing, tried.reason)
-    return NoLineInMotionError(near, chain, how, counted)
+    return NoLineInMotionError(near, chain, counted)
