@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from functools import cache
+from itertools import count, islice
 from textwrap import wrap
 from typing import NamedTuple, Protocol
 
@@ -70,13 +72,17 @@ def card_lines(answer: Answer, language: Language = "en", further: str = "") -> 
     first; what comes last is left out where that is not enough.
     """
     wanted = as_wanted(answer)
-    card = list(wanted.card or _screen(wanted))
+    card = list(wanted.card or islice(_screen(wanted), LINES))  # each takes a line at least
+
+    @cache
+    def laid(place: int, room: int) -> list[Line]:
+        return _laid(card[place], room, language)
+
     (title,) = _cut(say(answer.title, language), 1)
     below = [Line(each) for part in say(further, language).split("\n") for each in folded(part)]
     rooms = [_room(each) for each in card]
     while True:
-        laid = [_laid(each, room, language) for each, room in zip(card, rooms, strict=True)]
-        lines = [Line(title, is_bold=True), *_joined(laid), *below]
+        lines = [Line(title, is_bold=True), *_joined(map(laid, count(), rooms)), *below]
         if len(lines) <= LINES:
             return lines
         spare = [room - _least(each) for each, room in zip(card, rooms, strict=True)]
@@ -125,7 +131,7 @@ def _least(block: CardBlock) -> int:
     return _LEAST_ROWS if isinstance(block, Table) else 1
 
 
-def _joined(laid: list[list[Line]]) -> Iterator[Line]:
+def _joined(laid: Iterable[list[Line]]) -> Iterator[Line]:
     """Yield the lines of blocks, with one empty line where two would meet."""
     before = Line("-")
     for line in (each for lines in laid for each in lines):
@@ -180,17 +186,19 @@ def _column(cells: list[tuple[str, str]]) -> list[str]:
 
 def _brief(block: Brief, lines: int, language: Language) -> list[str]:
     """Say as much as there is room for, and how much more there is."""
-    said = [say(each, language).rstrip(".") for each in block.said]
-    for count in range(len(said), 0, -1):
-        text = _counted("; ".join(said[:count]), len(said) - count, language)
+    said: list[str] = []
+    while len(said) < len(block.said) and len(" ".join(said).split()) <= lines * WIDTH:
+        said.append(say(block.said[len(said)], language).rstrip("."))
+    for many in range(len(said), 0, -1):
+        text = _counted("; ".join(said[:many]), len(block.said) - many, language)
         whole = folded(_labelled(block, text, language))
         if len(whole) <= lines:
             return whole
-    return _cut(_labelled(block, said[0], language), lines, len(said) - 1, language)
+    return _cut(_labelled(block, said[0], language), lines, len(block.said) - 1, language)
 
 
-def _counted(said: str, count: int, language: Language) -> str:
-    return say(Message("answers.and_more", said=said, count=count), language) if count else said
+def _counted(said: str, more: int, language: Language) -> str:
+    return say(Message("answers.and_more", said=said, count=more), language) if more else said
 
 
 def _labelled(block: Brief, text: str, language: Language) -> str:
@@ -201,10 +209,15 @@ def _labelled(block: Brief, text: str, language: Language) -> str:
     return say(Message("answers.labelled", label=label, said=text), language)
 
 
-def _cut(text: str, lines: int, count: int = 0, language: Language = "en") -> list[str]:
+def _cut(text: str, lines: int, more: int = 0, language: Language = "en") -> list[str]:
     """Fold a text, and leave words out from its end on until it has so many lines."""
-    words, whole = text.split(), folded(_counted(text, count, language))
-    while len(whole) > lines and len(words) > 1:
-        words.pop()
-        whole = folded(_counted(f"{' '.join(words)} {_CUT}", count, language))
-    return whole or [""]
+    words = text.split()
+    if len(words) <= lines * WIDTH:
+        whole = folded(_counted(text, more, language))
+        if len(whole) <= lines:
+            return whole or [""]
+    for most in range(min(len(words) - 1, lines * WIDTH), 0, -1):
+        whole = folded(_counted(f"{' '.join(words[:most])} {_CUT}", more, language))
+        if len(whole) <= lines:
+            break
+    return whole
