@@ -202,12 +202,12 @@ def test_fronts_are_good(search: Search, known: Callable[[], KnownSpace]) -> Non
 @pytest.mark.slow
 @both
 @pytest.mark.parametrize("known", [tanker, leg, buoy])
-def test_fronts_of_twenty_seeds(search: Search, known: Callable[[], KnownSpace]) -> None:
+def test_fronts_of_eight_seeds(search: Search, known: Callable[[], KnownSpace]) -> None:
     """10,000 of 200,000 designs or more: median 0.99, none below 0.97, none infeasible."""
     space = known()
     assert space.designs >= 200_000
     volumes = []
-    for seed in range(1, 21):
+    for seed in range(1, 9):
         outcome = search(space, evaluations=10_000, seed=seed)
         assert outcome.evaluations <= 10_000
         assert (space.evaluate(outcome.genes).excess <= ROUNDING).all()

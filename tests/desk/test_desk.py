@@ -166,11 +166,12 @@ def test_an_answer_beside_itself_differs_in_nothing() -> None:
 
 @pytest.mark.slow
 def test_a_sizing_shows_the_recommended_line_before_its_inputs() -> None:
-    html = ask("whole", {"door": "tanker", "values": START["tanker"]})["html"]
-    recommended, inputs = (
-        html.index(say(Message(key), "en")) for key in ("captions.recommended", "sizing.inputs")
-    )
-    assert recommended < inputs
+    """The card and the drawings stand first; inputs are in what is folded away below them."""
+    shown = ask("whole", {"door": "tanker", "values": START["tanker"]})
+    inputs = say(Message("sizing.inputs"), "en")
+    assert 'class="headline"' in shown["card"]
+    assert inputs in shown["more"]
+    assert inputs not in shown["card"] + shown["html"]
 
 
 def test_what_a_file_beside_the_case_says_now_is_what_counts(

@@ -7,7 +7,7 @@ import pytest
 from tests.fuzz.kinds import Kind, kinds
 from tests.fuzz.run import ended_in, fault_of, run
 
-FILES, IN_ALL, AS_PROCESSES = 600, 2_000, 300
+FILES, IN_ALL, AS_PROCESSES = 600, 1_200, 80
 
 
 @pytest.mark.parametrize("kind", kinds(), ids=lambda kind: kind.name)
