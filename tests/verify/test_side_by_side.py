@@ -185,8 +185,8 @@ def test_ctrl_c_ends_all_in_order(tmp_path: Path) -> None:
     text = EXAMPLE.read_text("utf-8").replace('"5 min"', '"12 h"\nruns = 4\nelements = 10')
     path.write_text(text.replace("rao.csv", str(EXAMPLE.parent / "rao.csv")), encoding="utf-8")
     command = [
-        sys.executable, "-m", "catopt", "verify", str(path), "--dynamic", "--once", "--workers", "2",
-        "--full",
+        sys.executable, "-m", "catopt", "verify", str(path), "--dynamic", "--once", "--workers",
+        "2", "--full",
     ]  # fmt: skip
     started = subprocess.Popen(
         command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True
