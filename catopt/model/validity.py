@@ -19,6 +19,10 @@ def _unit(si_unit: str) -> str:
     return si_unit.replace("^", "").replace("*", " ")
 
 
+def _number(unit: str) -> Message:
+    return Message("refused.number_in" if unit else "refused.number", unit=unit)
+
+
 _DIMENSIONS = {_unit(each.si_unit): each for each in Dimension}
 _DIMENSIONS["N/m2"] = Dimension.PRESSURE
 """By their SI units, as messages write them."""
@@ -98,14 +102,13 @@ class Findings:
             value = plain(value)
             if hasattr(self._of, key):
                 object.__setattr__(self._of, key, value)
-        number = Message("refused.number_in" if unit else "refused.number", unit=unit)
-        finite = Message("refused.finite_in" if unit else "refused.finite_number", unit=unit)
         if isinstance(value, bool) or not isinstance(value, (int, float)) or value != value:
-            self.add(key, repr(value), number)
+            self.add(key, repr(value), _number(unit))
         elif isinstance(value, int) and abs(value) > sys.float_info.max:
-            self.add(key, Message("refused.beyond_floats"), number)
+            self.add(key, Message("refused.beyond_floats"), _number(unit))
         elif math.isinf(value) and not (infinite and value > 0.0):
-            self.add(key, repr(value), finite)
+            finite = "refused.finite_in" if unit else "refused.finite_number"
+            self.add(key, repr(value), Message(finite, unit=unit))
         elif beyond := out_of_range(value, unit, above, at_least, at_most):
             self.add(key, repr(value), beyond)
 
