@@ -13,7 +13,7 @@ from catopt.answers.check import checked_body
 from catopt.answers.note import inputs_table, note_answer, opening, section, small
 from catopt.answers.note_sheet import damaged_section, network_basis_section
 from catopt.answers.solution import given_tables, method_name
-from catopt.answers.system import joints_table, meeting_table, network_out_table
+from catopt.answers.system import bodies_table, joints_table, meeting_table, network_out_table
 from catopt.figures.network import network_plan, network_side
 from catopt.words import Message
 
@@ -92,8 +92,11 @@ def _side(note: NetworkNote) -> Iterator[Block]:
 
 
 def _joints(note: NetworkNote) -> Iterator[Block]:
+    if note.rest.bodies:
+        yield bodies_table(note.rest)
     if any(point.kind == "joint" for point in note.case.points):
         yield joints_table(note.rest, "joints")
+    if note.rest.bodies or any(point.kind == "joint" for point in note.case.points):
         found = note.rest.joints
         yield small("note_system.joints_about", left=found.residual, steps=found.steps)
 

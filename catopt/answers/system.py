@@ -1,4 +1,4 @@
-"""What the equilibrium of a body on several lines consists of, and of lines that meet in joints."""
+"""What the equilibrium of a body on several lines consists of; and of points, lines and bodies."""
 
 from __future__ import annotations
 
@@ -298,34 +298,36 @@ def _closing(report: SystemReport, checks: CheckReport) -> Iterator[blocks.Block
     yield blocks.Warnings(tuple(dict.fromkeys((*solution.warnings, *checks.warnings))))
 
 
-# ------------------------------------------------------------------ lines that meet in joints
+# ------------------------------------------------------------------ points, lines and bodies
 
 
 def network_answer(
-    rest: NetworkAtRest,
+    rest: LinesAtRest,
     held: Sequence[NetworkAtRest],
     checks: CheckReport,
+    bodies: Sequence[HeldBody],
     *,
     line_out: Sequence[NetworkOut] = (),
-    with_stiffness: bool,
 ) -> blocks.Answer:
-    """Lay out the joints and the lines with the body in place, and where it is held."""
+    """Lay out bodies, joints and lines at rest and where the body is held, with the stiffnesses."""
     network = rest.network
     joints = sum(point.kind == "joint" for point in network.points)
-    solved = Message("mooring.joints_solved", lines=len(network.lines), joints=joints)
-    bodies = [*([rest.body] if with_stiffness else []), *(each.body for each in held)]
+    counts = {"lines": len(network.lines), "joints": joints, "bodies": len(rest.bodies)}
+    solved = Message(f"mooring.{'network' if rest.bodies else 'joints'}_solved", **counts)
     tables = (
         (
             number,
             joints_table(each, f"held_joints_{number}"),
             meeting_table(each, f"held_lines_{number}"),
         )
-        for number, each in enumerate(held, start=1 + with_stiffness)
+        for number, each in enumerate(held, start=1 + len(bodies) - len(held))
     )
+    moved = [section("captions.bodies", bodies_table(rest))] if rest.bodies else []
     residual = max(each.joints.residual for each in (rest, *held))
     whole = blocks.answered(
         "network",
         network.title or Message("captions.moored_body"),
+        *moved,
         section("captions.joints", blocks.Text(solved), joints_table(rest, "joints")),
         section("captions.lines", meeting_table(rest, "lines", checks)),
         section("captions.checks", *verdict_blocks(checks)),
@@ -347,6 +349,7 @@ def network_answer(
     card: tuple[blocks.CardBlock, ...] = (
         *verdict_blocks(checks),
         network_out_table(line_out, checks),
+        *([bodies_table(rest)] if rest.bodies else []),
         meeting_table(rest, "lines", checks),
         *to_be_known,
         blocks.Brief((solved,)),
@@ -378,6 +381,23 @@ def network_out_table(gone: Sequence[NetworkOut], checks: CheckReport) -> blocks
         of.texts("loose", lambda each: ", ".join(f"{number + 1}" for number in each.loose)),
         of.texts("refusal", only="files"),
         caption=Message("captions.one_line_out"),
+    )
+
+
+def bodies_table(rest: LinesAtRest) -> blocks.Table:
+    """Tabulate where free bodies lie, from where they lie without load, and how they are held."""
+    of = Rows(rest.bodies)
+    return tabulate(
+        "bodies",
+        of.texts("body", "body.name"),
+        of.measured("offset", lambda each: each.offset[0], "offset_along_x"),
+        of.measured("offset", lambda each: each.offset[1], "offset_along_y"),
+        of.measured("angle", "position.yaw", "yaw", symbol=""),
+        of.measured("stiffness", lambda each: each.stiffness[0][0], symbol="kxx"),
+        of.measured("stiffness", lambda each: each.stiffness[1][1], symbol="kyy"),
+        of.measured("offset", "position.x", "position", symbol="x"),
+        of.measured("offset", "position.y", "position", symbol="y"),
+        caption=Message("captions.bodies"),
     )
 
 

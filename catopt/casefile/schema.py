@@ -391,10 +391,10 @@ class LineBetweenTable(Table):
 
 
 class NetworkTable(Table):
-    """A whole file of lines that meet in joints."""
+    """A whole file of points, lines between them and bodies."""
 
     model = Network
-    keys = "title source site points lines checks service anchor"
+    keys = "title source site points lines bodies checks service anchor"
 
 
 @dataclass(frozen=True)

@@ -32,7 +32,6 @@ def system(
     held: Annotated[list[str] | None, typer.Option(metavar="SIX")] = None,
 ) -> None:
     """Find where a moored body comes to rest, and what each of its lines carries."""
-    from catopt.checks.network import check_network
     from catopt.checks.system import check_system
     from catopt.mooring.case import report_system
     from catopt.report.bundle import system_pictures
@@ -42,10 +41,7 @@ def system(
     levels = _in_si("--level", level, Dimension.LENGTH)
     displacements = [_displacement(text) for text in held or []]
     read = read_mooring_or_design(case, design)
-    if isinstance(read, Network):  # the body is in place, and where it is to be held
-        from catopt.mooring.held import hold, network_document
-        from catopt.mooring.network_out import each_line_out
-
+    if isinstance(read, Network):
         given = {
             "--watch-circle": watch_circle,
             "--curve": directions,
@@ -53,16 +49,7 @@ def system(
         }
         allowed = Message("refused_command.does_not_go_with_lines")
         refuse(Problem(option, "", allowed) for option, value in given.items() if value)
-        places = [(0.0,) * 6, *displacements]
-        total = Message("words.held_places", total=len(places))
-        rest, *away = [hold(read, each) for each in paced(total, places)]
-        gone = each_line_out(read) if line_out else ()
-        judged = check_network(read, rest, gone or None)
-        answer = network_answer(rest, away, judged, line_out=gone, with_stiffness=stiffness)
-        more: dict[str, Any] = {"checks": judged.verdict_document()}
-        if line_out:
-            more["one_line_out"] = [each.to_dict() for each in gone]
-        asked.give(answer, lambda: network_document([rest, *away]) | more, read)
+        _network(asked, read, displacements, with_line_out=line_out, with_stiffness=stiffness)
         return
     report = report_system(
         read,
@@ -81,6 +68,40 @@ def system(
         return report.to_dict() | {"checks": checks.verdict_document()}
 
     asked.give(system_answer(report, checks), document, read, partial(system_pictures, report))
+
+
+def _network(
+    asked: Asked,
+    network: Network,
+    displacements: list[tuple[float, ...]],
+    *,
+    with_line_out: bool,
+    with_stiffness: bool,
+) -> None:
+    """Bring points, lines and bodies to rest, and hold their body where that is asked for."""
+    from catopt.checks.network import check_network
+    from catopt.mooring.held import LinesAtRest, at_rest, hold, network_document
+    from catopt.mooring.network_out import each_line_out
+
+    if network.bodies:
+        free = at_rest(network)
+        here = [each.moved for each in free.bodies if with_stiffness]
+    else:
+        free, here = None, [(0.0,) * 6]
+    places = [*here, *displacements]
+    total = Message("words.held_places", total=len(places))
+    held = [hold(network, each) for each in paced(total, places)]
+    rest: LinesAtRest = free or held[0]
+    away = held[len(here) :]
+    gone = each_line_out(network) if with_line_out else ()
+    judged = check_network(network, rest, gone or None)
+    bodies = [each.body for each in (held if with_stiffness else away)]
+    answer = network_answer(rest, away, judged, bodies, line_out=gone)
+    more: dict[str, Any] = {"checks": judged.verdict_document()}
+    if with_line_out:
+        more["one_line_out"] = [each.to_dict() for each in gone]
+    states = [rest, *(held if network.bodies else away)]
+    asked.give(answer, lambda: network_document(states) | more, network)
 
 
 def _in_si(option: str, texts: list[str] | None, dimension: Dimension) -> list[float]:

@@ -12,6 +12,7 @@ from catopt.figures.network import network_plan, network_side
 from catopt.mooring.held import at_rest
 from catopt.notes.network import read_network_note
 from tests.checks.test_network import CHECKS, FILE, leg
+from tests.mooring.test_bodies import barge
 
 from .conftest import Run, document_of, refused, validate
 
@@ -50,6 +51,24 @@ def test_every_line_out_is_tabulated(run: Run, tmp_path: Path) -> None:
     assert out[1]["most_loaded_line"] == 3
     shown = run("system", place, "--line-out").out
     assert "Loose then" in shown
+
+
+def test_bodies_are_in_every_answer(run: Run, tmp_path: Path) -> None:
+    place = tmp_path / "barge.toml"
+    place.write_text(write_case(barge(checks=CHECKS, title="Barge")), encoding="utf-8")
+    solved = document_of(run, "system", place, "--line-out", "--stiffness")
+    validate(solved)
+    first, held = solved["states"]
+    (body,) = first["bodies"]
+    assert body["force_N"] == [150e3, 60e3]
+    # Held where it rests, the lines pull on it with minus its load.
+    assert held["load"][0] == pytest.approx(-150e3, rel=1e-6)
+    assert held["displacement"][5] == pytest.approx(body["position"]["yaw_rad"])
+    shown = run("system", place, "--full").out
+    assert "1 bodies free in x, y" in shown
+    page = run("report", place, "--out", tmp_path / "note.html", "--lang", "vi")
+    assert page.status == 0, page.err
+    assert "Các vật nổi" in (tmp_path / "note.html").read_text("utf-8")
 
 
 def test_an_answer_is_written_with_its_case_and_again(run: Run, tmp_path: Path) -> None:
