@@ -1,24 +1,25 @@
-"""One line at rest in a current: its equations along the line, by shooting from the fairlead.
+"""One line at rest in a current: its equations along the line, by shooting from its lower end.
 
-With the unstretched arc length s down from the fairlead, the place r, the force F of what is above
-on what is below, T = |F| and e = F/T:
+With the unstretched arc length s from the anchor, the place r, the force F of what is above on what
+is below, T = |F| and e = F/T:
 
-    dr/ds = -(1 + T/EA) e        dF/ds = f - w k
+    dr/ds = (1 + T/EA) e        dF/ds = w k - f
 
 k being up, w the submerged weight and f the drag, both per unstretched length as in the truss
 model, S4 [2.19]-[2.32]:
 
     f = 0.5 rho D (C_n |u_n| u_n + C_t |u_t| u_t)        u_t = (u.e) e,  u_n = u - u_t
 
-What is not known of F at the fairlead is sought until the line ends at its anchor. Where nothing
-is left of the vertical force, the line lies on the bed from there on: straight on as it came down,
-without drag, the friction taking off its tension.
+Sought are F at the anchor, or F and how much lies, until the line ends at its fairlead. Where part
+of it lies, F has no vertical part at the touchdown; from there to the anchor the line lies straight
+on as it came down, without drag, the friction taking off its tension. A clump weight that touches
+the bed feels so much of its drag as of its weight is lifted.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Any, NamedTuple
@@ -39,11 +40,11 @@ Flow = Callable[[float], tuple[float, float]]
 LOCAL = 1e-11
 """Error of a step along the line, as a part of the line's length and of its forces."""
 CLOSED, ENOUGH = 1e-10, 1e-8
-"""How far the line may miss its anchor, as a part of its length: sought, and where it stalls."""
+"""How far the line may miss its fairlead, as a part of its length: sought, and where it stalls."""
 STATIONS = 200
 """Fewest places at which the line is laid out."""
 
-_STEPS, _TRIALS, _LEAST_SHARE = 20_000, 40, 1e-4
+_STEPS, _TRIALS, _LEAST_SHARE = 20_000, 40, 1e-3
 _DIFFERENCE = 1e-5
 """Of the forces, by which they are changed for derivatives."""
 _SLACK = 0.02
@@ -95,7 +96,7 @@ class SolutionInCurrent(Solution):
 
 
 class Part(NamedTuple):
-    """A uniform part of the line and the point loads on its lower end.
+    """A uniform part of the line, and the point loads on its lower end.
 
     length (m), submerged weight (N/m), compliance (1/N), 0.5 rho D C across and along (N s2/m3);
     of the loads: weight (N), 0.5 rho Cd A (N s2/m2), Coulomb coefficient.
@@ -113,7 +114,10 @@ class Part(NamedTuple):
 
 
 class Node(NamedTuple):
-    """A place on the line: arc length down from the fairlead, x, y, z and the force there."""
+    """A place on the line: arc length from the anchor, place from it, force of what is above it.
+
+    `stretched` is the stretched length from the anchor; m and N.
+    """
 
     s: float
     x: float
@@ -131,16 +135,22 @@ class Node(NamedTuple):
 
 
 class Laid(NamedTuple):
-    """The line followed down from its fairlead: the nodes of each part that hangs, and its end.
+    """The line from its anchor up: the nodes of what lies, and of each part that hangs.
 
-    `lies` is how far down the last part hangs before the rest of the line lies on the bed, `None`
-    where all hangs; then `reaction` is what the bed carries of a clump weight there, N.
+    `bed` has part and node, none where all hangs; `hung` begins with part `first`; `reaction` is
+    what the bed carries of a clump weight at the touchdown, N; `pull` that on the anchor.
     """
 
-    parts: tuple[tuple[Node, ...], ...]
-    end: Node
-    lies: float | None
+    bed: tuple[tuple[int, Node], ...]
+    hung: tuple[tuple[Node, ...], ...]
+    first: int
     reaction: float
+    pull: Vector
+
+    @property
+    def top(self) -> Node:
+        """The upper end."""
+        return self.hung[-1][-1]
 
 
 def check_for_current(line: Line) -> None:
@@ -164,15 +174,14 @@ def check_for_current(line: Line) -> None:
 def solve_in_current(case: Case) -> SolutionInCurrent:
     """Solve the line of a case at rest in its current, under its load.
 
-    The fairlead is held in its height and across x, and along x under a given force or tension
-    there is no hold; of a horizontal force that is its part along x. InputError: a segment without
-    drag. NoEquilibriumError: as for `solve` in still water, or the line touches the bed where that
-    is not solved; NotConvergedError.
+    The fairlead is held in its height and across x; a horizontal force is its part along x.
+    InputError: a segment without drag, or a state that is not solved in a current.
+    NoEquilibriumError: as for `solve` in still water. NotConvergedError.
     """
-    current, load, site = case.current, case.load, case.site
-    assert current is not None
-    assert load is not None
+    assert case.current is not None
+    assert case.load is not None
     check_for_current(case.line)
+    load = case.load
     still = solve(
         case.line,
         horizontal_force=load.horizontal_force,
@@ -180,18 +189,14 @@ def solve_in_current(case: Case) -> SolutionInCurrent:
         fairlead_tension=load.fairlead_tension,
         **case.place,
     )
-    flow = current.flow(site.water_depth)
-    parts = parts_of(case.line, site.water_density, site.seabed_friction)
-    shot = _Shot(case, parts, flow, load, still.fairlead.tension)
-    known = [0.0, still.fairlead.vertical_force]
-    if load.span is not None:
-        known.insert(0, still.fairlead.horizontal_force)
-    known = shot.closed(known)
-    return _solution(case, shot, shot.laid(known), shot.left_open(known))
+    shot = _Shot(case, load, still.fairlead.tension)
+    lifted = still.fairlead.vertical_force - case.line.submerged_weight
+    known = shot.closed([still.horizontal_force, 0.0, lifted])
+    return _solution(case, shot, shot.laid(known, shot.length / STATIONS), shot.left_open(known))
 
 
 def parts_of(line: Line, density: float, friction: float) -> tuple[Part, ...]:
-    """Cut a line at its segments and point loads, from the fairlead down."""
+    """Cut a line at its segments and point loads, from the anchor up."""
     half, ends, start = 0.5 * density, [0.0], 0.0
     for segment in line.segments:
         start += segment.length
@@ -217,28 +222,32 @@ def parts_of(line: Line, density: float, friction: float) -> tuple[Part, ...]:
                 max(hold, default=friction),
             )
         )
-    return tuple(found[::-1])
+    return tuple(found)
 
 
 class _Shot:
-    """What is aimed at: the anchor, from a fairlead of which some is known."""
+    """What is aimed at: the fairlead under its load.
 
-    def __init__(
-        self, case: Case, parts: Sequence[Part], flow: Flow, load: Load, tension: float
-    ) -> None:
-        self.parts, self.flow, self.load = parts, flow, load
+    Sought are the horizontal force at the lower end of what hangs, along x and y, and what the
+    anchor is pulled up with; below 0 that is the weight of what lies, N.
+    """
+
+    def __init__(self, case: Case, load: Load, tension: float) -> None:
+        assert case.current is not None
+        self.load, site = load, case.site
+        self.flow = case.current.flow(site.water_depth)
+        self.parts = parts_of(case.line, site.water_density, site.seabed_friction)
         self.height, self.anchor_height = case.fairlead_height, case.anchor_height
-        self.friction, self.length = case.site.seabed_friction, case.line.length
-        self.span = load.span or 0.0
-        self.is_plain = self.anchor_height == 0.0 and all(
-            each.weight >= 0.0 and each.load >= 0.0 for each in parts
+        self.friction, self.length = site.seabed_friction, case.line.length
+        self.may_lie = self.anchor_height == 0.0 and all(
+            each.weight >= 0.0 and each.load >= 0.0 for each in self.parts
         )
         self.part = 1.0
-        weights = (abs(each.weight * each.length) + abs(each.load) for each in parts)
+        weights = (abs(each.weight * each.length) + abs(each.load) for each in self.parts)
         self.scale = math.fsum(weights) + tension
 
     def closed(self, known: list[float]) -> list[float]:
-        """Find the forces under which the line ends at its anchor, the current put on in parts."""
+        """Find what is sought, the current put on in parts where it cannot be at once."""
         done, part = 0.0, 1.0
         while done < 1.0:
             self.part = min(1.0, done + part)
@@ -254,68 +263,127 @@ class _Shot:
 
     def check_taut(self, known: Sequence[float]) -> None:
         """Refuse a line that the current slackens where it comes to the bed."""
-        end = self._down(known, self.length)
-        left = math.hypot(end.end.fx, end.end.fy)
-        if end.lies is not None and left < _SLACK * self.scale:
+        left = math.hypot(known[0], known[1])
+        if self.may_lie and known[2] < 0.0 and left < _SLACK * self.scale:
             said = Message("refused_case.current_slackens", left=Measure("tension", left))
             raise InputError([Problem("current", "", said)], "current")
 
     def left_open(self, known: Sequence[float]) -> float:
-        """Bound what an error of the place of the anchor leaves open of the forces, N."""
+        """Bound what an error of the place of the fairlead leaves open of the forces, N."""
         left = self.missed(known)
         columns = None if left is None else self._columns(known, left)
         if columns is None:
             return math.inf
-        open_by = [0.0] * len(known)
-        for k in range(len(known)):
-            far = [CLOSED * self.length * (i == k) for i in range(len(known))]
-            step = solved(columns, far) or [math.inf] * len(known)
+        open_by = [0.0] * 3
+        for k in range(3):
+            far = [CLOSED * self.length * (i == k) for i in range(3)]
+            step = solved(columns, far) or [math.inf] * 3
             open_by = [a + abs(b) for a, b in zip(open_by, step, strict=True)]
         return max(open_by)
-
-    def laid(self, known: Sequence[float]) -> Laid:
-        """Follow the line down at all its stations."""
-        return self._down(known, self.length / STATIONS)
 
     def water(self, z: float) -> tuple[float, float]:
         """Velocity of the water at a height, so much of it as is put on."""
         u, v = self.flow(z)
         return self.part * u, self.part * v
 
-    def top(self, known: Sequence[float]) -> Vector | None:
-        """Complete the force at the fairlead; None where none is so."""
-        *along, fy, fz = known
-        if along:
-            return along[0], fy, fz
-        if self.load.horizontal_force is not None:
-            return self.load.horizontal_force, fy, fz
-        assert self.load.fairlead_tension is not None
-        left = self.load.fairlead_tension**2 - fy * fy - fz * fz
-        return (math.sqrt(left), fy, fz) if left > 0.0 else None
+    def laid(self, known: Sequence[float], longest: float) -> Laid | None:
+        """Follow the line from its anchor up, in steps of no more than `longest` m.
 
-    def _down(self, known: Sequence[float], longest: float) -> Laid:
-        force = self.top(known)
-        assert force is not None
-        start = Node(0.0, self.span, 0.0, self.height, *force, 0.0)
+        None where more would lie than there is.
+        """
+        fx, fy, up = known
+        if up >= 0.0 or not self.may_lie:
+            start = Node(0.0, 0.0, 0.0, self.anchor_height, fx, fy, up, 0.0)
+            hung = self._upwards(start, 0, self.parts[0].length, longest)
+            return Laid((), hung, 0, 0.0, (fx, fy, up))
+        lies = -up
+        for k, part in enumerate(self.parts):
+            if lies < part.load:
+                return self._from_bed(k, 0.0, lies, (fx, fy), longest)
+            lies -= part.load
+            if lies < part.weight * part.length:
+                return self._from_bed(k, lies / part.weight, 0.0, (fx, fy), longest)
+            lies -= part.weight * part.length
+        return None
+
+    def _from_bed(
+        self, k: int, lying: float, reaction: float, force: tuple[float, float], longest: float
+    ) -> Laid:
+        """Lay the line up to a place in part k, or a clump weight on its lower end; and go on."""
+        part, (fx, fy), up = self.parts[k], force, 0.0
+        if reaction > 0.0:  # it hangs on from a clump weight: with what is lifted of it
+            up = part.load - reaction
+            u, v = self.water(0.0)
+            push = part.load_drag * math.hypot(u, v) * up / part.load
+            fx, fy = fx - push * u, fy - push * v
+        T = math.hypot(*force)
+        way = (force[0] / T, force[1] / T) if T > 0.0 else (1.0, 0.0)
+        bed = self._bed(k, lying, reaction, T, way)
+        _, last = bed[-1]
+        start = last._replace(fx=fx, fy=fy, fz=up)
+        hung = self._upwards(start, k, part.length - lying, longest)
+        end = bed[0][1]
+        return Laid(tuple(bed), hung, k, reaction, (end.fx, end.fy, 0.0))
+
+    def _bed(
+        self, k: int, lying: float, reaction: float, T: float, way: tuple[float, float]
+    ) -> list[tuple[int, Node]]:
+        """Lay parts on the bed from the anchor to a place in part k; T is the tension there."""
+        rows: list[tuple[int, float, float, float]] = [(k, 0.0, 0.0, T)]  # down from that place
+        if reaction > 0.0:
+            T = max(T - self.parts[k].load_friction * reaction, 0.0)
+        down = stretched = 0.0
+        for j in range(k, -1, -1):
+            part = self.parts[j]
+            length = lying if j == k else part.length
+            if length > 0.0:
+                T, longer = _dragged(T, length, part, self.friction)
+                down, stretched = down + length, stretched + longer
+                rows.append((j, down, stretched, T))
+            if not (j == k and reaction > 0.0):
+                T = max(T - part.load_friction * part.load, 0.0)
+        place = sum(part.length for part in self.parts[:k]) + lying
+        found = []
+        for j, below, longer, tension in reversed(rows):
+            along = stretched - longer
+            x, y = along * way[0], along * way[1]
+            force = (tension * way[0], tension * way[1], 0.0)
+            found.append((j, Node(place - below, x, y, 0.0, *force, along)))
+        return found
+
+    def _upwards(
+        self, start: Node, k: int, length: float, longest: float
+    ) -> tuple[tuple[Node, ...], ...]:
+        """Follow what is left of part k, and all above it."""
         scales = (self.length, self.scale)
-        return followed(start, self.parts, self.water, scales, longest, self.is_plain)
+        found = [_along(start, length, self.parts[k], self.water, scales, longest)]
+        for part in self.parts[k + 1 :]:
+            at = found[-1][-1]
+            if part.load or part.load_drag:
+                u, v = self.water(at.z)
+                push = part.load_drag * math.hypot(u, v)
+                at = at._replace(fx=at.fx - push * u, fy=at.fy - push * v, fz=at.fz + part.load)
+            found.append(_along(at, part.length, part, self.water, scales, longest))
+        return tuple(found)
 
     def missed(self, known: Sequence[float]) -> list[float] | None:
-        """Say by how much the line misses its anchor where that is sought, m; None for nowhere."""
-        if self.top(known) is None:
-            return None
-        x, y, z = self.missed_by(self._down(known, self.length))
-        return [x, y, z] if self.load.span is not None else [y, z]
+        """Say by how much the line misses its fairlead, m, and its load, as m; None for nowhere."""
+        laid = self.laid(known, self.length)
+        return None if laid is None else self.missed_by(laid.top)
 
-    def missed_by(self, laid: Laid) -> Vector:
-        """Say by how much a line that is laid misses its anchor, m."""
-        bed = lying(laid, self.parts, self.friction)
-        if bed:
-            return bed[-1].x, bed[-1].y, laid.end.z
-        return laid.end.x, laid.end.y, laid.end.z - self.anchor_height
+    def missed_by(self, top: Node) -> list[float]:
+        """Say by how much an upper end is off: along x or in its load, across, in height; m."""
+        load = self.load
+        if load.span is not None:
+            first = top.x - load.span
+        else:
+            wanted = load.horizontal_force or load.fairlead_tension or 0.0
+            given = top.fx if load.horizontal_force is not None else top.tension
+            first = (given - wanted) / self.scale * self.length
+        return [first, top.y, top.z - self.height]
 
     def _newton(self, known: Sequence[float]) -> list[float] | None:
-        """Seek the forces by differences; None where that does not settle."""
+        """Seek by differences; None where that does not settle."""
         at, left = list(known), self.missed(known)
         if left is None:
             return None
@@ -341,7 +409,7 @@ class _Shot:
         """Return how what is missed changes with each force, m/N; None where one leads nowhere."""
         columns = []
         change = _DIFFERENCE * self.scale
-        for k in range(len(at)):
+        for k in range(3):
             moved = self.missed([a + change * (i == k) for i, a in enumerate(at)])
             if moved is None:
                 return None
@@ -349,82 +417,32 @@ class _Shot:
         return columns
 
 
-def followed(
-    start: Node,
-    parts: Sequence[Part],
-    flow: Flow,
-    scales: tuple[float, float],
-    longest: float,
-    may_lie: bool,
-) -> Laid:
-    """Follow a line down from a node, in steps of no more than `longest` m, to its end or the bed.
-
-    `scales`: a length and a force beside which errors are small.
-    """
-    found, at = [], start
-    for part in parts:
-        nodes, lies = _part_down(at, part, flow, scales, longest, may_lie)
-        found.append(nodes)
-        at = nodes[-1]
-        if lies:
-            return Laid(tuple(found), at, at.s, 0.0)
-        if part.load or part.load_drag:
-            u, v = flow(at.z)
-            push = part.load_drag * math.hypot(u, v)
-            at = at._replace(fx=at.fx + push * u, fy=at.fy + push * v, fz=at.fz - part.load)
-            if may_lie and at.fz <= 0.0:
-                return Laid(tuple(found), at._replace(fz=0.0), at.s, -at.fz)
-    return Laid(tuple(found), at, None, 0.0)
-
-
-def _part_down(
+def _along(
     at: Node,
+    length: float,
     part: Part,
     flow: Flow,
     scales: tuple[float, float],
     longest: float,
-    may_lie: bool,
-) -> tuple[tuple[Node, ...], bool]:
-    """Follow one part down; and say whether it comes to lie."""
+) -> tuple[Node, ...]:
+    """Follow so much of a part upwards; `scales`: length and force that errors are parts of."""
     nodes, done = [at], 0.0
-    stride = min(longest, 0.1 * part.length)
+    stride = min(longest, 0.1 * length)
     for _ in range(_STEPS):
-        if done >= part.length:
-            return tuple(nodes), False
-        ahead = part.length - done
-        last = stride >= ahead * (1.0 - 1e-12)
+        ahead = length - done
+        if not ahead > 0.0:
+            return tuple(nodes)
+        is_last = stride >= ahead * (1.0 - 1e-12)
         stride = min(stride, ahead)
         there, error = _stepped(nodes[-1], stride, part, flow, scales)
         if error > LOCAL:
             stride *= max(0.9 * (LOCAL / error) ** 0.2, 0.1)
             continue
-        if may_lie and there.fz <= 0.0:
-            nodes.append(_touchdown(nodes[-1], there, stride, part, flow, scales))
-            return tuple(nodes), True
         nodes.append(there)
-        done = part.length if last else done + stride
+        done = length if is_last else done + stride
         growth = 0.9 * (LOCAL / error) ** 0.2 if error > 0.0 else 5.0
         stride = min(stride * min(max(growth, 0.2), 5.0), longest)
     raise NotConvergedError(Message("catenary.current_not_converged", part=1.0))
-
-
-def _touchdown(
-    at: Node, there: Node, stride: float, part: Part, flow: Flow, scales: tuple[float, float]
-) -> Node:
-    """Close in on where a step loses the last of the vertical force."""
-    low, high, above, below = 0.0, stride, at.fz, there.fz
-    for _ in range(60):
-        if above - below <= 0.0 or high - low <= 1e-15 * stride or below == 0.0:
-            break
-        way = low + (high - low) * min(max(above / (above - below), 0.01), 0.99)
-        there, _ = _stepped(at, way, part, flow, scales)
-        if abs(there.fz) <= 1e-15 * scales[1]:
-            break
-        if there.fz > 0.0:
-            low, above = way, there.fz
-        else:
-            high, below = way, there.fz
-    return there._replace(fz=0.0)
 
 
 _STAGES = (
@@ -442,7 +460,7 @@ _FIFTH_LESS_FOURTH = (71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 
 def _stepped(
     at: Node, stride: float, part: Part, flow: Flow, scales: tuple[float, float]
 ) -> tuple[Node, float]:
-    """Take one step along the line; its error by the scales."""
+    """Take one step up the line; its error by the scales."""
     y: tuple[float, ...] = at[1:]
     slopes, new = [_slope(y, part, flow)], y
     for row in _STAGES:
@@ -455,7 +473,7 @@ def _stepped(
 
 
 def _slope(y: Sequence[float], part: Part, flow: Flow) -> tuple[float, ...]:
-    """Say how place, force and stretched length change along the line, going down."""
+    """Say how place, force and stretched length change along the line, going up."""
     _, _, z, fx, fy, fz, _ = y
     T = math.sqrt(fx * fx + fy * fy + fz * fz)
     ex, ey, ez = (fx / T, fy / T, fz / T) if T > 0.0 else (0.0, 0.0, 1.0)
@@ -466,53 +484,14 @@ def _slope(y: Sequence[float], part: Part, flow: Flow) -> tuple[float, ...]:
     pull = part.along * abs(along) * along
     longer = 1.0 + T * part.compliance
     return (
-        -longer * ex,
-        -longer * ey,
-        -longer * ez,
-        across * nx + pull * ex,
-        across * ny + pull * ey,
-        across * nz + pull * ez - part.weight,
+        longer * ex,
+        longer * ey,
+        longer * ez,
+        -across * nx - pull * ex,
+        -across * ny - pull * ey,
+        part.weight - across * nz - pull * ez,
         longer,
     )
-
-
-class OnBed(NamedTuple):
-    """A place of what lies: arc length down from the fairlead, x and y, tension, stretched length.
-
-    `part` is the one above it.
-    """
-
-    s: float
-    x: float
-    y: float
-    tension: float
-    stretched: float
-    part: int
-
-
-def lying(laid: Laid, parts: Sequence[Part], friction: float) -> list[OnBed]:
-    """Lay the rest of a line on the bed, to its anchor; nothing where all of it hangs."""
-    if laid.lies is None:
-        return []
-    end, k = laid.end, len(laid.parts) - 1
-    T = math.hypot(end.fx, end.fy)
-    way = (-end.fx / T, -end.fy / T) if T > 0.0 else (-1.0, 0.0)
-    left = parts[k].length - (end.s - laid.parts[k][0].s)
-    if laid.reaction > 0.0:  # from a clump weight on, at the lower end of the part
-        T, left = max(T - parts[k].load_friction * laid.reaction, 0.0), 0.0
-    rows = [OnBed(end.s, end.x, end.y, T, end.stretched, k)]
-    while True:
-        s, x, y, T, stretched, _ = rows[-1]
-        if left > 0.0:
-            T, longer = _dragged(T, left, parts[k], friction)
-            place = (x + way[0] * longer, y + way[1] * longer)
-            rows.append(OnBed(s + left, *place, T, stretched + longer, k))
-            T = max(T - parts[k].load_friction * parts[k].load, 0.0)
-            rows[-1] = rows[-1]._replace(tension=T)
-        k += 1
-        if k == len(parts):
-            return rows
-        left = parts[k].length
 
 
 def _dragged(T: float, length: float, part: Part, friction: float) -> tuple[float, float]:
@@ -542,77 +521,63 @@ def solved(columns: Sequence[Sequence[float]], sides: Sequence[float]) -> list[f
 # ------------------------------------------------------------------ the answer
 
 
-def _solution(case: Case, shot: _Shot, laid: Laid, left_open: float) -> SolutionInCurrent:
-    """Say all of a line that is laid, counted from its anchor up."""
+def _solution(case: Case, shot: _Shot, laid: Laid | None, left_open: float) -> SolutionInCurrent:
+    """Say all of a line that is laid."""
     assert case.current is not None
-    parts, length, end, top = shot.parts, shot.length, laid.end, laid.parts[0][0]
-    bed = lying(laid, parts, shot.friction)
-    missed = shot.missed_by(laid)
-    ax, ay = (bed[-1].x, bed[-1].y) if bed else (end.x, end.y)
-    anchor_force = (end.fx, end.fy, end.fz)
-    if bed:
-        T = math.hypot(end.fx, end.fy)
-        share = bed[-1].tension / T if T > 0.0 else 0.0
-        anchor_force = (end.fx * share, end.fy * share, 0.0)
-    rows = [(length - n.s, n.x - ax, n.y - ay, n.z, n.tension) for n in _nodes(laid)]
-    rows += [(length - each.s, each.x - ax, each.y - ay, 0.0, each.tension) for each in bed[1:]]
-    _check_clear(min(row[3] for row in rows), length)
-    largest = [0.0] * len(case.line.segments)
-    for k, tension in (
-        *((k, n.tension) for k, nodes in enumerate(laid.parts) for n in nodes),
-        *((each.part, each.tension) for each in bed),
-    ):
-        largest[parts[k].segment] = max(largest[parts[k].segment], tension)
-    lifted = _lifted(laid, parts)
-    span = -ax if case.load is None or case.load.span is None else case.load.span
+    assert laid is not None
+    line, top, pull = case.line, laid.top, laid.pull
+    lowest = min(node.z for nodes in laid.hung for node in nodes)
+    if lowest < -ENOUGH * shot.length:
+        allowed = Message("refused_case.current_and_bed", depth=-lowest)
+        raise InputError([Problem("current", "", allowed)], "current")
+    placed = [*laid.bed, *((laid.first + k, n) for k, ns in enumerate(laid.hung) for n in ns)]
+    largest = [0.0] * len(line.segments)
+    for k, node in placed:
+        segment = shot.parts[k].segment
+        largest[segment] = max(largest[segment], node.tension)
+    grounded = laid.hung[0][0].s if laid.bed else 0.0
+    first, across, height = shot.missed_by(top)
+    below = laid.bed[-1][1][4:7] if laid.bed else pull
+    upper = shot.parts[laid.first :]
+    lifted = math.fsum(
+        [
+            *(p.weight * (ns[-1].s - ns[0].s) for p, ns in zip(upper, laid.hung, strict=True)),
+            *(part.load for part in upper[1:]),
+            upper[0].load - laid.reaction if laid.reaction > 0.0 else 0.0,
+        ]
+    )
     solution = SolutionInCurrent(
-        line=case.line,
+        line=line,
         method="shooting",
         regime=_regime(laid),
         fairlead_height=shot.height,
         anchor_height=shot.anchor_height,
         seabed_friction=shot.friction,
-        span=span,
+        span=top.x if case.load is None or case.load.span is None else case.load.span,
         fairlead=_end((top.fx, top.fy, top.fz)),
-        anchor=_end(anchor_force),
-        grounded_length=0.0 if laid.lies is None else length - laid.lies,
-        suspended_length=length if laid.lies is None else laid.lies,
-        stretched_length=bed[-1].stretched if bed else end.stretched,
+        anchor=_end(pull),
+        grounded_length=grounded,
+        suspended_length=shot.length - grounded,
+        stretched_length=top.stretched,
         segments=tuple(
             SegmentState(segment.name, segment.length, tension, segment.MBL)
-            for segment, tension in zip(case.line.segments, largest, strict=True)
+            for segment, tension in zip(line.segments, largest, strict=True)
         ),
-        point_loads=_loads(case.line, rows, laid),
-        stretches=_stretches(shot, laid, bed, (ax, ay)),
+        point_loads=_loads(line, [node for _, node in placed], laid),
+        stretches=tuple(_stretches(shot, laid)),
         residual=Residual(
-            height=missed[2],
-            span=math.hypot(missed[0] if case.load and case.load.span else 0.0, missed[1]),
+            height=height,
+            span=math.hypot(first if case.load and case.load.span is not None else 0.0, across),
             force_uncertainty=left_open,
         ),
         current=case.current,
         surface_velocity=shot.flow(case.site.water_depth),
-        places=tuple(rows[::-1]),
-        drag=(end.fx - top.fx, end.fy - top.fy, end.fz - top.fz + lifted),
+        places=tuple((n.s, n.x, n.y, n.z, n.tension) for _, n in placed),
+        drag=(below[0] - top.fx, below[1] - top.fy, below[2] - top.fz + lifted),
         fairlead_force=(top.fx, top.fy, top.fz),
-        anchor_force=anchor_force,
+        anchor_force=pull,
     )
     return replace(solution, warnings=(*plausibility(solution), *_warnings(solution)))
-
-
-def _nodes(laid: Laid) -> list[Node]:
-    """List the nodes of what hangs; both sides of a point load."""
-    return [node for nodes in laid.parts for node in nodes]
-
-
-def _lifted(laid: Laid, parts: Sequence[Part]) -> float:
-    """Weight of what hangs, N."""
-    last = len(laid.parts) - 1
-    passed = last + (laid.lies is None or laid.reaction > 0.0)
-    hung = (
-        part.weight * (nodes[-1].s - nodes[0].s)
-        for part, nodes in zip(parts, laid.parts, strict=False)
-    )
-    return math.fsum([*hung, *(part.load for part in parts[:passed]), -laid.reaction])
 
 
 def _end(force: Vector) -> EndState:
@@ -621,77 +586,50 @@ def _end(force: Vector) -> EndState:
 
 
 def _regime(laid: Laid) -> Regime:
-    if laid.lies is not None:
+    if laid.bed:
         return "grounded"
-    return "below-anchor" if laid.end.fz < -1e-12 * laid.end.tension else "suspended"
+    return "below-anchor" if laid.pull[2] < -1e-12 * laid.hung[0][0].tension else "suspended"
 
 
-def _check_clear(lowest: float, length: float) -> None:
-    """Refuse a line that would pass through the bed."""
-    if lowest < -ENOUGH * length:
-        allowed = Message("refused_case.current_and_bed", depth=-lowest)
-        raise InputError([Problem("current", "", allowed)], "current")
-
-
-def _loads(
-    line: Line, rows: Sequence[tuple[float, float, float, float, float]], laid: Laid
-) -> tuple[PointLoadState, ...]:
+def _loads(line: Line, nodes: Sequence[Node], laid: Laid) -> tuple[PointLoadState, ...]:
     """Place each point load; what the bed carries in one place is shared by weight."""
     found = []
+    lies = laid.hung[0][0].s
     for load in line.point_loads:
-        down = line.length - load.position
-        _, x, _, z, _ = min(rows, key=lambda row: abs(row[0] - load.position))
+        at = min(nodes, key=lambda node: abs(node.s - load.position))
         carried = 0.0
-        if laid.lies is not None and down > laid.lies * (1.0 - 1e-12):
+        if laid.bed and load.position <= lies * (1.0 + 1e-12):
             carried = load.submerged_weight
-            if laid.reaction > 0.0 and down <= laid.lies * (1.0 + 1e-12):
+            if laid.reaction > 0.0 and load.position >= lies * (1.0 - 1e-12):
                 here = (o.submerged_weight for o in line.point_loads if o.position == load.position)
                 carried *= laid.reaction / math.fsum(here)
-        found.append(PointLoadState(load.name, load.position, x, z, carried))
+        found.append(PointLoadState(load.name, load.position, at.x, at.z, carried))
     return tuple(found)
 
 
-def _stretches(
-    shot: _Shot, laid: Laid, bed: Sequence[OnBed], anchor: tuple[float, float]
-) -> tuple[Stretch, ...]:
+def _stretches(shot: _Shot, laid: Laid) -> Iterator[Stretch]:
     """Cut the line at its nodes, from the anchor up, for pictures."""
-    found = []
-    for k, nodes in enumerate(laid.parts):
-        part, piece = shot.parts[k], len(shot.parts) - 1 - k
-        for upper, lower in pairwise(nodes):
-            found.append(
-                Stretch(
-                    shot.length - lower.s,
-                    lower.s - upper.s,
-                    part.weight,
-                    part.compliance,
-                    lower.x - anchor[0],
-                    lower.z,
-                    math.hypot(lower.fx, lower.fy),
-                    lower.fz,
-                    0.0,
-                    on_bed=False,
-                    piece=piece,
-                )
-            )
-    for one, other in pairwise(bed):
-        part = shot.parts[other.part]
-        found.append(
-            Stretch(
-                shot.length - other.s,
-                other.s - one.s,
-                part.weight,
-                part.compliance,
-                other.x - anchor[0],
-                0.0,
-                other.tension,
-                0.0,
-                (one.tension - other.tension) / (other.s - one.s),
-                on_bed=True,
-                piece=len(shot.parts) - 1 - other.part,
-            )
+    bed = [(k, one, other) for (_, one), (k, other) in pairwise(laid.bed)]
+    hung = [
+        (laid.first + k, one, other)
+        for k, nodes in enumerate(laid.hung)
+        for one, other in pairwise(nodes)
+    ]
+    for k, low, high in (*bed, *hung):
+        part, on_bed = shot.parts[k], high.s <= laid.hung[0][0].s
+        yield Stretch(
+            low.s,
+            high.s - low.s,
+            part.weight,
+            part.compliance,
+            low.x,
+            low.z,
+            math.hypot(low.fx, low.fy),
+            low.fz,
+            (high.tension - low.tension) / (high.s - low.s) if on_bed else 0.0,
+            on_bed=on_bed,
+            piece=k,
         )
-    return tuple(sorted(found, key=lambda each: each.start))
 
 
 def _warnings(solution: SolutionInCurrent) -> list[Message]:
