@@ -38,7 +38,7 @@ def check_answer(report: CheckReport) -> blocks.Answer:
         section("captions.load_cases", load_case_table(report)),
     )
     in_current = any(solution.method == "shooting" for _, solution in report.solutions)
-    following = "check_in_current" if in_current else ""
+    following = "check_in_current" if in_current and not report.places else ""
     return replace(whole, card=tuple(_card(report)), next=following)
 
 

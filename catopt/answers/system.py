@@ -19,6 +19,7 @@ from catopt.answers.blocks import (
     texts,
 )
 from catopt.answers.check import verdict_blocks
+from catopt.answers.solution import current_in_words
 from catopt.quantities import QUANTITIES
 from catopt.words import Measure, Message
 
@@ -314,6 +315,9 @@ def network_answer(
     joints = sum(point.kind == "joint" for point in network.points)
     counts = {"lines": len(network.lines), "joints": joints, "bodies": len(rest.bodies)}
     solved = Message(f"mooring.{'network' if rest.bodies else 'joints'}_solved", **counts)
+    if network.current is not None:
+        said = current_in_words(network.current, network.site.water_depth)
+        solved = Message("mooring.floats_solved", lines=len(network.lines), current=said)
     tables = (
         (
             number,
@@ -328,7 +332,12 @@ def network_answer(
         "network",
         network.title or Message("captions.moored_body"),
         *moved,
-        section("captions.joints", blocks.Text(solved), joints_table(rest, "joints")),
+        section(
+            "captions.joints",
+            blocks.Text(solved),
+            *floats_tables(rest),
+            joints_table(rest, "joints"),
+        ),
         section("captions.lines", meeting_table(rest, "lines", checks)),
         section("captions.checks", *verdict_blocks(checks)),
         *_network_out(line_out, checks),
@@ -398,6 +407,26 @@ def bodies_table(rest: LinesAtRest) -> blocks.Table:
         of.measured("offset", "position.x", "position", symbol="x"),
         of.measured("offset", "position.y", "position", symbol="y"),
         caption=Message("captions.bodies"),
+    )
+
+
+def floats_tables(rest: LinesAtRest) -> Iterator[blocks.Table]:
+    """Tabulate how far a current knocks floats down; nothing without one."""
+    if rest.network.current is None:
+        return
+    from catopt.mooring.held import FloatsInCurrent
+
+    assert isinstance(rest, FloatsInCurrent)
+    of = Rows(zip(rest.runs, rest.lines, rest.heights, strict=True))
+    yield tabulate(
+        "floats",
+        of.texts("point", lambda each: rest.network.points[each[0].second].name),
+        of.measured("height", lambda each: each[2], "height_in_still_water", symbol=""),
+        of.measured("height", lambda each: each[1].fairlead_height, symbol="z"),
+        of.measured("excursion", lambda each: each[2] - each[1].fairlead_height, "knocked_down_by"),
+        of.measured("span", lambda each: each[1].span, "pushed_aside_by", symbol=""),
+        of.measured("angle", lambda each: each[1].anchor.angle, "inclination_at_the_anchor"),
+        caption=Message("captions.floats"),
     )
 
 

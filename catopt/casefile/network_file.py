@@ -49,7 +49,7 @@ def parse_network(text: str, source: str = "") -> Network:
     refuse(document, findings, source)
     site = Site(**table.site.given())
     given: dict[str, Any] = {key: getattr(table, key) or "" for key in ("title", "source")}
-    for key in ("checks", "service", "anchor"):
+    for key in ("checks", "service", "anchor", "current"):
         if (part := table.given().get(key)) is not None:
             own = {k: tuple(v) if isinstance(v, list) else v for k, v in part.given().items()}
             given[key] = made_of(part, own, site)

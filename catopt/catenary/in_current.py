@@ -30,10 +30,13 @@ from catopt.catenary.solve import solve
 from catopt.catenary.state import Regime
 from catopt.catenary.warnings import plausibility
 from catopt.errors import InputError, NotConvergedError, Problem
-from catopt.model import Case, CurrentProfile, Line, Load
+from catopt.model import Case, CurrentProfile, Line, Site
+from catopt.model.line import drag_missing
 from catopt.words import Measure, Message
 
 Vector = tuple[float, float, float]
+Row = tuple[float, float, float, float, float]
+"""Arc length from the anchor, x, y, z (m) and tension (N)."""
 Flow = Callable[[float], tuple[float, float]]
 """Velocity of the water along x and y, m/s, at a height above the bed, m."""
 
@@ -65,7 +68,7 @@ class SolutionInCurrent(Solution):
 
     current: CurrentProfile
     surface_velocity: tuple[float, float]
-    places: tuple[tuple[float, float, float, float, float], ...]
+    places: tuple[Row, ...]
     drag: Vector
     fairlead_force: Vector
     anchor_force: Vector
@@ -75,7 +78,7 @@ class SolutionInCurrent(Solution):
         s, x, _, z, tension = zip(*self._sampled(points), strict=True)
         return Profile(s, x, z, tension)
 
-    def _sampled(self, points: int) -> list[tuple[float, float, float, float, float]]:
+    def _sampled(self, points: int) -> list[Row]:
         every = max(1, (len(self.places) - 1) // max(points - 1, 1))
         kept = [*range(0, len(self.places), every)]
         return [self.places[k] for k in dict.fromkeys((*kept, len(self.places) - 1))]
@@ -153,24 +156,6 @@ class Laid(NamedTuple):
         return self.hung[-1][-1]
 
 
-def check_for_current(line: Line) -> None:
-    """Refuse segments without what their drag is found from, with all that they lack."""
-    problems = []
-    for k, segment in enumerate(line.segments):
-        key = f"line.segments[{k}]"
-        if segment.drag_method != "given":
-            allowed = Message("refused_case.current_wants_given_drag")
-            problems.append(Problem(f"{key}.drag_method", f'"{segment.drag_method}"', allowed))
-        elif segment.drag_normal is None:
-            allowed = Message("refused_case.current_wants_drag")
-            problems.append(Problem(f"{key}.drag_normal", "", allowed))
-        elif segment.drag_diameter is None and (segment.drag_normal or segment.drag_axial):
-            allowed = Message("refused_motion.missing_drag_refers")
-            problems.append(Problem(f"{key}.drag_diameter", "", allowed))
-    if problems:
-        raise InputError(problems, "current")
-
-
 def solve_in_current(case: Case) -> SolutionInCurrent:
     """Solve the line of a case at rest in its current, under its load.
 
@@ -180,7 +165,8 @@ def solve_in_current(case: Case) -> SolutionInCurrent:
     """
     assert case.current is not None
     assert case.load is not None
-    check_for_current(case.line)
+    if lacks := drag_missing(case.line):
+        raise InputError(lacks, "current")
     load = case.load
     still = solve(
         case.line,
@@ -189,10 +175,48 @@ def solve_in_current(case: Case) -> SolutionInCurrent:
         fairlead_tension=load.fairlead_tension,
         **case.place,
     )
-    shot = _Shot(case, load, still.fairlead.tension)
+    shot = _Shot(case.line, case.site, case.current, case.anchor_height, still.fairlead.tension)
+
+    def missed(top: Node) -> Vector:
+        if load.span is not None:
+            first = top.x - load.span
+        else:
+            wanted = load.horizontal_force or load.fairlead_tension or 0.0
+            given = top.fx if load.horizontal_force is not None else top.tension
+            first = (given - wanted) * shot.per_force
+        return first, top.y, top.z - case.fairlead_height
+
+    shot.missed_by = missed
     lifted = still.fairlead.vertical_force - case.line.submerged_weight
-    known = shot.closed([still.horizontal_force, 0.0, lifted])
-    return _solution(case, shot, shot.laid(known, shot.length / STATIONS), shot.left_open(known))
+    found = _solution(shot, shot.closed([still.horizontal_force, 0.0, lifted]))
+    span = found.span if load.span is None else load.span
+    return replace(found, fairlead_height=case.fairlead_height, span=span)
+
+
+def hung_on_float(
+    line: Line, site: Site, current: CurrentProfile, pull: Vector, drag: float, anchor_height: float
+) -> tuple[SolutionInCurrent, float]:
+    """Solve a line whose upper end a float pulls, and the current with it.
+
+    `pull`: of the float along x, y and up, N; `drag`: its Cd A, m2. Returns the line, x in the
+    direction from its anchor to its upper end, and that direction, rad.
+    """
+    shot = _Shot(line, site, current, anchor_height, math.hypot(*pull))
+    half = 0.5 * site.water_density * drag
+
+    def missed(top: Node) -> Vector:
+        u, v = shot.water(top.z)
+        push = half * math.hypot(u, v)
+        off = (top.fx - pull[0] - push * u, top.fy - pull[1] - push * v, top.fz - pull[2])
+        x, y, z = (each * shot.per_force for each in off)
+        return x, y, z
+
+    shot.missed_by = missed
+    known = shot.closed([pull[0], pull[1], pull[2] - line.submerged_weight])
+    laid = shot.laid(known, shot.length)
+    assert laid is not None
+    direction = math.atan2(laid.top.y, laid.top.x)
+    return _solution(shot, known, direction), direction
 
 
 def parts_of(line: Line, density: float, friction: float) -> tuple[Part, ...]:
@@ -232,19 +256,29 @@ class _Shot:
     anchor is pulled up with; below 0 that is the weight of what lies, N.
     """
 
-    def __init__(self, case: Case, load: Load, tension: float) -> None:
-        assert case.current is not None
-        self.load, site = load, case.site
-        self.flow = case.current.flow(site.water_depth)
-        self.parts = parts_of(case.line, site.water_density, site.seabed_friction)
-        self.height, self.anchor_height = case.fairlead_height, case.anchor_height
-        self.friction, self.length = site.seabed_friction, case.line.length
+    missed_by: Callable[[Node], Vector]
+    """By how much an upper end is off: in its place, or in its force as m, by `per_force`."""
+
+    def __init__(
+        self,
+        line: Line,
+        site: Site,
+        current: CurrentProfile,
+        anchor_height: float,
+        tension: float,
+    ) -> None:
+        self.line, self.site, self.current = line, site, current
+        self.flow = current.flow(site.water_depth)
+        self.parts = parts_of(line, site.water_density, site.seabed_friction)
+        self.anchor_height = anchor_height
+        self.friction, self.length = site.seabed_friction, line.length
         self.may_lie = self.anchor_height == 0.0 and all(
             each.weight >= 0.0 and each.load >= 0.0 for each in self.parts
         )
         self.part = 1.0
         weights = (abs(each.weight * each.length) + abs(each.load) for each in self.parts)
         self.scale = math.fsum(weights) + tension
+        self.per_force = self.length / self.scale
 
     def closed(self, known: list[float]) -> list[float]:
         """Find what is sought, the current put on in parts where it cannot be at once."""
@@ -367,20 +401,9 @@ class _Shot:
         return tuple(found)
 
     def missed(self, known: Sequence[float]) -> list[float] | None:
-        """Say by how much the line misses its fairlead, m, and its load, as m; None for nowhere."""
+        """Say by how much the line misses what is aimed at, m; None for nowhere."""
         laid = self.laid(known, self.length)
-        return None if laid is None else self.missed_by(laid.top)
-
-    def missed_by(self, top: Node) -> list[float]:
-        """Say by how much an upper end is off: along x or in its load, across, in height; m."""
-        load = self.load
-        if load.span is not None:
-            first = top.x - load.span
-        else:
-            wanted = load.horizontal_force or load.fairlead_tension or 0.0
-            given = top.fx if load.horizontal_force is not None else top.tension
-            first = (given - wanted) / self.scale * self.length
-        return [first, top.y, top.z - self.height]
+        return None if laid is None else list(self.missed_by(laid.top))
 
     def _newton(self, known: Sequence[float]) -> list[float] | None:
         """Seek by differences; None where that does not settle."""
@@ -521,11 +544,17 @@ def solved(columns: Sequence[Sequence[float]], sides: Sequence[float]) -> list[f
 # ------------------------------------------------------------------ the answer
 
 
-def _solution(case: Case, shot: _Shot, laid: Laid | None, left_open: float) -> SolutionInCurrent:
-    """Say all of a line that is laid."""
-    assert case.current is not None
+def _solution(shot: _Shot, known: Sequence[float], direction: float = 0.0) -> SolutionInCurrent:
+    """Say all of a line that is found, with x in a direction (rad)."""
+    laid = shot.laid(known, shot.length / STATIONS)
     assert laid is not None
-    line, top, pull = case.line, laid.top, laid.pull
+    c, s = math.cos(direction), math.sin(direction)
+
+    def turned(of: Vector) -> Vector:
+        return c * of[0] + s * of[1], c * of[1] - s * of[0], of[2]
+
+    line, top = shot.line, laid.top
+    pull, fairlead_force = turned(laid.pull), turned((top.fx, top.fy, top.fz))
     lowest = min(node.z for nodes in laid.hung for node in nodes)
     if lowest < -ENOUGH * shot.length:
         allowed = Message("refused_case.current_and_bed", depth=-lowest)
@@ -537,7 +566,8 @@ def _solution(case: Case, shot: _Shot, laid: Laid | None, left_open: float) -> S
         largest[segment] = max(largest[segment], node.tension)
     grounded = laid.hung[0][0].s if laid.bed else 0.0
     first, across, height = shot.missed_by(top)
-    below = laid.bed[-1][1][4:7] if laid.bed else pull
+    places = [(n.s, *turned((n.x, n.y, n.z)), n.tension) for _, n in placed]
+    below = turned(laid.bed[-1][1][4:7]) if laid.bed else pull
     upper = shot.parts[laid.first :]
     lifted = math.fsum(
         [
@@ -550,11 +580,11 @@ def _solution(case: Case, shot: _Shot, laid: Laid | None, left_open: float) -> S
         line=line,
         method="shooting",
         regime=_regime(laid),
-        fairlead_height=shot.height,
+        fairlead_height=top.z,
         anchor_height=shot.anchor_height,
         seabed_friction=shot.friction,
-        span=top.x if case.load is None or case.load.span is None else case.load.span,
-        fairlead=_end((top.fx, top.fy, top.fz)),
+        span=places[-1][1],
+        fairlead=_end(fairlead_force),
         anchor=_end(pull),
         grounded_length=grounded,
         suspended_length=shot.length - grounded,
@@ -563,18 +593,22 @@ def _solution(case: Case, shot: _Shot, laid: Laid | None, left_open: float) -> S
             SegmentState(segment.name, segment.length, tension, segment.MBL)
             for segment, tension in zip(line.segments, largest, strict=True)
         ),
-        point_loads=_loads(line, [node for _, node in placed], laid),
-        stretches=tuple(_stretches(shot, laid)),
+        point_loads=_loads(line, places, laid),
+        stretches=tuple(_stretches(shot, laid, places)),
         residual=Residual(
             height=height,
-            span=math.hypot(first if case.load and case.load.span is not None else 0.0, across),
-            force_uncertainty=left_open,
+            span=math.hypot(first, across),
+            force_uncertainty=shot.left_open(known),
         ),
-        current=case.current,
-        surface_velocity=shot.flow(case.site.water_depth),
-        places=tuple((n.s, n.x, n.y, n.z, n.tension) for _, n in placed),
-        drag=(below[0] - top.fx, below[1] - top.fy, below[2] - top.fz + lifted),
-        fairlead_force=(top.fx, top.fy, top.fz),
+        current=shot.current,
+        surface_velocity=shot.flow(shot.site.water_depth),
+        places=tuple(places),
+        drag=(
+            below[0] - fairlead_force[0],
+            below[1] - fairlead_force[1],
+            below[2] - fairlead_force[2] + lifted,
+        ),
+        fairlead_force=fairlead_force,
         anchor_force=pull,
     )
     return replace(solution, warnings=(*plausibility(solution), *_warnings(solution)))
@@ -591,38 +625,37 @@ def _regime(laid: Laid) -> Regime:
     return "below-anchor" if laid.pull[2] < -1e-12 * laid.hung[0][0].tension else "suspended"
 
 
-def _loads(line: Line, nodes: Sequence[Node], laid: Laid) -> tuple[PointLoadState, ...]:
+def _loads(line: Line, places: Sequence[Row], laid: Laid) -> tuple[PointLoadState, ...]:
     """Place each point load; what the bed carries in one place is shared by weight."""
     found = []
     lies = laid.hung[0][0].s
     for load in line.point_loads:
-        at = min(nodes, key=lambda node: abs(node.s - load.position))
+        _, x, _, z, _ = min(places, key=lambda row: abs(row[0] - load.position))
         carried = 0.0
         if laid.bed and load.position <= lies * (1.0 + 1e-12):
             carried = load.submerged_weight
             if laid.reaction > 0.0 and load.position >= lies * (1.0 - 1e-12):
                 here = (o.submerged_weight for o in line.point_loads if o.position == load.position)
                 carried *= laid.reaction / math.fsum(here)
-        found.append(PointLoadState(load.name, load.position, at.x, at.z, carried))
+        found.append(PointLoadState(load.name, load.position, x, z, carried))
     return tuple(found)
 
 
-def _stretches(shot: _Shot, laid: Laid) -> Iterator[Stretch]:
+def _stretches(shot: _Shot, laid: Laid, places: Sequence[Row]) -> Iterator[Stretch]:
     """Cut the line at its nodes, from the anchor up, for pictures."""
-    bed = [(k, one, other) for (_, one), (k, other) in pairwise(laid.bed)]
-    hung = [
-        (laid.first + k, one, other)
-        for k, nodes in enumerate(laid.hung)
-        for one, other in pairwise(nodes)
-    ]
-    for k, low, high in (*bed, *hung):
-        part, on_bed = shot.parts[k], high.s <= laid.hung[0][0].s
+    placed = [*laid.bed, *((laid.first + k, n) for k, ns in enumerate(laid.hung) for n in ns)]
+    lies = laid.hung[0][0].s
+    rows = zip(placed, places, strict=True)
+    for ((_, low), (_, x, *_)), ((k, high), _) in pairwise(rows):
+        if not high.s > low.s:  # two sides of one place
+            continue
+        part, on_bed = shot.parts[k], high.s <= lies
         yield Stretch(
             low.s,
             high.s - low.s,
             part.weight,
             part.compliance,
-            low.x,
+            x,
             low.z,
             math.hypot(low.fx, low.fy),
             low.fz,

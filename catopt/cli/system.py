@@ -83,9 +83,11 @@ def _network(
     from catopt.mooring.held import LinesAtRest, at_rest, hold, network_document
     from catopt.mooring.network_out import each_line_out
 
-    if network.bodies:
+    if network.bodies or network.current is not None:
         free = at_rest(network)
         here = [each.moved for each in free.bodies if with_stiffness]
+        if with_stiffness and network.current is not None:
+            here = [(0.0,) * 6]  # which is refused
     else:
         free, here = None, [(0.0,) * 6]
     places = [*here, *displacements]
@@ -100,7 +102,7 @@ def _network(
     more: dict[str, Any] = {"checks": judged.verdict_document()}
     if with_line_out:
         more["one_line_out"] = [each.to_dict() for each in gone]
-    states = [rest, *(held if network.bodies else away)]
+    states = [rest, *(held if free else away)]
     asked.give(answer, lambda: network_document(states) | more, network)
 
 

@@ -12,8 +12,9 @@ from typing import Annotated, Literal
 from catopt.errors import Problem
 from catopt.model.anchor import Anchor
 from catopt.model.checks import Checks
-from catopt.model.kinds import Force, Height, Moment, Place, Size, Text
-from catopt.model.line import Line, weightless
+from catopt.model.current_profile import CurrentProfile
+from catopt.model.kinds import Area, Coefficient, Force, Height, Moment, Place, Size, Text
+from catopt.model.line import Line, drag_missing, point_drag_misfits, weightless
 from catopt.model.service import Service
 from catopt.model.site import Site
 from catopt.model.validity import Checked, Findings
@@ -42,6 +43,10 @@ class Point(Checked):
     """Of a joint: clump weight, or buoy below 0, N."""
     force: Annotated[tuple[Force, ...], Size(3, 3)] = (0.0, 0.0, 0.0)
     """On a joint, of what pulls there beside the lines, along x, y and up, N."""
+    drag_area: Area | None = None
+    """A of a joint, m2, for a current; with `drag_coefficient`. None: no drag."""
+    drag_coefficient: Coefficient | None = None
+    """Cd that goes with the area."""
     body: Annotated[str, Text(example='"barge"')] = ""
     """Of a fairlead: name of the body that it moves with; empty: one that is held."""
 
@@ -52,6 +57,14 @@ class Point(Checked):
         found.problems += point_misfits(vars(self))
         object.__setattr__(self, "force", tuple(self.force))
         found.check("x", "y", "height", "submerged_weight", "force")
+        found.check("drag_area", "drag_coefficient")
+        given = [k for k in ("drag_area", "drag_coefficient") if getattr(self, k) is not None]
+        found.problems += point_drag_misfits(given)
+
+    @property
+    def drag_product(self) -> float:
+        """Cd A, m2."""
+        return (self.drag_coefficient or 0.0) * (self.drag_area or 0.0)
 
     @property
     def hung(self) -> Vector:
@@ -87,6 +100,11 @@ def point_misfits(given: dict[str, object]) -> list[Problem]:
     force = given.get("force")
     if isinstance(force, Iterable) and any(force) and not is_joint:
         found.append(Problem("force", f"{given['force']}", allowed))
+    found += (
+        Problem(key, f"{given[key]}", allowed)
+        for key in ("drag_area", "drag_coefficient")
+        if given.get(key) is not None and not is_joint
+    )
     if given.get("body") and given.get("kind") in ("anchor", "joint"):
         allowed = Message("refused_case.leave_out_only_fairlead_has_body")
         found.append(Problem("body", f"{given['body']}", allowed))
@@ -147,6 +165,8 @@ class Network(Checked):
     """What holds each line that ends at an anchor."""
     bodies: tuple[MooredBody, ...] = ()
     """That are free; fairleads without one belong to a body that is held."""
+    current: CurrentProfile | None = None
+    """On lines at rest, each from an anchor to a float of its own."""
 
     def _check(self, found: Findings) -> None:
         for key in ("points", "lines", "bodies"):
@@ -160,6 +180,7 @@ class Network(Checked):
         tied = [[p.name for p in self.points if p.body == body.name] for body in self.bodies]
         found.problems += network_misfits(names, joints, ends, pulled, tied)
         self._check_bodies(found)
+        self._check_current(found)
         for k, each in enumerate(self.lines):
             segments = each.line.segments
             if not any(segment.submerged_weight for segment in segments):
@@ -175,6 +196,31 @@ class Network(Checked):
                 found.add(f"checks.{key}", f"{limit:g} m", allowed)
         if self.anchor is not None:
             self._check_anchors(found, ends)
+
+    def _check_current(self, found: Findings) -> None:
+        """Find what a current does not go with, what it lacks, and what lacks a current."""
+        if self.current is None:
+            allowed = Message("refused_case.goes_with_a_current")
+            found.problems += (
+                Problem(f"points[{k}].drag_area", f"{point.drag_area:g} m2", allowed)
+                for k, point in enumerate(self.points)
+                if point.drag_area is not None
+            )
+            return
+        if self.current.series_file:
+            allowed = Message("refused_case.current_series_is_for_motion")
+            found.add("current.series_file", self.current.series_file, allowed)
+        kinds = {point.name: point.kind for point in self.points}
+        meeting = Counter(end for line in self.lines for end in (line.start, line.end))
+        for k, line in enumerate(self.lines):
+            ends = (line.start, line.end)
+            is_alone = {kinds.get(end) for end in ends} == {"anchor", "joint"} and all(
+                meeting[end] == 1 for end in ends if kinds.get(end) == "joint"
+            )
+            if not is_alone:
+                allowed = Message("refused_case.current_wants_floats")
+                found.add("current", f"line {line.name or k + 1}", allowed)
+            found.problems += drag_missing(line.line, f"lines[{k}]")
 
     def _check_bodies(self, found: Findings) -> None:
         names = [body.name for body in self.bodies]

@@ -7,11 +7,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from catopt.catenary.in_current import SolutionInCurrent, hung_on_float
 from catopt.catenary.result import solution_of
 from catopt.catenary.root_search import BY_SPAN
 from catopt.catenary.solution import Solution
 from catopt.errors import InputError, Problem
-from catopt.model import Site, System
+from catopt.model import CurrentProfile, Site, System
 from catopt.model.network import LineBetween, MooredBody, Network, Point
 from catopt.mooring.chains import apart, in_rows, rows_of
 from catopt.mooring.joints import (
@@ -21,6 +22,7 @@ from catopt.mooring.joints import (
     Run,
     assembled,
     by_turning,
+    check_afloat,
     joints_at_rest,
     moored,
     product,
@@ -338,6 +340,9 @@ def hold(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> Netw
 
 def _with_its_body_held(network: Network) -> tuple[Network, tuple[float, float]]:
     """Hold the one body that a network has, and say where its origin is; InputError for several."""
+    if network.current is not None:
+        allowed = Message("refused_motion.nothing_is_held_in_a_current")
+        raise InputError([Problem("current", "", allowed)], "held body")
     if not network.bodies:
         return network, (0.0, 0.0)
     if len(network.bodies) > 1 or any(p.kind == "fairlead" and not p.body for p in network.points):
@@ -375,6 +380,8 @@ def at_rest(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> L
     >>> round(body.offset[0], 3)
     0.0
     """
+    if network.current is not None:
+        return _in_current(network, network.current)
     rows = rows_of(network)
     whole = in_rows(network, rows)
     _, runs, found = _in_place(whole.unloaded(), displacement)
@@ -395,6 +402,49 @@ def at_rest(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> L
         )
     )
     return LinesAtRest(network, *apart(network, rows, whole, found, runs), bodies)
+
+
+@dataclass(frozen=True, kw_only=True)
+class FloatsInCurrent(LinesAtRest):
+    """Floats, each at the end of its own line, knocked down by a current."""
+
+    solutions: tuple[SolutionInCurrent, ...]
+    heights: tuple[float, ...]
+    """Of the float of each line in still water, m."""
+
+    @property
+    def lines(self) -> tuple[Solution, ...]:
+        """Every line from its anchor up."""
+        return self.solutions
+
+    def to_dict(self) -> dict[str, Any]:
+        """Lay it out as the documents have it."""
+        current = [each.to_dict()["current"] for each in self.solutions]
+        return super().to_dict() | {"current": current, "still_height_m": list(self.heights)}
+
+
+def _in_current(network: Network, current: CurrentProfile) -> FloatsInCurrent:
+    """Bring floats to rest, each by its own line; those in still water first."""
+    points = tuple(replace(p, drag_area=None, drag_coefficient=None) for p in network.points)
+    still = at_rest(replace(network, points=points, current=None))
+    places, solutions, heights = list(still.joints.places), [], []
+    left = 0.0
+    for run in still.runs:
+        point, anchor = network.points[run.second], places[run.first]
+        found, direction = hung_on_float(
+            run.line, network.site, current, point.hung, point.drag_product, anchor[2]
+        )
+        heights.append(places[run.second][2])
+        way = (math.cos(direction), math.sin(direction))
+        at = (anchor[0] + found.span * way[0], anchor[1] + found.span * way[1])
+        places[run.second] = (*at, found.fairlead_height)
+        solutions.append(found)
+        left = max(left, found.residual.span * found.fairlead.tension / run.line.length)
+    check_afloat(network, places)
+    joints = still.joints._replace(places=tuple(places), residual=left)
+    return FloatsInCurrent(
+        network, still.runs, joints, solutions=tuple(solutions), heights=tuple(heights)
+    )
 
 
 def _position(body: MooredBody, pose: Vector) -> Position:

@@ -9,6 +9,7 @@ from itertools import pairwise
 from typing import Any
 
 from catopt.errors import NoAnswerError, NoEquilibriumError, NotConvergedError
+from catopt.model.checks import Checks
 from catopt.model.network import LineBetween, Network, Point, joined
 from catopt.mooring.held import LinesAtRest, at_rest
 from catopt.patience import paced
@@ -146,7 +147,9 @@ def _left_of(
             said = Message("mooring.body_turns_over", name=body.name, moment=body.moment)
             raise NoEquilibriumError(said, "moment", abs(body.moment))
         bodies.append(replace(body, yaw_free=network.turns(body) and has_arm))
-    return Network(network.site, points, lines, bodies=tuple(bodies))
+    return replace(
+        network, points=points, lines=lines, bodies=tuple(bodies), checks=Checks(), anchor=None
+    )
 
 
 def _adrift(
