@@ -309,6 +309,7 @@ def network_answer(
     bodies: Sequence[HeldBody],
     *,
     line_out: Sequence[NetworkOut] = (),
+    circle: WatchCircle | None = None,
 ) -> blocks.Answer:
     """Lay out bodies, joints and lines at rest and where the body is held, with the stiffnesses."""
     network = rest.network
@@ -341,6 +342,7 @@ def network_answer(
         section("captions.lines", meeting_table(rest, "lines", checks)),
         section("captions.checks", *verdict_blocks(checks)),
         *_network_out(line_out, checks),
+        *([section("captions.watch_circle", circle_table(circle))] if circle else []),
         *(held_section(number, body) for number, body in enumerate(bodies, start=1)),
         *(section(Message("captions.held_lines", number=k), *each) for k, *each in tables),
         section(
@@ -349,7 +351,7 @@ def network_answer(
             blocks.Warnings(checks.warnings),
         ),
     )
-    if not line_out:
+    if not line_out and circle is None:
         return whole
     to_be_known = (
         blocks.Brief((said,), Message("answers.card_to_be_known"), 3)
@@ -357,7 +359,8 @@ def network_answer(
     )
     card: tuple[blocks.CardBlock, ...] = (
         *verdict_blocks(checks),
-        network_out_table(line_out, checks),
+        *([network_out_table(line_out, checks)] if line_out else []),
+        *([circle_table(circle)] if circle else []),
         *([bodies_table(rest)] if rest.bodies else []),
         meeting_table(rest, "lines", checks),
         *to_be_known,

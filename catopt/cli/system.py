@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import partial
 from typing import Annotated, Any
 
@@ -43,13 +44,19 @@ def system(
     read = read_mooring_or_design(case, design)
     if isinstance(read, Network):
         given = {
-            "--watch-circle": watch_circle,
             "--curve": directions,
             "--level": levels,
         }
         allowed = Message("refused_command.does_not_go_with_lines")
         refuse(Problem(option, "", allowed) for option, value in given.items() if value)
-        _network(asked, read, displacements, with_line_out=line_out, with_stiffness=stiffness)
+        _network(
+            asked,
+            read,
+            displacements,
+            with_line_out=line_out,
+            with_stiffness=stiffness,
+            with_circle=watch_circle,
+        )
         return
     report = report_system(
         read,
@@ -77,9 +84,11 @@ def _network(
     *,
     with_line_out: bool,
     with_stiffness: bool,
+    with_circle: bool,
 ) -> None:
     """Bring points, lines and bodies to rest, and hold their body where that is asked for."""
     from catopt.checks.network import check_network
+    from catopt.mooring.circle import network_circle
     from catopt.mooring.held import LinesAtRest, at_rest, hold, network_document
     from catopt.mooring.network_out import each_line_out
 
@@ -98,10 +107,18 @@ def _network(
     gone = each_line_out(network) if with_line_out else ()
     judged = check_network(network, rest, gone or None)
     bodies = [each.body for each in (held if with_stiffness else away)]
-    answer = network_answer(rest, away, judged, bodies, line_out=gone)
+    force = math.hypot(*(network.bodies[0].force if network.bodies else ()))
+    circle = None
+    if with_circle and network.bodies and not force > 0.0:
+        asked.output.note(say(Message("mooring.no_circle"), asked.language))
+    elif with_circle:
+        circle = network_circle(network, force=force or 1.0)
+    answer = network_answer(rest, away, judged, bodies, line_out=gone, circle=circle)
     more: dict[str, Any] = {"checks": judged.verdict_document()}
     if with_line_out:
         more["one_line_out"] = [each.to_dict() for each in gone]
+    if circle is not None:
+        more["watch_circle"] = circle.to_dict()
     states = [rest, *(held if free else away)]
     asked.give(answer, lambda: network_document(states) | more, network)
 

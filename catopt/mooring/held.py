@@ -382,26 +382,50 @@ def at_rest(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> L
     """
     if network.current is not None:
         return _in_current(network, network.current)
-    rows = rows_of(network)
-    whole = in_rows(network, rows)
+    return without_load(network, displacement).under(network.bodies)
+
+
+@dataclass(frozen=True)
+class WithoutLoad:
+    """A network at rest without load on its bodies: from there every load is followed.
+
+    `whole` is the network in rows, `held` the places of what is held, m.
+    """
+
+    network: Network
+    whole: Network
+    runs: tuple[Run, ...]
+    held: dict[int, Vector]
+    found: JointsAtRest
+
+    def under(self, loaded: tuple[MooredBody, ...]) -> LinesAtRest:
+        """Bring bodies to rest under their loads."""
+        network, whole = (replace(each, bodies=loaded) for each in (self.network, self.whole))
+        found, neutral = self.found, self.found.poses
+        if any(any(body.force) or body.moment for body in loaded):
+            found = joints_at_rest(whole, self.runs, self.held, found)
+        bodies = tuple(
+            BodyAtRest(
+                body.body,
+                body.turns,
+                _position(body.body, pose),
+                _position(body.body, before),
+                _in_plan(whole, self.runs, found, k),
+            )
+            for k, (body, pose, before) in enumerate(
+                zip(moored(whole, 0), found.poses, neutral, strict=True)
+            )
+        )
+        parted = apart(network, rows_of(network), whole, found, self.runs)
+        return LinesAtRest(network, *parted, bodies)
+
+
+def without_load(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> WithoutLoad:
+    """Bring a network to rest without load on its bodies; raises what `at_rest` raises."""
+    whole = in_rows(network, rows_of(network))
     _, runs, found = _in_place(whole.unloaded(), displacement)
-    neutral = found.poses
-    if any(any(body.force) or body.moment for body in network.bodies):
-        _, held = _ends_held(whole, displacement)
-        found = joints_at_rest(whole, runs, held, found)
-    bodies = tuple(
-        BodyAtRest(
-            body.body,
-            body.turns,
-            _position(body.body, pose),
-            _position(body.body, before),
-            _in_plan(whole, runs, found, k),
-        )
-        for k, (body, pose, before) in enumerate(
-            zip(moored(whole, 0), found.poses, neutral, strict=True)
-        )
-    )
-    return LinesAtRest(network, *apart(network, rows, whole, found, runs), bodies)
+    _, held = _ends_held(whole, displacement)
+    return WithoutLoad(network, whole, runs, held, found)
 
 
 @dataclass(frozen=True, kw_only=True)

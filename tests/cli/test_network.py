@@ -60,7 +60,8 @@ def test_every_line_out_is_tabulated(run: Run, tmp_path: Path) -> None:
 def test_bodies_are_in_every_answer(run: Run, tmp_path: Path) -> None:
     place = tmp_path / "barge.toml"
     place.write_text(write_case(barge(checks=CHECKS, title="Barge")), encoding="utf-8")
-    solved = document_of(run, "system", place, "--line-out", "--stiffness")
+    solved = document_of(run, "system", place, "--line-out", "--stiffness", "--watch-circle")
+    assert len(solved["watch_circle"]["responses"]) == 120
     validate(solved)
     first, held = solved["states"]
     (body,) = first["bodies"]

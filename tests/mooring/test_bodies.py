@@ -15,6 +15,7 @@ from catopt.casefile.writing import write_case
 from catopt.checks.network import check_network
 from catopt.model import Checks, Leg, Site
 from catopt.model.network import LineBetween, MooredBody, Network, Point
+from catopt.mooring.circle import network_circle, watch_circle
 from catopt.mooring.held import LinesAtRest, at_rest, hold
 from catopt.mooring.network_out import each_line_out
 from catopt.mooring.solve import solve_system
@@ -259,6 +260,24 @@ def test_a_body_that_drifts_is_told() -> None:
     report = check_network(network)
     assert "do not hold the body body here" in "\n".join(report.warnings)
     assert "do not hold" not in "\n".join(check_network(barge()).warnings)
+
+
+def test_the_watch_circle_is_that_of_the_system() -> None:
+    system = SYSTEMS["unequal"]
+    own = network_circle(as_points(system, 90.0, (120.0, -35.0)), force=1.5e5, directions=5)
+    known = watch_circle(system, force=1.5e5, directions=5)
+    assert own.directions == known.directions
+    assert own.neutral == pytest.approx((known.neutral[0] + 120.0, known.neutral[1] - 35.0))
+    for each, other in zip(own.responses, known.responses, strict=True):
+        assert each.offset == pytest.approx(other.offset, rel=1e-8)
+        assert each.yaw == pytest.approx(other.yaw, abs=1e-8)
+        assert each.largest_tension == pytest.approx(other.largest_tension, rel=1e-8)
+        assert each.most_loaded == other.most_loaded
+        assert each.largest_anchor_tension == pytest.approx(other.largest_anchor_tension, rel=1e-8)
+        assert each.least_grounded == pytest.approx(other.least_grounded, abs=1e-5)
+    with pytest.raises(InputError, match="of one body that is free"):
+        network_circle(replace(barge(), bodies=(), points=tuple(
+            replace(point, body="") for point in barge().points)), force=1e5)  # fmt: skip
 
 
 def test_a_moment_that_lines_cannot_carry_is_refused() -> None:
