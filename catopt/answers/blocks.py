@@ -309,6 +309,8 @@ class Answer:
     card: tuple[CardBlock, ...] = ()
     """The same on one screen, for who does not ask for all of it; where it is empty, the screen
     has what the sections say, as far as there is room."""
+    next: str = ""
+    """Of which answers the text is that says what to type next; empty: of those of its name."""
 
     @property
     def blocks(self) -> tuple[Block, ...]:

@@ -37,7 +37,9 @@ def check_answer(report: CheckReport) -> blocks.Answer:
         section("captions.checks", *tables, *said),
         section("captions.load_cases", load_case_table(report)),
     )
-    return replace(whole, card=tuple(_card(report)))
+    in_current = any(solution.method == "shooting" for _, solution in report.solutions)
+    following = "check_in_current" if in_current and not report.places else ""
+    return replace(whole, card=tuple(_card(report)), next=following)
 
 
 def _card(report: CheckReport) -> Iterator[blocks.CardBlock]:

@@ -13,7 +13,13 @@ from catopt.answers.check import checked_body
 from catopt.answers.note import inputs_table, note_answer, opening, section, small
 from catopt.answers.note_sheet import damaged_section, network_basis_section
 from catopt.answers.solution import given_tables, method_name
-from catopt.answers.system import joints_table, meeting_table, network_out_table
+from catopt.answers.system import (
+    bodies_table,
+    floats_tables,
+    joints_table,
+    meeting_table,
+    network_out_table,
+)
 from catopt.figures.network import network_plan, network_side
 from catopt.words import Message
 
@@ -57,7 +63,7 @@ def _opening(note: NetworkNote) -> Iterator[Section]:
     facts = (
         ("note_system.identity_lines", f"{len(network.lines)}"),
         ("note_system.identity_joints", f"{joints}"),
-        ("note.identity_method", method_name("closed-form")),
+        ("note.identity_method", method_name(rest.lines[0].method)),
     )
     lies = max(line.grounded_length for line in rest.lines)
     return opening(
@@ -92,8 +98,12 @@ def _side(note: NetworkNote) -> Iterator[Block]:
 
 
 def _joints(note: NetworkNote) -> Iterator[Block]:
+    if note.rest.bodies:
+        yield bodies_table(note.rest)
+    yield from floats_tables(note.rest)
     if any(point.kind == "joint" for point in note.case.points):
         yield joints_table(note.rest, "joints")
+    if note.rest.bodies or any(point.kind == "joint" for point in note.case.points):
         found = note.rest.joints
         yield small("note_system.joints_about", left=found.residual, steps=found.steps)
 

@@ -32,6 +32,7 @@ def answer_of(result: Any) -> Answer:
         "DynamicVerification": motion_answer,
         "Sizing": size_answer,
         "Solution": _solution,
+        "SolutionInCurrent": _solution,
         "StudyResult": study_answer,
         "SystemSolution": solved_system,
         "Verification": verification_answer,

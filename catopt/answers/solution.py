@@ -13,7 +13,7 @@ from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution, SwarmReport
-    from catopt.model import Case, Line, SwarmSettings
+    from catopt.model import Case, CurrentProfile, Line, SwarmSettings
 
 _NO_LENGTH = 1e-9
 """Of the line's length: what lies on the bed then is rounding."""
@@ -57,7 +57,9 @@ def solution_answer(case: Case, solution: Solution, *, with_profile: bool = Fals
         *_swarm(case, solution),
         section("captions.residuals", *closing, blocks.Warnings(tuple(solution.warnings))),
     )
-    return replace(whole, card=tuple(_card(case, solution, solved, with_profile=with_profile)))
+    following = "solution_in_current" if solution.method == "shooting" else ""
+    card = tuple(_card(case, solution, solved, with_profile=with_profile))
+    return replace(whole, card=card, next=following)
 
 
 _ON_CARD = 8
@@ -69,7 +71,8 @@ def _card(
 ) -> Iterator[blocks.CardBlock]:
     """Say how the line hangs, its numbers, what its parts carry, and what was given."""
     yield blocks.Text(solved)
-    facts = (*found_facts(solution), *result_facts(solution)[:_ON_CARD], *_lying(solution))
+    numbers = (*result_facts(solution)[:_ON_CARD], *_lying(solution), *_of_current(solution))
+    facts = (*found_facts(solution), *numbers)
     known = (replace(each, also=()) for each in facts if each.value is not None)
     yield blocks.Facts("summary", tuple(known))
     carried = profile_table(solution) if with_profile else segments_table(solution)
@@ -109,6 +112,8 @@ def given_facts(case: Case) -> Iterator[blocks.Fact]:
         yield fact("contact_offset", site.contact_offset)
     yield fact("friction", case.site.seabed_friction)
     yield fact("density", case.site.water_density, "water_density")
+    if (current := case.current_at_rest) is not None:
+        yield stated("current", current_in_words(current, site.water_depth))
     load = case.load
     if load is not None:  # there is none where the force itself is sought
         given = (
@@ -123,6 +128,17 @@ def given_facts(case: Case) -> Iterator[blocks.Fact]:
         fact("angle", limit, "allowed_inclination_at_the_anchor", symbol=""),
     ):
         yield replace(each, only="files") if each.value is None else each
+
+
+def current_in_words(current: CurrentProfile, water_depth: float) -> Message:
+    """Say a current at rest: its profile, and how it flows at the surface."""
+    along, across = current.flow(water_depth)(water_depth)
+    return Message(
+        "solution.current",
+        profile=Message(f"solution.current_{current.profile}"),
+        speed=math.hypot(along, across),
+        direction=math.degrees(math.atan2(across, along)),
+    )
 
 
 def given_tables(line: Line) -> Iterator[blocks.Table]:
@@ -204,7 +220,21 @@ def result_facts(solution: Solution) -> tuple[blocks.Fact, ...]:
         fact("suspended_length", solution.suspended_length),
         fact("stretched_length", solution.stretched_length),
         fact("mass", solution.line.mass, "line_mass_in_air", symbol=""),
+        *_of_current(solution),
     )
+
+
+def _of_current(solution: Solution) -> Iterator[blocks.Fact]:
+    """Say what a current does to the whole line, and what holds its fairlead across."""
+    if solution.method != "shooting":
+        return
+    from catopt.catenary.in_current import SolutionInCurrent
+
+    assert isinstance(solution, SolutionInCurrent)
+    for k, name in enumerate(("drag_along_x", "drag_along_y")):
+        yield fact("horizontal_force", solution.drag[k], name, symbol="")
+    side = solution.fairlead_force[1]
+    yield fact("horizontal_force", side, "force_across_at_the_fairlead", symbol="")
 
 
 def residual_facts(solution: Solution) -> tuple[blocks.Fact, ...]:
@@ -280,7 +310,8 @@ def how_it_hangs(solution: Solution) -> Message:
 
 def method_name(method: str) -> Message:
     """Name how a line was solved."""
-    return Message("solution.closed_form" if method == "closed-form" else "solution.swarm")
+    keys = {"closed-form": "closed_form", "pso": "swarm", "shooting": "shooting"}
+    return Message(f"solution.{keys[method]}")
 
 
 # ------------------------------------------------------------------ the swarm

@@ -1,4 +1,4 @@
-"""What the equilibrium of a body on several lines consists of, and of lines that meet in joints."""
+"""What the equilibrium of a body on several lines consists of; and of points, lines and bodies."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ from catopt.answers.blocks import (
     texts,
 )
 from catopt.answers.check import verdict_blocks
+from catopt.answers.solution import current_in_words
 from catopt.quantities import QUANTITIES
 from catopt.words import Measure, Message
 
@@ -298,38 +299,50 @@ def _closing(report: SystemReport, checks: CheckReport) -> Iterator[blocks.Block
     yield blocks.Warnings(tuple(dict.fromkeys((*solution.warnings, *checks.warnings))))
 
 
-# ------------------------------------------------------------------ lines that meet in joints
+# ------------------------------------------------------------------ points, lines and bodies
 
 
 def network_answer(
-    rest: NetworkAtRest,
+    rest: LinesAtRest,
     held: Sequence[NetworkAtRest],
     checks: CheckReport,
+    bodies: Sequence[HeldBody],
     *,
     line_out: Sequence[NetworkOut] = (),
-    with_stiffness: bool,
+    circle: WatchCircle | None = None,
 ) -> blocks.Answer:
-    """Lay out the joints and the lines with the body in place, and where it is held."""
+    """Lay out bodies, joints and lines at rest and where the body is held, with the stiffnesses."""
     network = rest.network
     joints = sum(point.kind == "joint" for point in network.points)
-    solved = Message("mooring.joints_solved", lines=len(network.lines), joints=joints)
-    bodies = [*([rest.body] if with_stiffness else []), *(each.body for each in held)]
+    counts = {"lines": len(network.lines), "joints": joints, "bodies": len(rest.bodies)}
+    solved = Message(f"mooring.{'network' if rest.bodies else 'joints'}_solved", **counts)
+    if network.current is not None:
+        said = current_in_words(network.current, network.site.water_depth)
+        solved = Message("mooring.floats_solved", lines=len(network.lines), current=said)
     tables = (
         (
             number,
             joints_table(each, f"held_joints_{number}"),
             meeting_table(each, f"held_lines_{number}"),
         )
-        for number, each in enumerate(held, start=1 + with_stiffness)
+        for number, each in enumerate(held, start=1 + len(bodies) - len(held))
     )
+    moved = [section("captions.bodies", bodies_table(rest))] if rest.bodies else []
     residual = max(each.joints.residual for each in (rest, *held))
     whole = blocks.answered(
         "network",
         network.title or Message("captions.moored_body"),
-        section("captions.joints", blocks.Text(solved), joints_table(rest, "joints")),
+        *moved,
+        section(
+            "captions.joints",
+            blocks.Text(solved),
+            *floats_tables(rest),
+            joints_table(rest, "joints"),
+        ),
         section("captions.lines", meeting_table(rest, "lines", checks)),
         section("captions.checks", *verdict_blocks(checks)),
         *_network_out(line_out, checks),
+        *([section("captions.watch_circle", circle_table(circle))] if circle else []),
         *(held_section(number, body) for number, body in enumerate(bodies, start=1)),
         *(section(Message("captions.held_lines", number=k), *each) for k, *each in tables),
         section(
@@ -338,7 +351,7 @@ def network_answer(
             blocks.Warnings(checks.warnings),
         ),
     )
-    if not line_out:
+    if not line_out and circle is None:
         return whole
     to_be_known = (
         blocks.Brief((said,), Message("answers.card_to_be_known"), 3)
@@ -346,7 +359,9 @@ def network_answer(
     )
     card: tuple[blocks.CardBlock, ...] = (
         *verdict_blocks(checks),
-        network_out_table(line_out, checks),
+        *([network_out_table(line_out, checks)] if line_out else []),
+        *([circle_table(circle)] if circle else []),
+        *([bodies_table(rest)] if rest.bodies else []),
         meeting_table(rest, "lines", checks),
         *to_be_known,
         blocks.Brief((solved,)),
@@ -378,6 +393,43 @@ def network_out_table(gone: Sequence[NetworkOut], checks: CheckReport) -> blocks
         of.texts("loose", lambda each: ", ".join(f"{number + 1}" for number in each.loose)),
         of.texts("refusal", only="files"),
         caption=Message("captions.one_line_out"),
+    )
+
+
+def bodies_table(rest: LinesAtRest) -> blocks.Table:
+    """Tabulate where free bodies lie, from where they lie without load, and how they are held."""
+    of = Rows(rest.bodies)
+    return tabulate(
+        "bodies",
+        of.texts("body", "body.name"),
+        of.measured("offset", lambda each: each.offset[0], "offset_along_x"),
+        of.measured("offset", lambda each: each.offset[1], "offset_along_y"),
+        of.measured("angle", "position.yaw", "yaw", symbol=""),
+        of.measured("stiffness", lambda each: each.stiffness[0][0], symbol="kxx"),
+        of.measured("stiffness", lambda each: each.stiffness[1][1], symbol="kyy"),
+        of.measured("offset", "position.x", "position", symbol="x"),
+        of.measured("offset", "position.y", "position", symbol="y"),
+        caption=Message("captions.bodies"),
+    )
+
+
+def floats_tables(rest: LinesAtRest) -> Iterator[blocks.Table]:
+    """Tabulate how far a current knocks floats down; nothing without one."""
+    if rest.network.current is None:
+        return
+    from catopt.mooring.held import FloatsInCurrent
+
+    assert isinstance(rest, FloatsInCurrent)
+    of = Rows(zip(rest.runs, rest.lines, rest.heights, strict=True))
+    yield tabulate(
+        "floats",
+        of.texts("point", lambda each: rest.network.points[each[0].second].name),
+        of.measured("height", lambda each: each[2], "height_in_still_water", symbol=""),
+        of.measured("height", lambda each: each[1].fairlead_height, symbol="z"),
+        of.measured("excursion", lambda each: each[2] - each[1].fairlead_height, "knocked_down_by"),
+        of.measured("span", lambda each: each[1].span, "pushed_aside_by", symbol=""),
+        of.measured("angle", lambda each: each[1].anchor.angle, "inclination_at_the_anchor"),
+        caption=Message("captions.floats"),
     )
 
 

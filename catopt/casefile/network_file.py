@@ -13,7 +13,7 @@ from catopt.casefile.structure import read_tables
 from catopt.documents import parse_toml
 from catopt.errors import InputError, Problem
 from catopt.model import Line, PointLoad, Segment, Site
-from catopt.model.network import LineBetween, Network, Point
+from catopt.model.network import LineBetween, MooredBody, Network, Point
 
 
 def is_network(document: dict[str, Any]) -> bool:
@@ -34,22 +34,27 @@ def parse_network(text: str, source: str = "") -> Network:
     problems: list[Problem] = []
     points: list[Any] = []
     lines: list[Any] = []
+    bodies: list[Any] = []
     if not findings:
         points = [
             _built(problems, f"points[{k}]", Point, **each.given())
             for k, each in enumerate(table.points)
         ]
         lines = [_line(problems, f"lines[{k}]", each) for k, each in enumerate(table.lines)]
+        bodies = [
+            _built(problems, f"bodies[{k}]", MooredBody, **each.given())
+            for k, each in enumerate(table.given().get("bodies") or ())
+        ]
         findings = [Finding(parts(each.key), each.found, each.allowed) for each in problems]
     refuse(document, findings, source)
     site = Site(**table.site.given())
     given: dict[str, Any] = {key: getattr(table, key) or "" for key in ("title", "source")}
-    for key in ("checks", "service", "anchor"):
+    for key in ("checks", "service", "anchor", "current"):
         if (part := table.given().get(key)) is not None:
             own = {k: tuple(v) if isinstance(v, list) else v for k, v in part.given().items()}
             given[key] = made_of(part, own, site)
     try:
-        return Network(site, tuple(points), tuple(lines), **given)
+        return Network(site, tuple(points), tuple(lines), bodies=tuple(bodies), **given)
     except InputError as error:
         raise InputError(error.problems, source) from None
 

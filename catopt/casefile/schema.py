@@ -362,7 +362,8 @@ class NetworkSegmentTable(Table):
     """A uniform stretch of a line between points."""
 
     model = model.Segment
-    keys = """name length diameter submerged_weight EA MBL MBL_mean MBL_cov proof_load wear_rate"""
+    keys = """name length diameter submerged_weight EA MBL MBL_mean MBL_cov proof_load wear_rate
+        drag_diameter drag_normal drag_axial"""
     symbols: ClassVar = {
         "L": "length",
         "w": "submerged_weight",
@@ -377,7 +378,7 @@ class NetworkLoadTable(Table):
     """A clump weight or a buoy on a line between points."""
 
     model = model.PointLoad
-    keys = "name position submerged_weight"
+    keys = "name position submerged_weight drag_area drag_coefficient"
 
 
 class LineBetweenTable(Table):
@@ -391,10 +392,10 @@ class LineBetweenTable(Table):
 
 
 class NetworkTable(Table):
-    """A whole file of lines that meet in joints."""
+    """A whole file of points, lines between them and bodies."""
 
     model = Network
-    keys = "title source site points lines checks service anchor"
+    keys = "title source site points lines bodies current checks service anchor"
 
 
 @dataclass(frozen=True)

@@ -38,7 +38,7 @@ from catopt.model import (
 )
 from catopt.model.kinds import Measured
 from catopt.model.motion import HARMONIC
-from catopt.model.network import LineBetween, Network, Point
+from catopt.model.network import LineBetween, MooredBody, Network, Point
 from catopt.units import UNITS, Dimension
 from catopt.words import Message
 
@@ -158,6 +158,7 @@ _UNSAID: Final[Mapping[type, Mapping[str, object]]] = {
     Service: {"wear_rate": 0.0},
     Design: {"headings": 1},
     Point: {"submerged_weight": 0.0, "force": (0.0, 0.0, 0.0)},
+    MooredBody: {"x": 0.0, "y": 0.0, "force": (0.0, 0.0), "moment": 0.0},
 }
 """Keys that go unsaid at their default."""
 
@@ -175,6 +176,8 @@ def _given(part: object) -> dict[str, Any]:
             given["variants"] = part.by_quantity
         case LineBetween():
             given |= vars(part.line)
+        case MooredBody(yaw_free=False):
+            given["yaw_free"] = False
         case WaveState():
             given = {key: given[key] for key in _keys_of_waves(part) if key in given}
     unsaid = _unsaid(part, given)

@@ -38,6 +38,8 @@ def solve_case(
         Called after each run of the swarm with the number of runs done.
     """
     case.site.check_level()
+    if method == "pso":
+        case.check_still_water()
     case, warnings = under_a_load(case)
     return _solved(case, method, progress).with_warnings(warnings)
 
@@ -76,6 +78,10 @@ def _solved(case: Case, method: Method, progress: Callable[[int], None] | None) 
         found = find_case(case)
         return under_case(found.solution, case).with_found(found.alone())
     assert case.load is not None
+    if case.current_at_rest is not None:
+        from catopt.catenary.in_current import solve_in_current
+
+        return under_case(solve_in_current(case), case)
     solution = solve(
         case.line,
         horizontal_force=case.load.horizontal_force,

@@ -154,6 +154,7 @@ def curve_case(
             [Problem("over", repr(over), Message("refused.of_these", words=", ".join(STEPPED)))],
             "curve",
         )
+    case.check_still_water()
     case, warnings = under_a_load(case)
     reference = solve_case(case).with_warnings(warnings)
     zero = reference.span if over == "offset" else 0.0

@@ -135,7 +135,7 @@ class Solution(Shown):
     """Equilibrium of one line."""
 
     line: Line
-    method: Literal["closed-form", "pso"]
+    method: Literal["closed-form", "pso", "shooting"]
     regime: Regime  # how the line hangs (docs/regimes.md)
     fairlead_height: float  # above the seabed, m
     anchor_height: float  # above the seabed, m

@@ -41,9 +41,9 @@ def check_network(
 ) -> CheckReport:
     """Check lines between points by every criterion, each in the state that it is for.
 
-    Tensions are checked of every line, all else of those that end at an anchor, at that end. The
-    body is held where it is, also where a criterion is for one line out: each line is then gone in
-    turn, and where the joints find no rest without it, that is a failed check.
+    Tensions are checked of every line, all else of those that end at an anchor, at that end. Where
+    a criterion is for one line out, each line is gone in turn, and what finds no rest without it is
+    a failed check; a body that is held stays where it is.
 
     `rest` is what `at_rest` gave for it, `line_out` what `each_line_out` did; what is left out is
     solved here. Raises what `check_case` and `at_rest` raise.
@@ -85,6 +85,7 @@ def check_network(
         *of_transient(criteria),
         *of_uplift((each for each, _, anchored in solved if anchored), criteria, network.anchor),
         *_of_anchors(criteria, rest),
+        *(Message("mooring.body_drifts", name=b.body.name) for b in rest.bodies if not b.is_held),
         *_of_joints(rest),
         *_of_lines(rest.lines),
     )
@@ -149,7 +150,7 @@ def _key(key: str, line: int, last: int | None) -> str:
 
 def _of_states(network: Network, gone: Sequence[NetworkOut]) -> Iterator[Message]:
     """Say that the body stays where it is held, and which lines hang loose without another."""
-    if any(point.kind == "fairlead" for point in network.points):
+    if any(point.kind == "fairlead" and not point.body for point in network.points):
         yield Message("checks.held_line_out")
     for each in gone:
         if each.loose:

@@ -101,7 +101,7 @@ class Asked:
 
         key = "answers.more_full" if answer.name == "size" else "answers.more"
         whole = Message(key if self.out is None else f"{key}_alone")
-        named = f"next_{answer.name}"
+        named = f"next_{answer.next or answer.name}"
         if named not in group("answers"):
             return whole
         return Message("answers.next", next=Message(f"answers.{named}"), whole=whole)

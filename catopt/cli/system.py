@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import partial
 from typing import Annotated, Any
 
@@ -32,7 +33,6 @@ def system(
     held: Annotated[list[str] | None, typer.Option(metavar="SIX")] = None,
 ) -> None:
     """Find where a moored body comes to rest, and what each of its lines carries."""
-    from catopt.checks.network import check_network
     from catopt.checks.system import check_system
     from catopt.mooring.case import report_system
     from catopt.report.bundle import system_pictures
@@ -42,27 +42,21 @@ def system(
     levels = _in_si("--level", level, Dimension.LENGTH)
     displacements = [_displacement(text) for text in held or []]
     read = read_mooring_or_design(case, design)
-    if isinstance(read, Network):  # the body is in place, and where it is to be held
-        from catopt.mooring.held import hold, network_document
-        from catopt.mooring.network_out import each_line_out
-
+    if isinstance(read, Network):
         given = {
-            "--watch-circle": watch_circle,
             "--curve": directions,
             "--level": levels,
         }
         allowed = Message("refused_command.does_not_go_with_lines")
         refuse(Problem(option, "", allowed) for option, value in given.items() if value)
-        places = [(0.0,) * 6, *displacements]
-        total = Message("words.held_places", total=len(places))
-        rest, *away = [hold(read, each) for each in paced(total, places)]
-        gone = each_line_out(read) if line_out else ()
-        judged = check_network(read, rest, gone or None)
-        answer = network_answer(rest, away, judged, line_out=gone, with_stiffness=stiffness)
-        more: dict[str, Any] = {"checks": judged.verdict_document()}
-        if line_out:
-            more["one_line_out"] = [each.to_dict() for each in gone]
-        asked.give(answer, lambda: network_document([rest, *away]) | more, read)
+        _network(
+            asked,
+            read,
+            displacements,
+            with_line_out=line_out,
+            with_stiffness=stiffness,
+            with_circle=watch_circle,
+        )
         return
     report = report_system(
         read,
@@ -81,6 +75,52 @@ def system(
         return report.to_dict() | {"checks": checks.verdict_document()}
 
     asked.give(system_answer(report, checks), document, read, partial(system_pictures, report))
+
+
+def _network(
+    asked: Asked,
+    network: Network,
+    displacements: list[tuple[float, ...]],
+    *,
+    with_line_out: bool,
+    with_stiffness: bool,
+    with_circle: bool,
+) -> None:
+    """Bring points, lines and bodies to rest, and hold their body where that is asked for."""
+    from catopt.checks.network import check_network
+    from catopt.mooring.circle import network_circle
+    from catopt.mooring.held import LinesAtRest, at_rest, hold, network_document
+    from catopt.mooring.network_out import each_line_out
+
+    if network.bodies or network.current is not None:
+        free = at_rest(network)
+        here = [each.moved for each in free.bodies if with_stiffness]
+        if with_stiffness and network.current is not None:
+            here = [(0.0,) * 6]  # which is refused
+    else:
+        free, here = None, [(0.0,) * 6]
+    places = [*here, *displacements]
+    total = Message("words.held_places", total=len(places))
+    held = [hold(network, each) for each in paced(total, places)]
+    rest: LinesAtRest = free or held[0]
+    away = held[len(here) :]
+    gone = each_line_out(network) if with_line_out else ()
+    judged = check_network(network, rest, gone or None)
+    bodies = [each.body for each in (held if with_stiffness else away)]
+    force = math.hypot(*(network.bodies[0].force if network.bodies else ()))
+    circle = None
+    if with_circle and network.bodies and not force > 0.0:
+        asked.output.note(say(Message("mooring.no_circle"), asked.language))
+    elif with_circle:
+        circle = network_circle(network, force=force or 1.0)
+    answer = network_answer(rest, away, judged, bodies, line_out=gone, circle=circle)
+    more: dict[str, Any] = {"checks": judged.verdict_document()}
+    if with_line_out:
+        more["one_line_out"] = [each.to_dict() for each in gone]
+    if circle is not None:
+        more["watch_circle"] = circle.to_dict()
+    states = [rest, *(held if free else away)]
+    asked.give(answer, lambda: network_document(states) | more, network)
 
 
 def _in_si(option: str, texts: list[str] | None, dimension: Dimension) -> list[float]:

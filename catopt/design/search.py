@@ -70,6 +70,7 @@ def design_case(
         No design passes every check; it names the one that fails by the least.
     """
     case.site.check_level()
+    case.check_still_water()
     case = _with_settings(case, method, seed, evaluations)
     is_mooring = case.design is not None and case.system is not None
     problem = (MooringProblem if is_mooring else DesignProblem).of(case)

@@ -285,6 +285,7 @@ def _line(text: str) -> _Laid:
     from catopt.figures.line import line_in_water, tension_along
 
     case = _case(text)
+    case.check_still_water()
     solution = solve_case(case)
     report = check_case(case)
     depth = under_a_load(case)[0].site.water_depth

@@ -99,6 +99,7 @@ def rigid_segments(case: Case) -> tuple[str, ...]:
 
 
 def _line(case: Case, EA: float | None) -> ExportedLines:
+    case.check_still_water()
     own = solve_case(case)
     case, _ = under_a_load(case)
     solution = own if EA is None else _stretching(own, case, EA)

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Annotated, Literal
 
+from catopt.errors import InputError, Problem
 from catopt.model.anchor import Anchor
 from catopt.model.body import Body, Buoy, Floater
 from catopt.model.catalogue_choice import CatalogueChoice
@@ -151,6 +152,7 @@ class Case(Checked):
                     Message("refused.needs_several_lines"),
                 )
         self._check_motion(found)
+        self._check_current(found)
         service = {} if self.service is None else vars(self.service)
         found.problems += wear_misfits(service, [vars(each) for each in self.line.segments])
         if self.fatigue is not None:
@@ -189,6 +191,32 @@ class Case(Checked):
             found.add(
                 "anchor_motion", "RAOs or a drift", Message("refused_case.give_period_or_file")
             )
+
+    def _check_current(self, found: Findings) -> None:
+        """Find what does not go with a current on a line at rest."""
+        if self.current_at_rest is None:
+            return
+        others = ("find", "design")
+        if keys := [key for key in others if getattr(self, key) is not None]:
+            said = ", ".join(f"[{key}]" for key in keys)
+            found.add("current", "", Message("refused_case.current_at_rest_alone", keys=said))
+        if self.current is not None and self.current.series_file:
+            allowed = Message("refused_case.current_series_is_for_motion")
+            found.add("current.series_file", self.current.series_file, allowed)
+        if self.site.seabed_slope != 0.0:
+            slope = Message("refused_case.current_at_rest_alone", keys="site.seabed_slope")
+            found.add("current", "", slope)
+
+    @property
+    def current_at_rest(self) -> CurrentProfile | None:
+        """The current on a line at rest; None where there is none, or it is for one in motion."""
+        return self.current if self.dynamics is None else None
+
+    def check_still_water(self) -> None:
+        """Raise InputError where a current acts at rest, for what takes still water."""
+        if self.current_at_rest is not None:
+            allowed = Message("refused_case.current_for_solve_and_check")
+            raise InputError([Problem("current", "", allowed)])
 
     def _check_levels(
         self, place: str, states: Sequence[LoadCase | DesignLoad], found: Findings

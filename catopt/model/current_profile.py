@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
 from types import MappingProxyType
@@ -49,6 +50,42 @@ class CurrentProfile(Checked):
     series_file: Annotated[str, File(example='"current.csv"')] = ""
     """Path of a CSV file of the current at the surface over time, by which the profile is scaled
     and turned; empty for a steady one."""
+
+    def flow(self, water_depth: float) -> Callable[[float], tuple[float, float]]:
+        """Return the velocity of the water along x and y, m/s, by the height above the bed, m.
+
+        There is none above the water; that of a steady profile.
+        """
+        rows = [(water_depth - depth, *self._row(k)) for k, depth in enumerate(self.depths)][::-1]
+        way = (math.cos(self.direction), math.sin(self.direction))
+        exponent = 1.0 / 7.0 if self.exponent is None else self.exponent
+        speed, reach = self.speed or 0.0, self.depth or water_depth
+
+        def of_table(z: float) -> tuple[float, float]:
+            if not rows[0][0] < z < rows[-1][0]:
+                return rows[0][1:] if z <= rows[0][0] else rows[-1][1:]
+            k = next(k for k in range(1, len(rows)) if z <= rows[k][0])
+            (low, u, v), (high, *upper) = rows[k - 1 : k + 1]
+            part = (z - low) / (high - low)
+            return u + part * (upper[0] - u), v + part * (upper[1] - v)
+
+        def velocity(z: float) -> tuple[float, float]:
+            if z > water_depth * (1.0 + 1e-12):
+                return 0.0, 0.0
+            if rows:
+                return of_table(z)
+            if self.profile == "wind":
+                share = min(max((reach - water_depth + z) / reach, 0.0), 1.0)
+            else:
+                share = min(max(z / water_depth, 0.0), 1.0) ** exponent
+            return share * speed * way[0], share * speed * way[1]
+
+        return velocity
+
+    def _row(self, k: int) -> tuple[float, float]:
+        """Velocity of a row of the table along x and y, m/s."""
+        direction = self.directions[k] if self.directions else self.direction
+        return self.speeds[k] * math.cos(direction), self.speeds[k] * math.sin(direction)
 
     def _check(self, found: Findings) -> None:
         found.check("profile")

@@ -157,10 +157,12 @@ def dynamics_misfits(present: Collection[str], given: Mapping[str, Any]) -> list
     """
     problems = []
     if "dynamics" not in present:
+        # A current alone acts on one line at rest.
+        alone = {*present} <= {"current"}
         problems += [
             Problem(key, "", Message("refused.with_dynamics"))
             for key in ("waves", "current", "motion", "anchor_motion", "body", "floater")
-            if key in present
+            if key in present and not alone
         ]
     elif "system" in present:
         problems += _of_a_body(present, given)

@@ -253,6 +253,23 @@ def weightless(line: str) -> tuple[str, str]:
     return "no submerged weight in any of them", needs
 
 
+def drag_missing(line: Line, path: str = "line") -> list[Problem]:
+    """List what the segments of a line lack of what their drag in a current is found from."""
+    problems = []
+    for k, segment in enumerate(line.segments):
+        key = f"{path}.segments[{k}]"
+        if segment.drag_method != "given":
+            allowed = Message("refused_case.current_wants_given_drag")
+            problems.append(Problem(f"{key}.drag_method", f'"{segment.drag_method}"', allowed))
+        elif segment.drag_normal is None:
+            allowed = Message("refused_case.current_wants_drag")
+            problems.append(Problem(f"{key}.drag_normal", "", allowed))
+        elif segment.drag_diameter is None and (segment.drag_normal or segment.drag_axial):
+            allowed = Message("refused_motion.missing_drag_refers")
+            problems.append(Problem(f"{key}.drag_diameter", "", allowed))
+    return problems
+
+
 END_ROUNDING = 1e-14
 """Of a line's length, which is a sum of lengths: nearer to its ends no place is told from them."""
 

@@ -1,18 +1,20 @@
-"""Lines that meet in free joints: crowfoot and bridle, a leg that splits."""
+"""Points, lines between them and bodies: crowfoot and bridle, a leg that splits, unequal lines."""
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections import Counter
-from collections.abc import Collection, Iterable
-from dataclasses import dataclass, field
+from collections.abc import Collection, Iterable, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Annotated, Literal
 
 from catopt.errors import Problem
 from catopt.model.anchor import Anchor
 from catopt.model.checks import Checks
-from catopt.model.kinds import Force, Height, Place, Size, Text
-from catopt.model.line import Line, weightless
+from catopt.model.current_profile import CurrentProfile
+from catopt.model.kinds import Area, Coefficient, Force, Height, Moment, Place, Size, Text
+from catopt.model.line import Line, drag_missing, point_drag_misfits, weightless
 from catopt.model.service import Service
 from catopt.model.site import Site
 from catopt.model.validity import Checked, Findings
@@ -41,6 +43,12 @@ class Point(Checked):
     """Of a joint: clump weight, or buoy below 0, N."""
     force: Annotated[tuple[Force, ...], Size(3, 3)] = (0.0, 0.0, 0.0)
     """On a joint, of what pulls there beside the lines, along x, y and up, N."""
+    drag_area: Area | None = None
+    """A of a joint, m2, for a current; with `drag_coefficient`. None: no drag."""
+    drag_coefficient: Coefficient | None = None
+    """Cd that goes with the area."""
+    body: Annotated[str, Text(example='"barge"')] = ""
+    """Of a fairlead: name of the body that it moves with; empty: one that is held."""
 
     def _check(self, found: Findings) -> None:
         if not self.name:
@@ -49,6 +57,14 @@ class Point(Checked):
         found.problems += point_misfits(vars(self))
         object.__setattr__(self, "force", tuple(self.force))
         found.check("x", "y", "height", "submerged_weight", "force")
+        found.check("drag_area", "drag_coefficient")
+        given = [k for k in ("drag_area", "drag_coefficient") if getattr(self, k) is not None]
+        found.problems += point_drag_misfits(given)
+
+    @property
+    def drag_product(self) -> float:
+        """Cd A, m2."""
+        return (self.drag_coefficient or 0.0) * (self.drag_area or 0.0)
 
     @property
     def hung(self) -> Vector:
@@ -84,7 +100,41 @@ def point_misfits(given: dict[str, object]) -> list[Problem]:
     force = given.get("force")
     if isinstance(force, Iterable) and any(force) and not is_joint:
         found.append(Problem("force", f"{given['force']}", allowed))
+    found += (
+        Problem(key, f"{given[key]}", allowed)
+        for key in ("drag_area", "drag_coefficient")
+        if given.get(key) is not None and not is_joint
+    )
+    if given.get("body") and given.get("kind") in ("anchor", "joint"):
+        allowed = Message("refused_case.leave_out_only_fairlead_has_body")
+        found.append(Problem("body", f"{given['body']}", allowed))
     return found
+
+
+@dataclass(frozen=True)
+class MooredBody(Checked):
+    """A body under a load, free in x, y and, where it can, in yaw; it keeps its height.
+
+    Its own axes lie along x and y when its yaw is 0.
+    """
+
+    name: PointName
+    """By which its fairleads name it."""
+    x: Place = 0.0
+    """Of its origin before it is moved, m, as y; the moment is about it."""
+    y: Place = 0.0
+    force: Annotated[tuple[Force, ...], Size(2, 2)] = (0.0, 0.0)
+    """On its origin, along x and y, N."""
+    moment: Moment = 0.0
+    """About the vertical, counter-clockwise, N m."""
+    yaw_free: bool | None = None
+    """Whether it turns. None: it does where a fairlead lies off its origin."""
+
+    def _check(self, found: Findings) -> None:
+        if not self.name:
+            found.add("name", "", Message("refused_case.missing_lines_name_point_by"))
+        object.__setattr__(self, "force", tuple(self.force) or (0.0, 0.0))
+        found.check("x", "y", "force", "moment")
 
 
 @dataclass(frozen=True)
@@ -99,9 +149,9 @@ class LineBetween:
 
 @dataclass(frozen=True)
 class Network(Checked):
-    """Lines between points, of which some are free joints, and a body that is held.
+    """Lines between points, of which some are free joints, and bodies: held, or free under a load.
 
-    Any iterables of points and lines are taken; at least one of each.
+    Any iterables of points, lines and bodies are taken; at least one point and one line.
     """
 
     site: Site
@@ -113,23 +163,29 @@ class Network(Checked):
     service: Service | None = None
     anchor: Anchor | None = None
     """What holds each line that ends at an anchor."""
+    bodies: tuple[MooredBody, ...] = ()
+    """That are free; fairleads without one belong to a body that is held."""
+    current: CurrentProfile | None = None
+    """On lines at rest, each from an anchor to a float of its own."""
 
     def _check(self, found: Findings) -> None:
-        object.__setattr__(self, "points", tuple(self.points))
-        object.__setattr__(self, "lines", tuple(self.lines))
-        for key in ("points", "lines"):
-            if not getattr(self, key):
+        for key in ("points", "lines", "bodies"):
+            object.__setattr__(self, key, tuple(getattr(self, key)))
+            if key != "bodies" and not getattr(self, key):
                 found.add(key, Message("refused.none"), Message("refused_case.at_least_one_wanted"))
         names = [point.name for point in self.points]
         joints = [point.name for point in self.points if point.kind == "joint"]
         pulled = {each.name for each in self.points if each.hung[2] > 0.0 or any(each.hung[:2])}
         ends = [(line.start, line.end) for line in self.lines]
-        found.problems += network_misfits(names, joints, ends, pulled)
+        tied = [[p.name for p in self.points if p.body == body.name] for body in self.bodies]
+        found.problems += network_misfits(names, joints, ends, pulled, tied)
+        self._check_bodies(found)
+        self._check_current(found)
         for k, each in enumerate(self.lines):
             segments = each.line.segments
             if not any(segment.submerged_weight for segment in segments):
                 found.add(f"lines[{k}].segments", *weightless("a line between points"))
-            if {each.start, each.end} & set(joints):
+            if {each.start, each.end} & {*joints, *itertools.chain(*tied)}:
                 allowed = Message("refused_case.missing_lines_meet_joints_have")
                 for i in (i for i, segment in enumerate(segments) if math.isinf(segment.EA)):
                     found.add(f"lines[{k}].segments[{i}].EA", "", allowed)
@@ -140,6 +196,59 @@ class Network(Checked):
                 found.add(f"checks.{key}", f"{limit:g} m", allowed)
         if self.anchor is not None:
             self._check_anchors(found, ends)
+
+    def _check_current(self, found: Findings) -> None:
+        """Find what a current does not go with, what it lacks, and what lacks a current."""
+        if self.current is None:
+            allowed = Message("refused_case.goes_with_a_current")
+            found.problems += (
+                Problem(f"points[{k}].drag_area", f"{point.drag_area:g} m2", allowed)
+                for k, point in enumerate(self.points)
+                if point.drag_area is not None
+            )
+            return
+        if self.current.series_file:
+            allowed = Message("refused_case.current_series_is_for_motion")
+            found.add("current.series_file", self.current.series_file, allowed)
+        kinds = {point.name: point.kind for point in self.points}
+        meeting = Counter(end for line in self.lines for end in (line.start, line.end))
+        for k, line in enumerate(self.lines):
+            ends = (line.start, line.end)
+            is_alone = {kinds.get(end) for end in ends} == {"anchor", "joint"} and all(
+                meeting[end] == 1 for end in ends if kinds.get(end) == "joint"
+            )
+            if not is_alone:
+                allowed = Message("refused_case.current_wants_floats")
+                found.add("current", f"line {line.name or k + 1}", allowed)
+            found.problems += drag_missing(line.line, f"lines[{k}]")
+
+    def _check_bodies(self, found: Findings) -> None:
+        names = [body.name for body in self.bodies]
+        for k, point in enumerate(self.points):
+            if point.body and point.body not in names:
+                known = ", ".join(names) or Message("refused.none")
+                allowed = Message("refused_case.no_such_body_there_are", names=known)
+                found.add(f"points[{k}].body", point.body, allowed)
+        for k, body in enumerate(self.bodies):
+            if body.name in names[:k]:
+                allowed = Message("refused_case.another_has_this_name")
+                found.add(f"bodies[{k}].name", body.name, allowed)
+            elif not (arms := self.arms_of(body)):
+                allowed = Message("refused_case.body_has_no_fairlead", name=body.name)
+                found.add(f"bodies[{k}]", body.name, allowed)
+            elif not any(arm[:2] != (0.0, 0.0) for arm in arms.values()):
+                if body.yaw_free:
+                    allowed = Message("refused_case.no_fairlead_lies_off_body")
+                    found.add(f"bodies[{k}].yaw_free", "true", allowed)
+                self._check_moment(k, body, found)
+            elif body.yaw_free is False:
+                self._check_moment(k, body, found)
+
+    def _check_moment(self, number: int, body: MooredBody, found: Findings) -> None:
+        """Refuse a moment on a body that does not turn."""
+        if body.moment != 0.0:
+            allowed = Message("refused_case.must_be_0_where_body")
+            found.add(f"bodies[{number}].moment", f"{body.moment:g} N m", allowed)
 
     def _check_site(self, found: Findings) -> None:
         if self.site.seabed_slope != 0.0:
@@ -167,16 +276,37 @@ class Network(Checked):
         """Which point has which name, from 0."""
         return {point.name: k for k, point in enumerate(self.points)}
 
+    def arms_of(self, body: MooredBody) -> dict[int, Vector]:
+        """Return the fairleads of a body by number: x and y off its origin, and height; m."""
+        return {
+            k: (point.place[0] - body.x, point.place[1] - body.y, point.place[2])
+            for k, point in enumerate(self.points)
+            if point.kind == "fairlead" and point.body == body.name
+        }
+
+    def unloaded(self) -> Network:
+        """Return the same network without the loads on its bodies."""
+        bodies = tuple(replace(body, force=(0.0, 0.0), moment=0.0) for body in self.bodies)
+        return replace(self, bodies=bodies) if bodies else self
+
+    def turns(self, body: MooredBody) -> bool:
+        """Whether a body is free in yaw."""
+        if body.yaw_free is not None:
+            return body.yaw_free
+        return any(arm[:2] != (0.0, 0.0) for arm in self.arms_of(body).values())
+
 
 def network_misfits(
     names: list[str],
     joints: list[str],
     ends: list[tuple[str, str]],
     pulled: Collection[str] = (),
+    tied: Iterable[Sequence[str]] = (),
 ) -> list[Problem]:
-    """List ends that are no points, names given twice, joints that nothing holds.
+    """List ends that are no points, names given twice, joints and bodies that nothing holds.
 
-    `pulled`: joints that a force or their buoyancy keeps from falling.
+    `pulled`: joints that a force or their buoyancy keeps from falling; `tied`: the fairleads of
+    each body that is free.
     """
     first = {name: k for k, name in reversed([*enumerate(names)])}
     found = [
@@ -199,7 +329,10 @@ def network_misfits(
                 Problem(f"lines[{k}].end", pair[1], Message("refused_case.line_begins_there_too"))
             )
     meeting = Counter(name for pair in ends for name in {*pair})
-    held = joined({*names} - {*joints}, ends)
+    of_bodies = [*tied]
+    free = {*joints, *itertools.chain(*of_bodies)}
+    ties = [pair for each in of_bodies for pair in itertools.pairwise(each)]
+    held = joined({*names} - free, [*ends, *ties])
     return found or [
         Problem(f"points[{k}]", name, allowed)
         for k, name in enumerate(names)
@@ -219,8 +352,6 @@ def _loose(meeting: int, is_joint: bool, is_pulled: bool, is_held: bool) -> str:
     """Say why nothing holds a point, or what it is for; empty where that is in order."""
     if not meeting:
         return Message("refused_case.no_line_ends_here")
-    if not is_joint:
-        return ""
-    if meeting == 1 and not is_pulled:
+    if is_joint and meeting == 1 and not is_pulled:
         return Message("refused_case.one_line_ends_here")
     return "" if is_held else Message("refused_case.no_line_leads_to_an_anchor")

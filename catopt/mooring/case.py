@@ -62,11 +62,7 @@ class SystemReport(Shown):
                 for each in self.line_out
             ]
         if self.circle is not None:
-            document["watch_circle"] = {
-                "force_N": self.circle.force,
-                "directions_rad": list(self.circle.directions),
-                "responses": [each.to_dict() for each in self.circle.responses],
-            }
+            document["watch_circle"] = self.circle.to_dict()
         if self.curves:
             document["restoring_curves"] = [curve.to_dict() for curve in self.curves]
         if self.levels:

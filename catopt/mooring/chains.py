@@ -84,7 +84,7 @@ def in_rows(network: Network, rows: tuple[Row, ...]) -> Network:
         names = [network.lines[number].name or f"{number + 1}" for number, _ in row.lines]
         lines.append(LineBetween(Line(segments, loads), row.start, row.end, " + ".join(names)))
     points = tuple(point for point in network.points if point.name not in between)
-    return Network(network.site, points, tuple(lines), network.title, network.source)
+    return Network(network.site, points, tuple(lines), bodies=network.bodies)
 
 
 def apart(
@@ -128,7 +128,10 @@ def apart(
     check_afloat(network, everywhere)
     residual = max(found.residual, _left(network, rows, own_runs, own_ends, up))
     reactions = tuple(up[point.name] for point in network.points)
-    return own_runs, JointsAtRest(everywhere, own_ends, reactions, residual, found.steps)
+    parted_at = found._replace(
+        places=everywhere, ends=own_ends, reactions=reactions, residual=residual
+    )
+    return own_runs, parted_at
 
 
 def _lay(row: Row, run: Run, ends: Ends, places: dict[str, Vector], up: dict[str, float]) -> None:

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any
 
+from catopt.errors import InputError, Problem
+from catopt.model.network import Network
 from catopt.model.system import System
 from catopt.model.validity import Findings
+from catopt.mooring.held import LinesAtRest, without_load
 from catopt.mooring.response import Response, response_of
 from catopt.mooring.zero_load import zero_load_position
 from catopt.patience import paced
@@ -23,8 +27,8 @@ class WatchCircle(Tabled):
 
     Attributes
     ----------
-    system : System
-        The lines; its own load plays no part.
+    system : System or Network
+        The lines; the load on the body plays no part.
     force : float
         Size, N.
     directions : tuple of float
@@ -35,7 +39,7 @@ class WatchCircle(Tabled):
         Zero-load position, m.
     """
 
-    system: System
+    system: System | Network
     force: float
     directions: tuple[float, ...]
     responses: tuple[Response, ...]
@@ -51,6 +55,14 @@ class WatchCircle(Tabled):
         """Index of the direction of the largest tension in any line."""
         return first_largest([each.largest_tension for each in self.responses])
 
+    def to_dict(self) -> dict[str, Any]:
+        """Lay it out as the documents have it."""
+        return {
+            "force_N": self.force,
+            "directions_rad": list(self.directions),
+            "responses": [each.to_dict() for each in self.responses],
+        }
+
 
 def watch_circle(system: System, *, force: float, directions: int = 120) -> WatchCircle:
     """Let a force go round a body.
@@ -63,15 +75,59 @@ def watch_circle(system: System, *, force: float, directions: int = 120) -> Watc
     InputError, NoEquilibriumError, NotConvergedError
         As for `solve_system`.
     """
-    found = Findings("watch circle")
-    found.number("force", force, "N", above=0.0)
-    found.number("directions", directions, "", at_least=3, at_most=3600)
-    found.raise_if_any()
+    angles = _angles(force, directions)
     zero_load = zero_load_position(system)
-    angles = tuple(2.0 * math.pi * k / directions for k in range(directions))
     responses = []
     for angle in paced(Message("words.directions", total=directions), angles):
         rest, lines = zero_load.under((force * math.cos(angle), force * math.sin(angle)))
         responses.append(response_of(zero_load, rest, lines))
     neutral = (zero_load.neutral.x, zero_load.neutral.y)
     return WatchCircle(system, force, angles, tuple(responses), neutral)
+
+
+def network_circle(network: Network, *, force: float, directions: int = 120) -> WatchCircle:
+    """Let a force go round the one free body of a network; as `watch_circle`.
+
+    InputError, too, where it has none or several; what `at_rest` raises.
+    """
+    angles = _angles(force, directions)
+    if len(network.bodies) != 1:
+        found = ", ".join(body.name for body in network.bodies) or Message("refused.none")
+        allowed = Message("refused_motion.circle_is_of_one_body")
+        raise InputError([Problem("bodies", found, allowed)], "watch circle")
+    (body,) = network.bodies
+    start = without_load(network)
+    responses = []
+    for angle in paced(Message("words.directions", total=directions), angles):
+        push = (force * math.cos(angle), force * math.sin(angle))
+        responses.append(_response(start.under((replace(body, force=push, moment=0.0),))))
+    x, y, _ = start.found.poses[0]
+    return WatchCircle(network, force, angles, tuple(responses), (body.x + x, body.y + y))
+
+
+def _angles(force: float, directions: int) -> tuple[float, ...]:
+    """Check what goes round, and say in which directions."""
+    found = Findings("watch circle")
+    found.number("force", force, "N", above=0.0)
+    found.number("directions", directions, "", at_least=3, at_most=3600)
+    found.raise_if_any()
+    return tuple(2.0 * math.pi * k / directions for k in range(directions))
+
+
+def _response(rest: LinesAtRest) -> Response:
+    """Sum up a network with one body; tensions are those at either end of a line."""
+    (body,) = rest.bodies
+    ends = rest.joints.ends
+    tensions = [max(math.hypot(*each.first), math.hypot(*each.second)) for each in ends]
+    anchored = [each.first for k, each in enumerate(ends) if rest.is_anchored(k)]
+    return Response(
+        x=body.position.x,
+        y=body.position.y,
+        yaw=body.position.yaw,
+        offset=math.hypot(*body.offset),
+        largest_tension=max(tensions),
+        most_loaded=first_largest(tensions),
+        largest_anchor_tension=max((math.hypot(*each) for each in anchored), default=0.0),
+        largest_uplift=max((each[2] for each in anchored), default=0.0),
+        least_grounded=min(each.state.grounded for each in ends),
+    )

@@ -1,31 +1,42 @@
-"""A body held where somebody puts it, in all six freedoms: what its lines do, and how stiffly."""
+"""Bodies of a network: held in all six freedoms, or at rest under their loads; and how stiffly."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
+from catopt.catenary.in_current import SolutionInCurrent, hung_on_float
 from catopt.catenary.result import solution_of
 from catopt.catenary.root_search import BY_SPAN
 from catopt.catenary.solution import Solution
 from catopt.errors import InputError, Problem
-from catopt.model import Site, System
-from catopt.model.network import LineBetween, Network, Point
+from catopt.model import CurrentProfile, Site, System
+from catopt.model.network import LineBetween, MooredBody, Network, Point
 from catopt.mooring.chains import apart, in_rows, rows_of
 from catopt.mooring.joints import (
     UNIT,
     JointsAtRest,
+    Moored,
     Run,
     assembled,
+    by_turning,
+    check_afloat,
     joints_at_rest,
+    moored,
     product,
     runs_of,
     solve,
 )
 from catopt.mooring.line_ends import Matrix, Vector
+from catopt.mooring.solution import Position
 from catopt.words import Message
+
+_ROUNDING = 1e-9
+"""Part of a stiffness below which it may be rounding."""
+_LOOSE = 1e-12
+"""Of the largest stiffness: what a joint of slack lines is given of its own."""
 
 FREEDOMS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 """Along x, y and z (up), and about them in the sense of the right hand."""
@@ -94,12 +105,62 @@ class HeldBody:
 
 
 @dataclass(frozen=True)
+class BodyAtRest:
+    """A free body at rest under its load, and under no load on any body (`neutral`).
+
+    `stiffness`: minus the derivatives of what the lines do to it (N, N, N m) by a small further x,
+    y (m) and yaw (rad), the joints and the other bodies free to follow.
+    """
+
+    body: MooredBody
+    turns: bool
+    position: Position
+    neutral: Position
+    stiffness: Matrix
+
+    @property
+    def is_held(self) -> bool:
+        """Whether the lines hold it against a push from any side, and a turn where it is free."""
+        (xx, xy, xm), (_, yy, ym), (_, _, mm) = self.stiffness
+        plane = xx * yy - xy * xy
+        if plane <= _ROUNDING * (xx + yy) ** 2:
+            return False
+        yaw = mm - (yy * xm * xm - 2.0 * xy * xm * ym + xx * ym * ym) / plane
+        return not self.turns or yaw > _ROUNDING * abs(mm)
+
+    @property
+    def moved(self) -> tuple[float, ...]:
+        """From where it is given, by FREEDOMS: m and rad."""
+        x, y = self.position.x - self.body.x, self.position.y - self.body.y
+        return (x, y, 0.0, 0.0, 0.0, self.position.yaw)
+
+    @property
+    def offset(self) -> tuple[float, float]:
+        """Way of the body's origin from where it is without load, m."""
+        return self.position.x - self.neutral.x, self.position.y - self.neutral.y
+
+    def to_dict(self) -> dict[str, Any]:
+        """Lay it out as the documents have it."""
+        return {
+            "name": self.body.name,
+            "force_N": list(self.body.force),
+            "moment_Nm": self.body.moment,
+            "yaw_is_free": self.turns,
+            "position": self.position.to_dict(),
+            "zero_load_position": self.neutral.to_dict(),
+            "offset_m": list(self.offset),
+            "stiffness": [list(row) for row in self.stiffness],
+        }
+
+
+@dataclass(frozen=True)
 class LinesAtRest:
-    """Lines between points with their joints at rest, the body held; `runs` from their anchors."""
+    """Lines between points with all that is free at rest; `runs` from their anchors."""
 
     network: Network
     runs: tuple[Run, ...]
     joints: JointsAtRest
+    bodies: tuple[BodyAtRest, ...] = ()
 
     def place_of(self, name: str) -> Vector:
         """X, y and height of a point, m."""
@@ -124,18 +185,10 @@ class LinesAtRest:
         """Whether a line, counted from 0, ends at an anchor: its first end then."""
         return self.network.points[self.runs[line].first].kind == "anchor"
 
-
-@dataclass(frozen=True)
-class NetworkAtRest(LinesAtRest):
-    """The same, with what the lines do to the body."""
-
-    body: HeldBody
-
     def to_dict(self) -> dict[str, Any]:
         """Lay it out as the documents have it."""
         points, found = self.network.points, self.joints
         return {
-            "displacement": list(self.body.displacement),
             "points": [
                 {
                     "name": point.name,
@@ -158,14 +211,28 @@ class NetworkAtRest(LinesAtRest):
                 }
                 for run, line in zip(self.runs, self.lines, strict=True)
             ],
-            "load": list(self.body.load),
-            "stiffness": [list(row) for row in self.body.stiffness],
+            "bodies": [each.to_dict() for each in self.bodies],
             "residual_N": found.residual,
             "steps": found.steps,
         }
 
 
-def network_document(states: Sequence[NetworkAtRest]) -> dict[str, Any]:
+@dataclass(frozen=True, kw_only=True)
+class NetworkAtRest(LinesAtRest):
+    """The same, with what the lines do to the body that is held."""
+
+    body: HeldBody
+
+    def to_dict(self) -> dict[str, Any]:
+        """Lay it out as the documents have it."""
+        return super().to_dict() | {
+            "displacement": list(self.body.displacement),
+            "load": list(self.body.load),
+            "stiffness": [list(row) for row in self.body.stiffness],
+        }
+
+
+def network_document(states: Sequence[LinesAtRest]) -> dict[str, Any]:
     """Build the document of lines that meet in joints, schema catopt.network/1; all in SI."""
     return {
         "schema": "catopt.network/1",
@@ -220,9 +287,10 @@ def hold(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> Netw
     K_bb - K_bj K_jj^-1 K_jb; a fairlead at r off the origin carries forces into moments, and
     turning the force F on it about the origin adds [F][r] (cross-product matrices).
 
-    The origin of the body is at x = y = 0, on the water surface; `displacement` as for `held_body`.
-    InputError: a fairlead is below the bed, or a line hangs slack. NoEquilibriumError,
-    NotConvergedError, FloatsUpError: as for `joints_at_rest`.
+    The origin of the body is at x = y = 0, or where the body of the network has it, on the water
+    surface; `displacement` as for `held_body`.
+    InputError: a fairlead is below the bed, a line hangs slack, or there are several bodies.
+    NoEquilibriumError, NotConvergedError, FloatsUpError: as for `joints_at_rest`.
 
     Examples
     --------
@@ -230,7 +298,7 @@ def hold(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> Netw
 
     >>> from catopt import Line, Segment
     >>> from catopt.model import Site
-    >>> from catopt.model.network import LineBetween, Network, Point
+    >>> from catopt.model.network import LineBetween, MooredBody, Network, Point
     >>> from catopt.mooring.held import hold
     >>> rope = Line([Segment(5.0, 0.01, EA=1e9)])
     >>> points = [Point("port", "anchor", -4.0, 0.0, 10.0),
@@ -241,11 +309,12 @@ def hold(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> Netw
     >>> round(found.place_of("buoy")[2], 3), round(found.lines[0].fairlead.tension, 1)
     (13.0, 4166.6)
     """
+    network, origin = _with_its_body_held(network)
     rows = rows_of(network)
     whole = in_rows(network, rows)
-    arms, runs, found = _in_place(whole, displacement)
+    arms, runs, found = _in_place(whole, displacement, origin)
     _check_pull(runs, found)
-    load, stiffness = [0.0] * 6, _condensed(whole, runs, found, arms)
+    load, stiffness = [0.0] * 6, _condensed(whole, runs, found, _by_six(arms), 6)
     for run, end in zip(runs, found.ends, strict=True):
         for at, force in ((run.first, end.first), (run.second, end.second)):
             if at in arms:
@@ -266,31 +335,163 @@ def hold(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> Netw
         tuple(load),
         tuple(tuple(row) for row in stiffness),
     )
-    return NetworkAtRest(network, runs, found, body)
+    return NetworkAtRest(network, runs, found, body=body)
+
+
+def _with_its_body_held(network: Network) -> tuple[Network, tuple[float, float]]:
+    """Hold the one body that a network has, and say where its origin is; InputError for several."""
+    if network.current is not None:
+        allowed = Message("refused_motion.nothing_is_held_in_a_current")
+        raise InputError([Problem("current", "", allowed)], "held body")
+    if not network.bodies:
+        return network, (0.0, 0.0)
+    if len(network.bodies) > 1 or any(p.kind == "fairlead" and not p.body for p in network.points):
+        names = ", ".join(body.name for body in network.bodies)
+        allowed = Message("refused_motion.held_is_of_one_body")
+        raise InputError([Problem("bodies", names, allowed)], "held body")
+    (body,) = network.bodies
+    points = tuple(replace(point, body="") for point in network.points)
+    return replace(network, points=points, bodies=()), (body.x, body.y)
 
 
 def at_rest(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> LinesAtRest:
-    """Hold a body and bring the joints to rest; lines may hang slack, for no stiffness is asked.
+    """Bring joints and free bodies to rest, what is held displaced; lines may hang slack.
 
-    Raises what `hold` raises, but for slack lines.
+    Bodies are brought to rest under no load first, and from there under their own. Raises what
+    `hold` raises, but for slack lines; NoEquilibriumError, too, where the lines cannot carry the
+    moment on a body.
+
+    Examples
+    --------
+    A barge on two lines of 1 kN/m, pulled along them and turned:
+
+    >>> from catopt import Line, Segment
+    >>> from catopt.model import Site
+    >>> from catopt.model.network import LineBetween, MooredBody, Network, Point
+    >>> from catopt.mooring.held import at_rest
+    >>> chain = Line([Segment(220.0, 1000.0, EA=4e8)])
+    >>> points = [Point("east", "anchor", 200.0, 0.0, 0.0),
+    ...           Point("west", "anchor", -200.0, 0.0, 0.0),
+    ...           Point("bow", "fairlead", 10.0, 0.0, 50.0, body="barge"),
+    ...           Point("stern", "fairlead", -10.0, 0.0, 50.0, body="barge")]
+    >>> lines = [LineBetween(chain, "east", "bow"), LineBetween(chain, "west", "stern")]
+    >>> barge = MooredBody("barge", force=(50e3, 0.0), moment=1e5)
+    >>> (body,) = at_rest(Network(Site(50.0), points, lines, bodies=(barge,))).bodies
+    >>> round(body.offset[0], 3)
+    0.0
     """
-    rows = rows_of(network)
-    whole = in_rows(network, rows)
-    _, runs, found = _in_place(whole, displacement)
-    return LinesAtRest(network, *apart(network, rows, whole, found, runs))
+    if network.current is not None:
+        return _in_current(network, network.current)
+    return without_load(network, displacement).under(network.bodies)
+
+
+@dataclass(frozen=True)
+class WithoutLoad:
+    """A network at rest without load on its bodies: from there every load is followed.
+
+    `whole` is the network in rows, `held` the places of what is held, m.
+    """
+
+    network: Network
+    whole: Network
+    runs: tuple[Run, ...]
+    held: dict[int, Vector]
+    found: JointsAtRest
+
+    def under(self, loaded: tuple[MooredBody, ...]) -> LinesAtRest:
+        """Bring bodies to rest under their loads."""
+        network, whole = (replace(each, bodies=loaded) for each in (self.network, self.whole))
+        found, neutral = self.found, self.found.poses
+        if any(any(body.force) or body.moment for body in loaded):
+            found = joints_at_rest(whole, self.runs, self.held, found)
+        bodies = tuple(
+            BodyAtRest(
+                body.body,
+                body.turns,
+                _position(body.body, pose),
+                _position(body.body, before),
+                _in_plan(whole, self.runs, found, k),
+            )
+            for k, (body, pose, before) in enumerate(
+                zip(moored(whole, 0), found.poses, neutral, strict=True)
+            )
+        )
+        parted = apart(network, rows_of(network), whole, found, self.runs)
+        return LinesAtRest(network, *parted, bodies)
+
+
+def without_load(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> WithoutLoad:
+    """Bring a network to rest without load on its bodies; raises what `at_rest` raises."""
+    whole = in_rows(network, rows_of(network))
+    _, runs, found = _in_place(whole.unloaded(), displacement)
+    _, held = _ends_held(whole, displacement)
+    return WithoutLoad(network, whole, runs, held, found)
+
+
+@dataclass(frozen=True, kw_only=True)
+class FloatsInCurrent(LinesAtRest):
+    """Floats, each at the end of its own line, knocked down by a current."""
+
+    solutions: tuple[SolutionInCurrent, ...]
+    heights: tuple[float, ...]
+    """Of the float of each line in still water, m."""
+
+    @property
+    def lines(self) -> tuple[Solution, ...]:
+        """Every line from its anchor up."""
+        return self.solutions
+
+    def to_dict(self) -> dict[str, Any]:
+        """Lay it out as the documents have it."""
+        current = [each.to_dict()["current"] for each in self.solutions]
+        return super().to_dict() | {"current": current, "still_height_m": list(self.heights)}
+
+
+def _in_current(network: Network, current: CurrentProfile) -> FloatsInCurrent:
+    """Bring floats to rest, each by its own line; those in still water first."""
+    points = tuple(replace(p, drag_area=None, drag_coefficient=None) for p in network.points)
+    still = at_rest(replace(network, points=points, current=None))
+    places, solutions, heights = list(still.joints.places), [], []
+    left = 0.0
+    for run in still.runs:
+        point, anchor = network.points[run.second], places[run.first]
+        found, direction = hung_on_float(
+            run.line, network.site, current, point.hung, point.drag_product, anchor[2]
+        )
+        heights.append(places[run.second][2])
+        way = (math.cos(direction), math.sin(direction))
+        at = (anchor[0] + found.span * way[0], anchor[1] + found.span * way[1])
+        places[run.second] = (*at, found.fairlead_height)
+        solutions.append(found)
+        left = max(left, found.residual.span * found.fairlead.tension / run.line.length)
+    check_afloat(network, places)
+    joints = still.joints._replace(places=tuple(places), residual=left)
+    return FloatsInCurrent(
+        network, still.runs, joints, solutions=tuple(solutions), heights=tuple(heights)
+    )
+
+
+def _position(body: MooredBody, pose: Vector) -> Position:
+    """Name a pose by where the origin is, and a yaw above -pi and up to pi rad."""
+    yaw = -math.remainder(-pose[2], math.tau)
+    return Position(body.x + pose[0], body.y + pose[1], math.pi if yaw == -math.pi else yaw)
 
 
 def _in_place(
-    network: Network, displacement: tuple[float, ...]
+    network: Network,
+    displacement: tuple[float, ...],
+    origin: tuple[float, float] = (0.0, 0.0),
 ) -> tuple[dict[int, Vector], tuple[Run, ...], JointsAtRest]:
-    """Place the ends of lines, and bring the joints to rest: arms of fairleads, lines, joints."""
-    arms, held = _ends_held(network, displacement)
+    """Place the ends of lines, and bring the rest to rest: arms of fairleads, lines, joints."""
+    arms, held = _ends_held(network, displacement, origin)
     runs = runs_of(network)
     return arms, runs, joints_at_rest(network, runs, held)
 
 
 def _ends_held(
-    network: Network, displacement: tuple[float, ...]
+    network: Network,
+    displacement: tuple[float, ...],
+    origin: tuple[float, float] = (0.0, 0.0),
 ) -> tuple[dict[int, Vector], dict[int, Vector]]:
     """Place fairleads off the body's origin, turned with it; and these and anchors in space."""
     depth = network.site.water_depth
@@ -299,11 +500,11 @@ def _ends_held(
     for k, point in enumerate(network.points):
         if point.kind == "anchor":
             held[k] = point.place
-        elif point.kind == "fairlead":
+        elif point.kind == "fairlead" and not point.body:
             x, y, height = point.place
-            arms[k] = a, b, c = _times(turn, (x, y, height - depth))
+            arms[k] = a, b, c = _times(turn, (x - origin[0], y - origin[1], height - depth))
             surge, sway, heave = displacement[:3]
-            held[k] = (surge + a, sway + b, depth + heave + c)
+            held[k] = (origin[0] + surge + a, origin[1] + sway + b, depth + heave + c)
             if not held[k][2] >= 0.0:
                 found = f"{point.name} at {held[k][2]:.6g} m"
                 allowed = Message("refused_motion.fairlead_must_not_be_below")
@@ -323,29 +524,69 @@ def _check_pull(runs: Sequence[Run], found: JointsAtRest) -> None:
         raise InputError(problems, "held body")
 
 
+def _by_six(arms: Mapping[int, Vector]) -> dict[int, Matrix]:
+    """Say how fairleads move by the six freedoms of the body that they are off by their arms."""
+    return {
+        k: tuple((*UNIT[i], *(-each for each in across)) for i, across in enumerate(_skew(arm)))
+        for k, arm in arms.items()
+    }
+
+
+def _in_plan(network: Network, runs: Sequence[Run], found: JointsAtRest, number: int) -> Matrix:
+    """Build the 3 x 3 stiffness of a free body in x, y and yaw, all else free to follow."""
+    bodies = moored(network, 3 * sum(point.kind == "joint" for point in network.points))
+    own, yaw = bodies[number]._replace(turns=True, first=0), found.poses[number][2]
+    scale = (1.0, 1.0, own.arm)
+    follows = {
+        k: tuple(tuple(map(float.__mul__, row, scale)) for row in by)
+        for k, (_, by) in own.motions(yaw).items()
+    }
+    others = [body for k, body in enumerate(bodies) if k != number]
+    rows = _condensed(network, runs, found, follows, 3, others)
+    rows[2][2] += by_turning(runs, found.ends, own, yaw)
+    return tuple(tuple(row) for row in rows)
+
+
 def _condensed(
-    network: Network, runs: Sequence[Run], found: JointsAtRest, arms: Mapping[int, Vector]
+    network: Network,
+    runs: Sequence[Run],
+    found: JointsAtRest,
+    follows: Mapping[int, Matrix],
+    size: int,
+    others: Sequence[Moored] = (),
 ) -> list[list[float]]:
-    """Build the 6 x 6 stiffness of the body, the joints free to follow it."""
+    """Build the stiffness of a body, the joints and the other bodies free to follow it.
+
+    `follows`: how its fairleads move by its freedoms, of which there are `size`.
+    """
     joints = [k for k, point in enumerate(network.points) if point.kind == "joint"]
-    free = 3 * len(joints)
     motions = {point: (3 * k, UNIT) for k, point in enumerate(joints)}
-    for k, arm in arms.items():
-        across = _skew(arm)
-        by_body = ((*UNIT[i], *(-each for each in across[i])) for i in range(3))
-        motions[k] = (free, tuple(by_body))
-    matrix = assembled(runs, found.ends, motions, free + 6)
+    free = 3 * len(joints)
+    turning = []
+    for body in others:
+        pose = found.poses[network.bodies.index(body.body)]
+        motions |= body._replace(first=free).motions(pose[2])
+        if body.turns:
+            turning.append((free + 2, by_turning(runs, found.ends, body, pose[2]) / body.arm**2))
+        free += body.freedoms
+    motions |= {k: (free, by) for k, by in follows.items()}
+    matrix = assembled(runs, found.ends, motions, free + size)
     own = [row[free:] for row in matrix[free:]]
-    if not joints:
+    if not free:
         return own
+    for k, more in turning:
+        matrix[k][k] += more
     inner, coupled = [row[:free] for row in matrix[:free]], [row[free:] for row in matrix[:free]]
     for k, point in enumerate(joints):
         if found.reactions[point] > 0.0:  # it stays on the bed
             inner[3 * k + 2] = [float(i == 3 * k + 2) for i in range(free)]
-            coupled[3 * k + 2] = [0.0] * 6
+            coupled[3 * k + 2] = [0.0] * size
+    least = _LOOSE * max(matrix[i][i] for i in range(free + size))
+    for i in range(free):
+        inner[i][i] += least  # where slack lines meet
     follow = solve(inner, coupled)
     for i, row in enumerate(product([row[:free] for row in matrix[free:]], follow)):
-        for j in range(6):
+        for j in range(size):
             own[i][j] -= row[j]
     return own
 

@@ -1,14 +1,16 @@
-"""Free joints of lines at rest: where the pulls of the lines balance what hangs there.
+"""Joints and bodies of a network at rest: where the pulls of the lines balance what loads them.
 
 The energy of lines that only pull, over a bed that only pushes, is convex in the places of their
 ends, so that there is one equilibrium; Newton's method goes down to it. A step is cut back while
-the forces at its end push back by more than a part of what they pulled at its start.
+the forces at its end push back by more than a part of what they pulled at its start. In the yaw of
+a body the energy need not be convex: there the step is turned downhill, and the equilibrium is the
+one that the body comes to from where it was.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -17,7 +19,7 @@ from catopt.catenary.solve import refusal
 from catopt.catenary.state import CONVERGED
 from catopt.errors import FloatsUpError, NoEquilibriumError, NotConvergedError
 from catopt.model import Line, Load
-from catopt.model.network import LineBetween, Network
+from catopt.model.network import LineBetween, MooredBody, Network
 from catopt.mooring.line_ends import Ends, Matrix, Vector, ends_of
 from catopt.words import Message
 
@@ -42,6 +44,10 @@ _HELD_BACK = 1e-9
 
 _GENTLE = 1e-6
 """The same, over what the forces would make of it along the longest line."""
+_MOST_TURN, _NUDGE = 0.5, 0.01
+"""rad: of a body in one step; and off a ridge on which it balances."""
+_RIDGE = 1e-9
+"""Of the largest stiffness: by so much a pivot may be below 0 from rounding."""
 
 
 class Run(NamedTuple):
@@ -62,7 +68,8 @@ class JointsAtRest(NamedTuple):
     """Lines whose joints have come to rest: x, y and height (m) of every point, ends of every line.
 
     reactions (N) are those with which the bed carries each point, residual the largest force left
-    over at a joint (N), steps those of Newton's method.
+    over at a joint or a body (N), steps those of Newton's method, poses how far each free body is
+    moved and turned from where it is given (m, m, rad).
     """
 
     places: tuple[Vector, ...]
@@ -70,6 +77,7 @@ class JointsAtRest(NamedTuple):
     reactions: tuple[float, ...]
     residual: float
     steps: int
+    poses: tuple[Vector, ...] = ()
 
 
 def runs_of(network: Network) -> tuple[Run, ...]:
@@ -98,14 +106,23 @@ def turned_line(line: Line) -> Line:
     return Line(line.segments[::-1], loads)
 
 
-def joints_at_rest(network: Network, runs: Sequence[Run], held: dict[int, Vector]) -> JointsAtRest:
-    """Bring the joints of a network to rest: `held` has the place of its anchors and fairleads, m.
+def joints_at_rest(
+    network: Network,
+    runs: Sequence[Run],
+    held: dict[int, Vector],
+    known: JointsAtRest | None = None,
+) -> JointsAtRest:
+    """Bring the joints and the free bodies of a network to rest, from where they are `known` to be.
 
-    Raises NoEquilibriumError where friction leaves open where a joint lies or a line that does not
-    stretch is too short, FloatsUpError, or NotConvergedError with the force left over.
+    `held` has the place of its anchors and of the fairleads of what is held, m.
+
+    Raises NoEquilibriumError where friction leaves open where a joint lies, the lines cannot carry
+    the moment on a body, or a line that does not stretch is too short; FloatsUpError; or
+    NotConvergedError with the force left over.
     """
-    found = _Search(network, runs, held).rest() if len(held) < len(network.points) else None
-    if found is None:
+    if len(held) < len(network.points):
+        found = _Search(network, runs, held).rest(known)
+    else:
         places = tuple(held[k] for k in range(len(network.points)))
         ends = tuple(solved(run, places, network.site.seabed_friction) for run in runs)
         found = JointsAtRest(places, ends, (0.0,) * len(places), 0.0, 0)
@@ -113,87 +130,211 @@ def joints_at_rest(network: Network, runs: Sequence[Run], held: dict[int, Vector
     return found
 
 
+class Moored(NamedTuple):
+    """A free body among the freedoms: x and y, and yaw by its longest arm (m) where it turns."""
+
+    body: MooredBody
+    arms: Mapping[int, Vector]
+    turns: bool
+    first: int
+
+    @property
+    def freedoms(self) -> int:
+        """How many freedoms it has."""
+        return 3 if self.turns else 2
+
+    @property
+    def arm(self) -> float:
+        """From its origin to the farthest fairlead, m; 1 where there is none off it."""
+        return max(math.hypot(x, y) for x, y, _ in self.arms.values()) or 1.0
+
+    def turned(self, yaw: float) -> dict[int, Vector]:
+        """Turn its arms; heights are those of the fairleads."""
+        c, s = math.cos(yaw), math.sin(yaw)
+        return {k: (c * x - s * y, s * x + c * y, z) for k, (x, y, z) in self.arms.items()}
+
+    def places(self, pose: Vector) -> dict[int, Vector]:
+        """Place its fairleads, m."""
+        x, y, yaw = self.body.x + pose[0], self.body.y + pose[1], pose[2]
+        return {k: (x + a, y + b, z) for k, (a, b, z) in self.turned(yaw).items()}
+
+    def motions(self, yaw: float) -> dict[int, tuple[int, Matrix]]:
+        """Say how each fairlead moves by the freedoms, of which the third is yaw in m."""
+        arm, of = self.arm, self.turned(yaw).items()
+        if not self.turns:
+            return {k: (self.first, ((1.0, 0.0), (0.0, 1.0), (0.0, 0.0))) for k, _ in of}
+        return {
+            k: (self.first, ((1.0, 0.0, -b / arm), (0.0, 1.0, a / arm), (0.0, 0.0, 0.0)))
+            for k, (a, b, _) in of
+        }
+
+
+class _At(NamedTuple):
+    """Places of all points, how far each body is moved and turned (m, m, rad), the lines there."""
+
+    places: list[Vector]
+    poses: tuple[Vector, ...]
+    ends: list[Ends]
+
+
 class _Search:
-    """Newton's method on the places of the joints."""
+    """Newton's method on the places of the joints and of the bodies."""
 
     def __init__(self, network: Network, runs: Sequence[Run], held: dict[int, Vector]) -> None:
         self.network, self.runs, self.held = network, runs, held
         self.friction = network.site.seabed_friction
-        self.joints = [k for k in range(len(network.points)) if k not in held]
-        self.motions = {p: (3 * k, UNIT) for k, p in enumerate(self.joints)}
+        self.joints = [k for k, point in enumerate(network.points) if point.kind == "joint"]
+        self.bodies = moored(network, 3 * len(self.joints))
+        self.size = 3 * len(self.joints) + sum(body.freedoms for body in self.bodies)
         self.stride = max(run.line.length for run in runs)
 
-    def rest(self) -> JointsAtRest:
+    def rest(self, known: JointsAtRest | None) -> JointsAtRest:
         """Step until the forces are in balance, and as long as that still gets better."""
-        at = _start(self.network, self.runs, self.held)
-        ends = self.ends(at, None)
-        best = math.inf
+        at = self.start(known)
+        begun, best, nudged = at.poses, math.inf, False
+        counts = [3] * len(self.joints) + [body.freedoms for body in self.bodies]
+        firsts = [sum(counts[:k]) for k in range(len(counts))]
         for step in range(_STEPS):
-            forces, laid = self.forces(at, ends)
-            largest = max(math.hypot(*pull) for each in ends for pull in (each.first, each.second))
-            left = max(math.hypot(*forces[3 * k : 3 * k + 3]) for k in range(len(self.joints)))
-            stiffest = max(each.stiffness[i][i] for each in ends for i in range(6))
-            limit = TOLERANCE * largest + ROUNDING * self.stride * stiffest
+            motions = self.motions(at.poses)
+            forces, laid = self.forces(at, motions)
+            pulls = [math.hypot(*pull) for each in at.ends for pull in (each.first, each.second)]
+            left = max(math.hypot(*forces[k : k + n]) for k, n in zip(firsts, counts, strict=True))
+            stiffest = max(each.stiffness[i][i] for each in at.ends for i in range(6))
+            limit = TOLERANCE * max(pulls) + ROUNDING * self.stride * stiffest
             if left <= limit and not WORTH_A_STEP * limit < left < 0.5 * best:
-                reactions = [0.0] * len(at)
-                for k, point in enumerate(self.joints):
-                    reactions[point] = laid.get(3 * k + 2, 0.0)
-                return JointsAtRest(tuple(at), tuple(ends), tuple(reactions), left, step)
+                if nudged or self.is_stable(at, motions, laid):
+                    return self.found(at, laid, left, step)
+                nudged, best = True, math.inf
+                at = self.moved(at, self.nudge(), 1.0)
+                continue
             best = min(best, left)
-            at, ends = self.step(at, ends, forces, laid)
-        values = {"left": left, "steps": _STEPS, "part": left / largest}
+            at = self.step(at, motions, forces, laid)
+            self.check_turns(at.poses, begun)
+        values = {"left": left, "steps": _STEPS, "part": left / max(pulls)}
         raise NotConvergedError(Message("mooring.joints_not_at_rest", **values))
 
-    def ends(self, at: Sequence[Vector], known: Sequence[Ends] | None) -> list[Ends]:
+    def start(self, known: JointsAtRest | None) -> _At:
+        """Begin where all is known to be at rest, or with the bodies where they are given."""
+        if known is not None:
+            return _At([*known.places], known.poses, self.ends(known.places, known.ends))
+        poses = ((0.0, 0.0, 0.0),) * len(self.bodies)
+        held = {**self.held}
+        for body, pose in zip(self.bodies, poses, strict=True):
+            held |= body.places(pose)
+        places = _start(self.network, self.runs, held)
+        return _At(places, poses, self.ends(places, None))
+
+    def found(self, at: _At, laid: dict[int, float], left: float, step: int) -> JointsAtRest:
+        """Say what has come to rest."""
+        reactions = [0.0] * len(at.places)
+        for k, point in enumerate(self.joints):
+            reactions[point] = laid.get(3 * k + 2, 0.0)
+        return JointsAtRest(
+            tuple(at.places), tuple(at.ends), tuple(reactions), left, step, at.poses
+        )
+
+    def is_stable(
+        self, at: _At, motions: Mapping[int, tuple[int, Matrix]], laid: Collection[int]
+    ) -> bool:
+        """Whether no body turns on from where it is in balance."""
+        if not any(body.turns for body in self.bodies):
+            return True
+        matrix = self.stiffness(at, motions)
+        stiffest = max(matrix[i][i] for i in range(self.size))
+        if not stiffest > 0.0:  # every line is slack
+            return True
+        _, least = descent(_held_down(matrix, laid), [0.0] * self.size)
+        return least >= -_RIDGE * stiffest
+
+    def nudge(self) -> list[float]:
+        """Turn every body a little, off a ridge on which it balances."""
+        way = [0.0] * self.size
+        for body in self.bodies:
+            if body.turns:
+                way[body.first + 2] = _NUDGE * body.arm
+        return way
+
+    def check_turns(self, poses: Sequence[Vector], begun: Sequence[Vector]) -> None:
+        """Refuse a moment that turns a body round once."""
+        for body, (_, _, yaw), (_, _, before) in zip(self.bodies, poses, begun, strict=True):
+            if abs(yaw - before) > math.tau:
+                moment = body.body.moment
+                said = Message("mooring.body_turns_over", name=body.body.name, moment=moment)
+                raise NoEquilibriumError(said, "moment", abs(moment))
+
+    def ends(self, places: Sequence[Vector], known: Sequence[Ends] | None) -> list[Ends]:
         """Solve every line."""
         return [
-            solved(run, at, self.friction, None if known is None else known[k])
+            solved(run, places, self.friction, None if known is None else known[k])
             for k, run in enumerate(self.runs)
         ]
 
+    def motions(self, poses: Sequence[Vector]) -> dict[int, tuple[int, Matrix]]:
+        """Say of every point that moves how it does by the freedoms."""
+        found: dict[int, tuple[int, Matrix]] = {p: (3 * k, UNIT) for k, p in enumerate(self.joints)}
+        for body, pose in zip(self.bodies, poses, strict=True):
+            found |= body.motions(pose[2])
+        return found
+
     def forces(
-        self, at: Sequence[Vector], ends: Sequence[Ends]
+        self, at: _At, motions: Mapping[int, tuple[int, Matrix]]
     ) -> tuple[list[float], dict[int, float]]:
-        """Sum what is left over at the joints; and what the bed carries, by its freedom."""
-        left = [0.0] * (3 * len(self.joints))
-        for run, each in zip(self.runs, ends, strict=True):
+        """Sum what is left over by freedom; and what the bed carries of joints, by theirs."""
+        left = [0.0] * self.size
+        for run, each in zip(self.runs, at.ends, strict=True):
             for point, force in ((run.first, each.first), (run.second, each.second)):
-                if point in self.motions:
-                    first = self.motions[point][0]
-                    for i in range(3):
-                        left[first + i] += force[i]
+                if point in motions:
+                    first, by = motions[point]
+                    for i, along in enumerate(zip(*by, strict=True)):
+                        left[first + i] += sum(map(float.__mul__, along, force))
+        for body in self.bodies:
+            load = (*body.body.force, body.body.moment / body.arm)
+            for i in range(body.freedoms):
+                left[body.first + i] += load[i]
         laid = {}
         for k, point in enumerate(self.joints):
             up = 3 * k + 2
             for i, hung in enumerate(self.network.points[point].hung):
                 left[3 * k + i] += hung
-            if at[point][2] <= 0.0 and left[up] <= 0.0:
+            if at.places[point][2] <= 0.0 and left[up] <= 0.0:
                 laid[up] = -left[up]
                 left[up] = 0.0
         return left, laid
 
+    def stiffness(self, at: _At, motions: Mapping[int, tuple[int, Matrix]]) -> list[list[float]]:
+        """Sum the stiffness of the lines, and what their pulls add as a body turns."""
+        matrix = assembled(self.runs, at.ends, motions, self.size)
+        for body, pose in zip(self.bodies, at.poses, strict=True):
+            if body.turns:
+                yaw = body.first + 2
+                matrix[yaw][yaw] += by_turning(self.runs, at.ends, body, pose[2]) / body.arm**2
+        return matrix
+
     def step(
-        self, at: list[Vector], ends: list[Ends], forces: list[float], laid: dict[int, float]
-    ) -> tuple[list[Vector], list[Ends]]:
+        self,
+        at: _At,
+        motions: Mapping[int, tuple[int, Matrix]],
+        forces: list[float],
+        laid: Collection[int],
+    ) -> _At:
         """Take a step of Newton's method, or as much of it as goes down."""
-        matrix = assembled(self.runs, ends, self.motions, len(forces))
-        stiffest = max(matrix[i][i] for i in range(len(forces)))
+        matrix = self.stiffness(at, motions)
+        stiffest = max(matrix[i][i] for i in range(self.size))
         strongest = max(map(abs, forces))
-        for i in range(len(forces)):
+        for i in range(self.size):
             matrix[i][i] += _HELD_BACK * stiffest + _GENTLE * strongest / self.stride
-        for i in laid:
-            matrix[i] = [float(i == j) for j in range(len(forces))]
-        way = [row[0] for row in solve(matrix, [[each] for each in forces])]
+        way, _ = descent(_held_down(matrix, laid), forces)
         part = min(1.0, self.stride / max(map(abs, way)))
+        for body in self.bodies:
+            if body.turns and (turn := abs(way[body.first + 2]) / body.arm):
+                part = min(part, _MOST_TURN / turn)
         short, far, pull, push, last = 0.0, math.inf, 0.0, 0.0, part
         for cut_back in range(_CUTS):
-            moved = self.moved(at, way, part)
-            went = [
-                new - old for p in self.joints for new, old in zip(moved[p], at[p], strict=True)
-            ]
+            there = self.moved(at, way, part)
+            went = self.went(at, there, way, part)
             downhill = math.fsum(map(float.__mul__, forces, went))
-            there = self.ends(moved, ends)
-            slope = math.fsum(map(float.__mul__, self.forces(moved, there)[0], went))
+            pulling, _ = self.forces(there, self.motions(there.poses))
+            slope = math.fsum(map(float.__mul__, pulling, went))
             most = _SETTLED if cut_back else _OVERSHOOT
             if abs(slope) <= most * downhill or (slope > 0.0 and math.isinf(far)):
                 break
@@ -210,15 +351,83 @@ class _Search:
             last = part
             share = pull / (pull - push)
             part = short + min(max(share, 0.01), 0.99) * (far - short)
-        return moved, there
+        return there
 
-    def moved(self, at: Sequence[Vector], way: Sequence[float], part: float) -> list[Vector]:
-        """Move the joints, none below the bed."""
-        places = list(at)
+    def moved(self, at: _At, way: Sequence[float], part: float) -> _At:
+        """Move joints, none below the bed, and bodies, and solve the lines there."""
+        places = list(at.places)
         for k, point in enumerate(self.joints):
-            x, y, z = (at[point][i] + part * way[3 * k + i] for i in range(3))
+            x, y, z = (places[point][i] + part * way[3 * k + i] for i in range(3))
             places[point] = (x, y, max(z, 0.0))
-        return places
+        poses = []
+        for body, (x, y, yaw) in zip(self.bodies, at.poses, strict=True):
+            along, across, *turn = (part * each for each in way[body.first :][: body.freedoms])
+            poses.append((x + along, y + across, yaw + sum(turn) / body.arm))
+            for k, place in body.places(poses[-1]).items():
+                places[k] = place
+        return _At(places, tuple(poses), self.ends(places, at.ends))
+
+    def went(self, at: _At, there: _At, way: Sequence[float], part: float) -> list[float]:
+        """Say by how much each freedom changed, m."""
+        joints = [
+            new - old
+            for p in self.joints
+            for new, old in zip(there.places[p], at.places[p], strict=True)
+        ]
+        return [*joints, *(part * each for each in way[len(joints) :])]
+
+
+def moored(network: Network, first: int) -> tuple[Moored, ...]:
+    """Lay out the free bodies of a network after so many freedoms of its joints."""
+    found: list[Moored] = []
+    for body in network.bodies:
+        found.append(Moored(body, network.arms_of(body), network.turns(body), first))
+        first += found[-1].freedoms
+    return tuple(found)
+
+
+def by_turning(runs: Sequence[Run], ends: Sequence[Ends], body: Moored, yaw: float) -> float:
+    """Return what the pulls on a body add to its stiffness in yaw as its arms turn, N m."""
+    arms = body.turned(yaw)
+    return math.fsum(
+        arms[point][i] * force[i]
+        for run, each in zip(runs, ends, strict=True)
+        for point, force in ((run.first, each.first), (run.second, each.second))
+        if point in arms
+        for i in (0, 1)
+    )
+
+
+def _held_down(matrix: list[list[float]], laid: Collection[int]) -> list[list[float]]:
+    """Let what lies on the bed stay there."""
+    for i in laid:
+        matrix[i] = [float(i == j) for j in range(len(matrix))]
+    return matrix
+
+
+def descent(
+    matrix: Sequence[Sequence[float]], forces: Sequence[float]
+) -> tuple[list[float], float]:
+    """Solve for a step that goes down: pivots are kept above 0; and return the least of them.
+
+    A symmetric matrix has as many pivots below 0 as directions in which the forces push on.
+    """
+    size = len(forces)
+    rows = [[*row, force] for row, force in zip(matrix, forces, strict=True)]
+    floor = _HELD_BACK * max(matrix[i][i] for i in range(size))
+    least = math.inf
+    for j in range(size):
+        least = min(least, rows[j][j])
+        if rows[j][j] < floor:
+            rows[j][j] = max(-rows[j][j], floor)
+        for r in range(j + 1, size):
+            if factor := rows[r][j] / rows[j][j]:
+                rows[r] = [a - factor * b for a, b in zip(rows[r], rows[j], strict=True)]
+    way = [0.0] * size
+    for j in reversed(range(size)):
+        known = math.fsum(rows[j][k] * way[k] for k in range(j + 1, size))
+        way[j] = (rows[j][size] - known) / rows[j][j]
+    return way, least
 
 
 UNIT: Matrix = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
@@ -232,7 +441,7 @@ def solved(
 ) -> Ends:
     """Solve a line between its points; an error where it has no answer."""
     a, b = at[run.first], at[run.second]
-    ends = ends_of(run.pieces, a, b, friction, None if known is None else known.state)
+    ends = ends_of(run.pieces, a, b, friction, known)
     if ends.state.status != CONVERGED:
         load = Load(span=max(math.dist(a[:2], b[:2]), 1e-9))
         raise refusal(ends.state.status, run.line, load, ends.problem)
@@ -242,7 +451,7 @@ def solved(
 def assembled(
     runs: Sequence[Run],
     ends: Sequence[Ends],
-    motions: dict[int, tuple[int, Matrix]],
+    motions: Mapping[int, tuple[int, Matrix]],
     size: int,
 ) -> list[list[float]]:
     """Sum the stiffness of lines over the freedoms of their points.

@@ -11,7 +11,8 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from catopt.catenary.pieces import LineProblem, Pieces, turned
+from catopt.catenary.equilibrium import given_force
+from catopt.catenary.pieces import LineProblem, Pieces, is_plain, turned
 from catopt.catenary.span import given_span
 from catopt.catenary.state import CONVERGED, State
 
@@ -20,6 +21,9 @@ Matrix = tuple[tuple[float, ...], ...]
 
 NEAREST = 1e-9
 """Of a line's length: ends nearer than that in plan are taken to be so far from each other."""
+
+EXACT, STEPS = 2e-15, 8
+"""Part of the length by which a span may be missed; tangents that are followed to it."""
 
 
 class Ends(NamedTuple):
@@ -36,16 +40,15 @@ class Ends(NamedTuple):
     stiffness: Matrix
 
 
-def ends_of(pieces: Pieces, a: Vector, b: Vector, friction: float, known: State | None) -> Ends:
+def ends_of(pieces: Pieces, a: Vector, b: Vector, friction: float, known: Ends | None) -> Ends:
     """Solve a line from point a, towards which friction takes off tension, to point b.
 
-    `known`: a state of the same line near by, or None.
+    `known`: the same line near by, or None.
     """
     span = math.hypot(a[0] - b[0], a[1] - b[1])
     clear = max(span, NEAREST * math.fsum(pieces.length))
-    guess = (known.H, known.V) if known is not None and known.H > 0.0 else (math.nan, math.nan)
     problem = LineProblem(pieces, a[2], b[2], friction)
-    state = given_span(clear, problem, *guess)
+    state = _solved(clear, problem, *_guess(clear, problem, known))
     if state.status != CONVERGED:
         return Ends(state, problem, (), (), ())
     u = ((a[0] - b[0]) / clear, (a[1] - b[1]) / clear)
@@ -56,18 +59,57 @@ def ends_of(pieces: Pieces, a: Vector, b: Vector, friction: float, known: State 
     return Ends(state, problem, first, second, stiffness)
 
 
+def _solved(span: float, problem: LineProblem, H: float, V: float) -> State:
+    """Solve a line from near by, where that leads there, or as `given_span` does.
+
+    A line of many parts has no Newton of its own there: its bracket is wide, a tangent is not.
+    """
+    if H > 0.0 and not is_plain(problem):
+        limit = EXACT * max(span, math.fsum(problem.pieces.length))
+        for _ in range(STEPS):
+            state = given_force(H, problem)
+            error = state.span - span
+            if state.status != CONVERGED or abs(error) <= limit:
+                break
+            slope = state.x_H - state.x_V * state.z_H / state.z_V if state.z_V > 0.0 else 0.0
+            if not slope > 0.0:
+                break
+            H = max(H - error / slope, 0.2 * H)
+        if state.status == CONVERGED and abs(error) <= limit:
+            return state
+    return given_span(span, problem, H, V)
+
+
+def _guess(span: float, problem: LineProblem, known: Ends | None) -> tuple[float, float]:
+    """Follow H and V at the end b along the tangent from where they are known; nan for unknown."""
+    if known is None or not known.state.H > 0.0:
+        return math.nan, math.nan
+    state, before = known.state, known.problem
+    H_s, H_b, V_s, V_b = _by_end(state, before)
+    move = span - state.span
+    rise = problem.fairlead_height - problem.anchor_height
+    rise -= before.fairlead_height - before.anchor_height
+    H, V = state.H + H_s * move + H_b * rise, state.V + V_s * move + V_b * rise
+    # After a long way back the tangent says nothing.
+    is_near = H > 0.2 * state.H and V > 0.2 * state.V
+    return (H, V) if is_near else (math.nan, math.nan)
+
+
 def _slopes(state: State, span: float, problem: LineProblem) -> Matrix:
     """Derive H and V at b, H and V at a (pulling up), by the span and the heights a and b."""
     H_s, H_b, V_s, V_b = _by_end(state, problem)
     if state.grounded == 0.0:
         row_H, row_V = (H_s, -H_b, H_b), (V_s, -V_b, V_b)
         return row_H, row_V, row_H, row_V
+    alone = (H_s, 0.0, H_b), (V_s, 0.0, V_b), (H_s, 0.0, H_b), (0.0, 0.0, 0.0)
+    if problem.friction > 0.0 or problem.anchor_height == 0.0:
+        return alone
     other = LineProblem(
         turned(problem.pieces), problem.fairlead_height, problem.anchor_height, problem.friction
     )
-    back = given_span(span, other, state.H, max(-state.V_anchor, 0.0))
-    if problem.friction > 0.0 or problem.anchor_height == 0.0 or back.status != CONVERGED:
-        return (H_s, 0.0, H_b), (V_s, 0.0, V_b), (H_s, 0.0, H_b), (0.0, 0.0, 0.0)
+    back = _solved(span, other, state.H, max(-state.V_anchor, 0.0))
+    if back.status != CONVERGED:
+        return alone
     # Counted from the other end the line lifts a with V upwards: the sign of V at a is turned.
     _, H_a, up_s, up_a = _by_end(back, other)
     slope = 1.0 / H_s if H_s > 0.0 else 0.0

@@ -1,13 +1,15 @@
-"""One line out of lines between points: what the others carry, the body held where it is."""
+"""One line out of lines between points: what the others carry; a body that is held stays."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Any
 
-from catopt.errors import NoAnswerError, NotConvergedError
+from catopt.errors import NoAnswerError, NoEquilibriumError, NotConvergedError
+from catopt.model.checks import Checks
 from catopt.model.network import LineBetween, Network, Point, joined
 from catopt.mooring.held import LinesAtRest, at_rest
 from catopt.patience import paced
@@ -58,10 +60,10 @@ def largest_tensions(rest: LinesAtRest) -> tuple[float, ...]:
 
 
 def each_line_out(network: Network) -> tuple[NetworkOut, ...]:
-    """Take each line away in turn; the body stays where it is held, and the joints rest anew.
+    """Take each line away in turn; a body that is held stays, and the joints rest anew.
 
-    NotConvergedError: a solver stopped short. What happens on the way there, when the line parts,
-    is dynamics and not looked at.
+    Free bodies come to rest anew, too. NotConvergedError: a solver stopped short. What happens on
+    the way there, when the line parts, is dynamics and not looked at.
     """
     count = len(network.lines)
     return tuple(
@@ -82,7 +84,7 @@ def _without(network: Network, missing: int) -> NetworkOut:
             weight = points[held].submerged_weight - points[end].hung[2] + _weight(line)
             points[held] = replace(points[held], submerged_weight=weight)
         points[end] = Point(end, "joint")
-    adrift = _adrift(points, left)
+    adrift = _adrift(network, points, left)
     if adrift:
         refusal = Message("mooring.adrift", names=", ".join(adrift))
         return NetworkOut(missing, loose=tuple(sorted(loose)), refusal=refusal)
@@ -94,7 +96,7 @@ def _without(network: Network, missing: int) -> NetworkOut:
     kept = tuple(point for name, point in points.items() if name in ends)
     made = NetworkOut(missing, tuple(left), tuple(sorted(loose)))
     try:
-        return replace(made, rest=at_rest(Network(network.site, kept, lines)))
+        return replace(made, rest=at_rest(_left_of(network, kept, lines)))
     except NoAnswerError as error:
         return replace(made, left=(), refusal=error.args[0])
     except NotConvergedError as error:
@@ -130,13 +132,44 @@ def _weight(line: LineBetween) -> float:
     )
 
 
-def _adrift(points: Mapping[str, Point], lines: Mapping[int, LineBetween]) -> list[str]:
-    """List the joints that something pulls or lines end in, and that no line holds any more."""
+def _left_of(
+    network: Network, points: tuple[Point, ...], lines: tuple[LineBetween, ...]
+) -> Network:
+    """Moor the bodies by the lines that are left; each turns as it did while an arm is left.
+
+    NoEquilibriumError: a moment on one that has no arm left.
+    """
+    bodies = []
+    for body in network.bodies:
+        ends = (point.place[:2] for point in points if point.body == body.name)
+        has_arm = any(end != (body.x, body.y) for end in ends)
+        if body.moment and not has_arm:
+            said = Message("mooring.body_turns_over", name=body.name, moment=body.moment)
+            raise NoEquilibriumError(said, "moment", abs(body.moment))
+        bodies.append(replace(body, yaw_free=network.turns(body) and has_arm))
+    return replace(
+        network, points=points, lines=lines, bodies=tuple(bodies), checks=Checks(), anchor=None
+    )
+
+
+def _adrift(
+    network: Network, points: Mapping[str, Point], lines: Mapping[int, LineBetween]
+) -> list[str]:
+    """List joints that something pulls or lines end in, and bodies, that no line holds any more."""
     pairs = [(line.start, line.end) for line in lines.values()]
-    held = joined((name for name, point in points.items() if point.kind != "joint"), pairs)
-    ends = {end for pair in pairs for end in pair}
-    return [
+    tied = {
+        body.name: [p.name for p in points.values() if p.body == body.name]
+        for body in network.bodies
+    }
+    pairs += [pair for each in tied.values() for pair in pairwise(each)]
+    fixed = (name for name, p in points.items() if p.kind != "joint" and not p.body)
+    held = joined(fixed, pairs)
+    ends = {end for line in lines.values() for end in (line.start, line.end)}
+    joints = [
         name
         for name, point in points.items()
-        if name not in held and (name in ends or point.hung[2] > 0.0 or any(point.hung[:2]))
+        if point.kind == "joint"
+        and name not in held
+        and (name in ends or point.hung[2] > 0.0 or any(point.hung[:2]))
     ]
+    return joints + [name for name, own in tied.items() if not held & {*own}]

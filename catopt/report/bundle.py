@@ -334,6 +334,7 @@ _DRAWN: dict[str, Callable[[Any], Drawing]] = {
     "DynamicVerification": _of_moved,
     "Sizing": _of_sizing,
     "Solution": _of_solution,
+    "SolutionInCurrent": _of_solution,
     "StudyResult": _of_study,
     "SystemSolution": lambda found: _of_plan(found, found.title),
     "Verification": lambda found: _of_comparison(found, found.parts[0]),

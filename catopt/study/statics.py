@@ -90,6 +90,7 @@ def _solve(base: Base, piece: Piece, group: Group, found: AtRest) -> None:
     case = read_member(base, {**group.changes, **first})
     assert isinstance(case, Case)
     case.site.check_level()
+    case.check_still_water()
     if any(each.submerged_weight < 0.0 for each in case.line.point_loads):
         solved = _one_by_one(case, loads, len(at))
     elif case.system is not None:

@@ -77,6 +77,7 @@ def verify_case(
     """
     check_settings(elements, tolerance, source="verify_case")
     case.site.check_level()
+    case.check_still_water()
     states = load_states(case, load_case)
     parts = []
     steps = paced(Message("words.load_cases", total=len(states)), states)

@@ -9,11 +9,16 @@ import pytest
 from catopt.casefile import write_case
 from catopt.casefile.network_file import parse_network
 from catopt.figures.network import network_plan, network_side
+from catopt.model import Checks
 from catopt.mooring.held import at_rest
 from catopt.notes.network import read_network_note
 from tests.checks.test_network import CHECKS, FILE, leg
+from tests.mooring.test_bodies import barge
+from tests.mooring.test_floats_in_current import moored
 
 from .conftest import Run, document_of, refused, validate
+
+CHECKS_OF_ROPE = Checks(safety_factor=3.0)
 
 
 def written(folder: Path) -> Path:
@@ -50,6 +55,46 @@ def test_every_line_out_is_tabulated(run: Run, tmp_path: Path) -> None:
     assert out[1]["most_loaded_line"] == 3
     shown = run("system", place, "--line-out").out
     assert "Loose then" in shown
+
+
+def test_bodies_are_in_every_answer(run: Run, tmp_path: Path) -> None:
+    place = tmp_path / "barge.toml"
+    place.write_text(write_case(barge(checks=CHECKS, title="Barge")), encoding="utf-8")
+    solved = document_of(run, "system", place, "--line-out", "--stiffness", "--watch-circle")
+    assert len(solved["watch_circle"]["responses"]) == 120
+    validate(solved)
+    first, held = solved["states"]
+    (body,) = first["bodies"]
+    assert body["force_N"] == [150e3, 60e3]
+    # Held where it rests, the lines pull on it with minus its load.
+    assert held["load"][0] == pytest.approx(-150e3, rel=1e-6)
+    assert held["displacement"][5] == pytest.approx(body["position"]["yaw_rad"])
+    shown = run("system", place, "--full").out
+    assert "1 bodies free in x, y" in shown
+    page = run("report", place, "--out", tmp_path / "note.html", "--lang", "vi")
+    assert page.status == 0, page.err
+    assert "Các vật nổi" in (tmp_path / "note.html").read_text("utf-8")
+
+
+def test_a_float_in_a_current_is_in_every_answer(run: Run, tmp_path: Path) -> None:
+    place = tmp_path / "float.toml"
+    place.write_text(write_case(moored(title="Float", checks=CHECKS_OF_ROPE)), encoding="utf-8")
+    solved = document_of(run, "system", place)
+    validate(solved)
+    (state,) = solved["states"]
+    (still,), (own,) = state["still_height_m"], state["current"]
+    assert still > state["points"][1]["place_m"][2] > 390.0
+    assert own["drag_N"][0] > 0.0
+    assert own["fairlead_force_N"][2] == pytest.approx(6e3, rel=1e-6)
+    shown = " ".join(run("system", place).out.split())
+    assert "Floats in the current" in shown
+    assert "0.9 m/s at the surface, towards 30 deg from x" in shown
+    page = run("report", place, "--out", tmp_path / "note.html", "--lang", "vi")
+    assert page.status == 0, page.err
+    text = (tmp_path / "note.html").read_text("utf-8")
+    assert "Bị nhấn xuống" in text
+    assert "tích phân dọc theo dây trong dòng chảy" in text
+    assert "no body that could be held" in refused(run, "system", place, "--stiffness").err
 
 
 def test_an_answer_is_written_with_its_case_and_again(run: Run, tmp_path: Path) -> None:

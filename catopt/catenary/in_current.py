@@ -1,0 +1,677 @@
+"""One line at rest in a current: its equations along the line, by shooting from its lower end.
+
+With the unstretched arc length s from the anchor, the place r, the force F of what is above on what
+is below, T = |F| and e = F/T:
+
+    dr/ds = (1 + T/EA) e        dF/ds = w k - f
+
+k being up, w the submerged weight and f the drag, both per unstretched length as in the truss
+model, S4 [2.19]-[2.32]:
+
+    f = 0.5 rho D (C_n |u_n| u_n + C_t |u_t| u_t)        u_t = (u.e) e,  u_n = u - u_t
+
+Sought are F at the anchor, or F and how much lies, until the line ends at its fairlead. Where part
+of it lies, F has no vertical part at the touchdown; from there to the anchor the line lies straight
+on as it came down, without drag, the friction taking off its tension. A clump weight that touches
+the bed feels so much of its drag as of its weight is lifted.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+from catopt.catenary.layout import Profile, Stretch
+from catopt.catenary.solution import EndState, PointLoadState, Residual, SegmentState, Solution
+from catopt.catenary.solve import solve
+from catopt.catenary.state import Regime
+from catopt.catenary.warnings import plausibility
+from catopt.errors import InputError, NotConvergedError, Problem
+from catopt.model import Case, CurrentProfile, Line, Site
+from catopt.model.line import drag_missing
+from catopt.words import Measure, Message
+
+Vector = tuple[float, float, float]
+Row = tuple[float, float, float, float, float]
+"""Arc length from the anchor, x, y, z (m) and tension (N)."""
+Flow = Callable[[float], tuple[float, float]]
+"""Velocity of the water along x and y, m/s, at a height above the bed, m."""
+
+LOCAL = 1e-11
+"""Error of a step along the line, as a part of the line's length and of its forces."""
+CLOSED, ENOUGH = 1e-10, 1e-8
+"""How far the line may miss its fairlead, as a part of its length: sought, and where it stalls."""
+STATIONS = 200
+"""Fewest places at which the line is laid out."""
+
+_STEPS, _TRIALS, _LEAST_SHARE = 20_000, 40, 1e-3
+_DIFFERENCE = 1e-5
+"""Of the forces, by which they are changed for derivatives."""
+_SLACK = 0.02
+"""Of the line's weight and load: less tension than that at the touchdown is nearly none."""
+_LEAST_PART = 1.0 / 64.0
+"""Of the current, in which it is put on where it cannot be at once."""
+
+
+@dataclass(frozen=True, repr=False, kw_only=True)
+class SolutionInCurrent(Solution):
+    """Equilibrium of one line in a current.
+
+    The anchor lies at x = y = 0, x towards the fairlead. `places` are rows of unstretched arc
+    length from the anchor, x, y, z (m) and tension (N); `drag` is that of the whole line,
+    `fairlead_force` what holds it there, `anchor_force` what it pulls on its anchor with, N along
+    x, y and up.
+    """
+
+    current: CurrentProfile
+    surface_velocity: tuple[float, float]
+    places: tuple[Row, ...]
+    drag: Vector
+    fairlead_force: Vector
+    anchor_force: Vector
+
+    def profile(self, points: int = 101) -> Profile:
+        """Sample the shape and the tension at about so many of the places, from the anchor up."""
+        s, x, _, z, tension = zip(*self._sampled(points), strict=True)
+        return Profile(s, x, z, tension)
+
+    def _sampled(self, points: int) -> list[Row]:
+        every = max(1, (len(self.places) - 1) // max(points - 1, 1))
+        kept = [*range(0, len(self.places), every)]
+        return [self.places[k] for k in dict.fromkeys((*kept, len(self.places) - 1))]
+
+    def to_dict(self, *, profile: bool = False) -> dict[str, Any]:
+        """Build the document that ``catopt solve --json`` prints (schema catopt.solution/1)."""
+        document = super().to_dict(profile=profile)
+        document["current"] = {
+            "profile": self.current.profile,
+            "surface_velocity_m_per_s": list(self.surface_velocity),
+            "drag_N": list(self.drag),
+            "fairlead_force_N": list(self.fairlead_force),
+            "anchor_force_N": list(self.anchor_force),
+        }
+        if profile:
+            document["profile"]["y_m"] = [row[2] for row in self._sampled(101)]
+        return document
+
+
+class Part(NamedTuple):
+    """A uniform part of the line, and the point loads on its lower end.
+
+    length (m), submerged weight (N/m), compliance (1/N), 0.5 rho D C across and along (N s2/m3);
+    of the loads: weight (N), 0.5 rho Cd A (N s2/m2), Coulomb coefficient.
+    """
+
+    length: float
+    weight: float
+    compliance: float
+    across: float
+    along: float
+    segment: int
+    load: float
+    load_drag: float
+    load_friction: float
+
+
+class Node(NamedTuple):
+    """A place on the line: arc length from the anchor, place from it, force of what is above it.
+
+    `stretched` is the stretched length from the anchor; m and N.
+    """
+
+    s: float
+    x: float
+    y: float
+    z: float
+    fx: float
+    fy: float
+    fz: float
+    stretched: float
+
+    @property
+    def tension(self) -> float:
+        """N."""
+        return math.sqrt(self.fx * self.fx + self.fy * self.fy + self.fz * self.fz)
+
+
+class Laid(NamedTuple):
+    """The line from its anchor up: the nodes of what lies, and of each part that hangs.
+
+    `bed` has part and node, none where all hangs; `hung` begins with part `first`; `reaction` is
+    what the bed carries of a clump weight at the touchdown, N; `pull` that on the anchor.
+    """
+
+    bed: tuple[tuple[int, Node], ...]
+    hung: tuple[tuple[Node, ...], ...]
+    first: int
+    reaction: float
+    pull: Vector
+
+    @property
+    def top(self) -> Node:
+        """The upper end."""
+        return self.hung[-1][-1]
+
+
+def solve_in_current(case: Case) -> SolutionInCurrent:
+    """Solve the line of a case at rest in its current, under its load.
+
+    The fairlead is held in its height and across x; a horizontal force is its part along x.
+    InputError: a segment without drag, or a state that is not solved in a current.
+    NoEquilibriumError: as for `solve` in still water. NotConvergedError.
+    """
+    assert case.current is not None
+    assert case.load is not None
+    if lacks := drag_missing(case.line):
+        raise InputError(lacks, "current")
+    load = case.load
+    still = solve(
+        case.line,
+        horizontal_force=load.horizontal_force,
+        span=load.span,
+        fairlead_tension=load.fairlead_tension,
+        **case.place,
+    )
+    shot = _Shot(case.line, case.site, case.current, case.anchor_height, still.fairlead.tension)
+
+    def missed(top: Node) -> Vector:
+        if load.span is not None:
+            first = top.x - load.span
+        else:
+            wanted = load.horizontal_force or load.fairlead_tension or 0.0
+            given = top.fx if load.horizontal_force is not None else top.tension
+            first = (given - wanted) * shot.per_force
+        return first, top.y, top.z - case.fairlead_height
+
+    shot.missed_by = missed
+    lifted = still.fairlead.vertical_force - case.line.submerged_weight
+    found = _solution(shot, shot.closed([still.horizontal_force, 0.0, lifted]))
+    span = found.span if load.span is None else load.span
+    return replace(found, fairlead_height=case.fairlead_height, span=span)
+
+
+def hung_on_float(
+    line: Line, site: Site, current: CurrentProfile, pull: Vector, drag: float, anchor_height: float
+) -> tuple[SolutionInCurrent, float]:
+    """Solve a line whose upper end a float pulls, and the current with it.
+
+    `pull`: of the float along x, y and up, N; `drag`: its Cd A, m2. Returns the line, x in the
+    direction from its anchor to its upper end, and that direction, rad.
+    """
+    shot = _Shot(line, site, current, anchor_height, math.hypot(*pull))
+    half = 0.5 * site.water_density * drag
+
+    def missed(top: Node) -> Vector:
+        u, v = shot.water(top.z)
+        push = half * math.hypot(u, v)
+        off = (top.fx - pull[0] - push * u, top.fy - pull[1] - push * v, top.fz - pull[2])
+        x, y, z = (each * shot.per_force for each in off)
+        return x, y, z
+
+    shot.missed_by = missed
+    known = shot.closed([pull[0], pull[1], pull[2] - line.submerged_weight])
+    laid = shot.laid(known, shot.length)
+    assert laid is not None
+    direction = math.atan2(laid.top.y, laid.top.x)
+    return _solution(shot, known, direction), direction
+
+
+def parts_of(line: Line, density: float, friction: float) -> tuple[Part, ...]:
+    """Cut a line at its segments and point loads, from the anchor up."""
+    half, ends, start = 0.5 * density, [0.0], 0.0
+    for segment in line.segments:
+        start += segment.length
+        ends.append(start)
+    cuts = sorted({*ends, *(load.position for load in line.point_loads)})
+    found = []
+    for low, high in pairwise(cuts):
+        k = next(k for k in range(len(line.segments)) if high <= ends[k + 1])
+        segment = line.segments[k]
+        here = [load for load in line.point_loads if load.position == low]
+        hold = [friction if each.friction is None else each.friction for each in here]
+        area = half * (segment.drag_diameter or 0.0)
+        found.append(
+            Part(
+                high - low,
+                segment.submerged_weight,
+                1.0 / segment.EA,
+                area * (segment.drag_normal or 0.0),
+                area * (segment.drag_axial or 0.0),
+                k,
+                math.fsum(each.submerged_weight for each in here),
+                half * math.fsum(each.drag_product for each in here),
+                max(hold, default=friction),
+            )
+        )
+    return tuple(found)
+
+
+class _Shot:
+    """What is aimed at: the fairlead under its load.
+
+    Sought are the horizontal force at the lower end of what hangs, along x and y, and what the
+    anchor is pulled up with; below 0 that is the weight of what lies, N.
+    """
+
+    missed_by: Callable[[Node], Vector]
+    """By how much an upper end is off: in its place, or in its force as m, by `per_force`."""
+
+    def __init__(
+        self,
+        line: Line,
+        site: Site,
+        current: CurrentProfile,
+        anchor_height: float,
+        tension: float,
+    ) -> None:
+        self.line, self.site, self.current = line, site, current
+        self.flow = current.flow(site.water_depth)
+        self.parts = parts_of(line, site.water_density, site.seabed_friction)
+        self.anchor_height = anchor_height
+        self.friction, self.length = site.seabed_friction, line.length
+        self.may_lie = self.anchor_height == 0.0 and all(
+            each.weight >= 0.0 and each.load >= 0.0 for each in self.parts
+        )
+        self.part = 1.0
+        weights = (abs(each.weight * each.length) + abs(each.load) for each in self.parts)
+        self.scale = math.fsum(weights) + tension
+        self.per_force = self.length / self.scale
+
+    def closed(self, known: list[float]) -> list[float]:
+        """Find what is sought, the current put on in parts where it cannot be at once."""
+        done, part = 0.0, 1.0
+        while done < 1.0:
+            self.part = min(1.0, done + part)
+            found = self._newton(known)
+            if found is not None:
+                known, done = found, self.part
+            elif part <= _LEAST_PART:
+                self.check_taut(known)
+                raise NotConvergedError(Message("catenary.current_not_converged", part=self.part))
+            else:
+                part *= 0.5
+        return known
+
+    def check_taut(self, known: Sequence[float]) -> None:
+        """Refuse a line that the current slackens where it comes to the bed."""
+        left = math.hypot(known[0], known[1])
+        if self.may_lie and known[2] < 0.0 and left < _SLACK * self.scale:
+            said = Message("refused_case.current_slackens", left=Measure("tension", left))
+            raise InputError([Problem("current", "", said)], "current")
+
+    def left_open(self, known: Sequence[float]) -> float:
+        """Bound what an error of the place of the fairlead leaves open of the forces, N."""
+        left = self.missed(known)
+        columns = None if left is None else self._columns(known, left)
+        if columns is None:
+            return math.inf
+        open_by = [0.0] * 3
+        for k in range(3):
+            far = [CLOSED * self.length * (i == k) for i in range(3)]
+            step = solved(columns, far) or [math.inf] * 3
+            open_by = [a + abs(b) for a, b in zip(open_by, step, strict=True)]
+        return max(open_by)
+
+    def water(self, z: float) -> tuple[float, float]:
+        """Velocity of the water at a height, so much of it as is put on."""
+        u, v = self.flow(z)
+        return self.part * u, self.part * v
+
+    def laid(self, known: Sequence[float], longest: float) -> Laid | None:
+        """Follow the line from its anchor up, in steps of no more than `longest` m.
+
+        None where more would lie than there is.
+        """
+        fx, fy, up = known
+        if up >= 0.0 or not self.may_lie:
+            start = Node(0.0, 0.0, 0.0, self.anchor_height, fx, fy, up, 0.0)
+            hung = self._upwards(start, 0, self.parts[0].length, longest)
+            return Laid((), hung, 0, 0.0, (fx, fy, up))
+        lies = -up
+        for k, part in enumerate(self.parts):
+            if lies < part.load:
+                return self._from_bed(k, 0.0, lies, (fx, fy), longest)
+            lies -= part.load
+            if lies < part.weight * part.length:
+                return self._from_bed(k, lies / part.weight, 0.0, (fx, fy), longest)
+            lies -= part.weight * part.length
+        return None
+
+    def _from_bed(
+        self, k: int, lying: float, reaction: float, force: tuple[float, float], longest: float
+    ) -> Laid:
+        """Lay the line up to a place in part k, or a clump weight on its lower end; and go on."""
+        part, (fx, fy), up = self.parts[k], force, 0.0
+        if reaction > 0.0:  # it hangs on from a clump weight: with what is lifted of it
+            up = part.load - reaction
+            u, v = self.water(0.0)
+            push = part.load_drag * math.hypot(u, v) * up / part.load
+            fx, fy = fx - push * u, fy - push * v
+        T = math.hypot(*force)
+        way = (force[0] / T, force[1] / T) if T > 0.0 else (1.0, 0.0)
+        bed = self._bed(k, lying, reaction, T, way)
+        _, last = bed[-1]
+        start = last._replace(fx=fx, fy=fy, fz=up)
+        hung = self._upwards(start, k, part.length - lying, longest)
+        end = bed[0][1]
+        return Laid(tuple(bed), hung, k, reaction, (end.fx, end.fy, 0.0))
+
+    def _bed(
+        self, k: int, lying: float, reaction: float, T: float, way: tuple[float, float]
+    ) -> list[tuple[int, Node]]:
+        """Lay parts on the bed from the anchor to a place in part k; T is the tension there."""
+        rows: list[tuple[int, float, float, float]] = [(k, 0.0, 0.0, T)]  # down from that place
+        if reaction > 0.0:
+            T = max(T - self.parts[k].load_friction * reaction, 0.0)
+        down = stretched = 0.0
+        for j in range(k, -1, -1):
+            part = self.parts[j]
+            length = lying if j == k else part.length
+            if length > 0.0:
+                T, longer = _dragged(T, length, part, self.friction)
+                down, stretched = down + length, stretched + longer
+                rows.append((j, down, stretched, T))
+            if not (j == k and reaction > 0.0):
+                T = max(T - part.load_friction * part.load, 0.0)
+        place = sum(part.length for part in self.parts[:k]) + lying
+        found = []
+        for j, below, longer, tension in reversed(rows):
+            along = stretched - longer
+            x, y = along * way[0], along * way[1]
+            force = (tension * way[0], tension * way[1], 0.0)
+            found.append((j, Node(place - below, x, y, 0.0, *force, along)))
+        return found
+
+    def _upwards(
+        self, start: Node, k: int, length: float, longest: float
+    ) -> tuple[tuple[Node, ...], ...]:
+        """Follow what is left of part k, and all above it."""
+        scales = (self.length, self.scale)
+        found = [_along(start, length, self.parts[k], self.water, scales, longest)]
+        for part in self.parts[k + 1 :]:
+            at = found[-1][-1]
+            if part.load or part.load_drag:
+                u, v = self.water(at.z)
+                push = part.load_drag * math.hypot(u, v)
+                at = at._replace(fx=at.fx - push * u, fy=at.fy - push * v, fz=at.fz + part.load)
+            found.append(_along(at, part.length, part, self.water, scales, longest))
+        return tuple(found)
+
+    def missed(self, known: Sequence[float]) -> list[float] | None:
+        """Say by how much the line misses what is aimed at, m; None for nowhere."""
+        laid = self.laid(known, self.length)
+        return None if laid is None else list(self.missed_by(laid.top))
+
+    def _newton(self, known: Sequence[float]) -> list[float] | None:
+        """Seek by differences; None where that does not settle."""
+        at, left = list(known), self.missed(known)
+        if left is None:
+            return None
+        for _ in range(_TRIALS):
+            size = max(map(abs, left))
+            if size <= CLOSED * self.length:
+                return at
+            columns = self._columns(at, left)
+            step = None if columns is None else solved(columns, [-each for each in left])
+            share = 1.0 if step is not None else 0.0
+            while step is not None and share >= _LEAST_SHARE:
+                there = [a + share * b for a, b in zip(at, step, strict=True)]
+                new = self.missed(there)
+                if new is not None and max(map(abs, new)) < (1.0 - 0.1 * share) * size:
+                    at, left = there, new
+                    break
+                share *= 0.5
+            else:
+                return at if size <= ENOUGH * self.length else None
+        return None
+
+    def _columns(self, at: Sequence[float], left: Sequence[float]) -> list[list[float]] | None:
+        """Return how what is missed changes with each force, m/N; None where one leads nowhere."""
+        columns = []
+        change = _DIFFERENCE * self.scale
+        for k in range(3):
+            moved = self.missed([a + change * (i == k) for i, a in enumerate(at)])
+            if moved is None:
+                return None
+            columns.append([(b - a) / change for a, b in zip(left, moved, strict=True)])
+        return columns
+
+
+def _along(
+    at: Node,
+    length: float,
+    part: Part,
+    flow: Flow,
+    scales: tuple[float, float],
+    longest: float,
+) -> tuple[Node, ...]:
+    """Follow so much of a part upwards; `scales`: length and force that errors are parts of."""
+    nodes, done = [at], 0.0
+    stride = min(longest, 0.1 * length)
+    for _ in range(_STEPS):
+        ahead = length - done
+        if not ahead > 0.0:
+            return tuple(nodes)
+        is_last = stride >= ahead * (1.0 - 1e-12)
+        stride = min(stride, ahead)
+        there, error = _stepped(nodes[-1], stride, part, flow, scales)
+        if error > LOCAL:
+            stride *= max(0.9 * (LOCAL / error) ** 0.2, 0.1)
+            continue
+        nodes.append(there)
+        done = length if is_last else done + stride
+        growth = 0.9 * (LOCAL / error) ** 0.2 if error > 0.0 else 5.0
+        stride = min(stride * min(max(growth, 0.2), 5.0), longest)
+    raise NotConvergedError(Message("catenary.current_not_converged", part=1.0))
+
+
+_STAGES = (
+    (1 / 5,),
+    (3 / 40, 9 / 40),
+    (44 / 45, -56 / 15, 32 / 9),
+    (19372 / 6561, -25360 / 2187, 64448 / 6561, -212 / 729),
+    (9017 / 3168, -355 / 33, 46732 / 5247, 49 / 176, -5103 / 18656),
+    (35 / 384, 0.0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84),
+)
+_FIFTH_LESS_FOURTH = (71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40)
+"""Runge and Kutta's method of Dormand and Prince, order 5 (4), J. Comp. Appl. Math. 6 (1980)."""
+
+
+def _stepped(
+    at: Node, stride: float, part: Part, flow: Flow, scales: tuple[float, float]
+) -> tuple[Node, float]:
+    """Take one step up the line; its error by the scales."""
+    y: tuple[float, ...] = at[1:]
+    slopes, new = [_slope(y, part, flow)], y
+    for row in _STAGES:
+        moved = [sum(map(float.__mul__, row, of)) for of in zip(*slopes, strict=True)]
+        new = tuple(a + stride * b for a, b in zip(y, moved, strict=True))
+        slopes.append(_slope(new, part, flow))
+    off = [sum(map(float.__mul__, _FIFTH_LESS_FOURTH, of)) for of in zip(*slopes, strict=True)]
+    error = max(max(map(abs, off[:3])) / scales[0], max(map(abs, off[3:6])) / scales[1])
+    return Node(at.s + stride, *new), stride * error
+
+
+def _slope(y: Sequence[float], part: Part, flow: Flow) -> tuple[float, ...]:
+    """Say how place, force and stretched length change along the line, going up."""
+    _, _, z, fx, fy, fz, _ = y
+    T = math.sqrt(fx * fx + fy * fy + fz * fz)
+    ex, ey, ez = (fx / T, fy / T, fz / T) if T > 0.0 else (0.0, 0.0, 1.0)
+    u, v = flow(z)
+    along = u * ex + v * ey
+    nx, ny, nz = u - along * ex, v - along * ey, -along * ez
+    across = part.across * math.sqrt(nx * nx + ny * ny + nz * nz)
+    pull = part.along * abs(along) * along
+    longer = 1.0 + T * part.compliance
+    return (
+        longer * ex,
+        longer * ey,
+        longer * ez,
+        -across * nx - pull * ex,
+        -across * ny - pull * ey,
+        part.weight - across * nz - pull * ez,
+        longer,
+    )
+
+
+def _dragged(T: float, length: float, part: Part, friction: float) -> tuple[float, float]:
+    """Tension at the far end of a part on the bed, and its stretched length."""
+    loss = friction * part.weight
+    taut = min(length, T / loss) if loss > 0.0 else length
+    end = max(T - loss * length, 0.0)
+    return end, length + part.compliance * 0.5 * (T + end) * taut
+
+
+def solved(columns: Sequence[Sequence[float]], sides: Sequence[float]) -> list[float] | None:
+    """Solve up to three linear equations with exchange of rows; None where they are singular."""
+    size = len(sides)
+    rows = [[*(columns[j][i] for j in range(size)), sides[i]] for i in range(size)]
+    for j in range(size):
+        pivot = max(range(j, size), key=lambda r: abs(rows[r][j]))
+        rows[j], rows[pivot] = rows[pivot], rows[j]
+        if rows[j][j] == 0.0:
+            return None
+        for r in range(size):
+            if r != j:
+                factor = rows[r][j] / rows[j][j]
+                rows[r] = [a - factor * b for a, b in zip(rows[r], rows[j], strict=True)]
+    return [rows[i][size] / rows[i][i] for i in range(size)]
+
+
+# ------------------------------------------------------------------ the answer
+
+
+def _solution(shot: _Shot, known: Sequence[float], direction: float = 0.0) -> SolutionInCurrent:
+    """Say all of a line that is found, with x in a direction (rad)."""
+    laid = shot.laid(known, shot.length / STATIONS)
+    assert laid is not None
+    c, s = math.cos(direction), math.sin(direction)
+
+    def turned(of: Vector) -> Vector:
+        return c * of[0] + s * of[1], c * of[1] - s * of[0], of[2]
+
+    line, top = shot.line, laid.top
+    pull, fairlead_force = turned(laid.pull), turned((top.fx, top.fy, top.fz))
+    lowest = min(node.z for nodes in laid.hung for node in nodes)
+    if lowest < -ENOUGH * shot.length:
+        allowed = Message("refused_case.current_and_bed", depth=-lowest)
+        raise InputError([Problem("current", "", allowed)], "current")
+    placed = [*laid.bed, *((laid.first + k, n) for k, ns in enumerate(laid.hung) for n in ns)]
+    largest = [0.0] * len(line.segments)
+    for k, node in placed:
+        segment = shot.parts[k].segment
+        largest[segment] = max(largest[segment], node.tension)
+    grounded = laid.hung[0][0].s if laid.bed else 0.0
+    first, across, height = shot.missed_by(top)
+    places = [(n.s, *turned((n.x, n.y, n.z)), n.tension) for _, n in placed]
+    below = turned(laid.bed[-1][1][4:7]) if laid.bed else pull
+    upper = shot.parts[laid.first :]
+    lifted = math.fsum(
+        [
+            *(p.weight * (ns[-1].s - ns[0].s) for p, ns in zip(upper, laid.hung, strict=True)),
+            *(part.load for part in upper[1:]),
+            upper[0].load - laid.reaction if laid.reaction > 0.0 else 0.0,
+        ]
+    )
+    solution = SolutionInCurrent(
+        line=line,
+        method="shooting",
+        regime=_regime(laid),
+        fairlead_height=top.z,
+        anchor_height=shot.anchor_height,
+        seabed_friction=shot.friction,
+        span=places[-1][1],
+        fairlead=_end(fairlead_force),
+        anchor=_end(pull),
+        grounded_length=grounded,
+        suspended_length=shot.length - grounded,
+        stretched_length=top.stretched,
+        segments=tuple(
+            SegmentState(segment.name, segment.length, tension, segment.MBL)
+            for segment, tension in zip(line.segments, largest, strict=True)
+        ),
+        point_loads=_loads(line, places, laid),
+        stretches=tuple(_stretches(shot, laid, places)),
+        residual=Residual(
+            height=height,
+            span=math.hypot(first, across),
+            force_uncertainty=shot.left_open(known),
+        ),
+        current=shot.current,
+        surface_velocity=shot.flow(shot.site.water_depth),
+        places=tuple(places),
+        drag=(
+            below[0] - fairlead_force[0],
+            below[1] - fairlead_force[1],
+            below[2] - fairlead_force[2] + lifted,
+        ),
+        fairlead_force=fairlead_force,
+        anchor_force=pull,
+    )
+    return replace(solution, warnings=(*plausibility(solution), *_warnings(solution)))
+
+
+def _end(force: Vector) -> EndState:
+    H = math.hypot(force[0], force[1])
+    return EndState(math.hypot(H, force[2]), H, force[2], math.atan2(force[2], H))
+
+
+def _regime(laid: Laid) -> Regime:
+    if laid.bed:
+        return "grounded"
+    return "below-anchor" if laid.pull[2] < -1e-12 * laid.hung[0][0].tension else "suspended"
+
+
+def _loads(line: Line, places: Sequence[Row], laid: Laid) -> tuple[PointLoadState, ...]:
+    """Place each point load; what the bed carries in one place is shared by weight."""
+    found = []
+    lies = laid.hung[0][0].s
+    for load in line.point_loads:
+        _, x, _, z, _ = min(places, key=lambda row: abs(row[0] - load.position))
+        carried = 0.0
+        if laid.bed and load.position <= lies * (1.0 + 1e-12):
+            carried = load.submerged_weight
+            if laid.reaction > 0.0 and load.position >= lies * (1.0 - 1e-12):
+                here = (o.submerged_weight for o in line.point_loads if o.position == load.position)
+                carried *= laid.reaction / math.fsum(here)
+        found.append(PointLoadState(load.name, load.position, x, z, carried))
+    return tuple(found)
+
+
+def _stretches(shot: _Shot, laid: Laid, places: Sequence[Row]) -> Iterator[Stretch]:
+    """Cut the line at its nodes, from the anchor up, for pictures."""
+    placed = [*laid.bed, *((laid.first + k, n) for k, ns in enumerate(laid.hung) for n in ns)]
+    lies = laid.hung[0][0].s
+    rows = zip(placed, places, strict=True)
+    for ((_, low), (_, x, *_)), ((k, high), _) in pairwise(rows):
+        if not high.s > low.s:  # two sides of one place
+            continue
+        part, on_bed = shot.parts[k], high.s <= lies
+        yield Stretch(
+            low.s,
+            high.s - low.s,
+            part.weight,
+            part.compliance,
+            x,
+            low.z,
+            math.hypot(low.fx, low.fy),
+            low.fz,
+            (high.tension - low.tension) / (high.s - low.s) if on_bed else 0.0,
+            on_bed=on_bed,
+            piece=k,
+        )
+
+
+def _warnings(solution: SolutionInCurrent) -> list[Message]:
+    """Say what the current does not act on, and what holds the fairlead across."""
+    found = []
+    if solution.grounded_length > 0.0:
+        found.append(Message("catenary.current_not_on_bed", length=solution.grounded_length))
+    _, side, _ = solution.fairlead_force
+    if abs(side) > CLOSED * solution.fairlead.tension:
+        force = Measure("horizontal_force", side)
+        found.append(Message("catenary.current_across", force=force))
+    return found
