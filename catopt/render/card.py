@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from bisect import bisect_left
 from collections.abc import Iterator
 from dataclasses import replace
 from textwrap import wrap
@@ -204,7 +205,14 @@ def _labelled(block: Brief, text: str, language: Language) -> str:
 def _cut(text: str, lines: int, count: int = 0, language: Language = "en") -> list[str]:
     """Fold a text, and leave words out from its end on until it has so many lines."""
     words, whole = text.split(), folded(_counted(text, count, language))
-    while len(whole) > lines and len(words) > 1:
-        words.pop()
-        whole = folded(_counted(f"{' '.join(words)} {_CUT}", count, language))
+    if len(whole) > lines:
+
+        def kept(number: int) -> list[str]:
+            said = f"{' '.join(words[:number])} {_CUT}"
+            return folded(_counted(said, count, language))
+
+        too_many = bisect_left(
+            range(1, len(words)), True, key=lambda number: len(kept(number)) > lines
+        )
+        whole = kept(max(too_many, 1))
     return whole or [""]
