@@ -166,7 +166,8 @@ def test_an_answer_beside_itself_differs_in_nothing() -> None:
 
 @pytest.mark.slow
 def test_a_sizing_shows_the_recommended_line_before_its_inputs() -> None:
-    html = ask("whole", {"door": "tanker", "values": START["tanker"]})["html"]
+    reply = ask("whole", {"door": "tanker", "values": START["tanker"]})
+    html = reply["html"] + reply["more"]
     recommended, inputs = (
         html.index(say(Message(key), "en")) for key in ("captions.recommended", "sizing.inputs")
     )
