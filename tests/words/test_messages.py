@@ -83,7 +83,9 @@ def english_in(node: ast.expr) -> Iterator[str]:
     if isinstance(node, ast.Constant) and isinstance(node.value, str):
         said = node.value
     elif isinstance(node, ast.JoinedStr):
-        said = "".join(f"{each.value}" for each in node.values if isinstance(each, ast.Constant))
+        said = "".join(
+            each for part in node.values if isinstance(each := getattr(part, "value", 0), str)
+        )
     else:
         for each in ast.iter_child_nodes(node):
             if isinstance(each, ast.expr):
