@@ -126,7 +126,10 @@ def check_entries(text: str, source: str, marks: str) -> None:
     entries = sum(map(text.count, marks))
     if entries > MOST_ENTRIES:
         allowed = Message("refused_command.are_most_give_long_tables", most_entries=MOST_ENTRIES)
-        raise InputError([Problem("file", f"some {entries:,} keys and values", allowed)], source)
+        raise InputError(
+            [Problem("file", Message("refused_command.keys_and_values", count=entries), allowed)],
+            source,
+        )
 
 
 def parse_json(text: str, source: str) -> dict[str, Any]:

@@ -6,12 +6,13 @@ import ast
 import json
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from tests.snippets import PAGES, blocks
+from tests.snippets import FENCE, PAGES
 
 NOTEBOOK = Path("docs") / "for-moorpy-users.ipynb"
 
@@ -71,15 +72,27 @@ def test_a_figure_has_a_picture_of_its_own_whatever_the_backend() -> None:
     assert figure._repr_png_().startswith(b"\x89PNG\r\n\x1a\n")
 
 
+def python_of(page: Path) -> Iterator[tuple[int, str]]:
+    """Yield what a page shows as Python, run or not, with its place among the page's blocks.
+
+    The page for those who change catopt has lines of its source, which are not run, too.
+    """
+    for number, block in enumerate(FENCE.finditer(page.read_text("utf-8"))):
+        is_source = page.stem == "architecture" and block["info"] == "python"
+        if block["info"].split()[:1] == ["python"] and not is_source:
+            yield number, block["body"]
+
+
 @pytest.mark.slow
 def test_a_type_checker_passes_what_the_pages_show(tmp_path: Path) -> None:
-    """README and the pages that show Python for users, a file a block."""
-    pages = {"README.md", "quick-start.md", "api.md", "study.md", "design.md", "sizing.md"}
-    for block in (each for page in PAGES if page.name in pages for each in blocks(page)):
-        if block.language == "python":
-            (tmp_path / f"{block.page.stem.replace('-', '_')}_{block.line}.py").write_text(
-                block.code, "utf-8"
-            )
+    """Every block of every page a file, and the notebook, whose last lines are shown, one."""
+    code = {f"{page.stem}_{k}": body for page in PAGES for k, body in python_of(page)}
+    code["notebook"] = "\n".join(cells())
+    assert {"README", "quick-start", "dynamics", "truss", "export"} <= {
+        name.rpartition("_")[0] for name in code
+    }
+    for name, body in code.items():
+        (tmp_path / f"{name.replace('-', '_')}.py").write_text(body, "utf-8")
     command = [sys.executable, "-m", "mypy", "--ignore-missing-imports", str(tmp_path)]
     cache = ["--cache-dir", str(tmp_path / "cache")]
     checked = subprocess.run([*command, *cache], capture_output=True, text=True, check=False)

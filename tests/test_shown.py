@@ -23,6 +23,7 @@ from catopt.render.files import csv_files
 from catopt.verify.case import verify_case
 
 CASES = Path("cases")
+AT_SEA = Path("tests/answers/cases/at-sea.toml")
 
 
 @cache
@@ -96,6 +97,39 @@ def test_every_result_has_a_table_for_a_notebook() -> None:
     assert [each for each in returned() if not hasattr(each, "_repr_html_")] == []
 
 
+def plain_results() -> list[Any]:
+    """Give one of every other result, by the functions that return it."""
+    line = catopt.Line([catopt.Segment(100.0, 900.0)])
+    compared = catopt_loads.compare_tanker()
+    afloat: Any = None
+    curve: Any = results()["curve"].curve
+    return [
+        catopt.component("chain studless R3", "76 mm"),
+        catopt.solve_many(line, height=60, span=[75, 79]),
+        curve,
+        catopt.find_length(line, height=60.0, horizontal_force=1e5, anchor_angle=0.0),
+        compared,
+        compared.loads,
+        catopt_loads.holding_capacity("Stevpris Mk5", "sand", 1500.0),
+        catopt_loads.size_drag_anchor("Stevpris Mk5", "sand", 4e5),
+        catopt_loads.laying_check(catopt_loads.buoy("T-5000l-2.4m"), 8e3, 15e3, chain_in="air"),
+        catopt_loads.size_sinker(1e4, soil="hard clay"),
+        catopt_loads.Lying(afloat, catopt_loads.HEAD_ON, 0.0, compared.loads, 20.0),
+        results()["system"].watch_circle(force=1e6, directions=4),
+        catopt_reproduce.reproduce("load_sharing"),
+        catopt.run_study(CASES / "study-fleet" / "study.toml", workers=1),
+        catopt.verify_dynamic(catopt.read_case(AT_SEA)),
+    ]
+
+
+def test_every_result_shows_a_table() -> None:
+    """Each is made by its own function, and asked as a notebook asks it."""
+    every = [*results().values(), *plain_results()]
+    assert returned() <= {type(each) for each in every}
+    for each in every:
+        assert "<table" in each._repr_html_(), type(each)
+
+
 def test_a_plain_result_shows_its_numbers() -> None:
     """The figures of the catalogue stand in the table as they are kept."""
     chain = catopt.component("chain studless R3", "76 mm")
@@ -123,12 +157,10 @@ def test_the_data_frame_is_that_of_the_files() -> None:
     ],
 )  # fmt: skip
 def test_a_result_draws_itself(name: str, frames: int) -> None:
-    figure = results()[name].plot()
+    figure: Any = results()[name].plot()
     axes = [each for each in figure.get_axes() if each.has_data()]
     assert len(axes) >= frames
-    stream = io.BytesIO()
-    figure.savefig(stream, format="png", dpi=40)
-    assert stream.getvalue().startswith(b"\x89PNG")
+    assert figure._repr_png_().startswith(b"\x89PNG")  # what a notebook asks of it, by any backend
 
 
 def test_what_has_no_drawing_says_which_have() -> None:

@@ -164,9 +164,13 @@ def _weight(body: Section) -> Iterator[Finding]:
         yield body.wrong("density", Message("refused.density_with_mass"))
     elif weight and density:
         allowed = Message("refused.leave_out_either")
-        yield Finding(body.path, "submerged_weight, mass and density", allowed)
+        yield Finding(
+            body.path,
+            Message("refused_file.all_of", some="submerged_weight, mass", last="density"),
+            allowed,
+        )
     elif mass and not weight and not density:
-        yield Finding(body.path, "mass without density", wanted)
+        yield Finding(body.path, Message("refused_file.mass_without_density"), wanted)
     elif not weight and not mass:
         yield body.missing("submerged_weight", wanted)
 
@@ -254,7 +258,11 @@ def _checks(case: Section) -> Iterator[Finding]:
         if "safety_factor_line_out" in section and single:
             yield section.wrong("safety_factor_line_out", Message("refused.needs_several_lines"))
     if "code" in checks and "codes" in checks:
-        yield Finding(("checks",), "code and codes", Message("refused.all_into_codes"))
+        yield Finding(
+            ("checks",),
+            Message("refused_file.two_keys", one="code", other="codes"),
+            Message("refused.all_into_codes"),
+        )
     if "max_span" in checks and "max_offset" in checks:
         yield checks.wrong("max_offset", Message("refused.limits_span"))
     yield from duplicates(checks, "codes")

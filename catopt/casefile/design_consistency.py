@@ -60,7 +60,11 @@ def _segment(choice: Section, index: int, line: _Line) -> Iterator[Finding]:
     yield from ranges.findings(LENGTHS, choice)
     if all(key in choice for key in _COMPONENTS):
         allowed = Message("refused.only_one")
-        yield Finding(choice.path, "component and components", allowed)
+        yield Finding(
+            choice.path,
+            Message("refused_file.two_keys", one="component", other="components"),
+            allowed,
+        )
     yield from _sizes(choice)
     nothing = Message("refused.no_such_segment", number=index + 1)
     if line.lacks(index) and choice.lacks(*LENGTHS.keys):

@@ -136,13 +136,17 @@ def _shares(fatigue: Section) -> Iterator[Finding]:
         given = [key for key in ("share", "time_per_year") if key in state]
         if len(given) != 1:
             if not state.misspelt("share", "time_per_year"):
-                allowed = "exactly one of share, time_per_year is wanted"
-                yield Finding(state.path, " and ".join(given) or "none of them", allowed)
+                allowed = Message("refused.exactly_one", ways="share, time_per_year")
+                yield Finding(
+                    state.path, " and ".join(given) or Message("refused_file.none_of_them"), allowed
+                )
             continue
         share = share_of_year({key: state.number(key) for key in given})
         if share is not None and share > 1.0 and "time_per_year" in given:
             path = (*state.path, "time_per_year")
-            yield Finding(path, f"{share:.6g} years", "at most one year")
+            yield Finding(
+                path, Message("refused_file.years", count=share), Message("refused_file.one_year")
+            )
         shares += [] if share is None else [share]
     yield from fatigue.refused(damage.share_misfits(shares))
 

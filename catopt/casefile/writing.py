@@ -144,7 +144,9 @@ def _around(case: Case, system: System) -> dict[str, Any]:
     )
     if around != system:
         allowed = Message("refused_command.case_file_holds_equal_lines")
-        raise InputError([Problem("system", "lines of their own", allowed)], "write_case")
+        raise InputError(
+            [Problem("system", Message("refused_file.lines_of_their_own"), allowed)], "write_case"
+        )
     if system.judged_line_out:
         del arrangement["judged_line_out"]
     return {key: value for key, value in arrangement.items() if value is not None}

@@ -22,6 +22,7 @@ from catopt.catalogue.formula import (
 )
 from catopt.catalogue.table import Table
 from catopt.units import UNITS, Dimension
+from catopt.words import Message
 
 _POWER = re.compile(r"d([0-3])")
 _DIAMETER = re.compile(r"(?:(\d+(?:\.\d+)?) )?d(/pi)?")
@@ -48,14 +49,14 @@ def read_formula(figure: Table, quantity: str) -> Formula | None:
     spec = SPECS[quantity]
     if table is None:
         if not figure.has("formula"):
-            figure.problem("formula", f"one by {', '.join(spec.forms)} is wanted")
+            figure.problem("formula", Message("refused_file.one_by", forms=", ".join(spec.forms)))
         return None
     forms = [key for key in table.values if key in spec.forms]
     powers = [key for key in forms if _POWER.fullmatch(key)]
     kinds = (["power"] if powers else []) + [key for key in forms if key not in powers]
     table.only(*spec.forms, *(e for key in forms for e in _EXTRA.get(key, ())))
     if len(kinds) != 1:
-        figure.problem("formula", f"exactly one of {', '.join(spec.forms)} is wanted")
+        figure.problem("formula", Message("refused.exactly_one", ways=", ".join(spec.forms)))
         return None
     if powers:
         return _polynomial(table, powers)
@@ -111,7 +112,7 @@ def _coefficient(table: Table) -> Coefficient | None:
         return Coefficient(value, None, name)
     parts = _DIAMETER.fullmatch(name)
     if parts is None:
-        table.problem("diameter", '"d", a multiple such as "2.65 d" or "d/pi", or "volume"')
+        table.problem("diameter", Message("refused_file.a_diameter"))
         return None
     ratio = float(parts[1] or 1.0) / (math.pi if parts[2] else 1.0)
     return Coefficient(value, ratio, name)

@@ -132,7 +132,7 @@ def _sizes(family: Table, sources: Mapping[str, Source], span: tuple[float, floa
     diameters = table.rising_mm("mm")
     outside = [in_mm(diameter) for diameter in diameters if span[1] and not within(diameter, span)]
     if outside:
-        table.problem("mm", f"{outside[0]} lies outside the family's range_mm")
+        table.problem("mm", Message("refused_file.outside_range", key="range_mm", size=outside[0]))
     return Sizes(
         diameters,
         _cited(table, sources),
@@ -146,8 +146,11 @@ def _cited(table: Table, sources: Mapping[str, Source]) -> tuple[Source, ...]:
     keys = table.texts("source", required=True)
     for key in keys:
         if key not in sources:
-            listed = ", ".join(sources) or "none yet"
-            table.problem("source", f'no source "{key}"; those of [sources] are: {listed}')
+            listed = ", ".join(sources) or Message("refused_file.none_yet")
+            table.problem(
+                "source",
+                Message("refused_file.no_source", table="[sources]", name=key, listed=listed),
+            )
     return tuple(sources[key] for key in keys if key in sources)
 
 
@@ -197,20 +200,24 @@ def _span(
     span = table.span_mm("range_mm")
     if span is None:
         return None
-    limits = {"the rows of the formula": whole}
+    limits: dict[str, tuple[float, float]] = {Message("refused_file.rows_of_formula"): whole}
     # A range of a family that is a problem already is (0, 0).
-    limits |= {f'range_mm of "{d.name}"': d.range for d in families if d.range[1] > 0.0}
+    limits |= {
+        Message("refused_file.range_of", key="range_mm", name=d.name): d.range
+        for d in families
+        if d.range[1] > 0.0
+    }
     for what, limit in limits.items():
         if not (within(span[0], limit) and within(span[1], limit)):
-            table.problem("range_mm", f"must lie within {what}")
+            table.problem("range_mm", Message("refused_file.within", what=what))
     return span
 
 
 def _knows(table: Table, drafts: Mapping[str, Family], name: str) -> bool:
     if name in drafts:
         return True
-    listed = ", ".join(f'"{each}"' for each in drafts) or "none yet"
-    table.problem("family", f'no family "{name}" in this file; there are: {listed}')
+    listed = ", ".join(f'"{each}"' for each in drafts) or Message("refused_file.none_yet")
+    table.problem("family", Message("refused_file.no_family", name=name, listed=listed))
     return False
 
 
@@ -219,8 +226,11 @@ def _figure_grades(table: Table, families: Sequence[Family]) -> tuple[str, ...]:
     for grade in grades:
         for draft in families:
             if grade not in draft.grades:
-                listed = ", ".join(draft.grades) or "none"
-                table.problem("grade", f'"{draft.name}" has no grade {grade}; it has: {listed}')
+                listed = ", ".join(draft.grades) or Message("refused.none")
+                table.problem(
+                    "grade",
+                    Message("refused_file.no_grade", name=draft.name, grade=grade, listed=listed),
+                )
     return grades
 
 

@@ -39,7 +39,7 @@ class Table:
         table = cls(parse_toml(text, source), "", findings)
         table.only("schema", *keys)
         if table.text("schema") not in {schema, None}:
-            table.problem("schema", f'"{schema}" is wanted')
+            table.problem("schema", Message("refused_case.word_is_wanted", word=schema))
         return table, findings
 
     def problem(self, key: str, allowed: str) -> None:
@@ -144,30 +144,34 @@ class Table:
         if span is None:
             return None
         if not 0.0 < span[0] < span[1]:
-            self.problem(key, "the smallest and the largest diameter in mm are wanted")
+            self.problem(key, Message("refused_file.two_diameters"))
             return None
         return span[0] / _MM, span[1] / _MM
 
-    def rising(self, key: str, what: str = "numbers") -> tuple[float, ...]:
+    def rising(self, key: str, what: str = "") -> tuple[float, ...]:
         """Read an array of rising numbers above 0."""
         value = self.values.get(key)
         if not isinstance(value, list) or not value:
-            self.problem(key, f"an array of {what} is wanted")
+            self.problem(
+                key, Message("refused_file.an_array", what=what or Message("refused_file.numbers"))
+            )
             return ()
         read = self.numbers(key, len(value)) or ()
         if any(not low < high for low, high in zip((0.0, *read), read, strict=False)):
-            self.problem(key, "must rise, and be above 0")
+            self.problem(key, Message("refused_file.rise_above_zero"))
         return read
 
     def rising_mm(self, key: str) -> tuple[float, ...]:
         """Read an array of rising diameters in mm; returned in m."""
-        return tuple(each / _MM for each in self.rising(key, "diameters in mm"))
+        return tuple(
+            each / _MM for each in self.rising(key, Message("refused_file.diameters_in_mm"))
+        )
 
     def rows(self, key: str) -> list[tuple[float, float]]:
         """Read an array of at least two pairs of positive numbers, the first of each rising."""
         value = self.values.get(key)
         if not isinstance(value, list) or len(value) < 2:
-            self.problem(key, "at least two rows [diameter in mm, value] are wanted")
+            self.problem(key, Message("refused_file.two_rows"))
             return []
         read: list[tuple[float, float]] = []
         for index, row in enumerate(value):
@@ -192,7 +196,7 @@ class Table:
         if value is None:
             return None
         if not isinstance(value, dict):
-            self.problem(key, "a table is wanted")
+            self.problem(key, Message("refused_file.a_table"))
             return None
         return Table(value, self.at(key), self._findings)
 
@@ -202,7 +206,7 @@ class Table:
         if value is None and not required:
             return []
         if not isinstance(value, list) or not all(isinstance(each, dict) for each in value):
-            self.problem(key, f"tables that each begin with [[{key}]] are wanted")
+            self.problem(key, Message("refused_file.tables", key=key))
             return []
         return [Table(e, f"{self.at(key)}[{i}]", self._findings) for i, e in enumerate(value)]
 

@@ -265,7 +265,7 @@ def _known(*given: Numbers | None) -> tuple[int, Numbers]:
             [
                 Problem(
                     "load",
-                    f"{len(found)} of them",
+                    Message("refused_motion.of_them", count=len(found)),
                     Message("refused.one_load"),
                 )
             ],
@@ -306,8 +306,9 @@ def _tables(
         table = _vector(default if given is None else given)
         table = table[np.newaxis] if table.ndim == 1 else np.atleast_2d(table)
         if table.ndim != 2 or table.shape[1] != len(default):
-            wanted = f"shape ({len(default)},) or (n, {len(default)}) is wanted, as the line has it"
-            problems.append(Problem(key, f"shape {np.shape(table)}", wanted))
+            wanted = Message("refused_motion.shape_of_line", count=len(default))
+            shape = Message("refused_motion.shape", shape=np.shape(table))
+            problems.append(Problem(key, shape, wanted))
         tables.append(np.ascontiguousarray(table))
     if problems:
         raise InputError(problems, "solve_many")
@@ -322,8 +323,9 @@ def _count(per_line: list[Numbers], tables: list[Array]) -> int:
     sizes |= {table.shape[0] for table in tables if table.shape[0] > 1}
     sizes.discard(1)
     if len(sizes) > 1 or any(np.ndim(values) > 1 for values in per_line):
-        found = ", ".join(str(size) for size in sorted(sizes))
-        problem = Problem("arrays", f"lengths {found}", "one entry a line, as many in each")
+        lengths = ", ".join(str(size) for size in sorted(sizes))
+        found = Message("refused_motion.lengths_of_arrays", lengths=lengths)
+        problem = Problem("arrays", found, Message("refused_motion.per_line"))
         raise InputError([problem], "solve_many")
     return sizes.pop() if sizes else 1
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from catopt.errors import NotConvergedError
+from catopt.words import Message
 
 LIMIT = 100
 """Evaluations: bisection alone takes some 60 to the last digit."""
@@ -53,4 +54,4 @@ def root(
         before, f_before = now, f_now
         now += step if abs(step) > delta else (delta if half > 0.0 else -delta)
         f_now = function(now)
-    raise NotConvergedError(f"no root within {abs(beyond - now):.3g} of {now:.6g}")
+    raise NotConvergedError(Message("refused_motion.no_root", within=abs(beyond - now), about=now))

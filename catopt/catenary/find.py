@@ -443,7 +443,8 @@ def _shortest(line: Line, segment: int, rise: float) -> float:
 def _index(key: str, index: int, count: int) -> int:
     if -count <= index < count:
         return index % count
-    problem = Problem(key, str(index), f"from 0 to {count - 1}" if count else "the line has none")
+    which = "from_index" if count else "line_has_none"
+    problem = Problem(key, str(index), Message(f"refused_motion.{which}", last=count - 1))
     raise InputError([problem], "find")
 
 
@@ -452,11 +453,13 @@ def _one_of(**given: float | None) -> None:
     problems = []
     if len(chosen) != 1:
         names = " and ".join(given)
-        problems.append(Problem(names, f"{len(chosen)} of them", "exactly one is wanted"))
+        which = Message("refused_motion.of_them", count=len(chosen))
+        problems.append(Problem(names, which, Message("refused_motion.exactly_one")))
     for key, value in chosen.items():
         is_angle = key == "anchor_angle"
         if not (0.0 <= value < math.pi / 2 if is_angle else 0.0 < value < math.inf):
-            allowed = "from 0 to below pi/2 rad" if is_angle else "a length above 0 m"
+            name = "from_zero_to_right_angle" if is_angle else "length_above_zero"
+            allowed = Message(f"refused_motion.{name}")
             problems.append(Problem(key, repr(plain(value)), allowed))
     if problems:
         raise InputError(problems, "find")

@@ -131,7 +131,7 @@ def _check(line: Line, load: Load, found: Findings) -> None:
     if weightless and not line.point_loads and load.horizontal_force is None:
         found.add(
             "segments",
-            "no submerged weight in any of them",
+            Message("refused_motion.weightless"),
             Message("refused_motion.line_without_weight_needs_load"),
         )
     found.raise_if_any()

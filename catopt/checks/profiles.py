@@ -184,7 +184,7 @@ def _strength(table: Table, check: CheckKind | None) -> StrengthKind | Literal["
         return table.word("of", STRENGTHS)
     for key in _OF_TENSION:
         if table.has(key):
-            table.problem(key, "goes with a tension check; leave it out")
+            table.problem(key, Message("refused_file.goes_with_tension"))
     return ""
 
 
@@ -192,5 +192,5 @@ def _words(table: Table, key: str, words: tuple[Word, ...]) -> tuple[Word, ...]:
     """Read some of a few words, in their own order."""
     given = table.texts(key)
     if not set(given) <= set(words):
-        table.problem(key, f"some of {', '.join(words)} are wanted")
+        table.problem(key, Message("refused_file.some_of", words=", ".join(words)))
     return tuple(each for each in words if each in given)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from catopt.decks.deck import Deck, Notes, Piece, Point
+from catopt.decks.deck import Deck, Notes, Piece, Point, refusal
 
 
 @dataclass(frozen=True)
@@ -40,11 +40,11 @@ def chains_of(deck: Deck, notes: Notes, only: int | None = None) -> list[Chain]:
     while left:
         start = next((p for p in left if _held(deck, p) is not None), None)
         if start is None:
-            notes.refuse(left[0].row, "lines that run in a circle", "nothing holds them")
+            notes.refuse(left[0].row, refusal("in_a_circle"), "nothing_holds")
             break
         found.append(_oriented(_follow(deck, start, left)))
     if only is not None and not 1 <= only <= len(found):
-        notes.refuse(0, f"--line {only}", f"the deck has the lines 1 to {len(found)}")
+        notes.refuse(0, f"--line {only}", "lines_are", count=len(found))
     elif only is not None:
         if len(found) > 1:
             notes.say("only", number=only, count=len(found))
@@ -62,11 +62,7 @@ def check_meeting(deck: Deck, notes: Notes) -> dict[str, list[Piece]]:
         if not pieces:
             notes.say("unattached", line=point.row, name=name)
         elif point.end == "free" and len(pieces) == 1 and not _is_pulled(deck, point):
-            allowed = (
-                "one line ends here and nothing holds it; hold the point, or give it buoyancy (a "
-                "volume that lifts more than its mass) or a force"
-            )
-            notes.refuse(point.row, f"point {name}", allowed)
+            notes.refuse(point.row, refusal("point", name=name), "nothing_holds_end")
         elif point.end != "free" and (point.mass or point.volume):
             notes.say("held_mass", line=point.row, name=name)
     return meeting
@@ -76,12 +72,8 @@ def _refuse_joints(deck: Deck, meeting: Mapping[str, Sequence[Piece]], notes: No
     """Refuse a free point that does not hang in one line, of which one alone is wanted."""
     for name, pieces in meeting.items():
         if pieces and is_joint(deck.points[name], len(pieces)):
-            allowed = (
-                "lines of a free point with a force, or in which not just two lines end, are read "
-                "together; leave out --line"
-            )
-            count = f"{len(pieces)} line{'s' if len(pieces) > 1 else ''}"
-            notes.refuse(deck.points[name].row, f"point {name} of {count}", allowed)
+            found = refusal("point_of_lines", name=name, count=len(pieces))
+            notes.refuse(deck.points[name].row, found, "joint")
 
 
 def is_joint(point: Point, lines: int) -> bool:
@@ -98,15 +90,15 @@ def _meeting(deck: Deck, notes: Notes) -> dict[str, list[Piece]]:
     found: dict[str, list[Piece]] = {name: [] for name in deck.points}
     for piece in deck.pieces:
         if piece.type not in deck.types:
-            known = ", ".join(deck.types)
-            notes.refuse(piece.row, f"line type {piece.type}", f"there is none; known: {known}")
+            kind, known = refusal("line_type", name=piece.type), ", ".join(deck.types)
+            notes.refuse(piece.row, kind, "none_of_known", known=known)
         for end in piece.ends:
             if end in found:
                 found[end].append(piece)
             elif end:
-                notes.refuse(piece.row, f"point {end}", "there is no such point")
+                notes.refuse(piece.row, refusal("point", name=end), "no_such_point")
         if piece.ends[0] == piece.ends[1]:
-            notes.refuse(piece.row, f"point {piece.ends[0]} twice", "two points are wanted")
+            notes.refuse(piece.row, refusal("point_twice", name=piece.ends[0]), "two_points")
     return found
 
 

@@ -97,11 +97,25 @@ class Limits(TypedDict, total=False):
     at_least: float
 
 
-def _place(rows: Sequence[int]) -> str:
+def refusal(key: str, /, **values: object) -> Message:
+    """Say why a deck is refused, or what was found in it; long words of the deck are cut."""
+    return Message(
+        f"refused_deck.{key}",
+        **{name: cut(each) if isinstance(each, str) else each for name, each in values.items()},
+    )
+
+
+def cut(text: str) -> str:
+    """Keep as much of a text as a refusal shows; a message stays as it is."""
+    is_short = len(text) <= LONGEST or isinstance(text, Message)
+    return text if is_short else f"{text[:LONGEST]}..."
+
+
+def _place(rows: Sequence[int]) -> Message:
     """Say in which lines of the file something is wrong."""
     if len(rows) > 1:
-        return f"lines {', '.join(map(str, rows[:-1]))} and {rows[-1]}"
-    return f"line {rows[0]}" if rows[0] else "file"
+        return refusal("at_lines", rows=", ".join(map(str, rows[:-1])), row=rows[-1])
+    return refusal("at_line", row=rows[0]) if rows[0] else refusal("at_file")
 
 
 @dataclass
@@ -117,11 +131,13 @@ class Notes:
     problems: dict[Problem, int] = field(default_factory=dict)
     remarks: list[Message] = field(default_factory=list)
 
-    def refuse(self, row: int, found: str, allowed: str) -> None:
-        """Note what is wrong in a line of the file; 0: in the whole of it. Long words are cut."""
-        if len(found) > LONGEST:
-            found = f"{found[:LONGEST]}..."
-        self.problems[Problem(_place([row]), found, allowed)] = row
+    def refuse(self, row: int, found: str, key: str, /, **values: object) -> None:
+        """Note what is wrong in a line of the file; 0: in the whole of it. Long words are cut.
+
+        `key` with its `values` says what would be right, as `refusal` has it.
+        """
+        problem = Problem(_place([row]), cut(found), refusal(key, **values))
+        self.problems[problem] = row
 
     def say(self, key: str, /, **values: object) -> None:
         """Note a remark, once."""
@@ -141,23 +157,23 @@ class Notes:
 
     def want(self, sections: Mapping[str, Sequence[Row]]) -> None:
         """Refuse a deck without line types, points or lines."""
-        for name in ("types", "points", "lines"):
+        for name, said in (("types", "line_types"), ("points", "points"), ("lines", "lines")):
             if not sections.get(name):
-                self.refuse(0, "", f"the section with {name} is missing or empty")
+                self.refuse(0, "", "section_is_missing", name=refusal(said))
 
     def by_name(self, entries: Mapping[Row, T]) -> dict[str, T]:
         """Key the entries of a section by their first word, which stands once."""
         found: dict[str, T] = {}
         for row, entry in entries.items():
             if row.words[0] in found:
-                self.refuse(row.number, row.words[0], "another line of this section has this name")
+                self.refuse(row.number, row.words[0], "another_of_this_name")
             found[row.words[0]] = entry
         return found
 
     def number(self, row: Row, column: int, name: str, **limits: Unpack[Limits]) -> float:
         """Read a number by its column; NaN where it is none, which is noted."""
         if column >= len(row.words):
-            self.refuse(row.number, "", f"{name} is missing in column {column + 1}")
+            self.refuse(row.number, "", "missing_in_column", name=name, column=column + 1)
             return math.nan
         return self.value(row.number, row.words[column], name, **limits)
 
@@ -169,11 +185,9 @@ class Notes:
         except ValueError:
             found = math.nan
         if not math.isfinite(found) or found <= above or found < at_least:
-            limit = "a number is wanted"
-            if above > -math.inf:
-                limit = f"a number above {above:g} is wanted"
-            elif at_least > -math.inf:
-                limit = f"a number of {at_least:g} or more is wanted"
-            self.refuse(row, f"{name} {word}", limit)
+            key = "a_number_above" if above > -math.inf else "a_number_of_at_least"
+            limit = max(above, at_least)
+            key = key if limit > -math.inf else "a_number_is_wanted"
+            self.refuse(row, f"{name} {word}", key, limit=limit)
             return math.nan
         return found

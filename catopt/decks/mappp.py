@@ -7,7 +7,6 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from catopt.decks.deck import Deck, End, LineType, Notes, Piece, Point, Row
-from catopt.words import Message
 
 _SECTIONS = ("types", "points", "lines", "options")
 _HEADINGS = 2
@@ -19,11 +18,8 @@ v_anch h_anchor v_anchor tension_fair tension_anch x_force y_force z_force fair_
 anch_tension line_tension x_excursion z_excursion horizontal_excursion vertical_excursion
 lay_length azimuth altitude altitude_anch altitude_anchor plot diagnostic contact
 """
-_REFUSED = {
-    "omit_contact": "every line of a case lies on the bed where it reaches it; take the flag out",
-    "linear_spring": "a line of a case hangs by its weight; take the flag out",
-    "damage_time": "lines do not fail in a case; take the flag out",
-}
+_REFUSED = frozenset({"omit_contact", "linear_spring", "damage_time"})
+"""Flags that change the answer; the refusals have them for keys."""
 _ENDS: Mapping[str, End] = {"fix": "fixed", "vessel": "coupled", "connect": "free"}
 _GIVEN = {
     "gravity": "--gravity 9.80665",
@@ -40,8 +36,7 @@ def parse_mappp(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
     """
     missing = [option for key, option in _GIVEN.items() if key not in given]
     if missing:
-        allowed = Message("refused_command.map_has_none", missing=" ".join(missing))
-        notes.refuse(0, "", allowed)
+        notes.refuse(0, "", "map_has_none", missing=" ".join(missing))
     sections = _sections(text, notes)
     depth = given.get("depth", math.nan)
     types = notes.by_name({row: _type(row, notes) for row in sections["types"]})
@@ -69,8 +64,7 @@ def _sections(text: str, notes: Notes) -> dict[str, list[Row]]:
             section, skip = section + 1, _HEADINGS
         elif not 0 <= section < len(_SECTIONS):
             if line.strip():
-                allowed = "four sections are wanted, and no line before them"
-                notes.refuse(number, line.strip()[:40], allowed)
+                notes.refuse(number, line.strip()[:40], "four_sections")
         elif skip:
             skip -= 1
         elif words and _SECTIONS[section] == "options" and line[0] in " \t":
@@ -93,7 +87,7 @@ def _type(row: Row, notes: Notes) -> LineType:
 def _point(row: Row, depth: float, notes: Notes) -> Point:
     kind = row.words[1].lower() if len(row.words) > 1 else ""
     if kind not in _ENDS:
-        notes.refuse(row.number, " ".join(row.words[:2]), "fix, connect or vessel is wanted")
+        notes.refuse(row.number, " ".join(row.words[:2]), "node_kind")
     end = _ENDS.get(kind, "free")
     x, y, z = (_coordinate(row, column, depth, end, notes) for column in (2, 3, 4))
     mass, volume = (notes.number(row, 5 + k, "MB"[k], at_least=0.0) for k in (0, 1))
@@ -111,27 +105,29 @@ def _force(row: Row, column: int, notes: Notes) -> float:
 
 
 def _coordinate(row: Row, column: int, depth: float, end: End, notes: Notes) -> float:
-    word = row.words[column] if column < len(row.words) else ""
+    if column >= len(row.words):
+        return notes.number(row, column, "XYZ"[column - 2])
+    word = row.words[column]
     if word.lower() == "depth" and column == 4 and end == "fixed":
         return -depth
     if word.startswith("#"):
         if end != "free":
-            notes.refuse(row.number, word, "only a connect node is to be found; give a number")
+            notes.refuse(row.number, word, "give_a_number")
         word = word[1:] or "0"  # where a node that is to be found begins does not matter
-    return notes.value(row.number, word or "nothing", "XYZ"[column - 2])
+    return notes.value(row.number, word, "XYZ"[column - 2])
 
 
 def _piece(row: Row, notes: Notes) -> Iterator[Piece]:
     if len(row.words) < 5:
-        notes.refuse(row.number, " ".join(row.words), "number, type, length and two nodes wanted")
+        notes.refuse(row.number, " ".join(row.words), "line_of_five")
         return
     for flag in row.words[5:]:
         if flag.lower() in _REFUSED:
-            notes.refuse(row.number, flag, _REFUSED[flag.lower()])
+            notes.refuse(row.number, flag, flag.lower())
         elif flag.lower() in _OUTPUTS.split():
             notes.say("flag", line=row.number)
         else:
-            notes.refuse(row.number, flag, "no flag that is known; take it out if it is an output")
+            notes.refuse(row.number, flag, "flag_not_known")
     length = notes.number(row, 2, "UnstrLen", above=0.0)
     yield Piece(row.number, row.words[1], (row.words[3], row.words[4]), length)
 

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
-from catopt.decks.deck import Deck, End, Limits, LineType, Notes, Piece, Point, Row
+from catopt.decks.deck import Deck, End, Limits, LineType, Notes, Piece, Point, Row, refusal
 
 _SECTIONS = (
     (r"ROD\s+(TYPES|DICTIONARY)", "rod types"),
@@ -29,13 +29,8 @@ _SECTIONS = (
 )
 """Key words of the sections; the first that is found decides."""
 
-_REFUSED = {
-    "rods": "catopt has no rods; hold the lines' ends where the rod would (Fixed or Coupled)",
-    "control": "lines that are paid out or hauled in have no case; give each its length and "
-    "take the section out",
-    "external loads": "forces and dampings of their own have no case; take the section out",
-}
-"""Sections that change the answer, with the way out."""
+_REFUSED = {"rods": "rods", "control": "control", "external loads": "external_loads"}
+"""Sections that change the answer, with the keys of their refusals."""
 
 _MEANINGS = {
     "gravity": "g gravity",
@@ -98,9 +93,10 @@ def parse_moordyn(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
     `given`: ``gravity``, ``density`` and ``depth`` where the user gives them, SI.
     """
     sections, heads = _sections(text, notes)
-    for name, allowed in _REFUSED.items():
+    for name, key in _REFUSED.items():
         for row in sections.get(name, ()):
-            notes.refuse(row.number, f"{name}: {' '.join(row.words)[:40]}", allowed)
+            found = f"{name.upper()}: {' '.join(row.words)[:40]}"
+            notes.refuse(row.number, found, key)
     if sections.get("outputs"):
         notes.say("outputs", line=sections["outputs"][0].number)
     if sections.get("failures"):
@@ -149,7 +145,7 @@ def _sections(text: str, notes: Notes) -> tuple[dict[str, list[Row]], dict[str, 
         elif words[:1] == ("END",) and name == "outputs":
             name = ""
         elif words and name.startswith("?"):
-            notes.refuse(number, f"section {name[1:]!r}", "it is not known; take it out")
+            notes.refuse(number, refusal("section", name=name[1:]), "not_known")
             name = ""
         elif words and name:
             if "\t" in line.rstrip() and name != "outputs":
@@ -199,15 +195,14 @@ def _options(rows: list[Row], notes: Notes, given: Mapping[str, float]) -> dict[
     run: dict[str, int] = {}
     for row in rows:
         if len(row.words) < 2:
-            notes.refuse(row.number, row.words[0], "a value and a key are wanted")
+            notes.refuse(row.number, row.words[0], "value_and_key")
             continue
         value, key = row.words[0], row.words[1]
         meaning = _NAMES.get(key.lower(), "")
         if meaning in ("gravity", "density", "depth", "friction"):
             _option(row, meaning, found, notes)
         elif meaning == "bathymetry":
-            allowed = "the bed is level in a case; take it out and give WtrDpth one number"
-            notes.refuse(row.number, f"{key} {value}", allowed)
+            notes.refuse(row.number, f"{key} {value}", "level_bed_for_WtrDpth")
         elif meaning == "run":
             run.setdefault(key, row.number)
         elif meaning == "water":
@@ -226,8 +221,7 @@ def _options(rows: list[Row], notes: Notes, given: Mapping[str, float]) -> dict[
 def _option(row: Row, meaning: str, found: dict[str, float], notes: Notes) -> None:
     value, key = row.words[:2]
     if meaning == "depth" and not re.match(r"[-+.\d]", value):
-        allowed = "the bed is level in a case; give one depth in metres"
-        notes.refuse(row.number, f"{key} {value}", allowed)
+        notes.refuse(row.number, f"{key} {value}", "level_bed_for_depth")
         return
     if meaning in found:
         notes.say("twice", line=row.number, key=key, value=value)
@@ -243,8 +237,7 @@ def settled(found: dict[str, float], notes: Notes, given: Mapping[str, float]) -
     """
     for key, value in given.items():
         if key in found:
-            allowed = f"the deck has {found[key]:g}; leave the option out"
-            notes.refuse(0, f"--{key} {value:g}", allowed)
+            notes.refuse(0, f"--{key} {value:g}", "deck_has", value=found[key])
         found[key] = value
     for key, own, remark in (
         ("gravity", STANDARD_GRAVITY, "no_gravity"),
@@ -254,19 +247,14 @@ def settled(found: dict[str, float], notes: Notes, given: Mapping[str, float]) -
             found[key] = own
             notes.say(remark, value=own)
     if "depth" not in found:
-        allowed = (
-            "the water depth is missing in the deck; write it with catopt import FILE "
-            '--depth "200 m" --out case.toml'
-        )
-        notes.refuse(0, "", allowed)
+        notes.refuse(0, "", "depth_is_missing")
     return {"depth": math.nan, "friction": 0.0} | found
 
 
 def _type(row: Row, heads: Mapping[str, Row], notes: Notes) -> LineType:
     at = _columns("types", row, heads, notes)
     if not at:
-        allowed = "9 are wanted in version 1, 10, 11 or 13 in version 2; MoorDyn fails on others"
-        notes.refuse(row.number, f"{len(row.words)} columns", allowed)
+        notes.refuse(row.number, refusal("columns", count=len(row.words)), "type_columns")
         return LineType(row.number, math.nan, math.nan, math.nan)
     name = row.words[at["name"]]
     diameter = notes.number(row, at["diam"], "Diam", above=0.0)
@@ -294,8 +282,7 @@ def _type(row: Row, heads: Mapping[str, Row], notes: Notes) -> LineType:
 def _stiffness(row: Row, place: int, notes: Notes) -> float:
     word = row.words[place]
     if not re.match(r"[-+.\d]", word):
-        allowed = "a table of strain and tension has no case; give EA one number, at the tension"
-        notes.refuse(row.number, f"EA {word}", allowed)
+        notes.refuse(row.number, f"EA {word}", "a_table_of_strain")
         return math.nan
     first, *others = word.split("|")
     if others:
@@ -326,20 +313,14 @@ def _bodies(rows: list[Row], notes: Notes) -> Iterator[tuple[str, _Body]]:
         word = row.words[1].lower().rstrip("0123456789") if len(row.words) > 1 else ""
         end = _ENDS.get(word)
         if len(row.words) < 8 or end not in ("fixed", "coupled"):
-            allowed = (
-                "a body that moves by itself has no case; put its points in as Coupled, where "
-                "they are at rest"
-            )
-            notes.refuse(row.number, f"body {' '.join(row.words[:2])}", allowed)
+            body = refusal("body", name=" ".join(row.words[:2]))
+            notes.refuse(row.number, body, "a_body_that_moves")
             yield row.words[0], _Body(None, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
             continue
         x, y, z, *turned = (notes.number(row, 2 + k, "XYZrpy"[k]) for k in range(6))
         if sum(angle != 0.0 for angle in turned) > 1:
-            allowed = (
-                "a body is turned about one axis: programs do not agree on the order of several; "
-                "give its points as they are, Coupled"
-            )
-            notes.refuse(row.number, f"{turned[0]:g} {turned[1]:g} {turned[2]:g} deg", allowed)
+            found = f"{turned[0]:g} {turned[1]:g} {turned[2]:g} deg"
+            notes.refuse(row.number, found, "turned_about_several")
         elif any(turned):
             about, angle = next((k, angle) for k, angle in enumerate(turned) if angle)
             notes.say("turned", line=row.number, name=row.words[0], angle=angle, axis="xyz"[about])
@@ -353,17 +334,16 @@ def _point(
 ) -> Point:
     at = _columns("points", row, heads, notes)
     if not at:
-        notes.refuse(row.number, f"{len(row.words)} columns", "9 or 12 are wanted")
+        notes.refuse(row.number, refusal("columns", count=len(row.words)), "point_columns")
         return Point(row.number, row.words[0], "free", math.nan, math.nan, math.nan)
     name, kind = row.words[at["id"]], row.words[at["attachment"]].lower()
     stem = kind.rstrip("0123456789")
     body = bodies.get(kind.removeprefix("body")) if stem == "body" else None
     end = body.end if body else _ENDS.get(stem)
     if end is None and stem != "body":
-        allowed = "Fixed, Coupled or Free is wanted; lines to turbines of a farm have no case"
-        notes.refuse(row.number, row.words[at["attachment"]], allowed)
+        notes.refuse(row.number, row.words[at["attachment"]], "attachment")
     elif body is None and stem == "body":
-        notes.refuse(row.number, row.words[at["attachment"]], "there is no such body")
+        notes.refuse(row.number, row.words[at["attachment"]], "no_such_body")
     word = row.words[at["z"]].lower()
     x, y = notes.number(row, at["x"], "X"), notes.number(row, at["y"], "Y")
     if word in _BED:
@@ -375,11 +355,8 @@ def _point(
         x, y, z = body.place(x, y, z)
     force = [notes.number(row, at[key], key.upper()) for key in ("fx", "fy", "fz") if key in at]
     if any(force) and end == "free":
-        allowed = (
-            "whether N or kN is not said where a program reads it; put 0 here, and the force of "
-            "the joint into the case file"
-        )
-        notes.refuse(row.number, " ".join(f"{each:g}" for each in force), allowed)
+        given = " ".join(f"{each:g}" for each in force)
+        notes.refuse(row.number, given, "force_without_unit")
     keys = ("Mass", "Volume", "CdA", "Ca")
     mass, volume, area, added = (
         notes.number(row, at[key.lower()], key, at_least=0.0) for key in keys
@@ -391,13 +368,12 @@ def _piece(row: Row, heads: Mapping[str, Row], notes: Notes, *, first: bool) -> 
     """Read a line; version 1 has its length before its ends."""
     at = _columns("lines", row, heads, notes, v=1 if first else 2) if len(row.words) > 5 else {}
     if not at:
-        allowed = "6 or 7 are wanted: number, type, ends, length, segments, outputs"
-        notes.refuse(row.number, f"{len(row.words)} columns", allowed)
+        notes.refuse(row.number, refusal("columns", count=len(row.words)), "line_columns")
         return Piece(row.number, "", ("", ""), math.nan)
     ends = row.words[at["attacha"]], row.words[at["attachb"]]
     for end in ends:
         if re.match(r"[A-Za-z]", end):
-            notes.refuse(row.number, end, _REFUSED["rods"])
+            notes.refuse(row.number, end, "rods")
     notes.say("segments")
     length = notes.number(row, at["unstrlen"], "UnstrLen", above=0.0)
     return Piece(row.number, row.words[at["linetype"]], ends, length)

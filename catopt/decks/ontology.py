@@ -9,7 +9,7 @@ import cmath
 import math
 from collections.abc import Iterator, Mapping
 
-from catopt.decks.deck import Deck, LineType, Notes, Piece, Point
+from catopt.decks.deck import Deck, LineType, Notes, Piece, Point, refusal
 from catopt.decks.moordyn import settled
 from catopt.decks.strung import Hung, Section, strung
 from catopt.decks.tree import Table, parse_yaml
@@ -42,14 +42,10 @@ def parse_ontology(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
     site = top.table("site")
     general = site.table("general")
     if any(item.value is not None for item in site.table("bathymetry").items.values()):
-        allowed = "the bed is level in a case; take it out where water_depth is the depth"
-        notes.refuse(site.items["bathymetry"].row, "bathymetry", allowed)
+        bed = site.items["bathymetry"]
+        notes.refuse(bed.row, "bathymetry", "level_bed_for_water_depth")
     if "array_mooring" in top and notes.only is None:
-        allowed = (
-            "lines between platforms and shared anchors have no case; take one line of a platform: "
-            "catopt import FILE --line N"
-        )
-        notes.refuse(top.items["array_mooring"].row, "array_mooring", allowed)
+        notes.refuse(top.items["array_mooring"].row, "array_mooring", "array_mooring")
     found = {name: general.number(key, above=0.0) for name, key in _KEYS if key in general}
     site_values = settled(found, notes, given)
     friction = general.number("seabed_friction", 0.0, at_least=0.0)
@@ -64,14 +60,14 @@ def parse_ontology(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
             name = row.text("MooringConfigID")
             config = configs.get(name)
             if config is None:
-                notes.refuse(row.row, name, f"there is no such line; known: {', '.join(configs)}")
+                notes.refuse(row.row, name, "no_such_line", known=", ".join(configs))
                 continue
             ends = _ends(row, config, place, turned, fairleads, site_values["depth"])
             parts = list(_parts(config, connectors, types))
             more = strung(f"{len(pieces)}-{number}", ends, parts)
             points, pieces = points | more[0], pieces + more[1]
     if not pieces:
-        notes.refuse(0, "", "no mooring line is there")
+        notes.refuse(0, "", "no_mooring_line")
     top.say_unread(_UNREAD)
     gravity, density, depth = (site_values[name] for name, _ in _KEYS)
     return Deck(gravity, density, depth, types, points, pieces, friction)
@@ -95,8 +91,8 @@ def _of_family(part: Table) -> LineType | None:
     """Return what MoorPy makes of a family and a nominal diameter, which the ontology refers to."""
     name, d = part.text("mooringFamily"), part.number("d_nom", above=0.0)
     if name not in _FAMILIES:
-        allowed = f"one of {', '.join(_FAMILIES)} is wanted, or type with d_vol, m and EA"
-        part.notes.refuse(part.row, f"mooringFamily {name}", allowed)
+        known = ", ".join(_FAMILIES)
+        part.notes.refuse(part.row, f"mooringFamily {name}", "family", known=known)
         return None
     mass, volume, EA2, EA3, EA_MBL, MBL1, MBL2, MBL3 = _FAMILIES[name]
     MBL = MBL1 * d + MBL2 * d**2 + MBL3 * d**3
@@ -121,7 +117,7 @@ def _platforms(
     kinds = [top.table("platform")] if "platform" in top else list(top.tables("platforms"))
     rows = list(top.table("array").rows())
     if not kinds or not systems:
-        notes.refuse(0, "", "platform (or platforms) and mooring_systems are wanted")
+        notes.refuse(0, "", "platforms_wanted")
         return
     if not rows:
         for system in systems.values():
@@ -138,8 +134,8 @@ def _platforms(
             continue
         mooring = systems.get(name)
         if mooring is None or number not in range(1, len(kinds) + 1):
-            allowed = f"a platform and one of {', '.join(systems)} are wanted"
-            notes.refuse(row.row, f"platform {number:g}, mooring system {name}", allowed)
+            found = refusal("platform_of", number=number, name=name)
+            notes.refuse(row.row, found, "platform_wanted", known=", ".join(systems))
             continue
         place = 0j if alone else complex(x, y)
         yield place, row.number("heading_adjust", 0.0), _fairleads(kinds[int(number) - 1]), mooring
@@ -174,12 +170,12 @@ def _ends(
     own, z = fairleads[0]
     top = place + own.real * ahead
     if isinstance(row.item("fairlead").value, list):
-        row.notes.refuse(row.row, "several fairleads", "a bridle has no case; give the line one")
+        row.notes.refuse(row.row, refusal("several_fairleads"), "bridle")
     elif "fairlead" in row:
         number = row.number("fairlead", at_least=1.0)
         if number not in range(len(fairleads)):
-            allowed = f"the platform has the fairleads 1 to {len(fairleads) - 1}"
-            row.notes.refuse(row.row, f"fairlead {row.text('fairlead')}", allowed)
+            given, count = f"fairlead {row.text('fairlead')}", len(fairleads) - 1
+            row.notes.refuse(row.row, given, "fairleads_are", count=count)
             number = 0.0
         own, z = fairleads[int(number)]
         top = place + own * cmath.rect(1.0, math.radians(-turned))
@@ -196,18 +192,17 @@ def _parts(
     """Yield sections and connectors from the anchor to the fairlead; families become types."""
     notes = config.notes
     if config.text("symmetric", "false").lower() in ("true", "yes"):
-        notes.refuse(config.row, "symmetric", "a line between two platforms has no case")
+        notes.refuse(config.row, "symmetric", "two_platforms")
     for part in config.tables("sections"):
         name = part.text("connectorType")
         if name in connectors:
             yield connectors[name]
         elif name and connectors:
-            notes.refuse(part.row, name, f"there is none; known: {', '.join(connectors)}")
+            notes.refuse(part.row, name, "none_of_known", known=", ".join(connectors))
         elif name:
             notes.say("connector", line=part.row, name=name)
         if "subsections" in part:
-            allowed = "lines side by side have no case; write one that stands for both"
-            notes.refuse(part.row, "subsections", allowed)
+            notes.refuse(part.row, "subsections", "side_by_side")
         elif "mooringFamily" in part:
             kind = _of_family(part)
             if kind is not None:

@@ -42,8 +42,7 @@ def parse_orcaflex(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
     `given`: what the user gives beside it: nothing, since OrcaFlex has its own gravity.
     """
     for key, value in given.items():
-        allowed = "OrcaFlex has 9.80665 m/s^2, and the file has the rest; leave the option out"
-        notes.refuse(0, f"--{key} {value:g}", allowed)
+        notes.refuse(0, f"--{key} {value:g}", "orcaflex_has")
     top = parse_yaml(text, notes)
     _check_whole(top)
     surface, depth, density = _sea(top.table("Environment"))
@@ -60,18 +59,17 @@ def parse_orcaflex(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
         new = {part.type for part in sections} & kinds.keys() - types.keys()
         types |= {name: _type(kinds[name]) for name in new}
         if len(ends) != 2 or not sections:
-            notes.refuse(line.row, line.text("Name"), "two ends and a section are wanted")
+            notes.refuse(line.row, line.text("Name"), "two_ends")
             continue
         lower = sections[0 if ends[0].z < ends[1].z else -1]
         lying |= {0.5 * _contact(kinds[lower.type])} if lower.type in kinds else set()
         more = strung(line.text("Name"), (ends[0], ends[1]), parts)
         points, pieces = points | more[0], pieces + more[1]
     if not pieces:
-        notes.refuse(0, "", "no line is there")
+        notes.refuse(0, "", "no_line")
     top.say_unread(_UNREAD)
     if len(lying) > 1:
-        allowed = "a case has one height at which lines lie on the bed; take one line: --line N"
-        notes.refuse(0, f"OuterContactDiameter/2 {sorted(lying)} m", allowed)
+        notes.refuse(0, f"OuterContactDiameter/2 {sorted(lying)} m", "one_contact")
     bed = depth - max(lying, default=0.0)
     notes.say("contact", offset=depth - bed, depth=bed)
     points = {name: _on_bed(point, depth, bed, notes) for name, point in points.items()}
@@ -95,11 +93,10 @@ def _wanted(top: Table) -> list[Table]:
 def _check_whole(top: Table) -> None:
     for key in ("BaseFile", "IncludeFile"):
         if key in top:
-            allowed = "a file that takes in others is not followed; save the model as one file"
-            top.notes.refuse(top.items[key].row, f"{key} {top.text(key)}", allowed)
+            top.notes.refuse(top.items[key].row, f"{key} {top.text(key)}", "files_within")
     units = top.table("General").text("UnitsSystem", "SI")
     if units != "SI":
-        top.notes.refuse(0, f"UnitsSystem {units}", "SI is wanted; save the model in SI")
+        top.notes.refuse(0, f"UnitsSystem {units}", "SI")
 
 
 def _on_bed(point: Point, depth: float, bed: float, notes: Notes) -> Point:
@@ -115,9 +112,11 @@ def _sea(sea: Table) -> tuple[float, float, float]:
     """Return z of the water's surface, depth and density."""
     for key, allowed in (("SeabedType", "Flat"), ("VerticalDensityVariation", "Constant")):
         if sea.text(key, allowed) != allowed:
-            sea.notes.refuse(sea.items[key].row, f"{key} {sea.text(key)}", f"{allowed} is wanted")
+            sea.notes.refuse(
+                sea.items[key].row, f"{key} {sea.text(key)}", "is_wanted", word=allowed
+            )
     if sea.number("SeabedSlope", 0.0) != 0.0:
-        sea.notes.refuse(sea.items["SeabedSlope"].row, "SeabedSlope", "a level bed is wanted")
+        sea.notes.refuse(sea.items["SeabedSlope"].row, "SeabedSlope", "level_bed")
     density = sea.number("Density", above=0.0) * TONNE
     surface = sea.number("WaterSurfaceZ", 0.0)
     key = "SeabedOriginDepth" if "SeabedOriginDepth" in sea else "WaterDepth"  # 11.6, or before
@@ -135,10 +134,9 @@ def _type(kind: Table) -> LineType:
     notes = kind.notes
     name, category = kind.text("Name"), kind.text("Category", "General")
     if category != "General":
-        allowed = "General is wanted: give mass and EA per length"
-        notes.refuse(kind.row, f"{name}: Category {category}", allowed)
+        notes.refuse(kind.row, f"{name}: Category {category}", "general")
     if kind.number("ID", 0.0) != 0.0:
-        notes.refuse(kind.items["ID"].row, f"{name}: ID", "0 is wanted; a hollow line has no case")
+        notes.refuse(kind.items["ID"].row, f"{name}: ID", "hollow")
     OD = kind.number("OD", above=0.0)
     mass = kind.number("MassPerUnitLength", above=0.0) * TONNE
     EA = kind.number("EA", above=0.0) * KILO
@@ -176,19 +174,17 @@ def _end(row: Table, objects: Mapping[str, Table], depth: float, surface: float)
     if to == "Anchored":
         return Point(row.row, to, "fixed", x, y, z - depth)
     if row.text("ConnectionzRelativeTo") or to not in ("Fixed", *objects):
-        allowed = f"Anchored, Fixed or one of {', '.join(objects)} is wanted"
-        row.notes.refuse(row.row, to, allowed)
+        row.notes.refuse(row.row, to, "one_of", known=", ".join(objects))
         return Point(row.row, to, "fixed", x, y, z)
     if to == "Fixed":
         return Point(row.row, to, "fixed", x, y, z - surface)
     own = objects[to]
     if own.text("Connection", "Free") not in ("Free", "Fixed"):
-        allowed = "Free or Fixed is wanted: catopt does not follow what it is connected to"
-        own.notes.refuse(own.row, f"{to}: Connection {own.text('Connection')}", allowed)
+        own.notes.refuse(own.row, f"{to}: Connection {own.text('Connection')}", "not_followed")
     at = own.numbers("InitialPosition", 3)
     *tilt, heading = own.numbers("Orientation" if "Orientation" in own else "InitialAttitude", 3)
     if any(tilt):
-        own.notes.refuse(own.row, f"{to}: {tilt} deg", "an object that is not tilted is wanted")
+        own.notes.refuse(own.row, f"{to}: {tilt} deg", "not_tilted")
     place = complex(*at[:2]) + complex(x, y) * cmath.rect(1.0, math.radians(heading))
     return Point(row.row, to, "coupled", place.real, place.imag, at[2] + z - surface)
 
@@ -196,7 +192,7 @@ def _end(row: Table, objects: Mapping[str, Table], depth: float, surface: float)
 def _parts(line: Table, clumps: Mapping[str, Table]) -> Iterator[Section | Hung]:
     """Yield sections from End A, cut where clumps hang."""
     if line.text("LengthAndEndOrientations", "Explicit") != "Explicit":
-        line.notes.refuse(line.row, "LengthAndEndOrientations", "Explicit is wanted")
+        line.notes.refuse(line.row, "LengthAndEndOrientations", "is_wanted", word="Explicit")
     sections = [
         Section(row.row, row.text("LineType"), row.number("Length", above=0.0))
         for row in line.columns("LineType")
@@ -223,12 +219,11 @@ def _hung(line: Table, clumps: Mapping[str, Table], length: float) -> Iterator[t
         known = {key: row.items[key] for key in row.items if key.startswith("AttachmentzRel")}
         from_B = any(row.text(key) == "End B" for key in known)
         if name not in clumps:
-            allowed = f"a clump is wanted, one of {', '.join(clumps)}; others have no case"
-            row.notes.refuse(row.row, name, allowed)
+            row.notes.refuse(row.row, name, "clump", known=", ".join(clumps))
             continue
         at = length - z if from_B else z
         if not 0.0 <= at <= length * (1.0 + 1e-12):
-            row.notes.refuse(row.row, f"Attachmentz {z:g} m", f"the line is {length:g} m long")
+            row.notes.refuse(row.row, f"Attachmentz {z:g} m", "line_is_long", length=length)
         clump = clumps[name]
         mass = clump.number("Mass", at_least=0.0) * TONNE
         volume = clump.number("Volume", 0.0, at_least=0.0)

@@ -122,7 +122,7 @@ def read_any_deck(
     text = text.replace("\r\n", "\n")
     for row, said in enumerate(text.split("\n"), start=1):
         if unfit(said):
-            notes.refuse(row, unfit(said), "take it out of the file")
+            notes.refuse(row, unfit(said), "out_of_file")
     notes.raise_if_any()
     parse = parse_mappp if _is_of_mappp(text) else parse_moordyn
     for begins, other in zip(_BEGINS, (parse_ontology, parse_orcaflex), strict=True):

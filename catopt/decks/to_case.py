@@ -63,8 +63,7 @@ def site_of(
     friction = _friction(deck, used, notes)
     for point in ends:
         if point.z < -deck.depth * (1.0 + 1e-9):
-            allowed = f"it is below the bed at {-deck.depth:g} m; give WtrDpth or Z anew"
-            notes.refuse(point.row, f"Z {point.z:g} m", allowed)
+            notes.refuse(point.row, f"Z {point.z:g} m", "below_bed", bed=-deck.depth)
     notes.raise_if_any()
     for name in used:
         _say_type(deck, name, notes)
@@ -79,8 +78,8 @@ def _friction(deck: Deck, used: Collection[str], notes: Notes) -> float:
     found = {deck.types[name].friction or 0.0 for name in used}
     if len(found) > 1:
         row = min(deck.types[name].row for name in used)
-        allowed = "a case has one friction of the bed; give these line types the same CB"
-        notes.refuse(row, f"CB {', '.join(f'{each:g}' for each in sorted(found))}", allowed)
+        given = f"CB {', '.join(f'{each:g}' for each in sorted(found))}"
+        notes.refuse(row, given, "one_friction")
     notes.say("friction", friction=max(found))
     return max(found)
 
@@ -167,7 +166,7 @@ def _one_line(
     anchor, fairlead = chains[0].anchor, chains[0].fairlead
     span = math.hypot(fairlead.x - anchor.x, fairlead.y - anchor.y)
     if fairlead.z < anchor.z:
-        notes.refuse(fairlead.row, f"Z {fairlead.z:g} m", "a fairlead below its anchor has no case")
+        notes.refuse(fairlead.row, f"Z {fairlead.z:g} m", "fairlead_below_anchor")
     notes.raise_if_any()
     if anchor.end == fairlead.end:
         notes.say("ends_alike", anchor=anchor.name, fairlead=fairlead.name)

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, Unpack
 
-from catopt.decks.deck import Limits, Notes
+from catopt.decks.deck import Limits, Notes, refusal
 from catopt.documents import check_entries
 from catopt.errors import need_package
 
@@ -48,7 +48,7 @@ class Table:
         if found.value is None:
             return default
         if not isinstance(found.value, str):
-            self.notes.refuse(found.row, key, "one word or number is wanted")
+            self.notes.refuse(found.row, key, "one_word")
             return default
         return found.value
 
@@ -58,7 +58,7 @@ class Table:
         if not word and default is not None:
             return default
         if not word:
-            self.notes.refuse(self.row, "", f"{key} is missing")
+            self.notes.refuse(self.row, "", "is_missing", name=key)
             return math.nan
         return self.notes.value(self.items[key].row, word, key, **limits)
 
@@ -67,7 +67,7 @@ class Table:
         found = self.item(key)
         words = found.value if isinstance(found.value, list) else []
         if len(words) != count:
-            self.notes.refuse(found.row, key, f"{count} numbers are wanted")
+            self.notes.refuse(found.row, key, "numbers_are_wanted", count=count)
             return [math.nan] * count
         return [
             math.nan if each.value is None else self.notes.value(each.row, str(each.value), key)
@@ -78,7 +78,7 @@ class Table:
         """Return a table, an empty one where there is none."""
         found = self.item(key)
         if found.value is not None and not isinstance(found.value, dict):
-            self.notes.refuse(found.row, key, "keys with values are wanted")
+            self.notes.refuse(found.row, key, "keys_with_values")
         items = found.value if isinstance(found.value, dict) else {}
         return Table(found.row, items, self.notes, self.opened)
 
@@ -88,7 +88,7 @@ class Table:
         if isinstance(found.value, list):
             return found.value
         if found.value is not None:
-            self.notes.refuse(found.row, key, "a list is wanted")
+            self.notes.refuse(found.row, key, "a_list_is_wanted")
         return []
 
     def tables(self, key: str) -> Iterator[Table]:
@@ -97,7 +97,7 @@ class Table:
             if isinstance(each.value, dict):
                 yield Table(each.row, each.value, self.notes, self.opened)
             elif each.value is not None:
-                self.notes.refuse(each.row, key, "keys with values are wanted")
+                self.notes.refuse(each.row, key, "keys_with_values")
 
     def named(self, key: str) -> Iterator[tuple[str, Table]]:
         """Yield name and table of each table below, also of one with ``keys`` and ``data``."""
@@ -122,7 +122,8 @@ class Table:
         for each in lines:
             values = each.value if isinstance(each.value, list) else [each]
             if len(values) > len(heads):
-                self.notes.refuse(each.row, f"{len(values)} values", f"{len(heads)} are wanted")
+                given = refusal("values", count=len(values))
+                self.notes.refuse(each.row, given, "wanted_count", count=len(heads))
             items = dict(zip(heads, values, strict=False))
             yield Table(each.row, items, self.notes, self.opened)
 
@@ -166,11 +167,11 @@ def parse_yaml(text: str, notes: Notes) -> Table:
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
         row = mark.line + 1 if mark is not None else 0
-        notes.refuse(row, "", f"it is no YAML: {getattr(error, 'problem', None) or error}")
+        notes.refuse(row, "", "yaml", said=getattr(error, "problem", None) or f"{error}")
     except RecursionError:
-        notes.refuse(0, "", "tables or lists are nested too deeply, or in themselves")
+        notes.refuse(0, "", "nests_too_deeply")
     if not notes.problems and not isinstance(found.value, dict):
-        notes.refuse(found.row, "", "keys with values are wanted")
+        notes.refuse(found.row, "", "keys_with_values")
     notes.raise_if_any()
     return Table(found.row, found.value, notes, [])
 
@@ -181,7 +182,7 @@ def _item(node: Any, notes: Notes, seen: set[int]) -> Item:
     if node.id == "scalar":
         return Item(row, None if node.tag.endswith(":null") else str(node.value))
     if id(node) in seen:
-        notes.refuse(row, "an alias (*)", "write the table out where it is meant")
+        notes.refuse(row, refusal("alias"), "alias_written_out")
         return Item(row, None)
     seen.add(id(node))
     if node.id == "sequence":

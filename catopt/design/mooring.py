@@ -249,7 +249,7 @@ def _check_stretch(space: DesignSpace, found: Findings) -> None:
         if not variable.is_optional and all(option.EA < np.inf for option in variable.options):
             return
     allowed = Message("refused_case.no_ea_known_some_lines")
-    found.add("design.segments", "lines that do not stretch", allowed)
+    found.add("design.segments", Message("refused_file.do_not_stretch"), allowed)
 
 
 def _unlooked(criteria: Criteria, loads: Sequence[DesignLoad]) -> Iterator[Message]:

@@ -236,7 +236,7 @@ def _answer(text: str, *, is_whole: bool) -> Answer:
     """Answer once what is asked again in other words or units, or compared."""
     door = _door(text)
     if door == "line":
-        first, others, on_card = _line(text)
+        first, others, on_card = _line(text, readout=is_whole)
     elif door == "body":
         first, others, on_card = _body(text)
     else:
@@ -276,7 +276,8 @@ _Laid = tuple[Section, list[Answer], tuple[CardBlock, ...]]
 """What is drawn, all that the commands say, and the same on a card."""
 
 
-def _line(text: str) -> _Laid:
+def _line(text: str, *, readout: bool) -> _Laid:
+    """Lay a line out; what the drawings say where one points waits until a slider rests."""
     from catopt.answers.check import check_answer, failing_checks, governing_sentence
     from catopt.answers.solution import result_facts, solution_answer
     from catopt.catalogue.in_words import chain_words
@@ -295,9 +296,9 @@ def _line(text: str) -> _Laid:
     first = section(
         "desk.answer",
         Warnings((*solution.warnings, *report.warnings)),
-        Figure(line_in_water(solution, depth, failing_checks(report))),
+        Figure(line_in_water(solution, depth, failing_checks(report), readout=readout)),
         Facts("results", result_facts(solution), Message("captions.result")),
-        Figure(tension_along(solution, allowed, basis)),
+        Figure(tension_along(solution, allowed, basis, readout=readout)),
     )
     (segment, *_), facts = case.line.segments, result_facts(solution)
     chain = segment.component and chain_words(segment.component, segment.nominal_diameter)

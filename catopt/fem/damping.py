@@ -11,6 +11,7 @@ import numpy as np
 from catopt.arrays import Array
 from catopt.model.dynamics import BARS
 from catopt.model.validity import Findings
+from catopt.words import Message
 
 
 @dataclass(frozen=True)
@@ -85,7 +86,7 @@ def rayleigh_factors(
     found.number("second", second, "rad/s", above=0.0)
     found.number("ratio", ratio, "", at_least=0.0)
     if not found.problems and math.isclose(first, second, rel_tol=1e-9):
-        found.add("second", f"{second:g} rad/s", "must differ from the first")
+        found.add("second", f"{second:g} rad/s", Message("refused_motion.differs_from_first"))
     found.raise_if_any()
     other = ratio if ratio_second is None else ratio_second
     over = 2.0 / (second**2 - first**2)

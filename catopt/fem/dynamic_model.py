@@ -233,6 +233,7 @@ def _check(
                 words = f"{load.mass:g} kg in air, {load.submerged_weight:g} N in water"
                 found.add(key, words, Message("refused_motion.body_weighs_more_air_than"))
         if sections is not None and len(sections) != len(mesh.line.segments):
-            wanted = f"one for each of the {len(mesh.line.segments)} segments of line {i + 1}"
+            count = len(mesh.line.segments)
+            wanted = Message("refused_motion.one_for_each_segment", count=count, line=i + 1)
             found.add("sections", str(len(sections)), wanted)
     found.raise_if_any()

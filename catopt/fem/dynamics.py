@@ -398,7 +398,8 @@ def _check_level(seabed: Seabed | HeldBed | None) -> None:
     """Refuse a slope, which rises along the line: those of a body have no direction in common."""
     if isinstance(seabed, Seabed) and seabed.slope != 0.0:
         found = Findings("run_system_dynamics")
-        found.add("seabed.slope", f"{seabed.slope:g} rad", "a bed that slopes is for one line")
+        wanted = Message("refused_motion.one_line_slopes")
+        found.add("seabed.slope", f"{seabed.slope:g} rad", wanted)
         found.raise_if_any()
 
 
@@ -410,7 +411,9 @@ def _check_system(
 ) -> None:
     found = Findings("run_system_dynamics")
     if is_led and (force is not None or mean_force != (0.0, 0.0)):
-        found.add("force", "with a position", "a body is led or moves under a force, not both")
+        given = Message("refused_motion.with_a_position")
+        found.add("force", given, Message("refused_motion.body_led_or_under_force"))
     if not is_led and motion is not None:
-        found.add("motion", "without a position", "give the place about which the body is led")
+        given = Message("refused_motion.without_a_position")
+        found.add("motion", given, Message("refused_motion.place_of_body"))
     found.raise_if_any()

@@ -196,7 +196,9 @@ def _check(simulation: Simulation) -> None:
         allowed = Message("refused_motion.drag_along_bar_by_flow")
         found.add("drag_method", "roughness", allowed)
     if lines.stiffness_factor > 0.0:
-        found.add("stiffness_factor", f"{lines.stiffness_factor:g} s", "0 is wanted")
+        found.add(
+            "stiffness_factor", f"{lines.stiffness_factor:g} s", Message("refused_motion.zero")
+        )
     found.raise_if_any()
 
 

@@ -13,6 +13,7 @@ import numpy as np
 from catopt.arrays import Array, Codes
 from catopt.errors import InputError, Problem
 from catopt.model import Line, PointLoad
+from catopt.words import Message
 
 SAME_PLACE = 1e-9
 """Two joints closer than this part of the line's length are one."""
@@ -157,12 +158,14 @@ def _target_lengths(
 def _check(line: Line, elements: int | Sequence[int], element_length: float | None) -> None:
     problems = []
     if element_length is not None and not element_length > 0.0:
-        problems.append(Problem("element_length", repr(element_length), "must be above 0 m"))
+        problems.append(
+            Problem("element_length", repr(element_length), Message("refused_motion.zero_metres"))
+        )
     counts = [elements] if isinstance(elements, (int, Integral)) else list(elements)
     if any(count < 1 for count in counts):
-        problems.append(Problem("elements", repr(elements), "at least one bar is wanted"))
+        problems.append(Problem("elements", repr(elements), Message("refused_motion.one_bar")))
     if not isinstance(elements, (int, Integral)) and len(counts) != len(line.segments):
-        wanted = f"one number for each of the {len(line.segments)} segments"
+        wanted = Message("refused_motion.one_number_each", count=len(line.segments))
         problems.append(Problem("elements", repr(elements), wanted))
     if problems:
         raise InputError(problems, "mesh_line")

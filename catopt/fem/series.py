@@ -48,10 +48,13 @@ class Harmonic:
         for name in ("amplitude", "phase"):
             shape = np.shape(getattr(self, name))
             if shape not in ((3,), (count, 3)):
-                found.add(name, f"shape {shape}", f"(3,) or ({count}, 3) is wanted")
+                wanted = Message("refused_motion.shape_three_or_n", count=count)
+                found.add(name, Message("refused_motion.shape", shape=shape), wanted)
             elif not np.isfinite(np.asarray(getattr(self, name), dtype=float)).all():
                 found.add(
-                    name, "nan or infinity", Message("refused_motion.finite_numbers_are_wanted")
+                    name,
+                    Message("refused_motion.nan"),
+                    Message("refused_motion.finite_numbers_are_wanted"),
                 )
         found.raise_if_any()
 
@@ -87,12 +90,15 @@ class Sampled:
         times, values = np.asarray(self.times, float), np.asarray(self.values, float)
         found = Findings("Sampled")
         if times.ndim != 1 or times.size < 4:
-            found.add("times", f"shape {times.shape}", "four times or more are wanted")
+            shape = Message("refused_motion.shape", shape=times.shape)
+            found.add("times", shape, Message("refused_motion.four_times"))
         elif values.shape != (times.size, 3):
-            found.add("values", f"shape {values.shape}", f"({times.size}, 3) is wanted")
+            shape = Message("refused_motion.shape", shape=values.shape)
+            found.add("values", shape, Message("refused_motion.shape_n", count=times.size))
         elif not (np.isfinite(times).all() and np.isfinite(values).all()):
             bad = ~(np.isfinite(times) & np.isfinite(values).all(axis=1))
-            found.add("values", f"nan or infinity in row {np.flatnonzero(bad)[0]}", "no gap")
+            first = Message("refused_motion.nan_in_row", row=np.flatnonzero(bad)[0])
+            found.add("values", first, Message("refused_motion.no_gap"))
         else:
             _check_times(times, found)
         found.raise_if_any()
@@ -176,7 +182,8 @@ def series_rows(base: Array, series: Sequence[Series | None], ramp_time: float) 
     times = sampled[0].times if sampled else np.zeros(0)
     if any(not np.array_equal(s.times, times) for s in sampled):
         found = Findings("motion")
-        found.add("times", "different ones", "sampled motions of several ends share their times")
+        given = Message("refused_motion.different_ones")
+        found.add("times", given, Message("refused_motion.times_alike"))
         found.raise_if_any()
     spline = np.zeros((ends, max(times.size - 1, 0), 3, 4))
     for k, (waves, record) in enumerate(zip(regular, measured, strict=True)):
@@ -267,5 +274,5 @@ def _check_times(times: Array, found: Findings) -> None:
     usual = float(np.median(steps))
     if steps.max() > _GAP * usual:
         row = int(steps.argmax())
-        gap = f"nothing between {times[row]:g} s and {times[row + 1]:g} s"
+        gap = Message("refused_motion.nothing_between", begin=times[row], end=times[row + 1])
         found.add("times", gap, Message("refused_motion.gap_usual_step_s_fill", usual=usual))

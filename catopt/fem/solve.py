@@ -197,8 +197,8 @@ def _check_line(
     found.number("anchor_height", anchor_height, "m", at_least=0.0)
     found.number("seabed_friction", friction, "", at_least=0.0)
     if (horizontal_force is None) == (span is None):
-        given = "neither" if span is None else "both"
-        found.add("load", given, "exactly one of horizontal_force and span is wanted")
+        given = Message("refused_motion.neither" if span is None else "refused_motion.both")
+        found.add("load", given, Message("refused.exactly_one", ways="horizontal_force and span"))
     if horizontal_force is not None:
         found.number("horizontal_force", horizontal_force, "N", above=0.0)
     if span is not None:
@@ -224,8 +224,8 @@ def _check_system(
             "legs", Message("refused.none"), Message("refused_motion.system_has_at_least_one")
         )
     if (force is None) == (position is None):
-        given = "neither" if force is None else "both"
-        found.add("load", given, "exactly one of force and position is wanted")
+        given = Message("refused_motion.neither" if force is None else "refused_motion.both")
+        found.add("load", given, Message("refused.exactly_one", ways="force and position"))
     for name, pair in (("force", force), ("position", position)):
         for axis, value in zip("xy", pair or (), strict=False):
             found.number(f"{name}.{axis}", value, "N" if name == "force" else "m")

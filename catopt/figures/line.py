@@ -77,8 +77,13 @@ class Failing(NamedTuple):
     name: str
 
 
-def line_in_water(solution: Solution, depth: float, failing: Sequence[Failing] = ()) -> Chart:
-    """Draw a line in water of a depth (m), to scale; checks that fail are marked where they do."""
+def line_in_water(
+    solution: Solution, depth: float, failing: Sequence[Failing] = (), *, readout: bool = True
+) -> Chart:
+    """Draw a line in water of a depth (m), to scale; checks that fail are marked where they do.
+
+    `readout`: whether it says what is known at the places that a reader points at.
+    """
     profile = solution.profile(_POINTS)
     left, right = _ends(solution, profile)
     top = max(depth, solution.fairlead_height, *profile.z)
@@ -97,6 +102,7 @@ def line_in_water(solution: Solution, depth: float, failing: Sequence[Failing] =
         x=axis("x", ends, within=(left, right)),
         y=axis("z", (foot - 12.0 * unit, top + 44.0 * unit), within=(0.0, top)),
         areas=water(depth, _BED * unit),
+        points=_along(profile, profile.x, profile.z) if readout else (),
         dimensions=dimensions,
         to_scale=1.0,
     )
@@ -130,6 +136,7 @@ def magnified(solution: Solution, depth: float) -> Chart | None:
         x=axis("x", span_of((left, right), 0.02, 0.02)),
         y=axis("z", (-0.06 * top, 1.06 * top)),
         areas=water(depth, math.inf),
+        points=_along(profile, profile.x, profile.z),
         to_scale=factor,
     )
 
@@ -146,7 +153,6 @@ def _drawn(
         series=(*lying, Series("mooring", profile.x, profile.z, Message("figures.mooring_line"))),
         marks=(*marks, *_marks(solution)),
         levels=surface_and_bed(depth),
-        points=_along(profile, profile.x, profile.z),
         **how,
     )
 
@@ -246,10 +252,16 @@ def _called(load: PointLoad) -> str:
     return Message("figures.named", what=kind, name=load.name) if is_named else kind
 
 
-def tension_along(solution: Solution, allowed: Sequence[float | None], basis: str = "") -> Chart:
+def tension_along(
+    solution: Solution,
+    allowed: Sequence[float | None],
+    basis: str = "",
+    *,
+    readout: bool = True,
+) -> Chart:
     """Draw the tension over the arc length beside what each segment may carry.
 
-    `allowed` is of each segment, N; `basis` is what these are called.
+    `allowed` is of each segment, N; `basis` is what these are called; `readout` as above.
     """
     profile = solution.profile(_POINTS)
     largest = max(profile.tension)
@@ -267,7 +279,7 @@ def tension_along(solution: Solution, allowed: Sequence[float | None], basis: st
         axis("tension", (0.0, top or 1.0), second=IN_TONNES),
         series=(Series("first", profile.s, profile.tension, Message("figures.tension")),),
         levels=tuple(levels),
-        points=_along(profile, profile.s, profile.tension),
+        points=_along(profile, profile.s, profile.tension) if readout else (),
         notes=tuple(notes),
     )
 

@@ -21,6 +21,7 @@ from scipy.interpolate import CubicSpline
 
 from catopt.arrays import Array, Codes
 from catopt.model.validity import Findings
+from catopt.words import Message
 
 _FINE: Final = 4000
 """Frequencies over which B is integrated."""
@@ -76,7 +77,7 @@ class Memory:
         """
         found = Findings("Memory")
         if not (omega.size > 3 and (np.diff(omega) > 0.0).all() and omega[0] > 0.0):
-            found.add("omega", f"{omega.size} values", "four or more that rise from above 0")
+            found.add("omega", f"{omega.size} values", Message("refused_motion.four_rising"))
         found.number("longest", longest, "s", above=0.0)
         found.raise_if_any()
         t = np.linspace(0.0, longest, _SAMPLES)

@@ -92,7 +92,7 @@ def _read(table: Table, origin: str, findings: Findings) -> BuoyShape | None:
     short = () if table.has("hull") else ("hull_diameter", "hull_depth")
     for key in ("mass", *short):
         if not table.has(key):
-            table.problem(key, "a number is wanted")
+            table.problem(key, Message("refused.number"))
     slices = {key: _slices(table, key, findings) for key in _SLICES if table.has(key)}
     if len(findings.problems) > before:
         return None
@@ -108,7 +108,7 @@ def _slices(table: Table, key: str, findings: Findings) -> tuple[BuoySlice, ...]
         each.only(*(field.name for field in fields(BuoySlice)))
         for field in fields(BuoySlice):
             if field.default is MISSING and not each.has(field.name):
-                each.problem(field.name, "a number is wanted")
+                each.problem(field.name, Message("refused.number"))
         if len(findings.problems) == before:
             made.append(_made(each, BuoySlice, each.values, findings))
     return tuple(slice_ for slice_ in made if slice_ is not None)

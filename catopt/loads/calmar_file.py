@@ -100,7 +100,7 @@ def parse_calmar_buoy(
     if not floats and not frame:
         found.add(
             "Buoy.Flotteur",
-            "no ElementDimItem",
+            Message("refused_sizing.no_element"),
             Message("refused_sizing.float_or_structure_wants_one"),
         )
     if not least <= pieces <= most:
@@ -165,11 +165,17 @@ def _check(of: Element, path: str, found: Findings) -> None:
     for text in (of.text, *(each.tail for each in of)):
         if text and text.strip():
             found.add(
-                path or of.tag, "text between its elements", Message("refused_sizing.take_out")
+                path or of.tag,
+                Message("refused_sizing.text_between"),
+                Message("refused_sizing.take_out"),
             )
     for name in tag.one:
         if (count := len(of.findall(name))) != 1:
-            found.add(_at(path, name), f"{count} of them", Message("refused_sizing.one_wanted"))
+            found.add(
+                _at(path, name),
+                Message("refused_motion.of_them", count=count),
+                Message("refused_sizing.one_wanted"),
+            )
     inside = tag.one + tag.several
     counts: dict[str, int] = {}
     for each in of:
@@ -178,7 +184,7 @@ def _check(of: Element, path: str, found: Findings) -> None:
         if each.tag in inside:
             _check(each, at, found)
         else:
-            found.add(at, "an unknown element", _allowed(inside))
+            found.add(at, Message("refused_sizing.unknown_element"), _allowed(inside))
 
 
 def _check_attributes(of: Element, path: str, tag: _Tag, found: Findings) -> None:
@@ -189,7 +195,11 @@ def _check_attributes(of: Element, path: str, tag: _Tag, found: Findings) -> Non
         if key in tag.numbers:
             _check_number(_at(path, key), value, found)
         elif key not in tag.texts:
-            found.add(_at(path, key), "an unknown attribute", _allowed(tag.texts + tag.numbers))
+            found.add(
+                _at(path, key),
+                Message("refused_sizing.unknown_attribute"),
+                _allowed(tag.texts + tag.numbers),
+            )
         elif unfit(value):
             found.add(_at(path, key), unfit(value), Message("refused.out_of_text"))
 

@@ -264,7 +264,7 @@ def parse_ship_coefficients(text: str, source: str = "") -> ShipCoefficients:
     wind = [_read(each, "wind", start) for each in file.tables("wind", required=False)]
     current = [_read(each, "current", start) for each in file.tables("current", required=False)]
     if not wind and not current:
-        file.problem("wind", "tables that each begin with [[wind]] or [[current]] are wanted")
+        file.problem("wind", Message("refused_file.wind_or_current"))
     findings.raise_if_any()
     made = ShipCoefficients(
         name or "",
@@ -294,12 +294,12 @@ def _read(
     angles = table.numbers("angles", max(count, 1))
     is_split = any(map(table.has, split))
     if is_split and (table.has("across") or table.has("yaw")):
-        table.problem(split[0], "give it and across_aft, or across and yaw, not both")
+        table.problem(split[0], Message("refused_file.either_across", other="across_aft"))
         return None
     wanted = ("along", *(split if is_split else ("across", *(["yaw"] if table.has("yaw") else []))))
     read = {key: table.numbers(key, max(count, 1)) for key in wanted}
     if angles is not None and any(not a < b for a, b in pairwise(angles)):
-        table.problem("angles", "must rise")
+        table.problem("angles", Message("refused_motion.must_rise"))
         return None
     if angles is not None and not 0.0 <= angles[0] <= angles[-1] <= 180.0:
         table.problem("angles", "from 0 to 180 deg")

@@ -47,9 +47,13 @@ class UfcWind:
             found.number(key, getattr(self, key), "", above=0.0, at_most=3.0)
         found.number("zero_angle", self.zero_angle, "rad", above=0.0)
         if not found.problems and not self.zero_angle < math.pi:
-            found.add("zero_angle", f"{self.zero_angle:g} rad", "must be below pi")
+            found.add("zero_angle", f"{self.zero_angle:g} rad", Message("refused_motion.below_pi"))
         if self.superstructure not in ("single", "distributed"):
-            found.add("superstructure", repr(self.superstructure), "single or distributed")
+            found.add(
+                "superstructure",
+                repr(self.superstructure),
+                Message("refused.one_of", words="single, distributed"),
+            )
         found.raise_if_any()
 
 

@@ -165,7 +165,7 @@ def equilibrium_headings(
     if wind.speed == current.speed == sea.hmax == 0.0:
         found.add(
             "wind",
-            "no wind, no current and no waves",
+            Message("refused_sizing.nothing_pushes"),
             Message("refused_sizing.something_has_push_ship"),
         )
         found.raise_if_any()

@@ -212,7 +212,9 @@ class Design(Checked):
                 Message("refused_case.at_least_one_segment_wanted"),
             )
         if all(segment.optional for segment in self.segments):
-            found.add("segments", "all optional", Message("refused.one_segment"))
+            found.add(
+                "segments", Message("refused_file.all_optional"), Message("refused.one_segment")
+            )
         unknown = [name for name in self.objectives if name not in OBJECTIVES]
         if unknown:
             found.add(

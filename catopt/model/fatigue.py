@@ -170,7 +170,7 @@ def sections_misfits(
             )
     if "waves" in present and "spectrum" not in waves:
         allowed = Message("refused_case.fatigue_needs_waves_one_spectrum")
-        problems.append(Problem("waves", "no spectrum", allowed))
+        problems.append(Problem("waves", Message("refused_file.no_spectrum"), allowed))
     for index, segment in enumerate(curves):
         key = f"fatigue.curves[{index}].segment"
         if segment in curves[:index]:

@@ -36,7 +36,9 @@ class Load(Checked):
     def _check(self, found: Findings) -> None:
         if len(self.given) != 1:
             allowed = Message("refused.one_load")
-            found.add("load", " and ".join(self.given) or "none of them", allowed)
+            found.add(
+                "load", " and ".join(self.given) or Message("refused_file.none_of_them"), allowed
+            )
             found.raise_if_any()
         found.check()
 

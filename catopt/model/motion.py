@@ -74,7 +74,11 @@ class Motion(Checked):
         given = [key for key in MOTION_WAYS if getattr(self, key) not in (None, "")]
         if len(given) != 1:
             wanted = Message("refused.exactly_one", ways=", ".join(MOTION_WAYS))
-            found.add("motion", " and ".join(given) if given else "none of them", wanted)
+            found.add(
+                "motion",
+                " and ".join(given) if given else Message("refused_file.none_of_them"),
+                wanted,
+            )
         found.check("period", *HARMONIC, "rao_phase", "rao_rotation", "rao_per")
         found.check("rao_reference", "rao_crest", "drift")
         if given in (["file"], ["rao_file"]):

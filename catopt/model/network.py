@@ -265,11 +265,19 @@ class Network(Checked):
             lines = [f"{k}" for k, pair in enumerate(ends, start=1) if name in pair]
             if len(lines) > 1:
                 allowed = Message("refused_case.anchor_holds_one_line")
-                found.add("anchor", f"lines {', '.join(lines)} at {name}", allowed)
+                found.add(
+                    "anchor",
+                    Message("refused_file.lines_at", lines=", ".join(lines), name=name),
+                    allowed,
+                )
         for k, pair in enumerate(ends, start=1):
             if pair[0] != pair[1] and set(pair) <= set(anchors):
                 allowed = Message("refused_case.anchor_holds_one_end")
-                found.add("anchor", f"line {k} from {pair[0]} to {pair[1]}", allowed)
+                found.add(
+                    "anchor",
+                    Message("refused_file.line_between", line=k, start=pair[0], end=pair[1]),
+                    allowed,
+                )
 
     @property
     def numbers(self) -> dict[str, int]:

@@ -135,7 +135,13 @@ def wave_misfits(given: Mapping[str, Any]) -> list[Problem]:
     ways = [key for key in WAVE_WAYS if key in given]
     if len(ways) != 1:
         wanted = Message("refused.exactly_one", ways=", ".join(WAVE_WAYS))
-        return [Problem("waves", " and ".join(ways) if ways else "none of them", wanted)]
+        return [
+            Problem(
+                "waves",
+                " and ".join(ways) if ways else Message("refused_file.none_of_them"),
+                wanted,
+            )
+        ]
     (way,) = ways
     problems = []
     for key, value in given.items():

@@ -17,6 +17,7 @@ from catopt.mooring.arrangement import room_for
 from catopt.mooring.descent import TURNS_OVER
 from catopt.mooring.many import BODY, PER_LINE, static_equilibria
 from catopt.mooring.zero_load import zero_load_position
+from catopt.words import Message
 
 __all__ = ["Batch", "SystemSolutions", "solve_system_many"]
 
@@ -186,15 +187,17 @@ def _loads(system: System, force: npt.ArrayLike, moment: npt.ArrayLike) -> tuple
     moments = np.asarray(moment, dtype=np.float64)
     problems = []
     if forces.ndim != 2 or forces.shape[1] != 2:
-        problems.append(Problem("force", f"shape {forces.shape}", "shape (n, 2) is wanted"))
+        shape = Message("refused_motion.shape", shape=forces.shape)
+        problems.append(Problem("force", shape, Message("refused_motion.shape_of_pairs")))
     elif moments.ndim > 1 or moments.size not in (1, len(forces)):
-        problems.append(
-            Problem("moment", f"shape {moments.shape}", f"a number or shape ({len(forces)},)")
-        )
+        shape = Message("refused_motion.shape", shape=moments.shape)
+        wanted = Message("refused_motion.a_number_or_shape", count=len(forces))
+        problems.append(Problem("moment", shape, wanted))
     if not np.isfinite(forces).all() or not np.isfinite(moments).all():
-        problems.append(Problem("force, moment", "a number that is not finite", "N and N m"))
+        given = Message("refused_motion.finite_pair")
+        problems.append(Problem("force, moment", given, Message("refused_motion.newtons")))
     if moments.any() and not system.turns:
-        problems.append(Problem("moment", "not 0", "must be 0 where the body does not yaw"))
+        problems.append(Problem("moment", "!= 0", Message("refused_motion.body_does_not_yaw")))
     if problems:
         raise InputError(problems, "solve_system_many")
     return forces, np.ascontiguousarray(np.broadcast_to(moments.ravel(), (len(forces),)))

@@ -516,7 +516,7 @@ def _check_pull(runs: Sequence[Run], found: JointsAtRest) -> None:
     """Refuse a line that hangs slack."""
     allowed = Message("refused_motion.without_horizontal_force_has_no")
     problems = [
-        Problem("displacement", f"line {run.name} hangs slack", allowed)
+        Problem("displacement", Message("refused_file.line_hangs_slack", name=run.name), allowed)
         for run, each in zip(runs, found.ends, strict=True)
         if each.state.H == 0.0
     ]

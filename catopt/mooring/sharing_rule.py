@@ -32,7 +32,7 @@ def load_sharing_factor(lines: int) -> float:
     1.5
     """
     if lines < FEWEST_LINES or lines % 2:
-        problem = Problem("lines", str(lines), "the rule wants an even number, 4 or more")
+        problem = Problem("lines", str(lines), Message("refused_motion.sharing_rule"))
         raise InputError([problem], "load sharing")
     last = (lines - 1) // 4
     shares = [math.cos(2.0 * math.pi * k / lines) for k in range(-last, last + 1)]

@@ -167,8 +167,8 @@ def file_of(
         raise InputError([other.as_problem()], source)
     _, findings = read_tables(document, schema_of(moored))
     if moored == "tanker" and "anchor" in document and "sinker" in document:
-        advice = "leave out [sinker] or [anchor]: the line is held by one of them"
-        findings.append(Finding(("sinker",), "[anchor] beside it", advice))
+        advice = Message("refused_file.sinker_or_anchor")
+        findings.append(Finding(("sinker",), Message("refused_file.anchor_beside"), advice))
     return SizingFile(moored, source, folder, document, tuple(findings))
 
 
@@ -208,7 +208,9 @@ def sized(file: SizingFile) -> Sizing:
 def _of_another_kind(document: dict[str, Any], moored: Moored) -> Finding | None:
     """Say what the file is for, when it is not for this."""
     if moored == "buoy" and "ship" in document:
-        return Finding(("ship",), "a ship", "this file is for catopt size tanker")
+        return Finding(
+            ("ship",), Message("refused_file.a_ship"), Message("refused_file.for_size_tanker")
+        )
     key = case_key(document)
     if key:
         found = f"[{key[0]}]" if len(key) == 1 else "the segments of a line"

@@ -239,7 +239,9 @@ def _limits(table: StudyTable, base: Base, problems: list[Problem]) -> dict[str,
     for name, value in (table.limits or {}).items():
         if name not in measured:
             allowed = Message("refused.one_of", words=", ".join(measured))
-            problems.append(Problem(f"limits.{name}", "an unknown quantity", allowed))
+            problems.append(
+                Problem(f"limits.{name}", Message("refused_study.unknown_quantity"), allowed)
+            )
             continue
         unit = measured[name].measure.si_unit
         dimension = next(d for d in Dimension if d.si_unit == ("" if unit == "-" else unit))

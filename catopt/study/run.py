@@ -185,21 +185,22 @@ def cluster(address: str) -> Iterator[tuple[Executor, int]]:
     Raises InputError where Dask is not installed, or no scheduler answers there.
     """
 
-    def refused(allowed: str) -> InputError:
+    def refused(key: str, **values: object) -> InputError:
+        allowed = Message(f"refused_motion.{key}", **values)
         return InputError([Problem("--scheduler", address, allowed)], "options")
 
     try:
         from distributed import Client
     except ImportError:
-        raise refused('needs Dask; pip install "catopt[cluster]"') from None
+        raise refused("needs_dask", package='"catopt[cluster]"') from None
     try:
         client = Client(address, timeout="10s")
     except (OSError, TimeoutError, ValueError) as error:
-        raise refused(f"no scheduler answers there: {error}") from None
+        raise refused("no_scheduler", reason=str(error)) from None
     with client:
         threads = sum(client.nthreads().values())
         if not threads:
-            raise refused("the scheduler has no workers yet; start some (dask worker)")
+            raise refused("no_workers")
         yield client.get_executor(), _AHEAD * threads
 
 

@@ -20,7 +20,7 @@ from catopt.study.base import Base
 from catopt.study.member import in_file, kind_of_key
 from catopt.units import as_written, to_si
 from catopt.verify.motion_file import few
-from catopt.words import Message
+from catopt.words import Message, Several
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -76,7 +76,14 @@ def _read(path: Path) -> pd.DataFrame:
     frame = _of_parquet(path) if path.suffix.lower() == ".parquet" else _of_csv(path)
     if frame.empty:
         raise InputError(
-            [Problem("table", "no rows", Message("refused_study.one_row_member_wanted"))], str(path)
+            [
+                Problem(
+                    "table",
+                    Message("refused_file.no_rows"),
+                    Message("refused_study.one_row_member_wanted"),
+                )
+            ],
+            str(path),
         )
     return frame
 
@@ -126,7 +133,8 @@ def _kind(base: Base, key: str, columns: Mapping[str, str]) -> Kind:
         (problem,) = error.problems
         wanted = problem.allowed
         if key not in columns.values():
-            wanted += Message("refused_study.name_key_under_columns_or")
+            further = Message("refused_study.name_key_under_columns_or")
+            wanted = Several((wanted, further), "")
         raise InputError([Problem("headings", f'"{key}"', wanted)]) from None
 
 

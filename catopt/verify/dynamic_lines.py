@@ -394,7 +394,9 @@ def _check_in_plane(drive: Drive) -> None:
     sideways = np.abs(np.concatenate([flow.current[:, 2], flow.power_currents[:, 1]]))
     turned = np.abs(flow.current_series[:, 2]).max()
     if max(float(sideways.max(initial=0.0)), float(turned)) > _ALONG:
-        problems.append(Problem("current.direction", "across the line", allowed))
+        problems.append(
+            Problem("current.direction", Message("refused_file.across_the_line"), allowed)
+        )
     if problems:
         raise InputError(problems, "--dynamic")
 

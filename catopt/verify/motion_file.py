@@ -205,7 +205,7 @@ def read_columns(
     problems = [
         Problem(
             "headings",
-            _shown(each) or "an empty one",
+            _shown(each) or Message("refused_file.an_empty_one"),
             Message("refused.one_of", words=", ".join(known)),
         )
         for each in heads

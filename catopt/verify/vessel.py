@@ -229,7 +229,8 @@ def _rows(path: str) -> Iterator[_Row]:
             found.append(_row(line))
         except ValueError as error:
             if number > 1 or any(cell[:1].isdigit() for cell in line.split()):
-                problems.append(Problem(f"line {number}", as_written(line.strip()), str(error)))
+                place = Message("refused_motion.at_line", number=number)
+                problems.append(Problem(place, as_written(line.strip()), error.args[0]))
     if not problems and not found:
         problems.append(
             Problem(
@@ -247,19 +248,22 @@ def _row(line: str) -> _Row:
     """Read a row; ValueError says what is wrong with it."""
     cells = line.replace("D", "E").replace("d", "e").split()
     if len(cells) != len(_COLUMNS):
-        raise ValueError(f"{len(_COLUMNS)} numbers are wanted: {' '.join(_COLUMNS)}")
+        columns = " ".join(_COLUMNS)
+        raise ValueError(
+            Message("refused_motion.row_numbers", count=len(_COLUMNS), columns=columns)
+        )
     try:
         per, beta, freedom, mod, phs, re, im = map(float, cells)
     except ValueError:
-        raise ValueError("numbers are wanted") from None
+        raise ValueError(Message("refused_motion.numbers_wanted")) from None
     if not all(map(math.isfinite, (per, beta, freedom, mod, phs, re, im))):
-        raise ValueError("finite numbers are wanted")
+        raise ValueError(Message("refused_motion.finite_numbers_are_wanted"))
     if not per > 0.0:
-        raise ValueError("PER must be above 0 s: take the rows of zero and infinite frequency out")
+        raise ValueError(Message("refused_motion.row_period"))
     if freedom not in range(1, 7):
-        raise ValueError("I must be 1 to 6: one body, no generalised modes")
+        raise ValueError(Message("refused_motion.row_freedom"))
     angle = math.radians(phs)
     off = math.hypot(re - mod * math.cos(angle), im - mod * math.sin(angle))
     if off > _ALIKE * max(mod, math.hypot(re, im)):
-        raise ValueError("RE and IM are not those of MOD and PHS: this is another kind of file")
+        raise ValueError(Message("refused_motion.row_kind"))
     return per, beta, freedom, mod, phs

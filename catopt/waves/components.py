@@ -43,17 +43,23 @@ class Waves:
         for name in _ARRAYS:
             values = getattr(self, name)
             if values.ndim != 1 or values.shape != np.shape(self.omega):
-                found.add(name, f"shape {values.shape}", "one number a wave is wanted")
+                shape = Message("refused_motion.shape", shape=values.shape)
+                found.add(name, shape, Message("refused_motion.one_number_a_wave"))
             elif not np.isfinite(values).all():
                 found.add(
-                    name, "nan or infinity", Message("refused_motion.finite_numbers_are_wanted")
+                    name,
+                    Message("refused_motion.nan"),
+                    Message("refused_motion.finite_numbers_are_wanted"),
                 )
         if not found.problems and self.omega.size == 0:
-            found.add("omega", "no wave", "one wave or more is wanted")
+            given = Message("refused_motion.no_wave")
+            found.add("omega", given, Message("refused_motion.one_wave"))
         if not (self.omega > 0.0).all():
-            found.add("omega", repr(float(self.omega.min())), "must be above 0 rad/s")
+            least = repr(float(self.omega.min()))
+            found.add("omega", least, Message("refused_motion.zero_radians"))
         if not (self.amplitude >= 0.0).all():
-            found.add("amplitude", repr(float(self.amplitude.min())), "must be 0 m or more")
+            least = repr(float(self.amplitude.min()))
+            found.add("amplitude", least, Message("refused_motion.zero_metres_or_more"))
         found.number("repeats_after", self.repeats_after, "s", above=0.0, infinite=True)
         found.raise_if_any()
 

@@ -39,7 +39,8 @@ def wind_driven_speed(wind_speed: float, rule: WindRule = "S4") -> float:
     found = Findings("wind_driven_speed")
     found.number("wind_speed", wind_speed, "m/s", at_least=0.0)
     if rule not in get_args(WindRule):
-        found.add("rule", repr(rule), f"must be one of {', '.join(get_args(WindRule))}")
+        wanted = Message("refused.one_of", words=", ".join(get_args(WindRule)))
+        found.add("rule", repr(rule), wanted)
     found.raise_if_any()
     return WIND_SHARE[rule] * wind_speed
 
@@ -132,10 +133,13 @@ class CurrentSeries:
                 continue
             values = np.asarray(getattr(self, key), dtype=float)
             if values.ndim != 1 or values.shape != t.shape or t.size == 0:
-                found.add(key, f"shape {values.shape}", "one number a time is wanted")
+                shape = Message("refused_motion.shape", shape=values.shape)
+                found.add(key, shape, Message("refused_motion.one_number_a_time"))
             elif not np.isfinite(values).all():
                 found.add(
-                    key, "nan or infinity", Message("refused_motion.finite_numbers_are_wanted")
+                    key,
+                    Message("refused_motion.nan"),
+                    Message("refused_motion.finite_numbers_are_wanted"),
                 )
         if not found.problems and not (np.diff(t) > 0.0).all():
             at = int(np.argmax(np.diff(t) <= 0.0))

@@ -48,7 +48,9 @@ class ElevationRecord:
             found.add("times", f"{t.shape} and {eta.shape}", wanted)
         elif not (np.isfinite(t).all() and np.isfinite(eta).all()):
             found.add(
-                "elevation", "nan or infinity", Message("refused_motion.finite_numbers_are_wanted")
+                "elevation",
+                Message("refused_motion.nan"),
+                Message("refused_motion.finite_numbers_are_wanted"),
             )
         else:
             self._check_steps(found)

@@ -14,6 +14,7 @@ from catopt.waves.components import Waves
 from catopt.waves.frequency_range import frequency_range
 from catopt.waves.spectrum import Spectrum
 from catopt.waves.spreading import CosineSpreading
+from catopt.words import Message
 
 Bands = Literal["equal-energy", "equal-width", "S4"]
 """How the range is cut.
@@ -147,15 +148,17 @@ def _check(
 ) -> None:
     found = Findings("random_waves")
     if isinstance(count, bool) or not isinstance(count, (int, np.integer)) or count < 1:
-        found.add("count", repr(count), "a whole number of 1 or more is wanted")
+        found.add("count", repr(count), Message("refused_motion.whole_number"))
     found.number("direction", direction, "rad")
     if isinstance(spreading, CosineSpreading):
         if not found.problems and count % spreading.directions:
-            found.add("count", repr(count), f"a multiple of {spreading.directions} directions")
+            wanted = Message("refused_motion.multiple_of_directions", count=spreading.directions)
+            found.add("count", repr(count), wanted)
     elif spreading is not None:
         found.number("spreading", spreading, "", above=0.0)
     if bands not in get_args(Bands):
-        found.add("bands", repr(bands), f"must be one of {', '.join(get_args(Bands))}")
+        wanted = Message("refused.one_of", words=", ".join(get_args(Bands)))
+        found.add("bands", repr(bands), wanted)
     found.number("between[0]", low, "rad/s", above=0.0)
     found.number("between[1]", high, "rad/s", above=max(low, 0.0))
     found.raise_if_any()

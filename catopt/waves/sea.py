@@ -67,18 +67,18 @@ class Sea:
         found.number("depth", self.depth, "m", above=0.0)
         found.number("ramp_time", self.ramp_time, "s", at_least=0.0)
         if self.waves is not None and not isinstance(self.waves, Waves):
-            found.add("waves", repr(self.waves), "a Waves value or None is wanted")
+            found.add("waves", repr(self.waves), Message("refused_motion.waves_or_none"))
         if isinstance(self.current, (PowerLawCurrent, WindCurrent, TableCurrent)):
             object.__setattr__(self, "current", (self.current,))
         object.__setattr__(self, "current", tuple(self.current))
         for key, allowed in (("stretching", Stretching), ("reach", Reach)):
             if getattr(self, key) not in get_args(allowed):
-                wanted = f"must be one of {', '.join(get_args(allowed))}"
+                wanted = Message("refused.one_of", words=", ".join(get_args(allowed)))
                 found.add(key, repr(getattr(self, key)), wanted)
         found.raise_if_any()
         if self.current_series is not None and self._surface_current == 0.0:
             wanted = Message("refused_motion.current_flows_at_surface_wanted")
-            found.add("current_series", "without a current", wanted)
+            found.add("current_series", Message("refused_motion.without_a_current"), wanted)
         found.raise_if_any()
 
     @property

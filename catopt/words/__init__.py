@@ -29,9 +29,8 @@ The groups of texts that are no sentences:
 
 What is wrong with an input is said by `catopt.words.refusals.say_refusal`.
 
-Not messages yet: part of what is wrong with arguments in Python alone (`catopt.fem`), what is
-wrong with decks of others, the formulas of loads
-(`catopt.loads.component`), names of drawings of a reproduction, texts of plots.
+Not messages yet: the formulas of loads (`catopt.loads.component`), names of drawings of a
+reproduction, texts of plots.
 """
 
 from catopt.words.labels import heading, is_term, quantity_name, term

@@ -3,34 +3,60 @@
 from __future__ import annotations
 
 import shutil
+import tomllib
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+
+from catopt.answers.blocks import Answer
+from catopt.cli.output import Output
+from catopt.render.card import show_card
+from catopt.words import Language
 
 from .conftest import CASES, Run, typed
 from .test_every_command import COMMANDS
 
 LINES, WIDTH = 24, 80
-_STATIC = {
-    "solve": ("buoy-9.5m", "buoy-9.5m-slack", "tanker-20m", "ship-200m-sinker", "fatigue-chain-20m",
-              "tanker-20m-find-length"),
-    "check": ("buoy-9.5m", "design-buoy-9.5m", "design-tanker-20m", "design-leg-56m",
-              "fso-rang-dong", "design-mooring-30m", "ship-200m"),
-    "system": ("fso-rang-dong", "design-turret-56m", "design-mooring-30m"),
-    "curve": ("buoy-9.5m", "tanker-20m", "ship-200m-sinker", "tanker-20m-find-length"),
-    "verify": ("design-buoy-9.5m", "buoy-9.5m-slack", "fso-rang-dong", "tanker-20m-sinker"),
+TAKEN_BY = {
+    "check": "site", "verify": "site", "system": "system", "design": "design",
+    "fatigue --once": "fatigue", "verify --dynamic --once": "dynamics",
+    "size": "environment", "study --plan": "case", "study --workers 1": "case",
 }  # fmt: skip
-SHIPPED = [
-    *(f"{command} CASES/{name}/case.toml" for command, names in _STATIC.items() for name in names),
+"""Commands that take a file by what it has; `solve` and `curve` take those of one line."""
+SHORTER = {
+    "fso-rang-dong-dynamic": ('"1200 s"', '"40 s"'),
+    "dynamic-chain-56m": ('"5 min"', '"40 s"'),
+    "study-chain-56m": ("[1, 2]", "[1]"),
+}
+"""Runs in motion that are cut short, by what of a file: the screen is of the same kind."""
+SAMPLED = {"design design-turret-56m": "--method nsga2 --evaluations 200"}
+"""Searches that would take a minute, of which some designs are tried."""
+
+
+def shipped() -> Iterator[tuple[str, str]]:
+    """Yield every shipped file with every command that takes it."""
+    for path in sorted(CASES.glob("*/*.toml")):
+        table = tomllib.loads(path.read_text("utf-8"))
+        name = path.relative_to(CASES).as_posix()
+        is_case = "size-" not in name and "case" not in table
+        for command, key in TAKEN_BY.items():
+            if key in table and is_case != (command.split()[0] in {"size", "study"}):
+                yield command, name
+        if is_case and "system" not in table:
+            yield from (("solve", name), ("curve", name))
+
+
+TAKEN = list(shipped())
+LONG = ("design ", "fatigue --once ", "study --workers 1 ", "verify --dynamic --once ")
+"""What takes longer than a moment."""
+OTHERS = [
     "system FSO --line-out --watch-circle --curve '180 deg' --level '1 m' --stiffness",
     "solve TANKER --profile",
-    "size buoy CASES/size-buoy/sizing.toml",
-    "size tanker CASES/size-tanker/sizing.toml",
+    "size buoy 'pillar 1.8 m' --depth '12 m'",
+    "size tanker --dwt '50000 t' --depth '20 m'",
     "reproduce load_sharing",
     "reproduce tanker_20m_sinker",
-    "study FLEET --workers 1",
-    "study STUDY --plan",
-    "design DESIGN",
     "loads buoy 'pillar 1.8 m' --depth '12 m' --current '1 m/s' --wind '25 m/s'",
     "loads ship --dwt '50000 t' --depth '20 m' --wind '20 m/s'",
     "catalog list",
@@ -42,47 +68,110 @@ SHIPPED = [
     "catalog fittings 'chain open-link 4D Q2' 38",
     "catalog sinker '5 t' --base-area '4 m^2'",
 ]
-SLOW = [
-    "verify CASES/dynamic-chain-56m/case.toml --dynamic --once",
-    "fatigue FATIGUE --once",
-    "design CASES/design-tanker-20m/case.toml",
-    "design CASES/design-leg-56m/case.toml",
-    "design CASES/design-mooring-30m/case.toml --evaluations 400",
-    "study CASES/study-buoy-9.5m/study.toml --workers 1",
-    "reproduce",
-]
 in_both = pytest.mark.parametrize("language", ["en", "vi"])
 
 
-def is_a_screen(run: Run, monkeypatch: pytest.MonkeyPatch, line: str, language: str) -> list[str]:
+def is_a_screen(run: Run, monkeypatch: pytest.MonkeyPatch, *line: str) -> list[str]:
     """Run a command as it is typed; its lines, of which none is too many or too wide."""
     monkeypatch.setattr("tests.cli.conftest.FULL", "0")
-    ran = run(*typed(line), "--lang", language)
-    lines = ran.out.splitlines()
+    ran = run(*line)
     assert ran.status == 0, ran.err
+    return fit(ran.out)
+
+
+def fit(said: str) -> list[str]:
+    lines = said.splitlines()
     assert 3 < len(lines) <= LINES
     assert max(map(len, lines)) <= WIDTH
     return lines
 
 
+def walk(
+    run: Run,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    command: str,
+    path: Path,
+) -> None:
+    """Answer once, and see both languages' screens of it."""
+    kept: list[tuple[Answer, str]] = []
+
+    def keep(output: Output, answer: Answer, language: Language, further: str) -> None:
+        kept.append((answer, further))
+        show_card(output, answer, language, further)
+
+    monkeypatch.setattr("catopt.render.card.show_card", keep)
+    said = is_a_screen(run, monkeypatch, *command.split()[:1], str(path), *command.split()[1:])
+    ((answer, further),) = kept
+    show_card(Output(), answer, "vi", further)
+    other = fit(capsys.readouterr().out)
+    assert said != other
+    assert all(any("--full" in each for each in lines[-2:]) for lines in (said, other))
+
+
+@pytest.mark.parametrize(
+    ("command", "name"), [each for each in TAKEN if not " ".join(each).startswith(LONG)]
+)
+def test_every_shipped_case_is_one_screen_of_every_command(
+    run: Run,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    command: str,
+    name: str,
+) -> None:
+    walk(run, monkeypatch, capsys, command, CASES / name)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("command", "name"), [each for each in TAKEN if " ".join(each).startswith(LONG)]
+)
+def test_every_long_answer_to_a_shipped_case_is_one_screen(
+    run: Run,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    inside: Path,
+    command: str,
+    name: str,
+) -> None:
+    shutil.copytree(CASES, inside / "cases")
+    path = inside / "cases" / name
+    for folder, (old, new) in SHORTER.items():
+        for each in (inside / "cases" / folder).glob("*.toml"):
+            text = each.read_text("utf-8")
+            assert old in text
+            each.write_text(text.replace(old, new), "utf-8")
+    sampled = SAMPLED.get(f"{command} {name.partition('/')[0]}", "")
+    walk(run, monkeypatch, capsys, f"{command} {sampled}", path)
+
+
+@pytest.mark.parametrize("command", ["solve", "curve", *TAKEN_BY])
+def test_every_other_case_is_refused(run: Run, command: str) -> None:
+    """So that none is left out above."""
+    first, *options = command.split()
+    for path in sorted(CASES.glob("*/*.toml")):
+        if (command, path.relative_to(CASES).as_posix()) not in TAKEN:
+            ran = run(first, path, *options)
+            assert (ran.status, ran.out) == (2, ""), path
+
+
 @in_both
-@pytest.mark.parametrize("line", SHIPPED)
-def test_an_answer_is_one_screen(
+@pytest.mark.parametrize("line", OTHERS)
+def test_an_answer_without_a_case_is_one_screen(
     run: Run, monkeypatch: pytest.MonkeyPatch, inside: Path, line: str, language: str
 ) -> None:
     assert inside
-    lines = is_a_screen(run, monkeypatch, line, language)
+    lines = is_a_screen(run, monkeypatch, *typed(line), "--lang", language)
     assert any("--full" in each for each in lines[-2:])
 
 
 @pytest.mark.slow
 @in_both
-@pytest.mark.parametrize("line", SLOW)
-def test_a_long_answer_is_one_screen(
-    run: Run, monkeypatch: pytest.MonkeyPatch, inside: Path, line: str, language: str
+def test_the_whole_book_is_one_screen(
+    run: Run, monkeypatch: pytest.MonkeyPatch, inside: Path, language: str
 ) -> None:
-    shutil.copytree(CASES, inside / "cases")
-    is_a_screen(run, monkeypatch, line, language)
+    assert inside
+    is_a_screen(run, monkeypatch, "reproduce", "--lang", language)
 
 
 @pytest.mark.parametrize("line", ["check FSO", "check DESIGN", "system FSO"])
@@ -91,7 +180,7 @@ def test_verdict_and_what_governs_stand_below_the_title(
 ) -> None:
     """They are the full answer's own, in its words."""
     whole = " ".join(run(*typed(line)).out.split())
-    _, verdict, governs, *_ = is_a_screen(run, monkeypatch, line, "en")
+    _, verdict, governs, *_ = is_a_screen(run, monkeypatch, *typed(line))
     assert verdict in whole
     assert governs in whole
     assert governs.startswith("Governing: ")
@@ -101,7 +190,7 @@ def test_a_screen_says_how_many_rows_it_leaves_out(
     run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Of nine lines of the turret as many are missing as are not there."""
-    lines = is_a_screen(run, monkeypatch, "system FSO", "en")
+    lines = is_a_screen(run, monkeypatch, *typed("system FSO"))
     rows = [each for each in lines if each[:4].strip().isdigit()]
     (said,) = (int(each.split()[1]) for each in lines if each.startswith("and "))
     assert len(rows) + said == 9
@@ -113,5 +202,5 @@ def test_the_environment_may_ask_for_all_of_it(run: Run) -> None:
 
 
 def test_commands_of_every_kind_are_tried() -> None:
-    tried = {line.split()[0] for line in (*SHIPPED, *SLOW)}
+    tried = {line.split()[0] for line in (*OTHERS, *(command for command, _ in TAKEN))}
     assert {command.line.split()[0] for command in COMMANDS} - {"SIZE_BUOY"} <= tried

@@ -19,6 +19,7 @@ from catopt.loads.buoy_library import buoys
 from catopt.loads.holding_data import SOILS
 from catopt.loads.sinker import SOIL_FRICTION
 from catopt.model.case import Boundary
+from catopt.reproduce import names as studies
 from catopt.sizing.inputs import inputs_of
 from catopt.words import LANGUAGES
 from catopt.words.texts import group, groups
@@ -51,7 +52,7 @@ def english_words() -> set[str]:
 
 def names() -> set[str]:
     """List the words of what has one name in every language: keys, families, kinds and soils."""
-    found = {*_PLACES, *TEMPLATES, *TYPES, *SOILS, *SOIL_FRICTION, *get_args(Boundary)}
+    found = {*studies(), *_PLACES, *TEMPLATES, *TYPES, *SOILS, *SOIL_FRICTION, *get_args(Boundary)}
     found |= {each.name for each in buoys()}
     found |= {*keys()}
     families = standard().families

@@ -8,11 +8,13 @@ from pathlib import Path
 
 import pytest
 
-from catopt import read_case, solve_case
+from catopt import InputError, read_case, solve_case
 from catopt.casefile import parse_case, write_case
 from catopt.decks.reading import Asked, is_deck, read_deck
 from catopt.mooring.case import report_system
 from catopt.words import say
+from catopt.words.refusals import say_refusal
+from tests.cli.test_refusals_in_vietnamese import ENGLISH, words_of
 from tests.decks.own import C06, MAP, MOORDYN, ONTOLOGY, TWO_SEGMENTS, V1, problems, said
 from tests.export.cases import CASES
 
@@ -197,6 +199,24 @@ def test_what_has_no_case_is_refused_with_its_line(
     found = problems(deck.replace(old, new, 1), Asked(line=1) if deck is C06 else None)
     place = rf"lines? {line}\b.*: " if line else "file: "
     assert any(re.match(place, each) and words in each for each in found), found
+
+
+@pytest.mark.slow
+def test_every_refusal_is_said_in_vietnamese() -> None:
+    """Nothing English stands in it but the deck's own words, and keys."""
+    decks = [(deck, deck.replace(*row[:2], 1)) for deck, rows in REFUSED.items() for row in rows]
+    asked = Asked(9.80665, 1025.0, 320.0)
+    flags = ("omit_contact", "linear_spring", "damage_time", "wobble")
+    whole = MAP.format(**OC3, **OC3_ENDS)
+    decks += [(MAP, whole.replace("tension_fair", flag)) for flag in flags]
+    for of, deck in decks:
+        with pytest.raises(InputError) as caught:
+            read_deck(
+                deck, "deck.txt", asked if of is MAP else Asked(line=1) if of is C06 else None
+            )
+        told = say_refusal(caught.value.source, caught.value.problems, "vi")
+        own = {*re.findall("[a-z]{2,}", deck), "deck"}
+        assert words_of(told) & ENGLISH - own == set(), told
 
 
 def test_a_joint_of_three_lines_is_refused_where_one_line_is_wanted() -> None:

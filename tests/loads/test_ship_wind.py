@@ -181,5 +181,5 @@ def test_recalled_coefficients_are_refused_ahead_too() -> None:
     guessed = UfcWind(0.9, 0.7, 0.7, 1.5, "single", recalled=True)
     with pytest.raises(InputError, match="recalled"):
         ufc_wind_loads(SHIP, Wind(20.0), guessed, angle=0.0, air_density=1.25)
-    with pytest.raises(InputError, match="single or distributed"):
+    with pytest.raises(InputError, match="single, distributed"):
         UfcWind(0.9, 0.7, 0.7, 1.5, "none")  # type: ignore[arg-type]

@@ -75,6 +75,45 @@ def test_every_text_is_there_in_both_languages_with_the_same_holes() -> None:
         assert len({frozenset(holes(form) - {"count"}) for form in told}) == 1, key
 
 
+def english_in(node: ast.expr) -> Iterator[str]:
+    """Yield what an argument says in plain words, outside of what makes a message."""
+    if isinstance(node, ast.Call):
+        return
+    said = ""
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        said = node.value
+    elif isinstance(node, ast.JoinedStr):
+        said = "".join(
+            each for part in node.values if isinstance(each := getattr(part, "value", 0), str)
+        )
+    else:
+        for each in ast.iter_child_nodes(node):
+            if isinstance(each, ast.expr):
+                yield from english_in(each)
+    if re.search(r"(?<![\w./=-])[a-z]{2,} +[a-z]{2,}(?![\w.=-])", said):
+        yield said
+
+
+REFUSES = {"Problem": 3, "Finding": 3, "add": 3, "problem": 2, "refuse": 3, "refused": 3}
+"""What notes something wrong, and how many of its arguments say so; the first says where."""
+
+
+def test_nothing_is_refused_in_plain_english() -> None:
+    """Neither what was found nor what is wanted, in any part of catopt."""
+    found = [
+        (path.relative_to(PACKAGE).as_posix(), node.lineno, said)
+        for path in PACKAGE.rglob("*.py")
+        for node in ast.walk(ast.parse(path.read_text("utf-8")))
+        if isinstance(node, ast.Call)
+        for name in [getattr(node.func, "attr", getattr(node.func, "id", ""))]
+        for each in [*node.args[1 : REFUSES.get(name, 0)], *(k.value for k in node.keywords)]
+        if name in REFUSES
+        for said in english_in(each)
+    ]
+    assert found == []
+    assert list(english_in(ast.parse("f'{count} of them are here'", mode="eval").body))
+
+
 COMPOSED = {
     *("inputs", "columns", "captions", "solution", "curve", "answers", "quantities"),
     "note_motion",

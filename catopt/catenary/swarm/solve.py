@@ -98,7 +98,7 @@ def _check(line: Line, height: float, horizontal_force: float, seabed_friction: 
     if not (least <= horizontal_force and horizontal_force + weight <= most):
         found.add(
             "horizontal_force",
-            f"{horizontal_force:g} N on a line that weighs {weight:g} N",
+            Message("refused_motion.weighs", force=horizontal_force, weight=weight),
             Message("refused_motion.forces_from_n_are_carried", least=least, most=most),
         )
     found.raise_if_any()
