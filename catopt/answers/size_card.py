@@ -85,9 +85,12 @@ def verdict(of: Sizing) -> Verdict:
     said: Message = verdict_sentence(report)
     if report.results and report.passes:
         is_worn = any(each.condition == "worn" for each in of.case.load_cases)
+        by = None if of.in_motion is None else of.in_motion.case.checks.motion_code
+        met = "sizing.all_met" if of.in_motion is None else "sizing.motion_met"
         said = Message(
-            "sizing.all_met" if of.in_motion is None else "sizing.motion_met",
+            met if by is None else "sizing.motion_met_by_other",
             codes=", ".join(of.case.checks.codes),
+            **({} if by is None else {"code": by}),
             states=Message("sizing.new_and_worn" if is_worn else "sizing.as_new_alone"),
             governs=_governs(report.governing),
         )

@@ -220,7 +220,7 @@ class ChecksTable(Table):
     model = model.Checks
     keys = """safety_factor safety_factor_line_out code codes proof_load_factor
         max_anchor_uplift_angle max_anchor_uplift_force min_grounded_length max_span max_offset
-        allow_recalled ..."""
+        allow_recalled motion_code ..."""
     symbols: ClassVar = {"SF": "safety_factor", "factor_of_safety": "safety_factor"}
 
     code: Code | None = None
@@ -231,7 +231,7 @@ class AnchorTable(Table):
 
     model = model.Anchor
     keys = """kind submerged_weight mass density friction holding_capacity safety_factor
-        safety_factor_line_out factor_source"""
+        safety_factor_line_out factor_source max_slide"""
     symbols: ClassVar = {"W": "submerged_weight", "m": "mass", "SF": "safety_factor"}
 
     density: Density | None = None

@@ -18,12 +18,14 @@ from catopt.checks.criterion import (
 )
 from catopt.checks.kinds import OF_LINE, CheckKind
 from catopt.checks.profiles import Profile, profiles_of
+from catopt.checks.profiles import profiles as all_profiles
 from catopt.checks.strength import Strength, strength_of
 from catopt.errors import InputError, Problem
 from catopt.model import Anchor, CatalogueChoice, Line, Segment, Service
 from catopt.model.checks import Checks
 from catopt.model.load_case import LoadCaseKind
 from catopt.model.wear import Condition
+from catopt.units import as_written
 from catopt.words import Cited, Message
 
 if TYPE_CHECKING:
@@ -266,10 +268,15 @@ def criteria_of(
 
     `anchor_key` says where its anchor stands, for messages; `analysis`, from which the tensions
     are: a code's factors for the other are not among the criteria, unless tensions are dynamic and
-    it has none for them; those for lines at rest then hold. InputError when a code is not known, or
-    was read in no document and the case does not allow that, or an anchor has no factor.
+    it has none for them; those for lines at rest then hold, or `checks.motion_code` in its place.
+    InputError when a code is not known, or was read in no document and the case does not allow
+    that, or an anchor has no factor.
     """
-    profiles = profiles_of(case.checks)
+    profiles, by = profiles_of(case.checks), motion_profile(case.checks)
+    is_lacking = not profiles or any(not each.is_for_motion for each in profiles)
+    if analysis == "dynamic" and by is not None and is_lacking:
+        others = (each for each in profiles if each.is_for_motion)
+        profiles = tuple(dict.fromkeys((*others, by)))
     coded = [
         criterion
         for each in profiles
@@ -278,7 +285,7 @@ def criteria_of(
     ]
     found = (
         *_own(case),
-        *_of_anchor(case.anchor, coded, anchor_key),
+        *_of_anchor(case.anchor, coded, anchor_key, analysis),
         *(each for each in coded if each.check not in ("sliding", "holding")),
     )
     return Criteria(
@@ -289,9 +296,29 @@ def criteria_of(
     )
 
 
+def motion_profile(checks: Checks) -> Profile | None:
+    """Look up the code that judges lines in motion; None where none is named.
+
+    InputError: there is none of that name, it was read in no document, or it has no factors for
+    dynamic analysis.
+    """
+    if checks.motion_code is None:
+        return None
+    key = "checks.motion_code"
+    try:
+        (found,) = profiles_of(replace(checks, codes=(checks.motion_code,), motion_code=None))
+    except InputError as error:
+        raise InputError([replace(each, key=key) for each in error.problems], "checks") from None
+    if not found.is_for_motion:
+        have = ", ".join(each.name for each in all_profiles() if each.is_for_motion)
+        allowed = Message("refused_case.motion_code_has_no_factors", names=have)
+        raise InputError([Problem(key, as_written(checks.motion_code), allowed)], "checks")
+    return found
+
+
 def _analysis_of(profile: Profile, wanted: Analysis) -> Analysis:
     """Return the analysis whose factors of a code are taken: that for motion, where it has any."""
-    return wanted if any(each.analysis == wanted for each in profile.criteria) else "quasi-static"
+    return wanted if profile.is_for_motion else "quasi-static"
 
 
 def _notes(checks: Checks, profiles: tuple[Profile, ...]) -> Iterator[Message]:
@@ -322,9 +349,17 @@ def _own(case: Asks) -> Iterator[Criterion]:
             yield Criterion(check, limit, USER)
 
 
-def _of_anchor(anchor: Anchor | None, coded: list[Criterion], key: str) -> Iterator[Criterion]:
-    """List the factors on what holds the line: its own, or else those of the codes."""
+def _of_anchor(
+    anchor: Anchor | None, coded: list[Criterion], key: str, analysis: Analysis
+) -> Iterator[Criterion]:
+    """List the factors on what holds the line: its own, or else those of the codes.
+
+    In motion a sinker may have a way that it may slide in their place.
+    """
     if anchor is None:
+        return
+    if analysis == "dynamic" and anchor.max_slide is not None:
+        yield Criterion("slide", anchor.max_slide, USER)
         return
     check: CheckKind = "sliding" if anchor.kind == "sinker" else "holding"
     damaged = anchor.safety_factor_line_out

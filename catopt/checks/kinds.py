@@ -33,6 +33,7 @@ CheckKind = Literal[
     "span",
     "buoyancy",
     "sliding",
+    "slide",
     "holding",
     "equilibrium",
 ]
@@ -206,6 +207,7 @@ OF_LINE: Mapping[CheckKind, LineCheck] = MappingProxyType(
 
 _OTHERS = {
     "tension": QUANTITIES["tension"],
+    "slide": QUANTITIES["length"],
     "equilibrium": Quantity("lines", "", "", "-", "-", 1.0, 0),
 }
 
@@ -221,4 +223,6 @@ QUANTITY_OF: Mapping[str, Quantity] = MappingProxyType(
 def limit_quantity(kind: CheckKind) -> Quantity:
     """Return what the number of a criterion is: a factor, or a limit."""
     row = OF_LINE.get(kind)
+    if kind == "slide":
+        return QUANTITY_OF[kind]
     return QUANTITIES["safety_factor" if row is None or row.is_factor else row.quantity]

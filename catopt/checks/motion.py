@@ -6,10 +6,12 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from catopt.checks.criteria import Criteria, criteria_of
+from catopt.checks.criteria import Criteria, criteria_of, motion_profile
 from catopt.checks.criterion import USER, Place, State
 from catopt.checks.evaluation import check_buoyancy, check_tensions, result_of
-from catopt.checks.kinds import OF_LINE
+from catopt.checks.excess import ratio_excess
+from catopt.checks.kinds import OF_LINE, Demand
+from catopt.checks.profiles import profiles_of
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.model import Case, Line
 from catopt.model.load_case import LoadCase, LoadCaseKind
@@ -33,6 +35,8 @@ class Carried(NamedTuple):
     """Least unstretched length on the bed, m."""
     span: float
     """Largest horizontal distance of its ends, m."""
+    slide: float | None = None
+    """Way that what holds it slides in the storm, m; None where that was not followed."""
 
 
 @dataclass(frozen=True)
@@ -64,7 +68,8 @@ class LineInMotion:
 def check_motion(case: Case, lines: Sequence[LineInMotion]) -> CheckReport:
     """Check lines in motion by the numbers of a case and the factors of the codes it names.
 
-    A code's factors for dynamic analysis are taken; where it has none, those for lines at rest.
+    A code's factors for dynamic analysis are taken; where it has none, those for lines at rest, or
+    the case's `motion_code` in its place.
     Uplift, length on the bed, span, buoyancy and what holds the line are judged by the least
     favourable value of each at any step, as if they came together. A load case is judged in its own
     state and condition, as at rest; a run in which a line breaks in the transient state, and the
@@ -112,6 +117,10 @@ def _others(
         for criterion in criteria.of(check, kind, place.state):
             found = row.measure(criterion.value, moved.carried, case.anchor)
             yield result_of(check, criterion, found, moved.load_case, place)
+    slide = None if moved.carried is None else moved.carried.slide
+    for criterion in criteria.of("slide", kind, place.state) if slide is not None else ():
+        found = Demand(slide or 0.0, criterion.value, ratio_excess(slide or 0.0, criterion.value))
+        yield result_of("slide", criterion, found, moved.load_case, place)
 
 
 def _of_the_body(
@@ -158,6 +167,11 @@ def _of_codes(case: Case, criteria: Criteria) -> Iterator[Message]:
     if not case.checks.codes:
         yield Message("checks.motion_no_code")
         return
+    at_rest_alone = [each.name for each in profiles_of(case.checks) if not each.is_for_motion]
+    by = motion_profile(case.checks)
+    if by is not None and at_rest_alone:
+        codes = Listed(at_rest_alone, "and")
+        yield Message("checks.motion_by_other", codes=codes, code=by.name)
     tensions = [each for each in criteria.all if each.check == "tension" and each.source != USER]
     at_rest = _codes(each.source.code for each in tensions if each.analysis != "dynamic")
     if at_rest:

@@ -74,6 +74,11 @@ class Profile:
         """Whether any of it was read in no document."""
         return any(each.source.confidence == RECALLED for each in self.criteria)
 
+    @property
+    def is_for_motion(self) -> bool:
+        """Whether it has factors for dynamic analysis."""
+        return any(each.analysis == "dynamic" for each in self.criteria)
+
 
 @cache
 def profiles() -> tuple[Profile, ...]:

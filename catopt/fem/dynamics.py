@@ -317,6 +317,7 @@ def run_from_rest(
         "first_bar": simulation.lines.start,
         "arc": np.concatenate([0.5 * (cut.arc[1:] + cut.arc[:-1]) for cut in cuts]),
         **_courses(record, simulation.lines),
+        "slides": _slides(record),
         "max_tension": np.where(seen, record.max_tension, np.nan),
         "min_tension": np.where(seen, record.min_tension, np.nan),
         "balance": simulation.balance(record),
@@ -327,6 +328,12 @@ def run_from_rest(
         "warnings": tuple(warnings),
     }
     return History(**{each.name: found[each.name] for each in fields(History)})
+
+
+def _slides(record: Record) -> Array:
+    """Sum the slides up, with the one that goes on at the end."""
+    _, way, ways, squares, count = np.moveaxis(record.slides, -1, 0)
+    return np.stack([ways + way, squares + way**2, count + (way > 0.0)], axis=-1)
 
 
 def _courses(record: Record, lines: MovingLines) -> dict[str, Any]:

@@ -170,6 +170,21 @@ def gumbel(maxima: Sequence[float], run: float, duration: float) -> GumbelFit | 
     return GumbelFit(extreme, mode, scale, values.size, run)
 
 
+def block_maxima(time: Array, values: Array, block: float) -> Array:
+    """Largest value in each of the equal blocks, about so long, s, that a series is cut into.
+
+    `time`, `values` (n,): rising times, s, and values or turning points there. Blocks of which none
+    is known are left out.
+    """
+    whole = float(time[-1] - time[0])
+    count = max(1, round(whole / block))
+    which = np.minimum(((time - time[0]) / whole * count).astype(np.int64), count - 1)
+    found = np.full(count, -np.inf)
+    np.maximum.at(found, which, values)
+    known: Array = found[np.isfinite(found)]
+    return known
+
+
 def _clusters(heights: Array, threshold: float) -> Array:
     """Largest of each group of peaks that follow each other above a threshold."""
     above = np.concatenate([[False], heights > threshold, [False]])

@@ -40,6 +40,8 @@ class History:
     longest_slack: Array  # and at a stretch
     courses: tuple[tuple[Course, ...], ...]  # of each line what `FOLLOWED` names, at every step
     bar_courses: tuple[Course, ...]  # of each bar's tension, when asked for, N
+    slides: Array  # (lines, blocks, 3): of each block that was asked for, were it what holds the
+    # anchor: way that it slides in all, m, sum of the squares of its slides, m2, and their count
     balance: EnergyBalance  # what was put in from the first moment on, and where it went
     since: float  # where statistics begin, s
     step: float  # as asked for, s
@@ -65,6 +67,7 @@ class History:
             **{key: getattr(self, key)[:, only] for key in by_line},
             **{key: getattr(self, key)[bars] for key in by_bar},
             courses=self.courses[only],
+            slides=self.slides[only],
             bar_courses=self.bar_courses[bars],
         )
 

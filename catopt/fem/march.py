@@ -21,6 +21,7 @@ from catopt.fem.sampling import (
 )
 from catopt.fem.seabed import drag_feet
 from catopt.fem.series import fill_series
+from catopt.fem.sliding import slide
 from catopt.fem.water_at import fill_water
 
 _LONGER: Final = 0.2
@@ -265,10 +266,11 @@ def accept(
     if is_booked:
         copy_blocks(room.booked, room.booked_before)
         copy_rows(water.wet, room.wet_before)
-    copy_blocks(room.ends, room.ends_before)
     if rules.since - 1e-9 * rules.step <= t <= rules.until + 1e-9 * rules.step:
+        slide(h, room.ends_before, room.ends, setting.blocks, record.slides)
         keep_extremes(h, tension, record)
         follow_all(t, setting, now, room, record)
+    copy_blocks(room.ends, room.ends_before)
     for n in range(record.turn_count.shape[0]):
         if record.turn_count[n] >= record.turns.shape[1]:
             return True

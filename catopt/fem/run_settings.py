@@ -55,6 +55,9 @@ class TimeStepping:
     nodes: tuple[int, ...] = ()  # counted over all lines, whose places are kept
     energy: bool = False  # whether energies are kept
     tensions: bool = False  # whether the tension of every bar is
+    # Blocks on the bed whose slides are found, were they what holds an anchor: mass, kg, weight in
+    # water, N, and friction of each
+    blocks: tuple[tuple[float, float, float], ...] = ()
 
     def __post_init__(self) -> None:
         found = Findings("TimeStepping")

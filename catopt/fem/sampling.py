@@ -48,6 +48,7 @@ class Setting(NamedTuple):
     load: SeriesRows  # force on the body, of one end
     flow: Flow
     has_sea: bool
+    blocks: Array  # (blocks, 3): on the bed, as `sliding.slide` takes them
 
 
 @packed
@@ -74,6 +75,7 @@ class Record(NamedTuple):
     turn_count: Codes  # (quantities,): how many there are
     works: Array  # (8,): as `energy_balance.add_works` adds them, of every step, J
     at_rest: Array  # (nodes, 3): places from which energies of strain, weight and bed count, m
+    slides: Array  # (lines, blocks, SLIDING): of each block, were it what holds the line's anchor
 
 
 @packed

@@ -33,6 +33,7 @@ from catopt.fem.sampling import (
 )
 from catopt.fem.seabed import drag_feet
 from catopt.fem.series import SeriesRows, fill_series, series_rows
+from catopt.fem.sliding import SLIDING
 from catopt.fem.water_at import fill_water
 from catopt.interrupt import waiting_interrupt
 from catopt.waves import Sea
@@ -328,7 +329,8 @@ class Simulation:
             until=float(stepping.duration),
         )
         record = self._empty_record(stepping)
-        self._first_sample(self._setting(rules), record)
+        blocks = np.array(stepping.blocks, dtype=float).reshape(-1, 3)
+        self._first_sample(self._setting(rules, blocks), record)
         at, part, level, size, speed = 0, 0.0, 0, 1, 0.0
         last, lost = samples * every, -1 if breaks is None else breaks.sample * every
         with waiting_interrupt() as ask:
@@ -340,7 +342,7 @@ class Simulation:
                 end, began = lost if at < lost else last, perf_counter()
                 # As plain Python steps may take longer than expected, where they are halved.
                 work = max(speed, _ITERATIONS * _A_BAR * self.lines.length.size) * (last - at)
-                march_on, setting = compiled(march, work), self._setting(rules)
+                march_on, setting = compiled(march, work), self._setting(rules, blocks)
                 report = march_on(
                     at, part, end, size, level, setting, self.state, self._room, record, self.afloat
                 )
@@ -366,11 +368,9 @@ class Simulation:
                     size *= 2
         return record, True
 
-    def _setting(self, rules: Rules) -> Setting:
-        flow = (self.sea or _STILL).flow
-        return Setting(
-            rules, self.lines, self.body, self.led, self.load, flow, self.sea is not None
-        )
+    def _setting(self, rules: Rules, blocks: Array) -> Setting:
+        flow, has_sea = (self.sea or _STILL).flow, self.sea is not None
+        return Setting(rules, self.lines, self.body, self.led, self.load, flow, has_sea, blocks)
 
     def _stored(self, record: Record) -> Array:
         """Energies as of `sampling.fill_energy` at the present state, J."""
@@ -466,6 +466,7 @@ class Simulation:
             turn_count=np.zeros(followed, dtype=np.int64),
             works=np.zeros(8),
             at_rest=self.state.x.copy(),
+            slides=np.zeros((lines, len(stepping.blocks), SLIDING)),
         )
 
     def _lead_ends(self) -> None:

@@ -122,9 +122,8 @@ class _Matched:
         self.G = self._overlap()
         self.C: list[Complex] = [np.empty(0, dtype=complex)] * 3
         self.D: list[Complex] = [np.empty(0, dtype=complex)] * 3
-        system = {m: self._system(m) for m in (0, 1)}
-        for mode, m in ((SURGE, 1), (HEAVE, 0), (PITCH, 1)):
-            self.C[mode], self.D[mode] = self._solved(mode, *system[m])
+        self._match(0, HEAVE)
+        self._match(1, SURGE, PITCH)
         self.added_mass = self._masses()
 
     # ------------------------------------------------------------------ outside
@@ -212,12 +211,29 @@ class _Matched:
         rest = 2.0 * self.below[1:] * (above / at_side + m / x)
         return np.concatenate([[m / a], rest])
 
-    def _system(self, m: int) -> tuple[Complex, Array, Complex]:
+    def _match(self, m: int, *modes: int) -> None:
+        """Find C and D of modes of the same m.
+
+        Of the functions outside the wave alone is complex. What it adds to the matrix is a product
+        of two vectors, so that real equations are solved for it and the rest (Sherman, Morrison).
+        """
         radial, slopes = self._radial(m), self._slopes(m)
-        weighted = self.G.T * radial
-        matrix = np.eye(self.below.size) - (self.d / self.of.depth) * (weighted @ self.G) * slopes
-        inverse = np.asarray(np.linalg.inv(matrix), dtype=complex)
-        return radial, slopes, inverse
+        speeds, held = map(np.stack, zip(*map(self._own, modes), strict=True))
+        over = self.d / self.of.depth
+        waves = 0 if self.k == 0.0 else 1
+        G, R = self.G[waves:], radial[waves:].real
+        matrix = np.eye(self.below.size) - over * ((G.T * R) @ G) * slopes
+        right = G.T @ (R * speeds[:, waves:]).T - held.T
+        solved = np.linalg.solve(matrix, np.hstack([right, self.G[:waves].T]))
+        D = solved[:, : len(modes)].T + 0j
+        if waves:
+            x, turned = solved[:, -1], self.G[0] * slopes
+            D = D + np.outer(radial[0] * speeds[:, 0], x)
+            share = over * radial[0] / (1.0 - over * radial[0] * (turned @ x))
+            D = D + np.outer(share * (D @ turned), x)
+        for k, mode in enumerate(modes):
+            self.C[mode] = speeds[k] + over * (self.G @ (slopes * D[k]))
+            self.D[mode] = D[k]
 
     def _own(self, mode: int) -> tuple[Array, Array]:
         """Speed of the body and of phi_p at r = a by Z, over h; and phi_p by cos(l pi z/d)."""
@@ -251,13 +267,6 @@ class _Matched:
         q = self.k
         wave = d * d * self._sinh(d) / q - 2.0 * d * self._cosh(d) / q**2
         return np.concatenate([[wave + 2.0 * self._sinh(d) / q**3], own])
-
-    def _solved(
-        self, mode: int, radial: Complex, slopes: Array, inverse: Complex
-    ) -> tuple[Complex, Complex]:
-        b, p = self._own(mode)
-        D = inverse @ (self.G.T @ (radial * b) - p)
-        return b + (self.d / self.of.depth) * (self.G @ (slopes * D)), D
 
     # ------------------------------------------------------------------ forces
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from catopt.compiled import inlined
-from catopt.model.kinds import Factor, Mass, Positive, Source, Strength
+from catopt.model.kinds import Factor, Length, Mass, Positive, Source, Strength
 from catopt.model.validity import Checked, Findings
 from catopt.words import Message
 
@@ -36,6 +36,9 @@ class Anchor(Checked):
     """Document and place that `safety_factor` is from; empty for the user's own number."""
     mass: Mass | None = None
     """In air, kg; None when not known."""
+    max_slide: Length | None = None
+    """How far a sinker may slide in the storm, in motion, m, in the place of a factor on sliding;
+    None: that factor holds. It needs the mass."""
 
     def _check(self, found: Findings) -> None:
         found.check("kind")
@@ -49,7 +52,11 @@ class Anchor(Checked):
                 found.add(key, "", Message(f"refused.needed_by_{self.kind}"))
             else:
                 found.check(key)
-        found.check("safety_factor", "safety_factor_line_out", "mass")
+        found.check("safety_factor", "safety_factor_line_out", "mass", "max_slide")
+        if self.max_slide is not None and self.kind != "sinker":
+            found.add("max_slide", f"{self.max_slide:g} m", Message("refused.not_with_drag"))
+        elif self.max_slide is not None and self.mass is None:
+            found.add("mass", "", Message("refused.needed_by_max_slide"))
         if self.factor_source and self.safety_factor is None:
             found.add("factor_source", "", Message("refused.with_safety_factor"))
 

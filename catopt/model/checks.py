@@ -38,11 +38,14 @@ class Checks(Checked):
     """Largest horizontal distance from the anchor to the fairlead, m."""
     safety_factor_line_out: Factor | None = None
     """In the place of `safety_factor` where one line of several is gone; None: the same."""
+    motion_code: Code | None = None
+    """Profile with factors for dynamic analysis that judges lines in motion in the place of those
+    of `codes` that have none; None: these do, by their factors for lines at rest."""
 
     def _check(self, found: Findings) -> None:
         found.check("safety_factor", "proof_load_factor", "safety_factor_line_out")
         found.check("max_anchor_uplift_angle", "max_anchor_uplift_force", "min_grounded_length")
-        found.check("max_span", "max_offset")
+        found.check("max_span", "max_offset", "motion_code")
         if None not in (self.max_span, self.max_offset):
             found.add(
                 "max_offset",

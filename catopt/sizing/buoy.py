@@ -80,6 +80,7 @@ def _moved_sizing(of: Sizing, request: BuoyRequest, moved: Moved) -> Sizing:
         afloat=moved.in_motion.case,
         dynamic_factor=1.0,
         motion=Message("sizing.motion_by_runs"),
+        assumptions=(*of.assumptions, *_of_the_sinker(moved)),
         sinker=moved.sinker,
         other_sinker=request.ground.by_other_rule(moved.sinker, request.environment.water_density),
         chain_life=None,
@@ -87,6 +88,13 @@ def _moved_sizing(of: Sizing, request: BuoyRequest, moved: Moved) -> Sizing:
             each for each in of.advice if not any(is_said(each, key) for key in _LIFE_AT_REST)
         ),
     )
+
+
+def _of_the_sinker(moved: Moved) -> Iterator[Message]:
+    """Say how far the sinker may slide, and how that is found."""
+    anchor = moved.in_motion.case.anchor
+    if anchor is not None and anchor.max_slide is not None:
+        yield Message("sizing.may_slide", way=anchor.max_slide)
 
 
 def _within_scope(request: BuoyRequest) -> tuple[BuoyRequest, Settled]:

@@ -25,14 +25,18 @@ class RunsAfloat:
 
     seeds: int = field(default_factory=lambda: usual("seeds"))  # runs of each load case
     duration: float = field(default_factory=lambda: usual("run_time"))  # of one, with its ramp, s
-    elements: int = 40  # bars of the line
+    elements: int = 20  # bars of the line
     judged_by: JudgedBy = "upper"  # what the checks are held against
+    # How far the sinker may slide in the storm, m; None: `afloat.MOST_SLIDE` where the code has no
+    # factors for dynamic analysis, else its factor on sliding holds
+    max_slide: float | None = None
 
     def __post_init__(self) -> None:
         found = Findings("RunsAfloat")
         found.count("seeds", self.seeds)
         found.number("duration", self.duration, "s", at_least=LEAST_DURATION, at_most=36000.0)
         found.count("elements", self.elements)
+        found.numbers(self, "m", "max_slide", above=0.0)
         found.raise_if_any()
 
 

@@ -323,6 +323,10 @@ INPUTS: Final = (
         most="10 h", only_with="in_motion", called=("duration",),
     ),
     Input(
+        "max_slide", "motion.max_slide", "LENGTH", "0.5 m", of=_BUOY, above=0.0,
+        only_with="in_motion", left_out="left_out.max_slide",
+    ),
+    Input(
         "dynamic_factor", "service.dynamic_factor", "NUMBER", 1.5, at_least=1.0, most="10",
         left_out="left_out.dynamic_factor",
     ),

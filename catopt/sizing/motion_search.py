@@ -1,10 +1,10 @@
 """Which line holds in its own sea: those that pass at rest are run afloat, as few as will do.
 
 Lines are sizes by lengths. Three things spare runs: a line that fails at rest without any allowance
-for motion is not run; of one size a line is taken to pass where a shorter one does, so that the
-shortest that passes is found by halving; and a size whose shortest line at rest would not be chosen
-before one that passes is left out. The second is how the peaks of a line that is lifted off the bed
-behave, no theorem: what is recommended was run itself, in every load case.
+for motion is not run; lines are run in the order in which they are preferred, so that no line need
+be run that would not be chosen before one that passes; and where a line fails, lengths of its size
+are leapt over, as if a line failed between two that fail. The last is no theorem. What is
+recommended was run itself, in every load case.
 """
 
 from __future__ import annotations
@@ -12,7 +12,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Final, NamedTuple
+from functools import cached_property
+from typing import Any, Final, NamedTuple
 
 from catopt.catalogue.in_words import chain_words
 from catopt.catenary.solution import Solution
@@ -23,9 +24,11 @@ from catopt.design.near_miss import NoFeasibleDesignError
 from catopt.design.result import DesignPoint, NearMiss
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.loads.sinker import SinkerSize
+from catopt.loads.sizes import neighbours
 from catopt.model import Anchor, Case
 from catopt.patience import expect
 from catopt.sizing.afloat import run_in_still_water
+from catopt.sizing.anchorage import HEAVY_SINKERS
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.in_motion import (
     Counted,
@@ -38,23 +41,27 @@ from catopt.sizing.line_choice import LineChoice, sold
 from catopt.sizing.settle import Settled, best_of
 from catopt.ties import largest
 from catopt.verify.case import load_states
-from catopt.verify.dynamic import verify_dynamic
+from catopt.verify.dynamic import Wanted, processes_for, run_once
 from catopt.verify.dynamic_result import DynamicPart
 from catopt.verify.dynamic_setup import read_drive
 from catopt.verify.effort import SECONDS_PER_BAR_AND_STEP
-from catopt.verify.judged import check_parts, line_in_motion, solutions_at_rest
+from catopt.verify.judged import check_parts, line_in_motion, solutions_at_rest, way_of
+from catopt.verify.side_by_side import Crew
 from catopt.words import Message
 
 _RUNG: Final = 1.08
 """Lengths that are looked at are at least this times the one before."""
 _BEYOND: Final = 2.0
 """Times the line that is best at rest: how long a line is looked at beyond the scope."""
-_PROBES: Final = 5
+_LINES: Final = 1.5
 """Lines that a search runs in every load case, about: for its announcement."""
-_RADIATION: Final = 8.0
-"""s, about, that it takes to find the radiation of a buoy under a size of chain."""
+_SNAPS: Final = 3.0
+"""Steps of a line that snaps over those of one that does not, about."""
+_START: Final = 10.0
+"""s, about, until processes run."""
 
 SettleLine = Callable[[LineChoice], Settled]
+_NoAnswer = NoAnswerError | NotConvergedError
 
 
 class Moved(NamedTuple):
@@ -95,19 +102,11 @@ def search_in_motion(request: BuoyRequest, best_at_rest: Settled, settle_line: S
     assert how is not None
     _check_afloat(best_at_rest, request)
     found = _Search(request, how, best_at_rest, settle_line)
-    chosen: _Judged | None = None
     sizes = list(found.sizes())
-    expect(Message("sizing.running_afloat", sizes=len(sizes)), found.seconds(len(sizes)))
-    for size in sizes:
-        if chosen is not None:
-            points = [chosen.settled.point, size.shortest]
-            if best_of(points, request.line) is chosen.settled.point:
-                continue
-        passes = found.shortest_that_passes(size)
-        if passes is not None:
-            points = [passes.settled.point, *([chosen.settled.point] if chosen else [])]
-            if best_of(points, request.line) is passes.settled.point:
-                chosen = passes
+    work = found.work
+    expect(Message("sizing.running_afloat", sizes=len(sizes)), found.seconds)
+    with Crew(processes_for(work, None)) as crew:
+        chosen = found.best(sizes, crew)
     counted = found.counted(sizes)
     if chosen is None:
         raise _nothing_passes(found, counted)
@@ -134,6 +133,7 @@ class _Search:
         self.request, self.how, self._settle = request, how, settle_line
         self._start = start
         self.judged: dict[tuple[str, float, int], _Judged | None] = {}
+        self._at_rest: dict[tuple[str, float, int], Settled | None] = {}
         design = start.posed.case.design
         assert design is not None
         every = design.segments[0].lengths
@@ -171,15 +171,21 @@ class _Search:
         only = self.request.line.only(component, size)
         return self._settle(replace(only, dynamic_factor=1.0, scope=scope, length_step=self._step))
 
-    def seconds(self, sizes: int) -> float:
-        """Foretell what the search takes, roughly, on one core."""
+    @cached_property
+    def work(self) -> float:
+        """Bars times steps of all runs of a line."""
         case = run_in_still_water(self._start.case, self.request)
         assert case is not None
         states = load_states(case, None)
         drive = read_drive(states[0][1])
-        step = drive.stepping(drive.sea(0), []).step
-        one = self.how.duration / step * self.how.elements * SECONDS_PER_BAR_AND_STEP
-        return sizes * (one + _RADIATION) + _PROBES * len(states) * self.how.seeds * one
+        steps = self.how.duration / drive.stepping(drive.sea(0), []).step
+        return _SNAPS * steps * self.how.elements * self.how.seeds * len(states)
+
+    @property
+    def seconds(self) -> float:
+        """Foretell what the search takes, roughly."""
+        side = processes_for(self.work, None)
+        return _START + _LINES * self.work * SECONDS_PER_BAR_AND_STEP / side
 
     def counted(self, sizes: Sequence[_Size]) -> Counted:
         """Count the lines by what became of them."""
@@ -191,33 +197,97 @@ class _Search:
         at_rest = considered - open_ones + unsettled
         return Counted(considered, at_rest, considered - at_rest - run, run, runs)
 
-    def shortest_that_passes(self, size: _Size) -> _Judged | None:
-        """Run the longest line of a size, and halve from there to the shortest that passes."""
-        low, high = size.first, len(self.lengths) - 1
-        best = self._tried(size, high)
-        if best is None or not best.tried.passes:
-            return None
+    def best(self, sizes: Sequence[_Size], crew: Crew) -> _Judged | None:
+        """Find the line that is preferred of all that pass, the most preferred ones first.
+
+        Of every size the shortest line that is not known to fail stands for all longer ones, than
+        which it is lighter and swings less. The one that is preferred is run. Where it fails, its
+        size goes on by one length, then two, four and so on; where it passes after such a leap,
+        the shortest that passes is found by halving.
+        """
+        chosen: _Judged | None = None
+        fronts = {k: _Front(each.first) for k, each in enumerate(sizes)}
+        while True:
+            there = {
+                k: point
+                for k, front in fronts.items()
+                if (point := self._next(sizes[k], front)) is not None
+            }
+            points = [*there.values(), *([chosen.settled.point] if chosen else [])]
+            if not points:
+                return None
+            wanted = best_of(points, self.request.line)
+            if chosen is not None and wanted is chosen.settled.point:
+                return chosen
+            k = next(each for each, point in there.items() if point is wanted)
+            size, front = sizes[k], fronts[k]
+            tried = self._tried(size, front.at, crew)
+            if tried is not None and tried.tried.passes:
+                passes = self._halved(size, front, tried, crew)
+                points = [passes.settled.point, *([chosen.settled.point] if chosen else [])]
+                if best_of(points, self.request.line) is passes.settled.point:
+                    chosen = passes
+                del fronts[k]
+            else:
+                front.low, front.at = front.at + 1, front.at + front.leap
+                front.leap *= 2
+
+    def _next(self, size: _Size, front: _Front) -> DesignPoint | None:
+        """Settle the next line of a size; its last length is not leapt over."""
+        last = len(self.lengths) - 1
+        while front.low <= last:
+            front.at = min(front.at, last)
+            settled = self._rest(size, front.at)
+            if settled is not None:
+                return settled.point
+            front.low = front.at = front.at + 1
+        return None
+
+    def _halved(self, size: _Size, front: _Front, passes: _Judged, crew: Crew) -> _Judged:
+        """Halve what was leapt over to the shortest that passes."""
+        low, high = front.low, front.at
         while low < high:
             middle = (low + high) // 2
-            found = self._tried(size, middle)
+            found = self._tried(size, middle, crew)
             if found is not None and found.tried.passes:
-                best, high = found, middle
+                passes, high = found, middle
             else:
                 low = middle + 1
-        return best
+        return passes
 
-    def _tried(self, size: _Size, rung: int) -> _Judged | None:
+    def _rest(self, size: _Size, rung: int) -> Settled | None:
+        """Settle a line; None where it fails at rest."""
+        key = (size.component, size.diameter, rung)
+        if key not in self._at_rest:
+            scope = self.lengths[rung] / self._depth
+            try:
+                found = self._settled(size.component, size.diameter, (scope, scope))
+            except NoFeasibleDesignError:
+                self._at_rest[key] = None
+            else:
+                self._at_rest[key] = found
+        return self._at_rest[key]
+
+    def _tried(self, size: _Size, rung: int, crew: Crew) -> _Judged | None:
         """Run a line; None where it fails at rest."""
         key = (size.component, size.diameter, rung)
         if key not in self.judged:
-            scope = self.lengths[rung] / self._depth
-            try:
-                settled = self._settled(size.component, size.diameter, (scope, scope))
-            except NoFeasibleDesignError:
-                self.judged[key] = None
-            else:
-                self.judged[key] = _run(settled, self.request, self.how)
+            settled = self._rest(size, rung)
+            run = None if settled is None else _run(settled, self.request, self.how, crew)
+            self.judged[key] = run
         return self.judged[key]
+
+
+@dataclass
+class _Front:
+    """How far the lengths of a size are known to fail, or taken to."""
+
+    low: int  # the first that is not
+    at: int = -1  # that is next
+    leap: int = 1
+
+    def __post_init__(self) -> None:
+        self.at = self.low
 
 
 def _ladder(every: Sequence[float], most: float) -> tuple[float, ...]:
@@ -233,51 +303,100 @@ def _ladder(every: Sequence[float], most: float) -> tuple[float, ...]:
 # ------------------------------------------------------------------ one line
 
 
-def _run(settled: Settled, request: BuoyRequest, how: RunsAfloat) -> _Judged:
-    """Run a line in every load case until one fails: first one seed, by its largest values.
+def _run(settled: Settled, request: BuoyRequest, how: RunsAfloat, crew: Crew) -> _Judged:
+    """Run a line in every load case, side by side: first one seed of each, by its largest values.
 
     The largest value of a run is never above what all of them are judged by.
     """
     case = run_in_still_water(settled.case, request)
     assert case is not None
     assert case.dynamics is not None
-    first, runs = replace(case.dynamics, runs=1, judged_by="largest"), 1
-    names = [each.name for each in case.load_cases]
-    try:
-        found = _judge(replace(case, dynamics=first), settled, names[:1], ())
-        parts: tuple[DynamicPart, ...] = ()
-        while found.tried.passes and len(parts) < len(names):
-            runs += how.seeds
-            found = _judge(case, settled, names[len(parts) : len(parts) + 1], parts)
-            parts = found.parts
-    except (NoAnswerError, NotConvergedError) as error:
-        tried = _line_tried(settled, runs, (), error.message)
-        return _Judged(tried, settled, case)
-    return replace(found, tried=replace(found.tried, runs=runs))
+    sinkers = _sinkers_from(settled, case)
+    first = replace(case, dynamics=replace(case.dynamics, judged_by="largest"))
+    drives = [
+        (name, replace(read_drive(state), compares_at_rest=False, sinkers=sinkers))
+        for name, state in load_states(case, None)
+    ]
+    begun = run_once([Wanted(*each, (0,)) for each in drives], crew, _silent)
+    found = _judged(settled, first, begun)
+    if found.tried.passes and how.seeds > 1:
+        rest = tuple(range(1, how.seeds))
+        more = run_once([Wanted(*each, rest) for each in drives], crew, _silent)
+        begun = [_together(*each) for each in zip(begun, more, strict=True)]
+    return _judged(settled, case, begun) if found.tried.passes else found
 
 
-def _judge(
-    case: Case, settled: Settled, names: Sequence[str], before: tuple[DynamicPart, ...]
-) -> _Judged:
-    """Run load cases, and check them with those that were run before; the sinker is sized."""
-    parts = before
-    for name in names:
-        run = verify_dynamic(case, load_case=name, proof="none", compares_at_rest=False)
-        if not run.is_complete:
-            raise KeyboardInterrupt
-        parts = (*parts, *run.parts)
+def _silent(*_: int) -> None:
+    """Tell nobody."""
+
+
+def _sinkers_from(settled: Settled, case: Case) -> tuple[Anchor, ...]:
+    """List the sinker that the line has at rest and the heavier ones, where they may slide."""
+    own, posed = case.anchor, settled.posed.case
+    if own is None or own.max_slide is None or posed.design is None or posed.design.sinker is None:
+        return ()
+    choice = posed.design.sinker
+    every = (sinker_of(posed, choice, k) for k in range(len(choice.masses)))
+    heavier = (each for each in every if (each.mass or 0.0) > (own.mass or 0.0))
+    return (own, *(replace(each, max_slide=own.max_slide) for each in heavier))
+
+
+def _together(one: DynamicPart | _NoAnswer, other: DynamicPart | _NoAnswer) -> Any:
+    """Put the runs of a load case together; what has no answer stays that."""
+    if not isinstance(one, DynamicPart) or not isinstance(other, DynamicPart):
+        return other if isinstance(one, DynamicPart) else one
+    return replace(one, runs=(*one.runs, *other.runs))
+
+
+def _judged(settled: Settled, case: Case, found: Sequence[DynamicPart | _NoAnswer]) -> _Judged:
+    """Check the runs of a line, whose sinker is sized."""
+    assert case.dynamics is not None
+    runs, failed = _runs_of(found), [e for e in found if not isinstance(e, DynamicPart)]
+    if failed:
+        return _Judged(_line_tried(settled, runs, (), failed[0].message), settled, case)
+    parts = tuple(_as_in(case, each) for each in found if isinstance(each, DynamicPart))
     solved = solutions_at_rest(case, parts)
     at_rest = tuple(each for each in solved if each is not None)
-    checks = check_parts(case, parts, solved)
-    anchor = _held(settled, checks)
-    if anchor is not settled.point.anchor:
+    checks: CheckReport | None = None
+    anchor = case.anchor
+    if parts[0].drive.sinkers:
+        anchor = _least_that_stays(parts)
+    else:
+        checks = check_parts(case, parts, solved)
+        anchor = _held(settled, checks)
+    if checks is None or anchor != case.anchor:
         case = replace(case, anchor=anchor)
         checks = check_parts(case, parts, solved)
-        still = check_case(replace(settled.case, anchor=anchor, design=None))
-        point = replace(settled.point, anchor=anchor, checks=still)
-        settled = replace(settled, point=point)
+    if anchor is not None and anchor.mass != (settled.point.anchor or anchor).mass:
+        own = replace(anchor, max_slide=None)
+        still = check_case(replace(settled.case, anchor=own, design=None))
+        settled = replace(settled, point=replace(settled.point, anchor=own, checks=still))
     failing = sorted((each for each in checks.results if not each.passes), key=_worst)
-    return _Judged(_line_tried(settled, 0, tuple(failing)), settled, case, parts, at_rest, checks)
+    return _Judged(
+        _line_tried(settled, runs, tuple(failing)), settled, case, parts, at_rest, checks
+    )
+
+
+def _runs_of(found: Sequence[DynamicPart | _NoAnswer]) -> int:
+    return sum(len(each.runs) if isinstance(each, DynamicPart) else 1 for each in found)
+
+
+def _as_in(case: Case, part: DynamicPart) -> DynamicPart:
+    """Judge a part as a case asks for it."""
+    return replace(
+        part, drive=replace(part.drive, case=replace(part.drive.case, dynamics=case.dynamics))
+    )
+
+
+def _least_that_stays(parts: Sequence[DynamicPart]) -> Anchor:
+    """Take the least sinker that slides no further than it may; the heaviest where none does."""
+    every = parts[0].drive.sinkers
+    stays = (
+        each
+        for each in every
+        if all(way_of(each, part, part.runs) <= (each.max_slide or 0.0) for part in parts)
+    )
+    return next(stays, every[-1])
 
 
 def _worst(check: CheckResult) -> float:
@@ -329,19 +448,20 @@ def _in_motion(
 ) -> InMotion:
     assert of.checks is not None
 
+    fairlead = "fairlead_tension"
+
     def tension(pair: tuple[DynamicPart, Solution]) -> float:
-        found = pair[0].of("fairlead_tension")
-        return found.most_probable_maximum or found.maximum
+        part, storm = pair[0], pair[0].storm(fairlead, pair[0].runs)
+        return part.of(fairlead).maximum if storm is None else storm.most_probable
 
     part, at_rest = largest(list(zip(of.parts, of.at_rest, strict=True)), tension)
-    fairlead = part.of("fairlead_tension")
-    extreme = None if fairlead.tail is None else fairlead.tail.extreme
+    extreme = part.storm(fairlead, part.runs)
     return InMotion(
         how,
         of.case,
         of.checks,
         part.name,
-        max(each.of("fairlead_tension").maximum for each in of.parts),
+        max(each.of(fairlead).maximum for each in of.parts),
         None if extreme is None else extreme.most_probable,
         None if extreme is None else extreme.low,
         None if extreme is None else extreme.high,
@@ -353,7 +473,19 @@ def _in_motion(
 
 
 def _sinker_size(request: BuoyRequest, of: _Judged) -> SinkerSize:
-    """Size the sinker for the pull in motion, with its sources."""
+    """Size the sinker for the pull in motion, with its sources.
+
+    One that may slide is sized for the pull at rest, and no lighter than what stays in the storm.
+    """
+    anchor, density = of.case.anchor, request.environment.water_density
+    assert anchor is not None
+    if anchor.max_slide is not None:
+        ends = [solution.anchor for _, solution in of.settled.point.checks.solutions]
+        lift = max(0.0, *(each.vertical_force for each in ends))
+        size = request.ground.sized(max(e.horizontal_force for e in ends), lift, density)
+        mass, weight = anchor.mass or size.mass, anchor.submerged_weight or size.submerged_weight
+        smaller, larger = neighbours(mass, HEAVY_SINKERS)
+        return replace(size, mass=mass, submerged_weight=weight, smaller=smaller, larger=larger)
     carried = [
         line_in_motion(of.case, part, part.runs, solution).carried
         for part, solution in zip(of.parts, of.at_rest, strict=True)
@@ -362,7 +494,7 @@ def _sinker_size(request: BuoyRequest, of: _Judged) -> SinkerSize:
     return request.ground.sized(
         max(each.horizontal_force for each in pulls),
         max(0.0, *(each.vertical_force for each in pulls)),
-        request.environment.water_density,
+        density,
     )
 
 

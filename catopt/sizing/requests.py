@@ -129,7 +129,8 @@ def _of_a_tanker(of: Known) -> TankerRequest | None:
 
 def _runs(of: Known) -> RunsAfloat | None:
     """Say how lines are run with the buoy."""
-    return of.telling.make(RunsAfloat, of["seeds"], of["run_time"])
+    maker = partial(RunsAfloat, max_slide=of["max_slide"])
+    return of.telling.make(maker, of["seeds"], of["run_time"])
 
 
 # ------------------------------------------------------------------ place and weather

@@ -7,12 +7,12 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
-from typing import NamedTuple, TypeVar
+from typing import NamedTuple
 
 import numpy as np
 
 from catopt.checks.fatigue import count_cycles
-from catopt.errors import InputError, NotConvergedError, Problem
+from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.fem.history import STOPPED
 from catopt.floater.alone import HullHistory
 from catopt.interrupt import waiting_interrupt
@@ -25,13 +25,11 @@ from catopt.verify.effort import effort_of
 from catopt.verify.judged import with_verdicts
 from catopt.verify.motion_file import energy_beyond
 from catopt.verify.proof import DAMPINGS, FINER, Again, Damped, Proof, Way, work_of_proof
-from catopt.verify.side_by_side import side_by_side
+from catopt.verify.side_by_side import Crew, Progress, share_of, side_by_side
 from catopt.waves import Sea
 from catopt.words import Message, is_said
 
-Progress = Callable[[int, int], None]
 Known = Mapping[int, list[Again]]
-T = TypeVar("T")
 
 _MILLI = 1000
 """Progress is told in thousandths of a second."""
@@ -194,8 +192,8 @@ def _with_dampings(
     if not tasks:
         return found
     lines = lines_at_rest(drive)
-    side = min(_side_of(effort_of(lines, "none").work * len(DAMPINGS), workers), len(tasks))
-    damped = _each(partial(_damped, lines, tasks), len(tasks), side, progress)
+    side = min(processes_for(effort_of(lines, "none").work * len(DAMPINGS), workers), len(tasks))
+    damped = side_by_side(partial(_damped, lines, tasks), len(tasks), side, progress)
     return [
         replace(part, runs=tuple(_and_damped(run, k, tasks, damped) for run in part.runs))
         for k, part in enumerate(found)
@@ -241,7 +239,7 @@ def _parts(
     effort.check(drive.dynamics.duration)
     if effort.seconds > LONG:
         announce(f"{name}: {effort}" if name else str(effort))
-    most = _side_of(effort.work, workers)
+    most = processes_for(effort.work, workers)
     side = min(most, total)
     # A single seed leaves the processes to its runs again.
     task = partial(_seed, lines, proof, known, most if total == 1 else 1)
@@ -270,20 +268,53 @@ def _parts(
     ]
 
 
-def _side_of(work: float, workers: int | None) -> int:
+class Wanted(NamedTuple):
+    """Seeds of a load case that are to be run once, by their numbers."""
+
+    name: str
+    drive: Drive
+    seeds: tuple[int, ...]
+
+
+def run_once(
+    wanted: Sequence[Wanted], crew: Crew, progress: Progress
+) -> list[DynamicPart | NotConvergedError | NoAnswerError]:
+    """Run seeds of load cases with one line side by side, without samples, proof and remarks.
+
+    What has no answer says why in its place. Raises KeyboardInterrupt where it was stopped, else
+    what `verify_dynamic` raises.
+    """
+    jobs = [(each.drive, seed) for each in wanted for seed in each.seeds]
+    found = crew.each(partial(_once, jobs), len(jobs), progress)
+    if len(found) < len(jobs):
+        raise KeyboardInterrupt
+    parts: list[DynamicPart | NotConvergedError | NoAnswerError] = []
+    for name, drive, seeds in wanted:
+        runs, found = found[: len(seeds)], found[len(seeds) :]
+        failed = [each for each in runs if not isinstance(each, DynamicRun)]
+        made = tuple(each for each in runs if isinstance(each, DynamicRun))
+        length = drive.case.line.length
+        parts += failed[:1] or [DynamicPart(name, drive, made, length, "none")]
+    return parts
+
+
+def _once(
+    jobs: Sequence[tuple[Drive, int]], at: int, progress: Progress
+) -> DynamicRun | NotConvergedError | NoAnswerError:
+    drive, seed = jobs[at]
+    try:
+        ((run,), _) = _run(lines_at_rest(drive), seed, progress)
+    except (NotConvergedError, NoAnswerError) as error:
+        return error
+    if not run.history.is_complete:
+        raise KeyboardInterrupt
+    return _without_samples(run)
+
+
+def processes_for(work: float, workers: int | None) -> int:
     """Say how many processes at most; more than one save nothing where there is little to do."""
     worth = 1 if work < _WORTH else os.cpu_count() or 1
     return worth if workers is None else workers
-
-
-def _each(task: Callable[[int, Progress], T], count: int, side: int, progress: Progress) -> list[T]:
-    """Do a task for each number, in turn or side by side; stopped, what is whole."""
-    if side > 1:
-        return side_by_side(task, count, side, progress)
-    done: list[T] = []
-    with suppress(KeyboardInterrupt):
-        done.extend(task(number, share_of(progress, number, count)) for number in range(count))
-    return done
 
 
 def _in_turn(
@@ -323,7 +354,7 @@ def _seed(
     ways, there = _ways(proof, runs), [known[number]] if number in known else []
     left = ways[len(there) :]
     task, rest = partial(_again, lines, number, left), share_of(progress, 1, total, total - 2)
-    made = [*there, *_each(task, len(left), min(side, len(left)), rest)]
+    made = [*there, *(side_by_side(task, len(left), side, rest) if left else [])]
     runs = [replace(run, again=tuple(each[k] for each in made)) for k, run in enumerate(runs)]
     with suppress(KeyboardInterrupt):  # what there is of the proof is kept
         progress(1, 1)
@@ -471,13 +502,6 @@ def _remarks(drive: Drive, runs: Sequence[DynamicRun]) -> list[str]:
     elif drive.compares_at_rest and drive.case.current is not None:
         remarks.append(Message("motion.still_without_current"))
     return [*drive.remarks, *remarks]
-
-
-def share_of(progress: Progress | None, done: int, total: int, part: int = 1) -> Progress:
-    """Tell of a part of some work as of the whole, of which some is done."""
-    if progress is None:
-        return lambda *_: None
-    return lambda at, end: progress(done * end + part * at, total * end)
 
 
 def _telling(progress: Progress, ask: Callable[[], None]) -> Progress:

@@ -8,14 +8,14 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from types import MappingProxyType
-from typing import Any, Literal, NamedTuple
+from typing import Any, Final, Literal, NamedTuple
 
 import numpy as np
 
 from catopt.arrays import Array, Flags
 from catopt.checks.fatigue import Cycles
 from catopt.fem.course import taken_together
-from catopt.fem.extremes import GumbelFit, TailFit, weibull_tail
+from catopt.fem.extremes import Extreme, GumbelFit, TailFit, block_maxima, weibull_tail
 from catopt.fem.extremes import gumbel as gumbel_of
 from catopt.fem.history import History
 from catopt.fem.statistics import SeriesStatistics, power_spectrum, series_statistics
@@ -51,6 +51,12 @@ SERIES: Mapping[str, Callable[[History], Array]] = MappingProxyType(
 
 Verdict = Literal["converged", "not converged", "not proven"]
 _VERDICTS: tuple[Verdict, ...] = ("not converged", "not proven", "converged")
+
+
+BLOCK: Final = 60.0
+"""s, of a run of a line that goes slack, of which the largest value counts."""
+LEAST_BLOCKS: Final = 20
+"""From which the storm's largest value is found."""
 
 
 def worst_verdict(verdicts: Iterable[Verdict]) -> Verdict:
@@ -556,6 +562,24 @@ class DynamicPart:
         values, time = [one.value for one in courses], sum(one.duration for one in courses)
         mean = taken_together(courses)
         return weibull_tail(values, time, self.duration_of_interest, mean=mean)
+
+    def storm(self, quantity: str, runs: Sequence[DynamicRun]) -> Extreme | None:
+        """Find the largest value in the storm that checks are held against; None as for `tail`.
+
+        Of a line that goes slack the peaks of snaps are others than those between, and one tail
+        through both is far above what longer runs come to (docs/sizing.md): there by Gumbel's
+        distribution of the maxima of every minute, where the runs have enough of them.
+        """
+        tail = self.tail(quantity, runs)
+        if tail is None or not any(run.history.line_slack_time() > 0.0 for run in runs):
+            return None if tail is None else tail.extreme
+        courses = [run.history.course(quantity) for run in runs]
+        blocks = [block_maxima(each.time, each.value, BLOCK) for each in courses]
+        if sum(each.size for each in blocks) < LEAST_BLOCKS:
+            return tail.extreme
+        length = sum(each.duration for each in courses) / sum(each.size for each in blocks)
+        fit = gumbel_of(np.concatenate(blocks).tolist(), length, self.duration_of_interest)
+        return tail.extreme if fit is None else fit.extreme
 
     def _gumbel(self, quantity: str, each: list[SeriesStatistics]) -> GumbelFit | None:
         whole = [one for one, run in zip(each, self.runs, strict=True) if run.history.is_complete]

@@ -23,7 +23,7 @@ from catopt.fem.newmark import Scheme
 from catopt.fem.run_settings import StepControls, TimeStepping
 from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, Sampled, Series
-from catopt.model import Case, Dynamics, Motion, Segment, WaveState, WaveTrain
+from catopt.model import Anchor, Case, Dynamics, Motion, Segment, WaveState, WaveTrain
 from catopt.model.current_profile import CurrentProfile
 from catopt.verify.motion_file import (
     Raos,
@@ -72,7 +72,8 @@ class Drive:
     motion of the fairlead, or of a body's origin; `raos`: of the fairlead; `vessel`: of a body;
     `drift`: slow, of a body; `force`: on a body, beside its mean; `anchor_record`: of the motion of
     a line's lower end; `counts_cycles`: whether the cycles of every bar's tension are counted;
-    `compares_at_rest`: whether what the lines would do without moving is found, too.
+    `compares_at_rest`: whether what the lines would do without moving is found, too; `sinkers`:
+    with their masses, of which it is found how far they would slide.
     """
 
     case: Case
@@ -86,6 +87,7 @@ class Drive:
     anchor_record: Sampled | None = None
     counts_cycles: bool = False
     compares_at_rest: bool = True
+    sinkers: tuple[Anchor, ...] = ()
 
     @property
     def dynamics(self) -> Dynamics:
@@ -220,6 +222,7 @@ class Drive:
             scheme=self.scheme,
             controls=replace(controls, surprise=controls.surprise / finer**2),
             tensions=self.counts_cycles,
+            blocks=tuple(map(_block, self.sinkers)),
         )
 
     @property
@@ -299,7 +302,17 @@ def read_drive(case: Case) -> Drive:
         drive = replace(drive, current=_current_series(current, duration))
     if lower is not None and lower.file:
         drive = replace(drive, anchor_record=read_motion(lower.file, duration))
+    if case.anchor is not None and case.anchor.max_slide is not None:
+        drive = replace(drive, sinkers=(case.anchor,))
     return drive
+
+
+def _block(of: Anchor) -> tuple[float, float, float]:
+    """Take a sinker as a block on the bed."""
+    assert of.mass is not None
+    assert of.submerged_weight is not None
+    assert of.friction is not None
+    return of.mass, of.submerged_weight, of.friction
 
 
 def _with_motion(case: Case, duration: float) -> Drive:

@@ -23,13 +23,14 @@ from catopt.model.fatigue import share_misfits
 from catopt.ties import largest
 from catopt.units import UNITS, Dimension
 from catopt.verify.case import load_states
-from catopt.verify.dynamic import LONG, Progress, share_of, verify_dynamic
+from catopt.verify.dynamic import LONG, verify_dynamic
 from catopt.verify.dynamic_lines import lines_at_rest
 from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, Verdict, worst_verdict
 from catopt.verify.dynamic_setup import check_for_motion, read_drive
 from catopt.verify.effort import effort_of
 from catopt.verify.motion_file import OF_TOTAL, lines_of, read_columns
 from catopt.verify.proof import LIMIT, Proof
+from catopt.verify.side_by_side import Progress, share_of
 from catopt.words import Message
 
 _WHOLE = 1e-6

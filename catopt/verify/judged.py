@@ -5,16 +5,24 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from typing import Final, NamedTuple
+
+import numpy as np
+from scipy.special import stdtrit
 
 from catopt.catenary.case import solve_case
 from catopt.catenary.solution import Solution
 from catopt.checks.motion import Carried, LineInMotion, Pull, check_motion
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.fem.course import taken_together
-from catopt.model import Case, Line
+from catopt.model import Anchor, Case, Line
 from catopt.mooring.solve import solve_system
 from catopt.ties import first_largest, largest
 from catopt.verify.dynamic_result import BeyondMBL, DynamicPart, DynamicRun
+
+_ONE_SIDED: Final = 0.95
+_NORMAL: Final = 1.645
+"""Standard errors up to the end of an interval that holds nine tenths."""
 
 
 def beyond_MBL(part: DynamicPart) -> BeyondMBL | None:
@@ -70,35 +78,48 @@ def judged_tensions(part: DynamicPart, runs: Sequence[DynamicRun], line: Line) -
     """Tension of each segment that the checks are held against, N.
 
     The largest over all runs, of its bars and of an end it holds. Where the storm's maximum is
-    judged in its place, that is as much higher as at the end of the line where it is most so.
+    judged in its place, that of an end is its own, and that of bars as much higher than the largest
+    of the runs as at the end of the line that has the larger one.
     """
-    found = [tuple(_segments(run, line)) for run in runs]
-    higher = max(_higher(part, runs, f"{end}_tension") for end in ("fairlead", "anchor"))
-    return tuple(higher * max(each) for each in zip(*found, strict=True))
+    ends = [f"{end}_tension" for end in ("anchor", "fairlead")]
+    higher = [_higher(part, runs, each) for each in ends]
+    most = [max(run.maxima[each] for run in runs) for each in ends]
+    factors = Factors(higher[0], higher[1], higher[first_largest(most)])
+    found = [tuple(_segments(run, line, factors)) for run in runs]
+    return tuple(max(each) for each in zip(*found, strict=True))
+
+
+class Factors(NamedTuple):
+    """What is judged over the largest tension of the runs."""
+
+    anchor: float
+    fairlead: float
+    of_bars: float
 
 
 def _higher(part: DynamicPart, runs: Sequence[DynamicRun], quantity: str) -> float:
     """Say by how much a maximum that is judged is above the largest of the runs, as a factor."""
     judged_by = part.drive.dynamics.judged_by
-    tail = None if judged_by == "largest" else part.tail(quantity, runs)
-    if tail is None:
+    extreme = None if judged_by == "largest" else part.storm(quantity, runs)
+    if extreme is None:
         return 1.0
-    extreme, largest = tail.extreme, max(run.history.course(quantity).maximum for run in runs)
+    largest = max(run.history.course(quantity).maximum for run in runs)
     storm = extreme.high if judged_by == "upper" else extreme.most_probable
     return max(1.0, storm / largest)
 
 
-def _segments(run: DynamicRun, line: Line) -> Iterator[float]:
+def _segments(run: DynamicRun, line: Line, higher: Factors) -> Iterator[float]:
     history, start = run.history, 0.0
     last = len(line.segments) - 1
     for index, segment in enumerate(line.segments):
         end = start + segment.length
         of_bars = history.max_tension[(history.arc >= start) & (history.arc <= end)]
-        largest = max([each for each in of_bars.tolist() if each == each], default=0.0)
+        known = [each for each in of_bars.tolist() if each == each]
+        largest = higher.of_bars * max(known, default=0.0)
         if index == 0:
-            largest = max(largest, run.maxima["anchor_tension"])
+            largest = max(largest, higher.anchor * run.maxima["anchor_tension"])
         if index == last:
-            largest = max(largest, run.maxima["fairlead_tension"])
+            largest = max(largest, higher.fairlead * run.maxima["fairlead_tension"])
         yield largest
         start = end
 
@@ -124,7 +145,32 @@ def _carried(case: Case, part: DynamicPart, runs: Sequence[DynamicRun]) -> Carri
     pull = storm("fairlead_vertical")
     if case.floater is not None:
         pull = taken_together([each.course("fairlead_vertical") for each in of])
-    return Carried(anchor, Pull(unknown, pull, unknown), lies, storm("span"))
+    of_line = [each for each in part.drive.sinkers if each == case.anchor]
+    slide = way_of(of_line[0], part, runs) if of_line else None
+    return Carried(anchor, Pull(unknown, pull, unknown), lies, storm("span"), slide)
+
+
+def way_of(anchor: Anchor, part: DynamicPart, runs: Sequence[DynamicRun]) -> float:
+    """Say how far a sinker slides, m: in the run in which it does so most, or in the storm.
+
+    The storm has slides as often and as long as the runs have. Up to the upper end of the interval
+    it is 1.645 standard errors further, those of a compound Poisson process, or, where runs differ
+    by more than that, as far as Student's distribution says of so many.
+    """
+    which = part.drive.sinkers.index(anchor)
+    slides = [run.history.slides[0, which] for run in runs]
+    dynamics = part.drive.dynamics
+    if dynamics.judged_by == "largest":
+        return max(float(each[0]) for each in slides)
+    time = sum(run.history.course("anchor_horizontal").duration for run in runs)
+    ways, squares, _ = np.sum(slides, axis=0)
+    most = 0.0
+    if dynamics.judged_by == "upper":
+        most = _NORMAL * math.sqrt(squares)
+        if len(runs) > 1:
+            apart = float(np.std([each[0] for each in slides], ddof=1)) * math.sqrt(len(runs))
+            most = max(most, float(stdtrit(len(runs) - 1, _ONE_SIDED)) * apart)
+    return float(ways + most) * dynamics.duration_of_interest / time
 
 
 def _turned(case: Case, lines: Sequence[tuple[DynamicPart, Solution | None]]) -> list[CheckResult]:

@@ -9,7 +9,7 @@ import threading
 from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from multiprocessing import connection, get_context, parent_process
 from time import monotonic
 from types import ModuleType
@@ -22,6 +22,9 @@ Progress = Callable[[int, int], None]
 
 _LOOK = 0.1
 """Seconds between two looks at what the runs tell."""
+_THREADS = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "OMP_NUM_THREADS")
+"""Environment variables by which numpy's libraries learn how many threads to use."""
+_ENDED = "a process that ran a seed ended on its own; --workers 1 runs one after the other"
 _WHOLE = 1000
 """Progress of one run is told in so many parts."""
 
@@ -32,52 +35,92 @@ _stop: Any = None
 def side_by_side(
     task: Callable[[int, Progress], T], count: int, workers: int, progress: Progress
 ) -> list[T]:
-    """Do a task for each number from 0 on, in processes that share nothing.
+    """Do a task for each number from 0 on, in processes that share nothing: `Crew.each`."""
+    with Crew(min(workers, count)) as crew:
+        return crew.each(task, count, progress)
+
+
+class Crew:
+    """Processes that do tasks side by side, kept from one call to the next while it is open.
 
     New processes are started in the same way on every system (spawn), and do not import the script
-    that called: it needs no guard.
-
-    `task`: given a number and what to tell its progress to, which raises KeyboardInterrupt when it
-    is to stop before its end; it returns what it has then, or lets the interrupt through if that is
-    nothing. It and what it returns go through pickle; `workers`: processes at most. Returns: what
-    the tasks returned, by number; when `progress` raised KeyboardInterrupt, of those that had
-    something by then. Raises CatoptError as a task raises it, after all others were stopped, or
-    when a process ended on its own.
+    that called: it needs no guard. `workers`: processes at most; one does all in this process.
     """
-    context = get_context("spawn")
-    told, stop = context.SimpleQueue(), context.Event()
-    reached = [0.0] * count
-    futures: list[Future[T]] = []
-    pool = ProcessPoolExecutor(min(workers, count), context, _begin, (told, stop))
-    try:
-        with pool:
-            try:
-                with no_script():
-                    futures = [pool.submit(_do, task, number) for number in range(count)]
-                waiting = set(futures)
-                while waiting:
-                    done, waiting = wait(waiting, _LOOK, FIRST_COMPLETED)
-                    while not told.empty():
-                        number, part = told.get()
-                        reached[number] = part
-                    for each in done:
-                        each.result()
-                    progress(round(_WHOLE * sum(reached)), _WHOLE * count)
-            except BaseException as error:
-                stop.set()
-                for each in futures:
-                    each.cancel()
-                if not isinstance(error, KeyboardInterrupt):
-                    raise
-    except BrokenProcessPool:
-        words = "a process that ran a seed ended on its own; --workers 1 runs one after the other"
-        raise CatoptError(words) from None
-    finally:
-        # The traceback of an error keeps this frame, and the frame the error: what processes share
-        # is not to wait for a collection of such circles.
-        del pool, told, stop
-    begun = (each for each in futures if not each.cancelled())
-    return [each.result() for each in begun if not isinstance(each.exception(), KeyboardInterrupt)]
+
+    def __init__(self, workers: int) -> None:
+        self.workers = workers
+        self._pool: ProcessPoolExecutor | None = None
+        if workers > 1:
+            context = get_context("spawn")
+            self._told, self._stop = context.SimpleQueue(), context.Event()
+            shared = self._told, self._stop
+            self._pool = ProcessPoolExecutor(workers, context, _begin, shared)
+
+    def __enter__(self) -> Crew:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._pool is not None:
+            self._stop.set()
+            self._pool.shutdown(cancel_futures=True)
+            # The traceback of an error keeps frames, and these the error: what processes share is
+            # not to wait for a collection of such circles.
+            self._pool = None
+            del self._told, self._stop
+
+    def each(self, task: Callable[[int, Progress], T], count: int, progress: Progress) -> list[T]:
+        """Do a task for each number from 0 on.
+
+        `task`: given a number and what to tell its progress to, which raises KeyboardInterrupt when
+        it is to stop before its end; it returns what it has then, or lets the interrupt through if
+        that is nothing. It and what it returns go through pickle where there are several processes.
+        Returns: what the tasks returned, by number; when `progress` raised KeyboardInterrupt, of
+        those that had something by then, and no more is done. Raises CatoptError as a task raises
+        it, after all others were stopped, or when a process ended on its own.
+        """
+        if self._pool is None:
+            return _in_turn(task, count, progress)
+        reached = [0.0] * count
+        futures: list[Future[T]] = []
+        try:
+            with no_script(), one_thread_each():
+                futures = [self._pool.submit(_do, task, number) for number in range(count)]
+            waiting = set(futures)
+            while waiting:
+                done, waiting = wait(waiting, _LOOK, FIRST_COMPLETED)
+                while not self._told.empty():
+                    number, part = self._told.get()
+                    reached[number] = part
+                for each in done:
+                    each.result()
+                progress(round(_WHOLE * sum(reached)), _WHOLE * count)
+        except BrokenProcessPool:
+            raise CatoptError(_ENDED) from None
+        except BaseException as error:
+            self._stop.set()
+            for each in futures:
+                each.cancel()
+            wait(futures)
+            if not isinstance(error, KeyboardInterrupt):
+                raise
+        begun = (each for each in futures if not each.cancelled())
+        return [
+            each.result() for each in begun if not isinstance(each.exception(), KeyboardInterrupt)
+        ]
+
+
+def _in_turn(task: Callable[[int, Progress], T], count: int, progress: Progress) -> list[T]:
+    done: list[T] = []
+    with suppress(KeyboardInterrupt):
+        done.extend(task(number, share_of(progress, number, count)) for number in range(count))
+    return done
+
+
+def share_of(progress: Progress | None, done: int, total: int, part: int = 1) -> Progress:
+    """Tell of a part of some work as of the whole, of which some is done."""
+    if progress is None:
+        return lambda *_: None
+    return lambda at, end: progress(done * end + part * at, total * end)
 
 
 def _begin(told: Any, stop: Any) -> None:
@@ -112,6 +155,21 @@ def _do(task: Callable[[int, Progress], T], number: int) -> T:
             _told.put((number, at / end))
 
     return task(number, tell)
+
+
+@contextmanager
+def one_thread_each() -> Iterator[None]:
+    """Let new processes solve equations in one thread each: there is one for every core."""
+    before = {name: os.environ.get(name) for name in _THREADS}
+    os.environ.update(dict.fromkeys(_THREADS, "1"))
+    try:
+        yield
+    finally:
+        for name, value in before.items():
+            if value is None:
+                del os.environ[name]
+            else:
+                os.environ[name] = value
 
 
 @contextmanager

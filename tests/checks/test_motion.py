@@ -255,3 +255,74 @@ def test_what_is_no_tension_is_judged_by_its_least_favourable_value() -> None:
     assert used["holding"][0] == pytest.approx(2.0 * 290.0 / 500.0, rel=CLOSE)
     assert used["holding"][1] is False
     assert all(each.kind == "tension" for each in check_motion(case, [MOVED]).results)
+
+
+# ------------------------------------------------------------------ judged by another code
+
+SINKER = Anchor(
+    "sinker", submerged_weight=50e3, friction=0.5, mass=9000.0, safety_factor=1.5, max_slide=1.0
+)
+CARRIED = Carried(Pull(20e3, 5e3, 0.2), Pull(20e3, 30e3, 1.0), 0.0, 100.0, slide=0.25)
+
+
+def test_a_code_that_has_no_factors_for_motion_leaves_it_to_another_one() -> None:
+    """CALMAR's own 5 on the proof load and its line tangent at the sinker are for rest."""
+    line = Line([replace(LINE.segments[0], proof_load=1500e3)])
+    case = replace(
+        ALONE, line=line, checks=Checks(codes=("IALA-CALMAR",), motion_code="API-RP-2SK")
+    )
+    moved = replace(MOVED, line=line, carried=CARRIED)
+    report = check_motion(case, [moved])
+    (tension,) = report.results
+    assert tension.source.code == "API-RP-2SK"
+    assert tension.capacity == pytest.approx(3000e3 / 1.67, rel=CLOSE)
+    (told,) = said(report, "checks.motion_by_other")
+    assert "IALA-CALMAR" in told
+    assert "API-RP-2SK" in told
+    # Without, its factors for rest are held against motion, and that is said.
+    alone = check_motion(replace(case, checks=Checks(codes=("IALA-CALMAR",))), [moved])
+    assert {each.kind for each in alone.results} == {"tension", "uplift_angle"}
+    assert said(alone, "checks.motion_at_rest")
+
+
+def test_a_code_with_factors_for_motion_is_not_replaced() -> None:
+    checks = Checks(codes=("DNV-OS-E301-2008-CC2",), motion_code="API-RP-2SK")
+    report = check_motion(replace(ALONE, checks=checks), [MOVED])
+    assert {each.source.code for each in report.results} == {"DNV-OS-E301-2008-CC2"}
+    assert not said(report, "checks.motion_by_other")
+
+
+@pytest.mark.parametrize(
+    ("code", "told"),
+    [("UFC-4-159-03", "dynamic analysis is wanted: DNV"), ("API-2SK", "API-RP-2SK")],
+)
+def test_what_cannot_judge_motion_is_refused(code: str, told: str) -> None:
+    with pytest.raises(InputError, match=f"checks.motion_code: found .*{told}"):
+        judged("IALA-CALMAR", motion_code=code)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(("way", "passes"), [(0.25, True), (1.0, True), (1.01, False)])
+def test_a_sinker_may_slide_so_far_in_the_place_of_a_factor(way: float, passes: bool) -> None:
+    moved = replace(MOVED, carried=CARRIED._replace(slide=way))
+    (result,) = check_motion(replace(ALONE, anchor=SINKER), [moved]).results
+    assert (result.kind, result.demand, result.capacity) == ("slide", way, 1.0)
+    assert result.passes is passes
+    assert result.unit == "m"
+    # With a factor alone 5 kN + 1.5 x 20 kN / 0.5 of weight are wanted.
+    held = replace(SINKER, max_slide=None)
+    (result,) = check_motion(replace(ALONE, anchor=held), [moved]).results
+    assert result.kind == "sliding"
+    assert result.demand == pytest.approx(65e3, rel=CLOSE)
+
+
+@pytest.mark.parametrize(
+    ("given", "key"),
+    [
+        ({"kind": "drag", "holding_capacity": 1e5}, "max_slide"),
+        ({"kind": "sinker", "submerged_weight": 1e4, "friction": 0.5}, "mass"),
+    ],
+)
+def test_what_cannot_slide_is_refused(given: dict[str, object], key: str) -> None:
+    with pytest.raises(InputError) as caught:
+        Anchor(**given, max_slide=1.0)  # type: ignore[arg-type]
+    assert [each.key for each in caught.value.problems] == [key]

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from catopt.fem.extremes import CONFIDENCE, TailFit, gumbel, weibull_tail
+from catopt.fem.extremes import CONFIDENCE, TailFit, block_maxima, gumbel, weibull_tail
 
 Array = npt.NDArray[np.float64]
 
@@ -145,3 +145,31 @@ def test_gumbels_interval_holds_the_truth_as_often_as_it_says(runs: int) -> None
         held += found.extreme.low <= truth <= found.extreme.high
     # The pivot is exact; binomial deviation of 1000 draws 0.95 %, and of 4000 of the bootstrap's.
     assert held / 1000 == pytest.approx(CONFIDENCE, abs=0.03)
+
+
+def test_the_largest_value_of_each_minute() -> None:
+    """Twelve minutes whose largest values are known; a minute without a value is left out."""
+    time = np.array([0.0, 10.0, 59.0, 61.0, 130.0, 179.0, 241.0, 300.0])
+    values = np.array([1.0, 7.0, 2.0, 5.0, 3.0, 4.0, 9.0, 8.0])
+    assert block_maxima(time, values, 60.0).tolist() == [7.0, 5.0, 4.0, 9.0]
+
+
+def test_snaps_among_other_peaks_come_to_what_long_runs_do() -> None:
+    """Two kinds of peaks: by every minute's largest as in 1,000 storms."""
+    draw = np.random.default_rng(7)
+
+    def run(minutes: int) -> Array:  # 15 peaks a minute, three in ten of them snaps
+        calm = 10.0 + 3.0 * draw.rayleigh(size=(minutes, 15))
+        snaps = 60.0 + 12.0 * draw.exponential(size=(minutes, 15)) ** 0.7
+        return np.where(draw.random((minutes, 15)) < 0.3, snaps, calm)
+
+    truth = float(np.median([run(180).max() for _ in range(1000)]))
+    found = []
+    for _ in range(40):
+        peaks = run(27).ravel()
+        turns = np.stack([peaks, np.zeros(peaks.size)], axis=1).ravel()
+        time = np.linspace(0.0, 1620.0, turns.size)
+        fit = gumbel(block_maxima(time, turns, 60.0).tolist(), 60.0, 10800.0)
+        assert fit is not None
+        found.append(fit.extreme.most_probable / truth)
+    assert 0.9 < np.mean(found) < 1.1

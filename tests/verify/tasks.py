@@ -10,6 +10,7 @@ from catopt.errors import InputError, NotConvergedError, Problem
 from catopt.verify.side_by_side import Progress
 
 __all__ = [
+    "double",
     "ends",
     "fails",
     "has_nothing_yet",
@@ -28,6 +29,10 @@ def says_it_is_through(number: int, tell: Progress) -> int:
     time.sleep(1.0)
     tell(1, 1)
     return number
+
+
+def double(number: int, _: Progress) -> int:
+    return 2 * number
 
 
 def has_nothing_yet(_: int, tell: Progress) -> int:
