@@ -5,13 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from catopt.answers import blocks
 from catopt.answers.blocks import Rows, fact, if_known, measured, section, stated, tabulate, texts
 from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:
+    from catopt.catenary.in_current import SolutionInCurrent
     from catopt.catenary.solution import Solution, SwarmReport
     from catopt.model import Case, CurrentProfile, Line, SwarmSettings
 
@@ -228,12 +229,10 @@ def _of_current(solution: Solution) -> Iterator[blocks.Fact]:
     """Say what a current does to the whole line, and what holds its fairlead across."""
     if solution.method != "shooting":
         return
-    from catopt.catenary.in_current import SolutionInCurrent
-
-    assert isinstance(solution, SolutionInCurrent)
+    found = cast("SolutionInCurrent", solution)
     for k, name in enumerate(("drag_along_x", "drag_along_y")):
-        yield fact("horizontal_force", solution.drag[k], name, symbol="")
-    side = solution.fairlead_force[1]
+        yield fact("horizontal_force", found.drag[k], name, symbol="")
+    side = found.fairlead_force[1]
     yield fact("horizontal_force", side, "force_across_at_the_fairlead", symbol="")
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, cast
 
 from catopt.answers import blocks
 from catopt.answers.blocks import (
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
     from catopt.mooring.case import SystemReport
     from catopt.mooring.circle import WatchCircle
-    from catopt.mooring.held import HeldBody, LinesAtRest, NetworkAtRest
+    from catopt.mooring.held import FloatsInCurrent, HeldBody, LinesAtRest, NetworkAtRest
     from catopt.mooring.network_out import NetworkOut
     from catopt.mooring.response import Response
     from catopt.mooring.restoring import RestoringCurve
@@ -417,10 +417,8 @@ def floats_tables(rest: LinesAtRest) -> Iterator[blocks.Table]:
     """Tabulate how far a current knocks floats down; nothing without one."""
     if rest.network.current is None:
         return
-    from catopt.mooring.held import FloatsInCurrent
-
-    assert isinstance(rest, FloatsInCurrent)
-    of = Rows(zip(rest.runs, rest.lines, rest.heights, strict=True))
+    heights = cast("FloatsInCurrent", rest).heights
+    of = Rows(zip(rest.runs, rest.lines, heights, strict=True))
     yield tabulate(
         "floats",
         of.texts("point", lambda each: rest.network.points[each[0].second].name),

@@ -28,8 +28,9 @@ from catopt.words import Measure, Message
 
 if TYPE_CHECKING:
     from catopt.mooring.circle import WatchCircle
+    from catopt.mooring.position import Position
     from catopt.mooring.restoring import RestoringCurve
-    from catopt.mooring.solution import LegState, Position, SystemSolution
+    from catopt.mooring.solution import LegState, SystemSolution
 
 _ALONG = 21
 """Places of a line that answer to the pointer."""

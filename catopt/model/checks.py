@@ -36,11 +36,11 @@ class Checks(Checked):
     """Whether criteria that were read in no document (confidence R) may be used."""
     max_span: Length | None = None
     """Largest horizontal distance from the anchor to the fairlead, m."""
-    safety_factor_line_out: Factor | None = None
-    """In the place of `safety_factor` where one line of several is gone; None: the same."""
     motion_code: Code | None = None
     """Profile with factors for dynamic analysis that judges lines in motion in the place of those
     of `codes` that have none; None: these do, by their factors for lines at rest."""
+    safety_factor_line_out: Factor | None = None
+    """In the place of `safety_factor` where one line of several is gone; None: the same."""
 
     def _check(self, found: Findings) -> None:
         found.check("safety_factor", "proof_load_factor", "safety_factor_line_out")

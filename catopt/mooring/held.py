@@ -30,7 +30,7 @@ from catopt.mooring.joints import (
     solve,
 )
 from catopt.mooring.line_ends import Matrix, Vector
-from catopt.mooring.solution import Position
+from catopt.mooring.position import Position
 from catopt.words import Message
 
 _ROUNDING = 1e-9

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from catopt.catenary.layout import end_of
 from catopt.catenary.solution import Solution
 from catopt.model.system import Leg, System
+from catopt.mooring.position import Position
 from catopt.shown import Shown
 from catopt.ties import first_largest
 
@@ -16,19 +17,6 @@ if TYPE_CHECKING:
     from catopt.mooring.circle import WatchCircle
 
 __all__ = ["LegState", "Position", "SystemResidual", "SystemSolution"]
-
-
-@dataclass(frozen=True)
-class Position:
-    """Where the body is: x and y of its origin (m), yaw counter-clockwise (rad)."""
-
-    x: float
-    y: float
-    yaw: float = 0.0
-
-    def to_dict(self) -> dict[str, float]:
-        """Lay it out as the documents have it."""
-        return {"x_m": self.x, "y_m": self.y, "yaw_rad": self.yaw}
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,8 @@ from catopt.errors import NotConvergedError
 from catopt.model.system import Leg, System
 from catopt.mooring.arrangement import Lines
 from catopt.mooring.descent import Rest
-from catopt.mooring.solution import LegState, Position, SystemResidual, SystemSolution
+from catopt.mooring.position import Position
+from catopt.mooring.solution import LegState, SystemResidual, SystemSolution
 from catopt.mooring.zero_load import ZeroLoadPosition, is_held, zero_load_position
 from catopt.words import Message
 

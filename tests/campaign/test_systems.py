@@ -10,7 +10,7 @@ import pytest
 
 from catopt import NoEquilibriumError, System, solve_system
 from catopt.model import Leg
-from catopt.mooring.solution import Position
+from catopt.mooring.position import Position
 from tests.campaign.random_system import drawn_system
 from tests.campaign.systems import Tally, faults_of_answer, faults_of_refusal, run
 from tests.mooring.layouts import CHAIN, fso
@@ -25,7 +25,7 @@ def test_a_slice() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("count", "seed"), [(150, 2026), (200, 2027)])
+@pytest.mark.parametrize(("count", "seed"), [(150, 2026), (500, 2027)])
 def test_a_larger_slice(count: int, seed: int) -> None:
     _is_clean(run(count, seed))
 

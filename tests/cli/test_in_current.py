@@ -28,7 +28,7 @@ def test_the_document_says_what_the_current_does(run: Run) -> None:
 
 def test_people_see_the_current(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     for line, shown in (("solve", "Drag of the current along x"), ("check", "in the current")):
-        card = "\n".join(is_a_screen(run, monkeypatch, f"{line} {CASE}", "en"))
+        card = "\n".join(is_a_screen(run, monkeypatch, line, str(CASE)))
         assert shown in card
         assert not {"verify", "curve", "report"} & {*card.split()}
     assert "power law, 1.5 m/s at the surface, towards 30 deg from x" in " ".join(
