@@ -21,6 +21,7 @@ from catopt.documents import Path
 from catopt.errors import InputError
 from catopt.model import Anchor, Find, Load
 from catopt.model.anchor import ANCHOR_KINDS
+from catopt.model.dynamics import OF_MOTION
 from catopt.model.find import FIND_QUANTITIES, FORCES, misfits
 from catopt.model.line import END_ROUNDING, break_test_misfits, drag_misfits, point_drag_misfits
 from catopt.model.service import wear_misfits
@@ -257,6 +258,10 @@ def _checks(case: Section) -> Iterator[Finding]:
         single = case.lacks("system") and "points" not in case.given
         if "safety_factor_line_out" in section and single:
             yield section.wrong("safety_factor_line_out", Message("refused.needs_several_lines"))
+    if "dynamics" not in case.given and "points" not in case.given:  # points: as the model has it
+        for part, key in OF_MOTION:
+            if key in case.table(part):
+                yield case.table(part).wrong(key, Message("refused.with_dynamics"))
     if "code" in checks and "codes" in checks:
         yield Finding(
             ("checks",),

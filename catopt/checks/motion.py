@@ -118,8 +118,10 @@ def _others(
             found = row.measure(criterion.value, moved.carried, case.anchor)
             yield result_of(check, criterion, found, moved.load_case, place)
     slide = None if moved.carried is None else moved.carried.slide
-    for criterion in criteria.of("slide", kind, place.state) if slide is not None else ():
-        found = Demand(slide or 0.0, criterion.value, ratio_excess(slide or 0.0, criterion.value))
+    if slide is None:
+        return
+    for criterion in criteria.of("slide", kind, place.state):
+        found = Demand(slide, criterion.value, ratio_excess(slide, criterion.value))
         yield result_of("slide", criterion, found, moved.load_case, place)
 
 

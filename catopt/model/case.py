@@ -13,7 +13,13 @@ from catopt.model.catalogue_choice import CatalogueChoice
 from catopt.model.checks import Checks
 from catopt.model.current_profile import CurrentProfile
 from catopt.model.design import Design, DesignLoad, body_misfits
-from catopt.model.dynamics import FOR_MOTION, Dynamics, broken_line_misfits, dynamics_misfits
+from catopt.model.dynamics import (
+    FOR_MOTION,
+    Dynamics,
+    broken_line_misfits,
+    dynamics_misfits,
+    of_motion_misfits,
+)
 from catopt.model.fatigue import Fatigue, sections_misfits
 from catopt.model.find import Find, misfits
 from catopt.model.kinds import Height, Measured, Seed, Share, Whole
@@ -183,7 +189,9 @@ class Case(Checked):
                 if value
             },
         )
-        if self.dynamics is not None:
+        if self.dynamics is None:
+            found.problems += of_motion_misfits(self, Message("refused.with_dynamics"))
+        else:
             lines = 1 if self.system is None else len(self.system.legs)
             found.problems += broken_line_misfits(self.dynamics.broken_line, lines)
         lower = self.anchor_motion

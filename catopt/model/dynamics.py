@@ -10,7 +10,7 @@ from catopt.errors import Problem
 from catopt.model.kinds import Duration, Measured, NotNegative, Share, Time, Whole
 from catopt.model.motion import OF_A_BODY, RAO_CONVENTIONS
 from catopt.model.validity import Checked, Findings
-from catopt.units import Dimension
+from catopt.units import Dimension, as_written
 from catopt.words import Message
 
 BedStiffness = Annotated[
@@ -147,6 +147,16 @@ def broken_line_misfits(number: int | None, lines: int) -> list[Problem]:
         else Message("refused_case.there_one_line")
     )
     return [Problem("dynamics.broken_line", f"{number}", allowed)]
+
+
+OF_MOTION: Final = (("checks", "motion_code"), ("anchor", "max_slide"))
+"""Keys of other parts that lines in motion alone are judged by."""
+
+
+def of_motion_misfits(of: object, allowed: Message) -> list[Problem]:
+    """List what lines in motion alone are judged by and a case, or a network, at rest has."""
+    given = {f"{part}.{key}": getattr(getattr(of, part), key, None) for part, key in OF_MOTION}
+    return [Problem(k, as_written(v), allowed) for k, v in given.items() if v is not None]
 
 
 def dynamics_misfits(present: Collection[str], given: Mapping[str, Any]) -> list[Problem]:

@@ -13,6 +13,7 @@ from catopt.errors import Problem
 from catopt.model.anchor import Anchor
 from catopt.model.checks import Checks
 from catopt.model.current_profile import CurrentProfile
+from catopt.model.dynamics import of_motion_misfits
 from catopt.model.kinds import Area, Coefficient, Force, Height, Moment, Place, Size, Text
 from catopt.model.line import Line, drag_missing, point_drag_misfits, weightless
 from catopt.model.service import Service
@@ -194,6 +195,7 @@ class Network(Checked):
             if (limit := getattr(self.checks, key)) is not None:
                 allowed = Message("refused_case.span_is_of_a_line")
                 found.add(f"checks.{key}", f"{limit:g} m", allowed)
+        found.problems += of_motion_misfits(self, Message("refused_case.of_lines_in_motion"))
         if self.anchor is not None:
             self._check_anchors(found, ends)
 

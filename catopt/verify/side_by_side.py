@@ -16,6 +16,7 @@ from types import ModuleType
 from typing import Any, TypeVar
 
 from catopt.errors import CatoptError
+from catopt.words import Message
 
 T = TypeVar("T")
 Progress = Callable[[int, int], None]
@@ -24,7 +25,6 @@ _LOOK = 0.1
 """Seconds between two looks at what the runs tell."""
 _THREADS = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "OMP_NUM_THREADS")
 """Environment variables by which numpy's libraries learn how many threads to use."""
-_ENDED = "a process that ran a seed ended on its own; --workers 1 runs one after the other"
 _WHOLE = 1000
 """Progress of one run is told in so many parts."""
 
@@ -95,7 +95,7 @@ class Crew:
                     each.result()
                 progress(round(_WHOLE * sum(reached)), _WHOLE * count)
         except BrokenProcessPool:
-            raise CatoptError(_ENDED) from None
+            raise CatoptError(Message("refused_motion.process_ended")) from None
         except BaseException as error:
             self._stop.set()
             for each in futures:

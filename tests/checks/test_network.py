@@ -172,6 +172,7 @@ def test_a_float_that_no_line_holds_is_adrift() -> None:
     ("network", "said"),
     [
         (lambda: leg(checks=Checks(max_span=300.0)), "checks.max_span"),
+        (lambda: leg(checks=Checks(motion_code="API-RP-2SK")), "checks.motion_code"),
         (
             lambda: check_network(leg(anchor=Anchor("drag", holding_capacity=1e5))),
             "anchor.safety_factor",

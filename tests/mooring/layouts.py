@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from catopt.model import Line, Segment, System
+from catopt.model import Leg, Line, Segment, System
 from catopt.mooring.solution import SystemSolution
 
 G0 = 9.80665
@@ -81,3 +81,21 @@ def unbalanced(solution: SystemSolution) -> tuple[float, float, float]:
 
 def total(solution: SystemSolution) -> float:
     return math.fsum(line.horizontal_force for line in solution.lines)
+
+
+def unequal_legs(one: Line, other: Line) -> tuple[Leg, ...]:
+    """Lay two lines in turn round a body, on fairleads of different heights."""
+    return tuple(
+        Leg.between(
+            line,
+            anchor=(400.0 * math.cos(at), 400.0 * math.sin(at)),
+            fairlead=(9.0 * math.cos(at + 0.2), 9.0 * math.sin(at + 0.2)),
+            fairlead_height=height,
+        )
+        for line, at, height in (
+            (one, 0.1, 70.0),
+            (other, 1.4, 74.0),
+            (one, 3.3, 78.0),
+            (other, 4.6, 70.0),
+        )
+    )

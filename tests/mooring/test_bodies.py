@@ -13,14 +13,14 @@ from catopt import solve as solve_line
 from catopt.casefile.network_file import parse_network
 from catopt.casefile.writing import write_case
 from catopt.checks.network import check_network
-from catopt.model import Checks, Leg, Site
+from catopt.model import Checks, Site
 from catopt.model.network import LineBetween, MooredBody, Network, Point
 from catopt.mooring.circle import network_circle, watch_circle
 from catopt.mooring.held import LinesAtRest, at_rest, hold
 from catopt.mooring.network_out import each_line_out
 from catopt.mooring.solve import solve_system
 
-from .layouts import CHAIN, fso, spread
+from .layouts import CHAIN, fso, spread, unequal_legs
 
 Plan = tuple[float, float]
 CASES = Path(__file__).parents[2] / "cases"
@@ -47,21 +47,7 @@ def unequal(force: tuple[float, float] = (90e3, -40e3), moment: float = 3e5) -> 
     """Moor a body by four lines that differ, on fairleads of different heights."""
     weighted = Line([Segment(430.0, 700.0, EA=6e8)])
     plain = Line([Segment(420.0, 900.0, EA=4e8)])
-    legs = tuple(
-        Leg.between(
-            line,
-            anchor=(400.0 * math.cos(at), 400.0 * math.sin(at)),
-            fairlead=(9.0 * math.cos(at + 0.2), 9.0 * math.sin(at + 0.2)),
-            fairlead_height=height,
-        )
-        for line, at, height in (
-            (plain, 0.1, 70.0),
-            (weighted, 1.4, 74.0),
-            (plain, 3.3, 78.0),
-            (weighted, 4.6, 70.0),
-        )
-    )
-    return System(legs, force, moment, 0.4)
+    return System(unequal_legs(plain, weighted), force, moment, 0.4)
 
 
 SYSTEMS = {

@@ -11,6 +11,8 @@ from catopt import Line, PointLoad, Segment, System, solve_system
 from catopt.errors import InputError, NoEquilibriumError
 from catopt.mooring.held import FREEDOMS, HeldBody, held_body
 
+from .layouts import unequal_legs
+
 DEPTHS = {"oc3": 320.0, "oc4": 200.0, "volturnus": 200.0}
 
 
@@ -76,26 +78,9 @@ def test_three_turbines_as_moorpy(
 
 def sloping() -> System:
     """Build four lines that differ, one with a clump weight, on fairleads of different heights."""
-    from catopt.model import Leg
-
     plain = Line([Segment(420.0, 900.0, EA=4e8)])
     weighted = Line([Segment(430.0, 700.0, EA=6e8)], [PointLoad(300.0, 50e3)])
-    return System(
-        tuple(
-            Leg.between(
-                line,
-                anchor=(400.0 * math.cos(at), 400.0 * math.sin(at)),
-                fairlead=(9.0 * math.cos(at + 0.2), 9.0 * math.sin(at + 0.2)),
-                fairlead_height=height,
-            )
-            for line, at, height in (
-                (plain, 0.1, 70.0),
-                (weighted, 1.4, 74.0),
-                (plain, 3.3, 78.0),
-                (weighted, 4.6, 70.0),
-            )
-        )
-    )
+    return System(unequal_legs(plain, weighted))
 
 
 AWAY = (3.0, -2.0, 1.5, 0.04, -0.06, 0.1)
