@@ -104,6 +104,15 @@ class Measured(Kind):
         """Unit in SI as a file has it; empty for a pure number."""
         return self.si or self.dimension.si_unit
 
+    def allows(self, value: float) -> bool:
+        """Whether a number in SI is finite and within the bounds."""
+        return (
+            math.isfinite(value)
+            and (self.above is None or value > self.above)
+            and (self.at_least is None or value >= self.at_least)
+            and (self.at_most is None or value <= self.at_most)
+        )
+
     def read(self, value: object) -> float:
         """Return the value in SI."""
         try:

@@ -66,8 +66,11 @@ def drag_misfits(given: Mapping[str, Any]) -> list[Problem]:
     By its name in `Segment`, what the segment is given; a value that cannot be read is None.
     """
     if given.get("drag_method") != "roughness":
-        allowed = Message("refused_case.goes_with_drag_method_roughness")
-        return [Problem(key, repr(given[key]), allowed) for key in _ROUGH if key in given]
+        return [
+            Problem(key, repr(given[key]), Message("refused_case.goes_with_drag_method_roughness"))
+            for key in _ROUGH
+            if key in given
+        ]
     problems = [
         Problem(key, repr(given[key]), Message("refused_case.follows_from_roughness_leave_out"))
         for key in _GIVEN
@@ -168,12 +171,8 @@ class Segment(Checked):
         ) -> None: ...
 
     def _check(self, found: Findings) -> None:
-        found.check("length", "submerged_weight", "EA", "mass", "MBL", *TESTS)
+        found.check()
         found.problems += break_test_misfits({k for k in TESTS if getattr(self, k) is not None})
-        found.check("nominal_diameter", "proof_load", "price", "wear_rate", "wear_zone")
-        found.check("drag_diameter", "drag_normal", "drag_axial", "added_mass_normal")
-        found.check("added_mass_axial", "drag_method", "roughness", "keulegan_carpenter")
-        found.check("wake_amplification")
         if not found.problems:
             given = {key: value for key, value in vars(self).items() if value not in (None, "")}
             found.problems += drag_misfits(given)
