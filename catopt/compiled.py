@@ -28,6 +28,8 @@ MODES: Final = ("auto", "always", "never")
 
 _LOADING: Final = 1.0
 """Processor time that importing numba and reading machine code from disk takes, s."""
+_READING: Final = 0.2
+"""The same of one more function, once another is in use, s."""
 
 _done: dict[Callable[..., Any], float] = {}
 """Processor time that each function has taken so far as plain Python, s."""
@@ -122,11 +124,12 @@ def _has_numba() -> bool:
 
 def _is_worth_compiling(function: Callable[..., Any], work: float) -> bool:
     """Whether it is less work to have the machine code than to do without; see `_LOADING`."""
-    if work < _LOADING or not _has_numba():
+    loading = _READING if _fast else _LOADING
+    if work < loading or not _has_numba():
         return False
     from catopt.machine_code import cost, is_kept
 
-    return work > _LOADING + cost(function) or is_kept(function)
+    return work > loading + cost(function) or is_kept(function)
 
 
 _now: Callable[[], float] = getattr(time, "thread_time", time.process_time)

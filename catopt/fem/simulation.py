@@ -212,8 +212,8 @@ class Simulation:
         """
         at = self.state
         self._stand_still()
-        self.assemble(_AT_REST)
         if rubbed and self.lines.friction.any():
+            self.assemble(_AT_REST)
             lies = at.reaction > 0.0
             pulled = at.force[lies, :2] / self.lines.drag_spring[lies, np.newaxis]
             at.foot[lies] = at.x[lies, :2] - pulled
@@ -274,8 +274,9 @@ class Simulation:
 
     def slip_feet(self) -> None:
         """Let the friction springs slip as far as they must, and take stock of the forces."""
-        drag_feet(self.lines, self.state, 0.0)
-        self.assemble(_AT_REST)
+        if self.lines.friction.any():
+            drag_feet(self.lines, self.state, 0.0)
+            self.assemble(_AT_REST)
 
     def _part_of(self, move: Array, longest: float) -> float:
         """Part of a Newton step by which no node moves half a bar, or else no bar turns far."""
