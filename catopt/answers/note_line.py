@@ -53,7 +53,7 @@ def line_note_answer(note: Note) -> blocks.Answer:
     sections = (
         *_opening(note),
         basis_section(note.sheet),
-        *of_the_line(note, "results", "checks", "load_cases"),
+        *of_the_line(note, "checks", "load_cases", "results"),
         *sheet_sections(note.sheet),
         *of_the_line(note, "tension", "curve"),
         section("front", () if chosen is None else of_the_front(chosen)),
@@ -98,7 +98,7 @@ def _opening(note: Note) -> Iterator[Section]:
         note,
         facts,
         said,
-        drawing=drawn(note),
+        drawing=_drawn(note),
         force=(Message("quantities.horizontal_force"), "horizontal_force", force),
         reach=(Message("quantities.span"), "span", max(each.span for each in intact)),
         tension=max(part.max_tension for each in intact for part in each.segments),
@@ -106,7 +106,7 @@ def _opening(note: Note) -> Iterator[Section]:
     )
 
 
-def drawn(note: Note) -> Iterator[Block]:
+def _drawn(note: Note) -> Iterator[Block]:
     """Draw the line to scale, with its dimensions."""
     yield Text(Message("note.line_scale"))
     depth = note.case.site.water_depth

@@ -34,11 +34,11 @@ def network_note_answer(note: NetworkNote) -> blocks.Answer:
     sections = (
         *_opening(note),
         network_basis_section(note.sheet),
+        _section("checks", _checks(note)),
+        _section("line_out", _line_out(note)),
         _section("side", _side(note)),
         _section("joints", _joints(note)),
         _section("lines", _lines(note)),
-        _section("checks", _checks(note)),
-        _section("line_out", _line_out(note)),
         damaged_section(note.sheet),
         section("components", _components(note)),
         section("inputs", [Text(Message("note.inputs_about")), inputs_table(note.origin)]),

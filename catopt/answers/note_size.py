@@ -11,7 +11,19 @@ from typing import TYPE_CHECKING
 
 from catopt.answers import blocks
 from catopt.answers import size as sized
-from catopt.answers.blocks import Block, Rows, Section, Table, Text, exact, measured, named, texts
+from catopt.answers.blocks import (
+    Block,
+    Figure,
+    Rows,
+    Section,
+    Table,
+    Text,
+    exact,
+    measured,
+    named,
+    texts,
+)
+from catopt.answers.check import failing_checks
 from catopt.answers.note import (
     components,
     from_rows,
@@ -22,12 +34,13 @@ from catopt.answers.note import (
     small,
 )
 from catopt.answers.note_hold import hold_blocks, what_holds
-from catopt.answers.note_line import drawn, of_the_front, of_the_line
+from catopt.answers.note_line import of_the_front, of_the_line
 from catopt.answers.note_sheet import basis_section, described, sheet_sections
 from catopt.answers.note_system import near_blocks, plan_blocks, pull_of
 from catopt.answers.size_card import verdict
 from catopt.checks.kinds import QUANTITY_OF
 from catopt.constants import STANDARD_GRAVITY, YEAR
+from catopt.figures.sizing import elevation, swing_circle
 from catopt.quantities import GREEK, QUANTITIES
 from catopt.words import Cited, Measure, Message, Sentence, Several, Told, say, term
 
@@ -35,6 +48,7 @@ if TYPE_CHECKING:
     from catopt.loads.component import LoadComponent, Loads
     from catopt.mooring.solution import SystemSolution
     from catopt.notes.size import SizeNote
+    from catopt.sizing import Sizing
     from catopt.sizing.pattern import Pattern
     from catopt.sizing.posed import LoadsAt
 
@@ -51,11 +65,11 @@ def size_note_answer(note: SizeNote) -> blocks.Answer:
     sections = (
         *_opening(note),
         basis_section(note.sheet, *_combined(note), _levels(note)),
+        *of_the_line(line, "checks", "load_cases"),
         _section("identity", _identity(note)),
-        _section("loads", _loads(note)),
         _section("candidates", _candidates(note)),
         _section("front", _front(note)),
-        *of_the_line(line, "checks", "load_cases"),
+        _section("loads", _loads(note)),
         *sheet_sections(note.sheet, what_holds(note)),
         _section("hold", hold_blocks(note)),
         _section("swing", _swing(note)),
@@ -80,12 +94,19 @@ def _opening(note: SizeNote) -> Iterator[Section]:
         _recommendation(note),
         sized.motion_sentence(of),
         *((Sentence(of.practice, capital=True),) if of.practice else ()),
-        drawing=drawn(note.line),
+        drawing=_drawn(of),
         force=(Message("note_size.identity_force"), "horizontal_force", _hardest(note)[0]),
         reach=(Message("note_size.identity_radius"), "length", of.swing.total),
         tension=of.largest_tension,
         verdict=verdict(of),
     )
+
+
+def _drawn(of: Sizing) -> Iterator[Block]:
+    """Draw the line with what it holds, and how far that swings, side by side."""
+    yield Text(Message("note.line_scale"))
+    yield Figure(elevation(of, failing_checks(of.point.checks)))
+    yield Figure(swing_circle(of))
 
 
 def _combined(note: SizeNote) -> tuple[str, str]:

@@ -272,7 +272,8 @@ def _dimension(dimension: Dimension, frame: Frame) -> Iterator[Shape]:
     if x1 != x2:
         yield text(words, _inside((x1 + x2) / 2, words), y1 - 6, style="measure")
     elif length > breadth(words):
-        yield text(words, x1 - 6, (y1 + y2) / 2, style="measure", turn=-90)
+        beside = x1 - 6 if x1 - 6 - _TYPE > frame.left else x1 + _TYPE
+        yield text(words, beside, (y1 + y2) / 2, style="measure", turn=-90)
     elif x1 > (frame.left + frame.right) / 2:
         # From the edge of the frame inwards, so that large type stays inside.
         yield text(words, frame.right - 4, min(y1, y2) - 14, anchor="end", style="measure")
