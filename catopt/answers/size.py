@@ -12,6 +12,7 @@ from catopt.answers.check import check_columns, tightest_table, verdict_column
 from catopt.answers.loads import forces_table, notes_table, numbers_table
 from catopt.answers.size_card import runs_words, size_card, verdict
 from catopt.constants import YEAR
+from catopt.figures.sizing import tension_by_length
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.units import UNITS, Dimension
 from catopt.words import Cited, Measure, Message, Sentence, Several, term
@@ -290,7 +291,31 @@ def tried_blocks(of: InMotion) -> tuple[blocks.Block, ...]:
         every.texts("fails", "words"),
         caption=Message("sizing.lines_tried"),
     )
-    return blocks.Text(runs_words(of)), blocks.Text(of.counted.words), tried
+    told = blocks.Text(runs_words(of)), blocks.Text(of.counted.words), tried
+    return (*told, *_by_length(of))
+
+
+def _by_length(of: InMotion) -> tuple[blocks.Block, ...]:
+    """Draw and tabulate the tension in the storm by the length of the line, where that was run."""
+    if not of.by_length:
+        return ()
+    every = Rows(of.by_length)
+    storm = Rows(every.read("storm"))
+    table = tabulate(
+        "by_length",
+        every.measured("length", "tried.length"),
+        every.measured("mass", "tried.mass", "mass_in_air", symbol=""),
+        storm.measured("tension", "at_rest", "sizing.length_at_rest", symbol=""),
+        storm.measured("tension", "tension", "sizing.length_in_storm", symbol=""),
+        storm.measured("tension", "low", "sizing.length_low", symbol=""),
+        storm.measured("tension", "high", "sizing.length_high", symbol=""),
+        every.measured("mass", "sinker", "sizing.length_sinker", symbol=""),
+        verdict_column(each.tried.passes for each in of.by_length),
+        every.texts("fails", "tried.words"),
+        caption=Message("sizing.by_length"),
+    )
+    drawn = blocks.Figure(tension_by_length(of))
+    return blocks.Text(Message("sizing.by_length_about")), drawn, table
 
 
 def _pattern(of: Sizing) -> Iterator[blocks.Section]:

@@ -141,13 +141,14 @@ def _numbers(of: Sizing) -> Iterator[Fact]:
 def _in_motion(of: InMotion) -> Iterator[Fact]:
     """Yield the tension in the storm beside that at rest, and the factor that this is."""
     time = lasting(of.case.dynamics.duration_of_interest) if of.case.dynamics else ""
-    probable = about("tension", of.most_probable or of.largest)
+    storm = of.storm
+    probable = about("tension", storm.tension)
     said = Message("sizing.measure", value=probable)
-    if of.low is not None and of.high is not None:
-        ends = {"low": about("tension", of.low), "high": about("tension", of.high)}
+    if storm.low is not None and storm.high is not None:
+        ends = {"low": about("tension", storm.low), "high": about("tension", storm.high)}
         said = Message("sizing.from_to", value=probable, **ends)
     yield Fact(Message("sizing.card_tension_in_storm", time=time), said)
-    yield _measured("tension_at_rest", "tension", of.at_rest)
+    yield _measured("tension_at_rest", "tension", storm.at_rest)
     factors = {"factor": of.factor, "allowance": of.allowance}
     yield _worded("motion_factor", Message("sizing.in_place_of", **factors))
 
@@ -190,6 +191,17 @@ def _of_the_runs(of: InMotion) -> Iterator[Brief]:
     """Yield how lines were run, and how many."""
     yield Brief((runs_words(of),), Message("sizing.card_runs"), 2)
     yield Brief((of.counted.words,), Message("sizing.card_in_motion"), 2)
+    lengths = [
+        Message(
+            "sizing.card_at_length",
+            length=each.tried.length,
+            tension=about("tension", each.storm.tension),
+        )
+        for each in of.by_length
+        if each.storm is not None
+    ]
+    if lengths:
+        yield Brief((Several(lengths, "; "),), Message("sizing.card_by_length"), 2)
 
 
 def _others(of: Sizing) -> Iterator[Brief]:

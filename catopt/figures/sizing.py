@@ -7,15 +7,16 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from catopt.figures.chart import Area, Chart, Mark, Point, Series, axis, span_of
+from catopt.figures.chart import Area, Chart, Mark, Point, Series, axis, pointed, span_of
 from catopt.figures.line import Failing, line_in_water
 from catopt.words import Measure, Message, term
 
 if TYPE_CHECKING:
     from catopt.loads.buoy_shape import BuoyShape
     from catopt.sizing import Sizing
+    from catopt.sizing.in_motion import InMotion
 
-__all__ = ["choices", "elevation", "swing_circle"]
+__all__ = ["choices", "elevation", "swing_circle", "tension_by_length"]
 
 _ROUND = 72
 """Places of a circle."""
@@ -106,6 +107,43 @@ def choices(of: Sizing) -> tuple[Chart, tuple[dict[str, str], ...]]:
         points=tuple(said),
     )
     return drawn, tuple(sets)
+
+
+def tension_by_length(of: InMotion) -> Chart:
+    """Draw the tension in the storm, with its interval, and that at rest, by the line's length."""
+    runs = [(each.tried.length, each.storm) for each in of.by_length if each.storm is not None]
+    lengths = [length for length, _ in runs]
+    storms = [storm for _, storm in runs]
+    probable = [storm.tension for storm in storms]
+    low = [storm.tension if storm.low is None else storm.low for storm in storms]
+    high = [storm.tension if storm.high is None else storm.high for storm in storms]
+    own = of.case.line.length
+    return Chart(
+        "by_length",
+        Message("figures.by_length"),
+        axis("length", span_of(lengths, 0.05, 0.05)),
+        axis("tension", (0.0, 1.06 * max(high, default=1.0)), Message("figures.fairlead_tension")),
+        series=(
+            Series("first", lengths, probable, Message("figures.in_storm")),
+            Series("peak", lengths, probable),
+            Series(
+                "second", lengths, [each.at_rest for each in storms], Message("figures.steady")
+            ),
+        ),
+        marks=tuple(
+            Mark("recommended", own, tension, Message("figures.choice_recommended"))
+            for length, tension in zip(lengths, probable, strict=True)
+            if length == own
+        ),
+        areas=(Area("between", low, high, lengths, Message("figures.storm_interval")),),
+        points=pointed(
+            "figures.at_length",
+            lengths,
+            probable,
+            length=("length", lengths),
+            tension=("tension", probable),
+        ),
+    )
 
 
 def _read(of: Sizing) -> dict[str, object]:

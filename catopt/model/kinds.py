@@ -31,6 +31,7 @@ COUNTS: Mapping[str, tuple[int, int]] = MappingProxyType(
         "particles": (2, 10_000),
         "iterations": (1, 10_000),
         "seeds": (1, 100),
+        "other_lengths": (0, 30),
         "runs": (1, 1_000),
         "seed": (0, 2**63 - 1),
         "population": (4, 10_000),

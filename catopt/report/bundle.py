@@ -167,12 +167,17 @@ def size_files(
     """Make the files of ``catopt size ... --out DIR`` beside document, tables and workbook.
 
     The line in the water, the calculation note in a language, and the case that all commands take;
-    of several lines the case of the whole pattern, too.
+    of several lines the case of the whole pattern, of lengths run in motion their picture, too.
     No note where nothing says what was asked for.
     """
     from catopt.casefile import write_case
 
-    files = {DESIGN_CASE: write_case(of.line_case).encode(), **_pictures({"line": _of_sizing(of)})}
+    drawn = {"line": _of_sizing(of)}
+    if of.in_motion is not None and of.in_motion.by_length:
+        from catopt.figures.sizing import tension_by_length
+
+        drawn["by_length"] = Drawing((tension_by_length(of.in_motion),), of.case.title)
+    files = {DESIGN_CASE: write_case(of.line_case).encode(), **_pictures(drawn)}
     if given is not None:
         files["note.html"] = _size_page(of, given, language)
     if of.pattern is not None:

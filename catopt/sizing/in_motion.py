@@ -30,10 +30,12 @@ class RunsAfloat:
     # How far the sinker may slide in the storm, m; None: `afloat.MOST_SLIDE` where the code has no
     # factors for dynamic analysis, else its factor on sliding holds
     max_slide: float | None = None
+    other_lengths: int = 0  # of the recommended size, that are run beside it
 
     def __post_init__(self) -> None:
         found = Findings("RunsAfloat")
         found.count("seeds", self.seeds)
+        found.count("other_lengths", self.other_lengths)
         found.number("duration", self.duration, "s", at_least=LEAST_DURATION, at_most=36000.0)
         found.count("elements", self.elements)
         found.numbers(self, "m", "max_slide", above=0.0)
@@ -63,6 +65,30 @@ class LineTried:
         return self.reason or (self.failing[0].in_case if self.failing else "")
 
 
+class Storm(NamedTuple):
+    """The tension at the fairlead in the load case where it is largest, of all runs there."""
+
+    load_case: str
+    largest: float  # of the runs of every load case, N
+    most_probable: float | None  # in the storm, N; None where the runs have too few peaks
+    low: float | None  # interval of it, N
+    high: float | None
+    at_rest: float  # under the steady load of that load case, N
+
+    @property
+    def tension(self) -> float:
+        """What the storm comes to, N."""
+        return self.largest if self.most_probable is None else self.most_probable
+
+
+class LengthRun(NamedTuple):
+    """What a length of the recommended size comes to in motion, every seed of it run."""
+
+    tried: LineTried
+    storm: Storm | None  # None where a run has no answer
+    sinker: float | None  # kg: the least that stays, or the heaviest
+
+
 class Counted(NamedTuple):
     """What became of the lines that were looked at: sizes by lengths."""
 
@@ -85,20 +111,16 @@ class InMotion:
     how: RunsAfloat
     case: Case  # that was run: `catopt verify --dynamic` runs it again
     checks: CheckReport
-    load_case: str  # of the largest tension
-    largest: float  # at the fairlead, of its runs, N
-    most_probable: float | None  # in the storm, N; None where the runs have too few peaks
-    low: float | None  # interval of it, N
-    high: float | None
-    at_rest: float  # tension at the fairlead under the steady load of that load case, N
+    storm: Storm
     allowance: float  # for motion that the sizing at rest has, and this replaces
     counted: Counted
     tried: tuple[LineTried, ...]  # in the order of their runs
+    by_length: tuple[LengthRun, ...] = ()  # the shortest first, the recommended one among them
 
     @property
     def factor(self) -> float:
         """Motion's own: the storm's tension over that at rest, as an allowance would be."""
-        return (self.most_probable or self.largest) / self.at_rest
+        return self.storm.tension / self.storm.at_rest
 
     def to_dict(self) -> dict[str, Any]:
         """Lay it out for JSON, in SI."""
@@ -107,26 +129,41 @@ class InMotion:
         return {
             **figures(self.how, "seeds duration_s elements judged_by"),
             "duration_of_interest_s": self.case.dynamics.duration_of_interest,
-            "load_case": self.load_case,
-            "largest_tension_N": self.largest,
-            "most_probable_tension_N": self.most_probable,
-            "interval_N": None if self.low is None else [self.low, self.high],
-            "tension_at_rest_N": self.at_rest,
+            **_of_storm(self.storm),
             **figures(self, "factor allowance"),
             "checks": [each.to_dict() for each in self.checks.results],
             "governing": "" if governing is None else governing.in_case,
             "lines": self.counted._asdict(),
-            "tried": [
+            "tried": [_of_line(each) for each in self.tried],
+            "by_length": [
                 {
-                    "component": each.component,
-                    "nominal_diameter_m": each.diameter,
-                    **figures(each, "length_m mass_kg runs passes"),
-                    "fails": each.words,
+                    **_of_line(each.tried),
+                    "storm": None if each.storm is None else _of_storm(each.storm),
+                    "sinker_mass_kg": each.sinker,
                 }
-                for each in self.tried
+                for each in self.by_length
             ],
             "warnings": list(self.checks.warnings),
         }
+
+
+def _of_line(of: LineTried) -> dict[str, Any]:
+    return {
+        "component": of.component,
+        "nominal_diameter_m": of.diameter,
+        **figures(of, "length_m mass_kg runs passes"),
+        "fails": of.words,
+    }
+
+
+def _of_storm(of: Storm) -> dict[str, Any]:
+    return {
+        "load_case": of.load_case,
+        "largest_tension_N": of.largest,
+        "most_probable_tension_N": of.most_probable,
+        "interval_N": None if of.low is None else [of.low, of.high],
+        "tension_at_rest_N": of.at_rest,
+    }
 
 
 class NoLineInMotionError(NoFeasibleDesignError):

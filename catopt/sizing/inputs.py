@@ -323,6 +323,10 @@ INPUTS: Final = (
         most="10 h", only_with="in_motion", called=("duration",),
     ),
     Input(
+        "other_lengths", "motion.other_lengths", "COUNT", 4, "0", of=_BUOY,
+        only_with="in_motion",
+    ),
+    Input(
         "max_slide", "motion.max_slide", "LENGTH", "0.5 m", of=_BUOY, above=0.0,
         only_with="in_motion", left_out="left_out.max_slide",
     ),

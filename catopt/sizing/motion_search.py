@@ -33,9 +33,11 @@ from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.in_motion import (
     Counted,
     InMotion,
+    LengthRun,
     LineTried,
     NoLineInMotionError,
     RunsAfloat,
+    Storm,
 )
 from catopt.sizing.line_choice import LineChoice, sold
 from catopt.sizing.settle import Settled, best_of
@@ -107,12 +109,23 @@ def search_in_motion(request: BuoyRequest, best_at_rest: Settled, settle_line: S
     expect(Message("sizing.running_afloat", sizes=len(sizes)), found.seconds)
     with Crew(processes_for(work, None)) as crew:
         chosen = found.best(sizes, crew)
+        by_length = found.by_length(sizes, chosen, crew) if chosen and how.other_lengths else ()
     counted = found.counted(sizes)
     if chosen is None:
         raise _nothing_passes(found, counted)
+    assert chosen.checks is not None
     return Moved(
         replace(chosen.settled, choice=request.line),
-        _in_motion(chosen, how, request.line.allowance, counted, found.tried),
+        InMotion(
+            how,
+            chosen.case,
+            chosen.checks,
+            _storm(chosen),
+            request.line.allowance,
+            counted,
+            found.tried,
+            by_length,
+        ),
         _sinker_size(request, chosen),
     )
 
@@ -185,7 +198,8 @@ class _Search:
     def seconds(self) -> float:
         """Foretell what the search takes, roughly."""
         side = processes_for(self.work, None)
-        return _START + _LINES * self.work * SECONDS_PER_BAR_AND_STEP / side
+        lines = _LINES + self.how.other_lengths
+        return _START + lines * self.work * SECONDS_PER_BAR_AND_STEP / side
 
     def counted(self, sizes: Sequence[_Size]) -> Counted:
         """Count the lines by what became of them."""
@@ -268,6 +282,38 @@ class _Search:
                 self._at_rest[key] = found
         return self._at_rest[key]
 
+    def by_length(
+        self, sizes: Sequence[_Size], chosen: _Judged, crew: Crew
+    ) -> tuple[LengthRun, ...]:
+        """Run other lengths of a line's size that pass at rest, from the shortest to the longest.
+
+        All their seeds are run, whether they pass or not.
+        """
+        own = chosen.tried
+        size = next(e for e in sizes if (e.component, e.diameter) == (own.component, own.diameter))
+        others = [
+            rung
+            for rung in range(size.first, len(self.lengths))
+            if (settled := self._rest(size, rung)) is not None
+            and settled.point.line.length != own.length
+        ]
+        count = min(self.how.other_lengths, len(others))
+        places = {round(k * (len(others) - 1) / max(count - 1, 1)) for k in range(count)}
+        found = [chosen]
+        for place in sorted(places):
+            settled = self._rest(size, others[place])
+            assert settled is not None
+            found.append(_run(settled, self.request, self.how, crew, whole=True))
+        runs = (
+            LengthRun(
+                each.tried,
+                _storm(each) if each.parts else None,
+                None if each.case.anchor is None or not each.parts else each.case.anchor.mass,
+            )
+            for each in found
+        )
+        return tuple(sorted(runs, key=lambda run: run.tried.length))
+
     def _tried(self, size: _Size, rung: int, crew: Crew) -> _Judged | None:
         """Run a line; None where it fails at rest."""
         key = (size.component, size.diameter, rung)
@@ -303,10 +349,13 @@ def _ladder(every: Sequence[float], most: float) -> tuple[float, ...]:
 # ------------------------------------------------------------------ one line
 
 
-def _run(settled: Settled, request: BuoyRequest, how: RunsAfloat, crew: Crew) -> _Judged:
+def _run(
+    settled: Settled, request: BuoyRequest, how: RunsAfloat, crew: Crew, *, whole: bool = False
+) -> _Judged:
     """Run a line in every load case, side by side: first one seed of each, by its largest values.
 
-    The largest value of a run is never above what all of them are judged by.
+    The largest value of a run is never above what all of them are judged by. `whole`: the others
+    are run, too, where that fails.
     """
     case = run_in_still_water(settled.case, request)
     assert case is not None
@@ -319,11 +368,12 @@ def _run(settled: Settled, request: BuoyRequest, how: RunsAfloat, crew: Crew) ->
     ]
     begun = run_once([Wanted(*each, (0,)) for each in drives], crew, _silent)
     found = _judged(settled, first, begun)
-    if found.tried.passes and how.seeds > 1:
+    goes_on = found.tried.passes or (whole and not found.tried.reason)
+    if goes_on and how.seeds > 1:
         rest = tuple(range(1, how.seeds))
         more = run_once([Wanted(*each, rest) for each in drives], crew, _silent)
         begun = [_together(*each) for each in zip(begun, more, strict=True)]
-    return _judged(settled, case, begun) if found.tried.passes else found
+    return _judged(settled, case, begun) if goes_on else found
 
 
 def _silent(*_: int) -> None:
@@ -439,15 +489,8 @@ def _held(settled: Settled, checks: CheckReport) -> Anchor | None:
 # ------------------------------------------------------------------ the answer
 
 
-def _in_motion(
-    of: _Judged,
-    how: RunsAfloat,
-    allowance: float,
-    counted: Counted,
-    tried: tuple[LineTried, ...],
-) -> InMotion:
-    assert of.checks is not None
-
+def _storm(of: _Judged) -> Storm:
+    """Find the load case of the largest tension at the fairlead, and what the storm comes to."""
     fairlead = "fairlead_tension"
 
     def tension(pair: tuple[DynamicPart, Solution]) -> float:
@@ -456,19 +499,13 @@ def _in_motion(
 
     part, at_rest = largest(list(zip(of.parts, of.at_rest, strict=True)), tension)
     extreme = part.storm(fairlead, part.runs)
-    return InMotion(
-        how,
-        of.case,
-        of.checks,
+    return Storm(
         part.name,
         max(each.of(fairlead).maximum for each in of.parts),
         None if extreme is None else extreme.most_probable,
         None if extreme is None else extreme.low,
         None if extreme is None else extreme.high,
         at_rest.fairlead.tension,
-        allowance,
-        counted,
-        tried,
     )
 
 

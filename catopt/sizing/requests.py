@@ -129,7 +129,7 @@ def _of_a_tanker(of: Known) -> TankerRequest | None:
 
 def _runs(of: Known) -> RunsAfloat | None:
     """Say how lines are run with the buoy."""
-    maker = partial(RunsAfloat, max_slide=of["max_slide"])
+    maker = partial(RunsAfloat, max_slide=of["max_slide"], other_lengths=of["other_lengths"] or 0)
     return of.telling.make(maker, of["seeds"], of["run_time"])
 
 

@@ -54,6 +54,7 @@ class BuoyInputs(_Inputs, total=False):
     chain_waves: bool
     seeds: int
     run_time: float | str
+    other_lengths: int
     max_slide: float | str
     growth: float | str
     scope_min: float | str

@@ -28,7 +28,15 @@ from catopt.render.card import card_lines
 from catopt.render.files import csv_files
 from catopt.report.bundle import size_files
 from catopt.sizing.afloat import MOST_SLIDE, run_in_still_water
-from catopt.sizing.in_motion import Counted, InMotion, LineTried, NoLineInMotionError, RunsAfloat
+from catopt.sizing.in_motion import (
+    Counted,
+    InMotion,
+    LengthRun,
+    LineTried,
+    NoLineInMotionError,
+    RunsAfloat,
+    Storm,
+)
 from catopt.sizing.known import known
 from catopt.sizing.line_choice import LineChoice, sold
 from catopt.sizing.requests import request_of
@@ -48,17 +56,27 @@ def searched(
     """Search with runs that are made up: by diameter, mm, and length, m; list what was run."""
     run: list[tuple[float, float]] = []
 
-    def made_up(settled: Any, *_: object) -> Any:
+    def made_up(settled: Any, *_: object, whole: bool = False) -> Any:
         line = settled.point.line
         size = round(1e3 * line.segments[0].nominal_diameter, 6)
         run.append((size, line.length))
         failing = () if holds(size, line.length) else (FAILS,)
-        tried = LineTried("", size * 1e-3, line.length, line.mass, 1, failing)
-        return SimpleNamespace(tried=tried, settled=settled)
+        component = line.segments[0].component
+        tried = LineTried(
+            component, size * 1e-3, line.length, line.mass, 2 if whole else 1, failing
+        )
+        return SimpleNamespace(
+            tried=tried, settled=settled, parts=(), case=settled.case, checks="checks"
+        )
 
     kept: list[Any] = []
     patched.setattr(searching, "_run", made_up)
-    patched.setattr(searching, "_in_motion", lambda *found: found[3])
+    patched.setattr(searching, "_storm", lambda _: None)
+    patched.setattr(
+        searching,
+        "InMotion",
+        lambda *found: SimpleNamespace(counted=found[5], by_length=found[7]),
+    )
     patched.setattr(searching, "_sinker_size", lambda *_: None)
     own = searching.search_in_motion
 
@@ -102,7 +120,7 @@ def test_it_finds_what_running_every_line_would(
         wanted = min(every, key=lambda each: (each[1], per_metre[each[0]]))
     line = found.settled.point.line
     assert (round(1e3 * line.segments[0].nominal_diameter, 6), line.length) == wanted
-    counted = found.in_motion
+    counted = found.in_motion.counted
     assert counted.considered == len(per_metre) * len(lengths)
     assert counted.run == len(run) == len(set(run)) < counted.considered / 3
     assert counted.considered == counted.at_rest + counted.excluded + counted.run
@@ -344,11 +362,24 @@ def made_up_answer() -> Sizing:
             RunsAfloat(),
             case,
             at_rest.point.checks,
-            "storm, high water",
-            *(90e3, 120e3, 100e3, 150e3, 8e3, 1.2),
+            Storm("storm, high water", 90e3, 120e3, 100e3, 150e3, 8e3),
+            1.2,
             Counted(70, 30, 28, 12, 40),
             (tried,),
         ),
+    )
+
+
+def by_length() -> tuple[LengthRun, ...]:
+    """Make three lengths up: one that fails, one that passes, one without an answer."""
+    lines = [LineTried("chain open-link 4D Q2", 0.03, L, 17.4 * L, 6, ()) for L in (30.0, 38.0)]
+    lost = replace(lines[0], length=50.0, runs=2, reason="does not converge")
+    return (
+        LengthRun(
+            replace(lines[0], failing=(FAILS,)), Storm("storm", 240e3, None, None, None, 8e3), 20e3
+        ),
+        LengthRun(lines[1], Storm("storm", 90e3, 120e3, 100e3, 150e3, 8e3), 8e3),
+        LengthRun(lost, None, None),
     )
 
 
@@ -368,10 +399,53 @@ def test_the_screen_says_what_the_runs_come_to(language: Language) -> None:
         assert "70 lines: 12 run in motion (40 runs), 30 fail at rest, 28 needless" in said
 
 
+@pytest.mark.parametrize("language", ["en", "vi"])
+def test_lengths_that_were_run_stand_on_the_screen_in_tables_and_in_a_picture(
+    language: Language,
+) -> None:
+    of = made_up_answer()
+    assert of.in_motion is not None
+    of = replace(of, in_motion=replace(of.in_motion, by_length=by_length()))
+    lines = [each.text for each in card_lines(size_answer(of), language)]
+    assert len(lines) <= 24
+    assert "30 m 240.0 kN; 38 m 120.0 kN" in " ".join(lines)
+    head, short, own, lost = csv_files(size_answer(of))["by_length.csv"].decode().splitlines()
+    assert head.startswith("Length L (m),Mass in air (t),Tension at rest (kN)")
+    assert short.startswith("30.0,0.522,8.0,240.0,,,20.0,FAILS")
+    assert own.startswith("38.0,0.6612,8.0,120.0,100.0,150.0,8.0,passes")
+    assert lost.startswith("50.0,0.522,,,,,,FAILS")
+    made = size_files(of, language, Given())
+    assert {"by_length.png", "by_length.svg"} <= set(made)
+    schema = json.loads(files("catopt.schemas").joinpath("size-1.json").read_text("utf-8"))
+    jsonschema.validate(of.to_dict(), schema)
+
+
+def test_other_lengths_are_run_with_all_seeds_whether_they_pass_or_not(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The shortest and the longest that pass at rest are among them, and so is the own line."""
+    found, run = searched(
+        lambda _, length: length >= 40.0,
+        monkeypatch,
+        diameter_min="30 mm",
+        diameter_max="30 mm",
+        other_lengths=3,
+    )
+    own = found.settled.point.line.length
+    by_length = found.in_motion.by_length
+    lengths = [each.tried.length for each in by_length]
+    assert lengths == sorted({own, *(length for _, length in run[-3:])})
+    assert len(lengths) == 4
+    assert lengths[0] < 40.0 <= own
+    assert lengths[-1] == max(length for _, length in run)
+    assert [each.tried.runs for each in by_length] == [1 if L == own else 2 for L in lengths]
+
+
 def test_the_answer_as_files_and_as_a_document() -> None:
     of = made_up_answer()
     tables = csv_files(size_answer(of))
     assert "lines_in_motion.csv" in tables
+    assert "by_length.csv" not in tables
     assert set(size_files(of, "en", Given())) >= {"case.toml", "note.html"}
     schema = json.loads(files("catopt.schemas").joinpath("size-1.json").read_text("utf-8"))
     jsonschema.validate(of.to_dict(), schema)

@@ -49,7 +49,9 @@ BASE: dict[Moored, dict[str, object]] = {
         "buoy": "mooring buoy 5.0 m",
     },
 }
-STILL: dict[str, object] = dict.fromkeys(("in_motion", "seeds", "run_time", "max_slide"))
+STILL: dict[str, object] = dict.fromkeys(
+    ("in_motion", "seeds", "run_time", "other_lengths", "max_slide")
+)
 """Of what is run in time there are tests of their own: it takes minutes, and no ship floats."""
 SEVERAL: dict[str, object] = {"low_water": "20 m", "max_swing": None, "swing_price": None}
 SEVERAL |= {"in_motion": None}
