@@ -5,10 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Annotated
 
 from catopt.catenary.pieces import LineProblem
 from catopt.catenary.runs import Runs, most_runs, run_reach, runs_of, slack_share
 from catopt.catenary.state import State
+from catopt.model.kinds import Force, Place
+from catopt.records import From, Record
 
 
 @dataclass(frozen=True)
@@ -38,13 +41,21 @@ class Stretch:
 
 
 @dataclass(frozen=True)
-class Profile:
-    """The line's shape and effective tension at rising unstretched arc lengths; m and N."""
+class Profile(Record):
+    """Shape and tension at the same points in each list, from the anchor to the fairlead."""
 
-    s: tuple[float, ...]
-    x: tuple[float, ...]
-    z: tuple[float, ...]
-    tension: tuple[float, ...]
+    DOCUMENT = "s x z tension y?"
+
+    s: Annotated[tuple[Place, ...], From(2)]
+    """Unstretched arc length from the anchor."""
+    x: Annotated[tuple[Place, ...], From(2)]
+    """Horizontal distance from the anchor."""
+    z: Annotated[tuple[Place, ...], From(2)]
+    """Above the seabed."""
+    tension: Annotated[tuple[Force, ...], From(2)]
+    """Effective tension."""
+    y: Annotated[tuple[Place, ...], From(2)] | None = None
+    """Across x, to the left seen from the anchor; only in a current."""
 
 
 def lay_out(state: State, problem: LineProblem) -> tuple[Stretch, ...]:
