@@ -25,6 +25,10 @@ class From(NamedTuple):
     least: int
 
 
+class OrNull:
+    """Stands in ``Annotated`` of an array that may have nan: null in documents."""
+
+
 Counted = Annotated[int, From(1)]
 FromZero = Annotated[int, From(0)]
 
@@ -65,10 +69,14 @@ def laid_out(of: Record, document: str = "") -> dict[str, Any]:
     return found
 
 
-@cache
+_READ: dict[tuple[type, str], tuple[Part, ...]] = {}
+
+
 def parts(of: type, document: str) -> tuple[Part, ...]:
-    """Read what a document of a class has."""
-    return tuple(_part(of, word) for word in document.split())
+    """Read what a document of a class has; once."""
+    if (of, document) not in _READ:
+        _READ[of, document] = tuple(_part(of, word) for word in document.split())
+    return _READ[of, document]
 
 
 def _part(of: type, word: str) -> Part:

@@ -22,17 +22,35 @@ from typing import Annotated, Any, Literal, NotRequired, Union, get_args, get_or
 
 import numpy as np
 
+from catopt.catenary.case_curve import CaseCurve
 from catopt.catenary.in_current import SolutionInCurrent
 from catopt.catenary.solution import Solution
-from catopt.records import From, Part, Record, parts, unit_of
+from catopt.checks.result import CheckReport, CheckResult
+from catopt.model.kinds import OneOf
+from catopt.records import From, OrNull, Part, Record, parts, unit_of
+from catopt.reproduce.items import Reproduction
+from catopt.verify.fatigue import FatigueReport
 
 FOLDER = Path(str(files("catopt.schemas")))
 RECORDS: Mapping[str, tuple[type[Record], ...]] = {
+    "check": (CheckReport,),
+    "curve": (CaseCurve,),
+    "fatigue": (FatigueReport,),
+    "reproduction": (Reproduction,),
     "solution": (Solution, SolutionInCurrent),
 }
 """Which records lay a document out; what only some of them have may be missing."""
-OF_A_CASE = ("solution",)
+OF_A_CASE = ("check", "curve", "fatigue", "solution")
 """Documents that a result directory may have."""
+Asked = Literal["may", "must", "never"]
+DEFINITIONS: Mapping[str, Mapping[str, tuple[type[Record], Asked]]] = {
+    "design": {"check": (CheckResult, "never")},
+    "size": {"check": (CheckResult, "never")},
+    "verify": {"check": (CheckResult, "must")},
+}
+"""Parts of other documents that records lay out; whether they have what is put in on asking."""
+OLDER: Mapping[str, tuple[str, ...]] = {"design": ("offset",), "size": ("offset",)}
+"""Older names of kinds of checks, which documents of catopt 0 have."""
 FURTHER: Mapping[str, Mapping[str, Any]] = {
     "solution": {
         "if": {"properties": {"method": {"const": "pso"}}},
@@ -84,13 +102,15 @@ class _Written:
     def __init__(self, definitions: dict[str, Schema]) -> None:
         self.definitions = definitions
 
-    def object_of(self, record: type[Record]) -> Schema:
+    def object_of(self, record: type[Record], *, asked: Asked = "may") -> Schema:
         """Write the schema of a record, by its own document."""
         found = parts(record, record.DOCUMENT)
+        found = tuple(part for part in found if asked != "never" or part.mark != "*")
+        needed = ("", "*") if asked == "must" else ("",)
         return {
             "type": "object",
             "additionalProperties": False,
-            "required": [part.key for part in found if not part.mark],
+            "required": [part.key for part in found if part.mark in needed],
             "properties": {part.key: self._described(part) for part in found},
         }
 
@@ -136,6 +156,10 @@ class _Written:
         for kind in kinds:
             if isinstance(kind, From):
                 found |= {"minItems" if found["type"] == "array" else "minimum": kind.least}
+            elif kind is OrNull:
+                found["items"] = {"type": ["number", "null"]}
+            elif isinstance(kind, OneOf):
+                found = {"enum": list(kind.words)}
             elif isinstance(kind, type):
                 found = self._typed(kind)
             elif hasattr(kind, "si_unit"):
@@ -210,9 +234,9 @@ def _docstrings(of: Any) -> Mapping[str, str]:
     assert isinstance(tree, ast.ClassDef)
     found = {}
     for before, node in zip(tree.body, tree.body[1:], strict=False):
-        if isinstance(before, ast.AnnAssign) and isinstance(before.target, ast.Name):
-            if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
-                found[before.target.id] = _flat(str(node.value.value))
+        match before, node:
+            case ast.AnnAssign(target=ast.Name(id=name)), ast.Expr(value=ast.Constant(value=said)):
+                found[name] = _flat(str(said))
     for name, each in vars(of).items():
         function = each.fget if isinstance(each, property) else each
         function = function.func if isinstance(function, cached_property) else function
@@ -253,6 +277,13 @@ def up_to_date() -> Iterator[tuple[Path, str]]:
     """Yield every schema that is written from records, and its text."""
     for name in RECORDS:
         yield FOLDER / f"{name}-1.json", written(schema(name)) + "\n"
+    for name, records in DEFINITIONS.items():
+        path = FOLDER / f"{name}-1.json"
+        document = json.loads(path.read_text("utf-8"))
+        for key, (record, asked) in records.items():
+            document["$defs"][key] = _Written({}).object_of(record, asked=asked)
+        document["$defs"]["check"]["properties"]["kind"]["enum"] += OLDER.get(name, ())
+        yield path, written(document) + "\n"
 
 
 if __name__ == "__main__":

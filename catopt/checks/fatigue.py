@@ -18,6 +18,7 @@ from catopt.checks.strength import strength_of
 from catopt.constants import YEAR
 from catopt.errors import InputError, Problem, need_package
 from catopt.model import Case, Segment, SegmentCurve
+from catopt.model.kinds import Area, Force, Height
 from catopt.model.line_kind import LineKind, line_kind
 from catopt.words import Message
 
@@ -81,13 +82,14 @@ class FatigueCurve:
     """N = factor s^-slope with the stress range s in MPa, or N = factor R^-slope with R the tension
     range over the reference strength."""
     factor: float
+    """a_D, or K without mean tension: cycles to failure at a range of 1."""
     slope: float
-    """a_D and m, or K and M."""
+    """m, or M."""
     source: CheckSource
     line: LineKind | None = None
     """For which kind of line; None: any."""
     per_mean: float = 0.0
-    """log10 of the factor falls by so much times the mean tension over the reference strength."""
+    """log10 of K falls by so much times the mean tension over the reference strength."""
     ORQ: bool = False
     """Whether the reference is the strength of ORQ chain of the same size, whatever its grade."""
 
@@ -162,8 +164,18 @@ class FatigueStrength:
     curve: FatigueCurve
     reference: float
     """Area in m2, or strength in N."""
-    diameter: float | None
-    """Nominal, less half the loss, m."""
+    diameter: Height | None
+    """Nominal, less half the loss in the service life."""
+
+    @property
+    def area(self) -> Area | None:
+        """Cross section at that diameter, of a chain both legs; None for T-N."""
+        return self.reference if self.curve.kind == "S-N" else None
+
+    @property
+    def breaking_strength(self) -> Force | None:
+        """Reference breaking strength at that diameter; None for S-N."""
+        return None if self.curve.kind == "S-N" else self.reference
 
     def damage(self, runs: Sequence[Cycles]) -> float:
         """Damage in a year of nothing but what the runs are of, each of its own seed."""

@@ -95,6 +95,7 @@ class Case(Checked):
     swarm: SwarmSettings = field(default_factory=SwarmSettings)
     """Of ``--method pso``."""
     title: str = ""
+    """Title of the case; empty when it has none."""
     source: str = ""
     find: Find | None = None
     """What is sought instead, if anything."""
