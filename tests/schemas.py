@@ -22,14 +22,38 @@ from typing import Annotated, Any, Literal, NotRequired, Union, get_args, get_or
 
 import numpy as np
 
+from catopt.casefile.sizing_file import Moored
+from catopt.catalogue.document import Answer
+from catopt.catalogue.figure import CONFIDENCES
 from catopt.catenary.case_curve import CaseCurve
 from catopt.catenary.in_current import SolutionInCurrent
 from catopt.catenary.solution import Solution
+from catopt.checks.criterion import LOAD_KINDS
 from catopt.checks.result import CheckReport, CheckResult
+from catopt.design.evaluation import OBJECTIVE_KEYS
+from catopt.export.exported import Format
+from catopt.loads.component import Axis, LoadComponent
+from catopt.model.current_profile import CURRENT_PROFILES
+from catopt.model.design import SearchMethod
+from catopt.model.dynamics import InitialFriction, JudgedBy
 from catopt.model.kinds import OneOf
+from catopt.model.load_case import LoadCaseState
+from catopt.model.network import PointKind
 from catopt.records import From, OrNull, Part, Record, parts, unit_of
 from catopt.reproduce.items import Reproduction
+from catopt.sizing.alternatives import Role
+from catopt.sizing.inputs import INPUTS
+from catopt.sizing.known import Origin
+from catopt.sizing.line_choice import PREFERENCES
+from catopt.study.base import Computed
+from catopt.verify.compared import Unit
+from catopt.verify.dynamic_result import SERIES, Verdict
 from catopt.verify.fatigue import FatigueReport
+from catopt.verify.motion_words import DYNAMIC_QUANTITY_OF as QUANTITY_OF
+from catopt.verify.proof import Proof, Way
+from catopt.verify.result import StaticComparison
+from catopt.verify.result import Verdict as VerdictAtRest
+from catopt.words.texts import LANGUAGES
 
 FOLDER = Path(str(files("catopt.schemas")))
 RECORDS: Mapping[str, tuple[type[Record], ...]] = {
@@ -49,6 +73,62 @@ DEFINITIONS: Mapping[str, Mapping[str, tuple[type[Record], Asked]]] = {
     "verify": {"check": (CheckResult, "must")},
 }
 """Parts of other documents that records lay out; whether they have what is put in on asking."""
+
+
+def _of(annotation: Any, name: str = "") -> tuple[Any, ...]:
+    """Words of a Literal, or of an attribute of a class that has one."""
+    return get_args(get_type_hints(annotation)[name] if name else annotation)
+
+
+AT_REST = get_args(VerdictAtRest)
+NO_ANSWER = "no answer"
+"""What a document says for a verdict that there is none of."""
+_COMPONENT = {
+    "component/kind": _of(LoadComponent, "kind"),
+    "component/axis": _of(Axis),
+    "component/source/confidence": CONFIDENCES,
+}
+WORDS: Mapping[str, Mapping[str, tuple[Any, ...]]] = {
+    "catalog": {"question": _of(Answer, "question"), "confidence": CONFIDENCES},
+    "design": {
+        "objectives": tuple(OBJECTIVE_KEYS.values()),
+        "load_case/kind": LOAD_KINDS,
+        "method": tuple(each for each in _of(SearchMethod) if each != "auto"),
+    },
+    "export": {"format": _of(Format)},
+    "loads": _COMPONENT,
+    "network": {"states/points/kind": _of(PointKind), "states/current/profile": CURRENT_PROFILES},
+    "report": {
+        "language": LANGUAGES,
+        "verification/verdict": (*(each for each in AT_REST if each != "not compared"), NO_ANSWER),
+        "verification/worst/unit": _of(Unit),
+    },
+    "size": {
+        **_COMPONENT,
+        "kind": _of(Moored),
+        "load_case/kind": LOAD_KINDS,
+        "load_case/state": _of(LoadCaseState),
+        "alternative/prefer": PREFERENCES,
+        "input/origin": _of(Origin),
+        "sinker/material": next(each.words for each in INPUTS if each.name == "sinker"),
+        "in_motion/judged_by": _of(JudgedBy),
+        "candidate/role": _of(Role),
+    },
+    "study": {"compute": _of(Computed)},
+    "verify": {
+        "verdict": (*AT_REST, NO_ANSWER),
+        "motion_verdict": _of(Verdict),
+        "unit": _of(Unit),
+        "static/kind": _of(StaticComparison, "kind"),
+        "statistics/unit": tuple(dict.fromkeys(QUANTITY_OF[each].si_unit for each in SERIES)),
+        "dynamic/initial_friction": _of(InitialFriction),
+        "dynamic/load_cases/proof": _of(Proof),
+        "dynamic/load_cases/changes/quantity": (*SERIES, "largest_tension"),
+        "dynamic/load_cases/changes/way": _of(Way),
+        "dynamic/load_cases/runs/again/way": _of(Way),
+    },
+}
+"""Words of the schemas that are written by hand, by the place of each, with where they are from."""
 OLDER: Mapping[str, tuple[str, ...]] = {"design": ("offset",), "size": ("offset",)}
 """Older names of kinds of checks, which documents of catopt 0 have."""
 FURTHER: Mapping[str, Mapping[str, Any]] = {
@@ -277,13 +357,31 @@ def up_to_date() -> Iterator[tuple[Path, str]]:
     """Yield every schema that is written from records, and its text."""
     for name in RECORDS:
         yield FOLDER / f"{name}-1.json", written(schema(name)) + "\n"
-    for name, records in DEFINITIONS.items():
+    for name in sorted({*DEFINITIONS, *WORDS}):
         path = FOLDER / f"{name}-1.json"
         document = json.loads(path.read_text("utf-8"))
-        for key, (record, asked) in records.items():
+        for key, (record, asked) in DEFINITIONS.get(name, {}).items():
             document["$defs"][key] = _Written({}).object_of(record, asked=asked)
-        document["$defs"]["check"]["properties"]["kind"]["enum"] += OLDER.get(name, ())
+        for place, node in worded(document):
+            if place == "check/kind":
+                node["enum"] += OLDER.get(name, ())
+            elif place.partition("/")[0] not in DEFINITIONS.get(name, {}):
+                node["enum"] = list(WORDS[name][place])
         yield path, written(document) + "\n"
+
+
+def worded(node: Any, place: tuple[str, ...] = ()) -> Iterator[tuple[str, Schema]]:
+    """Yield what has a list of words, by the keys that lead there."""
+    if isinstance(node, dict) and isinstance(node.get("enum"), list):
+        yield "/".join(place), node
+    inner = node.items() if isinstance(node, dict) else enumerate(node)
+    for key, each in inner:
+        if isinstance(each, dict | list):
+            named = isinstance(key, str) and key not in _NO_KEYS
+            yield from worded(each, (*place, str(key)) if named else place)
+
+
+_NO_KEYS = ("properties", "items", "$defs", "oneOf", "anyOf", "enum", "required", "type")
 
 
 if __name__ == "__main__":
