@@ -63,7 +63,8 @@ def test_a_result_is_a_line_or_two(name: str) -> None:
 
 def kinds_of(of: type) -> set[str]:
     """Name the classes that are made from one, over any number of steps."""
-    return {name for each in of.__subclasses__() for name in {each.__name__} | kinds_of(each)}
+    made: list[type] = of.__subclasses__()
+    return {name for each in made for name in {each.__name__} | kinds_of(each)}
 
 
 def test_every_result_is_in_the_registry() -> None:

@@ -19,11 +19,10 @@ from catopt.arrays import Array
 from catopt.catenary.equilibrium import given_force
 from catopt.catenary.find import find_limit_force
 from catopt.catenary.pieces import LineProblem, cut
-from catopt.catenary.result import solution_of
 from catopt.catenary.root_search import BY_FORCE, BY_SPAN
 from catopt.catenary.solution import Solution
-from catopt.catenary.solve import solve
-from catopt.catenary.span import given_span
+from catopt.catenary.solve import solution_of, solve
+from catopt.catenary.span_or_tension import given_span
 from catopt.catenary.state import CONVERGED, REGIMES, Regime, State
 from catopt.errors import (
     InputError,
