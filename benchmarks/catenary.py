@@ -26,7 +26,7 @@ from benchmarks.common import page
 from catopt.catenary.batch import solve_many
 from catopt.catenary.pieces import LineProblem, Pieces, cut
 from catopt.catenary.solve import solve
-from catopt.catenary.span import given_span
+from catopt.catenary.span_or_tension import given_span
 from catopt.machine_code import _inner
 from catopt.model import Line, Segment
 

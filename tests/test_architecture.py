@@ -19,7 +19,7 @@ PACKAGE = Path(catopt.__file__).parent
 BASE = {
     "errors", "constants", "documents", "numerals", "dimensions", "unit_words", "units",
     "quantities", "words",
-    "arrays", "compiled", "interrupt", "patience", "ties", "shown",
+    "arrays", "compiled", "interrupt", "patience", "ties", "shown", "records",
 }  # fmt: skip
 SOLVING = BASE | {"model", "catenary"}
 READING = {"catalogue", "casefile", "decks"}
@@ -56,6 +56,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "patience": {"words"},
     "ties": set(),
     "shown": set(),
+    "records": set(),
     "schemas": {"errors", "documents", "words"},
     "model": BASE,
     "catalogue": BASE | {"model"},

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from benchmarks.__main__ import BY_NAME, SIZES, all_of, comparisons
+from benchmarks.house import Counts, counted, counts_of
 
 ROOT = Path(__file__).parents[1]
 NO_PAGE = {"__init__", "__main__", "common", "guard_tasks", "mutants"}
@@ -35,3 +36,47 @@ def test_it_runs_and_says_of_what_commit(name: str) -> None:
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
     assert f"`python -m benchmarks.{name} --smoke`, commit " in done.stdout
+
+
+FILE = '''"""A file of two functions."""
+
+import ast
+from os import (
+    path,
+)
+
+
+def shown(value):
+    return _once(value) + _twice(value) + _twice(value)
+
+
+def _once(
+    value,
+):
+    return value
+
+
+def _twice(value):
+    return ast, path
+
+
+async def _never(value): return value
+'''
+"""23 lines, of which 9 are blank."""
+
+
+def test_the_house_counts_what_is_there() -> None:
+    """Imports are 1 + 3 lines; signatures 1 + 3 + 1 and one line that holds all of its function."""
+    assert counts_of(FILE) == Counts(
+        lines=23, files=1, functions=4, imports=4, signatures=6, blanks=9, alone=1
+    )
+
+
+def test_the_house_adds_files_by_part() -> None:
+    tree = {
+        "catopt/a/one.py": FILE, "catopt/a/b/two.py": FILE, "catopt/top.py": "x = 1\n",
+        "catopt/a/words.toml": "not Python",
+    }  # fmt: skip
+    found = counted(tree)
+    assert {part: each.lines for part, each in found.items()} == {"(top)": 1, "a": 46}
+    assert found["a"].files == 2

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import importlib
 import inspect
 import io
+import json
+import pkgutil
 from dataclasses import is_dataclass
 from functools import cache
 from pathlib import Path
@@ -17,9 +20,12 @@ import catopt.loads as catopt_loads
 import catopt.mooring as catopt_mooring
 import catopt.reproduce as catopt_reproduce
 from catopt.answers.design import design_answer
-from catopt.answers.of_result import answer_of
+from catopt.answers.of_result import answer_of, layouts
 from catopt.mooring.circle import watch_circle
 from catopt.render.files import csv_files
+from catopt.schemas import schema
+from catopt.schemas.validation import misfits
+from catopt.shown import Shown
 from catopt.verify.case import verify_case
 
 CASES = Path("cases")
@@ -31,11 +37,13 @@ def results() -> dict[str, Any]:
     buoy = catopt.read_case(CASES / "buoy-9.5m" / "case.toml")
     body = catopt.read_case(CASES / "fso-rang-dong" / "case.toml")
     assert body.system is not None
+    design = catopt.design_case(catopt.read_case(CASES / "design-buoy-9.5m" / "case.toml"))
     return {
         "solution": catopt.solve_case(buoy),
         "curve": catopt.curve_case(buoy),
         "checks": catopt.check_case(body),
-        "design": catopt.design_case(catopt.read_case(CASES / "design-buoy-9.5m" / "case.toml")),
+        "design": design,
+        "point": design.front[0],
         "sizing": catopt.size_tanker(dwt="50000 t", depth=20.0),
         "verification": verify_case(buoy, elements=20),
         "system": catopt.solve_system(body.system),
@@ -51,6 +59,34 @@ def test_a_result_is_a_line_or_two(name: str) -> None:
     said = repr(results()[name])
     assert said.startswith(type(results()[name]).__name__ + "(")
     assert len(said) < 600
+
+
+def kinds_of(of: type) -> set[str]:
+    """Name the classes that are made from one, over any number of steps."""
+    made: list[type] = of.__subclasses__()
+    return {name for each in made for name in {each.__name__} | kinds_of(each)}
+
+
+def test_every_result_is_in_the_registry() -> None:
+    """Import all that has results, so that none is passed over."""
+    for found in pkgutil.walk_packages(catopt.__path__, "catopt."):
+        if not found.name.endswith("__main__"):
+            importlib.import_module(found.name)
+    assert kinds_of(Shown) == set(layouts())
+
+
+@pytest.mark.parametrize("name", [*NAMES, "system", "point"])
+def test_every_kind_of_result_has_all_its_forms(name: str) -> None:
+    """Line, table, notebook and document, which its schema accepts.
+
+    A design is part of the document of its search; of a body the report of its case has it.
+    """
+    result = results()[name]
+    assert "<table" in result._repr_html_()
+    assert len(result.to_dataframe()) > 0
+    if name not in ("point", "system"):
+        document = json.loads(json.dumps(result.to_dict()))
+        assert list(misfits(document, schema(document["schema"]))) == []
 
 
 def test_the_line_has_the_numbers() -> None:

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from catopt.figures.chart import Chart
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.words import (
+    LANGUAGES,
     Language,
     Measure,
     Message,
@@ -509,7 +510,7 @@ def labelled(name: str, symbol: str) -> str:
 
 def keyed(key: str, name: str) -> Message:
     """Take a key of documents, which English files have as it is; other languages have its name."""
-    return Told({"en": key, "vi": say(name, "vi")})
+    return Told({each: key if each == "en" else say(name, each) for each in LANGUAGES})
 
 
 def yes_or_no(is_so: bool) -> Message:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -12,10 +13,11 @@ if TYPE_CHECKING:
     import pandas as pd
 
     from catopt.catenary.solution import Solution
+    from catopt.design.result import DesignPoint
 
 
-def answer_of(result: Any) -> Answer:
-    """Lay out a result; TypeError for what is none."""
+def layouts() -> dict[str, Callable[[Any], Answer]]:
+    """List what lays a result out, by the name of its class."""
     from catopt.answers.check import check_answer
     from catopt.answers.curve import curve_answer
     from catopt.answers.design import design_answer
@@ -25,23 +27,28 @@ def answer_of(result: Any) -> Answer:
     from catopt.answers.system import solved_system
     from catopt.answers.verification import verification_answer
 
-    layouts = {
+    return {
         "CaseCurve": curve_answer,
         "CheckReport": check_answer,
+        "DesignPoint": _design,
         "DesignResult": design_answer,
         "DynamicVerification": motion_answer,
         "Sizing": size_answer,
         "Solution": _solution,
         "SolutionInCurrent": _solution,
         "StudyResult": study_answer,
+        "SystemReport": lambda report: solved_system(report.solution),
         "SystemSolution": solved_system,
         "Verification": verification_answer,
     }
-    name = type(result).__name__
-    if name not in layouts:
-        raise TypeError(f"a {name} has no tables; those of {', '.join(layouts)} are known")
-    layout: Any = layouts[name]
-    answer: Answer = layout(result)
+
+
+def answer_of(result: Any) -> Answer:
+    """Lay out a result; TypeError for what is none."""
+    name, known = type(result).__name__, layouts()
+    if name not in known:
+        raise TypeError(f"a {name} has no tables; those of {', '.join(known)} are known")
+    answer = known[name](result)
     sections = [
         replace(each, name=each.name or f"{name}-{number}")  # those with a name are on a page
         for number, each in enumerate(answer.sections)
@@ -62,3 +69,12 @@ def _solution(solution: Solution) -> Answer:
 
     results = section("captions.results", summary(solution), segments_table(solution))
     return answered("solution", Message("captions.mooring_line"), results)
+
+
+def _design(point: DesignPoint) -> Answer:
+    from catopt.answers.check import check_answer
+    from catopt.answers.solution import given_tables
+
+    line = section("captions.given", *given_tables(point.line))
+    checks = check_answer(point.checks)
+    return replace(checks, sections=(line, *checks.sections))

@@ -7,9 +7,8 @@ from dataclasses import replace
 from typing import Literal
 
 from catopt.catenary.find import find_case
-from catopt.catenary.result import under_case
 from catopt.catenary.solution import Solution
-from catopt.catenary.solve import solve
+from catopt.catenary.solve import solve, under_case
 from catopt.errors import InputError, Problem
 from catopt.model import Case, Load
 from catopt.words import Message

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
-from typing import Any, Literal, get_args
+from dataclasses import dataclass
+from typing import Literal, get_args
 
 import numpy as np
 
-from catopt.arrays import Array
 from catopt.catenary.case import solve_case, under_a_load
 from catopt.catenary.curve import (
     BEYOND,
     LEAST,
     Curve,
     Over,
+    Spans,
     check_range,
     limit_force,
     load_curve,
@@ -26,6 +26,8 @@ from catopt.catenary.solve import solve
 from catopt.catenary.warnings import check_buoys
 from catopt.errors import FloatsUpError, InputError, Problem
 from catopt.model import Case
+from catopt.model.kinds import Place, SomeForce
+from catopt.records import Record
 from catopt.shown import Shown
 from catopt.words import Measure, Message
 
@@ -35,23 +37,55 @@ Stepped = Literal["force", "span", "offset"]
 STEPPED: tuple[Stepped, ...] = get_args(Stepped)
 
 
-@dataclass(frozen=True, repr=False)
-class CaseCurve(Shown):
-    """The load curve of a case's line.
+@dataclass(frozen=True)
+class CurvePoint(Record):
+    """The equilibrium that a case gives by itself."""
 
-    `reference` is the case as `solve_case` answers it: its line has what the case seeks, if
-    anything, and the offset counts from its span.
+    DOCUMENT = "horizontal_force span fairlead_tension"
+
+    horizontal_force: SomeForce
+    """At the fairlead."""
+    span: Place
+    """Horizontal distance from the anchor to the fairlead."""
+    fairlead_tension: SomeForce
+    """Effective tension."""
+
+
+@dataclass(frozen=True, repr=False)
+class CaseCurve(Shown, Record):
+    """Load curve of one mooring line, by closed form; the lists have one entry a point.
+
+    Points stand by rising span. Angles are inclinations above the horizontal, positive where the
+    line rises towards the fairlead. Heights are above the seabed. The offset counts from the span
+    of the case as `solve_case` answers it, whose line has what the case seeks, if anything.
     """
+
+    SCHEMA = "catopt.curve/1"
+    DOCUMENT = (
+        "case.title over range_words=range reference.fairlead_height reference.anchor_height "
+        "reference.seabed_friction reference.safety_factor at_reference=reference curve.span "
+        "offset curve.horizontal_force curve.fairlead_tension curve.anchor_tension "
+        "curve.anchor_angle curve.grounded_length curve.stiffness curve.regime curve.marks "
+        "reference.found?"
+    )
 
     case: Case
     over: Stepped
-    range_words: str  # where the range comes from
+    """What was stepped evenly."""
+    range_words: str
+    """Where the range comes from, in words."""
     reference: Solution
     curve: Curve
 
     @property
-    def offset(self) -> Array:
-        """Span less the span of the reference, m; negative towards the anchor."""
+    def at_reference(self) -> CurvePoint:
+        """The equilibrium that the case gives by itself; the offset counts from its span."""
+        of = self.reference
+        return CurvePoint(of.horizontal_force, of.span, of.fairlead.tension)
+
+    @property
+    def offset(self) -> Spans:
+        """Span less the span of the reference; negative towards the anchor."""
         return self.curve.span - self.reference.span
 
     def outline(self, points: int = 200) -> tuple[list[float], list[float], list[float]]:
@@ -77,47 +111,6 @@ class CaseCurve(Shown):
         order = np.lexsort((both[1], both[0]))
         span, force, tension = (values[order].tolist() for values in both)
         return span, force, tension
-
-    def to_dict(self) -> dict[str, Any]:
-        """Build the document that ``catopt curve --json`` prints (schema catopt.curve/1)."""
-        curve, reference = self.curve, self.reference
-        document = {
-            "schema": "catopt.curve/1",
-            "title": self.case.title,
-            "over": self.over,
-            "range": self.range_words,
-            "fairlead_height_m": reference.fairlead_height,
-            "anchor_height_m": reference.anchor_height,
-            "seabed_friction": reference.seabed_friction,
-            "safety_factor": reference.safety_factor,
-            "reference": {
-                "horizontal_force_N": reference.horizontal_force,
-                "span_m": reference.span,
-                "fairlead_tension_N": reference.fairlead.tension,
-            },
-            "span_m": curve.span.tolist(),
-            "offset_m": self.offset.tolist(),
-            "horizontal_force_N": curve.horizontal_force.tolist(),
-            "fairlead_tension_N": curve.fairlead_tension.tolist(),
-            "anchor_tension_N": curve.anchor_tension.tolist(),
-            "anchor_angle_rad": curve.anchor_angle.tolist(),
-            "grounded_length_m": curve.grounded_length.tolist(),
-            "stiffness_N_per_m": [None if math.isnan(k) else k for k in curve.stiffness.tolist()],
-            "regime": list(curve.regime),
-            "marks": [
-                {
-                    "kind": mark.kind,
-                    "event": mark.event,
-                    "horizontal_force_N": mark.horizontal_force,
-                    "span_m": mark.span,
-                    "fairlead_tension_N": mark.fairlead_tension,
-                }
-                for mark in curve.marks
-            ],
-        }
-        if reference.found is not None:
-            document["found"] = asdict(reference.found) | {"unit": reference.found.unit}
-        return document
 
 
 def curve_case(

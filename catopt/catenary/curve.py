@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
 from itertools import pairwise
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 
@@ -19,12 +19,11 @@ from catopt.arrays import Array
 from catopt.catenary.equilibrium import given_force
 from catopt.catenary.find import find_limit_force
 from catopt.catenary.pieces import LineProblem, cut
-from catopt.catenary.result import solution_of
 from catopt.catenary.root_search import BY_FORCE, BY_SPAN
 from catopt.catenary.solution import Solution
-from catopt.catenary.solve import solve
-from catopt.catenary.span import given_span
-from catopt.catenary.state import CONVERGED, REGIMES, State
+from catopt.catenary.solve import solution_of, solve
+from catopt.catenary.span_or_tension import given_span
+from catopt.catenary.state import CONVERGED, REGIMES, Regime, State
 from catopt.errors import (
     InputError,
     NoAnswerError,
@@ -33,9 +32,12 @@ from catopt.errors import (
     Problem,
 )
 from catopt.model import Line
+from catopt.model.kinds import Measured, Place, SomeForce
 from catopt.model.validity import Findings
 from catopt.patience import paced
+from catopt.records import From, OrNull, Record
 from catopt.shown import Tabled
+from catopt.units import Dimension
 from catopt.words import Message, Several, term
 
 __all__ = ["Curve", "Mark", "check_range", "load_curve"]
@@ -50,33 +52,52 @@ LEAST = 0.01
 
 
 @dataclass(frozen=True)
-class Mark:
+class Mark(Record):
     """A point of the curve at which something changes."""
 
-    kind: MarkKind  # of the line, one that lifts, or one reached
-    event: str  # what happens there as the force grows, in words
-    horizontal_force: float  # N
-    span: float  # m
-    fairlead_tension: float  # N
+    DOCUMENT = "kind event horizontal_force span fairlead_tension"
+
+    kind: MarkKind
+    """What changes: the regime, whether a clump weight lies on the bed, or whether a limit is
+    kept."""
+    event: str
+    """What happens as the force grows, in words."""
+    horizontal_force: SomeForce
+    """At the fairlead."""
+    span: Place
+    """Where it happens."""
+    fairlead_tension: SomeForce
+    """Effective tension."""
+
+
+Spans = Annotated[Array, Measured(Dimension.LENGTH), From(2)]
+Forces = Annotated[Array, Measured(Dimension.FORCE), From(2)]
 
 
 @dataclass(frozen=True)
 class Curve(Tabled):
-    """A load curve, by rising span; arrays of shape (points,).
-
-    The stiffness is 0 where the line is slack, nan where the span does not change with the force.
-    """
+    """A load curve, by rising span; arrays of shape (points,)."""
 
     over: Over  # which was stepped evenly
-    span: Array  # m
-    horizontal_force: Array  # N
-    fairlead_tension: Array  # N
-    anchor_tension: Array  # N
-    anchor_angle: Array  # rad
-    grounded_length: Array  # m
-    stiffness: Array  # dH/dS at a fixed height, N/m
-    regime: tuple[str, ...]
-    marks: tuple[Mark, ...]  # by rising span
+    span: Spans
+    """Horizontal distance from the anchor to the fairlead, rising."""
+    horizontal_force: Forces
+    """At the fairlead."""
+    fairlead_tension: Forces
+    """Effective tension at the fairlead."""
+    anchor_tension: Forces
+    """Effective tension at the anchor, after seabed friction."""
+    anchor_angle: Annotated[Array, Measured(Dimension.ANGLE), From(2)]
+    """Inclination at the anchor."""
+    grounded_length: Spans
+    """Unstretched length of line on the seabed."""
+    stiffness: Annotated[Array, Measured(Dimension.FORCE_PER_LENGTH), From(2), OrNull]
+    """Slope of the horizontal force over the span at a fixed height: 0 where the line is slack;
+    nan, in documents None, where the span does not change with the force."""
+    regime: Annotated[tuple[Regime, ...], From(2)]
+    """How the line hangs."""
+    marks: tuple[Mark, ...]
+    """Where something changes, by rising span; between the points, too."""
 
 
 def load_curve(

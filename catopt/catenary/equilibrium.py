@@ -13,9 +13,7 @@ from __future__ import annotations
 
 import math
 
-from catopt.catenary.lift import LAST_STEP, grounded_guess, vertical_force
 from catopt.catenary.lower_part import lower_part, on_bed, touchdown_of
-from catopt.catenary.part import NO_TOUCHDOWN, Part, part_reach
 from catopt.catenary.pieces import (
     LineProblem,
     Pieces,
@@ -43,7 +41,17 @@ from catopt.catenary.state import (
     State,
     failed,
 )
-from catopt.catenary.suspended import FIRST_TOUCHDOWN, grounded_part, suspended_part
+from catopt.catenary.suspended import (
+    FIRST_TOUCHDOWN,
+    LAST_STEP,
+    NO_TOUCHDOWN,
+    Part,
+    grounded_guess,
+    grounded_part,
+    part_reach,
+    suspended_part,
+    vertical_force,
+)
 from catopt.catenary.upper_part import upper_part
 from catopt.compiled import inlined
 

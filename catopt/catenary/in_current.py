@@ -22,7 +22,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import Annotated, NamedTuple
 
 from catopt.catenary.layout import Profile, Stretch
 from catopt.catenary.solution import EndState, PointLoadState, Residual, SegmentState, Solution
@@ -31,7 +31,10 @@ from catopt.catenary.state import Regime
 from catopt.catenary.warnings import plausibility
 from catopt.errors import InputError, NotConvergedError, Problem
 from catopt.model import Case, CurrentProfile, Line, Site
+from catopt.model.current_profile import ProfileKind
+from catopt.model.kinds import Force, Speed
 from catopt.model.line import drag_missing
+from catopt.records import From, Record
 from catopt.words import Measure, Message
 
 Vector = tuple[float, float, float]
@@ -56,6 +59,24 @@ _LEAST_PART = 1.0 / 64.0
 """Of the current, in which it is put on where it cannot be at once."""
 
 
+@dataclass(frozen=True)
+class CurrentEffect(Record):
+    """What a current does to a line; x is the direction from its anchor to its fairlead."""
+
+    DOCUMENT = "profile surface_velocity drag fairlead_force anchor_force"
+
+    profile: ProfileKind
+    """How the speed depends on the depth."""
+    surface_velocity: Annotated[tuple[Speed, ...], From(2)]
+    """Of the water at the surface, along x and y."""
+    drag: Annotated[tuple[Force, ...], From(2)]
+    """Of the whole line, along x, y and up."""
+    fairlead_force: Annotated[tuple[Force, ...], From(2)]
+    """That holds the fairlead, along x, y and up."""
+    anchor_force: Annotated[tuple[Force, ...], From(2)]
+    """With which the line pulls on its anchor, along x, y and up."""
+
+
 @dataclass(frozen=True, repr=False, kw_only=True)
 class SolutionInCurrent(Solution):
     """Equilibrium of one line in a current.
@@ -66,6 +87,8 @@ class SolutionInCurrent(Solution):
     x, y and up.
     """
 
+    DOCUMENT = Solution.DOCUMENT + " effect=current"
+
     current: CurrentProfile
     surface_velocity: tuple[float, float]
     places: tuple[Row, ...]
@@ -73,29 +96,21 @@ class SolutionInCurrent(Solution):
     fairlead_force: Vector
     anchor_force: Vector
 
+    @property
+    def effect(self) -> CurrentEffect:
+        """Only with method shooting: what the current does to the line."""
+        given = (self.surface_velocity, self.drag, self.fairlead_force, self.anchor_force)
+        return CurrentEffect(self.current.profile, *given)
+
     def profile(self, points: int = 101) -> Profile:
         """Sample the shape and the tension at about so many of the places, from the anchor up."""
-        s, x, _, z, tension = zip(*self._sampled(points), strict=True)
-        return Profile(s, x, z, tension)
+        s, x, y, z, tension = zip(*self._sampled(points), strict=True)
+        return Profile(s, x, z, tension, y)
 
     def _sampled(self, points: int) -> list[Row]:
         every = max(1, (len(self.places) - 1) // max(points - 1, 1))
         kept = [*range(0, len(self.places), every)]
         return [self.places[k] for k in dict.fromkeys((*kept, len(self.places) - 1))]
-
-    def to_dict(self, *, profile: bool = False) -> dict[str, Any]:
-        """Build the document that ``catopt solve --json`` prints (schema catopt.solution/1)."""
-        document = super().to_dict(profile=profile)
-        document["current"] = {
-            "profile": self.current.profile,
-            "surface_velocity_m_per_s": list(self.surface_velocity),
-            "drag_N": list(self.drag),
-            "fairlead_force_N": list(self.fairlead_force),
-            "anchor_force_N": list(self.anchor_force),
-        }
-        if profile:
-            document["profile"]["y_m"] = [row[2] for row in self._sampled(101)]
-        return document
 
 
 class Part(NamedTuple):

@@ -1,14 +1,271 @@
-"""The line laid out from the anchor up: its uniform stretches, its shape and its tension."""
+"""The line laid out from the anchor up: its uniform stretches, its shape and its tension.
+
+The line as uniform runs that hang or lie on the bed throughout, from the fairlead down.
+
+The kernel says of a line its ends; here its answer is followed along the line. Laid out from the
+anchor up, where the runs end against where the fairlead is, is a check and not a repetition.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Annotated, Any, NamedTuple
 
-from catopt.catenary.pieces import LineProblem
-from catopt.catenary.runs import Runs, most_runs, run_reach, runs_of, slack_share
-from catopt.catenary.state import State
+from catopt.catenary.lower_part import Touchdown, lower_part, on_bed, touchdown_of
+from catopt.catenary.pieces import LineProblem, Pieces, beyond_clump, piece_reach, piece_rise
+from catopt.catenary.sliding import (
+    Onset,
+    from_its_anchor,
+    loose_below,
+    onset_of,
+    start_below,
+    tight_above,
+)
+from catopt.catenary.state import IN_PARTS, LOOSE, SLACK, TURNED, State
+from catopt.catenary.suspended import NO_TOUCHDOWN, Part, part_reach, share, with_force
+from catopt.catenary.upper_part import lying_end, upper_part
+from catopt.model.kinds import Force, Place
+from catopt.records import From, Record
+
+_RUNS_PER_PIECE = 4
+"""A piece may hang, lie with tension, lie without it and hang again."""
+
+
+class Runs(NamedTuple):
+    """Work space for the runs of one line: lists, or arrays in compiled code.
+
+    Of each run the piece, on_bed (1 on the bed), the unstretched length (m), the forces on its
+    lower end (N), what friction on the bed adds to its tension towards the fairlead (N/m), and
+    `slope`, the sine of the inclination of one without weight or force.
+    """
+
+    piece: Any
+    on_bed: Any
+    length: Any
+    H: Any
+    V: Any
+    friction: Any
+    slope: Any
+
+
+def most_runs(pieces: int) -> int:
+    """Room that the runs of a line take at most; its loose part may begin within a piece."""
+    return _RUNS_PER_PIECE * (pieces + 1)
+
+
+def runs_of(state: State, problem: LineProblem, runs: Runs) -> int:
+    """Write the runs of a solved line, from the fairlead down, and count them."""
+    if state.touchdown == IN_PARTS:
+        return _in_parts(_upper_part(state.H, state.V, problem), problem, runs, 0)
+    if state.touchdown == TURNED:
+        other_way = from_its_anchor(problem)
+        upper = _upper_part(state.H_anchor, -state.V_anchor, other_way)
+        count = _in_parts(upper, other_way, runs, 0)
+        _turn(other_way.pieces, runs, count)
+        return count
+    if state.touchdown == LOOSE:
+        return _loose(onset_of(state.span, problem), problem, runs)
+    return _descending(state, problem, runs)
+
+
+def _upper_part(H: float, V: float, problem: LineProblem) -> Part:
+    """Find the part at the fairlead of a line with known forces there."""
+    part = upper_part(H, problem)
+    # All but a few lines nearly taut have the very force that is found again here.
+    shift = V - part_reach(part, problem.pieces).V_top
+    return with_force(part, part.piece, part.V + shift) if shift != 0.0 else part
+
+
+def _loose(onset: Onset, problem: LineProblem, runs: Runs) -> int:
+    """Write the runs of a line above the place where its tight part begins, and below it."""
+    tight, below = tight_above(onset, problem), loose_below(onset, problem)
+    count = _in_parts(lying_end(onset.part.H, tight.pieces), tight, runs, 0)
+    _turn(tight.pieces, runs, count)
+    for row in range(count):
+        runs.piece[row] += len(problem.pieces.length) - len(tight.pieces.length)
+    return _in_parts(start_below(onset, below), below, runs, count)
+
+
+def _in_parts(part: Part, problem: LineProblem, runs: Runs, count: int) -> int:
+    """Write the runs of a line in parts from a row on, beginning with the part at its fairlead."""
+    pieces = problem.pieces
+    count = _hanging(part, pieces, runs, count)
+    while part.touchdown != NO_TOUCHDOWN:
+        down = touchdown_of(part, part_reach(part, pieces).V_bottom, pieces)
+        part = lower_part(down, problem)
+        count = _lying(down, part.top, part.top_length, problem, runs, count)
+        if part.bottom < 0:
+            break
+        count = _hanging(part, pieces, runs, count)
+    return count
+
+
+def _turn(pieces: Pieces, runs: Runs, count: int) -> None:
+    """Turn the runs of a line that was counted from its anchor: order, ends and signs."""
+    for row in range((count + 1) // 2):
+        other = count - 1 - row
+        here, there = _turned_row(pieces, runs, row), _turned_row(pieces, runs, other)
+        _write(runs, row, *there)
+        _write(runs, other, *here)
+
+
+def _turned_row(
+    pieces: Pieces, runs: Runs, row: int
+) -> tuple[int, float, float, float, float, float, int]:
+    """Return one run as seen from the other end of the line."""
+    k, length, friction = runs.piece[row], runs.length[row], runs.friction[row]
+    H = runs.H[row] + friction * length
+    V = -(runs.V[row] + pieces.weight[k] * length) if runs.on_bed[row] == 0 else 0.0
+    own = len(pieces.length) - 1 - k
+    return own, length, H, V, -friction, -runs.slope[row], runs.on_bed[row]
+
+
+def _descending(state: State, problem: LineProblem, runs: Runs) -> int:
+    """Write the runs of a line of a single part, with the forces counted from the fairlead."""
+    pieces = problem.pieces
+    H, V = state.H, state.V
+    row = 0
+    for k in range(len(pieces.length) - 1, -1, -1):
+        length = pieces.length[k]
+        if state.touchdown == 2 * k:
+            hanging = max(V, 0.0) / pieces.weight[k] if pieces.weight[k] > 0.0 else 0.0
+            hanging = min(hanging, length)
+            _write(runs, row, k, hanging, H, 0.0, 0.0, 0.0, 0)
+            down = Touchdown(H, k, length - hanging, -1, 0.0)
+            return _lying(down, 0, 0.0, problem, runs, row + 1)
+        V -= pieces.weight[k] * length
+        _write(runs, row, k, length, H, V, 0.0, 0.0, 0)
+        row += 1
+        if state.touchdown == 2 * k + 1:
+            down = Touchdown(H, k - 1, pieces.length[k - 1], k, pieces.load[k] - V)
+            return _lying(down, 0, 0.0, problem, runs, row)
+        V -= pieces.load[k]
+    return row
+
+
+def _write(
+    runs: Runs,
+    row: int,
+    piece: int,
+    length: float,
+    H: float,
+    V: float,
+    friction: float,
+    slope: float,
+    on_bed: int,
+) -> None:
+    runs.piece[row] = piece
+    runs.length[row] = length
+    runs.H[row] = H
+    runs.V[row] = V
+    runs.friction[row] = friction
+    runs.slope[row] = slope
+    runs.on_bed[row] = on_bed
+
+
+def _hanging(part: Part, pieces: Pieces, runs: Runs, first: int) -> int:
+    """Write the runs of a part, with the forces counted from where they are known."""
+    V = part.V
+    for k in range(part.piece, part.top + 1):
+        if k > part.piece:
+            V += pieces.load[k]
+        length = share(part, pieces, k)
+        _write(runs, first + part.top - k, k, length, part.H, V, 0.0, part.slope, 0)
+        V += pieces.weight[k] * length
+    V = part.V
+    for k in range(part.piece - 1, part.bottom - 1, -1):
+        length = share(part, pieces, k)
+        V -= pieces.load[k + 1] + pieces.weight[k] * length
+        _write(runs, first + part.top - k, k, length, part.H, V, 0.0, part.slope, 0)
+    return first + part.top - part.bottom + 1
+
+
+def _lying(
+    down: Touchdown, end: int, end_rest: float, problem: LineProblem, runs: Runs, first: int
+) -> int:
+    """Write the runs of a stretch on the bed, with what friction leaves of the tension."""
+    pieces, friction = problem.pieces, problem.friction
+    row = first
+    T = on_bed(down, problem)
+    for k in range(down.piece, end - 1, -1):
+        length = down.rest if k == down.piece else pieces.length[k]
+        if k == end:
+            length -= end_rest
+        loss = friction * pieces.weight[k]
+        held = length if loss * length <= T else T / loss
+        T = max(T - loss * held, 0.0)
+        if held > 0.0:
+            _write(runs, row, k, held, T, 0.0, loss, 0.0, 1)
+            row += 1
+        if length > held:
+            _write(runs, row, k, length - held, 0.0, 0.0, 0.0, 0.0, 1)
+            row += 1
+            T = 0.0
+        T = beyond_clump(T, pieces, k, friction, pieces.load[k])
+    return row
+
+
+def run_reach(
+    H: float,
+    V: float,
+    length: float,
+    weight: float,
+    compliance: float,
+    friction: float,
+    slope: float,
+    on_bed: bool,
+) -> tuple[float, float]:
+    """How far and how high the lower `length` (m) of a run reaches, m.
+
+    H and V are the forces on its lower end, N; the rest as in `Runs`.
+    """
+    if length == 0.0:
+        return 0.0, 0.0
+    if on_bed:
+        return length * (1.0 + compliance * (H + 0.5 * friction * length)), 0.0
+    V2 = V + weight * length
+    if H == 0.0:
+        loose = V == 0.0 and V2 == 0.0
+        dx = length * math.sqrt(1.0 - slope * slope) if loose else 0.0
+        return dx, piece_rise(0.0, V, V2, length, compliance, slope)
+    T1, T2 = math.sqrt(H * H + V * V), math.sqrt(H * H + V2 * V2)
+    reach = piece_reach(H, V, V2, T1, T2, length, compliance)
+    return reach.dx, reach.dz
+
+
+def runs_misfit(
+    state: State, problem: LineProblem, runs: Runs, count: int, span: float
+) -> tuple[float, float]:
+    """By how much a line laid out from its anchor misses its fairlead in height and span, m.
+
+    Reached less wanted, of the runs that `runs_of` has written.
+    """
+    pieces = problem.pieces
+    x = 0.0
+    z = problem.anchor_height
+    for row in range(count - 1, -1, -1):
+        k = runs.piece[row]
+        dx, dz = run_reach(
+            runs.H[row],
+            runs.V[row],
+            runs.length[row],
+            pieces.weight[k],
+            pieces.compliance[k],
+            runs.friction[row],
+            runs.slope[row],
+            runs.on_bed[row] == 1,
+        )
+        x += dx
+        z += dz
+    x *= slack_share(state, x)
+    return z - problem.fairlead_height, x - span
+
+
+def slack_share(state: State, span: float) -> float:
+    """Span of a slack line as a part of the largest that it can have; 1 for other lines."""
+    return state.span / span if state.regime == SLACK and span > 0.0 else 1.0
 
 
 @dataclass(frozen=True)
@@ -38,13 +295,21 @@ class Stretch:
 
 
 @dataclass(frozen=True)
-class Profile:
-    """The line's shape and effective tension at rising unstretched arc lengths; m and N."""
+class Profile(Record):
+    """Shape and tension at the same points in each list, from the anchor to the fairlead."""
 
-    s: tuple[float, ...]
-    x: tuple[float, ...]
-    z: tuple[float, ...]
-    tension: tuple[float, ...]
+    DOCUMENT = "s x z tension y?"
+
+    s: Annotated[tuple[Place, ...], From(2)]
+    """Unstretched arc length from the anchor."""
+    x: Annotated[tuple[Place, ...], From(2)]
+    """Horizontal distance from the anchor."""
+    z: Annotated[tuple[Place, ...], From(2)]
+    """Above the seabed."""
+    tension: Annotated[tuple[Force, ...], From(2)]
+    """Effective tension."""
+    y: Annotated[tuple[Place, ...], From(2)] | None = None
+    """Across x, to the left seen from the anchor; only in a current."""
 
 
 def lay_out(state: State, problem: LineProblem) -> tuple[Stretch, ...]:

@@ -11,18 +11,24 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from catopt.catenary.bracket import bracket, is_closed, narrowed, trial
-from catopt.catenary.part import NO_PART, NO_TOUCHDOWN, TO_THE_ANCHOR, Part, part_reach
-from catopt.catenary.piece import piece_rise
 from catopt.catenary.pieces import (
     GREATEST_FORCE,
     LineProblem,
     Pieces,
     beyond_clump,
+    piece_rise,
     total_length,
     total_weight,
 )
-from catopt.catenary.suspended import grounded_part
+from catopt.catenary.roots import bracket, is_closed, narrowed, trial
+from catopt.catenary.suspended import (
+    NO_PART,
+    NO_TOUCHDOWN,
+    TO_THE_ANCHOR,
+    Part,
+    grounded_part,
+    part_reach,
+)
 from catopt.catenary.upper_part import (
     CLEARANCE,
     EXACT,

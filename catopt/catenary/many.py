@@ -6,10 +6,10 @@ import math
 from typing import Any, Final
 
 from catopt.catenary.equilibrium import given_force
+from catopt.catenary.layout import Runs, runs_misfit, runs_of
 from catopt.catenary.pieces import LineProblem, Pieces, split, total_length
 from catopt.catenary.root_search import BY_FORCE, BY_SPAN, force_uncertainty
-from catopt.catenary.runs import Runs, runs_misfit, runs_of
-from catopt.catenary.span import given_span
+from catopt.catenary.span_or_tension import given_span, given_tension
 from catopt.catenary.state import (
     CONVERGED,
     IN_PARTS,
@@ -20,7 +20,6 @@ from catopt.catenary.state import (
     State,
     failed,
 )
-from catopt.catenary.tension import given_tension
 
 RESIDUAL_LIMIT: Final = 1e-9
 """How far the line, laid out from its anchor, may miss its fairlead, as a part of its length."""

@@ -9,12 +9,11 @@ from __future__ import annotations
 
 import math
 
-from catopt.catenary.bracket import bracket, is_closed, narrowed, trial
 from catopt.catenary.equilibrium import given_force, hung_state, is_certain
-from catopt.catenary.lift import LAST_STEP
 from catopt.catenary.pieces import LineProblem, total_length
+from catopt.catenary.roots import bracket, is_closed, narrowed, trial
 from catopt.catenary.state import BELOW_ANCHOR, CONVERGED, NOT_CONVERGED, SUSPENDED, State, failed
-from catopt.catenary.suspended import FIRST_TOUCHDOWN
+from catopt.catenary.suspended import FIRST_TOUCHDOWN, LAST_STEP
 from catopt.catenary.upper_part import MOST_TRIALS
 from catopt.compiled import inlined
 

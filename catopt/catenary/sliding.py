@@ -17,11 +17,10 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from catopt.catenary.bracket import bracket, is_closed, narrowed, trial
 from catopt.catenary.equilibrium import in_parts
 from catopt.catenary.lower_part import Touchdown, just_clear, lower_part, touchdown_of
-from catopt.catenary.part import NO_PART, NO_TOUCHDOWN, Part, part_reach
 from catopt.catenary.pieces import LineProblem, Pieces, above, below, grip, total_length, turned
+from catopt.catenary.roots import bracket, is_closed, narrowed, trial
 from catopt.catenary.state import (
     CONVERGED,
     GROUNDED,
@@ -35,6 +34,7 @@ from catopt.catenary.state import (
     State,
     failed,
 )
+from catopt.catenary.suspended import NO_PART, NO_TOUCHDOWN, Part, part_reach
 from catopt.catenary.upper_part import WELL_HUNG, lying_end, upper_part
 
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, replace
-from typing import Any, Literal
+from dataclasses import dataclass, replace
+from typing import Annotated, Any, Literal, NotRequired, TypedDict
 
 from catopt.catenary.layout import Profile, Stretch, sample
 from catopt.catenary.state import Regime
 from catopt.model import Line
+from catopt.model.kinds import Angle, Factor, Force, Height, Length, NotNegative, Place, SomeForce
+from catopt.records import Counted, From, FromZero, Record
 from catopt.shown import Shown
 
 __all__ = [
@@ -17,148 +19,223 @@ __all__ = [
     "Residual",
     "SegmentState",
     "Solution",
+    "SwarmDifference",
     "SwarmReport",
 ]
 
 
 @dataclass(frozen=True)
-class EndState:
+class EndState(Record):
     """Effective forces at one end of the line.
 
     The vertical force is positive where the line rises towards the fairlead (at the anchor: where
     the line pulls the anchor up).
     """
 
-    tension: float  # N
-    horizontal_force: float  # N
-    vertical_force: float  # N
-    angle: float  # above the horizontal, rad, with the sign of the vertical force
+    DOCUMENT = "tension horizontal_force vertical_force angle"
 
-    def to_dict(self) -> dict[str, float]:
-        """Lay it out as the documents have it, in SI."""
-        return {
-            "tension_N": self.tension,
-            "horizontal_force_N": self.horizontal_force,
-            "vertical_force_N": self.vertical_force,
-            "angle_rad": self.angle,
-        }
+    tension: SomeForce
+    """Effective tension."""
+    horizontal_force: SomeForce
+    """Horizontal part of the tension."""
+    vertical_force: Force
+    """Vertical part of the tension, positive where the line rises towards the fairlead."""
+    angle: Angle
+    """Inclination of the line above the horizontal, with the sign of the vertical force."""
 
 
 @dataclass(frozen=True)
-class SegmentState:
-    """One segment of the line under load: its largest effective tension, N."""
+class SegmentState(Record):
+    """One segment of the line under load."""
+
+    DOCUMENT = "name length max_tension utilisation"
 
     name: str
-    length: float
-    max_tension: float
+    """As in the case file; may be empty."""
+    length: Length
+    """Unstretched."""
+    max_tension: SomeForce
+    """Largest effective tension in the segment."""
     MBL: float | None
 
-    def utilisation(self, safety_factor: float = 1.0) -> float | None:
-        """Largest tension times the safety factor over MBL; None when MBL is not known."""
+    def utilisation(self, safety_factor: float = 1.0) -> NotNegative | None:
+        """Largest tension times the safety factor over MBL; None where that is not known."""
         return None if self.MBL is None else self.max_tension * safety_factor / self.MBL
 
 
 @dataclass(frozen=True)
-class PointLoadState:
-    """One clump weight or buoy under load: where it is (m) and what the bed carries of it (N)."""
+class PointLoadState(Record):
+    """One clump weight or buoy under load: where it is and what the bed carries of it."""
+
+    DOCUMENT = "name position x z seabed_reaction"
 
     name: str
-    position: float
-    x: float
-    z: float
-    seabed_reaction: float
+    """As in the case file; may be empty."""
+    position: Length
+    """Unstretched arc length from the anchor."""
+    x: Place
+    """Horizontal distance from the anchor."""
+    z: Place
+    """Above the seabed."""
+    seabed_reaction: Force
+    """What the seabed carries of its weight; 0 when it hangs."""
 
 
 @dataclass(frozen=True)
-class Residual:
+class Residual(Record):
     """How exactly the equilibrium is met: the line is laid out piece by piece from its anchor.
 
     The rounding of the input to double precision leaves more of the forces open on a nearly taut
     line that does not stretch.
     """
 
-    height: float  # by how much it misses the fairlead, m
-    span: float  # m
-    force_uncertainty: float = 0.0  # what rounding may move the forces at the fairlead by, N
+    DOCUMENT = "height span force_uncertainty~"
+
+    height: Place
+    """By how much it misses the fairlead, upwards."""
+    span: Place
+    """By how much it misses the fairlead, away from the anchor."""
+    force_uncertainty: SomeForce = 0.0
+    """By how much the rounding of the input to double precision may move the forces there."""
+
+
+class SwarmDifference(TypedDict):
+    """Swarm less closed form."""
+
+    angle_rad: NotRequired[float]
+    """rad: inclination at the anchor, for a line off the bed."""
+    grounded_length_m: NotRequired[float]
+    """m: length on the bed, for a line partly on it."""
+    span_m: float
+    """m: span."""
+    tension_N: float
+    """N: tension at the fairlead."""
 
 
 @dataclass(frozen=True)
-class SwarmReport:
+class SwarmReport(Record):
     """How the swarm got to its answer."""
 
-    objective: float  # smallest f, m
-    evaluations: int  # of f, over all runs
-    iterations: int  # that a run may take
-    runs: int
-    seed: int
-    converged_runs: int  # those that ended with f < 1e-9 m
-    best_run: int  # counted from 1
+    DOCUMENT = (
+        "objective evaluations iterations runs seed converged_runs best_run span_consistency "
+        "closed_form_difference"
+    )
+
+    objective: NotNegative
+    """Smallest f that a run reached, m."""
+    evaluations: Counted
+    """Evaluations of f over all runs."""
+    iterations: Counted
+    """Iterations that a run may take."""
+    runs: Counted
+    """Independent runs."""
+    seed: FromZero
+    """Run k draws from the generator seeded with (seed, k)."""
+    converged_runs: FromZero
+    """Runs that ended with f below 1e-9 m."""
+    best_run: Counted
+    """The run that won, counted from 1."""
     objectives: tuple[float, ...]  # f at the end of each run, m
-    span_consistency: float  # S1 (11): |S - span of equation (5)|, m; to stay below 1e-3
-    # Swarm less closed form: angle_rad or grounded_length_m, span_m, tension_N.
-    closed_form_difference: dict[str, float]
+    span_consistency: Height
+    """Distance of the span found from the span that the angle found gives, S1 (11) and (5); must
+    stay below 1e-3."""
+    closed_form_difference: Annotated[dict[str, float], SwarmDifference]
+    """Swarm less closed form."""
     best_objective_history: tuple[float, ...]  # after each iteration of the best run, m
     tension_history: tuple[float, ...]  # at the fairlead, in those places, N
     iterations_flown: tuple[int, ...] = ()  # by each run: fewer where f could not fall any more
 
-    def to_dict(self) -> dict[str, Any]:
-        """Lay it out as the documents have it."""
-        keys = (
-            *("objective", "evaluations", "iterations", "runs", "seed"),
-            *("converged_runs", "best_run"),
-        )
-        return {
-            **{key: getattr(self, key) for key in keys},
-            "span_consistency_m": self.span_consistency,
-            "closed_form_difference": dict(self.closed_form_difference),
-        }
-
 
 @dataclass(frozen=True)
-class FoundQuantity:
+class FoundQuantity(Record):
     """An unknown that meets a condition."""
 
+    DOCUMENT = "quantity value condition residual number unit"
+
     quantity: Literal["length", "clump_weight", "horizontal_force"]
-    value: float  # m or N
-    condition: str  # what it has to give, in words
-    residual: float  # what the condition is missed by, as a part of the quantity it is put on
-    number: int | None = None  # of segment or point load, from 1 at the anchor; None for a force
+    """What was sought: the length of a segment, the submerged weight of a clump weight, or the
+    horizontal force."""
+    value: float
+    """In unit."""
+    condition: str
+    """What it has to give, in words."""
+    residual: float
+    """By how much the condition is missed, as a part of the quantity that it is put on."""
+    number: Counted | None = None
+    """Which segment or clump weight, counted from 1 at the anchor; None for a force."""
 
     @property
-    def unit(self) -> str:
-        """Unit of the value."""
+    def unit(self) -> Literal["m", "N"]:
+        """Of value: m for a length, N for a weight or a force."""
         return "m" if self.quantity == "length" else "N"
 
 
 @dataclass(frozen=True, repr=False)
-class Solution(Shown):
-    """Equilibrium of one line."""
+class Solution(Shown, Record):
+    """Equilibrium of one mooring line.
+
+    Angles are inclinations above the horizontal, positive where the line rises towards the
+    fairlead. Heights are above the seabed.
+    """
+
+    SCHEMA = "catopt.solution/1"
+    DOCUMENT = (
+        "title method status regime horizontal_force span fairlead_height anchor_height "
+        "seabed_friction fairlead anchor grounded_length suspended_length stretched_length "
+        "line.mass=line_mass_kg safety_factor segments point_loads residual warnings found? "
+        "swarm=pso? profile*"
+    )
 
     line: Line
     method: Literal["closed-form", "pso", "shooting"]
-    regime: Regime  # how the line hangs (docs/regimes.md)
-    fairlead_height: float  # above the seabed, m
-    anchor_height: float  # above the seabed, m
-    seabed_friction: float  # Coulomb coefficient
-    span: float  # horizontal distance from the anchor to the fairlead, m
+    """How the line was solved; by shooting in a current."""
+    regime: Regime
+    """How the line hangs (docs/regimes.md)."""
+    fairlead_height: Height
+    """Of the fairlead above the seabed."""
+    anchor_height: Height
+    """Of the anchor above the seabed."""
+    seabed_friction: NotNegative
+    """Coulomb coefficient of line on seabed, a pure number."""
+    span: Place
+    """Horizontal distance from the anchor to the fairlead."""
     fairlead: EndState
-    anchor: EndState  # beyond what friction of the seabed takes
-    grounded_length: float  # unstretched, m
-    suspended_length: float  # unstretched, m
-    stretched_length: float  # of the whole line under its tension, m
-    segments: tuple[SegmentState, ...]
+    """Forces at the fairlead."""
+    anchor: EndState
+    """Forces at the anchor, after seabed friction; the vertical force is positive where the line
+    pulls the anchor up."""
+    grounded_length: Height
+    """Unstretched length of line on the seabed."""
+    suspended_length: Height
+    """Unstretched length of line off the seabed."""
+    stretched_length: Height
+    """Length of the whole line under its tension."""
+    segments: Annotated[tuple[SegmentState, ...], From(1)]
+    """From the anchor to the fairlead."""
     point_loads: tuple[PointLoadState, ...]
+    """Clump weights and buoys, by position."""
     stretches: tuple[Stretch, ...]  # from the anchor up, cut where anything changes
     residual: Residual
-    warnings: tuple[str, ...] = ()  # what an engineer should know before using the answer
-    safety_factor: float = 1.0  # for utilisations; 1 when none was asked for
-    title: str = ""  # of the case
-    swarm: SwarmReport | None = None  # only for ``method == "pso"``
-    found: FoundQuantity | None = None  # what was sought, if anything was
+    """By how much the line, laid out from the anchor, misses the fairlead."""
+    warnings: tuple[str, ...] = ()
+    """What an engineer should know before using the answer."""
+    safety_factor: Factor = 1.0
+    """Factor on the tension in every utilisation; 1 when none was asked for."""
+    title: str = ""
+    """Title of the case; empty when it has none."""
+    swarm: SwarmReport | None = None
+    """Only with method pso."""
+    found: FoundQuantity | None = None
+    """Only when the case seeks something: what was found. The rest is the line that has it."""
 
     @property
-    def horizontal_force(self) -> float:
-        """Horizontal force at the fairlead, N; the same along everything that hangs from it."""
+    def status(self) -> Literal["converged"]:
+        """A solve that does not converge gives no answer."""
+        return "converged"
+
+    @property
+    def horizontal_force(self) -> SomeForce:
+        """Horizontal force at the fairlead; the same along everything that hangs from it."""
         return self.fairlead.horizontal_force
 
     def profile(self, points: int = 101) -> Profile:
@@ -170,63 +247,10 @@ class Solution(Shown):
 
     def to_dict(self, *, profile: bool = False) -> dict[str, Any]:
         """Build the document that ``catopt solve --json`` prints (schema catopt.solution/1)."""
-        document: dict[str, Any] = {
-            "schema": "catopt.solution/1",
-            "title": self.title,
-            "method": self.method,
-            "status": "converged",
-            "regime": self.regime,
-            "horizontal_force_N": self.horizontal_force,
-            "span_m": self.span,
-            "fairlead_height_m": self.fairlead_height,
-            "anchor_height_m": self.anchor_height,
-            "seabed_friction": self.seabed_friction,
-            "fairlead": self.fairlead.to_dict(),
-            "anchor": self.anchor.to_dict(),
-            "grounded_length_m": self.grounded_length,
-            "suspended_length_m": self.suspended_length,
-            "stretched_length_m": self.stretched_length,
-            "line_mass_kg": self.line.mass,
-            "safety_factor": self.safety_factor,
-            "segments": [
-                {
-                    "name": segment.name,
-                    "length_m": segment.length,
-                    "max_tension_N": segment.max_tension,
-                    "utilisation": segment.utilisation(self.safety_factor),
-                }
-                for segment in self.segments
-            ],
-            "point_loads": [
-                {
-                    "name": load.name,
-                    "position_m": load.position,
-                    "x_m": load.x,
-                    "z_m": load.z,
-                    "seabed_reaction_N": load.seabed_reaction,
-                }
-                for load in self.point_loads
-            ],
-            "residual": {
-                "height_m": self.residual.height,
-                "span_m": self.residual.span,
-                "force_uncertainty_N": self.residual.force_uncertainty,
-            },
-            "warnings": list(self.warnings),
-        }
-        if self.found is not None:
-            document["found"] = asdict(self.found) | {"unit": self.found.unit}
-        if self.swarm is not None:
-            document["pso"] = self.swarm.to_dict()
-        if profile:
-            at = self.profile()
-            document["profile"] = {
-                "s_m": list(at.s),
-                "x_m": list(at.x),
-                "z_m": list(at.z),
-                "tension_N": list(at.tension),
-            }
-        return document
+        document = super().to_dict()
+        for part, segment in zip(document["segments"], self.segments, strict=True):
+            part["utilisation"] = segment.utilisation(self.safety_factor)
+        return document | ({"profile": self.profile().to_dict()} if profile else {})
 
     def with_found(self, found: FoundQuantity) -> Solution:
         """Return the same answer with what was sought."""

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Literal, NamedTuple
 
-from catopt.catenary.brent import root
+from catopt.catenary.roots import root
 from catopt.catenary.solution import FoundQuantity, Solution
 from catopt.errors import InputError, NoAnswerError, NoEquilibriumError, NotConvergedError
 from catopt.shown import Tabled

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Final, Literal, NamedTuple, get_args
 
-from catopt.catenary.part import NO_TOUCHDOWN
+from catopt.catenary.suspended import NO_TOUCHDOWN
 
 # Status of a solve; only CONVERGED carries an answer.
 CONVERGED: Final = 0

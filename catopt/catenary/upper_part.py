@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import math
 
-from catopt.catenary.bracket import bracket, is_closed, narrowed, trial
-from catopt.catenary.part import (
+from catopt.catenary.pieces import LineProblem, Pieces, is_plain, total_length, total_weight
+from catopt.catenary.roots import bracket, is_closed, narrowed, trial
+from catopt.catenary.suspended import (
     NO_PART,
     NO_TOUCHDOWN,
     Part,
@@ -20,7 +21,6 @@ from catopt.catenary.part import (
     with_force,
     with_slope,
 )
-from catopt.catenary.pieces import LineProblem, Pieces, is_plain, total_length, total_weight
 
 CLEARANCE = 1e-12
 """How far below the bed, as a part of the length, a hanging line may seem to pass by rounding."""

@@ -9,6 +9,7 @@ from catopt.catalogue.figure import Confidence
 from catopt.checks.kinds import CheckKind
 from catopt.model.line_kind import LINE_KINDS, LineKind
 from catopt.model.load_case import LoadCaseKind
+from catopt.records import Counted, Record
 from catopt.words import Message
 
 State = Literal["intact", "one_line_out", "transient"]
@@ -26,14 +27,17 @@ LOAD_KINDS: tuple[LoadCaseKind, ...] = get_args(LoadCaseKind)
 
 
 @dataclass(frozen=True)
-class Place:
+class Place(Record):
     """Of which line a check is, and in which state of the mooring."""
 
+    DOCUMENT = "state line missing=missing_line"
+
     state: State = "intact"
-    line: int | None = None
-    missing: int | None = None
-    """Of a body with several lines: which, from 1, and which one is gone; None for the body as a
-    whole or for a line by itself."""
+    """Only of a body: its state."""
+    line: Counted | None = None
+    """Only of a body: the line; None where the check is of the body."""
+    missing: Counted | None = None
+    """Only of a body: the line that is out; None where all are there."""
     segment: int | None = None
     """Of a tension: from 1 at the anchor."""
 
@@ -43,18 +47,20 @@ class CheckSource:
     """Where a criterion comes from."""
 
     code: str
-    """Name of the profile; ``"user"`` for the case's own numbers, ``"anchor"`` for the factor of
-    its anchor where the case says what that is from."""
+    """Name of the profile; user for the case's own numbers, anchor for the factor of its anchor
+    where the case says what that is from."""
     document: str = ""
     clause: str = ""
     """What to open, and where in it; empty for the case's own numbers, which are then those of the
     case file."""
     confidence: Confidence | None = None
-    """How well it was read; None for the case's own numbers."""
+    """A read in the document itself; B in two independent secondary sources, or in one and checked
+    by numbers; C in one secondary source; R recalled, read in no document; None for the case's own
+    numbers."""
 
     @property
     def text(self) -> str:
-        """One line for tables: ``"UFC 4-159-03 (2005), Table 3-7 [A]"``."""
+        """Document, place and confidence in words; case file for the case's own numbers."""
         if self.confidence is None:
             return self.document or Message("checks.case_file")
         where = ", ".join(part for part in (self.document, self.clause) if part)

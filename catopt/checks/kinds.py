@@ -219,6 +219,9 @@ QUANTITY_OF: Mapping[str, Quantity] = MappingProxyType(
 )
 """What demand and capacity of each kind of check are."""
 
+CHECK_UNITS = tuple(sorted({quantity.si_unit.strip("-") for quantity in QUANTITY_OF.values()}))
+"""SI units of demand and capacity; that of a count is empty."""
+
 
 def limit_quantity(kind: CheckKind) -> Quantity:
     """Return what the number of a criterion is: a factor, or a limit."""

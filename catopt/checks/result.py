@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Annotated, Any
 
 from catopt.catenary.solution import Solution
 from catopt.checks.criterion import CheckSource, Place
 from catopt.checks.excess import ROUNDING
-from catopt.documents import figures
+from catopt.checks.kinds import CHECK_UNITS, CheckKind
 from catopt.model import LoadCase
+from catopt.model.kinds import OneOf
+from catopt.model.kinds import Place as Along
+from catopt.model.load_case import LoadCaseKind
+from catopt.records import From, FromZero, Record
 from catopt.shown import Shown
 from catopt.ties import largest
 from catopt.words import Message
@@ -24,24 +28,31 @@ def line_in_state(number: int, state: str) -> Message:
 
 
 @dataclass(frozen=True)
-class CheckResult:
+class CheckResult(Record):
     """One criterion in one load case."""
 
+    DOCUMENT = (
+        "name kind load_case demand capacity unit utilisation excess passes source.text=source "
+        "source.code source.confidence note place.state* place.line* place.missing=missing_line*"
+    )
+
     name: str
-    """What is checked, with the place: ``"tension, segment 2 (chain studless R3 76 mm)"``."""
-    kind: str
-    """Key of the criterion: ``tension``, ``uplift_angle``, ``uplift_force``, ``grounded_length``,
-    ``span``, ``buoyancy``, ``sliding``, ``holding`` or ``equilibrium``."""
+    """What is checked, with the place, in words."""
+    kind: CheckKind
+    """Which kind of check."""
     load_case: str
-    """Name of the load case; of a body with several lines, that of its state."""
+    """Name of the load case; of a body its state, intact or line 1 out."""
     demand: float
+    """In unit. Of a least grounded length, what is wanted; of a sinker, the weight in water that it
+    needs."""
     capacity: float
-    """SI; of a least grounded length the demand is what is wanted, the capacity what lies there."""
-    unit: str
-    """SI unit of both."""
+    """In unit. Of a least grounded length, what lies on the bed; of a sinker, its weight in
+    water."""
+    unit: Annotated[str, OneOf(CHECK_UNITS)]
+    """SI unit of demand and capacity; empty where they count lines."""
     excess: float
-    """By how much the limit is overrun (`catopt.checks.excess`); the check is passed when it is at
-    most ROUNDING."""
+    """By how much the limit is overrun: 0 at the limit, negative inside it; a pure number, of an
+    uplift angle in rad."""
     source: CheckSource
     note: str = ""
     """What went into the capacity: factor, strength, diameter at the end of life."""
@@ -49,22 +60,12 @@ class CheckResult:
 
     @property
     def utilisation(self) -> float | None:
-        """Demand over capacity; None where the capacity is 0 or less."""
+        """Demand over capacity, a pure number; None where the capacity is 0 or less."""
         return self.demand / self.capacity if self.capacity > 0.0 else None
-
-    def to_dict(self) -> dict[str, Any]:
-        """Lay it out, in SI, as the documents of ``catopt check`` and ``catopt design`` have it."""
-        keys = "name kind load_case demand capacity unit utilisation excess passes"
-        return figures(self, keys) | {
-            "source": self.source.text,
-            "code": self.source.code,
-            "confidence": self.source.confidence,
-            "note": self.note,
-        }
 
     def to_dict_of_body(self) -> dict[str, Any]:
         """Lay it out with state and line, as documents of moored bodies have it."""
-        return self.to_dict() | _place(self.place)
+        return self.to_dict() | self.place.to_dict()
 
     @property
     def in_case(self) -> Message:
@@ -79,21 +80,56 @@ class CheckResult:
 
     @property
     def passes(self) -> bool:
-        """Whether the limit is kept."""
+        """Whether the excess is at most 1e-9, for rounding."""
         return self.excess <= ROUNDING
 
 
+@dataclass(frozen=True)
+class HangingLine(Record):
+    """How a line hangs in a load case, or in a state of the body that it holds."""
+
+    DOCUMENT = (
+        "name kind water_level solution.horizontal_force solution.fairlead_height solution.span "
+        "solution.fairlead.tension=fairlead_tension_N "
+        "solution.anchor.horizontal_force=anchor_horizontal_force_N "
+        "solution.anchor.vertical_force=anchor_vertical_force_N "
+        "solution.anchor.angle=anchor_angle_rad solution.grounded_length "
+        "place.state* place.line* place.missing=missing_line*"
+    )
+
+    name: str
+    """As the case has it; load for a case without load cases; of a body its line and state."""
+    kind: LoadCaseKind
+    """Which factors of the codes are taken."""
+    water_level: Along
+    """Above the level of the site's water depth."""
+    solution: Solution
+    place: Place
+
+    def to_dict_of_body(self) -> dict[str, Any]:
+        """Lay it out with state and line, as documents of moored bodies have it."""
+        return self.to_dict() | self.place.to_dict()
+
+
 @dataclass(frozen=True, repr=False)
-class CheckReport(Shown):
-    """All checks of a line under all its load cases, or of a body with lines in all its states."""
+class CheckReport(Shown, Record):
+    """Checks of one line in all its load cases, or of the lines of a body in all its states.
+
+    By closed form. A unit may stand in the key unit beside it. Heights are above the seabed.
+    """
+
+    SCHEMA = "catopt.check/1"
+    DOCUMENT = "title passes _governing_index=governing hanging=load_cases results=checks warnings"
 
     title: str
+    """Title of the case; empty when it has none."""
     results: tuple[CheckResult, ...]
-    """By load case, then by line and by check."""
+    """By load case or state, then by line and kind of check; tensions from the anchor to the
+    fairlead."""
     solutions: tuple[tuple[str, Solution], ...]
     """The equilibrium in each load case, by its name; of a body, of each line in each state."""
     warnings: tuple[str, ...] = ()
-    """What an engineer should know: notes of the codes, recalled criteria, no check at all."""
+    """What an engineer should know before using the answer."""
     load_cases: tuple[LoadCase, ...] = ()
     """Those of the case, in the order of `solutions`; empty when its load alone was checked."""
     places: tuple[Place, ...] = ()
@@ -103,7 +139,7 @@ class CheckReport(Shown):
 
     @property
     def passes(self) -> bool:
-        """Whether every check is passed."""
+        """Whether every check is passed; true when none was made."""
         return all(result.passes for result in self.results)
 
     @property
@@ -164,29 +200,37 @@ class CheckReport(Shown):
         return max(known, default=None)
 
     @property
-    def _governing_index(self) -> int | None:
+    def _governing_index(self) -> FromZero | None:
+        """Which of checks, counted from 0, governs; None without checks.
+
+        It is the failed one furthest beyond its limit, else that with the highest utilisation.
+        """
         return None if self.governing is None else self.results.index(self.governing)
+
+    @property
+    def hanging(self) -> Annotated[tuple[HangingLine, ...], From(1)]:
+        """How the line hangs in each; of a body each line, with all there and with each one out."""
+        cases = self.load_cases or (None,) * len(self.solutions)
+        return tuple(
+            HangingLine(
+                name,
+                "extreme" if case is None else case.kind,
+                0.0 if case is None else case.water_level,
+                solution,
+                place,
+            )
+            for (name, solution), case, place in zip(
+                self.solutions, cases, self.places or (Place(),) * len(cases), strict=True
+            )
+        )
 
     def to_dict(self) -> dict[str, Any]:
         """Build the document that ``catopt check --json`` prints (schema catopt.check/1)."""
-        places = self.places or (None,) * len(self.solutions)
-        load_cases = self.load_cases or (None,) * len(self.solutions)
-        return {
-            "schema": "catopt.check/1",
-            "title": self.title,
-            "passes": self.passes,
-            "governing": self._governing_index,
-            "load_cases": [
-                _load_case(name, solution, of) | ({} if place is None else _place(place))
-                for (name, solution), of, place in zip(
-                    self.solutions, load_cases, places, strict=True
-                )
-            ],
-            "checks": [
-                each.to_dict_of_body() if self.places else each.to_dict() for each in self.results
-            ],
-            "warnings": list(self.warnings),
-        }
+        document = super().to_dict()
+        if self.places:
+            document["load_cases"] = [each.to_dict_of_body() for each in self.hanging]
+            document["checks"] = [each.to_dict_of_body() for each in self.results]
+        return document
 
     def motion_document(self) -> dict[str, Any]:
         """Build the checks of lines in motion as ``catopt verify --dynamic --json`` has them."""
@@ -207,21 +251,3 @@ class CheckReport(Shown):
             "governing": None if found is None else found.to_dict_of_body(),
             "warnings": list(self.warnings),
         }
-
-
-def _place(place: Place) -> dict[str, Any]:
-    return {"state": place.state, "line": place.line, "missing_line": place.missing}
-
-
-def _load_case(name: str, solution: Solution, state: LoadCase | None) -> dict[str, Any]:
-    return {
-        "name": name,
-        "kind": "extreme" if state is None else state.kind,
-        "water_level_m": 0.0 if state is None else state.water_level,
-        **figures(solution, "horizontal_force_N fairlead_height_m span_m"),
-        "fairlead_tension_N": solution.fairlead.tension,
-        "anchor_horizontal_force_N": solution.anchor.horizontal_force,
-        "anchor_vertical_force_N": solution.anchor.vertical_force,
-        "anchor_angle_rad": solution.anchor.angle,
-        "grounded_length_m": solution.grounded_length,
-    }

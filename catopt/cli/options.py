@@ -18,7 +18,8 @@ LANGUAGE_VARIABLE = "CATOPT_LANG"
 
 def in_environment() -> Language:
     """Language that the environment names; English where it names none, or none that there is."""
-    return "vi" if os.environ.get(LANGUAGE_VARIABLE, "").strip() == "vi" else "en"
+    named = os.environ.get(LANGUAGE_VARIABLE, "").strip()
+    return next((each for each in LANGUAGES if each == named), "en")
 
 
 def asked_language(arguments: Sequence[str]) -> Language:

@@ -9,8 +9,8 @@ import math
 from typing import Any, Final, NamedTuple
 
 from catopt.catenary.equilibrium import given_force
+from catopt.catenary.layout import Runs, runs_of
 from catopt.catenary.pieces import LineProblem, Pieces, split
-from catopt.catenary.runs import Runs, runs_of
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT, State
 from catopt.checks.criteria import Limits
 from catopt.checks.excess import (

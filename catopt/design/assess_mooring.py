@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from catopt.catenary.equilibrium import given_force, hang_slack
 from catopt.catenary.pieces import LineProblem, Pieces, total_length
-from catopt.catenary.span import given_span
+from catopt.catenary.span_or_tension import given_span
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT, failed
 from catopt.checks.excess import ROUNDING, ratio_excess
 from catopt.compiled import inlined

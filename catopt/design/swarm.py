@@ -17,8 +17,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from catopt.catenary.swarm.optimiser import velocity
-from catopt.catenary.swarm.quiet import without_logging
+from catopt.catenary.swarm.optimiser import velocity, without_logging
 from catopt.checks.excess import ROUNDING
 from catopt.design.front import crowding_distance
 from catopt.design.outcome import EvaluationArchive

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from catopt.catenary.batch import room_for_runs
-from catopt.catenary.runs import Runs
+from catopt.catenary.layout import Runs
 from catopt.checks.criteria import Criteria, Limits
 from catopt.design.problem import Floats
 from catopt.design.space import DesignSpace

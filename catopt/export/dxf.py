@@ -7,7 +7,7 @@ drawn in space: x, y, and z above the bed. A drawing unit is a metre.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from textwrap import wrap
@@ -16,20 +16,87 @@ from types import MappingProxyType
 from catopt._version import __version__
 from catopt.catenary.layout import Profile, end_of
 from catopt.catenary.solution import Solution
-from catopt.export.dxf_groups import (
-    Group,
-    Point,
-    circle,
-    file_text,
-    point,
-    polyline,
-    section,
-    tables,
-    text,
-)
-from catopt.export.expected import exported, heading
-from catopt.export.exported import Exported, Source
+from catopt.export.exported import Exported, Source, exported, heading
 from catopt.export.exported_line import ExportedLine, ExportedLines
+
+Group = tuple[int, str]
+Point = tuple[float, float, float]
+
+
+def file_text(groups: Iterable[Group]) -> str:
+    """Return the text of a file, ASCII."""
+    return "".join(f"{code:>3}\n{value}\n" for code, value in groups)
+
+
+def tables(layers: Mapping[str, int]) -> Iterator[Group]:
+    """Yield the sections before the drawing: the version, and layers with their colours."""
+    yield from section("HEADER", [(9, "$ACADVER"), (1, "AC1009")])
+    types = [
+        (0, "TABLE"), (2, "LTYPE"), (70, "1"),
+        (0, "LTYPE"), (2, "CONTINUOUS"), (70, "0"), (3, "Solid line"), (72, "65"), (73, "0"),
+        (40, "0.0"), (0, "ENDTAB"),
+    ]  # fmt: skip
+    named: list[Group] = [(0, "TABLE"), (2, "LAYER"), (70, str(len(layers)))]
+    for name, colour in layers.items():
+        named += [(0, "LAYER"), (2, name), (70, "0"), (62, str(colour)), (6, "CONTINUOUS")]
+    named.append((0, "ENDTAB"))
+    yield from section("TABLES", [*types, *named])
+
+
+def section(name: str, groups: Iterable[Group]) -> Iterator[Group]:
+    """Yield a section with what it holds."""
+    yield 0, "SECTION"
+    yield 2, name
+    yield from groups
+    yield 0, "ENDSEC"
+
+
+def polyline(layer: str, points: Iterable[Point], *, in_space: bool) -> Iterator[Group]:
+    """Draw an open polyline; R12 wants every vertex as an entity, and 8 and 32 for one in space."""
+    head: list[Group] = [(66, "1"), *_xyz((0.0, 0.0, 0.0)), (70, "8" if in_space else "0")]
+    yield from _entity("POLYLINE", layer, head)
+    for place in points:
+        flag: list[Group] = [(70, "32")] if in_space else []
+        yield from _entity("VERTEX", layer, [*_xyz(place), *flag])
+    yield from _entity("SEQEND", layer, [])
+
+
+def point(layer: str, place: Point) -> Iterator[Group]:
+    """Draw a point, to snap to."""
+    yield from _entity("POINT", layer, _xyz(place))
+
+
+def circle(layer: str, place: Point, radius: float) -> Iterator[Group]:
+    """Draw a circle round a place; m."""
+    yield from _entity("CIRCLE", layer, [*_xyz(place), (40, _number(radius))])
+
+
+def text(layer: str, place: Point, words: str, height: float) -> Iterator[Group]:
+    """Write a text that begins at a place; m."""
+    yield from _entity("TEXT", layer, [*_xyz(place), (40, _number(height)), (1, _escaped(words))])
+
+
+def _entity(kind: str, layer: str, groups: Iterable[Group]) -> Iterator[Group]:
+    yield 0, kind
+    yield 8, layer
+    yield from groups
+
+
+def _xyz(place: Point) -> Iterator[Group]:
+    for code, value in zip((10, 20, 30), place, strict=True):
+        yield code, _number(value)
+
+
+def _number(value: float) -> str:
+    """Return a length to the micrometre, a zero without sign."""
+    return f"{round(value, 6) + 0.0:.6f}"
+
+
+def _escaped(words: str) -> str:
+    """Return a text in ASCII, other letters by their numbers as CAD programs read them."""
+    one_line = " ".join(words.split())
+    return "".join(each if each.isascii() else f"\\U+{ord(each):04X}" for each in one_line)
+
 
 LAYERS = MappingProxyType(
     {

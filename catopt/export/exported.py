@@ -1,11 +1,16 @@
-"""What came of an export, as a value."""
+"""What came of an export, as a value, and what the closed form says of its lines."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from operator import attrgetter
 from typing import Any, Literal
 
 from catopt._version import __version__
+from catopt.catenary.solution import Solution
+from catopt.export.exported_line import ExportedLine, ExportedLines
+from catopt.export.text import folded, plain, significant
 
 Format = Literal["moordyn", "map", "moorpy", "ontology", "orcaflex", "dxf"]
 
@@ -24,7 +29,7 @@ class Exported:
 
     `title`: of the case; `text`: of the file, ASCII; `remarks`: what the other program takes
     otherwise than the case says, which stands in the file too; `expected`: of each line, what the
-    closed form says (`catopt.export.expected`); `sources`: what the case was read from.
+    closed form says (`catopt.export.exported`); `sources`: what the case was read from.
     """
 
     format: Format
@@ -60,3 +65,94 @@ class Exported:
             "remarks": list(self.remarks),
             "text": self.text if path is None else None,
         }
+
+
+ROUNDING = 1e-12
+"""Of a number over the fairlead tension: what is below it is shown as 0."""
+
+
+_FOUND = (
+    ("span_m", "span", "m", "span"),
+    ("horizontal_force_N", "H", "N", "horizontal_force"),
+    ("fairlead_vertical_force_N", "V at fairlead", "N", "fairlead.vertical_force"),
+    ("fairlead_tension_N", "T at fairlead", "N", "fairlead.tension"),
+    ("anchor_tension_N", "T at anchor", "N", "anchor.tension"),
+    ("anchor_vertical_force_N", "V at anchor", "N", "anchor.vertical_force"),
+    ("grounded_length_m", "on the bed", "m", "grounded_length"),
+)
+"""Key in a document, words and unit in a file, and where a `Solution` has it."""
+
+
+def exported(
+    to: Format, solved: ExportedLines, text: str, remarks: Iterable[str], sources: Iterable[Source]
+) -> Exported:
+    """Put the text of a file together with what should be found by whoever runs it."""
+    answers = tuple(_expected(line) for line in solved.lines)
+    return Exported(to, solved.case.title, text, tuple(remarks), answers, tuple(sources))
+
+
+def _expected(line: ExportedLine) -> dict[str, Any]:
+    """List what should be found: under the case's friction, and where the bed has none."""
+    at_rest = None if line.at_rest is None else _forces(line.at_rest)
+    return {"name": line.name, **_forces(line.solution), "without_friction": at_rest}
+
+
+def heading(
+    first: str,
+    solved: ExportedLines,
+    own: Sequence[str],
+    remarks: Sequence[str],
+    sources: Sequence[Source],
+) -> Iterator[str]:
+    """Yield what a file says of itself.
+
+    `first`: what it is; `own`: how it has to be read; `remarks`: what stands in it otherwise than
+    in the case; `sources`: what the case was read from.
+    """
+    yield f"{first}; written by catopt {__version__}"
+    if solved.case.title:
+        yield from folded(f"Case: {solved.case.title}")
+    for source in sources:
+        yield from folded(f"From {source.name}, SHA-256 {source.sha256}")
+    yield ""
+    for line in in_words(solved):
+        yield from folded(line)
+    yield ""
+    for line in own:
+        yield from folded(line)
+    for number, remark in enumerate(remarks, start=1):
+        yield from folded(f"Remark {number}: {remark}")
+
+
+def in_words(solved: ExportedLines) -> Iterator[str]:
+    """Yield lines of text that say what should be found, in SI."""
+    yield "Closed form of catopt, SI units, tensions without the water's pressure (effective):"
+    for line in solved.lines:
+        yield f"  {plain(line.name)}: {_sentence(line.solution)}"
+        if line.at_rest is not None:
+            yield f"    on a bed without friction: {_sentence(line.at_rest)}"
+    if solved.system is not None:
+        yield from _of_body(solved.lines, solved)
+
+
+def _of_body(lines: Sequence[ExportedLine], solved: ExportedLines) -> Iterator[str]:
+    assert solved.system is not None
+    where, force = solved.system.position, solved.system.system.force
+    yield (
+        f"  body at x {significant(where.x)} m, y {significant(where.y)} m, yaw "
+        f"{significant(where.yaw)} rad, where the {len(lines)} lines balance a force of "
+        f"{significant(force[0])} N along x and {significant(force[1])} N along y"
+    )
+
+
+def _sentence(solution: Solution) -> str:
+    forces = _forces(solution)
+    rounding = ROUNDING * solution.fairlead.tension
+    return ", ".join(
+        f"{words} {significant(forces[key] if abs(forces[key]) > rounding else 0.0)} {unit}"
+        for key, words, unit, _ in _FOUND
+    )
+
+
+def _forces(solution: Solution) -> dict[str, float]:
+    return {key: attrgetter(name)(solution) for key, _, _, name in _FOUND}

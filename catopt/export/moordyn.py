@@ -12,8 +12,7 @@ from collections.abc import Iterator, Sequence
 
 from catopt.decks.deck import Deck
 from catopt.export.deck import deck_of
-from catopt.export.expected import exported, heading
-from catopt.export.exported import Exported, Source
+from catopt.export.exported import Exported, Source, exported, heading
 from catopt.export.exported_line import ExportedLines
 from catopt.export.moordyn_model import ELEMENTS, ROUNDING, Model, model_of, resting
 from catopt.export.moordyn_remarks import remarks_of

@@ -10,8 +10,7 @@ from typing import Literal
 from catopt.constants import STANDARD_GRAVITY
 from catopt.decks.deck import Deck, Point
 from catopt.export.deck import deck_of
-from catopt.export.expected import exported, heading
-from catopt.export.exported import Exported, Source
+from catopt.export.exported import Exported, Source, exported, heading
 from catopt.export.exported_line import ExportedLines
 from catopt.export.mappp import mappp_lines
 from catopt.export.moordyn_model import Model, is_above, model_of

@@ -2,8 +2,7 @@
 
 from catopt.model.anchor import Anchor
 from catopt.model.body import Body, Buoy, Floater
-from catopt.model.case import Case, SwarmSettings
-from catopt.model.catalogue_choice import CatalogueChoice
+from catopt.model.case import Case, CatalogueChoice, SwarmSettings
 from catopt.model.checks import Checks
 from catopt.model.current_profile import CurrentProfile
 from catopt.model.design import (

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Annotated, Literal
 
 from catopt.errors import InputError, Problem
 from catopt.model.anchor import Anchor
 from catopt.model.body import Body, Buoy, Floater
-from catopt.model.catalogue_choice import CatalogueChoice
 from catopt.model.checks import Checks
 from catopt.model.current_profile import CurrentProfile
 from catopt.model.design import Design, DesignLoad, body_misfits
@@ -22,7 +21,7 @@ from catopt.model.dynamics import (
 )
 from catopt.model.fatigue import Fatigue, sections_misfits
 from catopt.model.find import Find, misfits
-from catopt.model.kinds import Height, Measured, Seed, Share, Whole
+from catopt.model.kinds import File, Height, Measured, Seed, Share, Whole
 from catopt.model.line import Line
 from catopt.model.load import Load
 from catopt.model.load_case import LoadCase
@@ -35,6 +34,24 @@ from catopt.model.wave_state import WaveState
 from catopt.model.wear import worn_line
 from catopt.units import Dimension
 from catopt.words import Message
+
+
+@dataclass(frozen=True)
+class CatalogueChoice:
+    """Where components come from, and which of disagreeing figures to follow."""
+
+    file: Annotated[str, File()] = ""
+    """Full path of a file with families of one's own; empty when there is none."""
+    allow_recalled: bool = False
+    """Whether figures that were read in no document (confidence R) may be used."""
+    variants: tuple[tuple[str, str], ...] = ()
+    """Quantity, or "all", and the variant of it to follow."""
+
+    @property
+    def by_quantity(self) -> Mapping[str, str]:
+        """The variants as a mapping."""
+        return dict(self.variants)
+
 
 Boundary = Literal["nearest", "reflective", "shrink", "random", "intermediate", "periodic"]
 
@@ -95,6 +112,7 @@ class Case(Checked):
     swarm: SwarmSettings = field(default_factory=SwarmSettings)
     """Of ``--method pso``."""
     title: str = ""
+    """Title of the case; empty when it has none."""
     source: str = ""
     find: Find | None = None
     """What is sought instead, if anything."""

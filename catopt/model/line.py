@@ -319,8 +319,8 @@ class Line:
         return math.fsum([*weights, *(load.submerged_weight for load in self.point_loads)])
 
     @property
-    def mass(self) -> float | None:
-        """Mass in air of all segments and point loads, kg; None when one of them is not known."""
+    def mass(self) -> SomeMass | None:
+        """Mass in air of all segments and point loads; None when one of them is not known."""
         masses = [
             *(None if s.mass is None else s.length * s.mass for s in self.segments),
             *(load.mass for load in self.point_loads),

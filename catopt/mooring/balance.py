@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from catopt.catenary.equilibrium import hung_state
 from catopt.catenary.pieces import LineProblem, Pieces, is_plain
-from catopt.catenary.span import given_span
+from catopt.catenary.span_or_tension import given_span
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, State, failed
 from catopt.catenary.suspended import FIRST_TOUCHDOWN
 from catopt.mooring.arrangement import Arrangement, Lines

@@ -12,8 +12,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
-from catopt.catenary.result import solution_of
 from catopt.catenary.root_search import BY_SPAN
+from catopt.catenary.solve import solution_of
 from catopt.model import Line, PointLoad, Segment
 from catopt.model.network import LineBetween, Network
 from catopt.mooring.joints import JointsAtRest, Run, check_afloat, run_of, solved, turned_line

@@ -8,9 +8,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from catopt.catenary.in_current import SolutionInCurrent, hung_on_float
-from catopt.catenary.result import solution_of
 from catopt.catenary.root_search import BY_SPAN
 from catopt.catenary.solution import Solution
+from catopt.catenary.solve import solution_of
 from catopt.errors import InputError, Problem
 from catopt.model import CurrentProfile, Site, System
 from catopt.model.network import LineBetween, MooredBody, Network, Point

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from catopt.catenary.equilibrium import given_force
 from catopt.catenary.pieces import LineProblem, Pieces, is_plain, turned
-from catopt.catenary.span import given_span
+from catopt.catenary.span_or_tension import given_span
 from catopt.catenary.state import CONVERGED, State
 
 Vector = tuple[float, float, float]

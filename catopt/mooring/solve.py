@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 
 from catopt.catenary.pieces import LineProblem, cut
-from catopt.catenary.result import solution_of
 from catopt.catenary.root_search import BY_SPAN
-from catopt.catenary.span import given_span
+from catopt.catenary.solve import solution_of
+from catopt.catenary.span_or_tension import given_span
 from catopt.catenary.state import CONVERGED
 from catopt.errors import NotConvergedError
 from catopt.model.system import Leg, System

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from decimal import Decimal
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Annotated, Literal
 
-from catopt.documents import figures
+from catopt.catenary.solution import Solution
+from catopt.records import Counted, From, Record
 from catopt.shown import Tabled
 from catopt.words import Message, Several, term
-
-if TYPE_CHECKING:
-    from catopt.catenary.solution import Solution
 
 Verdict = Literal["reproduces", "differs", "not reproducible"]
 
@@ -21,6 +19,7 @@ class Printed:
     """A number as printed, such as ``"17.430"``; the closing zero is a claim."""
 
     text: str
+    """Digit for digit as printed."""
 
     @property
     def value(self) -> float:
@@ -35,8 +34,11 @@ class Printed:
         return -exponent
 
     @property
-    def digits(self) -> int:
-        """Significant digits: 5 in ``17.430``. A printed zero counts its decimals, or one."""
+    def digits(self) -> Counted:
+        """Significant digits of the printed number.
+
+        They are 5 in ``17.430``. A printed zero counts its decimals, or one.
+        """
         number = Decimal(self.text)
         return len(number.as_tuple().digits) if number else max(self.decimals, 1)
 
@@ -58,69 +60,68 @@ class Judgement:
 
     verdict: Verdict
     computed_text: str
+    """Rounded as it was compared; empty when nothing was computed."""
     reason: str = ""
 
 
 @dataclass(frozen=True)
-class Item:
+class Item(Record):
     """One printed number and what became of it."""
 
+    DOCUMENT = (
+        "source name quantity method published printed.text=published_text computed "
+        "judgement.computed_text computed_by unit printed.digits=printed_digits verdict note"
+    )
+
     source: str
-    """Short name of the source, such as ``"S1"``."""
+    """Short name of the source, such as S1."""
     name: str
+    """Of the study."""
     quantity: str
-    """With its unit, such as ``"offset_m"``."""
+    """What was printed, with its unit, such as offset_m."""
     unit: str
-    """As shown to a reader; ``"-"`` for a pure number."""
+    """Of published and computed, such as m, rad, tf or %; - for a pure number."""
     method: str
-    """How the source came by it, or which of its tables it is in: ``"pso"``, ``"pso against fem"``,
-    ``"Table 1"``."""
+    """How the source came by it, or which of its tables it is in: pso, pso against fem, Table 1."""
     computed_by: str
-    """How catopt did, such as ``"pso"`` or ``"closed-form"``; empty when it did not."""
+    """How catopt computed it, such as pso or closed-form; empty when it did not."""
     printed: Printed
     computed: float | None
-    """Unrounded, in the unit of the print; None when nothing was computed."""
+    """Unrounded, in unit; None when nothing was computed."""
     judgement: Judgement
     remark: str = ""
     """What a reader should know beside the verdict."""
 
     @property
     def verdict(self) -> Verdict:
-        """``"reproduces"``, ``"differs"`` or ``"not reproducible"``."""
+        """Reproduces: the computed number, rounded as printed, has every printed digit."""
         return self.judgement.verdict
 
     @property
     def published(self) -> float:
-        """The printed number."""
+        """The printed number, in unit."""
         return self.printed.value
 
     @property
     def note(self) -> str:
-        """The reason for the verdict and the remark, in one line."""
+        """The reason for the verdict and what else to know, in one line; may be empty."""
         return Several(part for part in (self.judgement.reason, self.remark) if part)
-
-    def to_dict(self) -> dict[str, Any]:
-        """Build this item's part of the document catopt.reproduction/1."""
-        return figures(self, "source name quantity method published") | {
-            "published_text": self.printed.text,
-            "computed": self.computed,
-            "computed_text": self.judgement.computed_text,
-            "computed_by": self.computed_by,
-            "unit": self.unit,
-            "printed_digits": self.printed.digits,
-            "verdict": self.verdict,
-            "note": self.note,
-        }
 
 
 @dataclass(frozen=True)
-class Input:
-    """What went into a study: a quantity in words, its value and unit, and where it comes from."""
+class Input(Record):
+    """What went into a study."""
+
+    DOCUMENT = "quantity value unit origin"
 
     quantity: str
+    """In words."""
     value: str
+    """As used, in unit."""
     unit: str
+    """Empty for a pure number."""
     origin: str = "printed"
+    """Whether it was printed, or how it was found."""
 
     def __post_init__(self) -> None:
         for key in ("quantity", "value", "origin"):
@@ -128,22 +129,22 @@ class Input:
 
 
 @dataclass(frozen=True)
-class SideBySide:
-    """Several answers to the same questions, as a table of words: what each column holds, rows."""
+class SideBySide(Record):
+    """Several answers to the same questions, as a table of words."""
+
+    DOCUMENT = "title header rows"
 
     title: str
+    """What the table shows."""
     header: tuple[str, ...]
+    """What each column holds, with its unit."""
     rows: tuple[tuple[str, ...], ...]
+    """Cells."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "title", term(self.title))
         object.__setattr__(self, "header", tuple(map(term, self.header)))
         object.__setattr__(self, "rows", tuple(tuple(map(term, row)) for row in self.rows))
-
-    def to_dict(self) -> dict[str, Any]:
-        """Build this table's part of the document."""
-        rows = [list(row) for row in self.rows]
-        return {"title": self.title, "header": list(self.header), "rows": rows}
 
 
 def in_unit(quantity: str, unit: str) -> Message:
@@ -190,28 +191,35 @@ class Heading:
     """What a calculation is about, and where it was published."""
 
     name: str
-    """By which `reproduce` knows it."""
+    """By which the command knows it."""
     title: str
+    """What it is about."""
     source: str
+    """Short name of the source."""
     source_title: str
+    """Its title."""
     source_where: str
+    """Where it was published."""
     where: str
-    """Short name and title of the source, its publication, and the place in it."""
+    """Place in the source."""
 
 
 @dataclass(frozen=True)
-class Study(Heading):
+class Study(Heading, Record):
     """One published calculation, recomputed."""
 
+    DOCUMENT = "name title source source_title source_where where inputs findings side_by_side~"
+
     inputs: tuple[Input, ...]
+    """What went in."""
     items: tuple[Item, ...]
     """Every printed number, in the source's order."""
     findings: tuple[str, ...]
-    """What the recomputation showed beyond the verdicts; a paragraph each."""
+    """What the recomputation showed beyond the verdicts."""
     by_swarm: Solution | None = None
     """The swarm's answer with its history, for figures; None when the study has no swarm."""
     side_by_side: tuple[SideBySide, ...] = ()
-    """Answers by several models beside the printed ones."""
+    """Answers by several models beside the printed ones, as tables of words."""
     moorings: tuple[Mooring, ...] = ()
     """The same body by several models, for a plan and an elevation."""
     loaded_line: int = 0
@@ -219,24 +227,23 @@ class Study(Heading):
     drawn: tuple[Drawn, ...] = ()
     """Lines to be drawn to scale in one figure, in water as deep as their fairleads are high."""
 
-    def to_dict(self) -> dict[str, Any]:
-        """Build this study's part of the document: everything but its items."""
-        return figures(self, "name title source source_title source_where where") | {
-            "inputs": [dict(vars(given)) for given in self.inputs],
-            "findings": list(self.findings),
-            "side_by_side": [table.to_dict() for table in self.side_by_side],
-        }
-
 
 @dataclass(frozen=True)
-class Reproduction(Tabled):
-    """The outcome of one or more studies."""
+class Reproduction(Tabled, Record):
+    """Published figures beside catopt's own.
 
-    studies: tuple[Study, ...]
+    A number is in the unit that its unit key names.
+    """
+
+    SCHEMA = "catopt.reproduction/1"
+    DOCUMENT = "items studies"
+
+    studies: Annotated[tuple[Study, ...], From(1)]
+    """The published calculations that the items belong to."""
 
     @property
-    def items(self) -> tuple[Item, ...]:
-        """Every item of every study."""
+    def items(self) -> Annotated[tuple[Item, ...], From(1)]:
+        """Every printed number, in the sources' order."""
         return tuple(item for study in self.studies for item in study.items)
 
     @property
@@ -248,11 +255,3 @@ class Reproduction(Tabled):
             f"{verdicts.count('differs')} differ and {verdicts.count('not reproducible')} cannot "
             "be reproduced."
         )
-
-    def to_dict(self) -> dict[str, Any]:
-        """Build the document that ``catopt reproduce --json`` prints (catopt.reproduction/1)."""
-        return {
-            "schema": "catopt.reproduction/1",
-            "items": [item.to_dict() for item in self.items],
-            "studies": [study.to_dict() for study in self.studies],
-        }

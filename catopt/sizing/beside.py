@@ -3,23 +3,60 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 from catopt.catalogue.fittings import OF_A_CHAIN, fittings_for
 from catopt.catalogue.practice import Practice, practice_of_buoy, practice_of_ship
 from catopt.catalogue.practice import condition as kept_condition
+from catopt.checks.case import check_case
 from catopt.checks.profiles import profiles_of
 from catopt.constants import SEA_WATER_DENSITY
+from catopt.errors import NoAnswerError
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.laying import laying_check
 from catopt.loads.sinker import friction_of
-from catopt.model import Anchor
+from catopt.model import Anchor, Case, Service
 from catopt.model.line_kind import line_kind
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.settle import Settled, point_diameter
 from catopt.sizing.tanker_request import TankerRequest
-from catopt.sizing.worn_out import least_diameter
 from catopt.words import Cited, Measure, Message, Several, term
+
+_STEPS = 24
+"""Halvings of the diameter: to a ten millionth of it."""
+
+
+def least_diameter(settled: Settled) -> float | None:
+    """Find the diameter that the chain may wear to before a check of its worn line fails, m.
+
+    None where nothing wears, or where no check of the worn line fails however thin it gets.
+    """
+    case = settled.case
+    if case.service is None:
+        return None
+    worn = replace(
+        case,
+        design=None,
+        load_cases=tuple(each for each in case.load_cases if each.condition == "worn"),
+    )
+    new = point_diameter(settled.point)
+    low, high = 0.0, new  # high passes: it is the new line's, or nearly
+    for _ in range(_STEPS):
+        middle = 0.5 * (low + high)
+        if _passes(worn, new - middle):
+            high = middle
+        else:
+            low = middle
+    return high if low > 0.0 else None
+
+
+def _passes(case: Case, loss: float) -> bool:
+    """Whether the line with so much less diameter, m, keeps every check."""
+    try:
+        return check_case(replace(case, service=Service(life=1.0, wear_rate=loss))).passes
+    except NoAnswerError:
+        return False
 
 
 def beside(request: BuoyRequest | TankerRequest, settled: Settled) -> dict[str, Any]:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Unpack
+from collections.abc import Mapping, Sequence
+from typing import TypedDict, Unpack
 
 from catopt.casefile.sizing_file import Moored
 from catopt.errors import InputError, Problem
@@ -14,8 +14,91 @@ from catopt.sizing.requests import size
 from catopt.sizing.result import Sizing
 from catopt.sizing.tanker import sized_tanker
 from catopt.sizing.tanker_request import TankerRequest
-from catopt.sizing.typed_inputs import BuoyInputs, TankerInputs
 from catopt.words import Message
+
+
+class _Inputs(TypedDict, total=False):
+    """What any sizing may be told: numbers in SI, or texts with units."""
+
+    title: str
+    source: str
+    max_swing: float | str
+    buoy: str
+    buoys: str
+    depth: float | str
+    low_water: float | str
+    water_density: float | str
+    wind: float | str
+    return_period: float | str
+    current: float | str
+    hs: float | str
+    hmax: float | str
+    period: float | str
+    chain: str | Sequence[str]
+    diameter_min: float | str
+    diameter_max: float | str
+    length_step: float | str
+    prefer: str
+    swing_price: float | str
+    sinker: str
+    sinker_density: float | str
+    soil: str
+    friction: float | str
+    code: str
+    recalled: bool
+    life: float | str
+    wear: float | str
+    dynamic_factor: float | str
+    in_motion: bool
+
+
+class BuoyInputs(_Inputs, total=False):
+    """What the sizing of a buoy may be told."""
+
+    force: float | str
+    reserve_buoyancy: float | str
+    keel_depth: float | str
+    wave_height: str
+    chain_waves: bool
+    seeds: int
+    run_time: float | str
+    other_lengths: int
+    max_slide: float | str
+    growth: float | str
+    scope_min: float | str
+    scope: float | str
+    scope_max: float | str
+
+
+class TankerInputs(_Inputs, total=False):
+    """What the sizing of a tanker may be told."""
+
+    ship: str
+    dwt: float | str
+    length: float | str
+    breadth: float | str
+    draught: float | str
+    ballast_draught: float | str
+    condition: str | Sequence[str]
+    moulded_depth: float | str
+    frontal_area: float | str
+    lateral_area: float | str
+    fairlead: float | str
+    coefficients: str
+    hawser: float | str
+    wind_mean: float | str
+    load_method: str | Sequence[str]
+    wave_coefficient: float | str
+    wind_angle: float | str
+    current_angle: float | str
+    wave_angle: float | str
+    current_yaw: str
+    scan: float | str
+    clump_weight: float | str | Sequence[float | str]
+    lines: int
+    pretension: float | str
+    anchor: str
+    service_type: str
 
 
 def size_buoy(request: BuoyRequest | str | None = None, /, **inputs: Unpack[BuoyInputs]) -> Sizing:

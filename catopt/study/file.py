@@ -3,32 +3,106 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any, ClassVar, Final
 
 import numpy as np
 
 from catopt.arrays import Array
 from catopt.casefile.location import refuse
-from catopt.casefile.schema import entries
+from catopt.casefile.schema import Table, entries
 from catopt.casefile.sizing_file import moored_of
 from catopt.casefile.structure import read_tables
 from catopt.checks.criteria import criteria_of
 from catopt.documents import parse_toml, read_text
 from catopt.errors import InputError, Problem
 from catopt.model import Case
-from catopt.model.kinds import Measured
-from catopt.study.axis import Axis, Distribution
-from catopt.study.base import Base
+from catopt.model.kinds import Kind, Measured, Seed, Size, Text, Whole
+from catopt.study.axis import Axis, Distribution, DistributionKind
+from catopt.study.base import Base, Computed, Proof
 from catopt.study.member import kind_of_key, read_member
-from catopt.study.schema import StudyTable, VaryTable
 from catopt.study.study import Study
 from catopt.study.table import read_table
 from catopt.units import Dimension, to_si
 from catopt.words import Listed, Message, Several
+
+MOST_VARIED: Final = 20
+"""Tables ``[[vary]]`` of a study."""
+
+
+@dataclass(frozen=True)
+class AnyValue(Kind):
+    """What the key that is varied takes; it is read by that key."""
+
+    wanted = 'a value as the key takes it is wanted, such as "50 kN"'
+
+    def read(self, value: object) -> object:
+        """Return it as it stands."""
+        if not isinstance(value, bool | int | float | str):
+            raise self._refused(value)
+        return value
+
+
+@dataclass(frozen=True)
+class ByName(Kind):
+    """Names with a value each."""
+
+    example: str
+
+    @property
+    def wanted(self) -> str:
+        """What is wanted."""
+        return f"names with a value each are wanted, such as {self.example}"
+
+    def read(self, value: object) -> Mapping[str, Any]:
+        """Return them as they stand."""
+        if not isinstance(value, dict) or not all(
+            isinstance(each, int | float | str) for each in value.values()
+        ):
+            raise self._refused(value)
+        return value
+
+
+Value = Annotated[Any, AnyValue()]
+File = Annotated[str, Text(filled=True, example='"case.toml"')]
+Key = Annotated[str, Text(filled=True, example='"load.horizontal_force"')]
+Columns = Annotated[Any, ByName('{ Fx = "system.force[0]" }')]
+Limits = Annotated[Any, ByName('{ fairlead_tension = "50 kN" }')]
+
+
+class VaryTable(Table):
+    """One thing that varies, or several that go together."""
+
+    symbols: ClassVar[Mapping[str, str]] = {"from": "min", "to": "max", "file": "table"}
+
+    key: Key = ""
+    values: list[Value] | None = None
+    min: Value | None = None
+    max: Value | None = None
+    count: Annotated[int, Whole("count", example=11)] | None = None
+    distribution: DistributionKind | None = None
+    mean: Value | None = None
+    deviation: Value | None = None
+    table: Annotated[str, Text(filled=True, example='"weather.csv"')] | None = None
+    columns: Columns | None = None
+    weight: Annotated[str, Text(filled=True, example='"hours"')] | None = None
+
+
+class StudyTable(Table):
+    """A whole study file."""
+
+    title: str = ""
+    case: File
+    compute: Computed
+    proof: Proof | None = None
+    samples: Annotated[int, Whole("samples", example=1000)] | None = None
+    seed: Seed | None = None
+    limits: Limits | None = None
+    vary: Annotated[list[VaryTable], Size(1, MOST_VARIED)]
+
 
 _MOST = 100_000_000
 """Members of a study: more is a slip of a count, or work for weeks."""

@@ -1,4 +1,4 @@
-"""What the two models say as JSON documents: catopt.verify/1, at rest and in motion, and fatigue.
+"""What the two models say as JSON documents: catopt.verify/1, at rest and in motion.
 
 All in SI, the unit in the key; lives in years.
 """
@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from catopt.constants import YEAR
 from catopt.documents import figures
 
 if TYPE_CHECKING:
@@ -21,7 +20,6 @@ if TYPE_CHECKING:
         DynamicVerification,
         OverRuns,
     )
-    from catopt.verify.fatigue import FatigueReport, SegmentFatigue
     from catopt.verify.result import StaticComparison, Verification
 
 _SCHEMA = "catopt.verify/1"
@@ -191,62 +189,5 @@ def _run(run: DynamicRun) -> dict[str, Any]:
                 **figures(again, "elements maxima failure"),
             }
             for again in run.again
-        ],
-    }
-
-
-# ------------------------------------------------------------------ fatigue
-
-
-def fatigue_document(report: FatigueReport) -> dict[str, Any]:
-    """Build the document catopt.fatigue/1."""
-    return {
-        "schema": "catopt.fatigue/1",
-        "title": report.case.title,
-        "verdict": report.verdict,
-        "passes": report.passes,
-        "counting": "rainflow, ASTM E1049, what is left over as half cycles",
-        "share_of_year": report.share,
-        "sea_states": [
-            figures(state, "height_m period_s share direction_rad")
-            | {"verdict": run.verdict, "runs": len(run.parts[0].runs)}
-            for state, run in zip(report.states, report.runs, strict=True)
-        ],
-        "segments": [_segment(each) for each in report.segments],
-        "remarks": list(report.remarks),
-    }
-
-
-def _segment(each: SegmentFatigue) -> dict[str, Any]:
-    curve = each.strength.curve
-    is_stress = curve.kind == "S-N"
-    return {
-        "line": each.line,
-        "segment": each.number,
-        "component": each.segment.component,
-        "curve": curve.source.code,
-        **figures(curve, "kind factor slope per_mean"),
-        "source": curve.source.text,
-        "diameter_m": each.strength.diameter,
-        "area_m2": each.strength.reference if is_stress else None,
-        "strength_N": None if is_stress else each.strength.reference,
-        **figures(each, "arc_m along"),
-        "damage_per_year": each.damage,
-        "life_years": each.years,
-        "wanted_years": each.life / YEAR,
-        "design_factor": each.factor,
-        "design_factor_source": each.factor_source.text,
-        "utilisation": each.utilisation,
-        "change_of_ranges": each.change,
-        "worst_sea_state": each.worst + 1,
-        "sea_states": [
-            {
-                "damage_per_year": state.damage,
-                "mean_tension_N": state.mean,
-                "cycles_per_year": state.cycles,
-                "damage_per_year_at_half_step": state.at_half_step,
-                "damage_per_year_by_spectrum": state.by_spectrum,
-            }
-            for state in each.states
         ],
     }

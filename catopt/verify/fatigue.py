@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
-from typing import Any, NamedTuple
+from typing import Annotated
 
 import numpy as np
 
@@ -20,6 +20,8 @@ from catopt.constants import YEAR
 from catopt.errors import InputError, Problem
 from catopt.model import Case, FatigueSeaState, Segment
 from catopt.model.fatigue import share_misfits
+from catopt.model.kinds import Force, NotNegative, Place, Positive, Share
+from catopt.records import Counted, From, Record
 from catopt.ties import largest
 from catopt.units import UNITS, Dimension
 from catopt.verify.case import load_states
@@ -37,50 +39,72 @@ _WHOLE = 1e-6
 """By which the shares may miss the whole year before that is said."""
 
 
-class StateDamage(NamedTuple):
-    """What a sea state does to a segment.
+@dataclass(frozen=True)
+class StateDamage(Record):
+    """What a sea state does to a segment in a year, with its share of it."""
 
-    `damage`, `cycles`: in a year, with its share of it; `mean`: tension, N; `at_half_step`: the
-    damage by the runs at half the step; None where there are none; `by_spectrum`: the damage by
-    dual narrow band; None without waves.
-    """
+    DOCUMENT = (
+        "damage=damage_per_year mean=mean_tension_N cycles=cycles_per_year "
+        "at_half_step=damage_per_year_at_half_step by_spectrum=damage_per_year_by_spectrum"
+    )
 
     damage: float
-    mean: float
+    """With its share of the year."""
+    mean: Force
+    """Tension at that bar."""
     cycles: float
+    """With its share of the year."""
     at_half_step: float | None
+    """By the runs at half the step; None where there are none."""
     by_spectrum: float | None = None
+    """By dual narrow band; None without waves."""
 
 
 @dataclass(frozen=True)
-class SegmentFatigue:
-    """Fatigue of a segment, at its bar of the largest damage.
+class SegmentFatigue(Record):
+    """Fatigue of a segment, at its bar of the largest damage; the segment is as new."""
 
-    `line`: of a body with several lines, which one, from 1; `number`: of the segment, from 1 at the
-    anchor; `segment`: as new; `strength`: its curve and reference; `states`: one a sea state;
-    `arc`, `along`: where that bar is: from the anchor, m, and as a part of the segment; `factor`:
-    on the damage, and its source; `life`: that is wanted, s.
-    """
+    DOCUMENT = (
+        "line number=segment segment.component strength.curve.source.code=curve "
+        "strength.curve.kind strength.curve.factor strength.curve.slope strength.curve.per_mean "
+        "strength.curve.source.text=source strength.diameter strength.area "
+        "strength.breaking_strength=strength_N arc along damage=damage_per_year years=life_years "
+        "wanted_years factor=design_factor factor_source.text=design_factor_source utilisation "
+        "change=change_of_ranges worst_number=worst_sea_state states=sea_states"
+    )
 
-    line: int | None
-    number: int
+    line: Counted | None
+    """Of a body with several lines; None otherwise."""
+    number: Counted
+    """From the anchor."""
     segment: Segment
     strength: FatigueStrength
-    states: tuple[StateDamage, ...]
-    arc: float
-    along: float
+    """Its curve and reference."""
+    states: Annotated[tuple[StateDamage, ...], From(1)]
+    """In the order of sea_states."""
+    arc: Place
+    """Arc length from the anchor of the bar of the largest damage."""
+    along: Share
+    """The same as a part of the segment, from its lower end."""
     factor: float
+    """On the damage."""
     factor_source: CheckSource
     life: float
+    """That is wanted, s."""
+
+    @property
+    def wanted_years(self) -> float:
+        """Years of service."""
+        return self.life / YEAR
 
     @property
     def damage(self) -> float:
-        """Damage in a year."""
+        """Miner's sum in a year."""
         return sum(each.damage for each in self.states)
 
     @property
-    def change(self) -> float | None:
-        """By how much ranges would have to change to give the damage at half the step."""
+    def change(self) -> NotNegative | None:
+        """By how much ranges would have to change for the damage at half the step, or None."""
         finer = [each.at_half_step for each in self.states if each.at_half_step is not None]
         if len(finer) < len(self.states) or self.damage == 0.0:
             return None
@@ -89,12 +113,12 @@ class SegmentFatigue:
 
     @property
     def years(self) -> float | None:
-        """Until the damage is 1, without the factor; None where there is none."""
+        """Years until the damage is 1, without the factor; None without damage."""
         return 1.0 / self.damage if self.damage > 0.0 else None
 
     @property
     def utilisation(self) -> float:
-        """Damage in the life times the factor."""
+        """Damage in the service life times the design factor."""
         return self.damage * self.life / YEAR * self.factor
 
     @property
@@ -102,18 +126,59 @@ class SegmentFatigue:
         """Which sea state does most, from 0."""
         return largest(range(len(self.states)), lambda k: self.states[k].damage)
 
+    @property
+    def worst_number(self) -> Counted:
+        """Which does most damage."""
+        return self.worst + 1
+
 
 @dataclass(frozen=True)
-class FatigueReport:
-    """Fatigue of the lines of a case: its sea states in the order of their runs, one each."""
+class StateRun(Record):
+    """A sea state and its runs."""
+
+    DOCUMENT = (
+        "state.height state.period state.share=share state.direction run.verdict=verdict runs"
+    )
+
+    state: FatigueSeaState
+    run: DynamicVerification
+
+    @property
+    def runs(self) -> Counted:
+        """Runs, each of its own seed."""
+        return len(self.run.parts[0].runs)
+
+
+@dataclass(frozen=True)
+class FatigueReport(Record):
+    """Fatigue of the lines of a case over the sea states of a year.
+
+    Lines, segments and sea states count from 1; there is one run of a case a sea state.
+    """
+
+    SCHEMA = "catopt.fatigue/1"
+    DOCUMENT = (
+        "case.title verdict passes counting share=share_of_year by_state=sea_states segments "
+        "remarks"
+    )
 
     case: Case
     states: tuple[FatigueSeaState, ...]
     runs: tuple[DynamicVerification, ...]
 
+    @property
+    def counting(self) -> str:
+        """How cycles are counted."""
+        return "rainflow, ASTM E1049, what is left over as half cycles"
+
+    @property
+    def by_state(self) -> Annotated[tuple[StateRun, ...], From(1)]:
+        """In the order of the case."""
+        return tuple(map(StateRun, self.states, self.runs))
+
     @cached_property
-    def segments(self) -> tuple[SegmentFatigue, ...]:
-        """Every segment of every line."""
+    def segments(self) -> Annotated[tuple[SegmentFatigue, ...], From(1)]:
+        """Of every line, from the anchor to the fairlead."""
         strengths = fatigue_strengths(self.case)
         return tuple(
             self._segment(part, index, strength)
@@ -175,19 +240,19 @@ class FatigueReport:
 
     @property
     def passes(self) -> bool:
-        """Whether every segment lasts, with its factor."""
+        """Whether the utilisation of every segment is at most 1."""
         return all(each.utilisation <= 1.0 for each in self.segments)
 
     @property
     def verdict(self) -> Verdict:
-        """Whether the runs have converged, in their maxima and in the ranges behind the damage."""
+        """What the runs say of their maxima, and of the ranges behind a damage at half the step."""
         if any(each.change is not None and each.change > LIMIT for each in self.segments):
             return "not converged"
         return worst_verdict(run.verdict for run in self.runs)
 
     @property
-    def share(self) -> float:
-        """Part of the year that the sea states make up."""
+    def share(self) -> Positive:
+        """Part of the year that the sea states make up; the rest is without damage."""
         return sum(state.share for state in self.states)
 
     @property
@@ -204,12 +269,6 @@ class FatigueReport:
         said.append(Message("fatigue.as_new"))
         said += [each for run in self.runs for part in run.parts for each in part.remarks]
         return tuple(dict.fromkeys(said))
-
-    def to_dict(self) -> dict[str, Any]:
-        """Build the document that ``catopt fatigue --json`` prints (schema catopt.fatigue/1)."""
-        from catopt.verify.document import fatigue_document
-
-        return fatigue_document(self)
 
 
 def verify_fatigue(

@@ -28,9 +28,9 @@ class _Filled(Formatter):
 
 
 _FILLED: Mapping[Language, _Filled] = MappingProxyType(
-    {"en": _Filled(), "vi": _Filled("\N{NO-BREAK SPACE}")}
+    {each: _Filled("," if each == "en" else "\N{NO-BREAK SPACE}") for each in LANGUAGES}
 )
-"""A comma is the decimal sign of many Vietnamese readers: beside a point it would mislead."""
+"""A comma is the decimal sign of many other languages: beside a point it would mislead."""
 
 
 class Message(str):

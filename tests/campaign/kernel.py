@@ -9,7 +9,7 @@ from unittest.mock import patch
 
 import numpy as np
 
-from catopt.catenary import equilibrium, pieces, runs, span, tension
+from catopt.catenary import equilibrium, layout, pieces, span_or_tension
 from catopt.catenary.pieces import LineProblem
 from catopt.catenary.state import State
 from catopt.compiled import compiled
@@ -19,10 +19,10 @@ __all__ = ["compiled_kernel"]
 
 _KERNEL: dict[str, Any] = {
     "catopt.catenary.solve.given_force": equilibrium.given_force,
-    "catopt.catenary.solve.given_span": span.given_span,
-    "catopt.catenary.solve.given_tension": tension.given_tension,
-    "catopt.catenary.solve.other_forces": tension.other_forces,
-    "catopt.catenary.solve.least_tension": tension.least_tension,
+    "catopt.catenary.solve.given_span": span_or_tension.given_span,
+    "catopt.catenary.solve.given_tension": span_or_tension.given_tension,
+    "catopt.catenary.solve.other_forces": span_or_tension.other_forces,
+    "catopt.catenary.solve.least_tension": span_or_tension.least_tension,
 }
 
 A_LINE = 5e-4
@@ -40,15 +40,19 @@ def compiled_kernel(lines: int) -> Iterator[None]:
         yield
 
 
+_RUNS_OF = layout.runs_of
+"""As it is before it is replaced."""
+
+
 def _cut_to_arrays(line: Line) -> tuple[pieces.Pieces, tuple[int, ...]]:
     cut, owner = pieces.cut(line)
     return pieces.Pieces(*(np.array(column) for column in cut)), owner
 
 
-def _runs_of(state: State, setting: LineProblem, lists: runs.Runs) -> int:
+def _runs_of(state: State, setting: LineProblem, lists: layout.Runs) -> int:
     """Write the runs of a line into lists, by way of arrays."""
-    arrays = runs.Runs(*(np.array(column) for column in lists))
-    count: int = compiled(runs.runs_of)(state, _with_floats(setting), arrays)
+    arrays = layout.Runs(*(np.array(column) for column in lists))
+    count: int = compiled(_RUNS_OF)(state, _with_floats(setting), arrays)
     for column, found in zip(lists, arrays, strict=True):
         column[:] = found.tolist()
     return count

@@ -15,7 +15,7 @@ from catopt.casefile.sizing_file import Moored
 from catopt.model.kinds import OneOf
 from catopt.sizing.file import read_file
 from catopt.sizing.kinds import schema_of
-from catopt.study.schema import StudyTable
+from catopt.study.file import StudyTable
 
 SIZED: dict[str, Moored] = {"size-buoy": "buoy", "size-tanker": "tanker"}
 TOPS: dict[str, type[Table]] = {

@@ -8,7 +8,7 @@ from collections.abc import Callable
 import pytest
 from scipy.optimize import brentq
 
-from catopt.catenary.brent import root
+from catopt.catenary.roots import root
 from catopt.errors import NotConvergedError
 
 FUNCTIONS: dict[str, tuple[Callable[[float], float], float, float]] = {

@@ -31,8 +31,7 @@ from catopt.catenary.swarm.objective import (
     SuspendedObjective,
     objective_of,
 )
-from catopt.catenary.swarm.optimiser import PATIENCE, optimiser
-from catopt.catenary.swarm.quiet import without_logging
+from catopt.catenary.swarm.optimiser import PATIENCE, optimiser, without_logging
 from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError, NoEquilibriumError, NotConvergedError
 from catopt.model import Line, Segment, SwarmSettings

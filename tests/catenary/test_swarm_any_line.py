@@ -11,10 +11,9 @@ import pytest
 from catopt.catenary.find import find_length
 from catopt.catenary.layout import lay_out
 from catopt.catenary.pieces import LineProblem, cut
-from catopt.catenary.result import solution_of
 from catopt.catenary.root_search import BY_FORCE
 from catopt.catenary.solution import Solution
-from catopt.catenary.solve import solve
+from catopt.catenary.solve import solution_of, solve
 from catopt.catenary.state import REGIMES
 from catopt.catenary.swarm import solve_swarm
 from catopt.catenary.swarm.objective import (

@@ -218,9 +218,9 @@ def test_a_line_of_a_body_is_told_by_its_number() -> None:
 
 
 @pytest.mark.parametrize("kind", ["span", "tension"])
-def test_the_tightest_of_a_kind_is_of_that_kind(kind: str) -> None:
+def test_the_tightest_of_a_kind_is_of_that_kind(kind: CheckKind) -> None:
     """Span 0.2 and 0.3 beyond, tension 0.9 and 0.8 within: each kind has its own."""
-    excesses = {"span": (0.2, 0.3), "tension": (-0.9, -0.8)}
+    excesses: dict[CheckKind, tuple[float, float]] = {"span": (0.2, 0.3), "tension": (-0.9, -0.8)}
     results = tuple(
         CheckResult(name, name, f"case {k}", 1.0, 1.0, "", excess, SOURCE)
         for name, pair in excesses.items()

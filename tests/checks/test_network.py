@@ -8,7 +8,7 @@ from collections.abc import Callable
 import pytest
 
 from catopt import InputError, Line, Segment
-from catopt.casefile.network_file import parse_network
+from catopt.casefile.reading import parse_network
 from catopt.casefile.writing import write_case
 from catopt.checks.network import check_network
 from catopt.checks.result import CheckReport, CheckResult

@@ -8,8 +8,15 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 
-from catopt.checks.fatigue import CURVES, Cycles, FatigueStrength, count_cycles
-from catopt.checks.spectral_fatigue import Band, bands, range_moment
+from catopt.checks.fatigue import (
+    CURVES,
+    Band,
+    Cycles,
+    FatigueStrength,
+    bands,
+    count_cycles,
+    range_moment,
+)
 
 STEP, COUNT = 0.5, 2**17
 FAST = 0.1
@@ -96,7 +103,7 @@ def test_the_damage_of_a_year_is_in_proportion(name: str) -> None:
     ],
 )
 def test_jiao_and_moan_by_hand(slow: Band, fast: Band, slope: float, by_hand: float) -> None:
-    """The formula of 1990 at the head of `catopt.checks.spectral_fatigue`."""
+    """The formula of 1990 at the head of `catopt.checks.fatigue`."""
     assert range_moment(slow, fast, slope) == pytest.approx(by_hand, rel=2e-6)  # printed digits
 
 

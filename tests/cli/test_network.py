@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from catopt.casefile import write_case
-from catopt.casefile.network_file import parse_network
+from catopt.casefile.reading import parse_network
 from catopt.figures.network import network_plan, network_side
 from catopt.model import Checks
 from catopt.mooring.held import at_rest

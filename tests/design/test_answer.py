@@ -13,13 +13,12 @@ import pytest
 
 from catopt import Line, PointLoad, Segment, schemas, solve
 from catopt.checks.case import check_line
-from catopt.design.answer import Found, answer
 from catopt.design.enumeration import enumerate_designs
 from catopt.design.evaluation import DesignProblem, design_point
 from catopt.design.near_miss import NoFeasibleDesignError
 from catopt.design.neighbours import Step, neighbour, steps
 from catopt.design.result import DesignPoint
-from catopt.design.search import design_case
+from catopt.design.search import Found, answer, design_case
 from catopt.errors import CatoptError, InputError, NotConvergedError
 from catopt.model import (
     Checks,
@@ -273,7 +272,7 @@ def test_what_the_closed_form_does_not_confirm_is_left_out_and_told(
             raise NotConvergedError("a root was not found")
         return design_point(problem, genes)
 
-    monkeypatch.setattr("catopt.design.answer.design_point", stubborn)
+    monkeypatch.setattr("catopt.design.search.design_point", stubborn)
     monkeypatch.setattr("catopt.design.neighbours.design_point", stubborn)
     result = design_case(small_case())
     assert [p.genes for p in result.front] == [p.genes for p in whole.front[1:]]
@@ -285,7 +284,7 @@ def test_what_the_closed_form_does_not_confirm_is_left_out_and_told(
     def hopeless(*_: object) -> DesignPoint:
         raise NotConvergedError("a root was not found")
 
-    monkeypatch.setattr("catopt.design.answer.design_point", hopeless)
+    monkeypatch.setattr("catopt.design.search.design_point", hopeless)
     with pytest.raises(NotConvergedError, match="confirms none of the"):
         design_case(small_case())
 

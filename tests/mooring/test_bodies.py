@@ -10,7 +10,7 @@ import pytest
 
 from catopt import InputError, Line, NoEquilibriumError, Segment, System, read_case
 from catopt import solve as solve_line
-from catopt.casefile.network_file import parse_network
+from catopt.casefile.reading import parse_network
 from catopt.casefile.writing import write_case
 from catopt.checks.network import check_network
 from catopt.model import Checks, Site

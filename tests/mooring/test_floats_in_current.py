@@ -12,7 +12,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from catopt import InputError, Line, PointLoad, Segment
-from catopt.casefile.network_file import parse_network
+from catopt.casefile.reading import parse_network
 from catopt.casefile.writing import write_case
 from catopt.checks.network import check_network
 from catopt.errors import FloatsUpError

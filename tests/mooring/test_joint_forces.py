@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from catopt import InputError, Line, PointLoad, Segment
-from catopt.casefile.network_file import parse_network
+from catopt.casefile.reading import parse_network
 from catopt.casefile.writing import write_case
 from catopt.model import Site
 from catopt.model.network import LineBetween, Network, Point

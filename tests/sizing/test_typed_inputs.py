@@ -9,7 +9,7 @@ import pytest
 
 from catopt.casefile.sizing_file import Moored
 from catopt.sizing.inputs import Input, inputs_of
-from catopt.sizing.typed_inputs import BuoyInputs, TankerInputs
+from catopt.sizing.keywords import BuoyInputs, TankerInputs
 
 KEYWORDS: dict[Moored, type] = {"buoy": BuoyInputs, "tanker": TankerInputs}
 

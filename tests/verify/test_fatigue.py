@@ -102,7 +102,7 @@ def test_half_the_step_shows_how_far_the_damage_hangs_on_it() -> None:
     assert segment.change == pytest.approx(expected, rel=1e-12)
     assert expected < 0.05
     assert found.verdict == "converged"
-    worse = replace(segment, states=(state._replace(at_half_step=8.0 * state.damage),))
+    worse = replace(segment, states=(replace(state, at_half_step=8.0 * state.damage),))
     assert worse.change == pytest.approx(1.0, rel=1e-12)
 
 

@@ -20,7 +20,7 @@ from catopt.casefile.schema import CaseTable, NetworkTable, Table, entries
 from catopt.model.find import FIND_QUANTITIES
 from catopt.reproduce import names
 from catopt.sizing.kinds import schema_of
-from catopt.study.schema import StudyTable
+from catopt.study.file import StudyTable
 from tests.cli.command_page import whole
 
 ROOT = Path(catopt.__file__).parent

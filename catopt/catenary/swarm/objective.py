@@ -34,17 +34,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from catopt.catenary.equilibrium import hung_state
-from catopt.catenary.part import NO_TOUCHDOWN
-from catopt.catenary.piece import piece_reach
 from catopt.catenary.pieces import (
     Pieces,
     has_buoyancy,
     is_inextensible,
+    piece_reach,
     total_length,
     total_weight,
 )
 from catopt.catenary.state import SUSPENDED, State
-from catopt.catenary.suspended import suspended_part
+from catopt.catenary.suspended import NO_TOUCHDOWN, suspended_part
 
 Array = NDArray[np.float64]
 

@@ -7,15 +7,38 @@ more, and it keeps only the history that is wanted.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import os
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
+from pathlib import Path
+from threading import RLock
 from typing import Any
 
 import numpy as np
 
 from catopt.catenary.swarm.objective import Array, Objective
-from catopt.catenary.swarm.quiet import without_logging
 from catopt.model import SwarmSettings
+
+_VARIABLE = "LOG_CFG"
+_NOTHING = Path(__file__).with_name("no-logging.yaml")
+_LOCK = RLock()  # the environment belongs to the process: one thread at a time
+
+
+@contextmanager
+def without_logging() -> Iterator[None]:
+    """Let pyswarms be imported and its objects be built without touching logging."""
+    with _LOCK:
+        before = os.environ.get(_VARIABLE)
+        os.environ[_VARIABLE] = str(_NOTHING)
+        try:
+            yield
+        finally:
+            if before is None:
+                del os.environ[_VARIABLE]
+            else:
+                os.environ[_VARIABLE] = before
+
 
 with without_logging():
     from pyswarms.backend.handlers import BoundaryHandler

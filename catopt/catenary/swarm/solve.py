@@ -8,10 +8,9 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from catopt.catenary.pieces import LineProblem, cut
-from catopt.catenary.result import solution_of
 from catopt.catenary.root_search import BY_FORCE
 from catopt.catenary.solution import Solution, SwarmReport
-from catopt.catenary.solve import solve
+from catopt.catenary.solve import solution_of, solve
 from catopt.catenary.swarm.objective import Objective, objective_of
 from catopt.errors import NoAnswerError, NotConvergedError
 from catopt.model import Case, Line, SwarmSettings

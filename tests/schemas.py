@@ -1,0 +1,389 @@
+"""The JSON schemas of documents, written from the records that lay them out.
+
+``python -m tests.schemas`` brings `catopt/schemas` up to date. Of a record's key its annotation
+gives type, unit and bounds, its docstring the meaning (`catopt.records`).
+"""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import json
+import math
+import re
+import sys
+import textwrap
+import types
+from collections.abc import Iterator, Mapping
+from functools import cache, cached_property
+from importlib.resources import files
+from pathlib import Path
+from typing import Annotated, Any, Literal, NotRequired, Union, get_args, get_origin, get_type_hints
+
+import numpy as np
+
+from catopt.casefile.sizing_file import Moored
+from catopt.catalogue.document import Answer
+from catopt.catalogue.figure import CONFIDENCES
+from catopt.catenary.case_curve import CaseCurve
+from catopt.catenary.in_current import SolutionInCurrent
+from catopt.catenary.solution import Solution
+from catopt.checks.criterion import LOAD_KINDS
+from catopt.checks.result import CheckReport, CheckResult
+from catopt.design.evaluation import OBJECTIVE_KEYS
+from catopt.export.exported import Format
+from catopt.loads.component import Axis, LoadComponent
+from catopt.model.current_profile import CURRENT_PROFILES
+from catopt.model.design import SearchMethod
+from catopt.model.dynamics import InitialFriction, JudgedBy
+from catopt.model.kinds import OneOf
+from catopt.model.load_case import LoadCaseState
+from catopt.model.network import PointKind
+from catopt.records import From, OrNull, Part, Record, parts, unit_of
+from catopt.reproduce.items import Reproduction
+from catopt.sizing.alternatives import Role
+from catopt.sizing.inputs import INPUTS
+from catopt.sizing.known import Origin
+from catopt.sizing.line_choice import PREFERENCES
+from catopt.study.base import Computed
+from catopt.verify.compared import Unit
+from catopt.verify.dynamic_result import SERIES, Verdict
+from catopt.verify.fatigue import FatigueReport
+from catopt.verify.motion_words import DYNAMIC_QUANTITY_OF as QUANTITY_OF
+from catopt.verify.proof import Proof, Way
+from catopt.verify.result import StaticComparison
+from catopt.verify.result import Verdict as VerdictAtRest
+from catopt.words.texts import LANGUAGES
+
+FOLDER = Path(str(files("catopt.schemas")))
+RECORDS: Mapping[str, tuple[type[Record], ...]] = {
+    "check": (CheckReport,),
+    "curve": (CaseCurve,),
+    "fatigue": (FatigueReport,),
+    "reproduction": (Reproduction,),
+    "solution": (Solution, SolutionInCurrent),
+}
+"""Which records lay a document out; what only some of them have may be missing."""
+OF_A_CASE = ("check", "curve", "fatigue", "solution")
+"""Documents that a result directory may have."""
+Asked = Literal["may", "must", "never"]
+DEFINITIONS: Mapping[str, Mapping[str, tuple[type[Record], Asked]]] = {
+    "design": {"check": (CheckResult, "never")},
+    "size": {"check": (CheckResult, "never")},
+    "verify": {"check": (CheckResult, "must")},
+}
+"""Parts of other documents that records lay out; whether they have what is put in on asking."""
+
+
+def _of(annotation: Any, name: str = "") -> tuple[Any, ...]:
+    """Words of a Literal, or of an attribute of a class that has one."""
+    return get_args(get_type_hints(annotation)[name] if name else annotation)
+
+
+AT_REST = get_args(VerdictAtRest)
+NO_ANSWER = "no answer"
+"""What a document says for a verdict that there is none of."""
+_COMPONENT = {
+    "component/kind": _of(LoadComponent, "kind"),
+    "component/axis": _of(Axis),
+    "component/source/confidence": CONFIDENCES,
+}
+WORDS: Mapping[str, Mapping[str, tuple[Any, ...]]] = {
+    "catalog": {"question": _of(Answer, "question"), "confidence": CONFIDENCES},
+    "design": {
+        "objectives": tuple(OBJECTIVE_KEYS.values()),
+        "load_case/kind": LOAD_KINDS,
+        "method": tuple(each for each in _of(SearchMethod) if each != "auto"),
+    },
+    "export": {"format": _of(Format)},
+    "loads": _COMPONENT,
+    "network": {"states/points/kind": _of(PointKind), "states/current/profile": CURRENT_PROFILES},
+    "report": {
+        "language": LANGUAGES,
+        "verification/verdict": (*(each for each in AT_REST if each != "not compared"), NO_ANSWER),
+        "verification/worst/unit": _of(Unit),
+    },
+    "size": {
+        **_COMPONENT,
+        "kind": _of(Moored),
+        "load_case/kind": LOAD_KINDS,
+        "load_case/state": _of(LoadCaseState),
+        "alternative/prefer": PREFERENCES,
+        "input/origin": _of(Origin),
+        "sinker/material": next(each.words for each in INPUTS if each.name == "sinker"),
+        "in_motion/judged_by": _of(JudgedBy),
+        "candidate/role": _of(Role),
+    },
+    "study": {"compute": _of(Computed)},
+    "verify": {
+        "verdict": (*AT_REST, NO_ANSWER),
+        "motion_verdict": _of(Verdict),
+        "unit": _of(Unit),
+        "static/kind": _of(StaticComparison, "kind"),
+        "statistics/unit": tuple(dict.fromkeys(QUANTITY_OF[each].si_unit for each in SERIES)),
+        "dynamic/initial_friction": _of(InitialFriction),
+        "dynamic/load_cases/proof": _of(Proof),
+        "dynamic/load_cases/changes/quantity": (*SERIES, "largest_tension"),
+        "dynamic/load_cases/changes/way": _of(Way),
+        "dynamic/load_cases/runs/again/way": _of(Way),
+    },
+}
+"""Words of the schemas that are written by hand, by the place of each, with where they are from."""
+OLDER: Mapping[str, tuple[str, ...]] = {"design": ("offset",), "size": ("offset",)}
+"""Older names of kinds of checks, which documents of catopt 0 have."""
+FURTHER: Mapping[str, Mapping[str, Any]] = {
+    "solution": {
+        "if": {"properties": {"method": {"const": "pso"}}},
+        "then": {"required": ["pso"]},
+        "else": {"properties": {"pso": False}},
+    }
+}
+"""What depends on another key."""
+DIGEST = {
+    "type": "string",
+    "pattern": "^[0-9a-f]{64}$",
+    "description": "Only in a file that --out wrote: SHA-256 of the case that the directory is of.",
+}
+SI = "All numbers are SI; the unit is in the key and in the description."
+WIDTH = 160
+_PLAIN = {str: "string", bool: "boolean", int: "integer", float: "number", type(None): "null"}
+
+Schema = dict[str, Any]
+
+
+def schema(name: str) -> Schema:
+    """Write the schema of a document."""
+    records = RECORDS[name]
+    of = _Written({})
+    whole = [of.object_of(each) for each in records]
+    common = set.intersection(*(set(each["required"]) for each in whole))
+    properties: Schema = {"schema": {"const": records[0].SCHEMA}}
+    if name in OF_A_CASE:
+        properties["case_sha256"] = DIGEST
+    for each in whole:
+        properties |= each["properties"]
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "$id": "urn:" + records[0].SCHEMA.replace(".", ":").replace("/", ":"),
+        "title": records[0].SCHEMA,
+        "description": f"{_flat(inspect.getdoc(records[0]) or '')} {SI}",
+        "type": "object",
+        "additionalProperties": False,
+        "required": ["schema", *(key for key in whole[0]["required"] if key in common)],
+        "properties": properties,
+        **FURTHER.get(name, {}),
+        "$defs": dict(sorted(of.definitions.items())),
+    }
+
+
+class _Written:
+    """Schemas of types; those of records stand among `definitions`."""
+
+    def __init__(self, definitions: dict[str, Schema]) -> None:
+        self.definitions = definitions
+
+    def object_of(self, record: type[Record], *, asked: Asked = "may") -> Schema:
+        """Write the schema of a record, by its own document."""
+        found = parts(record, record.DOCUMENT)
+        found = tuple(part for part in found if asked != "never" or part.mark != "*")
+        needed = ("", "*") if asked == "must" else ("",)
+        return {
+            "type": "object",
+            "additionalProperties": False,
+            "required": [part.key for part in found if part.mark in needed],
+            "properties": {part.key: self._described(part) for part in found},
+        }
+
+    def _described(self, part: Part) -> Schema:
+        unit = unit_of(part.hint)
+        if isinstance(getattr(part.owner, part.path[-1], None), types.FunctionType) and (
+            isinstance(part.hint, type) and issubclass(part.hint, Record)
+        ):
+            said = _flat(inspect.getdoc(part.hint) or "")
+        else:
+            said = meaning(part.owner, part.path[-1])
+        plain = unit.replace("_per_", "/")
+        # What is left out is never null.
+        hint = _without_none(part.hint) if part.mark == "?" else part.hint
+        return self.of(hint) | {"description": f"{plain}: {lower(said)}" if plain else said}
+
+    def of(self, hint: Any) -> Schema:
+        """Write the schema of a type."""
+        origin, inner = get_origin(hint), get_args(hint)
+        if origin is Annotated:
+            return self._bounded(inner[0], inner[1:])
+        if origin in (Union, types.UnionType):
+            return _any_of([self.of(each) for each in inner])
+        if origin is Literal:
+            return {"const": inner[0]} if len(inner) == 1 else {"enum": list(inner)}
+        if origin in (tuple, list):
+            sized = {} if inner[-1] is ... or origin is list else _items(len(inner), len(inner))
+            return {"type": "array", **sized, "items": self.of(inner[0])}
+        if origin is np.ndarray:
+            return {"type": "array", "items": {"type": "number"}}
+        if isinstance(hint, type) and issubclass(hint, Record):
+            name = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", hint.__name__).lower()
+            if name not in self.definitions:
+                self.definitions[name] = {}
+                self.definitions[name] = self.object_of(hint)
+            return {"$ref": f"#/$defs/{name}"}
+        if origin in (dict, Mapping):
+            return {"type": "object", "additionalProperties": self.of(inner[1])}
+        return {"type": _PLAIN[hint]}
+
+    def _bounded(self, hint: Any, kinds: tuple[Any, ...]) -> Schema:
+        found = self.of(hint)
+        for kind in kinds:
+            if isinstance(kind, From):
+                found |= {"minItems" if found["type"] == "array" else "minimum": kind.least}
+            elif kind is OrNull:
+                found["items"] = {"type": ["number", "null"]}
+            elif isinstance(kind, OneOf):
+                found = {"enum": list(kind.words)}
+            elif isinstance(kind, type):
+                found = self._typed(kind)
+            elif hasattr(kind, "si_unit"):
+                bounds = {"minimum": kind.at_least, "exclusiveMinimum": kind.above,
+                          "maximum": kind.at_most}  # fmt: skip
+                at = found["items"] if found["type"] == "array" else found
+                at |= {key: _number(value) for key, value in bounds.items() if value is not None}
+        return found
+
+    def _typed(self, keys: Any) -> Schema:
+        """Write the schema of a dictionary whose keys a TypedDict has."""
+        said = _docstrings(keys)
+        hints = get_type_hints(keys, include_extras=True)
+        kept = {key: get_args(hint)[0] for key, hint in hints.items() if _may_lack(hint)}
+        return {
+            "type": "object",
+            "additionalProperties": False,
+            "required": [key for key in hints if key not in kept],
+            "properties": {
+                key: self.of(hint) | {"description": said[key]}
+                for key, hint in (hints | kept).items()
+            },
+        }
+
+
+def _items(fewest: int, most: int) -> Schema:
+    return {"minItems": fewest, "maxItems": most}
+
+
+def _may_lack(hint: Any) -> bool:
+    return get_origin(hint) is NotRequired
+
+
+def _number(value: float) -> float:
+    return int(value) if value == math.floor(value) else value
+
+
+def _without_none(hint: Any) -> Any:
+    if get_origin(hint) in (Union, types.UnionType):
+        (kept,) = [each for each in get_args(hint) if each is not type(None)]
+        return kept
+    return hint
+
+
+def _any_of(schemas: list[Schema]) -> Schema:
+    """Join schemas: types of plain values, words with null, or any of several."""
+    *others, last = sorted(schemas, key=lambda each: each == {"type": "null"})
+    if last != {"type": "null"} or len(others) != 1:
+        return {"anyOf": schemas}
+    (found,) = others
+    if "enum" in found:
+        return {"enum": [*found["enum"], None]}
+    if "type" in found and found["type"] != "object":
+        return found | {"type": [found["type"], "null"]}
+    return {"anyOf": [found, last]}
+
+
+def meaning(of: type, name: str) -> str:
+    """Say what an attribute is: the first paragraph of its docstring."""
+    for each in of.__mro__:
+        if name in _docstrings(each):
+            return _docstrings(each)[name]
+    raise AssertionError(f"{of.__name__}.{name} has no docstring, so that no schema can say it")
+
+
+@cache
+def _docstrings(of: Any) -> Mapping[str, str]:
+    """Docstrings of a class' own attributes and methods, by name."""
+    if of is object or not hasattr(sys.modules.get(of.__module__), "__file__"):
+        return {}
+    tree = ast.parse(textwrap.dedent(inspect.getsource(of))).body[0]
+    assert isinstance(tree, ast.ClassDef)
+    found = {}
+    for before, node in zip(tree.body, tree.body[1:], strict=False):
+        match before, node:
+            case ast.AnnAssign(target=ast.Name(id=name)), ast.Expr(value=ast.Constant(value=said)):
+                found[name] = _flat(str(said))
+    for name, each in vars(of).items():
+        function = each.fget if isinstance(each, property) else each
+        function = function.func if isinstance(function, cached_property) else function
+        if isinstance(function, types.FunctionType) and function.__doc__:
+            found[name] = _flat(function.__doc__.partition("\n\n")[0])
+    return found
+
+
+def _flat(text: str) -> str:
+    """Put a text into one line; JSON has null where Python has None."""
+    return re.sub(r"\bNone\b", "null", " ".join(text.split()))
+
+
+def lower(text: str) -> str:
+    """Begin in small letters, save for a symbol."""
+    return text if text[1:2].isupper() or text[1:2] in ", " else text[:1].lower() + text[1:]
+
+
+def written(found: Any, indent: int = 0) -> str:
+    """Write JSON: what fits into a line is one."""
+    line = json.dumps(found, ensure_ascii=False)
+    if len(line) + indent <= WIDTH or not isinstance(found, dict | list) or not found:
+        return line
+    pad = " " * (indent + 2)
+    if isinstance(found, dict):
+        rows = [f"{json.dumps(key)}: {written(each, indent + 2)}" for key, each in found.items()]
+    elif all(isinstance(each, str) for each in found):
+        rows = textwrap.wrap(line[1:-1], 100)
+        return "[\n" + "\n".join(pad + row for row in rows) + "\n" + " " * indent + "]"
+    else:
+        rows = [written(each, indent + 2) for each in found]
+    inside = ",\n".join(pad + row for row in rows)
+    left, right = "{}" if isinstance(found, dict) else "[]"
+    return f"{left}\n{inside}\n{' ' * indent}{right}"
+
+
+def up_to_date() -> Iterator[tuple[Path, str]]:
+    """Yield every schema that is written from records, and its text."""
+    for name in RECORDS:
+        yield FOLDER / f"{name}-1.json", written(schema(name)) + "\n"
+    for name in sorted({*DEFINITIONS, *WORDS}):
+        path = FOLDER / f"{name}-1.json"
+        document = json.loads(path.read_text("utf-8"))
+        for key, (record, asked) in DEFINITIONS.get(name, {}).items():
+            document["$defs"][key] = _Written({}).object_of(record, asked=asked)
+        for place, node in worded(document):
+            if place == "check/kind":
+                node["enum"] += OLDER.get(name, ())
+            elif place.partition("/")[0] not in DEFINITIONS.get(name, {}):
+                node["enum"] = list(WORDS[name][place])
+        yield path, written(document) + "\n"
+
+
+def worded(node: Any, place: tuple[str, ...] = ()) -> Iterator[tuple[str, Schema]]:
+    """Yield what has a list of words, by the keys that lead there."""
+    if isinstance(node, dict) and isinstance(node.get("enum"), list):
+        yield "/".join(place), node
+    inner = node.items() if isinstance(node, dict) else enumerate(node)
+    for key, each in inner:
+        if isinstance(each, dict | list):
+            named = isinstance(key, str) and key not in _NO_KEYS
+            yield from worded(each, (*place, str(key)) if named else place)
+
+
+_NO_KEYS = ("properties", "items", "$defs", "oneOf", "anyOf", "enum", "required", "type")
+
+
+if __name__ == "__main__":
+    for path, text in up_to_date():
+        path.write_text(text, "utf-8")
