@@ -173,7 +173,8 @@ class Segment(Checked):
     def _check(self, found: Findings) -> None:
         found.check()
         found.problems += break_test_misfits({k for k in TESTS if getattr(self, k) is not None})
-        if not found.problems:
+        is_rough = self.drag_method != "given" or any(getattr(self, k) is not None for k in _ROUGH)
+        if is_rough and not found.problems:
             given = {key: value for key, value in vars(self).items() if value not in (None, "")}
             found.problems += drag_misfits(given)
 

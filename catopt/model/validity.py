@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import MISSING
+from functools import cache
 from typing import Self
 
 from catopt.errors import InputError, Problem
@@ -28,6 +29,12 @@ _DIMENSIONS["N/m2"] = Dimension.PRESSURE
 """By their SI units, as messages write them."""
 
 
+@cache
+def _known(of: type) -> Mapping[str, tuple[object, Annotation]]:
+    """Of each attribute of a class: its default, and what its annotation says."""
+    return {key: (getattr(of, key, MISSING), each) for key, each in annotated(of).items()}
+
+
 class Findings:
     """Gathers the problems of one value or one call, so that all are reported together.
 
@@ -45,16 +52,16 @@ class Findings:
 
         What is the default of its class is right.
         """
-        of = type(self._of)
-        known = annotated(of)
+        known = _known(type(self._of))
         for key in keys or known:
             value = getattr(self._of, key)
-            if value is getattr(of, key, MISSING):
+            default, annotation = known[key]
+            if value is default:
                 continue
             # The commonest by far is a number that is right: it is passed at once.
-            kind = known[key].kind
+            kind = annotation.kind
             if not (type(value) is float and isinstance(kind, Measured) and kind.allows(value)):
-                self._check(key, value, known[key])
+                self._check(key, value, annotation)
         return self
 
     def _check(self, key: str, value: object, annotation: Annotation) -> None:
