@@ -8,7 +8,8 @@ import pytest
 
 from catopt.words import LANGUAGES
 from tests.new_language import begun
-from tests.places import ROOT, Copy
+from tests.places import Copy
+from tests.snippets import ROOT
 
 CASE = ROOT / "cases" / "tanker-20m" / "case.toml"
 
