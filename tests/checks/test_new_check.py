@@ -9,7 +9,8 @@ from pathlib import Path
 import jsonschema
 import pytest
 
-from tests.places import ROOT, Copy
+from tests.places import Copy
+from tests.snippets import ROOT
 
 CASE = ROOT / "cases" / "tanker-20m" / "case.toml"
 DESIGN = ROOT / "cases" / "design-tanker-20m" / "case.toml"
