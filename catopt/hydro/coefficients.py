@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Final
 
@@ -15,6 +16,7 @@ from catopt.words import Message
 Complex = npt.NDArray[np.complex128]
 
 FREEDOMS: Final = ("surge", "sway", "heave", "roll", "pitch", "yaw")
+_SAME: Final = 1e-9
 _ROUNDING: Final = 1e-2
 """Part of the largest of its kind by which panels leave a matrix unsymmetrical, or a damping below
 0, without a remark."""
@@ -82,6 +84,37 @@ class Coefficients:
                 found.add(key, "nan", Message("refused_motion.finite_numbers_are_wanted"))
         found.raise_if_any()
 
+    def at(self, key: str, omega: Array, heading: Array) -> Complex:
+        """Interpolate answers to waves, one of `excitation`, `response` and `mean_drift`.
+
+        `omega` (n,), rad/s; `heading` (..., n), rad, any number of turns; returns (..., n, 6), in
+        proportion between headings and frequencies. Beyond the first and the last frequency it is
+        held. InputError for a heading around which there is nothing, or answers that are not known.
+        """
+        values, found = getattr(self, key), Findings(self.source or "Coefficients")
+        if values is None or self.omega.size == 0:
+            found.add(key, "", Message("refused_motion.missing_from_files"))
+            found.raise_if_any()
+        first, last = float(self.heading[0]), float(self.heading[-1])
+        wanted = first + (heading - first + _SAME) % (2.0 * math.pi) - _SAME
+        beyond = wanted[wanted > last + _SAME]
+        if beyond.size:
+            far = math.degrees(float(beyond.flat[0])) % 360.0
+            given = Message("refused_motion.waves_travel_deg_from_ship", value=far)
+            ends = {"first": math.degrees(first), "last": math.degrees(last)}
+            found.add("heading", given, Message("refused_motion.file_has_rows", **ends))
+            found.raise_if_any()
+        low, part = _between(self.omega, np.broadcast_to(omega, wanted.shape))
+        left, aside = _between(self.heading, wanted)
+        high, right = (
+            np.minimum(low + 1, self.omega.size - 1),
+            np.minimum(left + 1, self.heading.size - 1),
+        )
+        part, aside = part[..., np.newaxis], aside[..., np.newaxis]
+        under = (1.0 - aside) * values[low, left] + aside * values[low, right]
+        over = (1.0 - aside) * values[high, left] + aside * values[high, right]
+        return np.asarray((1.0 - part) * under + part * over, dtype=complex)
+
     @property
     def remarks(self) -> tuple[Message, ...]:
         """What of it no body at rest in still water can have: a mesh or units that are wrong."""
@@ -113,3 +146,12 @@ def _scale(values: Array) -> Array:
 def _scaled(off: Array, values: Array) -> float:
     scale = _scale(values)
     return float(np.abs(off / np.multiply.outer(scale, scale)).max())
+
+
+def _between(rising: Array, at: Array) -> tuple[npt.NDArray[np.int64], Array]:
+    """Find the entry below each value, and its part of the way on; held beyond the ends."""
+    if rising.size == 1:
+        return np.zeros(at.shape, dtype=np.int64), np.zeros(at.shape)
+    below = np.clip(np.searchsorted(rising, at, side="right") - 1, 0, rising.size - 2)
+    way = rising[below + 1] - rising[below]
+    return below, np.clip((at - rising[below]) / way, 0.0, 1.0)
