@@ -76,6 +76,11 @@ class Scales:
         second = self.fast_largest + 2.0 * self.slow_deviation
         return self.mean + max(first, second)
 
+    @property
+    def judged(self) -> float:
+        """By which it is judged: the combined largest, or what a run reached if that is more."""
+        return max(self.combined, self.seen)
+
 
 @dataclass(frozen=True, eq=False)
 class ShipHistory:

@@ -223,7 +223,7 @@ def moored_ship(case: Case) -> tuple[MooredShip, Drive]:
 
 
 def _checked(case: Case, lines: tuple[LineOfShip, ...], moored: MooredShip) -> CheckReport:
-    """Check each line as it hangs under its combined largest tension, by quasi-static factors."""
+    """Check each line as it hangs under its largest tension, by quasi-static factors."""
     criteria = criteria_of(case)
     results: list[CheckResult] = []
     told: list[str] = []
@@ -232,7 +232,7 @@ def _checked(case: Case, lines: tuple[LineOfShip, ...], moored: MooredShip) -> C
         solution = solve(
             leg.line,
             height=leg.fairlead_height,
-            fairlead_tension=each.fairlead.combined,
+            fairlead_tension=each.fairlead.judged,
             seabed_friction=moored.system.seabed_friction,
             anchor_height=leg.anchor_height,
         )
