@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from catopt.answers import blocks
-from catopt.answers.blocks import Rows, answered, bare, named, section, tabulate, texts
+from catopt.answers.blocks import Rows, answered, named, section, tabulate, texts
 from catopt.answers.check import checks_in_motion, verdict_blocks
 from catopt.quantities import QUANTITIES
 from catopt.units import lasting
@@ -67,7 +67,7 @@ def _rule(found: ShipVerification) -> blocks.Text:
 
 def _body(found: ShipVerification) -> blocks.Table:
     """Tabulate the parts of offset and yaw."""
-    units = (bare(named("offset", "")), bare(named("angle", "")))
+    units = (named("offset", ""), named("angle", ""))
     of = Rows((found.offset, found.yaw))
     names = (Message("floater.offset_row"), Message("floater.yaw_row"))
     columns = [texts("quantity", names)]

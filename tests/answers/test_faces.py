@@ -103,6 +103,7 @@ def made(kind: str) -> Answer:
 
 
 BY_TRUSS = ("verified body", "motion", "body in motion", "front in motion", "fatigue", "fleet")
+BY_TRUSS += ("ship in motion",)
 """They run the truss model, or take seconds each."""
 
 
