@@ -41,6 +41,8 @@ _LEVELS: Final = 20
 """Over the draught, at which the current is averaged."""
 _WIDE: Final = 0.2
 """Breadth over the wave length above which a hull changes the waves."""
+_CYCLES: Final = 50
+"""Slow cycles from which a deviation is known to some 10 %."""
 _LEFT_OUT: Final = 0.01
 """Part of the waves' energy beyond a table of RAOs from which it is remarked on."""
 
@@ -180,7 +182,11 @@ def verify_ship(case: Case, *, progress: Progress | None = None) -> ShipVerifica
             progress(run + 1, dynamics.runs)
     histories = tuple(runs)
     lines = tuple(_lines(moored, histories, dynamics.duration_of_interest))
-    remarks = (*_seen(lines), *_remarks(case, moored, drive, rests[0]))
+    remarks = (
+        *_seen(lines),
+        *_few_cycles(histories, rests[0]),
+        *_remarks(case, moored, drive, rests[0]),
+    )
     return ShipVerification(
         case, moored, rests[0], histories, _checked(case, lines, moored), remarks
     )
@@ -276,6 +282,17 @@ def _seen(lines: tuple[LineOfShip, ...]) -> Iterator[Message]:
         most = max(over, key=lambda each: each.fairlead.seen - each.fairlead.combined)
         seen = most.fairlead.seen / 1e3
         yield Message("floater.seen_more", number=most.number, seen=seen, count=len(over))
+
+
+def _few_cycles(runs: tuple[ShipHistory, ...], rest: ShipAtRest) -> Iterator[Message]:
+    """Yield that slow motion was too short to know its deviation."""
+    count = 0
+    for each in runs:
+        off = np.hypot(*(each.slow[:, :2] - np.array(rest.zero)).T)
+        off -= off.mean()
+        count += int(((off[:-1] < 0.0) & (off[1:] >= 0.0)).sum())
+    if count < _CYCLES:
+        yield Message("floater.few_cycles", count=count, wanted=_CYCLES)
 
 
 def _of_waves(moored: MooredShip, waves: Waves) -> Iterator[Message]:

@@ -96,6 +96,7 @@ def test_the_answer_has_every_line_and_remark() -> None:
     assert len(table) == 10
     points = [each for each in answer.blocks if type(each).__name__ == "Points"]
     keys = {each.key for each in points[0].said}  # type: ignore[union-attr]
+    assert "floater.few_cycles" in keys  # of 200 s
     wanted = "drift_by_reflection shallow_drift closed_raos no_roll quasi_static_lines slow_damping"
     assert {f"floater.{each}" for each in wanted.split()} <= keys
     assert "floater.wide_hull" not in keys
