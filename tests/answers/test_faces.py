@@ -102,8 +102,10 @@ def made(kind: str) -> Answer:
     return FROM_PYTHON[kind]() if kind in FROM_PYTHON else told(COMMANDS[kind])
 
 
-BY_TRUSS = ("verified body", "motion", "body in motion", "front in motion", "fatigue", "fleet")
-BY_TRUSS += ("ship in motion",)
+BY_TRUSS = (
+    *("verified body", "motion", "body in motion", "front in motion", "fatigue", "fleet"),
+    "ship in motion",
+)
 """They run the truss model, or take seconds each."""
 
 
