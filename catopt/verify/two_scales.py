@@ -302,6 +302,7 @@ def _of_waves(moored: MooredShip, waves: Waves) -> Iterator[Message]:
     length = 2.0 * math.pi / k
     if of.drift_file:
         yield Message("floater.drift_of_file")
+        yield from ship.remarks
     else:
         yield Message("floater.drift_by_reflection", part=of.reflection)
     if k * ship.depth < 0.5 * math.pi:

@@ -80,6 +80,16 @@ def test_checks_are_of_the_largest_by_quasi_static_factors() -> None:
     assert {each.place.state for each in tensions} == {"intact"}
 
 
+def test_the_excursion_is_checked_by_the_span_of_the_largest_tension() -> None:
+    case = shorter(read_case(LOADED), 60.0, 10.0)
+    strict = replace(case, checks=replace(case.checks, max_span=1060.0))
+    found = verify_ship(strict)
+    spans = {e.place.line: e for e in found.checks.results if e.kind == "span"}
+    assert not spans[2].passes
+    assert spans[2].demand > 1056.0 - found.rest.place[0]
+    assert spans[5].passes
+
+
 def test_the_document_fits_its_schema() -> None:
     found = loaded()
     document = Verification(found.case, ()).to_dict() | {"ship": ship_document(found)}
