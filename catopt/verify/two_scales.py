@@ -68,6 +68,8 @@ class ShipVerification:
     runs: tuple[ShipHistory, ...]
     checks: CheckReport
     remarks: tuple[Message, ...]
+    directions: Array
+    """Of the waves of the first run, where they travel to, rad."""
 
     @property
     def _storm(self) -> float:
@@ -187,9 +189,9 @@ def verify_ship(case: Case, *, progress: Progress | None = None) -> ShipVerifica
         *_few_cycles(histories, rests[0]),
         *_remarks(case, moored, drive, rests[0]),
     )
-    return ShipVerification(
-        case, moored, rests[0], histories, _checked(case, lines, moored), remarks
-    )
+    checks = _checked(case, lines, moored)
+    directions = _waves(drive, 0).direction
+    return ShipVerification(case, moored, rests[0], histories, checks, remarks, directions)
 
 
 def _waves(drive: Drive, run: int) -> Waves:
