@@ -27,7 +27,6 @@ from catopt.floater.two_scales import (
     sample_step,
     scales_of,
 )
-from catopt.hydro.coefficients import Coefficients
 from catopt.model import Case
 from catopt.ties import first_largest
 from catopt.verify.dynamic_setup import Drive, read_drive
@@ -225,9 +224,7 @@ def moored_ship(case: Case) -> tuple[MooredShip, Drive]:
     vessel = drive.vessel
     if vessel is None:
         return MooredShip(case.system, ship), drive
-    answers = vessel.response.transpose(1, 0, 2)
-    response = Coefficients(vessel.omega, vessel.heading, response=answers, source=vessel.path)
-    return MooredShip(case.system, ship, response, vessel.reference, vessel.crest), drive
+    return MooredShip(case.system, ship, vessel.coefficients, vessel.reference, vessel.crest), drive
 
 
 def _checked(case: Case, lines: tuple[LineOfShip, ...], moored: MooredShip) -> CheckReport:

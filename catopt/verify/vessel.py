@@ -13,7 +13,7 @@ import numpy.typing as npt
 from catopt.arrays import Array
 from catopt.errors import InputError, Problem
 from catopt.hydro.coefficient_files import wamit_rows
-from catopt.hydro.coefficients import FREEDOMS
+from catopt.hydro.coefficients import FREEDOMS, Coefficients, Complex
 from catopt.verify.motion_file import SHOWN, Raos, read_columns, refused, responses
 from catopt.words import Message
 
@@ -58,25 +58,16 @@ class VesselRaos:
         turned = np.column_stack([pitch * z - yaw * y, yaw * x - roll * z, roll * y - pitch * x])
         return Raos(self.omega, given[:, :3] + turned)
 
-    def _at(self, heading: float) -> npt.NDArray[np.complex128]:
+    @property
+    def coefficients(self) -> Coefficients:
+        """The same as coefficients."""
+        answers = self.response.transpose(1, 0, 2)
+        return Coefficients(self.omega, self.heading, response=answers, source=self.path)
+
+    def _at(self, heading: float) -> Complex:
         """Response in a heading, as a complex number in proportion between two of the table."""
-        first, last = float(self.heading[0]), float(self.heading[-1])
-        wanted = first + (heading - first + _SAME) % (2.0 * math.pi) - _SAME
-        if wanted > last + _SAME:
-            found = Message(
-                "refused_motion.waves_travel_deg_from_ship", value=math.degrees(wanted) % 360.0
-            )
-            allowed = Message(
-                "refused_motion.file_has_rows", first=math.degrees(first), last=math.degrees(last)
-            )
-            raise refused(self.path, "heading", found, allowed)
-        above = min(int(np.searchsorted(self.heading, wanted)), self.heading.size - 1)
-        below = max(above - 1, 0)
-        gap = float(self.heading[above] - self.heading[below])
-        part = (wanted - float(self.heading[below])) / gap if gap > 0.0 else 0.0
-        lower, upper = self.response[below], self.response[above]
-        mixed: npt.NDArray[np.complex128] = lower + part * (upper - lower)
-        return mixed
+        wanted = np.full(self.omega.size, heading)
+        return self.coefficients.at("response", self.omega, wanted)
 
 
 def read_vessel_raos(motion: Motion) -> VesselRaos:
