@@ -361,10 +361,7 @@ def ship_document(found: ShipVerification) -> dict[str, Any]:
         "since_s": float(found.runs[0].time[0]),
         "storm_s": dynamics.duration_of_interest,
         "mean_force_N": list(rest.force),
-        "mean_loads": {
-            name: {"surge_N": part[0], "sway_N": part[1], "yaw_N_m": part[2]}
-            for name, part in zip(names, (each.tolist() for each in rest.parts), strict=True)
-        },
+        "mean_loads": {name: part.tolist() for name, part in zip(names, rest.parts, strict=True)},
         "rest": {"x_m": rest.place[0], "y_m": rest.place[1], "yaw_rad": rest.place[2]},
         "heading_rad": found.heading,
         "offset_m": _document(found.offset),
