@@ -10,6 +10,7 @@ import pytest
 
 from catopt import Line, Segment, System, solve_system
 from catopt.errors import InputError
+from catopt.floater import two_scales
 from catopt.floater.ship import ShipInWeather
 from catopt.floater.slow_motion import SlowShip, rates
 from catopt.floater.two_scales import MooredShip, Scales, scales_of
@@ -299,3 +300,17 @@ def test_a_ship_on_one_line_fishtails_as_its_linear_equations_have_it() -> None:
     expected = float(np.linalg.eigvals(A).real.max())
     assert expected > 1e-3
     assert growth == pytest.approx(expected, rel=0.1)
+
+
+def test_slow_motion_is_of_second_order_in_its_step(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The drift is linear between samples: a quarter of the difference for half the step."""
+    waves = random_waves(jonswap(6.0, 11.0), 30, np.random.default_rng(2), direction=2.6)
+    found = {}
+    for step in (2.0, 1.0, 0.5):
+        monkeypatch.setattr(two_scales, "SLOW_STEP", step)
+        moored = MooredShip(spread(), ship())
+        history = moored.run(waves, 200.0, 0.0, np.random.default_rng(1), step=10.0)
+        found[step] = history.slow[:, :2]
+    first = np.abs(found[2.0] - found[1.0]).max()
+    second = np.abs(found[1.0] - found[0.5]).max()
+    assert math.log2(first / second) == pytest.approx(2.0, abs=0.3)
