@@ -27,7 +27,6 @@ from catopt.floater.two_scales import (
     sample_step,
     scales_of,
 )
-from catopt.hydro.coefficients import Coefficients
 from catopt.model import Case
 from catopt.ties import first_largest
 from catopt.verify.dynamic_setup import Drive, read_drive
@@ -68,6 +67,8 @@ class ShipVerification:
     runs: tuple[ShipHistory, ...]
     checks: CheckReport
     remarks: tuple[Message, ...]
+    directions: Array
+    """Of the waves of the first run, where they travel to, rad."""
 
     @property
     def _storm(self) -> float:
@@ -187,9 +188,9 @@ def verify_ship(case: Case, *, progress: Progress | None = None) -> ShipVerifica
         *_few_cycles(histories, rests[0]),
         *_remarks(case, moored, drive, rests[0]),
     )
-    return ShipVerification(
-        case, moored, rests[0], histories, _checked(case, lines, moored), remarks
-    )
+    checks = _checked(case, lines, moored)
+    directions = _waves(drive, 0).direction
+    return ShipVerification(case, moored, rests[0], histories, checks, remarks, directions)
 
 
 def _waves(drive: Drive, run: int) -> Waves:
@@ -223,9 +224,7 @@ def moored_ship(case: Case) -> tuple[MooredShip, Drive]:
     vessel = drive.vessel
     if vessel is None:
         return MooredShip(case.system, ship), drive
-    answers = vessel.response.transpose(1, 0, 2)
-    response = Coefficients(vessel.omega, vessel.heading, response=answers, source=vessel.path)
-    return MooredShip(case.system, ship, response, vessel.reference, vessel.crest), drive
+    return MooredShip(case.system, ship, vessel.coefficients, vessel.reference, vessel.crest), drive
 
 
 def _checked(case: Case, lines: tuple[LineOfShip, ...], moored: MooredShip) -> CheckReport:
@@ -302,6 +301,7 @@ def _of_waves(moored: MooredShip, waves: Waves) -> Iterator[Message]:
     length = 2.0 * math.pi / k
     if of.drift_file:
         yield Message("floater.drift_of_file")
+        yield from ship.remarks
     else:
         yield Message("floater.drift_by_reflection", part=of.reflection)
     if k * ship.depth < 0.5 * math.pi:
@@ -361,10 +361,7 @@ def ship_document(found: ShipVerification) -> dict[str, Any]:
         "since_s": float(found.runs[0].time[0]),
         "storm_s": dynamics.duration_of_interest,
         "mean_force_N": list(rest.force),
-        "mean_loads": {
-            name: {"surge_N": part[0], "sway_N": part[1], "yaw_N_m": part[2]}
-            for name, part in zip(names, (each.tolist() for each in rest.parts), strict=True)
-        },
+        "mean_loads": {name: part.tolist() for name, part in zip(names, rest.parts, strict=True)},
         "rest": {"x_m": rest.place[0], "y_m": rest.place[1], "yaw_rad": rest.place[2]},
         "heading_rad": found.heading,
         "offset_m": _document(found.offset),
