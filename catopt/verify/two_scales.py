@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Final
 
@@ -12,9 +12,10 @@ import numpy as np
 
 from catopt.arrays import Array
 from catopt.catenary.solve import solve
-from catopt.checks.criteria import criteria_of
+from catopt.checks.criteria import Criteria, criteria_of, motion_profile
 from catopt.checks.criterion import Place
 from catopt.checks.evaluation import evaluate
+from catopt.checks.profiles import profiles_of
 from catopt.checks.remarks import of_criteria
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.errors import InputError, Problem
@@ -167,7 +168,7 @@ def verify_ship(case: Case, *, progress: Progress | None = None) -> ShipVerifica
     """
     moored, drive = moored_ship(case)
     dynamics = drive.dynamics
-    criteria = criteria_of(case)
+    criteria = _criteria(case)
     for line in {leg.line for leg in moored.system.legs}:
         criteria.strengths(line, {"extreme"})
     runs, rests = [], []
@@ -227,9 +228,25 @@ def moored_ship(case: Case) -> tuple[MooredShip, Drive]:
     return MooredShip(case.system, ship, vessel.coefficients, vessel.reference, vessel.crest), drive
 
 
+def _criteria(case: Case) -> Criteria:
+    """Gather what lines that hang by closed form are to keep: factors for quasi-static analysis.
+
+    In the place of a code without factors for motion those of `checks.motion_code`, if given.
+    """
+    checks, by = case.checks, motion_profile(case.checks)
+    if by is None or checks.motion_code is None:
+        return criteria_of(case)
+    named = zip(checks.codes, profiles_of(replace(checks, motion_code=None)), strict=True)
+    codes = [code for code, each in named if each.is_for_motion]
+    if checks.codes and len(codes) == len(checks.codes):
+        return criteria_of(case)
+    own = replace(checks, codes=tuple(dict.fromkeys((*codes, checks.motion_code))))
+    return criteria_of(replace(case, checks=replace(own, motion_code=None)))
+
+
 def _checked(case: Case, lines: tuple[LineOfShip, ...], moored: MooredShip) -> CheckReport:
     """Check each line as it hangs under its largest tension, by quasi-static factors."""
-    criteria = criteria_of(case)
+    criteria = _criteria(case)
     results: list[CheckResult] = []
     told: list[str] = []
     for each, leg in zip(lines, moored.system.legs, strict=True):
