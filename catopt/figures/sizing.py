@@ -126,9 +126,7 @@ def tension_by_length(of: InMotion) -> Chart:
         series=(
             Series("first", lengths, probable, Message("figures.in_storm")),
             Series("peak", lengths, probable),
-            Series(
-                "second", lengths, [each.at_rest for each in storms], Message("figures.steady")
-            ),
+            Series("second", lengths, [each.at_rest for each in storms], Message("figures.steady")),
         ),
         marks=tuple(
             Mark("recommended", own, tension, Message("figures.choice_recommended"))

@@ -45,7 +45,7 @@ class Findings:
     def __init__(self, source: str = "", of: object = None) -> None:
         self.source = source or type(of).__name__
         self.problems: list[Problem] = []
-        self._of = of
+        self._of: Any = of
 
     def check(self, *keys: str) -> Self:
         """Note the problems of attributes, by their annotated kinds; of all if none is named.
