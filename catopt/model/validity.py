@@ -45,14 +45,15 @@ class Findings:
     def __init__(self, source: str = "", of: object = None) -> None:
         self.source = source or type(of).__name__
         self.problems: list[Problem] = []
-        self._of: Any = of
+        self._of = of
 
     def check(self, *keys: str) -> Self:
         """Note the problems of attributes, by their annotated kinds; of all if none is named.
 
         What is the default of its class is right.
         """
-        known = _known(type(self._of))
+        of: type = type(self._of)
+        known = _known(of)
         for key in keys or known:
             value = getattr(self._of, key)
             default, annotation = known[key]
