@@ -129,6 +129,22 @@ def _afloat() -> None:
     run_alone(hull, TimeStepping(0.1, 0.05), sea=Sea(20.0, regular_wave(0.5, 6.0)))
 
 
+def _ship() -> None:
+    """Step a ship on its lines."""
+    import numpy as np
+
+    from catopt.floater.ship import ShipInWeather
+    from catopt.floater.two_scales import MooredShip
+    from catopt.model import ShipAfloat
+    from catopt.waves import regular_wave
+
+    system = _template("system").system
+    assert system is not None
+    depth = max(leg.fairlead_height for leg in system.legs)
+    of = ShipInWeather(ShipAfloat(30.0, 8.0, 0.2 * depth, 0.5 * depth), depth, 1025.0, (5.0, 0.0))
+    MooredShip(system, of).run(regular_wave(0.2, 5.0), 4.0, 1.0, np.random.default_rng(1))
+
+
 def _linear() -> None:
     """Move the truss model in a sea linearly."""
     from catopt.model import WaveState
@@ -147,6 +163,7 @@ JOBS: Mapping[str, Callable[[], None]] = MappingProxyType(
         "truss model at rest": _at_rest,
         "truss model in motion": _in_motion,
         "buoy afloat": _afloat,
+        "ship on its lines": _ship,
         "truss model in linear motion": _linear,
     }
 )

@@ -67,7 +67,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "waves": BASE | {"model"},
     "hydro": BASE | {"model", "waves"},
     "fem": BASE | {"model", "waves", "hydro"},
-    "floater": BASE | {"model", "waves", "hydro", "fem", "loads"},
+    "floater": SOLVING | {"mooring", "waves", "hydro", "fem", "loads"},
     "loads": BASE | {"model", "waves", "catalogue"},
     "checks": SOLVING | {"catalogue", "mooring"},
     "design": SOLVING | {"catalogue", "mooring", "checks"},

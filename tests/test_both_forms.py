@@ -14,6 +14,7 @@ import pytest
 import catopt
 from catopt import Line, PointLoad, Segment, read_case, solve_many
 from catopt.compile_jobs import _afloat as compile_afloat
+from catopt.compile_jobs import _ship as compile_ship
 from catopt.design.evaluation import DesignProblem
 from catopt.design.front import hypervolume, non_dominated
 from catopt.design.mooring import MooringProblem
@@ -32,7 +33,7 @@ from catopt.fem.dynamics import line_at_rest
 from catopt.fem.linear_motion import linear_model, linear_motion
 from catopt.fem.mesh import mesh_line
 from catopt.fem.series import series_rows, series_values
-from catopt.floater import alone  # noqa: F401 - before its `compiled` is watched
+from catopt.floater import alone, two_scales  # noqa: F401 - before their `compiled` is watched
 from catopt.mooring.batch import solve_system_many
 from catopt.waves import PowerLawCurrent, Sea, TableCurrent, jonswap, random_waves
 
@@ -160,6 +161,11 @@ def afloat() -> None:
     compile_afloat()
 
 
+def ship() -> None:
+    """Step a ship on its lines, as ``catopt compile`` does."""
+    compile_ship()
+
+
 JOBS: dict[Callable[[], None], set[str]] = {
     waves: {"fill_elevation", "fill_kinematics", "fill_wave_numbers"},
     fronts: {"_best_of_three", "_volume"},
@@ -174,6 +180,7 @@ JOBS: dict[Callable[[], None], set[str]] = {
     },
     linear: {"fill_equivalents", "respond_linearly"},
     afloat: {"march", "run_hull"},
+    ship: {"step_slowly", "hang_lines"},
 }  # fmt: skip
 """What is run, and which functions that calls; to compile them all takes two minutes."""
 

@@ -13,6 +13,7 @@ from catopt.constants import YEAR
 from catopt.model import CurrentProfile, Motion
 from catopt.model import dynamics as run
 from catopt.model import fatigue as damage
+from catopt.model.body import floater_misfits, ship_misfits
 from catopt.model.current_profile import CURRENT_PROFILES
 from catopt.model.motion import MOTION_WAYS, OF_A_BODY
 from catopt.model.wave_state import train_misfits, wave_misfits
@@ -29,6 +30,7 @@ def motion_findings(case: Section) -> list[Finding]:
         *_current(case.table("current")),
         *(_motion(case.table("motion")) if "motion" in case else ()),
         *(_motion(case.table("anchor_motion")) if "anchor_motion" in case else ()),
+        *(_floater(case.table("floater")) if "floater" in case else ()),
         *_run(case, case.table("dynamics")),
         *(_fatigue(case, case.table("fatigue")) if "fatigue" in case else ()),
     ]
@@ -41,7 +43,7 @@ def _together(case: Section) -> Iterator[Finding]:
     present = [key for key in run.FOR_MOTION if key in case]
     given = {
         f"{part}.{key}": each
-        for part in ("motion", "body", "dynamics")
+        for part in ("motion", "body", "floater", "dynamics")
         for key, each in case.table(part).given.items()
     }
     for problem in run.dynamics_misfits(present, given):
@@ -90,6 +92,15 @@ def _motion(motion: Section) -> Iterator[Finding]:
         else:
             ways = ", ".join(key for key in MOTION_WAYS if key in known)
             yield Finding(motion.path, problem.found, Message("refused.exactly_one", ways=ways))
+
+
+def _floater(floater: Section) -> Iterator[Finding]:
+    """Find any but exactly one of buoy and ship, and keys that go with the other."""
+    ship = floater.table("ship")
+    if not floater.misspelt():
+        yield from floater.refused(floater_misfits(floater.given))
+    if not ship.misspelt("drift_file", "ulen"):
+        yield from ship.refused(ship_misfits(ship.given))
 
 
 def _run(case: Section, dynamics: Section) -> Iterator[Finding]:

@@ -137,6 +137,8 @@ def _case(
     from catopt.verify.case import verify_case
     from catopt.verify.result import Verification
 
+    if moving is not None and case.floater is not None and case.floater.ship is not None:
+        return _ship(asked, case, load_case, moving)
     if moving is not None:
         _check_for_motion(case)
     if moving is not None and case.site.seabed_slope != 0.0:
@@ -169,6 +171,30 @@ def _case(
         pictures=(*found.pictures, partial(bundle.motion_pictures, moved)),
         in_motion=lambda: {"dynamic": moved.to_dict() | own},
         stop=partial(stop_in_doubt, asked, moved),
+    )
+
+
+def _ship(asked: Asked, case: Case, load_case: str | None, moving: dict[str, Any]) -> _Found:
+    """Run the ship of a case on two time scales; the truss model has no part in it."""
+    from catopt.answers.ship import ship_answer
+    from catopt.verify.result import Verification
+    from catopt.verify.two_scales import ship_document, verify_ship
+
+    wanted = Message("refused_command.does_not_go_with_ship")
+    given = {
+        "--load-case": load_case is not None,
+        "--twice-the-bars": moving["proof"] == "bars",
+        "--workers": moving["workers"] is not None,
+    }
+    refuse(Problem(key, "", wanted) for key, is_given in given.items() if is_given)
+    with asked.output.progress("Ship in motion") as tell:
+        moved = verify_ship(case, progress=tell)
+    return _Found(
+        case,
+        Verification(case, ()),
+        "",
+        (ship_answer(moved),),
+        in_motion=lambda: {"ship": ship_document(moved)},
     )
 
 

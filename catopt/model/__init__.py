@@ -1,7 +1,7 @@
 """What is moored, as frozen values in SI: no input, no output, no solving."""
 
 from catopt.model.anchor import Anchor
-from catopt.model.body import Body, Buoy, Floater
+from catopt.model.body import Body, Buoy, Floater, ShipAfloat
 from catopt.model.case import Case, CatalogueChoice, SwarmSettings
 from catopt.model.checks import Checks
 from catopt.model.current_profile import CurrentProfile
@@ -50,6 +50,7 @@ __all__ = [
     "SegmentChoice",
     "SegmentCurve",
     "Service",
+    "ShipAfloat",
     "SinkerChoice",
     "Site",
     "SwarmSettings",

@@ -140,7 +140,7 @@ class Case(Checked):
     body: Body | None = None
     """That the lines moor, where it moves under forces instead of being led."""
     floater: Floater | None = None
-    """A buoy that the line moors, which floats and moves with it."""
+    """A buoy that the line moors, which floats and moves with it, or a ship on several lines."""
     dynamics: Dynamics | None = None
     """How the line is run in time; needed by the six before it."""
     fatigue: Fatigue | None = None
@@ -201,7 +201,7 @@ class Case(Checked):
             present,
             {
                 f"{part}.{key}": value
-                for part in ("motion", "body", "dynamics")
+                for part in ("motion", "body", "floater", "dynamics")
                 if part in present
                 for key, value in vars(getattr(self, part)).items()
                 if value

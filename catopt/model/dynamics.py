@@ -203,6 +203,9 @@ def dynamics_misfits(present: Collection[str], given: Mapping[str, Any]) -> list
 
 def _of_a_floater(present: Collection[str], given: Collection[str]) -> Iterator[Problem]:
     """Yield what does not go together with a buoy that floats at the end of its line."""
+    if "floater.ship" in given:
+        yield from _of_a_ship(present, given)
+        return
     for key in ("motion", "anchor_motion", "body", "system"):
         if key in present:
             allowed = Message("refused_case.does_not_go_with_floater_too")
@@ -213,6 +216,21 @@ def _of_a_floater(present: Collection[str], given: Collection[str]) -> Iterator[
         yield Problem("dynamics.broken_line", "", Message("refused_case.does_not_go_with_floater"))
 
 
+def _of_a_ship(present: Collection[str], given: Collection[str]) -> Iterator[Problem]:
+    """Yield what does not go together with a ship on its lines."""
+    if "system" not in present:
+        yield Problem("system", "", Message("refused_case.ship_needs_system"))
+    if "waves" not in present:
+        yield Problem("waves", "", Message("refused_case.missing_nothing_moves_floater_but"))
+    if "body" in present:
+        yield Problem("body", "", Message("refused_case.does_not_go_with_ship"))
+    if "motion" in present and "motion.rao_file" not in given:
+        yield Problem("motion", "", Message("refused_case.ship_motion_is_raos"))
+    for key in ("motion.drift", "motion.drift_file", "dynamics.broken_line"):
+        if key in given:
+            yield Problem(key, "", Message("refused_case.does_not_go_with_ship"))
+
+
 def _of_a_body(present: Collection[str], given: Collection[str]) -> Iterator[Problem]:
     """Yield what does not go together in how a body with several lines moves."""
     if "anchor_motion" in present:
@@ -220,7 +238,7 @@ def _of_a_body(present: Collection[str], given: Collection[str]) -> Iterator[Pro
     if "motion" in present and "body" in present:
         allowed = Message("refused_case.does_not_go_with_motion")
         yield Problem("body", "", allowed)
-    elif "motion" not in present and "body" not in present:
+    elif not {"motion", "body", "floater"} & set(present):
         allowed = Message("refused_case.moored_body_motion_needs_motion")
         yield Problem("dynamics", "", allowed)
     elif "body" in present and "waves" not in present and "body.force_file" not in given:

@@ -6,7 +6,6 @@ import math
 import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import MISSING
-from functools import cache
 from typing import Self
 
 from catopt.errors import InputError, Problem
@@ -29,10 +28,15 @@ _DIMENSIONS["N/m2"] = Dimension.PRESSURE
 """By their SI units, as messages write them."""
 
 
-@cache
+_KNOWN: dict[type, Mapping[str, tuple[object, Annotation]]] = {}
+
+
 def _known(of: type) -> Mapping[str, tuple[object, Annotation]]:
     """Of each attribute of a class: its default, and what its annotation says."""
-    return {key: (getattr(of, key, MISSING), each) for key, each in annotated(of).items()}
+    if of not in _KNOWN:
+        every = annotated(of).items()
+        _KNOWN[of] = {key: (getattr(of, key, MISSING), each) for key, each in every}
+    return _KNOWN[of]
 
 
 class Findings:

@@ -346,6 +346,9 @@ def check_for_motion(case: Case) -> None:
     Raises InputError with the path of every key.
     """
     problems = []
+    if case.floater is not None and case.floater.ship is not None:
+        allowed = Message("refused_case.ship_on_two_scales")
+        raise InputError([Problem("floater.ship", "", allowed)], "--dynamic")
     if case.dynamics is None:
         allowed = Message("refused_motion.missing_write_dynamics_with_duration")
         problems.append(Problem("dynamics", "", allowed))

@@ -102,7 +102,10 @@ def made(kind: str) -> Answer:
     return FROM_PYTHON[kind]() if kind in FROM_PYTHON else told(COMMANDS[kind])
 
 
-BY_TRUSS = ("verified body", "motion", "body in motion", "front in motion", "fatigue", "fleet")
+BY_TRUSS = (
+    "verified body", "motion", "body in motion", "ship in motion", "front in motion", "fatigue",
+    "fleet",
+)  # fmt: skip
 """They run the truss model, or take seconds each."""
 
 

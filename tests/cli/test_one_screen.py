@@ -26,6 +26,7 @@ TAKEN_BY = {
 """Commands that take a file by what it has; `solve` and `curve` take those of one line."""
 SHORTER = {
     "fso-rang-dong-dynamic": ('"1200 s"', '"40 s"'),
+    "fso-rang-dong-ship": ('"3 h"', '"20 min"'),
     "dynamic-chain-56m": ('"5 min"', '"40 s"'),
     "study-chain-56m": ("[1, 2]", "[1]"),
 }

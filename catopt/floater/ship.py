@@ -1,0 +1,211 @@
+"""A ship in wind, current and waves, as what its slow motion is stepped by.
+
+Axes of the ship: x forwards, y to port, moments counter-clockwise, about the origin of the system.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Final
+
+import numpy as np
+
+from catopt.arrays import Array
+from catopt.constants import STANDARD_GRAVITY
+from catopt.errors import InputError
+from catopt.hydro.coefficient_files import read_wamit
+from catopt.hydro.coefficients import Coefficients
+from catopt.loads.blendermann import coefficients, pressure_centre, wind_type
+from catopt.loads.drag import drag
+from catopt.loads.ship import Ship
+from catopt.loads.ship_estimate import BLOCK, estimated_tanker
+from catopt.loads.ship_loads import AIR_DENSITY
+from catopt.loads.ufc_current import longitudinal_loads, transverse_load, yaw_moment
+from catopt.loads.wave_drift import depth_factor, width_across
+from catopt.loads.weathervane import YAW_TYPES
+from catopt.model import ShipAfloat
+from catopt.waves import Waves
+
+ANGLES: Final = 720
+"""Of wind and current off the bow, all round, between which forces are interpolated."""
+_GYRATION: Final = 0.25
+"""Radius of gyration in yaw over the length of the waterline; tankers have up to 0.27."""
+_TURN: Final = 2.0 * math.pi
+
+
+@dataclass(frozen=True, eq=False)
+class ShipInWeather:
+    """A ship and what blows and flows on it.
+
+    `depth` of the water, m; `density`, kg/m3; `wind` and `current`: means of where they go, along x
+    and y of the system, m/s; the current is that over the draught.
+    """
+
+    of: ShipAfloat
+    depth: float
+    density: float
+    wind: tuple[float, float] = (0.0, 0.0)
+    current: tuple[float, float] = (0.0, 0.0)
+
+    @cached_property
+    def ship(self) -> Ship:
+        """Main dimensions, areas and displacement; InputError for what no hull can be."""
+        of = self.of
+        try:
+            ship = estimated_tanker(
+                "",
+                of.length,
+                of.breadth,
+                of.draught,
+                moulded_depth=of.moulded_depth,
+                condition=of.condition,
+                frontal_area=of.frontal_area,
+                lateral_area=of.lateral_area,
+                propeller=None,
+            )
+            if of.displacement is not None:
+                ship = replace(ship, displacement=of.displacement / self.density)
+            ship.check_afloat(self.depth)
+        except InputError as error:
+            told = [replace(each, key=f"floater.ship.{each.key}") for each in error.problems]
+            raise InputError(told, "--dynamic") from None
+        return ship
+
+    @property
+    def block(self) -> float:
+        """Block coefficient."""
+        if self.of.displacement is None:
+            return BLOCK[self.of.condition]
+        ship = self.ship
+        return ship.displacement / (ship.length_waterline * ship.breadth * ship.draught)
+
+    @property
+    def mass(self) -> float:
+        """Of the ship, kg."""
+        return self.density * self.ship.displacement
+
+    @cached_property
+    def inertia(self) -> Array:
+        """Mass with the water's, (3, 3), about the origin: surge, sway, yaw.
+
+        Added mass of sway and yaw after Clarke, Gedling and Hine (1983), in deep water, and a tenth
+        of the mass in surge (C).
+        """
+        ship, m = self.ship, self.mass
+        L, B, T = ship.length_waterline, ship.breadth, ship.draught
+        unit = 0.5 * self.density * math.pi * T**2 * L
+        sway = unit * (1.0 + 0.16 * self.block * B / T - 5.1 * (B / L) ** 2)
+        yaw = unit * L**2 * (1.0 / 12.0 + 0.017 * self.block * B / T - 0.33 * B / L)
+        lever = -self.of.mooring_point
+        across, about = m + sway, m * (_GYRATION * L) ** 2 + yaw
+        both = across * lever
+        return np.array(
+            [[1.1 * m, 0.0, 0.0], [0.0, across, both], [0.0, both, about + both * lever]]
+        )
+
+    @cached_property
+    def wind_table(self) -> Array:
+        """Force and moment of a wind of 1 m/s, (ANGLES + 1, 3), by the angle that it comes from."""
+        ship = self.ship
+        kind = wind_type(f"tanker {self.of.condition}")
+        rows = []
+        for angle in _angles():
+            cx, cy = coefficients(kind, angle, ship.frontal_area / ship.lateral_area)
+            along = drag(AIR_DENSITY, 1.0, ship.frontal_area, cx)
+            across = drag(AIR_DENSITY, 1.0, ship.lateral_area, cy)
+            centre = pressure_centre(angle, ship.length_overall, ship.lateral_centre)
+            rows.append(self._about_origin(along, -across, -across * centre))
+        return np.array(rows)
+
+    @cached_property
+    def current_table(self) -> Array:
+        """Force and moment of a current of 1 m/s, likewise: UFC's at the mean speed."""
+        ship, speed = self.ship, math.hypot(*self.current) or 1.0
+        stream = {"water_density": self.density}
+        yaw = YAW_TYPES[self.of.current_yaw] if self.of.current_yaw else None
+        rows = []
+        for angle in _angles():
+            parts = longitudinal_loads(ship, speed, angle=angle, **stream)
+            along = math.fsum(each.force for each in parts)
+            across = transverse_load(ship, speed, self.depth, angle=angle, **stream).force
+            moment = 0.0
+            if yaw is not None:
+                theta = 180.0 - abs(math.degrees(angle))
+                moment = yaw_moment(across, ship.length_waterline, *yaw[:2], theta)
+            rows.append(self._about_origin(along, -across, -moment))
+        return np.array(rows) / speed**2
+
+    @property
+    def crossflow(self) -> float:
+        """Moment of the drag of a turn over the square of its rate, N m s2, about midships.
+
+        By strips, each with UFC's coefficient of a current across: L^4/32 of the length.
+        """
+        ship = self.ship
+        across = transverse_load(
+            ship, 1.0, self.depth, angle=0.5 * math.pi, water_density=self.density
+        ).force
+        return across * ship.length_waterline**3 / 32.0
+
+    def _about_origin(self, along: float, across: float, moment: float) -> tuple[float, ...]:
+        """Turn a moment about midships into that about the origin."""
+        return along, across, moment - self.of.mooring_point * across
+
+    @cached_property
+    def _drift_file(self) -> Coefficients | None:
+        """Read the mean drift out of its file."""
+        if not self.of.drift_file:
+            return None
+        assert self.of.ulen is not None
+        return read_wamit(
+            self.of.drift_file,
+            ulen=self.of.ulen,
+            density=self.density,
+            gravity=STANDARD_GRAVITY,
+        )
+
+    def drift(self, waves: Waves, wave_numbers: Array, headings: Array) -> Array:
+        """Mean drift of each wave over the square of its amplitude: (headings, waves, 3).
+
+        `headings`: of the ship, from the x axis of the system, rad; N/m2 and N/m, in the ship's
+        axes about the origin. Out of the file, about midships; or of a side that reflects the waves
+        (`catopt.loads.wave_drift`), along them.
+        """
+        angle = waves.direction - headings[:, np.newaxis]
+        of = self._drift_file
+        if of is not None:
+            found = of.at("mean_drift", waves.omega, angle)[..., [0, 1, 5]].real
+        else:
+            ship, unit = self.ship, 0.5 * self.density * STANDARD_GRAVITY * self.of.reflection**2
+            factor = np.array([depth_factor(float(k), self.depth) for k in wave_numbers])
+            size = (ship.length_waterline, ship.breadth)
+            width = np.vectorize(lambda each: width_across(*size, each))(angle)
+            push = unit * factor * width
+            found = np.stack([push * np.cos(angle), push * np.sin(angle), 0.0 * push], axis=-1)
+        found[..., 2] -= self.of.mooring_point * found[..., 1]
+        return np.asarray(found)
+
+    def steady(self, heading: float, drift: Array) -> Array:
+        """Force and moment of the mean weather at a heading, rad, as `drift` has them.
+
+        `drift` (3,): of the waves there.
+        """
+        total = np.array(drift, dtype=float)
+        for table, (x, y) in ((self.wind_table, self.wind), (self.current_table, self.current)):
+            if x or y:
+                off = math.remainder(math.atan2(-y, -x) - heading, _TURN)
+                total += (x * x + y * y) * table_at(table, off)
+        return total
+
+
+def table_at(table: Array, angle: float) -> Array:
+    """Interpolate a table all round at an angle from -pi to pi, rad."""
+    place = (angle + math.pi) / _TURN * ANGLES
+    below = min(int(place), ANGLES - 1)
+    return np.asarray(table[below] + (place - below) * (table[below + 1] - table[below]))
+
+
+def _angles() -> list[float]:
+    return [-math.pi + _TURN * k / ANGLES for k in range(ANGLES + 1)]

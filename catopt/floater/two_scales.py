@@ -1,0 +1,454 @@
+"""A ship on its lines on two time scales: slow motion stepped in time, waves by its RAOs.
+
+Slow surge, sway and yaw answer to wind with gusts, current and slow drift, which is Newman's
+(1974): of each pair of waves the mean of their own mean drifts. Lines restore by closed form. On
+that come the motions of each wave by the ship's response, and the tension of each line by closed
+form at every place of its fairlead: without the line's own inertia and drag.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any, Final
+
+import numpy as np
+
+from catopt.arrays import Array
+from catopt.compiled import compiled
+from catopt.errors import NoEquilibriumError, NotConvergedError
+from catopt.floater.ship import ShipInWeather
+from catopt.floater.slow_motion import SlowShip, hang_lines, step_slowly
+from catopt.hydro.coefficients import Coefficients
+from catopt.hydro.monohull import monohull_response
+from catopt.loads.gusts import gust_series
+from catopt.model import System
+from catopt.mooring.arrangement import room_for
+from catopt.mooring.batch import as_arrays
+from catopt.mooring.descent import Rest
+from catopt.mooring.zero_load import ZeroLoadPosition, zero_load_position
+from catopt.waves import Waves
+from catopt.waves.dispersion import fill_wave_numbers
+from catopt.words import Message
+
+SLOW_STEP: Final = 1.0
+"""s: a thirtieth of the fastest slow motion that counts."""
+_FAST_STEPS: Final = 20
+"""Samples of a mean period of the waves."""
+_HEADINGS: Final = 72
+"""Of the ship, all round, between which drift and response are interpolated."""
+_CHUNK: Final = 2000
+_ROUNDS: Final = 60
+_OFF: Final = math.radians(1.0)
+"""By which a ship that turns freely starts off its heading, so that fishtailing can begin."""
+_SAME: Final = 1e-9
+_PULL: Final = 2e-4
+"""Time that a line takes as plain Python, s."""
+_TURN: Final = 2.0 * math.pi
+
+
+@dataclass(frozen=True)
+class Scales:
+    """A quantity's parts, in its own unit: of slow motion and of that with the waves.
+
+    Deviations are standard ones. The largest of each part, beside the mean, is that of the runs, or
+    what is most probable in the storm of a normal process, if that is more.
+    """
+
+    mean: float
+    slow_deviation: float
+    slow_largest: float
+    fast_deviation: float
+    fast_largest: float
+    seen: float
+    """Largest of the sum in the runs."""
+
+    @property
+    def combined(self) -> float:
+        """Largest by API RP 2SK's rule.
+
+        Mean and the larger of: largest slow part with the significant part of the waves; largest
+        part of the waves with the significant slow one. Significant are two standard deviations.
+        """
+        first = self.slow_largest + 2.0 * self.fast_deviation
+        second = self.fast_largest + 2.0 * self.slow_deviation
+        return self.mean + max(first, second)
+
+    @property
+    def judged(self) -> float:
+        """By which it is judged: the combined largest, or what a run reached if that is more."""
+        return max(self.combined, self.seen)
+
+
+@dataclass(frozen=True, eq=False)
+class ShipHistory:
+    """What one run gave, after its ramp: of samples (n,) a time apart that the waves ask for.
+
+    `slow` (n, 3): x and y, m, and yaw, rad, of the origin; `whole` likewise with the waves;
+    `slow_tension`, `tension` (n, lines, 2): at fairlead and anchor, N.
+    """
+
+    time: Array
+    slow: Array
+    whole: Array
+    slow_tension: Array
+    tension: Array
+
+
+@dataclass(frozen=True, eq=False)
+class ShipAtRest:
+    """A ship where its mean weather and its lines balance.
+
+    `place`: x and y, m, and yaw, rad; `zero`: the zero-load position, x and y; `parts`: mean wind,
+    current and drift in the ship's axes about the origin, N and N m; `others`: further headings at
+    which it would lie, rad; `stiffness`: in surge, sway and yaw with the weather's, N/m and N m.
+    """
+
+    place: tuple[float, float, float]
+    zero: tuple[float, float]
+    parts: tuple[Array, Array, Array]
+    others: tuple[float, ...]
+    stiffness: tuple[float, float, float]
+
+    @property
+    def force(self) -> tuple[float, float]:
+        """Mean force along x and y of the system, N."""
+        along, across, _ = np.sum(self.parts, axis=0).tolist()
+        cosine, sine = math.cos(self.place[2]), math.sin(self.place[2])
+        return along * cosine - across * sine, along * sine + across * cosine
+
+
+@dataclass(frozen=True, eq=False)
+class MooredShip:
+    """A ship on its lines, with its response to waves.
+
+    `response` is about `reference`: along its x and y from the origin of the system, and above the
+    bed, m; its phases count from the crest over `crest`, likewise. None: closed forms, midships.
+    """
+
+    system: System
+    ship: ShipInWeather
+    response: Coefficients | None = None
+    reference: tuple[float, ...] = ()
+    crest: tuple[float, ...] = ()
+
+    @property
+    def _raos(self) -> tuple[Coefficients, tuple[float, ...], tuple[float, ...]]:
+        if self.response is not None:
+            return self.response, self.reference, self.crest
+        of, ship = self.ship.of, self.ship.ship
+        omega = np.geomspace(0.1, 4.0, 160)
+        heading = np.linspace(0.0, _TURN, _HEADINGS + 1)
+        answer = monohull_response(
+            omega,
+            heading,
+            self.ship.depth,
+            length=ship.length_waterline,
+            breadth=ship.breadth,
+            draught=ship.draught,
+            block=self.ship.block,
+            roll_period=of.roll_period,
+            roll_damping=of.roll_damping,
+        )
+        midships = (-of.mooring_point, 0.0)
+        return Coefficients(omega, heading, response=answer), (*midships, self.ship.depth), midships
+
+    @cached_property
+    def zero_load(self) -> ZeroLoadPosition:
+        """The lines alone."""
+        return zero_load_position(self.system)
+
+    # ------------------------------------------------------------------ at rest
+
+    def at_rest(self, waves: Waves) -> ShipAtRest:
+        """Find where it rests under the means of wind, current and drift.
+
+        NoEquilibriumError where it finds no heading, or the lines do not hold it;
+        NotConvergedError.
+        """
+        headings = np.arange(_HEADINGS, dtype=np.float64) * (_TURN / _HEADINGS)
+        mean = self.ship.drift(waves, self._wave_numbers(waves), headings)
+        mean = np.einsum("khi,h->ki", mean, waves.amplitude**2)
+
+        def drift(heading: float) -> Array:
+            place = heading / _TURN % 1.0 * _HEADINGS
+            left = int(place) % _HEADINGS
+            part = place - int(place)
+            return np.asarray((1.0 - part) * mean[left] + part * mean[(left + 1) % _HEADINGS])
+
+        def load(heading: float) -> Array:
+            return self.ship.steady(heading, drift(heading))
+
+        rest, yaw, others = self._turned(load) if self.system.turns else self._vaned(load)
+        turn = 1e-4
+        by_weather = -(load(yaw + turn)[2] - load(yaw - turn)[2]) / (2.0 * turn)
+        pull, cosine, sine = rest.pull, math.cos(yaw), math.sin(yaw)
+        both = 2.0 * cosine * sine * pull.xy
+        surge = cosine * cosine * pull.xx + sine * sine * pull.yy + both
+        sway = sine * sine * pull.xx + cosine * cosine * pull.yy - both
+        about = by_weather + (pull.mm if self.system.turns else 0.0)
+        neutral, none = self.zero_load.neutral, np.zeros(3)
+        still = replace(self.ship, current=(0.0, 0.0)), replace(self.ship, wind=(0.0, 0.0))
+        parts = (still[0].steady(yaw, none), still[1].steady(yaw, none), drift(yaw))
+        place = (rest.x, rest.y, yaw)
+        return ShipAtRest(place, (neutral.x, neutral.y), parts, others, (surge, sway, about))
+
+    def _vaned(self, load: Callable[[float], Array]) -> tuple[Rest, float, tuple[float, ...]]:
+        """Let it turn freely about the origin: a heading at which a turn is turned back."""
+        count = 10 * _HEADINGS
+        # Off the round degrees: a root on a sample would be one of rounding.
+        at = [-math.pi + (k - 0.3819660113) * _TURN / count for k in range(count + 1)]
+        moment = [float(load(each)[2]) for each in at]
+        if not any(moment):
+            return self._held(load(0.0), 0.0), 0.0, ()
+        stable = []
+        for k in range(count):
+            if moment[k] > 0.0 >= moment[k + 1]:
+                low, high = at[k], at[k + 1]
+                for _ in range(_ROUNDS):
+                    middle = 0.5 * (low + high)
+                    up = load(middle)[2] > 0.0
+                    low, high = (middle, high) if up else (low, middle)
+                heading = math.remainder(0.5 * (low + high), _TURN)
+                stable.append((moment[k] - moment[k + 1], heading))
+        if not stable:
+            raise NoEquilibriumError(Message("loads.no_heading"), "heading", math.nan)
+        (_, yaw), *others = sorted(stable, reverse=True)
+        return self._held(load(yaw), yaw), yaw, tuple(each for _, each in others)
+
+    def _turned(self, load: Callable[[float], Array]) -> tuple[Rest, float, tuple[float, ...]]:
+        """Find its yaw on lines that turn with it: the load of a yaw, the yaw of a load."""
+        yaw = self.zero_load.neutral.yaw
+        for _ in range(_ROUNDS):
+            rest = self._held(load(yaw), yaw)
+            off = rest.yaw - yaw
+            if abs(off) <= _SAME:
+                return rest, rest.yaw, ()
+            yaw += 0.7 * off
+        raise NotConvergedError(Message("floater.ship_not_at_rest", rounds=_ROUNDS))
+
+    def _held(self, load: Array, yaw: float) -> Rest:
+        cosine, sine = math.cos(yaw), math.sin(yaw)
+        along, across, moment = load.tolist()
+        force = (along * cosine - across * sine, along * sine + across * cosine)
+        return self.zero_load.under(force, moment if self.system.turns else 0.0)[0]
+
+    def _wave_numbers(self, waves: Waves) -> Array:
+        k = np.empty(waves.omega.size)
+        fill_wave_numbers(np.ascontiguousarray(waves.omega), self.ship.depth, k)
+        return k
+
+    # ------------------------------------------------------------------ in time
+
+    def run(
+        self,
+        waves: Waves,
+        duration: float,
+        ramp: float,
+        generator: np.random.Generator,
+        rest: ShipAtRest | None = None,
+        *,
+        step: float | None = None,
+    ) -> ShipHistory:
+        """Run it from rest for a time, s, of which the ramp is left out of the answer.
+
+        The generator draws the gusts; `step`, s, is that of the samples, `sample_step` when left
+        out. NoEquilibriumError where a line does not reach, with the time.
+        """
+        rest = rest or self.at_rest(waves)
+        slow = self._slow(waves, duration, ramp, generator, rest)
+        step = step or sample_step(waves)
+        time = ramp + step * np.arange(int((duration - ramp) / step) + 1, dtype=np.float64)
+        way = slow_at(time, slow)
+        legs = self.system.legs
+        fast = self._fast(waves, time, way, rest)
+        none = np.zeros((time.size, len(legs), 3))
+        whole = way.copy()
+        whole[:, :2] += fast[0]
+        whole[:, 2] += fast[2]
+        return ShipHistory(
+            time, way, whole, self._hung(time, way, none), self._hung(time, way, fast[1])
+        )
+
+    def _slow(
+        self,
+        waves: Waves,
+        duration: float,
+        ramp: float,
+        generator: np.random.Generator,
+        rest: ShipAtRest,
+    ) -> Array:
+        """Step the slow motion: x, y and yaw, a sample every `SLOW_STEP`, (n, 3)."""
+        ship, of = self.ship, self.ship.of
+        samples = math.ceil(duration / SLOW_STEP) + 1
+        time = SLOW_STEP * np.arange(samples, dtype=np.float64)
+        share = np.ones(samples) if ramp == 0.0 else np.clip(time / ramp, 0.0, 1.0)
+        grown = share * share * (3.0 - 2.0 * share)
+        speed = math.hypot(*ship.wind)
+        gust = np.zeros(samples)
+        if of.gusts != "none" and speed > 0.0:
+            gust = gust_series(speed, samples, SLOW_STEP, generator)
+        blown = np.outer(1.0 + grown * gust / (speed or 1.0), ship.wind)
+        inertia = ship.inertia
+        critical = (of.surge_damping, of.sway_damping, of.yaw_damping)
+        stiff = zip(critical, rest.stiffness, np.diag(inertia).tolist(), strict=True)
+        damping = np.array([2.0 * part * math.sqrt(max(k, 0.0) * m) for part, k, m in stiff])
+        slow = SlowShip(
+            inverse=np.linalg.inv(inertia),
+            mass=float(ship.mass),
+            lever=-float(of.mooring_point),
+            damping=damping,
+            crossflow=float(ship.crossflow),
+            wind_table=ship.wind_table,
+            current_table=ship.current_table,
+            current_x=float(ship.current[0]),
+            current_y=float(ship.current[1]),
+            turns=bool(self.system.turns),
+            wind=np.ascontiguousarray(blown),
+            drift=self._drift(waves, time, grown),
+        )
+        path = np.zeros((samples, 6))
+        path[0, :3] = rest.place
+        if not self.system.turns:
+            path[0, 2] += _OFF
+        legs = len(self.system.legs)
+        lines = as_arrays(room_for(legs))
+        work = 4.0 * _PULL * samples * legs
+        done, wrong = compiled(step_slowly, work)(
+            SLOW_STEP, slow, self._arrangement, lines, np.zeros((5, 6)), path
+        )
+        if wrong >= 0:
+            raise _out_of_reach(wrong, done * SLOW_STEP)
+        return path[:, :3]
+
+    @property
+    def _arrangement(self) -> Any:
+        return as_arrays(self.zero_load.arrangement)
+
+    def _drift(self, waves: Waves, time: Array, grown: Array) -> Array:
+        """Slow drift over time and heading, (n, headings, 3): mean, and what varies as it grows."""
+        headings = np.arange(_HEADINGS, dtype=np.float64) * (_TURN / _HEADINGS)
+        of = self.ship.drift(waves, self._wave_numbers(waves), headings)
+        sized = (
+            (of * waves.amplitude[:, np.newaxis]).transpose(1, 0, 2).reshape(waves.omega.size, -1)
+        )
+        mean = np.einsum("khi,h->ki", of, waves.amplitude**2).ravel()
+        out = np.empty((time.size, mean.size))
+        for start in range(0, time.size, _CHUNK):
+            at = slice(start, start + _CHUNK)
+            turn = np.exp(1j * (waves.phase - np.outer(time[at], waves.omega)))
+            both = (turn @ sized) * (turn @ waves.amplitude).conj()[:, np.newaxis]
+            out[at] = mean + grown[at, np.newaxis] * (both.real - mean)
+        return out.reshape(time.size, _HEADINGS, 3)
+
+    def _fast(
+        self, waves: Waves, time: Array, slow: Array, rest: ShipAtRest
+    ) -> tuple[Array, Array, Array]:
+        """Motions by the waves: of the origin along x and y, of each fairlead, and in yaw."""
+        raos, reference, crest = self._raos
+        k = self._wave_numbers(waves)
+        yaws = slow[:, 2]
+        count = max(2, math.ceil((yaws.max() - yaws.min()) / (_TURN / _HEADINGS)) + 1)
+        grid = np.linspace(yaws.min(), yaws.max() + _SAME, count)
+        answers = raos.at("response", waves.omega, waves.direction - grid[:, np.newaxis])
+        turned = np.exp(1j * grid) * complex(*crest)
+        x, y = rest.place[0] + turned.real, rest.place[1] + turned.imag
+        ahead = np.outer(x, k * np.cos(waves.direction)) + np.outer(y, k * np.sin(waves.direction))
+        there = waves.amplitude * np.exp(1j * (ahead + waves.phase))
+        sized = (answers * there[..., np.newaxis]).transpose(1, 0, 2).reshape(waves.omega.size, -1)
+        six = np.empty((time.size, 6))
+        place = (yaws - grid[0]) / (grid[1] - grid[0])
+        left = np.minimum(place.astype(int), count - 2)
+        part = (place - left)[:, np.newaxis]
+        for start in range(0, time.size, _CHUNK):
+            at = slice(start, start + _CHUNK)
+            found = (np.exp(-1j * np.outer(time[at], waves.omega)) @ sized).real
+            found = found.reshape(-1, count, 6)
+            rows = np.arange(found.shape[0])
+            six[at] = (1.0 - part[at]) * found[rows, left[at]] + part[at] * found[
+                rows, left[at] + 1
+            ]
+        cosine, sine = np.cos(yaws), np.sin(yaws)
+
+        def moved(arm_x: Array | float, arm_y: Array | float, height: float) -> Array:
+            """Way of a point at an arm from the origin, in the ship's axes, along x, y and up."""
+            dx, dy, dz = arm_x - reference[0], arm_y - reference[1], height - reference[2]
+            roll, pitch, yaw = six[:, 3], six[:, 4], six[:, 5]
+            along = six[:, 0] + pitch * dz - yaw * dy
+            across = six[:, 1] + yaw * dx - roll * dz
+            up = six[:, 2] + roll * dy - pitch * dx
+            way = (along * cosine - across * sine, along * sine + across * cosine, up)
+            return np.stack(way, axis=1)
+
+        ways = []
+        for leg in self.system.legs:
+            x_0, y_0 = leg.fairlead
+            arm: tuple[Array | float, Array | float] = (x_0, y_0)
+            if not self.system.turns:  # the ship turns about them
+                arm = x_0 * cosine + y_0 * sine, y_0 * cosine - x_0 * sine
+            ways.append(moved(*arm, leg.fairlead_height))
+        height = self.system.legs[0].fairlead_height
+        return moved(0.0, 0.0, height)[:, :2], np.stack(ways, axis=1), six[:, 5]
+
+    def _hung(self, time: Array, path: Array, ways: Array) -> Array:
+        """Tensions of every line at both ends, (n, lines, 2), by closed form."""
+        out = np.empty((time.size, len(self.system.legs), 2))
+        work = _PULL * out.size
+        done, wrong = compiled(hang_lines, work)(
+            np.ascontiguousarray(path),
+            np.ascontiguousarray(ways),
+            bool(self.system.turns),
+            self._arrangement,
+            out,
+        )
+        if wrong >= 0:
+            raise _out_of_reach(wrong, float(time[done]))
+        return out
+
+
+def sample_step(waves: Waves) -> float:
+    """Give the time between samples by which motions in waves are followed, s."""
+    energy = waves.amplitude**2
+    return min(float(_TURN * energy.sum() / (energy @ waves.omega)) / _FAST_STEPS, SLOW_STEP)
+
+
+def slow_at(time: Array, path: Array) -> Array:
+    """Interpolate slow motion between its samples."""
+    known = SLOW_STEP * np.arange(path.shape[0], dtype=np.float64)
+    return np.stack([np.interp(time, known, each) for each in path.T], axis=1)
+
+
+def _out_of_reach(line: int, time: float) -> NoEquilibriumError:
+    said = Message("floater.line_out_of_reach", number=line + 1, time=time)
+    return NoEquilibriumError(said, "length", math.nan)
+
+
+def scales_of(slow: Sequence[Array], whole: Sequence[Array], time: Array, storm: float) -> Scales:
+    """Take a quantity of several runs apart: its slow part, and what the waves add.
+
+    `storm`, s: for what is most probable of a normal process.
+    """
+    mean = float(np.mean(slow))
+    fast = [b - a for a, b in zip(slow, whole, strict=True)]
+    slow_dev, fast_dev = float(np.std(slow)), float(np.std(fast))
+    slow_most = max(_rayleigh(each - mean, time, storm, slow_dev) for each in slow)
+    fast_most = max(_rayleigh(each, time, storm, fast_dev) for each in fast)
+    slow_seen = float(np.mean([each.max() for each in slow])) - mean
+    fast_seen = float(np.mean([each.max() for each in fast]))
+    return Scales(
+        mean,
+        slow_dev,
+        max(slow_seen, slow_most),
+        fast_dev,
+        max(fast_seen, fast_most),
+        float(max(each.max() for each in whole)),
+    )
+
+
+def _rayleigh(series: Array, time: Array, storm: float, deviation: float) -> float:
+    """Most probable largest of a normal process with so many cycles."""
+    crossings = int(((series[:-1] < 0.0) & (series[1:] >= 0.0)).sum())
+    cycles = max(crossings, 1) * storm / float(time[-1] - time[0])
+    return deviation * math.sqrt(2.0 * math.log(max(cycles, math.e)))

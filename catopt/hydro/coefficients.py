@@ -1,0 +1,157 @@
+"""What waves do to a floating body in six degrees of freedom, as panel programs compute it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from catopt.arrays import Array
+from catopt.model.validity import Findings
+from catopt.words import Message
+
+Complex = npt.NDArray[np.complex128]
+
+FREEDOMS: Final = ("surge", "sway", "heave", "roll", "pitch", "yaw")
+_SAME: Final = 1e-9
+_ROUNDING: Final = 1e-2
+"""Part of the largest of its kind by which panels leave a matrix unsymmetrical, or a damping below
+0, without a remark."""
+
+
+@dataclass(frozen=True, eq=False)
+class Coefficients:
+    """Coefficients of a floating body, in SI, about one point; x forwards, y to port, z upwards.
+
+    Complex numbers have the size and, as their angle, the phase by which the answer lags behind the
+    crest of a wave of 1 m amplitude over that point: time goes as exp(-i omega t). Headings are
+    where the waves travel to, counter-clockwise from the body's x axis. None: not known.
+
+    Attributes
+    ----------
+    omega : ndarray, shape (n,)
+        Angular frequencies, rad/s, rising, above 0.
+    heading : ndarray, shape (h,)
+        rad, rising.
+    added_mass, damping : ndarray, shape (n, 6, 6)
+        kg, kg m and kg m2; N s/m, N s and N m s.
+    added_mass_zero, added_mass_infinite : ndarray, shape (6, 6)
+        The limits at zero and infinite frequency.
+    excitation : ndarray of complex, shape (n, h, 6)
+        Force, N/m, and moment, N.
+    response : ndarray of complex, shape (n, h, 6)
+        Response amplitude operators of the body afloat, m/m and rad/m.
+    mean_drift : ndarray, shape (n, h, 6)
+        Mean force and moment over the square of the amplitude, N/m2 and N/m.
+    stiffness : ndarray, shape (6, 6)
+        Of weight and buoyancy.
+    mass : ndarray, shape (6, 6)
+    source : str
+        Which files it is of.
+    """
+
+    omega: Array
+    heading: Array
+    added_mass: Array | None = None
+    damping: Array | None = None
+    added_mass_zero: Array | None = None
+    added_mass_infinite: Array | None = None
+    excitation: Complex | None = None
+    response: Complex | None = None
+    mean_drift: Array | None = None
+    stiffness: Array | None = None
+    mass: Array | None = None
+    source: str = ""
+
+    def __post_init__(self) -> None:
+        found = Findings("Coefficients")
+        for key, values in (("omega", self.omega), ("heading", self.heading)):
+            if not (np.diff(values) > 0.0).all() or (key == "omega" and (values <= 0.0).any()):
+                found.add(key, f"{values.size}", Message("refused_motion.must_rise"))
+        n, h = self.omega.size, self.heading.size
+        shapes = dict.fromkeys(("added_mass", "damping"), (n, 6, 6))
+        shapes |= dict.fromkeys(("excitation", "response", "mean_drift"), (n, h, 6))
+        limits = ("added_mass_zero", "added_mass_infinite", "stiffness", "mass")
+        for key, shape in (shapes | dict.fromkeys(limits, (6, 6))).items():
+            values = getattr(self, key)
+            if values is not None and values.shape != shape:
+                allowed = Message("refused_motion.shape", shape=shape)
+                found.add(key, Message("refused_motion.shape", shape=values.shape), allowed)
+            elif values is not None and not np.isfinite(values).all():
+                found.add(key, "nan", Message("refused_motion.finite_numbers_are_wanted"))
+        found.raise_if_any()
+
+    def at(self, key: str, omega: Array, heading: Array) -> Complex:
+        """Interpolate answers to waves, one of `excitation`, `response` and `mean_drift`.
+
+        `omega` (n,), rad/s; `heading` (..., n), rad, any number of turns; returns (..., n, 6), in
+        proportion between headings and frequencies. Beyond the first and the last frequency it is
+        held. InputError for a heading around which there is nothing, or answers that are not known.
+        """
+        values, found = getattr(self, key), Findings(self.source or "Coefficients")
+        if values is None or self.omega.size == 0:
+            found.add(key, "", Message("refused_motion.missing_from_files"))
+            found.raise_if_any()
+        first, last = float(self.heading[0]), float(self.heading[-1])
+        wanted = first + (heading - first + _SAME) % (2.0 * math.pi) - _SAME
+        beyond = wanted[wanted > last + _SAME]
+        if beyond.size:
+            far = math.degrees(float(beyond.flat[0])) % 360.0
+            given = Message("refused_motion.waves_travel_deg_from_ship", value=far)
+            ends = {"first": math.degrees(first), "last": math.degrees(last)}
+            found.add("heading", given, Message("refused_motion.file_has_rows", **ends))
+            found.raise_if_any()
+        low, part = _between(self.omega, np.broadcast_to(omega, wanted.shape))
+        left, aside = _between(self.heading, wanted)
+        high, right = (
+            np.minimum(low + 1, self.omega.size - 1),
+            np.minimum(left + 1, self.heading.size - 1),
+        )
+        part, aside = part[..., np.newaxis], aside[..., np.newaxis]
+        under = (1.0 - aside) * values[low, left] + aside * values[low, right]
+        over = (1.0 - aside) * values[high, left] + aside * values[high, right]
+        return np.asarray((1.0 - part) * under + part * over, dtype=complex)
+
+    @property
+    def remarks(self) -> tuple[Message, ...]:
+        """What of it no body at rest in still water can have: a mesh or units that are wrong."""
+        said = []
+        for key in ("added_mass", "damping", "stiffness", "mass"):
+            values = getattr(self, key)
+            if values is None:
+                continue
+            off = _scaled(values - np.swapaxes(values, -1, -2), values)
+            if off > _ROUNDING:
+                said.append(Message(f"floater.{key}_unsymmetrical", part=off))
+        if self.damping is not None:
+            both = 0.5 * (self.damping + np.swapaxes(self.damping, -1, -2))
+            scale = _scale(self.damping)
+            least = float(np.linalg.eigvalsh(both / np.multiply.outer(scale, scale)).min())
+            if least < -_ROUNDING:
+                said.append(Message("floater.damping_drives", part=-least))
+        return tuple(said)
+
+
+def _scale(values: Array) -> Array:
+    """Root of the largest of each diagonal entry, by which entries are made alike."""
+    diagonal = np.abs(np.diagonal(values, axis1=-2, axis2=-1)).reshape(-1, 6).max(axis=0)
+    scale: Array = np.sqrt(diagonal)
+    scale[scale == 0.0] = scale.max() or 1.0
+    return scale
+
+
+def _scaled(off: Array, values: Array) -> float:
+    scale = _scale(values)
+    return float(np.abs(off / np.multiply.outer(scale, scale)).max())
+
+
+def _between(rising: Array, at: Array) -> tuple[npt.NDArray[np.int64], Array]:
+    """Find the entry below each value, and its part of the way on; held beyond the ends."""
+    if rising.size == 1:
+        return np.zeros(at.shape, dtype=np.int64), np.zeros(at.shape)
+    below = np.clip(np.searchsorted(rising, at, side="right") - 1, 0, rising.size - 2)
+    way = rising[below + 1] - rising[below]
+    return below, np.clip((at - rising[below]) / way, 0.0, 1.0)

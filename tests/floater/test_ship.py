@@ -1,0 +1,267 @@
+"""A ship on two time scales: statics, Newman's drift, the linear spectral result, tensions."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from catopt import Line, Segment, System, solve_system
+from catopt.errors import InputError
+from catopt.floater.ship import ShipInWeather
+from catopt.floater.slow_motion import SlowShip, rates
+from catopt.floater.two_scales import MooredShip, Scales, scales_of
+from catopt.loads import (
+    SeaState,
+    SurfaceCurrent,
+    Turning,
+    Wind,
+    equilibrium_headings,
+    ship_loads,
+)
+from catopt.loads.heading import Headings
+from catopt.loads.weathervane import YAW_TYPES
+from catopt.model import ShipAfloat
+from catopt.mooring.arrangement import room_for
+from catopt.mooring.batch import as_arrays
+from catopt.waves import Waves, jonswap, random_waves, regular_wave
+from catopt.waves.dispersion import fill_wave_numbers
+
+DEPTH, DENSITY = 60.0, 1025.0
+OF = ShipAfloat(190.0, 32.0, 12.0, 18.0, gusts="none")
+CHAIN = Line([Segment(900.0, 1500.0, EA=9e8)])
+
+
+def spread(radius: float = 40.0) -> System:
+    """Eight lines all round, whose fairleads lie off the origin unless the radius is 0."""
+    return System.around(
+        CHAIN,
+        azimuths=[math.radians(45.0 * k + 22.5) for k in range(8)],
+        anchor_radius=880.0 + radius,
+        fairlead_radius=radius,
+        fairlead_height=DEPTH,
+    )
+
+
+def calm(heading: float = 0.0) -> Waves:
+    return regular_wave(0.01, 8.0, direction=heading)
+
+
+def ship(of: ShipAfloat = OF, **weather: tuple[float, float]) -> ShipInWeather:
+    return ShipInWeather(of, DEPTH, DENSITY, **weather)
+
+
+def polar(speed: float, angle: float) -> tuple[float, float]:
+    return speed * math.cos(angle), speed * math.sin(angle)
+
+
+@pytest.mark.parametrize("heading", [0.0, 0.4, -1.3])
+def test_mean_loads_are_those_of_the_loads(heading: float) -> None:
+    """Wind, current and drift at a heading beside `ship_loads`, which counts away from the side."""
+    from_wind, from_current, from_waves = 0.7, -0.5, 1.9
+    weather = ship(
+        wind=polar(22.0, from_wind + math.pi), current=polar(1.1, from_current + math.pi)
+    )
+    waves = regular_wave(3.0, 9.0, direction=from_waves + math.pi)
+    seen = Headings(from_wind, from_current, from_waves).seen_at(heading)
+    loads = ship_loads(
+        weather.ship,
+        Wind(22.0),
+        SurfaceCurrent(1.1),
+        # Half the square of the amplitude, of one wave as of a sea of this height.
+        SeaState(9.0, significant_height=3.0 * math.sqrt(2.0)),
+        DEPTH,
+        wind_on="tanker loaded",
+        headings=seen,
+        water_density=DENSITY,
+    )
+    k = np.empty(1)
+    fill_wave_numbers(waves.omega, DEPTH, k)
+    drift = weather.drift(waves, k, np.array([heading]))[0, 0] * waves.amplitude[0] ** 2
+    along, across, _ = weather.steady(heading, drift)
+    assert along == pytest.approx(loads.along("surge"), rel=2e-3)
+    # Each pushes away from its own side: port is positive from where it comes.
+    by_kind = {
+        kind: sum(e.force for e in loads.components if e.axis == "sway" and e.kind == kind)
+        for kind in ("wind", "current", "wave drift")
+    }
+    assert across == pytest.approx(-sum(by_kind.values()), rel=2e-3)
+
+
+def test_a_turret_ship_lies_as_one_on_a_point() -> None:
+    """Its heading beside `catopt.loads.equilibrium_headings`, which counts where all comes from."""
+    of = replace(OF, mooring_point=80.0, current_yaw="series-60")
+    from_wind, from_current, from_waves = 0.9, 0.0, 0.5
+    weather = ship(
+        of, wind=polar(18.0, from_wind + math.pi), current=polar(0.9, from_current + math.pi)
+    )
+    waves = regular_wave(2.0, 8.0, direction=from_waves + math.pi)
+    rest = MooredShip(spread(0.0), weather).at_rest(waves)
+    headings = equilibrium_headings(
+        weather.ship,
+        Wind(18.0),
+        SurfaceCurrent(0.9),
+        SeaState(8.0, significant_height=2.0 * math.sqrt(2.0)),
+        DEPTH,
+        Headings(from_wind, from_current, from_waves),
+        Turning(YAW_TYPES["series-60"], 80.0),
+        wind_on="tanker loaded",
+        water_density=DENSITY,
+    )
+    assert any(abs(rest.place[2] - each) < 0.01 for each in headings), (rest.place, headings)
+    assert len(headings) == 1 + len(rest.others)
+    assert rest.stiffness[2] > 0.0
+
+
+@pytest.mark.parametrize("radius", [0.0, 40.0])
+def test_at_rest_it_lies_where_solve_system_has_it(radius: float) -> None:
+    """Under its own mean load; and it stays there in time, with the same tensions."""
+    system = spread(radius)
+    moored = MooredShip(system, ship(wind=polar(25.0, 2.8), current=polar(0.8, 3.0)))
+    rest = moored.at_rest(calm())
+    yaw = rest.place[2]
+    moment = float(np.sum(rest.parts, axis=0)[2]) if radius else 0.0
+    solved = solve_system(system.under(rest.force, moment))
+    assert rest.place[0] == pytest.approx(solved.position.x, abs=1e-6)
+    assert rest.place[1] == pytest.approx(solved.position.y, abs=1e-6)
+    if radius:
+        assert yaw == pytest.approx(solved.position.yaw, abs=1e-8)
+    history = moored.run(calm(), 30.0, 0.0, np.random.default_rng(1), rest)
+    if radius:  # one that turns about its turret starts a degree off
+        assert history.slow[-1] == pytest.approx(rest.place, abs=1e-4)
+    tensions = [each.fairlead.tension for each in (e.solution for e in solved.lines)]
+    assert history.slow_tension[0, :, 0] == pytest.approx(tensions, rel=1e-6)
+    # A wave of 5 mm moves the fairleads by millimetres.
+    assert history.tension[:, :, 0] == pytest.approx(history.slow_tension[:, :, 0], rel=0.01)
+
+
+def test_newman_of_two_waves_by_hand() -> None:
+    """a1^2 D1 + a2^2 D2 + a1 a2 (D1 + D2) cos((w1 - w2) t - (p1 - p2))."""
+    waves = Waves(
+        np.array([1.5, 0.8]), np.array([0.7, 0.9]), np.array([0.3, 1.1]), np.full(2, math.pi)
+    )
+    moored = MooredShip(spread(), ship())
+    k = moored._wave_numbers(waves)
+    first, second = moored.ship.drift(waves, k, np.zeros(1))[0, :, 0].tolist()
+    time = np.linspace(0.0, 60.0, 13)
+    found = moored._drift(waves, time, np.ones(13))[:, 0, 0]
+    expected = 1.5**2 * first + 0.8**2 * second
+    expected = expected + 1.2 * (first + second) * np.cos(-0.2 * time + 0.8)
+    assert found == pytest.approx(expected, rel=1e-9)
+
+
+def test_slow_drift_beside_the_spectrum() -> None:
+    """Deviation of surge in a small sea within 5 % of the integral of 8 S S D^2 |H|^2."""
+    of = replace(OF, surge_damping=0.25)
+    system = spread()
+    moored = MooredShip(system, ship(of))
+    spectrum = jonswap(1.0, 9.0, 2.0)
+    slow = []
+    for seed in range(6):
+        waves = random_waves(spectrum, 400, np.random.default_rng(seed), direction=math.pi)
+        rest = moored.at_rest(waves)
+        history = moored.run(waves, 10800.0, 600.0, np.random.default_rng(seed), rest)
+        slow.append(history.slow[:, 0])
+    deviation = math.sqrt(float(np.mean([np.var(each) for each in slow])))
+
+    stiffness = solve_system(system).full_stiffness[0][0]
+    mass = float(moored.ship.inertia[0, 0])
+    damping = 2.0 * 0.25 * math.sqrt(stiffness * mass)
+    omega = np.linspace(0.3, 4.0, 1500)
+    k = omega**2 / 9.80665
+    for _ in range(100):
+        k = omega**2 / (9.80665 * np.tanh(k * DEPTH))
+    factor = 1.0 + 2.0 * k * DEPTH / np.sinh(np.minimum(2.0 * k * DEPTH, 600.0))
+    D = 0.5 * DENSITY * 9.80665 * factor * 32.0
+    mu = np.linspace(1e-4, 1.0, 3000)
+    S = spectrum.density(omega)
+    force = np.array(
+        [
+            8.0
+            * np.trapezoid(
+                S
+                * np.interp(omega + each, omega, S, right=0.0)
+                * (0.5 * (D + np.interp(omega + each, omega, D))) ** 2,
+                omega,
+            )
+            for each in mu
+        ]
+    )
+    response = 1.0 / np.abs(stiffness - mass * mu**2 + 1j * mu * damping) ** 2
+    expected = math.sqrt(float(np.trapezoid(force * response, mu)))
+    assert expected < 1.0
+    assert deviation == pytest.approx(expected, rel=0.05)
+
+
+def test_waves_move_the_fairleads() -> None:
+    """A long beam swell carries ship and fairleads: the sway of the origin is that of the water."""
+    moored = MooredShip(spread(), ship())
+    swell = regular_wave(2.0, 20.0, direction=0.5 * math.pi)
+    history = moored.run(swell, 80.0, 0.0, np.random.default_rng(1))
+    sway = history.whole[:, 1] - history.slow[:, 1]
+    k = float(moored._wave_numbers(swell)[0])
+    over = (math.sinh(k * DEPTH) - math.sinh(k * (DEPTH - 12.0))) / (
+        k * 12.0 * math.sinh(k * DEPTH)
+    )
+    over *= math.sin(16.0 * k) / (16.0 * k)
+    assert sway.max() == pytest.approx(over, rel=0.01)
+    assert np.ptp(history.tension[:, :, 0], axis=0).min() > 0.0
+
+
+def test_rates_of_a_turning_ship() -> None:
+    """Without any force its kinetic energy stays: what turning axes add does no work."""
+    none = np.zeros((721, 3))
+    moored = MooredShip(spread(0.0), ship(replace(OF, mooring_point=50.0)))
+    m, lever = 6e7, -50.0
+    inertia = np.array([[m, 0, 0], [0, m, m * lever], [0, m * lever, 1e11 + m * lever**2]])
+    slow = SlowShip(
+        inverse=np.linalg.inv(inertia), mass=m, lever=lever, damping=np.zeros(3), crossflow=0.0,
+        wind_table=none, current_table=none, current_x=0.0, current_y=0.0, turns=False,
+        wind=np.zeros((2, 2)), drift=np.zeros((2, 4, 3)),
+    )  # fmt: skip
+    state = np.array([0.0, 0.0, 0.6, 1.2, -0.4, 0.01])
+    out = np.empty(6)
+    lines = as_arrays(room_for(8))
+    assert rates(0.0, state, slow, as_arrays(moored.zero_load.arrangement), lines, out) == -1
+    speeds = state[3:]
+    # At the zero-load position the lines pull to no side.
+    assert abs(speeds @ inertia @ out[3:]) < 1e-3 * abs(m * 1.2 * 0.4 * 0.01)
+    assert out[0] == pytest.approx(1.2 * math.cos(0.6) + 0.4 * math.sin(0.6))
+    assert out[2] == 0.01
+
+
+def test_the_rule_of_rp_2sk() -> None:
+    """Mean 10: 6 + 2 x 1 against 5 + 2 x 2."""
+    assert Scales(10.0, 2.0, 6.0, 1.0, 5.0, 0.0).combined == 19.0
+    assert Scales(10.0, 1.0, 6.0, 1.0, 5.0, 0.0).combined == 18.0
+
+
+def test_scales_of_two_sines() -> None:
+    time = np.linspace(0.0, 6000.0, 60_001)
+    slow = 3.0 + 2.0 * np.sin(2.0 * math.pi * time / 100.0)
+    whole = slow + 0.5 * np.sin(2.0 * math.pi * time / 8.0)
+    found = scales_of([slow], [whole], time, 6000.0)
+    assert found.mean == pytest.approx(3.0, abs=1e-3)
+    assert found.slow_deviation == pytest.approx(2.0 / math.sqrt(2.0), rel=1e-3)
+    assert found.fast_deviation == pytest.approx(0.5 / math.sqrt(2.0), rel=1e-3)
+    # Of a normal process of 60 cycles, which is more than a sine's.
+    assert found.slow_largest == pytest.approx(
+        math.sqrt(2.0) * math.sqrt(2 * math.log(60)), rel=0.01
+    )
+    assert found.seen == pytest.approx(5.5, abs=0.05)
+
+
+def test_refused() -> None:
+    with pytest.raises(InputError, match=r"floater\.ship\.moulded_depth"):
+        ship(replace(OF, moulded_depth=11.0)).ship  # noqa: B018
+    with pytest.raises(InputError, match=r"floater\.ship\.draught"):
+        ShipInWeather(OF, 11.0, DENSITY).ship  # noqa: B018
+
+
+def test_moored_by_the_stern_it_lies_stern_on() -> None:
+    for point, expected in ((60.0, 0.3 - math.pi), (-60.0, 0.3)):
+        weather = ship(replace(OF, mooring_point=point), current=polar(1.0, 0.3))
+        rest = MooredShip(spread(0.0), weather).at_rest(calm(0.3))
+        assert rest.place[2] == pytest.approx(expected, abs=1e-3)

@@ -1,0 +1,217 @@
+"""A case's ship on two time scales: what is run, judged and refused, and what the answer holds."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from catopt import read_case, solve_system
+from catopt.answers.ship import ship_answer
+from catopt.casefile import parse_case, write_case
+from catopt.errors import InputError
+from catopt.model import Case, Motion
+from catopt.render.files import csv_files
+from catopt.schemas import schema
+from catopt.schemas.validation import misfits
+from catopt.verify.dynamic import verify_dynamic
+from catopt.verify.result import Verification
+from catopt.verify.two_scales import ShipVerification, moored_ship, ship_document, verify_ship
+
+LOADED = Path(__file__).parents[2] / "cases" / "fso-rang-dong-ship" / "loaded.toml"
+TEXT = LOADED.read_text("utf-8")
+
+
+def shorter(of: Case, duration: float = 240.0, ramp: float = 40.0, runs: int = 1) -> Case:
+    assert of.dynamics is not None
+    dynamics = replace(of.dynamics, duration=duration, ramp=ramp, runs=runs)
+    return replace(of, dynamics=dynamics)
+
+
+@cache
+def loaded() -> ShipVerification:
+    return verify_ship(shorter(read_case(LOADED), runs=2))
+
+
+def test_the_mean_weather_by_hand() -> None:
+    """Wind 1/2 rho V^2 0.90 AF; drift rho g Hs^2/16 B (1 + 2kd/sinh 2kd), by waves of the sea."""
+    wind, current, drift = loaded().rest.parts
+    assert wind[0] == pytest.approx(-0.5 * 1.221 * 37.4**2 * 588.0 * 0.90, rel=1e-6)
+    assert abs(wind[1]) < 1.0
+    # UFC's form and friction of 1.46 m/s, the mean over the draught: 0.1 B T and 0.0017 S or so.
+    form = 0.5 * 1025.0 * 1.46**2 * 32.0 * 12.5 * 0.1
+    assert -current[0] > form
+    assert -current[0] < 2.0 * form
+    longest = 2.0 * 1025.0 * 9.80665 * 8.48**2 / 16.0 * 32.0  # the factor is between 1 and 2
+    assert 0.5 * longest < -drift[0] < 0.75 * longest
+
+
+def test_it_rests_where_its_lines_have_it() -> None:
+    found = loaded()
+    assert found.case.system is not None
+    solved = solve_system(found.case.system.under(found.rest.force))
+    assert found.rest.place[:2] == pytest.approx((solved.position.x, solved.position.y), abs=1e-6)
+    assert found.heading == pytest.approx(0.0, abs=math.radians(1.0))
+
+
+def test_runs_have_seeds_of_their_own_and_the_same_digits_again() -> None:
+    first, second = loaded().runs
+    assert np.abs(first.slow - second.slow).max() > 0.1
+    again = verify_ship(shorter(read_case(LOADED), runs=2)).runs[1]
+    assert np.array_equal(again.tension, second.tension)
+    assert first.time[0] == 40.0
+
+
+def test_checks_are_of_the_largest_by_quasi_static_factors() -> None:
+    found = loaded()
+    tensions = [each for each in found.checks.results if each.kind == "tension"]
+    assert {each.place.line for each in tensions} == set(range(1, 10))
+    at_fairlead = [
+        each for each in tensions if each.place.segment == 4 and each.source.code == "API-RP-2SK"
+    ]
+    for each, line in zip(at_fairlead, found.lines, strict=True):
+        most = max(line.fairlead.combined, line.fairlead.seen)
+        assert each.demand == pytest.approx(most, rel=1e-9)
+        assert each.capacity == pytest.approx(6140e3 / 2.0)  # quasi-static: 2.0, dynamic: 1.67
+    assert {each.place.state for each in tensions} == {"intact"}
+
+
+def test_the_document_fits_its_schema() -> None:
+    found = loaded()
+    document = Verification(found.case, ()).to_dict() | {"ship": ship_document(found)}
+    assert list(misfits(document, schema("catopt.verify/1"))) == []
+    lines = document["ship"]["lines"]
+    assert lines[1]["fairlead_tension_N"]["combined"] == found.lines[1].fairlead.combined
+    assert document["ship"]["since_s"] == 40.0
+
+
+def test_the_answer_has_every_line_and_remark() -> None:
+    found = loaded()
+    answer = ship_answer(found)
+    table = csv_files(answer)["ship_lines.csv"].decode().splitlines()
+    assert len(table) == 10
+    points = [each for each in answer.blocks if type(each).__name__ == "Points"]
+    keys = {each.key for each in points[0].said}  # type: ignore[union-attr]
+    assert "floater.few_cycles" in keys  # of 200 s
+    wanted = "drift_by_reflection shallow_drift closed_raos no_roll quasi_static_lines slow_damping"
+    assert {f"floater.{each}" for each in wanted.split()} <= keys
+    assert "floater.wide_hull" not in keys
+
+
+def test_where_it_does_not_hold_it_says_so() -> None:
+    case = shorter(read_case(LOADED), 60.0, 10.0)
+    assert case.waves is not None
+    short = replace(case, waves=replace(case.waves, height=8.0, period=6.0))
+    keys = {each.key for each in verify_ship(short).remarks}
+    assert "floater.wide_hull" in keys
+    assert "motion.waves_break" in keys
+    assert "floater.shallow_drift" not in keys
+
+
+def test_the_case_is_written_as_it_was_read() -> None:
+    case = read_case(LOADED)
+    assert parse_case(write_case(case), folder=str(LOADED.parent)) == case
+
+
+RAOS = """heading (deg),period (s),surge (m/m),surge_phase (deg),heave (m/m)
+180,4,0.1,-90,0.0
+180,30,0.9,-90,1.0
+190,4,0.1,-90,0.0
+190,30,0.9,-90,1.0
+170,4,0.1,-90,0.0
+170,30,0.9,-90,1.0
+"""
+
+
+def test_raos_and_drift_of_its_own(tmp_path: Path) -> None:
+    (tmp_path / "rao.csv").write_text(RAOS)
+    rows = [
+        f"{per} {beta} {beta} {i} {mod} {phs} {re} 0.0\n"
+        for per in (4, 30)
+        for beta in (0, 90, 180, 270, 360)
+        for i, mod, phs, re in ((1, 0.3, 180, -0.3), (6, 0.0, 0, 0.0))
+    ]
+    (tmp_path / "ship.8").write_text("".join(rows))
+    text = TEXT.replace(
+        'wind_direction = "180 deg"',
+        f'wind_direction = "180 deg"\ndrift_file = "{tmp_path}/ship.8"\nulen = "100 m"',
+    ).replace(
+        "[dynamics]",
+        f"""[motion]
+rao_file = "{tmp_path}/rao.csv"
+rao_phase = "lag"
+rao_reference = ["-95 m", "0 m", "56 m"]
+rao_rotation = "deg/m"
+rao_per = "amplitude"
+
+[dynamics]""",
+    )
+    case = parse_case(text)
+    found = verify_ship(shorter(case, 60.0, 10.0))
+    moored, drive = moored_ship(case)
+    waves = drive.sea(0).waves
+    assert waves is not None
+    # -0.3 rho g ULEN a^2 of every wave.
+    expected = -0.3 * 1025.0 * 9.80665 * 100.0 * float((waves.amplitude**2).sum())
+    assert found.rest.parts[2][0] == pytest.approx(expected, rel=1e-6)
+    assert moored.reference == (-95.0, 0.0, 56.0)
+    keys = {each.key for each in found.remarks}
+    assert "floater.drift_of_file" in keys
+    assert "floater.closed_raos" not in keys
+
+
+def without(text: str, *lines: str) -> str:
+    for line in lines:
+        assert line in text
+        text = text.replace(line, "")
+    return text
+
+
+@pytest.mark.parametrize(
+    ("change", "keys"),
+    [
+        (("[floater.ship]", '[floater.ship]\nulen = "1 m"'), {"floater.ship.drift_file"}),
+        (('wind_speed = "37.4 m/s"', 'buoy = "pillar 2.4 m"'), {"floater.ship"}),
+        (('wind_speed = "37.4 m/s"', "pitch_damping = 0.1"), {"floater.pitch_damping"}),
+        (('draught = "12.5 m"\n', ""), {"floater.ship.draught"}),
+        (("[dynamics]", '[body]\nmass = "1 t"\n[dynamics]'), {"body"}),
+        (("[dynamics]", '[motion]\nperiod = "8 s"\n[dynamics]'), {"motion"}),
+        (('ramp = "10 min"', 'broken_line = 1\nbroken_at = "60 s"'), {"dynamics.broken_line"}),
+    ],
+)
+def test_what_does_not_go_together(change: tuple[str, str], keys: set[str]) -> None:
+    assert change[0] in TEXT
+    with pytest.raises(InputError) as error:
+        parse_case(TEXT.replace(*change))
+    assert keys <= {each.key for each in error.value.problems}
+
+
+def test_a_ship_without_its_lines_or_its_sea() -> None:
+    table = TEXT[TEXT.index("[system]") : TEXT.index("[floater]")]
+    lone = TEXT.replace(table, '[load]\nhorizontal_force = "1 MN"\n\n')
+    with pytest.raises(InputError, match="system"):
+        parse_case(lone)
+    sea = TEXT[TEXT.index("[waves]") : TEXT.index("[current]")]
+    with pytest.raises(InputError, match="waves"):
+        parse_case(TEXT.replace(sea, ""))
+
+
+def test_refusals_of_a_run(tmp_path: Path) -> None:
+    case = read_case(LOADED)
+    with pytest.raises(InputError, match="two time scales"):
+        verify_dynamic(case)
+    assert case.floater is not None
+    assert case.floater.ship is not None
+    deep = replace(case.floater, ship=replace(case.floater.ship, draught=17.0, moulded_depth=16.0))
+    with pytest.raises(InputError, match=r"floater\.ship\.moulded_depth"):
+        verify_ship(replace(case, floater=deep))
+    with pytest.raises(InputError, match="a ship is wanted"):
+        verify_ship(replace(case, floater=None, motion=Motion(period=8.0)))
+    (tmp_path / "ship.8").write_text("8 0 0 1 0.2 180 0.2 0\n")
+    other = replace(case.floater.ship, drift_file=str(tmp_path / "ship.8"), ulen=1.0)
+    with pytest.raises(InputError, match=r"ship\.8, line 1"):
+        verify_ship(replace(case, floater=replace(case.floater, ship=other)))
