@@ -39,7 +39,7 @@ from catopt.model.current_profile import CURRENT_PROFILES
 from catopt.model.design import SearchMethod
 from catopt.model.dynamics import InitialFriction, JudgedBy
 from catopt.model.kinds import OneOf
-from catopt.model.load_case import LoadCaseState
+from catopt.model.load import LoadCaseState
 from catopt.model.network import PointKind
 from catopt.records import From, OrNull, Part, Record, parts, unit_of
 from catopt.reproduce.items import Reproduction
