@@ -27,11 +27,10 @@ from catopt.catenary.pieces import LineProblem, Pieces, cut
 from catopt.catenary.solve import solve
 from catopt.checks.case import check_line
 from catopt.checks.excess import ROUNDING
-from catopt.design.enumeration import enumerate_designs
 from catopt.design.evaluation import DesignProblem
 from catopt.design.outcome import Outcome
 from catopt.design.problem import Floats, Genes
-from catopt.design.search import Found, answer, design_case
+from catopt.design.search import Found, answer, design_case, enumerate_designs
 from catopt.machine_code import _inner
 from catopt.model import (
     Case,

@@ -32,12 +32,14 @@ from catopt.checks.criterion import LOAD_KINDS
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.evaluation import OBJECTIVE_KEYS
 from catopt.export.exported import Format
-from catopt.loads.component import Axis, LoadComponent
+from catopt.loads.component import LoadComponent
+from catopt.loads.document import ComparedLoads
+from catopt.loads.weathervane import Lying
 from catopt.model.current_profile import CURRENT_PROFILES
 from catopt.model.design import SearchMethod
 from catopt.model.dynamics import InitialFriction, JudgedBy
 from catopt.model.kinds import OneOf
-from catopt.model.load_case import LoadCaseState
+from catopt.model.load import LoadCaseState
 from catopt.model.network import PointKind
 from catopt.records import From, OrNull, Part, Record, parts, unit_of
 from catopt.reproduce.items import Reproduction
@@ -60,6 +62,7 @@ RECORDS: Mapping[str, tuple[type[Record], ...]] = {
     "check": (CheckReport,),
     "curve": (CaseCurve,),
     "fatigue": (FatigueReport,),
+    "loads": (ComparedLoads,),
     "reproduction": (Reproduction,),
     "solution": (Solution, SolutionInCurrent),
 }
@@ -69,7 +72,11 @@ OF_A_CASE = ("check", "curve", "fatigue", "solution")
 Asked = Literal["may", "must", "never"]
 DEFINITIONS: Mapping[str, Mapping[str, tuple[type[Record], Asked]]] = {
     "design": {"check": (CheckResult, "never")},
-    "size": {"check": (CheckResult, "never")},
+    "size": {
+        "check": (CheckResult, "never"),
+        "component": (LoadComponent, "may"),
+        "heading": (Lying, "may"),
+    },
     "verify": {"check": (CheckResult, "must")},
 }
 """Parts of other documents that records lay out; whether they have what is put in on asking."""
@@ -83,11 +90,6 @@ def _of(annotation: Any, name: str = "") -> tuple[Any, ...]:
 AT_REST = get_args(VerdictAtRest)
 NO_ANSWER = "no answer"
 """What a document says for a verdict that there is none of."""
-_COMPONENT = {
-    "component/kind": _of(LoadComponent, "kind"),
-    "component/axis": _of(Axis),
-    "component/source/confidence": CONFIDENCES,
-}
 WORDS: Mapping[str, Mapping[str, tuple[Any, ...]]] = {
     "catalog": {"question": _of(Answer, "question"), "confidence": CONFIDENCES},
     "design": {
@@ -96,7 +98,6 @@ WORDS: Mapping[str, Mapping[str, tuple[Any, ...]]] = {
         "method": tuple(each for each in _of(SearchMethod) if each != "auto"),
     },
     "export": {"format": _of(Format)},
-    "loads": _COMPONENT,
     "network": {"states/points/kind": _of(PointKind), "states/current/profile": CURRENT_PROFILES},
     "report": {
         "language": LANGUAGES,
@@ -104,7 +105,6 @@ WORDS: Mapping[str, Mapping[str, tuple[Any, ...]]] = {
         "verification/worst/unit": _of(Unit),
     },
     "size": {
-        **_COMPONENT,
         "kind": _of(Moored),
         "load_case/kind": LOAD_KINDS,
         "load_case/state": _of(LoadCaseState),
@@ -154,7 +154,7 @@ Schema = dict[str, Any]
 def schema(name: str) -> Schema:
     """Write the schema of a document."""
     records = RECORDS[name]
-    of = _Written({})
+    of = _Written({}, whole=records[0])
     whole = [of.object_of(each) for each in records]
     common = set.intersection(*(set(each["required"]) for each in whole))
     properties: Schema = {"schema": {"const": records[0].SCHEMA}}
@@ -179,8 +179,9 @@ def schema(name: str) -> Schema:
 class _Written:
     """Schemas of types; those of records stand among `definitions`."""
 
-    def __init__(self, definitions: dict[str, Schema]) -> None:
+    def __init__(self, definitions: dict[str, Schema], whole: type[Record] | None = None) -> None:
         self.definitions = definitions
+        self._whole = whole
 
     def object_of(self, record: type[Record], *, asked: Asked = "may") -> Schema:
         """Write the schema of a record, by its own document."""
@@ -222,6 +223,8 @@ class _Written:
         if origin is np.ndarray:
             return {"type": "array", "items": {"type": "number"}}
         if isinstance(hint, type) and issubclass(hint, Record):
+            if hint is self._whole:
+                return {"$ref": "#"}
             name = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", hint.__name__).lower()
             if name not in self.definitions:
                 self.definitions[name] = {}
@@ -360,13 +363,19 @@ def up_to_date() -> Iterator[tuple[Path, str]]:
     for name in sorted({*DEFINITIONS, *WORDS}):
         path = FOLDER / f"{name}-1.json"
         document = json.loads(path.read_text("utf-8"))
+        tied: list[Schema] = []
         for key, (record, asked) in DEFINITIONS.get(name, {}).items():
-            document["$defs"][key] = _Written({}).object_of(record, asked=asked)
+            of = _Written({})
+            document["$defs"][key] = of.object_of(record, asked=asked)
+            document["$defs"] |= of.definitions
+            tied += [node for _, node in worded([document["$defs"][key], of.definitions])]
         for place, node in worded(document):
             if place == "check/kind":
                 node["enum"] += OLDER.get(name, ())
-            elif place.partition("/")[0] not in DEFINITIONS.get(name, {}):
+            elif place in WORDS.get(name, {}):
                 node["enum"] = list(WORDS[name][place])
+            elif node not in tied:
+                raise AssertionError(f"{name}: the words of {place} are tied to nothing")
         yield path, written(document) + "\n"
 
 

@@ -23,7 +23,7 @@ from catopt.checks.strength import Strength, strength_of
 from catopt.errors import InputError, Problem
 from catopt.model import Anchor, CatalogueChoice, Line, Segment, Service
 from catopt.model.checks import Checks
-from catopt.model.load_case import LoadCaseKind
+from catopt.model.load import LoadCaseKind
 from catopt.model.wear import Condition
 from catopt.units import as_written
 from catopt.words import Cited, Message

@@ -8,7 +8,7 @@ from typing import Literal, get_args
 from catopt.catalogue.figure import Confidence
 from catopt.checks.kinds import CheckKind
 from catopt.model.line_kind import LINE_KINDS, LineKind
-from catopt.model.load_case import LoadCaseKind
+from catopt.model.load import LoadCaseKind
 from catopt.records import Counted, Record
 from catopt.words import Message
 

@@ -14,7 +14,7 @@ from catopt.checks.kinds import CHECK_KINDS, OF_LINE, QUANTITY_OF, CheckKind, De
 from catopt.checks.result import CheckResult
 from catopt.checks.strength import Strength
 from catopt.model import Anchor, Line, Segment
-from catopt.model.load_case import LoadCaseKind
+from catopt.model.load import LoadCaseKind
 from catopt.words import Measure, Message, Several
 
 _BY_ITSELF = Place()

@@ -10,7 +10,7 @@ from catopt.checks.criterion import Criterion, State
 from catopt.checks.excess import ROUNDING
 from catopt.checks.result import CheckReport
 from catopt.model import Line, Segment, Service
-from catopt.model.load_case import LoadCaseKind
+from catopt.model.load import LoadCaseKind
 
 _STEPS = 60
 """Halvings of the diameter: down to the last digit of double precision."""

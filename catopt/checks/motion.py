@@ -14,7 +14,7 @@ from catopt.checks.kinds import OF_LINE, Demand
 from catopt.checks.profiles import profiles_of
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.model import Case, Line
-from catopt.model.load_case import LoadCase, LoadCaseKind
+from catopt.model.load import LoadCase, LoadCaseKind
 from catopt.words import Listed, Message
 
 

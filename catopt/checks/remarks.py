@@ -12,7 +12,7 @@ from catopt.checks.criterion import State
 from catopt.checks.evaluation import segment_words
 from catopt.checks.strength import Strength
 from catopt.model import Anchor, Line
-from catopt.model.load_case import LoadCaseKind
+from catopt.model.load import LoadCaseKind
 from catopt.ties import largest
 from catopt.words import Listed, Measure, Message, term
 

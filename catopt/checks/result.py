@@ -12,7 +12,7 @@ from catopt.checks.kinds import CHECK_UNITS, CheckKind
 from catopt.model import LoadCase
 from catopt.model.kinds import OneOf
 from catopt.model.kinds import Place as Along
-from catopt.model.load_case import LoadCaseKind
+from catopt.model.load import LoadCaseKind
 from catopt.records import From, FromZero, Record
 from catopt.shown import Shown
 from catopt.ties import largest

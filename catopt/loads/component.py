@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 from catopt.loads.source import LoadSource
+from catopt.model.kinds import Force, SomeForce
+from catopt.records import Record
 from catopt.shown import Tabled
 from catopt.words.measure import number
 
@@ -16,13 +18,19 @@ from the side that wind, current and waves come from."""
 
 
 @dataclass(frozen=True)
-class Number:
+class Number(Record):
     """A number that goes into a formula, in SI: its unit is empty for a pure number."""
 
+    DOCUMENT = "symbol value unit meaning"
+
     symbol: str
+    """As the formula has it."""
     value: float
+    """In its unit."""
     unit: str
+    """SI; empty for a pure number."""
     meaning: str
+    """What it is."""
 
     @property
     def text(self) -> str:
@@ -40,27 +48,33 @@ class _Symbol(str):
 
 
 @dataclass(frozen=True)
-class LoadComponent:
+class LoadComponent(Record):
     """One force: what pushes on what, such as ``"current on the hull"``."""
 
+    DOCUMENT = "name kind axis force formula numbers source note"
+
     name: str
+    """What pushes on what."""
     kind: Literal["wind", "current", "wave drift", "wave"]
-    """For sums by cause; a wave is the maximum of an oscillating force. The current on a buoy
-    includes the motion of the water in waves."""
+    """Its cause; a wave is the maximum of an oscillating force. The current on a buoy includes the
+    motion of the water in waves."""
     axis: Axis
+    """Direction, as of the sums."""
     factors: tuple[str, ...]
     """What is multiplied, the symbols of `numbers` in braces and a power behind a colon:
     ``("1/2", "{rho}", "{V:2}", "{A}", "{Cd}")``; g is gravity."""
     numbers: tuple[Number, ...]
-    force: float
-    """N, with the sign of its axis."""
+    """What was put in."""
+    force: Force
+    """With the sign of its axis."""
     source: LoadSource
     """Of the formula and its coefficients, as sure as the weakest of them."""
     note: str = ""
+    """What else to know; may be empty."""
 
     @property
     def formula(self) -> str:
-        """The product in symbols: ``"1/2 rho V^2 A Cd"``."""
+        """In the symbols of the numbers: ``"1/2 rho V^2 A Cd"``."""
         symbols = {symbol: _Symbol(symbol) for symbol in ("g", *(n.symbol for n in self.numbers))}
         return " ".join(self.factors).format(**symbols)
 
@@ -72,16 +86,18 @@ class LoadComponent:
 
 @dataclass(frozen=True)
 class Loads(Tabled):
-    """All horizontal forces on a buoy or a ship in some weather, in the order of computation."""
+    """All horizontal forces of wind, current and waves on a buoy or a ship in some weather."""
 
     title: str
+    """On what, and in what weather."""
     components: tuple[LoadComponent, ...]
+    """The forces, in the order of the computation."""
     assumptions: tuple[str, ...] = ()
     """What the answer rests on."""
     warnings: tuple[str, ...] = ()
     """What an engineer should know: a wave cut by breaking, figures out of their range."""
     method: str = ""
-    """By which: ``"22TCN-222-95"``."""
+    """By which the forces were computed: 22TCN-222-95."""
 
     def along(self, axis: Axis) -> float:
         """Sum of the forces along an axis, N."""
@@ -93,11 +109,26 @@ class Loads(Tabled):
         return Loads(self.title, tuple(own)).horizontal_force
 
     @property
-    def horizontal_force(self) -> float:
-        """Size of the sum of all forces, N: what the mooring has to hold."""
+    def all_along(self) -> Force:
+        """Sum along the one direction of everything; of a buoy."""
+        return self.along("along")
+
+    @property
+    def all_surge(self) -> Force:
+        """Sum along a ship, positive forwards."""
+        return self.along("surge")
+
+    @property
+    def all_sway(self) -> Force:
+        """Sum across a ship, positive away from the side of positive angles."""
+        return self.along("sway")
+
+    @property
+    def horizontal_force(self) -> SomeForce:
+        """Size of the sum of all forces: what the mooring has to hold."""
         return math.hypot(self.along("along") + self.along("surge"), self.along("sway"))
 
     @property
     def recalled(self) -> tuple[str, ...]:
-        """Names of the forces that rest on what was read in no document."""
+        """Names of the forces that rest on figures read in no document."""
         return tuple(each.name for each in self.components if each.source.recalled)

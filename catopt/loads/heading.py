@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import Final
 
+from catopt.model.kinds import Angle
 from catopt.model.validity import Findings
 
 _ALONG: Final = 1e-9
@@ -18,9 +19,12 @@ class Headings:
     From -pi to pi; positive to one side, negative to the other.
     """
 
-    wind: float = 0.0
-    current: float = 0.0
-    waves: float = 0.0
+    wind: Angle = 0.0
+    """That the wind comes from; of a ship that does not weathervane, off the bow."""
+    current: Angle = 0.0
+    """Of the current."""
+    waves: Angle = 0.0
+    """Of the waves."""
 
     def __post_init__(self) -> None:
         found = Findings("Headings")

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from catopt.catalogue.figure import RECALLED, Confidence
 from catopt.errors import InputError, Problem
+from catopt.records import Record
 from catopt.words import Message
 
 CALMAR = "IALA CALMAR technical reference, 27 February 2014"
@@ -19,11 +20,15 @@ NAVFAC = "NAVFAC DM 7.02 (1986), table 1 of chapter 3"
 
 
 @dataclass(frozen=True)
-class LoadSource:
+class LoadSource(Record):
     """A document to open and the clause in it, with the confidence of what stands there."""
 
+    DOCUMENT = "document clause confidence"
+
     document: str
+    """What to open."""
     clause: str
+    """Where in it."""
     confidence: Confidence
     """A read in the primary document; B in two secondary ones, or in one and checked by numbers; C
     in one secondary one; R recalled, read in none."""

@@ -22,7 +22,9 @@ from catopt.loads.ship_coefficients import ShipCoefficients
 from catopt.loads.ship_loads import AIR_DENSITY, governing_loads
 from catopt.loads.ufc_current import transverse_load, yaw_moment
 from catopt.loads.wave_drift import DriftWave, flat_side_drift, width_across
+from catopt.model.kinds import Angle, Length
 from catopt.model.validity import Findings
+from catopt.records import Record
 from catopt.shown import Tabled
 from catopt.words import Message
 
@@ -69,7 +71,7 @@ class Afloat(NamedTuple):
     """A ship in one condition."""
 
     condition: str
-    """``"loaded"`` or ``"ballast"``; empty where there is one."""
+    """Of the ship: loaded or ballast; empty where there is one."""
     ship: Ship
     wind_on: str
     """Its kind for the wind, after Blendermann."""
@@ -78,16 +80,22 @@ class Afloat(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Lying(Tabled):
+class Lying(Tabled, Record):
     """How a ship lies in water of a depth, m, and what the mooring holds at that heading."""
+
+    DOCUMENT = (
+        "afloat.condition directions.wind=wind_from_rad directions.current=current_from_rad "
+        "directions.waves=waves_from_rad heading depth loads.horizontal_force loads.method"
+    )
 
     afloat: Afloat
     directions: Headings
     """That wind, current and waves come from, counted from any one line."""
-    heading: float
-    """Of the bow, from the same line, rad."""
+    heading: Angle
+    """Of the bow, counted as the directions are."""
     loads: Loads
-    depth: float
+    depth: Length
+    """Of the water."""
 
     @property
     def headings(self) -> Headings:

@@ -16,8 +16,7 @@ from catopt.model.dynamics import Dynamics
 from catopt.model.fatigue import Fatigue, FatigueSeaState, SegmentCurve
 from catopt.model.find import Find
 from catopt.model.line import Line, PointLoad, Segment
-from catopt.model.load import Load
-from catopt.model.load_case import LoadCase
+from catopt.model.load import Load, LoadCase
 from catopt.model.motion import Motion
 from catopt.model.service import Service
 from catopt.model.site import Site

@@ -23,8 +23,7 @@ from catopt.model.fatigue import Fatigue, sections_misfits
 from catopt.model.find import Find, misfits
 from catopt.model.kinds import File, Height, Measured, Seed, Share, Whole
 from catopt.model.line import Line
-from catopt.model.load import Load
-from catopt.model.load_case import LoadCase
+from catopt.model.load import Load, LoadCase
 from catopt.model.motion import Motion
 from catopt.model.service import Service, wear_misfits
 from catopt.model.site import Site

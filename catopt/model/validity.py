@@ -56,7 +56,8 @@ class Findings:
 
         What is the default of its class is right.
         """
-        known = _known(type(self._of))
+        of: type = type(self._of)
+        known = _known(of)
         for key in keys or known:
             value = getattr(self._of, key)
             default, annotation = known[key]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from catopt.documents import figures
-from catopt.loads.document import loads_document, lying_document
+from catopt.loads.document import loads_document
 from catopt.units import Dimension
 
 if TYPE_CHECKING:
@@ -116,7 +116,7 @@ def _load_case(index: int, of: Sizing) -> dict[str, Any]:
 def _loads(of: LoadsAt) -> dict[str, Any]:
     return {
         **figures(of, "load_case depth_m horizontal_force_N given_N"),
-        "heading": None if of.lying is None else lying_document(of.lying),
+        "heading": None if of.lying is None else of.lying.to_dict(),
         "parts": [loads_document(part) for part in of.parts],
     }
 

@@ -10,13 +10,12 @@ from typing import Final
 
 import numpy as np
 
-from catopt.design.enumeration import enumerate_designs
 from catopt.design.evaluation import OBJECTIVE_KEYS, DesignProblem, design_point
 from catopt.design.near_miss import NoFeasibleDesignError, no_feasible_design
 from catopt.design.outcome import Outcome
 from catopt.design.problem import Floats
 from catopt.design.result import DesignPoint, DesignResult
-from catopt.design.search import design_case
+from catopt.design.search import design_case, enumerate_designs
 from catopt.errors import NotConvergedError
 from catopt.model import Case
 from catopt.sizing.line_choice import LineChoice

@@ -14,11 +14,6 @@ from catopt.waves.current import (
 )
 from catopt.waves.dispersion import wave_number, wavelength
 from catopt.waves.elevation_record import ElevationRecord
-from catopt.waves.frequency_range import (
-    frequency_range,
-    s4_range_jonswap,
-    s4_range_pierson_moskowitz,
-)
 from catopt.waves.kinematics import Flow, fill_elevation, fill_kinematics
 from catopt.waves.periods import (
     peak_from_mean,
@@ -26,11 +21,16 @@ from catopt.waves.periods import (
     zero_crossing_from_mean,
 )
 from catopt.waves.plausibility import breaking_height, breaking_warning
-from catopt.waves.random_surface import random_waves
+from catopt.waves.random_surface import (
+    CosineSpreading,
+    frequency_range,
+    random_waves,
+    s4_range_jonswap,
+    s4_range_pierson_moskowitz,
+)
 from catopt.waves.repetition import repetition_warning, strongest_return, waves_needed
 from catopt.waves.sea import Kinematics, Sea
 from catopt.waves.spectrum import Spectrum, jonswap, peak_enhancement, pierson_moskowitz
-from catopt.waves.spreading import CosineSpreading
 
 __all__ = [
     "CosineSpreading",

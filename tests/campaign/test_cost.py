@@ -16,9 +16,9 @@ import numpy as np
 import pytest
 
 from catopt.compile_jobs import JOBS, compile_always
-from catopt.design.enumeration import enumerate_designs
 from catopt.design.evaluation import DesignProblem
 from catopt.design.mooring import MooringProblem
+from catopt.design.search import enumerate_designs
 from catopt.model import SegmentChoice
 from catopt.study.run import run_study
 from tests.design.mooring_cases import mooring_case

@@ -43,7 +43,7 @@ from catopt.model.design import OBJECTIVES, SearchMethod
 from catopt.model.dynamics import INITIAL_FRICTION, JudgedBy, TimeScheme
 from catopt.model.find import FIND_QUANTITIES
 from catopt.model.kinds import COUNTS
-from catopt.model.load_case import LoadCaseKind
+from catopt.model.load import LoadCaseKind
 from catopt.model.wave_state import WAVE_SPECTRA, Stretching
 
 POSITIVE = st.floats(min_value=1e-3, max_value=100.0)

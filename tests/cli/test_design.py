@@ -11,7 +11,7 @@ import pytest
 import catopt
 from catopt.cli.output import Output
 from catopt.design.document import design_document
-from catopt.design.enumeration import enumerate_designs
+from catopt.design.search import enumerate_designs
 
 from .conftest import DESIGN, Run, changed, read_document, words
 

@@ -11,9 +11,9 @@ import pytest
 
 from catopt.casefile import read_case
 from catopt.checks.excess import ROUNDING
-from catopt.design.enumeration import Estimate, enumerate_designs, estimate
 from catopt.design.evaluation import LEAST_SHARE, DesignProblem
 from catopt.design.mooring import MooringProblem
+from catopt.design.search import Estimate, enumerate_designs, estimate
 from catopt.model import Checks, SegmentChoice
 from tests.design.small_cases import plain_value, small_case
 

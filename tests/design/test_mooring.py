@@ -12,10 +12,9 @@ import pytest
 from catopt.checks.excess import ROUNDING
 from catopt.checks.system import check_system
 from catopt.design.bounds import BOUNDS, least_forces
-from catopt.design.enumeration import enumerate_designs
 from catopt.design.mooring import MooringProblem
 from catopt.design.outcome import Outcome
-from catopt.design.search import design_case
+from catopt.design.search import design_case, enumerate_designs
 from catopt.design.symmetry import distinct_states, widest_gap
 from catopt.design.tables import room
 from catopt.errors import InputError

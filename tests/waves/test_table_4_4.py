@@ -17,7 +17,7 @@ from catopt.waves import (
     s4_range_pierson_moskowitz,
     zero_crossing_from_mean,
 )
-from catopt.waves.frequency_range import thousandth
+from catopt.waves.random_surface import thousandth
 
 HS, TM = 8.48, 10.0
 
