@@ -22,7 +22,7 @@ from catopt.fem.series import Harmonic
 from catopt.model import Case
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_lines import OneLine, lines_at_rest
-from catopt.verify.dynamic_setup import Drive, read_drive
+from catopt.verify.dynamic_setup import Excitation, read_drive
 
 CASE = Path(__file__).parents[1] / "cases" / "dynamic-chain-56m" / "case.toml"
 HEIGHTS, PERIODS = (1.0, 2.0, 3.0, 4.0), (8.0, 9.5, 11.0, 12.5, 14.0)
@@ -91,7 +91,7 @@ def compare(height: float, period: float, duration: float) -> tuple[float, ...]:
     )  # fmt: skip
 
 
-def linear(drive: Drive, lines: OneLine, model: LinearModel, times):  # type: ignore[no-untyped-def]
+def linear(drive: Excitation, lines: OneLine, model: LinearModel, times):  # type: ignore[no-untyped-def]
     """Tension at the fairlead over time, and what it took."""
     quick = []
     for _ in range(ROUNDS):

@@ -115,7 +115,7 @@ def _as_figure(result: object) -> Figure:
     return figure_of(result)
 
 
-shown.faces |= {"html": _as_html, "table": _as_table, "figure": _as_figure}
+shown.renderers |= {"html": _as_html, "table": _as_table, "figure": _as_figure}
 
 
 def __dir__() -> list[str]:

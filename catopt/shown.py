@@ -16,11 +16,11 @@ LONGEST = 60
 _WIDEST = 200
 """Letters of a value that still go into a cell."""
 
-faces: dict[str, Callable[[Any], Any]] = {}
+renderers: dict[str, Callable[[Any], Any]] = {}
 """What shows a result, by ``"html"``, ``"table"`` and ``"figure"``; `catopt` puts them in."""
 
 
-class Shown:
+class Displayable:
     """A result, a dataclass, that says its own numbers in a line and leaves what they hold out."""
 
     def __repr__(self) -> str:
@@ -29,17 +29,17 @@ class Shown:
 
     def _repr_html_(self) -> str:
         """Lay out all that the command prints, for a notebook."""
-        html: str = faces["html"](self)
+        html: str = renderers["html"](self)
         return html
 
     def plot(self) -> Figure:
         """Draw what the command draws, as a figure of matplotlib."""
-        figure: Figure = faces["figure"](self)
+        figure: Figure = renderers["figure"](self)
         return figure
 
     def to_dataframe(self) -> pd.DataFrame:
         """Return the main table of what the command writes, with the unit in each heading."""
-        table: pd.DataFrame = faces["table"](self)
+        table: pd.DataFrame = renderers["table"](self)
         return table
 
 

@@ -34,7 +34,7 @@ from catopt.design.evaluation import OBJECTIVE_KEYS
 from catopt.export.exported import Format
 from catopt.loads.component import LoadComponent
 from catopt.loads.document import ComparedLoads
-from catopt.loads.weathervane import Lying
+from catopt.loads.weathervane import ShipHeading
 from catopt.model.current_profile import CURRENT_PROFILES
 from catopt.model.design import SearchMethod
 from catopt.model.dynamics import InitialFriction, JudgedBy
@@ -75,7 +75,7 @@ DEFINITIONS: Mapping[str, Mapping[str, tuple[type[Record], Asked]]] = {
     "size": {
         "check": (CheckResult, "never"),
         "component": (LoadComponent, "may"),
-        "heading": (Lying, "may"),
+        "heading": (ShipHeading, "may"),
     },
     "verify": {"check": (CheckResult, "must")},
 }

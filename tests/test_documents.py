@@ -13,7 +13,7 @@ import pytest
 from catopt import schemas
 from catopt.documents import MOST_BYTES, parse_json, parse_toml, read_text
 from catopt.errors import InputError
-from catopt.schemas.validation import misfits
+from catopt.schemas.validation import inconsistencies
 from tests.fuzz.kinds import kinds
 from tests.fuzz.mutations import PARTS
 
@@ -93,7 +93,7 @@ def test_a_document_fits_its_schema_where_jsonschema_says_so(
     """Each part of it replaced by something else, and left out."""
     schema = schemas.schema(name)
     oracle = jsonschema.Draft202012Validator(schema)
-    assert list(misfits(document, schema)) == []
+    assert list(inconsistencies(document, schema)) == []
     if "front" in document:
         document["front"] = document["front"][:1]  # the oracle takes its time
     compared = 0
@@ -102,7 +102,7 @@ def test_a_document_fits_its_schema_where_jsonschema_says_so(
         before = part[key]
         for other in PARTS[compared % 3 :: 3]:
             part[key] = other
-            assert (list(misfits(document, schema)) == []) == oracle.is_valid(document), (
+            assert (list(inconsistencies(document, schema)) == []) == oracle.is_valid(document), (
                 key,
                 other,
             )

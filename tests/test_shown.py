@@ -24,8 +24,8 @@ from catopt.answers.of_result import answer_of, layouts
 from catopt.mooring.circle import watch_circle
 from catopt.render.files import csv_files
 from catopt.schemas import schema
-from catopt.schemas.validation import misfits
-from catopt.shown import Shown
+from catopt.schemas.validation import inconsistencies
+from catopt.shown import Displayable
 from catopt.verify.case import verify_case
 
 CASES = Path("cases")
@@ -72,7 +72,7 @@ def test_every_result_is_in_the_registry() -> None:
     for found in pkgutil.walk_packages(catopt.__path__, "catopt."):
         if not found.name.endswith("__main__"):
             importlib.import_module(found.name)
-    assert kinds_of(Shown) == set(layouts())
+    assert kinds_of(Displayable) == set(layouts())
 
 
 @pytest.mark.parametrize("name", [*NAMES, "system", "point"])
@@ -86,7 +86,7 @@ def test_every_kind_of_result_has_all_its_forms(name: str) -> None:
     assert len(result.to_dataframe()) > 0
     if name not in ("point", "system"):
         document = json.loads(json.dumps(result.to_dict()))
-        assert list(misfits(document, schema(document["schema"]))) == []
+        assert list(inconsistencies(document, schema(document["schema"]))) == []
 
 
 def test_the_line_has_the_numbers() -> None:
@@ -150,7 +150,7 @@ def plain_results() -> list[Any]:
         catopt_loads.size_drag_anchor("Stevpris Mk5", "sand", 4e5),
         catopt_loads.laying_check(catopt_loads.buoy("T-5000l-2.4m"), 8e3, 15e3, chain_in="air"),
         catopt_loads.size_sinker(1e4, soil="hard clay"),
-        catopt_loads.Lying(afloat, catopt_loads.HEAD_ON, 0.0, compared.loads, 20.0),
+        catopt_loads.ShipHeading(afloat, catopt_loads.HEAD_ON, 0.0, compared.loads, 20.0),
         results()["system"].watch_circle(force=1e6, directions=4),
         catopt_reproduce.reproduce("load_sharing"),
         catopt.run_study(CASES / "study-fleet" / "study.toml", workers=1),

@@ -23,10 +23,10 @@ from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:
     from catopt.loads.component import LoadComponent, Loads
-    from catopt.loads.weathervane import Lying
+    from catopt.loads.weathervane import ShipHeading
 
 
-def loads_answer(of: Loads, *others: Loads, lyings: Sequence[Lying] = ()) -> blocks.Answer:
+def loads_answer(of: Loads, *others: Loads, lyings: Sequence[ShipHeading] = ()) -> blocks.Answer:
     """Lay out the forces on a buoy or a ship, each with its formula, numbers and source.
 
     `others` are by other methods and stand in the same tables; `lyings` are the cases of which the
@@ -74,7 +74,7 @@ def _card(whole: blocks.Answer, every: Sequence[Loads]) -> Iterator[blocks.CardB
         yield blocks.Brief(assumed, Message("answers.card_assumed"), 3)
 
 
-def _headings(of: Loads, lyings: Sequence[Lying]) -> Iterator[blocks.Section]:
+def _headings(of: Loads, lyings: Sequence[ShipHeading]) -> Iterator[blocks.Section]:
     """Tabulate how the ship lies under each set of directions, and mark what is laid out."""
     if not lyings:
         return

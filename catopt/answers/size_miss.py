@@ -17,12 +17,12 @@ if TYPE_CHECKING:
     from catopt.checks.result import CheckResult
     from catopt.design.near_miss import NoFeasibleDesignError
     from catopt.design.result import NearMiss
-    from catopt.sizing.known import Known
+    from catopt.sizing.known import ResolvedInputs
 
 _SAME_SIZE = 1e-6
 
 
-def miss_answer(error: NoFeasibleDesignError, of: Known) -> Answer:
+def miss_answer(error: NoFeasibleDesignError, of: ResolvedInputs) -> Answer:
     """Lay out on one screen why nothing passes; `of` is what was asked for."""
     miss = error.near_miss
     card: list[Text | Brief] = []
@@ -64,7 +64,7 @@ def _worst(miss: NearMiss) -> Iterator[tuple[str, str]]:
 # ------------------------------------------------------------------ what would help
 
 
-def _helps(kind: str, of: Known) -> Iterator[Message]:
+def _helps(kind: str, of: ResolvedInputs) -> Iterator[Message]:
     """Yield what would help against a kind of check, of inputs that are not at their end."""
     weight = ("clump_weight",) if of.moored == "tanker" else ()
     ways = {
@@ -80,7 +80,7 @@ def _helps(kind: str, of: Known) -> Iterator[Message]:
             yield Message(f"sizing.try_{name}", option=of.telling.spell(name))
 
 
-def _is_open(name: str, of: Known) -> bool:
+def _is_open(name: str, of: ResolvedInputs) -> bool:
     """Whether an input is one of those that count here, and has room left in the wanted way."""
     match name:
         case "diameter_max":
@@ -105,7 +105,7 @@ def _is_open(name: str, of: Known) -> bool:
     return True
 
 
-def _is_sold_above(of: Known) -> bool:
+def _is_sold_above(of: ResolvedInputs) -> bool:
     """Whether a larger size is sold than those that were tried."""
     catalogue = chosen(CatalogueChoice(allow_recalled=bool(of["recalled"])), of["water_density"])
     sizes: list[float] = [
@@ -115,7 +115,7 @@ def _is_sold_above(of: Known) -> bool:
     return max(sizes) > most + _SAME_SIZE
 
 
-def _has_higher_grade(of: Known) -> bool:
+def _has_higher_grade(of: ResolvedInputs) -> bool:
     """Whether a higher grade is made of a chain than those that were tried."""
     families = chosen(CatalogueChoice(), of["water_density"]).families
     for name in of["chain"]:

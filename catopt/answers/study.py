@@ -14,7 +14,7 @@ from catopt.quantities import Quantity
 from catopt.words import Cited, Message
 
 if TYPE_CHECKING:
-    from catopt.study.base import Kept
+    from catopt.study.base import Output
     from catopt.study.reliability import FirstOrder
     from catopt.study.result import ByChoice, Statistic, StudyResult
     from catopt.study.run import Plan
@@ -97,7 +97,7 @@ def _is_known(value: Any) -> bool:
     return value == value and value not in ("", None)  # nan is not itself
 
 
-def _in_table(study: Study) -> list[Kept]:
+def _in_table(study: Study) -> list[Output]:
     """List what is kept as the table of members has it: numbers, then words."""
     return sorted(study.base.kept, key=lambda each: not each.quantity)
 

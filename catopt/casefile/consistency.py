@@ -22,7 +22,7 @@ from catopt.errors import InputError
 from catopt.model import Anchor, Find, Load
 from catopt.model.anchor import ANCHOR_KINDS
 from catopt.model.dynamics import OF_MOTION
-from catopt.model.find import FIND_QUANTITIES, FORCES, misfits
+from catopt.model.find import FIND_QUANTITIES, FORCES, inconsistencies
 from catopt.model.line import END_ROUNDING, break_test_misfits, drag_misfits, point_drag_misfits
 from catopt.model.service import wear_misfits
 from catopt.model.system import system_misfits
@@ -93,7 +93,7 @@ def _misfits(
     if sought is None and not case.lacks("find"):
         return
     segments, loads = line.tables("segments"), line.tables("point_loads")
-    problems = misfits(
+    problems = inconsistencies(
         sought,
         load=list(case.table("load").given) if has_load else None,
         MBL_known=[_has_MBL(each, components.get(each.path)) for each in segments],

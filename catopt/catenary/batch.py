@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from catopt.arrays import Array, Codes, Flags
-from catopt.catenary.layout import Runs, most_runs
+from catopt.catenary.layout import LineIntervals, most_runs
 from catopt.catenary.many import COLUMNS, fill
 from catopt.catenary.pieces import Pieces
 from catopt.catenary.root_search import BY_FORCE, BY_SPAN, BY_TENSION
@@ -227,7 +227,7 @@ def solve_many(
     )
 
 
-def room_for_runs(pieces: int) -> Runs:
+def room_for_runs(pieces: int) -> LineIntervals:
     """Make work space for the runs of a line.
 
     Parameters
@@ -238,7 +238,7 @@ def room_for_runs(pieces: int) -> Runs:
     rows = most_runs(pieces)
     whole = [np.zeros(rows, dtype=np.int64) for _ in range(2)]
     columns = [np.zeros(rows) for _ in range(5)]
-    return Runs(*whole, *columns)
+    return LineIntervals(*whole, *columns)
 
 
 def _in_si(**given: Any) -> dict[str, Any]:

@@ -28,7 +28,7 @@ from catopt.errors import FloatsUpError, InputError, Problem
 from catopt.model import Case
 from catopt.model.kinds import Place, SomeForce
 from catopt.records import Record
-from catopt.shown import Shown
+from catopt.shown import Displayable
 from catopt.words import Measure, Message
 
 __all__ = ["STEPPED", "CaseCurve", "Stepped", "curve_case"]
@@ -52,7 +52,7 @@ class CurvePoint(Record):
 
 
 @dataclass(frozen=True, repr=False)
-class CaseCurve(Shown, Record):
+class CaseCurve(Displayable, Record):
     """Load curve of one mooring line, by closed form; the lists have one entry a point.
 
     Points stand by rising span. Angles are inclinations above the horizontal, positive where the

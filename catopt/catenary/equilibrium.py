@@ -17,11 +17,11 @@ from catopt.catenary.lower_part import lower_part, on_bed, touchdown_of
 from catopt.catenary.pieces import (
     LineProblem,
     Pieces,
-    beyond_clump,
-    grip,
+    bed_friction,
     is_inextensible,
     is_plain,
     length_between,
+    tension_past_clump,
     total_length,
     total_weight,
 )
@@ -143,7 +143,7 @@ def hung_state(
         piece, rest, H_bed = bottom, pieces.length[bottom] - hung.bottom_length, H
         if hung.touchdown % 2 == 1:
             piece, rest = bottom - 1, pieces.length[bottom - 1]
-            H_bed = beyond_clump(H, pieces, bottom, friction, pieces.load[bottom] - hung.V)
+            H_bed = tension_past_clump(H, pieces, bottom, friction, pieces.load[bottom] - hung.V)
         grounded = length_between(pieces, piece, rest, 0, 0.0)
         bed_x, bed_x_H, H_anchor = grounded_part(H_bed, pieces, friction, piece, rest, 0, 0.0)
         V_anchor = 0.0
@@ -183,7 +183,7 @@ def in_parts(upper: Part, problem: LineProblem) -> State:
     part = upper
     while part.touchdown != NO_TOUCHDOWN:
         down = touchdown_of(part, reach.V_bottom, pieces)
-        hold = grip(pieces, down.clump, friction) if down.clump >= 0 else friction
+        hold = bed_friction(pieces, down.clump, friction) if down.clump >= 0 else friction
         H_by_H, H_by_V = H_by_H + hold * lift_by_H, H_by_V + hold * lift_by_V
         stretches += 1
         part = lower_part(down, problem)

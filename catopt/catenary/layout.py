@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from typing import Annotated, Any, NamedTuple
 
 from catopt.catenary.lower_part import Touchdown, lower_part, on_bed, touchdown_of
-from catopt.catenary.pieces import LineProblem, Pieces, beyond_clump, piece_reach, piece_rise
+from catopt.catenary.pieces import LineProblem, Pieces, piece_reach, piece_rise, tension_past_clump
 from catopt.catenary.sliding import (
     Onset,
     from_its_anchor,
@@ -33,7 +33,7 @@ _RUNS_PER_PIECE = 4
 """A piece may hang, lie with tension, lie without it and hang again."""
 
 
-class Runs(NamedTuple):
+class LineIntervals(NamedTuple):
     """Work space for the runs of one line: lists, or arrays in compiled code.
 
     Of each run the piece, on_bed (1 on the bed), the unstretched length (m), the forces on its
@@ -55,7 +55,7 @@ def most_runs(pieces: int) -> int:
     return _RUNS_PER_PIECE * (pieces + 1)
 
 
-def runs_of(state: State, problem: LineProblem, runs: Runs) -> int:
+def runs_of(state: State, problem: LineProblem, runs: LineIntervals) -> int:
     """Write the runs of a solved line, from the fairlead down, and count them."""
     if state.touchdown == IN_PARTS:
         return _in_parts(_upper_part(state.H, state.V, problem), problem, runs, 0)
@@ -78,7 +78,7 @@ def _upper_part(H: float, V: float, problem: LineProblem) -> Part:
     return with_force(part, part.piece, part.V + shift) if shift != 0.0 else part
 
 
-def _loose(onset: Onset, problem: LineProblem, runs: Runs) -> int:
+def _loose(onset: Onset, problem: LineProblem, runs: LineIntervals) -> int:
     """Write the runs of a line above the place where its tight part begins, and below it."""
     tight, below = tight_above(onset, problem), loose_below(onset, problem)
     count = _in_parts(lying_end(onset.part.H, tight.pieces), tight, runs, 0)
@@ -88,7 +88,7 @@ def _loose(onset: Onset, problem: LineProblem, runs: Runs) -> int:
     return _in_parts(start_below(onset, below), below, runs, count)
 
 
-def _in_parts(part: Part, problem: LineProblem, runs: Runs, count: int) -> int:
+def _in_parts(part: Part, problem: LineProblem, runs: LineIntervals, count: int) -> int:
     """Write the runs of a line in parts from a row on, beginning with the part at its fairlead."""
     pieces = problem.pieces
     count = _hanging(part, pieces, runs, count)
@@ -102,7 +102,7 @@ def _in_parts(part: Part, problem: LineProblem, runs: Runs, count: int) -> int:
     return count
 
 
-def _turn(pieces: Pieces, runs: Runs, count: int) -> None:
+def _turn(pieces: Pieces, runs: LineIntervals, count: int) -> None:
     """Turn the runs of a line that was counted from its anchor: order, ends and signs."""
     for row in range((count + 1) // 2):
         other = count - 1 - row
@@ -112,7 +112,7 @@ def _turn(pieces: Pieces, runs: Runs, count: int) -> None:
 
 
 def _turned_row(
-    pieces: Pieces, runs: Runs, row: int
+    pieces: Pieces, runs: LineIntervals, row: int
 ) -> tuple[int, float, float, float, float, float, int]:
     """Return one run as seen from the other end of the line."""
     k, length, friction = runs.piece[row], runs.length[row], runs.friction[row]
@@ -122,7 +122,7 @@ def _turned_row(
     return own, length, H, V, -friction, -runs.slope[row], runs.on_bed[row]
 
 
-def _descending(state: State, problem: LineProblem, runs: Runs) -> int:
+def _descending(state: State, problem: LineProblem, runs: LineIntervals) -> int:
     """Write the runs of a line of a single part, with the forces counted from the fairlead."""
     pieces = problem.pieces
     H, V = state.H, state.V
@@ -146,7 +146,7 @@ def _descending(state: State, problem: LineProblem, runs: Runs) -> int:
 
 
 def _write(
-    runs: Runs,
+    runs: LineIntervals,
     row: int,
     piece: int,
     length: float,
@@ -165,7 +165,7 @@ def _write(
     runs.on_bed[row] = on_bed
 
 
-def _hanging(part: Part, pieces: Pieces, runs: Runs, first: int) -> int:
+def _hanging(part: Part, pieces: Pieces, runs: LineIntervals, first: int) -> int:
     """Write the runs of a part, with the forces counted from where they are known."""
     V = part.V
     for k in range(part.piece, part.top + 1):
@@ -183,7 +183,12 @@ def _hanging(part: Part, pieces: Pieces, runs: Runs, first: int) -> int:
 
 
 def _lying(
-    down: Touchdown, end: int, end_rest: float, problem: LineProblem, runs: Runs, first: int
+    down: Touchdown,
+    end: int,
+    end_rest: float,
+    problem: LineProblem,
+    runs: LineIntervals,
+    first: int,
 ) -> int:
     """Write the runs of a stretch on the bed, with what friction leaves of the tension."""
     pieces, friction = problem.pieces, problem.friction
@@ -203,7 +208,7 @@ def _lying(
             _write(runs, row, k, length - held, 0.0, 0.0, 0.0, 0.0, 1)
             row += 1
             T = 0.0
-        T = beyond_clump(T, pieces, k, friction, pieces.load[k])
+        T = tension_past_clump(T, pieces, k, friction, pieces.load[k])
     return row
 
 
@@ -219,7 +224,7 @@ def run_reach(
 ) -> tuple[float, float]:
     """How far and how high the lower `length` (m) of a run reaches, m.
 
-    H and V are the forces on its lower end, N; the rest as in `Runs`.
+    H and V are the forces on its lower end, N; the rest as in `LineIntervals`.
     """
     if length == 0.0:
         return 0.0, 0.0
@@ -236,7 +241,7 @@ def run_reach(
 
 
 def runs_misfit(
-    state: State, problem: LineProblem, runs: Runs, count: int, span: float
+    state: State, problem: LineProblem, runs: LineIntervals, count: int, span: float
 ) -> tuple[float, float]:
     """By how much a line laid out from its anchor misses its fairlead in height and span, m.
 
@@ -317,7 +322,7 @@ def lay_out(state: State, problem: LineProblem) -> tuple[Stretch, ...]:
     pieces = problem.pieces
     room = most_runs(len(pieces.length))
     columns = [[0.0] * room for _ in range(5)]
-    runs = Runs([0] * room, [0] * room, *columns)
+    runs = LineIntervals([0] * room, [0] * room, *columns)
     count = runs_of(state, problem, runs)
     stretches: list[Stretch] = []
     start, x, z = 0.0, 0.0, problem.anchor_height

@@ -15,8 +15,8 @@ from catopt.catenary.pieces import (
     GREATEST_FORCE,
     LineProblem,
     Pieces,
-    beyond_clump,
     piece_rise,
+    tension_past_clump,
     total_length,
     total_weight,
 )
@@ -177,7 +177,7 @@ def on_bed(touchdown: Touchdown, problem: LineProblem) -> float:
     """Tension with which the stretch on the bed begins, N."""
     if touchdown.clump < 0:
         return touchdown.H
-    return beyond_clump(
+    return tension_past_clump(
         touchdown.H, problem.pieces, touchdown.clump, problem.friction, touchdown.carried
     )
 
@@ -187,11 +187,11 @@ def _left(code: int, x: float, touchdown: Touchdown, problem: LineProblem) -> fl
     pieces, friction = problem.pieces, problem.friction
     k = code // 2
     if code % 2 == 1 and k == touchdown.clump:
-        return beyond_clump(touchdown.H, pieces, k, friction, touchdown.carried - x)
+        return tension_past_clump(touchdown.H, pieces, k, friction, touchdown.carried - x)
     T = on_bed(touchdown, problem)
     if code % 2 == 1:
         T = grounded_part(T, pieces, friction, touchdown.piece, touchdown.rest, k, 0.0).H
-        return beyond_clump(T, pieces, k, friction, pieces.load[k] - x)
+        return tension_past_clump(T, pieces, k, friction, pieces.load[k] - x)
     return float(grounded_part(T, pieces, friction, touchdown.piece, touchdown.rest, k, x).H)
 
 

@@ -6,7 +6,7 @@ import math
 from typing import Any, Final
 
 from catopt.catenary.equilibrium import given_force
-from catopt.catenary.layout import Runs, runs_misfit, runs_of
+from catopt.catenary.layout import LineIntervals, runs_misfit, runs_of
 from catopt.catenary.pieces import LineProblem, Pieces, split, total_length
 from catopt.catenary.root_search import BY_FORCE, BY_SPAN, force_uncertainty
 from catopt.catenary.span_or_tension import given_span, given_tension
@@ -42,7 +42,7 @@ def fill(
     point_friction: Any,
     pieces: Pieces,
     owner: Any,
-    runs: Runs,
+    runs: LineIntervals,
     first: int,
     end: int,
     status: Any,
@@ -124,7 +124,7 @@ def _take(
 
 
 def _is_laid_well(
-    state: State, problem: LineProblem, runs: Runs, known: int, wanted: float
+    state: State, problem: LineProblem, runs: LineIntervals, known: int, wanted: float
 ) -> bool:
     """Whether a line in parts, laid out from its anchor, meets its fairlead.
 

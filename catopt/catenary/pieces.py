@@ -195,16 +195,18 @@ def length_between(
 
 
 @inlined
-def grip(pieces: Pieces, joint: int, friction: float) -> float:
+def bed_friction(pieces: Pieces, joint: int, friction: float) -> float:
     """Coulomb coefficient of the point load on a joint; `friction` is the bed's, with its sign."""
     own = pieces.load[len(pieces.length) + 1 + joint]
     return math.copysign(own, friction) if own >= 0.0 else friction
 
 
 @inlined
-def beyond_clump(T: float, pieces: Pieces, joint: int, friction: float, reaction: float) -> float:
+def tension_past_clump(
+    T: float, pieces: Pieces, joint: int, friction: float, reaction: float
+) -> float:
     """Tension that friction leaves beyond a clump weight of which the bed carries a reaction, N."""
-    return max(T - grip(pieces, joint, friction) * reaction, 0.0)
+    return max(T - bed_friction(pieces, joint, friction) * reaction, 0.0)
 
 
 def turned(pieces: Pieces) -> Pieces:

@@ -19,7 +19,15 @@ from typing import NamedTuple
 
 from catopt.catenary.equilibrium import in_parts
 from catopt.catenary.lower_part import Touchdown, just_clear, lower_part, touchdown_of
-from catopt.catenary.pieces import LineProblem, Pieces, above, below, grip, total_length, turned
+from catopt.catenary.pieces import (
+    LineProblem,
+    Pieces,
+    above,
+    bed_friction,
+    below,
+    total_length,
+    turned,
+)
 from catopt.catenary.roots import bracket, is_closed, narrowed, trial
 from catopt.catenary.state import (
     CONVERGED,
@@ -207,7 +215,7 @@ def tight_above(onset: Onset, problem: LineProblem) -> LineProblem:
         pieces = above(problem.pieces, k - 1, problem.pieces.length[k - 1])
         pieces.weight[0] = 0.0
         pieces.load[1] -= _lifted_at(k, onset.part, problem.pieces)
-        own = grip(problem.pieces, k, problem.friction)
+        own = bed_friction(problem.pieces, k, problem.friction)
         pieces.load[len(pieces.length) + 2] = (1.0 - onset.x) * own
     return from_its_anchor(LineProblem(pieces, 0.0, problem.fairlead_height, problem.friction))
 

@@ -10,7 +10,7 @@ from catopt.catenary.state import Regime
 from catopt.model import Line
 from catopt.model.kinds import Angle, Factor, Force, Height, Length, NotNegative, Place, SomeForce
 from catopt.records import Counted, From, FromZero, Record
-from catopt.shown import Shown
+from catopt.shown import Displayable
 
 __all__ = [
     "EndState",
@@ -171,7 +171,7 @@ class FoundQuantity(Record):
 
 
 @dataclass(frozen=True, repr=False)
-class Solution(Shown, Record):
+class Solution(Displayable, Record):
     """Equilibrium of one mooring line.
 
     Angles are inclinations above the horizontal, positive where the line rises towards the

@@ -20,7 +20,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from catopt.catenary.pieces import Pieces, beyond_clump, piece_reach, piece_rise, rise_by_V
+from catopt.catenary.pieces import Pieces, piece_reach, piece_rise, rise_by_V, tension_past_clump
 from catopt.compiled import inlined
 
 NO_TOUCHDOWN = -1
@@ -273,7 +273,7 @@ def grounded_part(
         x_H += pieces.compliance[k] * tensioned
         T = T1
         if k > end_piece and pieces.load[k] != 0.0:
-            T = beyond_clump(T, pieces, k, friction, pieces.load[k])
+            T = tension_past_clump(T, pieces, k, friction, pieces.load[k])
     return GroundedPart(x, x_H, T)
 
 

@@ -14,7 +14,7 @@ from catopt.model.kinds import OneOf
 from catopt.model.kinds import Place as Along
 from catopt.model.load import LoadCaseKind
 from catopt.records import From, FromZero, Record
-from catopt.shown import Shown
+from catopt.shown import Displayable
 from catopt.ties import largest
 from catopt.words import Message
 
@@ -112,7 +112,7 @@ class HangingLine(Record):
 
 
 @dataclass(frozen=True, repr=False)
-class CheckReport(Shown, Record):
+class CheckReport(Displayable, Record):
     """Checks of one line in all its load cases, or of the lines of a body in all its states.
 
     By closed form. A unit may stand in the key unit beside it. Heights are above the seabed.

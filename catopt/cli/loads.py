@@ -24,9 +24,9 @@ from catopt.words import Cited, Measure, Message, term
 
 if TYPE_CHECKING:
     from catopt.casefile.sizing_file import Moored
-    from catopt.loads import Afloat, Loads, Lying, SeaState, Turning
+    from catopt.loads import Afloat, Loads, SeaState, ShipHeading, Turning
     from catopt.loads.ship_estimate import Condition
-    from catopt.sizing.known import Known
+    from catopt.sizing.known import ResolvedInputs
     from catopt.sizing.telling import Spelling
 
 loads = group("loads")
@@ -265,7 +265,7 @@ def _known(
     options: dict[str, Any],
     spell: Spelling,
     called: dict[str, str],
-) -> Iterator[Known]:
+) -> Iterator[ResolvedInputs]:
     """Read options, and a file if there is one; what is wrong is told as it stands there."""
     from catopt.sizing.file import read_file
     from catopt.sizing.known import known
@@ -279,7 +279,7 @@ def _known(
         yield file.known(given, spell, defaults=_TAKEN, called=called)
 
 
-def _of_levels(every: Sequence[Loads], of: Known) -> Iterator[Message]:
+def _of_levels(every: Sequence[Loads], of: ResolvedInputs) -> Iterator[Message]:
     """Say what the force is at each level, where there are two."""
     if len(every) > 1:
         high, low = (Measure("horizontal_force", each.horizontal_force) for each in every)
@@ -287,7 +287,7 @@ def _of_levels(every: Sequence[Loads], of: Known) -> Iterator[Message]:
         yield Message("loads.at_both_levels", high=high, low=low, **depths)
 
 
-def _no_part(of: Known, counted: Collection[str]) -> Iterator[Message]:
+def _no_part(of: ResolvedInputs, counted: Collection[str]) -> Iterator[Message]:
     """Say what was given, mostly by a sizing's file, that is no part of the loads."""
     from catopt.sizing.inputs import inputs_of
 
@@ -300,7 +300,7 @@ def _no_part(of: Known, counted: Collection[str]) -> Iterator[Message]:
         yield Message("loads.no_part", names=Cited(", ".join(names)))
 
 
-def _weather(of: Known, wind: float | None) -> tuple[Any, ...]:
+def _weather(of: ResolvedInputs, wind: float | None) -> tuple[Any, ...]:
     """Make wind, in m/s, current and waves; None of what is wrong."""
     from catopt.loads import SurfaceCurrent, Wind
 
@@ -308,7 +308,7 @@ def _weather(of: Known, wind: float | None) -> tuple[Any, ...]:
     return make(Wind, wind), make(SurfaceCurrent, of["current"]), make(_sea, of)
 
 
-def _sea(of: Known) -> SeaState:
+def _sea(of: ResolvedInputs) -> SeaState:
     """Make the waves; none when no height is given."""
     from catopt.loads import SeaState
 
@@ -332,7 +332,7 @@ class _Form(NamedTuple):
     wind_centre: float | None
 
 
-def _ships_afloat(of: Known, form: _Form) -> Iterator[Afloat]:
+def _ships_afloat(of: ResolvedInputs, form: _Form) -> Iterator[Afloat]:
     """Make the ship at each draught that is known."""
     from catopt.loads import Afloat, Ship
     from catopt.loads.ship_estimate import BLOCK
@@ -377,7 +377,7 @@ def _ships_afloat(of: Known, form: _Form) -> Iterator[Afloat]:
         yield Afloat(condition, body, form.kind or wind_on.format(condition), own)
 
 
-def _what_is_taken(form: _Form, worst: Lying, turning: Turning | None) -> Iterator[Message]:
+def _what_is_taken(form: _Form, worst: ShipHeading, turning: Turning | None) -> Iterator[Message]:
     """Say what the ship was taken for."""
     ship = worst.afloat.ship
     block = ship.displacement / (ship.length_waterline * ship.breadth * ship.draught)
@@ -388,7 +388,7 @@ def _what_is_taken(form: _Form, worst: Lying, turning: Turning | None) -> Iterat
         yield turning_words(turning, ship)
 
 
-def _give(asked: Asked, *results: Loads, lyings: Sequence[Lying] = ()) -> None:
+def _give(asked: Asked, *results: Loads, lyings: Sequence[ShipHeading] = ()) -> None:
     from catopt.answers.loads import loads_answer
     from catopt.loads.document import loads_document
 

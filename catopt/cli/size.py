@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from catopt.casefile.sizing_file import Moored
     from catopt.notes.size import Given
     from catopt.sizing import Sizing
-    from catopt.sizing.known import Known
+    from catopt.sizing.known import ResolvedInputs
     from catopt.sizing.telling import Spelling
 
 
@@ -148,7 +148,7 @@ def _size_form(
         _give(asked, *found[0], save, _as_given(None, given, spell))
 
 
-def _sized(asked: Asked, of: Known) -> tuple[Sizing, Answer]:
+def _sized(asked: Asked, of: ResolvedInputs) -> tuple[Sizing, Answer]:
     """Size what is known; where no line passes, say what is nearest and what would help."""
     from catopt.answers.size import size_answer
     from catopt.design.near_miss import NoFeasibleDesignError

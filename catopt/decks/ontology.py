@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 
 from catopt.decks.deck import Deck, LineType, Notes, Piece, Point, refusal
 from catopt.decks.moordyn import settled
-from catopt.decks.strung import Hung, Section, strung
+from catopt.decks.strung import PointMass, Section, from_sections
 from catopt.decks.tree import Table, parse_yaml
 
 _UNREAD = {
@@ -64,7 +64,7 @@ def parse_ontology(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
                 continue
             ends = _ends(row, config, place, turned, fairleads, site_values["depth"])
             parts = list(_parts(config, connectors, types))
-            more = strung(f"{len(pieces)}-{number}", ends, parts)
+            more = from_sections(f"{len(pieces)}-{number}", ends, parts)
             points, pieces = points | more[0], pieces + more[1]
     if not pieces:
         notes.refuse(0, "", "no_mooring_line")
@@ -101,9 +101,9 @@ def _of_family(part: Table) -> LineType | None:
     return LineType(part.row, volume * d, mass * d**2, EA, None, None, MBL, d)
 
 
-def _hung(row: Table) -> Hung:
+def _hung(row: Table) -> PointMass:
     numbers = (row.number(key, 0.0, at_least=0.0) for key in ("m", "v", "CdA", "Ca"))
-    return Hung(row.row, *numbers)
+    return PointMass(row.row, *numbers)
 
 
 Fairleads = list[tuple[complex, float]]
@@ -187,8 +187,8 @@ def _ends(
 
 
 def _parts(
-    config: Table, connectors: Mapping[str, Hung], types: dict[str, LineType]
-) -> Iterator[Section | Hung]:
+    config: Table, connectors: Mapping[str, PointMass], types: dict[str, LineType]
+) -> Iterator[Section | PointMass]:
     """Yield sections and connectors from the anchor to the fairlead; families become types."""
     notes = config.notes
     if config.text("symmetric", "false").lower() in ("true", "yes"):

@@ -12,7 +12,7 @@ from dataclasses import replace
 
 from catopt.constants import STANDARD_GRAVITY
 from catopt.decks.deck import Deck, LineType, Notes, Piece, Point
-from catopt.decks.strung import Hung, Section, strung
+from catopt.decks.strung import PointMass, Section, from_sections
 from catopt.decks.tree import Table, parse_yaml
 
 TONNE, KILO = 1e3, 1e3
@@ -63,7 +63,7 @@ def parse_orcaflex(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
             continue
         lower = sections[0 if ends[0].z < ends[1].z else -1]
         lying |= {0.5 * _contact(kinds[lower.type])} if lower.type in kinds else set()
-        more = strung(line.text("Name"), (ends[0], ends[1]), parts)
+        more = from_sections(line.text("Name"), (ends[0], ends[1]), parts)
         points, pieces = points | more[0], pieces + more[1]
     if not pieces:
         notes.refuse(0, "", "no_line")
@@ -189,7 +189,7 @@ def _end(row: Table, objects: Mapping[str, Table], depth: float, surface: float)
     return Point(row.row, to, "coupled", place.real, place.imag, at[2] + z - surface)
 
 
-def _parts(line: Table, clumps: Mapping[str, Table]) -> Iterator[Section | Hung]:
+def _parts(line: Table, clumps: Mapping[str, Table]) -> Iterator[Section | PointMass]:
     """Yield sections from End A, cut where clumps hang."""
     if line.text("LengthAndEndOrientations", "Explicit") != "Explicit":
         line.notes.refuse(line.row, "LengthAndEndOrientations", "is_wanted", word="Explicit")
@@ -212,7 +212,9 @@ def _parts(line: Table, clumps: Mapping[str, Table]) -> Iterator[Section | Hung]
     yield from (body for _, body in hung)
 
 
-def _hung(line: Table, clumps: Mapping[str, Table], length: float) -> Iterator[tuple[float, Hung]]:
+def _hung(
+    line: Table, clumps: Mapping[str, Table], length: float
+) -> Iterator[tuple[float, PointMass]]:
     """Yield clumps with their distance from End A."""
     for row in line.columns("AttachmentType"):
         name, z = row.text("AttachmentType"), row.number("Attachmentz")
@@ -227,4 +229,4 @@ def _hung(line: Table, clumps: Mapping[str, Table], length: float) -> Iterator[t
         clump = clumps[name]
         mass = clump.number("Mass", at_least=0.0) * TONNE
         volume = clump.number("Volume", 0.0, at_least=0.0)
-        yield at, Hung(row.row, mass, volume)
+        yield at, PointMass(row.row, mass, volume)

@@ -18,7 +18,7 @@ class Section:
 
 
 @dataclass(frozen=True)
-class Hung:
+class PointMass:
     """What hangs between two sections: kg, m3, Cd A in m2, and Ca."""
 
     row: int
@@ -28,8 +28,8 @@ class Hung:
     added_mass: float = 0.0
 
 
-def strung(
-    name: str, ends: tuple[Point, Point], parts: Sequence[Section | Hung]
+def from_sections(
+    name: str, ends: tuple[Point, Point], parts: Sequence[Section | PointMass]
 ) -> tuple[dict[str, Point], list[Piece]]:
     """Turn a line into points ``NAME.1`` and so on and pieces, both from its first end.
 
@@ -58,7 +58,7 @@ def strung(
     return {point.name: point for point in points}, pieces
 
 
-def _with(point: Point, hung: Hung) -> Point:
+def _with(point: Point, hung: PointMass) -> Point:
     """Hang something at a point, beside what hangs there already."""
     volume = point.volume + hung.volume
     added = point.volume * point.added_mass + hung.volume * hung.added_mass

@@ -9,7 +9,7 @@ import math
 from typing import Any, Final, NamedTuple
 
 from catopt.catenary.equilibrium import given_force
-from catopt.catenary.layout import Runs, runs_of
+from catopt.catenary.layout import LineIntervals, runs_of
 from catopt.catenary.pieces import LineProblem, Pieces, split
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT, State
 from catopt.checks.criteria import Limits
@@ -319,7 +319,7 @@ def rounded(value: float, step: float) -> float:
 
 
 def segment_tensions(
-    state: State, problem: LineProblem, runs: Runs, owner: Any, segments: int, largest: Any
+    state: State, problem: LineProblem, runs: LineIntervals, owner: Any, segments: int, largest: Any
 ) -> None:
     """Write the largest tension of each segment (N) to `largest`, with the runs as work space.
 

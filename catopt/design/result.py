@@ -10,13 +10,13 @@ from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.document import design_document
 from catopt.design.mooring_point import MooringPoint
 from catopt.model import Anchor, Case, Line
-from catopt.shown import Shown
+from catopt.shown import Displayable
 
 __all__ = ["DesignPoint", "DesignResult", "NearMiss", "Neighbour"]
 
 
 @dataclass(frozen=True, repr=False)
-class DesignPoint(Shown):
+class DesignPoint(Displayable):
     """One line of the front."""
 
     # its segments and clump weights, with component and nominal diameter in each segment
@@ -58,7 +58,7 @@ class NearMiss:
 
 
 @dataclass(frozen=True, repr=False)
-class DesignResult(Shown):
+class DesignResult(Displayable):
     """The front and how it was found."""
 
     case: Case  # what was asked

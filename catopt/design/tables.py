@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from catopt.catenary.batch import room_for_runs
-from catopt.catenary.layout import Runs
+from catopt.catenary.layout import LineIntervals
 from catopt.checks.criteria import Criteria, Limits
 from catopt.design.problem import Floats
 from catopt.design.space import DesignSpace
@@ -94,7 +94,7 @@ class Room(NamedTuple):
     piece_weight: Any
     piece_compliance: Any
     piece_load: Any
-    runs: Runs
+    runs: LineIntervals
     # the largest tension of each segment, N
     tension: Any
 

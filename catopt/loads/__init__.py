@@ -5,6 +5,9 @@ primary document), B (in two secondary ones, or in one and checked by numbers), 
 one) or R (recalled, read in none: used only when asked for, or where nothing else is there).
 """
 
+from typing import Any
+from warnings import warn
+
 from catopt.loads.buoy import buoy_loads, surface_speed
 from catopt.loads.buoy_library import buoy, buoys, read_buoys
 from catopt.loads.buoy_shape import BuoyShape, BuoySlice, Floating
@@ -35,7 +38,7 @@ from catopt.loads.weathervane import (
     YAW_TYPES,
     Afloat,
     CurrentYaw,
-    Lying,
+    ShipHeading,
     Turning,
     equilibrium_headings,
     every_lying,
@@ -57,11 +60,11 @@ __all__ = [
     "LoadComponent",
     "LoadSource",
     "Loads",
-    "Lying",
     "Number",
     "SeaState",
     "Ship",
     "ShipCoefficients",
+    "ShipHeading",
     "SinkerSize",
     "SurfaceCurrent",
     "TankerComparison",
@@ -89,3 +92,11 @@ __all__ = [
     "size_sinker",
     "surface_speed",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    """Give what has another name now by its old one, for one version."""
+    if name == "Lying":
+        warn("catopt.loads.Lying is ShipHeading now", DeprecationWarning, stacklevel=2)
+        return ShipHeading
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from catopt.loads.component import Loads
-from catopt.loads.weathervane import Lying
+from catopt.loads.weathervane import ShipHeading
 from catopt.records import Record
 
 
@@ -28,11 +28,11 @@ class ComparedLoads(Record):
     loads: Loads
     others: tuple[ComparedLoads, ...] = ()
     """The same by every other method that applies, for comparison; of a buoy, none."""
-    headings: tuple[Lying, ...] | None = None
+    headings: tuple[ShipHeading, ...] | None = None
     """Conditions, directions and headings that were computed, of which the largest force is laid
     out; absent where there is one."""
 
 
-def loads_document(of: Loads, *others: Loads, lyings: Sequence[Lying] = ()) -> dict[str, Any]:
+def loads_document(of: Loads, *others: Loads, lyings: Sequence[ShipHeading] = ()) -> dict[str, Any]:
     """Lay loads out for JSON, in SI: others are by other methods, of the lyings it is the worst."""
     return ComparedLoads(of, tuple(map(ComparedLoads, others)), tuple(lyings) or None).to_dict()

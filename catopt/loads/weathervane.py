@@ -80,7 +80,7 @@ class Afloat(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Lying(Tabled, Record):
+class ShipHeading(Tabled, Record):
     """How a ship lies in water of a depth, m, and what the mooring holds at that heading."""
 
     DOCUMENT = (
@@ -270,7 +270,7 @@ def every_lying(
     turning: Turning | None = None,
     wave_coefficient: float | None = None,
     **how: Any,
-) -> tuple[Lying, ...]:
+) -> tuple[ShipHeading, ...]:
     """Find how a ship lies in each condition and depth (m) under each set of directions.
 
     The loads at a heading are by one of the methods, or by several the largest. A ship that turns
@@ -291,5 +291,5 @@ def every_lying(
                 wave_coefficient=wave_coefficient,
                 **how,
             )
-            found.append(Lying(each, case, heading, loads, depth))
+            found.append(ShipHeading(each, case, heading, loads, depth))
     return tuple(found)

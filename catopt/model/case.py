@@ -20,7 +20,7 @@ from catopt.model.dynamics import (
     of_motion_misfits,
 )
 from catopt.model.fatigue import Fatigue, sections_misfits
-from catopt.model.find import Find, misfits
+from catopt.model.find import Find, inconsistencies
 from catopt.model.kinds import File, Height, Measured, Seed, Share, Whole
 from catopt.model.line import Line
 from catopt.model.load import Load, LoadCase
@@ -148,7 +148,7 @@ class Case(Checked):
     def _check(self, found: Findings) -> None:
         found.check("fairlead_height", "anchor_height")
         has_system = self.system is not None
-        found.problems += misfits(
+        found.problems += inconsistencies(
             self.find,
             load=None if self.load is None else self.load.given,
             MBL_known=[segment.MBL is not None for segment in self.line.segments],

@@ -66,7 +66,7 @@ class Find(Checked):
         return self.quantity in FORCES
 
 
-def misfits(
+def inconsistencies(
     find: Find | None,
     *,
     load: Collection[str] | None,

@@ -19,7 +19,7 @@ ROUNDING = 1e-12
 """How far a span, as a part of itself, may be beyond that of a slack line by rounding."""
 
 
-class Pull(NamedTuple):
+class RestoringForce(NamedTuple):
     """Force of all lines on the body (N, N, N m), and how it falls as the body moves.
 
     status is CONVERGED, or that of the `line` that has no answer there (catenary.state). xx to mm
@@ -43,7 +43,7 @@ class Pull(NamedTuple):
 
 def pull_at(
     x: float, y: float, yaw: float, arrangement: Arrangement, lines: Lines, is_exact: bool
-) -> Pull:
+) -> RestoringForce:
     """Solve every line with the body at a position (m, m, rad); `lines` is written to.
 
     A line with horizontal force H along the unit vector u towards its anchor, its span S, pulls
@@ -89,7 +89,7 @@ def pull_at(
         ym += line_ym
         mm += line_xm * turn_x + line_ym * turn_y + H * (along_x * arm_x + along_y * arm_y)
         total += H
-    return Pull(CONVERGED, -1, force_x, force_y, moment, xx, xy, yy, xm, ym, mm, total)
+    return RestoringForce(CONVERGED, -1, force_x, force_y, moment, xx, xy, yy, xm, ym, mm, total)
 
 
 def _hang(k: int, span: float, arrangement: Arrangement, lines: Lines, is_exact: bool) -> int:
@@ -178,6 +178,6 @@ def _nearly(span: float, problem: LineProblem, H: float, V: float) -> State:
     return failed(NOT_CONVERGED)
 
 
-def _no_pull(status: int, line: int) -> Pull:
+def _no_pull(status: int, line: int) -> RestoringForce:
     nan = math.nan
-    return Pull(status, line, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan)
+    return RestoringForce(status, line, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan)

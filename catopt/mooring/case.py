@@ -19,14 +19,14 @@ from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import of_line, solve_system
 from catopt.mooring.water_level import AtLevel, at_levels
 from catopt.patience import paced
-from catopt.shown import Shown
+from catopt.shown import Displayable
 from catopt.words import Message
 
 CURVE_POINTS = 41
 
 
 @dataclass(frozen=True, repr=False)
-class SystemReport(Shown):
+class SystemReport(Displayable):
     """What was asked of a moored body: empty or None where it was not asked for.
 
     The circle is for a force of the size of the case's (None where it has none), the curves one for

@@ -12,7 +12,7 @@ from typing import Final, NamedTuple
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED
 from catopt.compiled import inlined
 from catopt.mooring.arrangement import Arrangement, Lines
-from catopt.mooring.balance import Pull, pull_at
+from catopt.mooring.balance import RestoringForce, pull_at
 
 TURNS_OVER: Final = 100
 """Status beside those of a line: the lines stop the body at no heading."""
@@ -88,7 +88,7 @@ class Rest(NamedTuple):
     steps: int
     force_error: float
     moment_error: float
-    pull: Pull
+    pull: RestoringForce
 
 
 def freedom_of(arrangement: Arrangement, in_yaw: bool, arm: float) -> Freedom:
@@ -122,7 +122,7 @@ def freedom_of(arrangement: Arrangement, in_yaw: bool, arm: float) -> Freedom:
     )
 
 
-def descend(x: float, y: float, yaw: float, pull: Pull, problem: BodyProblem) -> Rest:
+def newton(x: float, y: float, yaw: float, pull: RestoringForce, problem: BodyProblem) -> Rest:
     """Take Newton steps from a position (m, m, rad) until nothing is left unbalanced.
 
     What is not free stays; `pull` is that of the lines at the start.
@@ -185,7 +185,7 @@ def descend(x: float, y: float, yaw: float, pull: Pull, problem: BodyProblem) ->
 
 
 @inlined
-def _status(pull: Pull, turned: float) -> int:
+def _status(pull: RestoringForce, turned: float) -> int:
     """Tell what bars the way on: a line without an answer, or a body that went round once."""
     is_over = abs(turned) > 2.0 * math.pi
     return TURNS_OVER if is_over and pull.status == CONVERGED else pull.status
@@ -199,20 +199,22 @@ def _is_done(size: float, before: float, scale: float, step: int, freedom: Freed
     return size <= freedom.exact * scale or is_stuck or is_slow
 
 
-def stopped(status: int, line: int, x: float, y: float, yaw: float, step: int, pull: Pull) -> Rest:
+def stopped(
+    status: int, line: int, x: float, y: float, yaw: float, step: int, pull: RestoringForce
+) -> Rest:
     """Say where the body was when something stopped it."""
     return Rest(status, line, x, y, yaw, step, math.nan, math.nan, pull)
 
 
 @inlined
-def is_stable(pull: Pull, freedom: Freedom) -> bool:
+def is_stable(pull: RestoringForce, freedom: Freedom) -> bool:
     """Whether the body, turned a little, does not turn on; with x and y following if free."""
     least = -ROUNDING * ((pull.xx + pull.yy) * freedom.arm * freedom.arm + abs(pull.mm))
     return yaw_stiffness(pull, freedom.in_plane) >= least
 
 
 @inlined
-def yaw_stiffness(pull: Pull, in_plane: bool) -> float:
+def yaw_stiffness(pull: RestoringForce, in_plane: bool) -> float:
     """Stiffness in yaw, N m; with x and y following where they are free."""
     if not in_plane:
         return pull.mm
@@ -249,7 +251,9 @@ def within_half_a_turn(rest: Rest) -> Rest:
 
 
 @inlined
-def _unbalanced(pull: Pull, load: BodyLoad, freedom: Freedom) -> tuple[float, float, float]:
+def _unbalanced(
+    pull: RestoringForce, load: BodyLoad, freedom: Freedom
+) -> tuple[float, float, float]:
     """Force and moment that nothing balances, in the free directions; all in N."""
     x = load.x + pull.x if freedom.in_plane else 0.0
     y = load.y + pull.y if freedom.in_plane else 0.0
@@ -259,7 +263,7 @@ def _unbalanced(pull: Pull, load: BodyLoad, freedom: Freedom) -> tuple[float, fl
 
 @inlined
 def _newton_step(
-    out_x: float, out_y: float, out_m: float, pull: Pull, freedom: Freedom, stride: float
+    out_x: float, out_y: float, out_m: float, pull: RestoringForce, freedom: Freedom, stride: float
 ) -> tuple[float, float, float]:
     """Solve K step = unbalanced by L D L^T, its pivots kept above 0; no longer than the stride."""
     arm, floor = freedom.arm, freedom.floor
@@ -301,7 +305,7 @@ def by_parts(x: float, y: float, yaw: float, problem: BodyProblem) -> Rest:
         level = min(done + part, 1.0)
         pull = pull_at(x, y, yaw, arrangement, lines, True)
         share = BodyLoad(level * load.x, level * load.y, level * load.moment)
-        rest = descend(x, y, yaw, pull, BodyProblem(share, freedom, arrangement, lines))
+        rest = newton(x, y, yaw, pull, BodyProblem(share, freedom, arrangement, lines))
         if rest.status == CONVERGED:
             if level == 1.0:
                 return rest

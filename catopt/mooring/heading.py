@@ -22,8 +22,8 @@ from catopt.mooring.descent import (
     Freedom,
     Rest,
     by_parts,
-    descend,
     is_stable,
+    newton,
     yaw_stiffness,
 )
 
@@ -63,7 +63,7 @@ def first_heading(x: float, y: float, yaw: float, problem: BodyProblem) -> Rest:
     barred the way where some yaws have no answer.
     """
     pull = pull_at(x, y, yaw, problem.arrangement, problem.lines, True)
-    start = descend(x, y, yaw, pull, _at_this_yaw(problem, EXACT))
+    start = newton(x, y, yaw, pull, _at_this_yaw(problem, EXACT))
     if start.status == NOT_CONVERGED:
         start = by_parts(x, y, yaw, _at_this_yaw(problem, EXACT))
     sense = -1.0 if problem.load.moment + start.pull.moment < 0.0 else 1.0
@@ -210,7 +210,7 @@ def _rest_between(here: Heading, there: Heading, sense: float, problem: BodyProb
     near = here if here.left < -there.left else there
     at = near.rest
     pull = pull_at(at.x, at.y, at.yaw, problem.arrangement, problem.lines, True)
-    rest = descend(at.x, at.y, at.yaw, pull, problem)
+    rest = newton(at.x, at.y, at.yaw, pull, problem)
     is_near = abs(rest.yaw - at.yaw) <= max(width, CLOSE)
     if rest.status == CONVERGED and is_near and is_stable(rest.pull, problem.freedom):
         return rest
@@ -237,7 +237,7 @@ def _onward(
         x, y = x + share * move_x, y + share * move_y
     yaw = at.yaw + turn
     pull = pull_at(x, y, yaw, problem.arrangement, problem.lines, True)
-    rest = descend(x, y, yaw, pull, _at_this_yaw(problem, exact))
+    rest = newton(x, y, yaw, pull, _at_this_yaw(problem, exact))
     return _heading(rest, sense, problem)
 
 

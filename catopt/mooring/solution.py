@@ -10,7 +10,7 @@ from catopt.catenary.layout import end_of
 from catopt.catenary.solution import Solution
 from catopt.model.system import Leg, System
 from catopt.mooring.position import Position
-from catopt.shown import Shown
+from catopt.shown import Displayable
 from catopt.ties import first_largest
 
 if TYPE_CHECKING:
@@ -104,7 +104,7 @@ class LegState:
 
 
 @dataclass(frozen=True, repr=False)
-class SystemSolution(Shown):
+class SystemSolution(Displayable):
     """Equilibrium of a moored body.
 
     Attributes

@@ -11,7 +11,7 @@ from catopt.catenary.state import CONVERGED
 from catopt.errors import NoEquilibriumError
 from catopt.model.system import System
 from catopt.mooring.arrangement import Arrangement, Lines, arrange, room_for
-from catopt.mooring.balance import Pull, pull_at
+from catopt.mooring.balance import RestoringForce, pull_at
 from catopt.mooring.descent import (
     TURNS_OVER,
     BodyLoad,
@@ -157,7 +157,7 @@ def _reachable(system: System) -> tuple[float, float]:
     raise NoEquilibriumError(said, "length", worst)
 
 
-def is_held(pull: Pull, freedom: Freedom) -> bool:
+def is_held(pull: RestoringForce, freedom: Freedom) -> bool:
     """Whether the lines hold the body against a push from any side, and a turn if it is free."""
     least = 1e-9 * max(pull.xx + pull.yy, 1e-300)
     if pull.xx * pull.yy - pull.xy * pull.xy <= least * (pull.xx + pull.yy):

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
     from catopt.model import Case
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
-    from catopt.verify.dynamic_setup import Drive
+    from catopt.verify.dynamic_setup import Excitation
     from catopt.verify.proof import Proof
 
 Progress = Callable[[int, int], None]
@@ -53,7 +53,7 @@ class InMotion:
     """
 
     found: DynamicVerification
-    drive: Drive
+    drive: Excitation
     uses: tuple[tuple[SegmentUse, ...], ...]
     solutions: tuple[Solution, ...]
     codes: tuple[str, ...] = ()

@@ -17,7 +17,7 @@ from catopt.loads.ship_estimate import BLOCK, MIDSHIP
 from catopt.loads.ship_loads import METHODS, TCN, ship_loads
 from catopt.loads.tanker_20m import compare_tanker
 from catopt.loads.tcn_222_95 import wave_height
-from catopt.loads.weathervane import YAW_TYPES, Afloat, Lying, Turning, every_lying
+from catopt.loads.weathervane import YAW_TYPES, Afloat, ShipHeading, Turning, every_lying
 from catopt.reproduce.comparison import compare, study_of
 from catopt.reproduce.items import SideBySide, Study, in_unit
 from catopt.reproduce.published import KN, Published, published
@@ -165,7 +165,7 @@ def _weather(source: Published) -> tuple[Wind, SurfaceCurrent, SeaState, float]:
     return Wind(given["wind_speed_m_per_s"]), current, sea, given["water_depth_m"]
 
 
-def fso_lyings(source: Published, degrees: float) -> tuple[Lying, ...]:
+def fso_lyings(source: Published, degrees: float) -> tuple[ShipHeading, ...]:
     """Find how the ship lies on its external turret when the current comes from another side."""
     wind, current, sea, depth = _weather(source)
     return every_lying(

@@ -47,7 +47,7 @@ def read_document(path: Path, name: str) -> dict[str, Any]:
     InputError when it cannot be read, is no JSON, or is not as its schema has it: with the path of
     every key at fault.
     """
-    from catopt.schemas.validation import misfits
+    from catopt.schemas.validation import inconsistencies
 
     document = read_any(path)
     if document.get("schema") != name:
@@ -55,7 +55,7 @@ def read_document(path: Path, name: str) -> dict[str, Any]:
             "schema", repr(document.get("schema")), Message("refused_command.wanted", name=name)
         )
         raise InputError([problem], str(path))
-    problems = list(misfits(document, schema(name)))
+    problems = list(inconsistencies(document, schema(name)))
     if len(problems) > _SHOWN:
         more = Message("refused_command.more_kind", problems=len(problems) - _SHOWN)
         problems[_SHOWN:] = [Problem("document", "", more)]

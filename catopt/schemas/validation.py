@@ -40,7 +40,7 @@ _IN_WORDS = {
 }
 
 
-def misfits(document: Any, schema: Mapping[str, Any]) -> Iterator[Problem]:
+def inconsistencies(document: Any, schema: Mapping[str, Any]) -> Iterator[Problem]:
     """Yield what a document, as the JSON reader returns it, has otherwise than its JSON Schema."""
     for path, found, allowed in _misfits(document, schema, (), schema):
         yield Problem(dotted(path) or "document", found, allowed)

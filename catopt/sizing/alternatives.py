@@ -16,7 +16,7 @@ from catopt.design.neighbours import neighbour, steps
 from catopt.errors import CatoptError, InputError, NoAnswerError
 from catopt.quantities import QUANTITIES
 from catopt.sizing.line_choice import Prefer
-from catopt.sizing.settle import Settled, point_diameter
+from catopt.sizing.settle import ConvergedSizing, point_diameter
 from catopt.words import Measure, Message, Several
 
 Role = Literal["smaller", "recommended", "larger"]
@@ -31,11 +31,13 @@ class Candidate:
     role: Role
     component: str  # family and grade
     diameter: float  # nominal, m
-    settled: Settled | None  # None where no length of it passes
+    settled: ConvergedSizing | None  # None where no length of it passes
     reason: str = ""  # why there is none
 
 
-def candidates(settled: Settled, of_size: Callable[[str, float], Settled]) -> tuple[Candidate, ...]:
+def candidates(
+    settled: ConvergedSizing, of_size: Callable[[str, float], ConvergedSizing]
+) -> tuple[Candidate, ...]:
     """Size the neighbours of a recommended line, by rising size.
 
     `of_size` settles loads and line for one size (m) of one component. They are less than three
@@ -81,7 +83,7 @@ class Alternative:
     """A line by another preference, under its own loads."""
 
     prefer: Prefer
-    settled: Settled | None  # None where no line passes
+    settled: ConvergedSizing | None  # None where no line passes
     swing: float = 0.0  # swing radius at low water, m; 0 without a line
     reason: str = ""  # why there is none
 
@@ -108,7 +110,7 @@ _LOOKED_AT: Final[Mapping[Moored, tuple[Prefer, ...]]] = MappingProxyType(
 def alternatives(
     moored: Moored,
     own: Prefer,
-    sized: Callable[[Prefer], tuple[Settled, float]],
+    sized: Callable[[Prefer], tuple[ConvergedSizing, float]],
     *,
     priced: bool,
 ) -> tuple[Alternative, ...]:
@@ -174,7 +176,7 @@ class Limit:
         return self.reason if self.check is None else self.check.in_case
 
 
-def limits(settled: Settled) -> tuple[Limit, ...]:
+def limits(settled: ConvergedSizing) -> tuple[Limit, ...]:
     """List the steps to less that fail under the settled loads, each with its worst check."""
     problem = DesignProblem.of(settled.posed.case)
     found = []

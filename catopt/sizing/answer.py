@@ -19,7 +19,7 @@ from catopt.sizing.environment import Environment
 from catopt.sizing.line_choice import LineChoice, Prefer, first_line
 from catopt.sizing.posed import Assumed
 from catopt.sizing.result import Sizing, SwingRadius
-from catopt.sizing.settle import Settled
+from catopt.sizing.settle import ConvergedSizing
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.words import Message, Several, term
 
@@ -97,11 +97,11 @@ def loads_on(
 def sizing_of(
     kind: Literal["buoy", "tanker"],
     request: BuoyRequest | TankerRequest,
-    settled: Settled,
+    settled: ConvergedSizing,
     *,
-    of_size: Callable[[LineChoice, float], Settled],
-    of_line: Callable[[LineChoice], Settled],
-    swing: Callable[[Settled], SwingRadius],
+    of_size: Callable[[LineChoice, float], ConvergedSizing],
+    of_line: Callable[[LineChoice], ConvergedSizing],
+    swing: Callable[[ConvergedSizing], SwingRadius],
     **own: Any,
 ) -> Sizing:
     """Put the recommended line beside others, and its sinker beside that of another rule.
@@ -110,7 +110,7 @@ def sizing_of(
     """
     line, density, ground = request.line, request.environment.water_density, request.ground
 
-    def by(prefer: Prefer) -> tuple[Settled, float]:
+    def by(prefer: Prefer) -> tuple[ConvergedSizing, float]:
         other = of_line(line.by(prefer))
         return other, swing(other).total
 

@@ -19,7 +19,7 @@ from catopt.loads.sinker import friction_of
 from catopt.model import Anchor, Case, Service
 from catopt.model.line_kind import line_kind
 from catopt.sizing.buoy_request import BuoyRequest
-from catopt.sizing.settle import Settled, point_diameter
+from catopt.sizing.settle import ConvergedSizing, point_diameter
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.words import Cited, Measure, Message, Several, term
 
@@ -27,7 +27,7 @@ _STEPS = 24
 """Halvings of the diameter: to a ten millionth of it."""
 
 
-def least_diameter(settled: Settled) -> float | None:
+def least_diameter(settled: ConvergedSizing) -> float | None:
     """Find the diameter that the chain may wear to before a check of its worn line fails, m.
 
     None where nothing wears, or where no check of the worn line fails however thin it gets.
@@ -59,7 +59,7 @@ def _passes(case: Case, loss: float) -> bool:
         return False
 
 
-def beside(request: BuoyRequest | TankerRequest, settled: Settled) -> dict[str, Any]:
+def beside(request: BuoyRequest | TankerRequest, settled: ConvergedSizing) -> dict[str, Any]:
     """Gather it, by the names of the attributes of `catopt.sizing.result.Sizing`."""
     found = practice(request, settled)
     life, said = chain_life(settled)
@@ -98,7 +98,7 @@ def departures(request: BuoyRequest | TankerRequest) -> Iterator[Message]:
         yield Message("sizing.departs_friction", own=request.ground.mu)
 
 
-def practice(request: BuoyRequest | TankerRequest, settled: Settled) -> Practice | None:
+def practice(request: BuoyRequest | TankerRequest, settled: ConvergedSizing) -> Practice | None:
     """Set the line beside what is laid for such a buoy, or carried by such a ship."""
     diameter, length = point_diameter(settled.point), settled.point.line.length
     env = request.environment
@@ -129,7 +129,7 @@ def practice(request: BuoyRequest | TankerRequest, settled: Settled) -> Practice
     )
 
 
-def chain_life(settled: Settled) -> tuple[float | None, list[Message]]:
+def chain_life(settled: ConvergedSizing) -> tuple[float | None, list[Message]]:
     """Find after which time the chain is to be changed, s, and say why; None where it stays new.
 
     It is to be changed when a check of its worn line is overrun, or when so much of its diameter is
@@ -147,7 +147,7 @@ def chain_life(settled: Settled) -> tuple[float | None, list[Message]]:
     return life, [Message(key, source=kept.origin.text, **values)]
 
 
-def _fittings(settled: Settled) -> Iterator[Message]:
+def _fittings(settled: ConvergedSizing) -> Iterator[Message]:
     """Say which shackle, swivel and ring go with the chain, or which is missing."""
     segment = settled.point.line.segments[0]
     if line_kind(segment.component) != "chain" or segment.MBL is None:
@@ -176,7 +176,7 @@ def _fittings(settled: Settled) -> Iterator[Message]:
     yield from found.missing.values()
 
 
-def _laying(request: BuoyRequest, settled: Settled) -> Iterator[Message]:
+def _laying(request: BuoyRequest, settled: ConvergedSizing) -> Iterator[Message]:
     """Say whether the buoy floats while chain and sinker hang on it, when it is laid."""
     anchor = settled.point.anchor
     if not isinstance(request.buoy, BuoyShape) or not isinstance(anchor, Anchor):

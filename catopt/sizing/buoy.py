@@ -17,9 +17,9 @@ from catopt.sizing.afloat import buoy_afloat
 from catopt.sizing.answer import case_of, loads_on, new_and_worn, sizing_of, worn_name
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.line_choice import sold
-from catopt.sizing.posed import Assumed, LoadsAt, Posed, Water, rounded_up
+from catopt.sizing.posed import Assumed, LoadsAt, SizingCase, Water, rounded_up
 from catopt.sizing.result import Sizing, SwingRadius
-from catopt.sizing.settle import Settled, point_diameter, point_pull, settle
+from catopt.sizing.settle import ConvergedSizing, point_diameter, point_pull, settle
 from catopt.ties import largest
 from catopt.words import Measure, Message, is_said
 
@@ -97,7 +97,7 @@ def _of_the_sinker(moved: Moved) -> Iterator[Message]:
         yield Message("sizing.may_slide", way=anchor.max_slide)
 
 
-def _within_scope(request: BuoyRequest) -> tuple[BuoyRequest, Settled]:
+def _within_scope(request: BuoyRequest) -> tuple[BuoyRequest, ConvergedSizing]:
     """Settle loads and line within the scope of practice, or beyond it where nothing passes.
 
     With what was asked for in the end.
@@ -113,17 +113,17 @@ def _within_scope(request: BuoyRequest) -> tuple[BuoyRequest, Settled]:
         return replace(longer, defaults=(*request.defaults, said)), _settled(longer)
 
 
-def _swing(settled: Settled) -> SwingRadius:
+def _swing(settled: ConvergedSizing) -> SwingRadius:
     low = Message("sizing.storm_low")
     spans = {name: solution.span for name, solution in settled.point.checks.solutions}
     widest = largest((low, worn_name(low)), lambda name: spans.get(name, 0.0))
     return SwingRadius(widest, ((Message("sizing.line_at_low_water"), spans[widest]),))
 
 
-def _settled(request: BuoyRequest, start: Assumed | None = None) -> Settled:
+def _settled(request: BuoyRequest, start: Assumed | None = None) -> ConvergedSizing:
     """Settle loads and line on each other."""
 
-    def needed(_: Posed, point: DesignPoint) -> Assumed:
+    def needed(_: SizingCase, point: DesignPoint) -> Assumed:
         pull = min(rounded_up(point_pull(point)), request.reserve_buoyancy)
         return Assumed(point_diameter(point), pull)
 
@@ -135,7 +135,7 @@ def _eye(request: BuoyRequest, assumed: Assumed) -> float:
     return request.eye_depth(min(assumed.pull, request.reserve_buoyancy))
 
 
-def pose_buoy(request: BuoyRequest, assumed: Assumed) -> Posed:
+def pose_buoy(request: BuoyRequest, assumed: Assumed) -> SizingCase:
     """Make the case of a buoy whose size of chain and pull are assumed."""
     env, line = request.environment, request.line
     eye, levels = _eye(request, assumed), env.levels
@@ -171,7 +171,7 @@ def pose_buoy(request: BuoyRequest, assumed: Assumed) -> Posed:
             sinker=request.ground.choice(coded=line.has_factor("sliding")),
         ),
     )
-    return Posed(case, loads)
+    return SizingCase(case, loads)
 
 
 def _check_reserve(request: BuoyRequest) -> None:

@@ -21,7 +21,7 @@ from catopt.errors import InputError, Problem
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.inputs import SINKER, Input, inputs_of
 from catopt.sizing.kinds import schema_of
-from catopt.sizing.known import Known, known
+from catopt.sizing.known import ResolvedInputs, known
 from catopt.sizing.requests import request_of, size
 from catopt.sizing.result import Sizing
 from catopt.sizing.tanker_request import TankerRequest
@@ -48,7 +48,7 @@ class SizingFile:
         *,
         defaults: Mapping[str, object] | None = None,
         called: Mapping[str, str] | None = None,
-    ) -> Known:
+    ) -> ResolvedInputs:
         """Read what the file gives.
 
         `before`: inputs by name, written as `spell`, that go before those of the file: before their

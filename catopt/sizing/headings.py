@@ -10,7 +10,7 @@ from catopt.errors import InputError, Problem
 from catopt.loads.heading import HEAD_ON, Headings
 from catopt.loads.ship import Ship
 from catopt.loads.weathervane import YAW_TYPES, CurrentYaw, Turning
-from catopt.sizing.known import Known
+from catopt.sizing.known import ResolvedInputs
 from catopt.units import as_written
 from catopt.words import Message
 
@@ -27,7 +27,7 @@ class Weathervaning(NamedTuple):
     turning: Turning | None = None  # None: all comes from one side, and the ship lies head to it
 
 
-def weathervaning_of(of: Known, *, is_turned: bool = False) -> Weathervaning | None:
+def weathervaning_of(of: ResolvedInputs, *, is_turned: bool = False) -> Weathervaning | None:
     """Make the directions that are known; None where something is wrong with them.
 
     `is_turned`: whether the ship's own tables have the moment of the current.
@@ -49,7 +49,7 @@ def weathervaning_of(of: Known, *, is_turned: bool = False) -> Weathervaning | N
     return make(Weathervaning, turned, turning)
 
 
-def directions_of(of: Known) -> Headings:
+def directions_of(of: ResolvedInputs) -> Headings:
     """Make where wind, current and waves come from: ahead where that is not given."""
     return Headings(*(of[name] or 0.0 for name in DIRECTIONS[:3]))
 

@@ -12,7 +12,7 @@ from catopt.catalogue.names import nearest
 from catopt.loads.ship_dimensions import DIMENSIONS_SOURCE, ship_dimensions
 from catopt.sizing.inputs import SINKER, Input, inputs_of
 from catopt.sizing.kinds import default_of, kind_of, usual
-from catopt.sizing.telling import Spelling, Telling, as_keyword
+from catopt.sizing.telling import ErrorCollector, Spelling, as_keyword
 from catopt.units import UNITS, Dimension, as_written
 from catopt.words import Cited, Measure, Message, Several, term
 
@@ -72,13 +72,13 @@ class ReadInput:
 
 
 @dataclass(frozen=True)
-class Known:
+class ResolvedInputs:
     """Inputs of a sizing that have been read."""
 
     moored: Moored
     values: Mapping[str, Any]  # by name, in SI: given without fault, or taken in its place
     given: frozenset[str]  # with faults or without
-    telling: Telling  # keeps what is wrong
+    telling: ErrorCollector  # keeps what is wrong
     estimated: frozenset[str] = frozenset()  # from others that were given
 
     def __getitem__(self, name: str) -> Any:
@@ -130,16 +130,16 @@ def known(
     told: Collection[str] = (),
     defaults: Mapping[str, object] | None = None,
     called: Mapping[str, str] | None = None,
-) -> Known:
+) -> ResolvedInputs:
     """Read what is given, and take what is not.
 
     `given`: by name: numbers in SI, or texts with units; None: left out. `spell`, `source`, `told`,
-    `called`: as for `Telling`. `defaults`: what is taken of what is left out, in place of the
-    defaults of the table.
+    `called`: as for `ErrorCollector`. `defaults`: what is taken of what is left out, in place
+    of the defaults of the table.
     """
     given = {name: value for name, value in given.items() if value is not None}
     inputs = inputs_of(moored, held_by=_held_by(moored, given))
-    telling = Telling(inputs, spell, source, told, called)
+    telling = ErrorCollector(inputs, spell, source, told, called)
     values: dict[str, Any] = {}
     for name, value in given.items():
         if name not in inputs:
@@ -157,11 +157,11 @@ def known(
             values[name] = default_of(each)
         elif defaults and defaults.get(name):
             values[name] = kind_of(each).read(defaults[name])
-    return Known(moored, values, frozenset(given), telling, frozenset(estimated))
+    return ResolvedInputs(moored, values, frozenset(given), telling, frozenset(estimated))
 
 
 def _estimated(
-    telling: Telling, given: Mapping[str, object], values: Mapping[str, Any]
+    telling: ErrorCollector, given: Mapping[str, object], values: Mapping[str, Any]
 ) -> dict[str, float]:
     """Estimate the ship's dimensions from its deadweight, as far as they are not given."""
     missing = {"length", "breadth", "draught"} - given.keys()
@@ -181,7 +181,7 @@ def _held_by(moored: Moored, given: Mapping[str, object]) -> str:
     return SINKER if given.get("anchor") == SINKER else inputs_of(moored)["anchor"].default
 
 
-def _read(telling: Telling, each: Input, value: object) -> Any:
+def _read(telling: ErrorCollector, each: Input, value: object) -> Any:
     """Read the value of an input, or several; None, and no more told, when one is wrong."""
     given = os.fspath(value) if isinstance(value, os.PathLike) else value
     many = given if each.several and isinstance(given, list | tuple) else [given]
@@ -196,7 +196,7 @@ def _read(telling: Telling, each: Input, value: object) -> Any:
     return tuple(found) if each.several else found[0]
 
 
-def _refuse(telling: Telling, moored: Moored, name: str, value: object) -> None:
+def _refuse(telling: ErrorCollector, moored: Moored, name: str, value: object) -> None:
     """Keep that something is given which nothing is made of."""
     if name in inputs_of(moored):
         anchor = f'{telling.spell("anchor")} "{SINKER}"'
@@ -215,7 +215,7 @@ def _refuse(telling: Telling, moored: Moored, name: str, value: object) -> None:
 
 
 def _contradictions(
-    telling: Telling, inputs: Mapping[str, Input], given: Mapping[str, object]
+    telling: ErrorCollector, inputs: Mapping[str, Input], given: Mapping[str, object]
 ) -> None:
     """Keep what would be left out of account, beside another input or without one."""
     for name, value in given.items():

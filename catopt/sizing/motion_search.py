@@ -40,7 +40,7 @@ from catopt.sizing.in_motion import (
     Storm,
 )
 from catopt.sizing.line_choice import LineChoice, sold
-from catopt.sizing.settle import Settled, best_of
+from catopt.sizing.settle import ConvergedSizing, best_of
 from catopt.ties import largest
 from catopt.verify.case import load_states
 from catopt.verify.dynamic import Wanted, processes_for, run_once
@@ -62,14 +62,14 @@ _SNAPS: Final = 3.0
 _START: Final = 10.0
 """s, about, until processes run."""
 
-SettleLine = Callable[[LineChoice], Settled]
+SettleLine = Callable[[LineChoice], ConvergedSizing]
 _NoAnswer = NoAnswerError | NotConvergedError
 
 
 class Moved(NamedTuple):
     """The line that a sizing recommends in motion."""
 
-    settled: Settled
+    settled: ConvergedSizing
     in_motion: InMotion
     sinker: SinkerSize
 
@@ -79,7 +79,7 @@ class _Judged:
     """What the runs of a line came to."""
 
     tried: LineTried
-    settled: Settled  # with the sinker that motion asks for
+    settled: ConvergedSizing  # with the sinker that motion asks for
     case: Case
     parts: tuple[DynamicPart, ...] = ()
     at_rest: tuple[Solution, ...] = ()
@@ -94,7 +94,9 @@ class _Size:
     first: int  # place of its shortest length among those that are looked at
 
 
-def search_in_motion(request: BuoyRequest, best_at_rest: Settled, settle_line: SettleLine) -> Moved:
+def search_in_motion(
+    request: BuoyRequest, best_at_rest: ConvergedSizing, settle_line: SettleLine
+) -> Moved:
     """Find the line that the preference chooses among those that pass in motion.
 
     `settle_line` settles the loads on what a choice leaves of lines. InputError: the buoy or the
@@ -130,7 +132,7 @@ def search_in_motion(request: BuoyRequest, best_at_rest: Settled, settle_line: S
     )
 
 
-def _check_afloat(settled: Settled, request: BuoyRequest) -> None:
+def _check_afloat(settled: ConvergedSizing, request: BuoyRequest) -> None:
     if run_in_still_water(settled.case, request) is not None:
         return
     allowed = Message("refused.not_afloat")
@@ -141,12 +143,12 @@ class _Search:
     """Lines that were tried, and those that are left."""
 
     def __init__(
-        self, request: BuoyRequest, how: RunsAfloat, start: Settled, settle_line: SettleLine
+        self, request: BuoyRequest, how: RunsAfloat, start: ConvergedSizing, settle_line: SettleLine
     ) -> None:
         self.request, self.how, self._settle = request, how, settle_line
         self._start = start
         self.judged: dict[tuple[str, float, int], _Judged | None] = {}
-        self._at_rest: dict[tuple[str, float, int], Settled | None] = {}
+        self._at_rest: dict[tuple[str, float, int], ConvergedSizing | None] = {}
         design = start.posed.case.design
         assert design is not None
         every = design.segments[0].lengths
@@ -180,7 +182,7 @@ class _Search:
             first = next(k for k, one in enumerate(self.lengths) if one >= length * (1.0 - 1e-9))
             yield _Size(each.component, each.nominal_diameter, rest.point, first)
 
-    def _settled(self, component: str, size: float, scope: tuple[float, float]) -> Settled:
+    def _settled(self, component: str, size: float, scope: tuple[float, float]) -> ConvergedSizing:
         only = self.request.line.only(component, size)
         return self._settle(replace(only, dynamic_factor=1.0, scope=scope, length_step=self._step))
 
@@ -269,7 +271,7 @@ class _Search:
                 low = middle + 1
         return passes
 
-    def _rest(self, size: _Size, rung: int) -> Settled | None:
+    def _rest(self, size: _Size, rung: int) -> ConvergedSizing | None:
         """Settle a line; None where it fails at rest."""
         key = (size.component, size.diameter, rung)
         if key not in self._at_rest:
@@ -350,7 +352,12 @@ def _ladder(every: Sequence[float], most: float) -> tuple[float, ...]:
 
 
 def _run(
-    settled: Settled, request: BuoyRequest, how: RunsAfloat, crew: Crew, *, whole: bool = False
+    settled: ConvergedSizing,
+    request: BuoyRequest,
+    how: RunsAfloat,
+    crew: Crew,
+    *,
+    whole: bool = False,
 ) -> _Judged:
     """Run a line in every load case, side by side: first one seed of each, by its largest values.
 
@@ -380,7 +387,7 @@ def _silent(*_: int) -> None:
     """Tell nobody."""
 
 
-def _sinkers_from(settled: Settled, case: Case) -> tuple[Anchor, ...]:
+def _sinkers_from(settled: ConvergedSizing, case: Case) -> tuple[Anchor, ...]:
     """List the sinker that the line has at rest and the heavier ones, where they may slide."""
     own, posed = case.anchor, settled.posed.case
     if own is None or own.max_slide is None or posed.design is None or posed.design.sinker is None:
@@ -398,7 +405,9 @@ def _together(one: DynamicPart | _NoAnswer, other: DynamicPart | _NoAnswer) -> A
     return replace(one, runs=(*one.runs, *other.runs))
 
 
-def _judged(settled: Settled, case: Case, found: Sequence[DynamicPart | _NoAnswer]) -> _Judged:
+def _judged(
+    settled: ConvergedSizing, case: Case, found: Sequence[DynamicPart | _NoAnswer]
+) -> _Judged:
     """Check the runs of a line, whose sinker is sized."""
     assert case.dynamics is not None
     runs, failed = _runs_of(found), [e for e in found if not isinstance(e, DynamicPart)]
@@ -454,7 +463,7 @@ def _worst(check: CheckResult) -> float:
 
 
 def _line_tried(
-    settled: Settled, runs: int, failing: tuple[CheckResult, ...], reason: str = ""
+    settled: ConvergedSizing, runs: int, failing: tuple[CheckResult, ...], reason: str = ""
 ) -> LineTried:
     line = settled.point.line
     (segment, *_) = line.segments
@@ -469,7 +478,7 @@ def _line_tried(
     )
 
 
-def _held(settled: Settled, checks: CheckReport) -> Anchor | None:
+def _held(settled: ConvergedSizing, checks: CheckReport) -> Anchor | None:
     """Take the least sinker that does not slide in motion, no less than that at rest.
 
     What the line pulls does not hang on it. The heaviest where none holds.

@@ -8,7 +8,7 @@ from typing import Literal
 
 from catopt.loads.component import Loads
 from catopt.loads.drag_anchor import DragAnchorSize
-from catopt.loads.weathervane import Lying
+from catopt.loads.weathervane import ShipHeading
 from catopt.model import Case
 
 Water = Literal["high", "low"]
@@ -28,7 +28,7 @@ class LoadsAt:
     parts: tuple[Loads, ...] = ()  # on the ship, on the buoy; empty where the force was given
     given: float = 0.0  # force that was given instead, N
     # how a ship lies under the largest force of all directions and stable headings
-    lying: Lying | None = None
+    lying: ShipHeading | None = None
 
     @property
     def horizontal_force(self) -> float:
@@ -37,7 +37,7 @@ class LoadsAt:
 
 
 @dataclass(frozen=True)
-class Posed:
+class SizingCase:
     """What goes to the design search."""
 
     case: Case  # with load cases, checks and design

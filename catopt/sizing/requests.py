@@ -36,7 +36,7 @@ from catopt.sizing.headings import Weathervaning, weathervaning_of
 from catopt.sizing.in_motion import RunsAfloat
 from catopt.sizing.inputs import SINKER
 from catopt.sizing.kinds import usual
-from catopt.sizing.known import Known
+from catopt.sizing.known import ResolvedInputs
 from catopt.sizing.line_choice import LineChoice, sold, unpriced_components
 from catopt.sizing.result import Sizing
 from catopt.sizing.service_type import demands, left_out
@@ -46,7 +46,7 @@ from catopt.units import lasting
 from catopt.words import Cited, Message, Several, term
 
 
-def size(of: Known) -> Sizing:
+def size(of: ResolvedInputs) -> Sizing:
     """Size what is known; what is wrong is told as the caller spells it.
 
     Raises what `catopt.size_buoy` and `catopt.size_tanker` raise.
@@ -55,7 +55,7 @@ def size(of: Known) -> Sizing:
     return of.telling.made(maker, request_of(of))
 
 
-def request_of(of: Known) -> BuoyRequest | TankerRequest:
+def request_of(of: ResolvedInputs) -> BuoyRequest | TankerRequest:
     """Make the request for a buoy or a tanker; every mistake is told at once."""
     request = _of_a_buoy(of) if of.moored == "buoy" else _of_a_tanker(of)
     of.telling.raise_if_any()
@@ -63,7 +63,7 @@ def request_of(of: Known) -> BuoyRequest | TankerRequest:
     return request
 
 
-def _of_a_buoy(of: Known) -> BuoyRequest | None:
+def _of_a_buoy(of: ResolvedInputs) -> BuoyRequest | None:
     of.want("depth")
     body = _body(of)
     place = _environment(of, is_pushed=of.given.isdisjoint({"force", "reserve_buoyancy"}))
@@ -84,7 +84,7 @@ def _of_a_buoy(of: Known) -> BuoyRequest | None:
     return of.telling.make(maker, body, place, line, ground)
 
 
-def _of_a_tanker(of: Known) -> TankerRequest | None:
+def _of_a_tanker(of: ResolvedInputs) -> TankerRequest | None:
     of.want("length", "breadth", "draught", "depth")
     if of["in_motion"]:
         of.telling.add("in_motion", "true", Message("refused.no_ship_afloat"))
@@ -124,7 +124,7 @@ def _of_a_tanker(of: Known) -> TankerRequest | None:
     return of.telling.make(maker, ships, place, line, ground) if is_made else None
 
 
-def _runs(of: Known) -> RunsAfloat | None:
+def _runs(of: ResolvedInputs) -> RunsAfloat | None:
     """Say how lines are run with the buoy."""
     maker = partial(RunsAfloat, max_slide=of["max_slide"], other_lengths=of["other_lengths"] or 0)
     return of.telling.make(maker, of["seeds"], of["run_time"])
@@ -133,7 +133,7 @@ def _runs(of: Known) -> RunsAfloat | None:
 # ------------------------------------------------------------------ place and weather
 
 
-def wind_of_30_s(of: Known) -> float | None:
+def wind_of_30_s(of: ResolvedInputs) -> float | None:
     """Convert the wind to the mean that loads on a ship are computed for, m/s.
 
     A wind whose averaging time is not known is taken for a mean of 30 s.
@@ -142,7 +142,7 @@ def wind_of_30_s(of: Known) -> float | None:
     return of.telling.make(partial(mean_over, wanted=WIND_MEAN), of["wind"], mean)
 
 
-def of_the_wind(of: Known) -> tuple[Message, ...]:
+def of_the_wind(of: ResolvedInputs) -> tuple[Message, ...]:
     """Say to which speed the wind was converted."""
     speed = wind_of_30_s(of)
     if speed is None or of["wind_mean"] in (None, WIND_MEAN):
@@ -151,7 +151,7 @@ def of_the_wind(of: Known) -> tuple[Message, ...]:
     return (Message("sizing.wind_converted", speed=speed, **given),)
 
 
-def of_the_service(of: Known, place: Environment | None) -> tuple[Message, ...]:
+def of_the_service(of: ResolvedInputs, place: Environment | None) -> tuple[Message, ...]:
     """Say what the service type asks for, and which motions are left out."""
     if place is None or of["service_type"] is None:
         return ()
@@ -159,7 +159,7 @@ def of_the_service(of: Known, place: Environment | None) -> tuple[Message, ...]:
 
 
 def _environment(
-    of: Known, *, is_pushed: bool = True, wind: float | None = None
+    of: ResolvedInputs, *, is_pushed: bool = True, wind: float | None = None
 ) -> Environment | None:
     """Make depths and weather; where the force is given, wind and current do not count."""
     make, high = of.telling.make, of["depth"]
@@ -170,7 +170,7 @@ def _environment(
     return make(maker, levels, blows, current, make(_sea, of))
 
 
-def _sea(of: Known) -> SeaState:
+def _sea(of: ResolvedInputs) -> SeaState:
     """Make the waves; the period follows from the height where it is not given."""
     height, largest = of["hs"], of["hmax"]
     significant = height if height is not None else (largest or 0.0) / HMAX_OVER_HS
@@ -180,7 +180,7 @@ def _sea(of: Known) -> SeaState:
 # ------------------------------------------------------------------ buoy and ship
 
 
-def _body(of: Known) -> BuoyShape | GivenBuoy | None:
+def _body(of: ResolvedInputs) -> BuoyShape | GivenBuoy | None:
     """Look the buoy up, or take it by its force and its buoyancy."""
     telling, pair = of.telling, ("force", "reserve_buoyancy")
     by_force = [name for name in pair if name in of.given or telling.is_told(name)]
@@ -199,7 +199,7 @@ def _body(of: Known) -> BuoyShape | GivenBuoy | None:
     return telling.make(GivenBuoy, of["force"], of["reserve_buoyancy"], of["keel_depth"])
 
 
-def shape_of(of: Known) -> BuoyShape | None:
+def shape_of(of: ResolvedInputs) -> BuoyShape | None:
     """Look a buoy up by its name, in the library and in a file of one's own; or read CALMAR's."""
     if of["buoy"] is not None and of["buoy"].lower().endswith(SUFFIX):
         return read_calmar_buoy(of["buoy"])
@@ -208,7 +208,7 @@ def shape_of(of: Known) -> BuoyShape | None:
     return of.telling.make(lambda name: look_up(name, among), of["buoy"])
 
 
-def _ships(of: Known) -> tuple[MooredShip, ...] | None:
+def _ships(of: ResolvedInputs) -> tuple[MooredShip, ...] | None:
     """Make the ship in each condition, as far as its dimensions are known."""
     if None in (of["length"], of["breadth"], of["draught"]):
         return None
@@ -219,7 +219,7 @@ def _ships(of: Known) -> tuple[MooredShip, ...] | None:
     return made if made and len(made) == len(ships) else None
 
 
-def draughts_of(of: Known) -> dict[Condition, float]:
+def draughts_of(of: ResolvedInputs) -> dict[Condition, float]:
     """Take the conditions that count, with their draughts, m; none where something is wrong.
 
     Both count unless one is named. A draught in ballast that is not given is estimated; where that
@@ -252,7 +252,7 @@ def draughts_of(of: Known) -> dict[Condition, float]:
     return found
 
 
-def of_the_ballast(of: Known) -> tuple[Message, ...]:
+def of_the_ballast(of: ResolvedInputs) -> tuple[Message, ...]:
     """Say which draught in ballast was estimated, or that none could be."""
     if of["ballast_draught"] is not None or None in (of["length"], of["draught"]):
         return ()
@@ -284,7 +284,7 @@ _SHORT: Final = 4.5
 """Length over breadth of a hull that may be a barge's; merchant ships have 5 to 7."""
 
 
-def own_tables(of: Known, condition: str) -> ShipCoefficients | None:
+def own_tables(of: ResolvedInputs, condition: str) -> ShipCoefficients | None:
     """Take the coefficients of a ship's own in a condition, or those of square ends."""
     is_barge = of["ship"] == BARGE
     if of["coefficients"] is None:
@@ -309,7 +309,7 @@ def turns_by_itself(ships: Iterable[MooredShip | Afloat] | None) -> bool:
     return bool(tables) and all(each is not None and each.turns for each in tables)
 
 
-def of_the_hull(of: Known) -> tuple[Message, ...]:
+def of_the_hull(of: ResolvedInputs) -> tuple[Message, ...]:
     """Say what was estimated of the hull, and what a square-ended one would have."""
     if of["ship"] == BARGE:
         return box_estimates()
@@ -319,7 +319,9 @@ def of_the_hull(of: Known) -> tuple[Message, ...]:
     return estimates()
 
 
-def ship_at(of: Known, condition: Condition, name: str, propeller: str | None = "tanker") -> Ship:
+def ship_at(
+    of: ResolvedInputs, condition: Condition, name: str, propeller: str | None = "tanker"
+) -> Ship:
     """Estimate the ship at one of its draughts.
 
     Areas that are given are those of the loaded ship, which rises by the difference.
@@ -343,7 +345,7 @@ def ship_at(of: Known, condition: Condition, name: str, propeller: str | None = 
     )
 
 
-def _ship(of: Known, condition: Condition) -> MooredShip:
+def _ship(of: ResolvedInputs, condition: Condition) -> MooredShip:
     dwt, kind = of["dwt"], of["ship"]
     wind_on, propeller = TAKEN_FOR[kind]
     name = term(kind) if dwt is None else Message("sizing.ship_of", kind=term(kind), mass=dwt / 1e3)
@@ -365,7 +367,9 @@ def _ship(of: Known, condition: Condition) -> MooredShip:
 # ------------------------------------------------------------------ line, and what holds it
 
 
-def _sizes_for(of: Known, body: BuoyShape | GivenBuoy | None) -> tuple[float | None, float | None]:
+def _sizes_for(
+    of: ResolvedInputs, body: BuoyShape | GivenBuoy | None
+) -> tuple[float | None, float | None]:
     """Bound a buoy's chain, m: by what is given, or by what the buoy is made for."""
     least, most = of["diameter_min"], of["diameter_max"]
     if not isinstance(body, BuoyShape):
@@ -379,13 +383,13 @@ def _sizes_for(of: Known, body: BuoyShape | GivenBuoy | None) -> tuple[float | N
     return least, most
 
 
-def _largest_size(of: Known) -> float:
+def _largest_size(of: ResolvedInputs) -> float:
     """Bound a ship's sizes of chain; a smallest one that is given moves the usual bound."""
     most = float(of["diameter_max"])
     return most if "diameter_max" in of.given else max(of["diameter_min"] or 0.0, most)
 
 
-def _line(of: Known, least: float | None, most: float | None) -> LineChoice | None:
+def _line(of: ResolvedInputs, least: float | None, most: float | None) -> LineChoice | None:
     """Make what the line may be; its components have to be known."""
     choice: dict[str, Any] = {
         "diameter_min": least,
@@ -409,7 +413,7 @@ def _line(of: Known, least: float | None, most: float | None) -> LineChoice | No
     return line if is_known else None
 
 
-def _scope(of: Known) -> tuple[float, float]:
+def _scope(of: ResolvedInputs) -> tuple[float, float]:
     """Bound a buoy's line, in depths; one bound that is given moves the usual other one."""
     least, most = of["scope_min"] or 0.0, of["scope_max"] or math.inf
     if "scope_max" not in of.given:
@@ -417,7 +421,7 @@ def _scope(of: Known) -> tuple[float, float]:
     return (least if "scope_min" in of.given else min(least, most)), most
 
 
-def _preference(of: Known, line: LineChoice | None) -> dict[str, Any]:
+def _preference(of: ResolvedInputs, line: LineChoice | None) -> dict[str, Any]:
     """Say which design is wanted: as asked for, or a buoy's by practice, a ship's balanced."""
     prefer, swing_price = of["prefer"], of["swing_price"] or 0.0
     own = "practice" if of.moored == "buoy" else "balanced"
@@ -444,7 +448,7 @@ def _preference(of: Known, line: LineChoice | None) -> dict[str, Any]:
     return {"prefer": prefer or ("cheapest" if swing_price else own), "swing_price": swing_price}
 
 
-def _ground(of: Known) -> DragGround | SinkerGround | None:
+def _ground(of: ResolvedInputs) -> DragGround | SinkerGround | None:
     """Make what holds the line: a sinker, or of a tanker a drag anchor by its kind."""
     if of.moored == "tanker" and of["anchor"] != SINKER:
         soil = AS_CLAY.get(of["soil"], of["soil"])
@@ -467,7 +471,7 @@ def _soil_of(code: str) -> str:
 
 
 def _taken(
-    of: Known, place: Environment | None, ground: DragGround | SinkerGround | None
+    of: ResolvedInputs, place: Environment | None, ground: DragGround | SinkerGround | None
 ) -> tuple[str, ...]:
     """Say what was taken because it was not given."""
     words: list[str] = [

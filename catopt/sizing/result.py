@@ -15,13 +15,13 @@ from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.sinker import SinkerSize
 from catopt.loads.source import CALMAR
 from catopt.model import Case
-from catopt.shown import Shown
+from catopt.shown import Displayable
 from catopt.sizing.alternatives import Alternative, Candidate, Limit, trade
 from catopt.sizing.document import sizing_document
 from catopt.sizing.in_motion import InMotion
 from catopt.sizing.known import ReadInput, estimated_dimensions
 from catopt.sizing.pattern import Pattern, system_case
-from catopt.sizing.settle import Settled, point_diameter
+from catopt.sizing.settle import ConvergedSizing, point_diameter
 from catopt.ties import largest
 from catopt.units import UNITS, Dimension
 from catopt.words import Cited, Measure, Message, Sentence, Several, term
@@ -44,11 +44,11 @@ class SwingRadius:
 
 
 @dataclass(frozen=True, repr=False)
-class Sizing(Shown):
+class Sizing(Displayable):
     """A mooring sized for its place and its weather."""
 
     kind: Literal["buoy", "tanker"]  # of what
-    settled: Settled  # loads, case, front and the recommended design
+    settled: ConvergedSizing  # loads, case, front and the recommended design
     swing: SwingRadius  # at low water
     dynamic_factor: float  # allowance for motion on the steady forces, in all load cases
     motion: str  # where it is from, and what stands for motion

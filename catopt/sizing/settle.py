@@ -19,7 +19,7 @@ from catopt.design.search import design_case, enumerate_designs
 from catopt.errors import NotConvergedError
 from catopt.model import Case
 from catopt.sizing.line_choice import LineChoice
-from catopt.sizing.posed import Assumed, Posed
+from catopt.sizing.posed import Assumed, SizingCase
 from catopt.words import Message, Several
 
 MOST_ROUNDS: Final = 40
@@ -33,10 +33,10 @@ _BY_SIZE: Final = frozenset({"tension", "uplift_angle", "grounded_length", "span
 
 
 @dataclass(frozen=True)
-class Settled:
+class ConvergedSizing:
     """A line and the loads that it was sized for."""
 
-    posed: Posed
+    posed: SizingCase
     point: DesignPoint  # the recommended design of its case
     assumed: Assumed  # what the loads were computed for
     needed: Assumed  # what the recommended line comes to: never more
@@ -69,11 +69,11 @@ class Settled:
 
 
 def settle(
-    pose: Callable[[Assumed], Posed],
-    needed: Callable[[Posed, DesignPoint], Assumed],
+    pose: Callable[[Assumed], SizingCase],
+    needed: Callable[[SizingCase, DesignPoint], Assumed],
     choice: LineChoice,
     start: Assumed | None = None,
-) -> Settled:
+) -> ConvergedSizing:
     """Search until the loads were computed for no less than the line that comes out.
 
     From the start, or from no chain at all, each round computes the loads for the largest chain
@@ -87,13 +87,13 @@ def settle(
     `MOST_ROUNDS`.
     """
 
-    def search(assumed: Assumed, rounds: int) -> Settled:
+    def search(assumed: Assumed, rounds: int) -> ConvergedSizing:
         posed = pose(assumed)
         try:
             point = _best(posed.case, choice)
         except NoFeasibleDesignError as error:
             raise _advised(error, choice) from error
-        return Settled(posed, point, assumed, needed(posed, point), rounds, choice)
+        return ConvergedSizing(posed, point, assumed, needed(posed, point), rounds, choice)
 
     assumed = start or Assumed()
     for rounds in range(1, MOST_ROUNDS + 1):

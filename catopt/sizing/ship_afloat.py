@@ -21,7 +21,7 @@ from catopt.model import (
 from catopt.sizing.afloat import MOTION_CODE
 from catopt.sizing.environment import WIND_MEAN, mean_over
 from catopt.sizing.pattern import Pattern, system_case
-from catopt.sizing.settle import Settled
+from catopt.sizing.settle import ConvergedSizing
 from catopt.sizing.tanker_request import MooredShip, TankerRequest
 from catopt.ties import largest
 
@@ -32,7 +32,9 @@ _RUNS: Final = 3
 _COMPONENTS: Final = 200
 
 
-def ship_afloat(request: TankerRequest, settled: Settled, around: Pattern | None) -> Case | None:
+def ship_afloat(
+    request: TankerRequest, settled: ConvergedSizing, around: Pattern | None
+) -> Case | None:
     """Add ship, wind, waves and current to the case of her lines in the hardest load case.
 
     A single line is a system of one, its anchor where the everyday force has it. The ship turns
@@ -68,7 +70,7 @@ def ship_afloat(request: TankerRequest, settled: Settled, around: Pattern | None
     )
 
 
-def _one_line(case: Case, state: LoadCase, settled: Settled) -> Case:
+def _one_line(case: Case, state: LoadCase, settled: ConvergedSizing) -> Case:
     """Put the line alone around the ship's mooring point, pulled away from its anchor."""
     rise = state.water_level + state.fairlead_rise
     height = case.fairlead_height + rise

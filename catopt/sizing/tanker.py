@@ -12,7 +12,7 @@ from catopt.design.result import DesignPoint
 from catopt.errors import NoAnswerError
 from catopt.loads.component import Loads
 from catopt.loads.environment import WaterLevels
-from catopt.loads.weathervane import Afloat, Lying, every_lying
+from catopt.loads.weathervane import Afloat, ShipHeading, every_lying
 from catopt.model import Buoy, ClumpWeightChoice, Design, LoadCase
 from catopt.sizing.anchorage import DragGround
 from catopt.sizing.answer import case_of, loads_on, new_and_worn, sizing_of, worn_name
@@ -20,9 +20,9 @@ from catopt.sizing.environment import Environment
 from catopt.sizing.headings import Weathervaning, turning_words
 from catopt.sizing.line_choice import longest_useful
 from catopt.sizing.pattern import BodyState, Pattern, pattern, shared_force
-from catopt.sizing.posed import Assumed, LoadsAt, Posed, Water, rounded_up
+from catopt.sizing.posed import Assumed, LoadsAt, SizingCase, Water, rounded_up
 from catopt.sizing.result import Sizing, SwingRadius
-from catopt.sizing.settle import Settled, point_diameter, point_pull, settle
+from catopt.sizing.settle import ConvergedSizing, point_diameter, point_pull, settle
 from catopt.sizing.ship_afloat import ship_afloat
 from catopt.sizing.tanker_request import MooredShip, TankerRequest
 from catopt.ties import largest
@@ -90,7 +90,9 @@ def sized_tanker(request: TankerRequest) -> Sizing:
     )
 
 
-def pose_tanker(request: TankerRequest, assumed: Assumed, reserve: float | None = None) -> Posed:
+def pose_tanker(
+    request: TankerRequest, assumed: Assumed, reserve: float | None = None
+) -> SizingCase:
     """Make the case of one line of a tanker's mooring.
 
     `assumed`: chain and pull that the loads on the buoy are computed for, and the least horizontal
@@ -126,10 +128,10 @@ def pose_tanker(request: TankerRequest, assumed: Assumed, reserve: float | None 
         anchor=anchor,
         design=_design(request, height),
     )
-    return Posed(case, loads, drag)
+    return SizingCase(case, loads, drag)
 
 
-def _settled(request: TankerRequest, start: Assumed | None = None) -> Settled:
+def _settled(request: TankerRequest, start: Assumed | None = None) -> ConvergedSizing:
     """Settle loads and line on each other, within what the buoy carries of all lines."""
     reserve = request.reserve_buoyancy
     if reserve is None or request.lines == 1:
@@ -148,11 +150,11 @@ def _settled(request: TankerRequest, start: Assumed | None = None) -> Settled:
 
 def _settled_within(
     request: TankerRequest, allowed: float | None, start: Assumed | None
-) -> Settled:
+) -> ConvergedSizing:
     """Settle loads and line on each other; `allowed` is what one line may pull down, N."""
     reserve = request.reserve_buoyancy
 
-    def needed(posed: Posed, point: DesignPoint) -> Assumed:
+    def needed(posed: SizingCase, point: DesignPoint) -> Assumed:
         diameter = point_diameter(point) if request.buoy is not None else 0.0
         pull = point_pull(point)
         forces: tuple[float, ...] = ()
@@ -216,7 +218,7 @@ def _worst_lying(
     vane: Weathervaning,
     methods: tuple[str, ...],
     wave_coefficient: float | None,
-) -> Lying:
+) -> ShipHeading:
     """Find how the ship lies under the largest force; the line has no part in that."""
     every = every_lying(
         [afloat],
@@ -273,12 +275,12 @@ def _design(request: TankerRequest, height: float) -> Design:
     )
 
 
-def _around(request: TankerRequest, settled: Settled) -> Pattern | None:
+def _around(request: TankerRequest, settled: ConvergedSizing) -> Pattern | None:
     """Solve the equilibrium of several lines."""
     return _pattern(request, settled.posed, settled.point) if request.lines > 1 else None
 
 
-def _pattern(request: TankerRequest, posed: Posed, point: DesignPoint) -> Pattern:
+def _pattern(request: TankerRequest, posed: SizingCase, point: DesignPoint) -> Pattern:
     """Solve the equilibrium of all lines, each like a design's."""
     case = posed.case
     extreme = [
@@ -299,7 +301,7 @@ def _pattern(request: TankerRequest, posed: Posed, point: DesignPoint) -> Patter
     )
 
 
-def _swing(request: TankerRequest, settled: Settled, around: Pattern | None) -> SwingRadius:
+def _swing(request: TankerRequest, settled: ConvergedSizing, around: Pattern | None) -> SwingRadius:
     """Add up how far the stern swings round the anchor, or round the middle of the pattern."""
     if around is not None:
         widest = largest(around.states, lambda state: state.line_out.offset)
@@ -319,7 +321,7 @@ def _swing(request: TankerRequest, settled: Settled, around: Pattern | None) -> 
     return SwingRadius(name, tuple(parts))
 
 
-def _lies(request: TankerRequest, settled: Settled) -> Iterator[str]:
+def _lies(request: TankerRequest, settled: ConvergedSizing) -> Iterator[str]:
     """Say how the ship lies: head to everything, or how under the force that governs."""
     directions, turning = request.weathervaning
     if turning is None:
@@ -343,7 +345,7 @@ def _lies(request: TankerRequest, settled: Settled) -> Iterator[str]:
         yield Message("sizing.buoy_from_one_side")
 
 
-def _assumptions(request: TankerRequest, settled: Settled) -> Iterator[str]:
+def _assumptions(request: TankerRequest, settled: ConvergedSizing) -> Iterator[str]:
     env = request.environment
     yield from _lies(request, settled)
     if all(each.condition == "loaded" for each in request.ships):

@@ -24,7 +24,7 @@ def as_keyword(name: str, index: int | None = None) -> str:
     return name if index is None else f"{name}[{index}]"
 
 
-class Telling:
+class ErrorCollector:
     """Makes values out of inputs and keeps what is wrong with them until all have been tried.
 
     `spell` writes a name as the caller does, `source` is who is told, for the error; of inputs in

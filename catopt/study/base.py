@@ -20,7 +20,7 @@ Proof = Literal["step", "none"]
 
 
 @dataclass(frozen=True)
-class Kept:
+class Output:
     """A number or a text that is kept of each member.
 
     `name`: in a study file and in documents; `quantity`: key of its quantity; empty for a text;
@@ -53,44 +53,44 @@ class Kept:
 
 
 _ENDS = (
-    Kept("fairlead_tension", "tension"),
-    Kept("anchor_tension", "tension"),
-    Kept("anchor_uplift", "vertical_force"),
-    Kept("grounded_length", "grounded_length", high_is_worse=False),
+    Output("fairlead_tension", "tension"),
+    Output("anchor_tension", "tension"),
+    Output("anchor_uplift", "vertical_force"),
+    Output("grounded_length", "grounded_length", high_is_worse=False),
 )
-_SPREAD = (Kept("fairlead_mean", "tension"), Kept("fairlead_deviation", "tension"))
-_USED = Kept("utilisation", "utilisation")
-_GOVERNING = Kept("governing")
+_SPREAD = (Output("fairlead_mean", "tension"), Output("fairlead_deviation", "tension"))
+_USED = Output("utilisation", "utilisation")
+_GOVERNING = Output("governing")
 
-KEPT: Final[Mapping[str, tuple[Kept, ...]]] = MappingProxyType(
+KEPT: Final[Mapping[str, tuple[Output, ...]]] = MappingProxyType(
     {
-        "line": (*_ENDS, Kept("span", "span")),
-        "system": (*_ENDS, Kept("offset", "offset")),
-        "checks": (_USED, Kept("failing", "failing"), _GOVERNING),
+        "line": (*_ENDS, Output("span", "span")),
+        "system": (*_ENDS, Output("offset", "offset")),
+        "checks": (_USED, Output("failing", "failing"), _GOVERNING),
         "motion": (
-            Kept("fairlead_tension", "tension"),
+            Output("fairlead_tension", "tension"),
             *_SPREAD,
-            Kept("anchor_tension", "tension"),
-            Kept("offset", "offset"),
-            Kept("grounded_length", "grounded_length", high_is_worse=False),
+            Output("anchor_tension", "tension"),
+            Output("offset", "offset"),
+            Output("grounded_length", "grounded_length", high_is_worse=False),
             _USED,
-            Kept("change", "utilisation"),
-            Kept("verdict"),
+            Output("change", "utilisation"),
+            Output("verdict"),
         ),
         "linear": (
-            Kept("fairlead_probable", "tension"),
+            Output("fairlead_probable", "tension"),
             *_SPREAD,
-            Kept("zero_crossing_period", "zero_crossing_period"),
-            Kept("reserve", "reserve", high_is_worse=False),
-            Kept("taut"),
+            Output("zero_crossing_period", "zero_crossing_period"),
+            Output("reserve", "reserve", high_is_worse=False),
+            Output("taut"),
         ),
         "sizing": (
-            Kept("line"),
-            Kept("holding"),
-            Kept("mass", "mass"),
-            Kept("line_length", "length"),
-            Kept("swing_radius", "span"),
-            Kept("holding_mass", "mass"),
+            Output("line"),
+            Output("holding"),
+            Output("mass", "mass"),
+            Output("line_length", "length"),
+            Output("swing_radius", "span"),
+            Output("holding_mass", "mass"),
             _USED,
             _GOVERNING,
         ),
@@ -122,7 +122,7 @@ class Base:
     proof: Proof = "step"
 
     @property
-    def kept(self) -> tuple[Kept, ...]:
+    def kept(self) -> tuple[Output, ...]:
         """What is kept of each member."""
         at_rest = "system" if "system" in self.document else "line"
         return KEPT[at_rest if self.compute == "statics" else self.compute]

@@ -19,7 +19,7 @@ import numpy as np
 
 from catopt.arrays import Array, Flags
 from catopt.errors import InputError, NoAnswerError, NotConvergedError
-from catopt.study.base import Kept
+from catopt.study.base import Output
 from catopt.study.member import compute_member
 from catopt.study.statics import at_rest
 from catopt.study.study import Piece, Study
@@ -84,7 +84,7 @@ def counted_interval(beyond: int, count: int) -> tuple[float, float]:
     return low, high
 
 
-def first_order(study: Study, kept: Kept, limit: float, values: Array) -> FirstOrder | Message:
+def first_order(study: Study, kept: Output, limit: float, values: Array) -> FirstOrder | Message:
     """Find the points at which a limit is most likely passed; or say why there is none.
 
     `study`: one whose keys are drawn, or have one value; `limit`: of the quantity, in SI; `values`:
@@ -125,7 +125,7 @@ def first_order(study: Study, kept: Kept, limit: float, values: Array) -> FirstO
     )
 
 
-def _room(study: Study, kept: Kept, limit: float) -> Callable[[Array], Array]:
+def _room(study: Study, kept: Output, limit: float) -> Callable[[Array], Array]:
     """Part of the limit that is left at points in standard deviations, shape (n, keys)."""
     sense = 1.0 if kept.high_is_worse else -1.0
     return lambda points: sense * (limit - _values(study, kept, points)) / (abs(limit) or 1.0)
@@ -229,7 +229,7 @@ def _columns(study: Study, points: Array) -> dict[str, Array]:
     return {key: each.at(points[:, k]) for k, (key, each) in enumerate(drawn.items())}
 
 
-def _values(study: Study, kept: Kept, points: Array) -> Array:
+def _values(study: Study, kept: Output, points: Array) -> Array:
     """Compute a quantity at points in standard deviations; nan where there is no answer."""
     fixed = {
         key: value for key, value in study.values_of(0).items() if key not in study.distributions

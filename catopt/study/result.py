@@ -14,8 +14,8 @@ import numpy as np
 from catopt.arrays import Array, Codes
 from catopt.documents import figures
 from catopt.errors import InputError, Problem, need_package
-from catopt.shown import Shown
-from catopt.study.base import Kept
+from catopt.shown import Displayable
+from catopt.study.base import Output
 from catopt.study.reliability import FirstOrder, counted_interval, first_order
 from catopt.study.store import Store
 from catopt.study.study import Study
@@ -135,7 +135,7 @@ class Statistic:
     the first member beyond it, from 0; None where none is.
     """
 
-    kept: Kept
+    kept: Output
     count: int
     mean: float
     deviation: float
@@ -157,7 +157,7 @@ class ByChoice:
     many with an answer.
     """
 
-    kept: Kept
+    kept: Output
     member: int
     beyond: int
     count: int
@@ -189,7 +189,7 @@ class Influence:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class StudyResult(Shown):
+class StudyResult(Displayable):
     """A study and what was computed of it, whole or as far as it went."""
 
     study: Study
@@ -220,7 +220,7 @@ class StudyResult(Shown):
         return LEVELS
 
     @property
-    def measured(self) -> tuple[Kept, ...]:
+    def measured(self) -> tuple[Output, ...]:
         """Numbers that are kept."""
         return tuple(each for each in self.study.base.kept if each.quantity)
 
@@ -251,7 +251,7 @@ class StudyResult(Shown):
         )
         return tuple(each for each in found if each is not None)
 
-    def _statistic(self, kept: Kept, values: Array, shares: Array) -> Statistic | None:
+    def _statistic(self, kept: Output, values: Array, shares: Array) -> Statistic | None:
         there = np.flatnonzero(np.isfinite(values) & (shares > 0.0))
         if not there.size:
             return None

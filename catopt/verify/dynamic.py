@@ -20,7 +20,7 @@ from catopt.model import Case
 from catopt.verify.case import load_states
 from catopt.verify.dynamic_lines import LinesAtRest, lines_at_rest, quasi_static
 from catopt.verify.dynamic_result import DynamicPart, DynamicRun, DynamicVerification
-from catopt.verify.dynamic_setup import Drive, check_for_motion, read_drive
+from catopt.verify.dynamic_setup import Excitation, check_for_motion, read_drive
 from catopt.verify.effort import effort_of
 from catopt.verify.judged import with_verdicts
 from catopt.verify.motion_file import energy_beyond
@@ -116,7 +116,7 @@ def verify_dynamic(
             tell = _telling(share_of(progress, done, len(states)), ask)
 
             def run(
-                drive: Drive, tell: Progress, known: Known | None = None, name: str = name
+                drive: Excitation, tell: Progress, known: Known | None = None, name: str = name
             ) -> list[DynamicPart]:
                 found = _parts(name, proof, workers, announce, known or {}, drive, tell)
                 return with_verdicts(case, found) if found else found
@@ -150,8 +150,8 @@ def _wants_more_bars(part: DynamicPart) -> bool:
 
 def _with_twice_the_bars(
     found: list[DynamicPart],
-    drive: Drive,
-    run: Callable[[Drive, Progress, Known], list[DynamicPart]],
+    drive: Excitation,
+    run: Callable[[Excitation, Progress, Known], list[DynamicPart]],
     progress: Progress,
 ) -> list[DynamicPart]:
     """Run a load case anew with twice the bars; keep what there is where that gives no answer.
@@ -227,7 +227,7 @@ def _parts(
     workers: int | None,
     announce: Callable[[str], None],
     known: Known,
-    drive: Drive,
+    drive: Excitation,
     progress: Progress,
 ) -> list[DynamicPart]:
     """Run one load case, a part a line; none when it was stopped before anything was there.
@@ -272,7 +272,7 @@ class Wanted(NamedTuple):
     """Seeds of a load case that are to be run once, by their numbers."""
 
     name: str
-    drive: Drive
+    drive: Excitation
     seeds: tuple[int, ...]
 
 
@@ -299,7 +299,7 @@ def run_once(
 
 
 def _once(
-    jobs: Sequence[tuple[Drive, int]], at: int, progress: Progress
+    jobs: Sequence[tuple[Excitation, int]], at: int, progress: Progress
 ) -> DynamicRun | NotConvergedError | NoAnswerError:
     drive, seed = jobs[at]
     try:
@@ -493,7 +493,7 @@ def _as_in_file(problem: Problem) -> Problem:
     return replace(problem, key="dynamics.time_step") if problem.key == "step" else problem
 
 
-def _remarks(drive: Drive, runs: Sequence[DynamicRun]) -> list[str]:
+def _remarks(drive: Excitation, runs: Sequence[DynamicRun]) -> list[str]:
     remarks = []
     if not all(run.history.counts for run in runs):
         remarks.append(Message("motion.within_ramp"))

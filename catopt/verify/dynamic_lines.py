@@ -28,7 +28,7 @@ from catopt.hydro.build import FloatingHull
 from catopt.model import Load
 from catopt.model.dynamics import InitialFriction
 from catopt.mooring.solve import solve_system
-from catopt.verify.dynamic_setup import Drive
+from catopt.verify.dynamic_setup import Excitation
 from catopt.verify.system import truss_legs
 from catopt.waves import Sea, Waves, wavelength
 from catopt.words import Message
@@ -44,12 +44,12 @@ class OneLine:
     gives, m.
     """
 
-    drive: Drive
+    drive: Excitation
     load: Load
     span: float
 
     @classmethod
-    def at_rest(cls, drive: Drive) -> OneLine:
+    def at_rest(cls, drive: Excitation) -> OneLine:
         """Solve the line in closed form; on a bed that slopes, by the truss model."""
         load = drive.case.load
         assert load is not None
@@ -61,7 +61,7 @@ class OneLine:
         return cls(drive, load, closed.span)
 
     @classmethod
-    def _on_slope(cls, drive: Drive, load: Load) -> OneLine:
+    def _on_slope(cls, drive: Excitation, load: Load) -> OneLine:
         if load.fairlead_tension is not None:
             allowed = Message("refused_motion.give_horizontal_force_or_span")
             found = f"{load.fairlead_tension:g} N"
@@ -147,13 +147,13 @@ class LinesOfABody:
     its origin at rest, m: x, y, and the height of the first fairlead; `yaw`: at rest, rad.
     """
 
-    drive: Drive
+    drive: Excitation
     legs: tuple[Leg, ...]
     place: tuple[float, float, float]
     yaw: float
 
     @classmethod
-    def at_rest(cls, drive: Drive) -> LinesOfABody:
+    def at_rest(cls, drive: Excitation) -> LinesOfABody:
         """Solve the body under its mean force in closed form; a constant drift comes on top."""
         system = drive.case.system
         assert system is not None
@@ -319,11 +319,11 @@ class LineOfAFloater:
     `drive`: what drives them; `hull`: the buoy.
     """
 
-    drive: Drive
+    drive: Excitation
     hull: FloatingHull
 
     @classmethod
-    def at_rest(cls, drive: Drive) -> LineOfAFloater:
+    def at_rest(cls, drive: Excitation) -> LineOfAFloater:
         """Make the buoy; hull and line find their rest in the current of each run."""
         case, of = drive.case, drive.case.floater
         assert of is not None
@@ -381,7 +381,7 @@ class LineOfAFloater:
         yield Message("floater.linear_radiation")
 
 
-def _check_in_plane(drive: Drive) -> None:
+def _check_in_plane(drive: Excitation) -> None:
     """Refuse waves and currents that do not go along the line, in whose plane a buoy moves."""
     sea, problems = drive.sea(0), []
     allowed = Message("refused_motion.along_line_or_against_0")
@@ -405,7 +405,7 @@ LinesAtRest = OneLine | LinesOfABody | LineOfAFloater
 """Lines that are run together, and what drives them."""
 
 
-def lines_at_rest(drive: Drive) -> LinesAtRest:
+def lines_at_rest(drive: Excitation) -> LinesAtRest:
     """Find how the lines of a case hang before they move.
 
     Raises NoEquilibriumError, NotConvergedError as for `solve_case` and `solve_system`.

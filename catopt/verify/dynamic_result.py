@@ -22,9 +22,9 @@ from catopt.fem.statistics import SeriesStatistics, power_spectrum, series_stati
 from catopt.floater.alone import HullHistory
 from catopt.model import Case, Line
 from catopt.model.dynamics import InitialFriction
-from catopt.shown import Shown
+from catopt.shown import Displayable
 from catopt.ties import largest
-from catopt.verify.dynamic_setup import Drive
+from catopt.verify.dynamic_setup import Excitation
 from catopt.verify.proof import (
     LEAST_CYCLES,
     LEAST_TENSION,
@@ -277,7 +277,7 @@ class DynamicPart:
     """
 
     name: str
-    drive: Drive
+    drive: Excitation
     runs: tuple[DynamicRun, ...]
     line_length: float
     proof: Proof
@@ -590,7 +590,7 @@ class DynamicPart:
 
 
 @dataclass(frozen=True, repr=False)
-class DynamicVerification(Shown):
+class DynamicVerification(Displayable):
     """A case in motion.
 
     `case`: what was run; `parts`: one a load case; of a body with several lines, one a line;

@@ -65,7 +65,7 @@ _FAST = 0.99
 
 
 @dataclass(frozen=True)
-class Drive:
+class Excitation:
     """What drives a case, with its files read.
 
     `case`: with dynamics; `elevation`: of the surface; `current`: over time; `record`: of the
@@ -289,7 +289,7 @@ class Drive:
         return min(periods)
 
 
-def read_drive(case: Case) -> Drive:
+def read_drive(case: Case) -> Excitation:
     """Read the files of a case's sea and motion; InputError for what is wrong in them."""
     assert case.dynamics is not None
     duration = case.dynamics.duration
@@ -315,20 +315,20 @@ def _block(of: Anchor) -> tuple[float, float, float]:
     return of.mass, of.submerged_weight, of.friction
 
 
-def _with_motion(case: Case, duration: float) -> Drive:
+def _with_motion(case: Case, duration: float) -> Excitation:
     if case.body is not None and case.body.force_file:
-        return Drive(case, force=read_force(case.body.force_file, duration))
+        return Excitation(case, force=read_force(case.body.force_file, duration))
     given = case.motion
     if given is None:
-        return Drive(case)
+        return Excitation(case)
     drift = read_motion(given.drift_file, duration) if given.drift_file else None
     if given.file:
-        return Drive(case, record=read_motion(given.file, duration))
+        return Excitation(case, record=read_motion(given.file, duration))
     if not given.rao_file:
-        return Drive(case, drift=drift)
+        return Excitation(case, drift=drift)
     if case.system is not None:
-        return Drive(case, vessel=read_vessel_raos(given), drift=drift)
-    return Drive(case, raos=read_raos(given.rao_file))
+        return Excitation(case, vessel=read_vessel_raos(given), drift=drift)
+    return Excitation(case, raos=read_raos(given.rao_file))
 
 
 def _harmonic(given: Motion) -> Harmonic:
@@ -352,10 +352,10 @@ def check_for_motion(case: Case) -> None:
     if case.dynamics is None:
         allowed = Message("refused_motion.missing_write_dynamics_with_duration")
         problems.append(Problem("dynamics", "", allowed))
-    elif case.dynamics.runs > 1 and not Drive(case).is_random:
+    elif case.dynamics.runs > 1 and not Excitation(case).is_random:
         allowed = Message("refused_motion.without_random_sea_all_runs")
         problems.append(Problem("dynamics.runs", f"{case.dynamics.runs}", allowed))
-    elif case.dynamics.judged_by != "largest" and not Drive(case).is_random:
+    elif case.dynamics.judged_by != "largest" and not Excitation(case).is_random:
         allowed = Message("refused_motion.judged_by_wants_a_random_sea")
         problems.append(Problem("dynamics.judged_by", f'"{case.dynamics.judged_by}"', allowed))
     for index, segment in enumerate(case.line.segments):

@@ -14,7 +14,7 @@ from catopt.catenary.layout import end_of, tension_at
 from catopt.catenary.solution import Solution
 from catopt.fem import SystemSolution, TrussSolution
 from catopt.model import Case
-from catopt.shown import Shown
+from catopt.shown import Displayable
 from catopt.ties import largest
 from catopt.verify.compared import ORDER, ROUNDING, Compared, worst_of
 
@@ -205,7 +205,7 @@ def least_agreeing(parts: Sequence[StaticComparison]) -> StaticComparison:
 
 
 @dataclass(frozen=True, repr=False)
-class Verification(Shown):
+class Verification(Displayable):
     """A case by both models."""
 
     case: Case

@@ -30,7 +30,7 @@ from catopt.floater.two_scales import (
 )
 from catopt.model import Case
 from catopt.ties import first_largest
-from catopt.verify.dynamic_setup import Drive, read_drive
+from catopt.verify.dynamic_setup import Excitation, read_drive
 from catopt.verify.motion_file import energy_beyond
 from catopt.verify.side_by_side import Progress
 from catopt.waves import Waves, breaking_warning
@@ -194,13 +194,13 @@ def verify_ship(case: Case, *, progress: Progress | None = None) -> ShipVerifica
     return ShipVerification(case, moored, rests[0], histories, checks, remarks, directions)
 
 
-def _waves(drive: Drive, run: int) -> Waves:
+def _waves(drive: Excitation, run: int) -> Waves:
     waves = drive.sea(run).waves
     assert waves is not None
     return waves
 
 
-def moored_ship(case: Case) -> tuple[MooredShip, Drive]:
+def moored_ship(case: Case) -> tuple[MooredShip, Excitation]:
     """Make the ship of a case on its lines, and what drives it; InputError as `verify_ship`."""
     if case.floater is None or case.floater.ship is None or case.system is None:
         allowed = Message("refused_case.ship_wanted")
@@ -273,7 +273,9 @@ def _checked(case: Case, lines: tuple[LineOfShip, ...], moored: MooredShip) -> C
     return CheckReport(case.title, tuple(results), (), tuple(dict.fromkeys(told)))
 
 
-def _remarks(case: Case, moored: MooredShip, drive: Drive, rest: ShipAtRest) -> Iterator[Message]:
+def _remarks(
+    case: Case, moored: MooredShip, drive: Excitation, rest: ShipAtRest
+) -> Iterator[Message]:
     """Yield what the answer rests on, and where it does not hold."""
     breaks = breaking_warning(drive.sea(0))
     if isinstance(breaks, Message):

@@ -28,7 +28,7 @@ from catopt.quantities import Units
 from catopt.render.card import LINES, WIDTH, card_lines
 from catopt.render.units import UNITS
 from catopt.sizing import Sizing
-from catopt.sizing.known import Known, known
+from catopt.sizing.known import ResolvedInputs, known
 from catopt.sizing.requests import size
 from catopt.words import LANGUAGES, Language, Message, Told, say
 
@@ -226,7 +226,7 @@ SPELLED = {"buoy": by_option, "tanker": as_option}
 
 
 @cache
-def missed(moored: Moored, **more: str) -> tuple[NoFeasibleDesignError, Known]:
+def missed(moored: Moored, **more: str) -> tuple[NoFeasibleDesignError, ResolvedInputs]:
     of = known(moored, {**BARE[moored], **more}, SPELLED[moored], "options")
     with pytest.raises(NoFeasibleDesignError) as caught:
         size(of)

@@ -49,9 +49,9 @@ def _cut_to_arrays(line: Line) -> tuple[pieces.Pieces, tuple[int, ...]]:
     return pieces.Pieces(*(np.array(column) for column in cut)), owner
 
 
-def _runs_of(state: State, setting: LineProblem, lists: layout.Runs) -> int:
+def _runs_of(state: State, setting: LineProblem, lists: layout.LineIntervals) -> int:
     """Write the runs of a line into lists, by way of arrays."""
-    arrays = layout.Runs(*(np.array(column) for column in lists))
+    arrays = layout.LineIntervals(*(np.array(column) for column in lists))
     count: int = compiled(_RUNS_OF)(state, _with_floats(setting), arrays)
     for column, found in zip(lists, arrays, strict=True):
         column[:] = found.tolist()

@@ -25,7 +25,7 @@ from catopt.sizing import Environment, SinkerGround, TankerRequest
 from catopt.sizing.file import read_file, read_sizing
 from catopt.sizing.inputs import INPUTS, Input, inputs_of, rows_of
 from catopt.sizing.kinds import from_text, kind_of, schema_of, usual
-from catopt.sizing.known import Known, ReadInput, known
+from catopt.sizing.known import ReadInput, ResolvedInputs, known
 from catopt.sizing.line_choice import PREFERENCES
 from catopt.sizing.requests import request_of, size
 from catopt.sizing.service_type import SERVICE_TYPES
@@ -109,7 +109,7 @@ def as_file(moored: Moored, given: dict[str, Any]) -> str:
     return top + "".join(f"[{name}]\n{lines}" for name, lines in sections.items())
 
 
-def by_options(moored: Moored, given: dict[str, Any]) -> Known:
+def by_options(moored: Moored, given: dict[str, Any]) -> ResolvedInputs:
     """Type inputs as options."""
     texts = {
         name: list(value) if isinstance(value, tuple) else value if value is True else str(value)
@@ -155,7 +155,7 @@ def test_every_face_has_exactly_the_inputs_of_the_table(moored: Moored) -> None:
     assert inside | {name for name, of in tables.items() if not of} == keys
 
 
-def told(of: Known) -> dict[str, str]:
+def told(of: ResolvedInputs) -> dict[str, str]:
     """Return what is wrong, by its place."""
     with pytest.raises(InputError) as caught:
         size(of)

@@ -28,7 +28,7 @@ from catopt.sizing import (
     size_tanker,
 )
 from catopt.sizing.kinds import usual
-from catopt.sizing.settle import Settled
+from catopt.sizing.settle import ConvergedSizing
 from tests.sizing.alone import alone
 from tests.sizing.test_consistency import LOADED, deep
 
@@ -37,7 +37,7 @@ LOSS = 2e-3
 FACTORS = (1.0, 1.5, 2.7)
 
 
-def every_settled(of: Sizing) -> list[Settled]:
+def every_settled(of: Sizing) -> list[ConvergedSizing]:
     """List the recommended line and those beside it."""
     beside = [
         *(each.settled for each in of.candidates),

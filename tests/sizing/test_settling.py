@@ -12,7 +12,7 @@ from catopt.design.near_miss import NoFeasibleDesignError
 from catopt.errors import NotConvergedError
 from catopt.sizing import LineChoice
 from catopt.sizing.posed import Assumed
-from catopt.sizing.settle import Settled, settle
+from catopt.sizing.settle import ConvergedSizing, settle
 
 CHOICE = LineChoice(("chain studless R3",), "break/5")
 Needs = Callable[[float], float | None]
@@ -21,7 +21,7 @@ Needs = Callable[[float], float | None]
 
 def settled(
     needs: Needs, patched: pytest.MonkeyPatch, start: Assumed | None = None
-) -> tuple[Settled, list[float]]:
+) -> tuple[ConvergedSizing, list[float]]:
     """Settle a line, and list the pulls that were assumed on the way."""
     tried: list[float] = []
 

@@ -36,7 +36,7 @@ from catopt.verify.case import verify_case
 from catopt.verify.document import dynamic_document
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
-from catopt.verify.dynamic_setup import Drive, read_drive
+from catopt.verify.dynamic_setup import Excitation, read_drive
 from catopt.verify.motion_words import dynamic_sentences
 from catopt.waves import Waves
 from catopt.words import is_said
@@ -267,7 +267,7 @@ def test_both_bounds_of_the_anchor_by_friction_stand_in_the_answer(state: str) -
 
 def test_every_run_has_its_own_seed_and_the_same_seed_the_same_sea() -> None:
     waves = WaveState("jonswap", 2.0, 8.0, components=30)
-    drive = Drive(chain(None, 60.0, waves=waves, runs=3))
+    drive = Excitation(chain(None, 60.0, waves=waves, runs=3))
 
     def phases(run: int) -> list[float]:
         found = drive.sea(run).waves

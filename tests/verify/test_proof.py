@@ -26,7 +26,7 @@ from catopt.render.card import card_lines
 from catopt.verify import dynamic, dynamic_lines
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
-from catopt.verify.dynamic_setup import Drive
+from catopt.verify.dynamic_setup import Excitation
 from catopt.verify.judged import beyond_MBL, with_verdicts
 from catopt.verify.motion_words import motion_sentences, proof_sentences
 from catopt.verify.proof import LIMIT, Change, Proof
@@ -135,7 +135,7 @@ def test_line_damping_is_critical_unless_something_is_said(
     given: dict[str, float], ratio: float, time: float
 ) -> None:
     of = replace(TAUT, dynamics=Dynamics(30.0, **given))  # type: ignore[arg-type]
-    damping = Drive(of).properties.damping
+    damping = Excitation(of).properties.damping
     assert (damping.critical_ratio, damping.stiffness_time) == (ratio, time)
 
 

@@ -16,7 +16,7 @@ from catopt.model import Case, Line, Motion, Segment, WaveState
 from catopt.notes.motion import InMotion
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicVerification
-from catopt.verify.dynamic_setup import Drive
+from catopt.verify.dynamic_setup import Excitation
 from catopt.words import say
 
 from .test_dynamic import chain, run
@@ -42,13 +42,13 @@ def test_the_coefficients_by_hand() -> None:
 
     C_A = 1 - 0.044 · 5.
     """
-    (section,) = Drive(wire()).properties.sections or ()
+    (section,) = Excitation(wire()).properties.sections or ()
     C_pi = 1.5 - 0.024 * (12.0 / 0.85 - 10.0)
     assert section.drag_normal == pytest.approx(0.85 * (C_pi - 0.4), rel=1e-12)
     assert section.added_mass_normal == pytest.approx(0.78, rel=1e-12)
     assert (section.drag_tangential, section.oblique) == (0.0, (0.03, 0.05))
     large = replace(WIRE, keulegan_carpenter=40.0, wake_amplification=1.1)
-    (section,) = Drive(wire(large)).properties.sections or ()
+    (section,) = Excitation(wire(large)).properties.sections or ()
     assert section.drag_normal == pytest.approx(1.1 * 0.85, rel=1e-12)
     assert section.added_mass_normal == pytest.approx(0.4, rel=1e-12)  # 0.6 - (0.85 - 0.65)
 
@@ -58,7 +58,7 @@ def test_every_answer_says_that_it_is_not_verified() -> None:
     assert REMARK in part.remarks
     remark = next(each for each in part.remarks if each == REMARK)
     assert say(remark, "vi") != REMARK
-    moved = InMotion(DynamicVerification(wire(), (), True), Drive(wire()), (), ())
+    moved = InMotion(DynamicVerification(wire(), (), True), Excitation(wire()), (), ())
     drag = (
         each.values
         for each in segments_table(moved).columns

@@ -17,7 +17,7 @@ from catopt.notes.motion import InMotion
 from catopt.render.values import shown
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicVerification
-from catopt.verify.dynamic_setup import Drive, read_drive
+from catopt.verify.dynamic_setup import Excitation, read_drive
 from catopt.waves import repetition_warning
 from catopt.words import Language, Message, say
 
@@ -95,7 +95,7 @@ def test_runs_of_a_record_are_refused(tmp_path: Path) -> None:
         verify_dynamic(chain(None, 60.0, waves=waves, runs=3))
 
 
-def listed(drive: Drive, language: Language = "en") -> list[tuple[str, str]]:
+def listed(drive: Excitation, language: Language = "en") -> list[tuple[str, str]]:
     """List what a note has as driving the line."""
     moved = InMotion(DynamicVerification(drive.case, (), True), drive, (), ())
     return [
@@ -143,7 +143,7 @@ def test_evened_times_are_remarked_on(tmp_path: Path) -> None:
 
 
 def test_a_note_lists_every_train() -> None:
-    drive = Drive(chain(None, waves=WaveState(trains=(WIND_SEA, SWELL))))
+    drive = Excitation(chain(None, waves=WaveState(trains=(WIND_SEA, SWELL))))
     rows = listed(drive)
     assert [text for name, text in rows if name.startswith("Significant")] == ["2.5 m", "1.2 m"]
     assert ("Spreading over the direction", "cos^3 of the angle, 20 directions") in rows
@@ -151,8 +151,8 @@ def test_a_note_lists_every_train() -> None:
 
 
 def test_trains_add_up_and_the_first_is_what_it_is_alone() -> None:
-    both = Drive(chain(None, waves=WaveState(trains=(WIND_SEA, SWELL)))).sea(1).waves
-    alone = Drive(chain(None, waves=WaveState(trains=(WIND_SEA,)))).sea(1).waves
+    both = Excitation(chain(None, waves=WaveState(trains=(WIND_SEA, SWELL)))).sea(1).waves
+    alone = Excitation(chain(None, waves=WaveState(trains=(WIND_SEA,)))).sea(1).waves
     assert both is not None
     assert alone is not None
     assert both.omega[:60].tobytes() == alone.omega.tobytes()
@@ -163,7 +163,7 @@ def test_trains_add_up_and_the_first_is_what_it_is_alone() -> None:
 
 def test_the_step_follows_the_fastest_of_the_energy() -> None:
     """A sixtieth of the period that 99 % of the energy is slower than, over trains of any size."""
-    drive = Drive(chain(None, waves=WaveState(trains=(WIND_SEA, SWELL))))
+    drive = Excitation(chain(None, waves=WaveState(trains=(WIND_SEA, SWELL))))
     sea = drive.sea(0)
     assert sea.waves is not None
     period = 60.0 * drive.stepping(sea, []).step
@@ -171,7 +171,7 @@ def test_the_step_follows_the_fastest_of_the_energy() -> None:
     energy = sea.waves.amplitude**2
     # One wave in sixty of the wind sea holds 1.4 % of the whole.
     assert energy[faster].sum() / energy.sum() == pytest.approx(0.01, abs=0.014)
-    alone = Drive(chain(None, waves=WaveState("jonswap", 2.0, 8.0, components=50)))
+    alone = Excitation(chain(None, waves=WaveState("jonswap", 2.0, 8.0, components=50)))
     found = alone.sea(0).waves
     assert found is not None
     expected = 2.0 * math.pi / np.quantile(found.omega, 0.99) / 60.0
@@ -228,7 +228,7 @@ def test_a_slow_series_takes_the_line_from_one_rest_to_another(tmp_path: Path) -
 
 def test_a_current_that_turns_pushes_both_ways() -> None:
     """Across at the surface, back along the line at the bed."""
-    drive = Drive(chain(Motion(period=8.0, surge=0.1), current=TURNING))
+    drive = Excitation(chain(Motion(period=8.0, surge=0.1), current=TURNING))
     u = drive.sea(0).kinematics(0.0, [[0.0, 0.0, 20.0], [0.0, 0.0, 10.0], [0.0, 0.0, 0.0]])
     wanted = [[0.0, 1.0, 0.0], [-0.25, 0.5, 0.0], [-0.5, 0.0, 0.0]]
     np.testing.assert_allclose(u.velocity, wanted, atol=1e-15)

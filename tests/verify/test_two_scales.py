@@ -17,7 +17,7 @@ from catopt.errors import InputError
 from catopt.model import Case, Motion
 from catopt.render.files import csv_files
 from catopt.schemas import schema
-from catopt.schemas.validation import misfits
+from catopt.schemas.validation import inconsistencies
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.result import Verification
 from catopt.verify.ship_files import drift_csv, led_case, raos_csv
@@ -94,7 +94,7 @@ def test_the_excursion_is_checked_by_the_span_of_the_largest_tension() -> None:
 def test_the_document_fits_its_schema() -> None:
     found = loaded()
     document = Verification(found.case, ()).to_dict() | {"ship": ship_document(found)}
-    assert list(misfits(document, schema("catopt.verify/1"))) == []
+    assert list(inconsistencies(document, schema("catopt.verify/1"))) == []
     lines = document["ship"]["lines"]
     assert lines[1]["fairlead_tension_N"]["combined"] == found.lines[1].fairlead.combined
     assert document["ship"]["since_s"] == 40.0
