@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from catopt.verify.case import Design, FrontVerification
     from catopt.verify.dynamic_result import DynamicVerification
     from catopt.verify.result import Verification
+    from catopt.verify.two_scales import ShipVerification
 
 
 @dataclass(frozen=True)
@@ -194,8 +195,19 @@ def _ship(asked: Asked, case: Case, load_case: str | None, moving: dict[str, Any
         Verification(case, ()),
         "",
         (ship_answer(moved),),
+        pictures=(partial(_led_files, moved),),
         in_motion=lambda: {"ship": ship_document(moved)},
     )
+
+
+def _led_files(moved: ShipVerification) -> dict[str, bytes]:
+    """Write what leads the ship's lines in the truss model, and the case that does so."""
+    from catopt.casefile import write_case
+    from catopt.verify.ship_files import DRIFT, RAOS, drift_csv, led_case, raos_csv
+
+    texts = {RAOS: raos_csv(moved), DRIFT: drift_csv(moved)}
+    texts["lines_in_motion.toml"] = write_case(led_case(moved))
+    return {name: text.encode() for name, text in texts.items()}
 
 
 def stop_in_doubt(asked: Asked, moved: DynamicVerification) -> None:

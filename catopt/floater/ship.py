@@ -27,6 +27,7 @@ from catopt.loads.wave_drift import depth_factor, width_across
 from catopt.loads.weathervane import YAW_TYPES
 from catopt.model import ShipAfloat
 from catopt.waves import Waves
+from catopt.words import Message
 
 ANGLES: Final = 720
 """Of wind and current off the bow, all round, between which forces are interpolated."""
@@ -152,6 +153,12 @@ class ShipInWeather:
     def _about_origin(self, along: float, across: float, moment: float) -> tuple[float, ...]:
         """Turn a moment about midships into that about the origin."""
         return along, across, moment - self.of.mooring_point * across
+
+    @property
+    def remarks(self) -> tuple[Message, ...]:
+        """What is to be known of the file of the drift."""
+        of = self._drift_file
+        return () if of is None else of.remarks
 
     @cached_property
     def _drift_file(self) -> Coefficients | None:

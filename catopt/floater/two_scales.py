@@ -87,7 +87,8 @@ class ShipHistory:
     """What one run gave, after its ramp: of samples (n,) a time apart that the waves ask for.
 
     `slow` (n, 3): x and y, m, and yaw, rad, of the origin; `whole` likewise with the waves;
-    `slow_tension`, `tension` (n, lines, 2): at fairlead and anchor, N.
+    `slow_tension`, `tension` (n, lines, 2): at fairlead and anchor, N. `course`: all of the slow
+    motion from the start, a sample every `SLOW_STEP`.
     """
 
     time: Array
@@ -95,6 +96,7 @@ class ShipHistory:
     whole: Array
     slow_tension: Array
     tension: Array
+    course: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,7 +137,8 @@ class MooredShip:
     crest: tuple[float, ...] = ()
 
     @property
-    def _raos(self) -> tuple[Coefficients, tuple[float, ...], tuple[float, ...]]:
+    def raos(self) -> tuple[Coefficients, tuple[float, ...], tuple[float, ...]]:
+        """Give its response to waves, its reference and its crest: closed forms for none."""
         if self.response is not None:
             return self.response, self.reference, self.crest
         of, ship = self.ship.of, self.ship.ship
@@ -268,9 +271,8 @@ class MooredShip:
         whole = way.copy()
         whole[:, :2] += fast[0]
         whole[:, 2] += fast[2]
-        return ShipHistory(
-            time, way, whole, self._hung(time, way, none), self._hung(time, way, fast[1])
-        )
+        still, tension = self._hung(time, way, none), self._hung(time, way, fast[1])
+        return ShipHistory(time, way, whole, still, tension, slow)
 
     def _slow(
         self,
@@ -347,7 +349,7 @@ class MooredShip:
         self, waves: Waves, time: Array, slow: Array, rest: ShipAtRest
     ) -> tuple[Array, Array, Array]:
         """Motions by the waves: of the origin along x and y, of each fairlead, and in yaw."""
-        raos, reference, crest = self._raos
+        raos, reference, crest = self.raos
         k = self._wave_numbers(waves)
         yaws = slow[:, 2]
         count = max(2, math.ceil((yaws.max() - yaws.min()) / (_TURN / _HEADINGS)) + 1)

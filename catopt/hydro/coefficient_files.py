@@ -83,7 +83,7 @@ def read_wamit(
             [Problem("files", Message("refused_motion.none_found"), allowed)], str(path)
         )
     problems: list[Problem] = []
-    rows = {end: _rows(each, end, problems) for end, each in there.items()}
+    rows = {end: wamit_rows(each, end, problems) for end, each in there.items()}
     if problems:
         raise InputError(problems, str(stem))
     made = _Wamit(stem.name, ulen, density, gravity, rows, problems).read()
@@ -92,8 +92,11 @@ def read_wamit(
     return made
 
 
-def _rows(path: Path, end: str, problems: list[Problem]) -> Array:
-    """Read the rows of a file, without the one line of words that it may begin with."""
+def wamit_rows(path: Path, end: str, problems: list[Problem]) -> Array:
+    """Read the rows of one of WAMIT's files by its ending, a key of `WAMIT`: (rows, columns).
+
+    A first line of words is passed over; what is wrong is added to `problems`.
+    """
     columns = WAMIT[end]
     text = read_text(path, str(path), kind="table of numbers", most=MOST_BYTES_OF_DATA)
     found, wrong = [], []

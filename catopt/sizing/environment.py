@@ -27,6 +27,10 @@ def usual_period(significant_height: float) -> float:
     return max(1.0, round(_PERIOD_OF_HEIGHT * math.sqrt(significant_height), 1))
 
 
+WIND_MEAN: Final = 30.0
+"""s: the wind that loads on a ship are computed for is a mean over this (UFC 3-8.1, page 42)."""
+
+
 @dataclass(frozen=True)
 class Environment:
     """Depths and weather."""

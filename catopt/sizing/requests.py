@@ -31,7 +31,7 @@ from catopt.model import Checks
 from catopt.sizing.anchorage import CALMAR_SOIL, SAND, DragGround, SinkerGround
 from catopt.sizing.buoy import sized_buoy
 from catopt.sizing.buoy_request import BuoyRequest, GivenBuoy
-from catopt.sizing.environment import Environment, mean_over, usual_period
+from catopt.sizing.environment import WIND_MEAN, Environment, mean_over, usual_period
 from catopt.sizing.headings import Weathervaning, weathervaning_of
 from catopt.sizing.in_motion import RunsAfloat
 from catopt.sizing.inputs import SINKER
@@ -44,9 +44,6 @@ from catopt.sizing.tanker import sized_tanker
 from catopt.sizing.tanker_request import MooredShip, TankerRequest, note_aground
 from catopt.units import lasting
 from catopt.words import Cited, Message, Several, term
-
-WIND_MEAN: Final = 30.0
-"""s: the wind that loads on a ship are computed for is a mean over this (UFC 3-8.1, page 42)."""
 
 
 def size(of: ResolvedInputs) -> Sizing:

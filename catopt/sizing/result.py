@@ -73,6 +73,7 @@ class Sizing(Displayable):
     fittings: tuple[str, ...] = ()  # shackles, swivels and the like that go with the line
     advice: tuple[str, ...] = ()  # what a code asks for beyond the checks
     afloat: Case | None = None  # the case with buoy and sea, to be run in motion; None without
+    ship_case: Case | None = None  # that of ship and sea on all her lines, likewise
     in_motion: InMotion | None = None  # what its runs came to; None: sized at rest alone
     shape: BuoyShape | None = None  # of the buoy that is moored, where it is known
 
@@ -84,7 +85,9 @@ class Sizing(Displayable):
     @property
     def whole_case(self) -> Case:
         """The case to keep: of several lines that of the whole pattern, else of the one line."""
-        return self.line_case if self.pattern is None else system_case(self.case, self.pattern)
+        if self.pattern is None:
+            return self.line_case
+        return self.ship_case or system_case(self.case, self.pattern)
 
     @property
     def line_case(self) -> Case:

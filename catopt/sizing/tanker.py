@@ -23,6 +23,7 @@ from catopt.sizing.pattern import BodyState, Pattern, pattern, shared_force
 from catopt.sizing.posed import Assumed, LoadsAt, SizingCase, Water, rounded_up
 from catopt.sizing.result import Sizing, SwingRadius
 from catopt.sizing.settle import ConvergedSizing, point_diameter, point_pull, settle
+from catopt.sizing.ship_afloat import ship_afloat
 from catopt.sizing.tanker_request import MooredShip, TankerRequest
 from catopt.ties import largest
 from catopt.words import Measure, Message
@@ -84,6 +85,7 @@ def sized_tanker(request: TankerRequest) -> Sizing:
         ),
         drag_anchor=settled.posed.drag_anchor,
         pattern=around,
+        ship_case=ship_afloat(request, settled, around),
         assumptions=tuple(_assumptions(request, settled)),
     )
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Final
 
@@ -12,9 +12,10 @@ import numpy as np
 
 from catopt.arrays import Array
 from catopt.catenary.solve import solve
-from catopt.checks.criteria import criteria_of
+from catopt.checks.criteria import Criteria, criteria_of, motion_profile
 from catopt.checks.criterion import Place
 from catopt.checks.evaluation import evaluate
+from catopt.checks.profiles import profiles_of
 from catopt.checks.remarks import of_criteria
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.errors import InputError, Problem
@@ -27,7 +28,6 @@ from catopt.floater.two_scales import (
     sample_step,
     scales_of,
 )
-from catopt.hydro.coefficients import Coefficients
 from catopt.model import Case
 from catopt.ties import first_largest
 from catopt.verify.dynamic_setup import Excitation, read_drive
@@ -68,6 +68,8 @@ class ShipVerification:
     runs: tuple[ShipHistory, ...]
     checks: CheckReport
     remarks: tuple[Message, ...]
+    directions: Array
+    """Of the waves of the first run, where they travel to, rad."""
 
     @property
     def _storm(self) -> float:
@@ -166,7 +168,7 @@ def verify_ship(case: Case, *, progress: Progress | None = None) -> ShipVerifica
     """
     moored, drive = moored_ship(case)
     dynamics = drive.dynamics
-    criteria = criteria_of(case)
+    criteria = _criteria(case)
     for line in {leg.line for leg in moored.system.legs}:
         criteria.strengths(line, {"extreme"})
     runs, rests = [], []
@@ -187,9 +189,9 @@ def verify_ship(case: Case, *, progress: Progress | None = None) -> ShipVerifica
         *_few_cycles(histories, rests[0]),
         *_remarks(case, moored, drive, rests[0]),
     )
-    return ShipVerification(
-        case, moored, rests[0], histories, _checked(case, lines, moored), remarks
-    )
+    checks = _checked(case, lines, moored)
+    directions = _waves(drive, 0).direction
+    return ShipVerification(case, moored, rests[0], histories, checks, remarks, directions)
 
 
 def _waves(drive: Excitation, run: int) -> Waves:
@@ -223,14 +225,28 @@ def moored_ship(case: Case) -> tuple[MooredShip, Excitation]:
     vessel = drive.vessel
     if vessel is None:
         return MooredShip(case.system, ship), drive
-    answers = vessel.response.transpose(1, 0, 2)
-    response = Coefficients(vessel.omega, vessel.heading, response=answers, source=vessel.path)
-    return MooredShip(case.system, ship, response, vessel.reference, vessel.crest), drive
+    return MooredShip(case.system, ship, vessel.coefficients, vessel.reference, vessel.crest), drive
+
+
+def _criteria(case: Case) -> Criteria:
+    """Gather what lines that hang by closed form are to keep: factors for quasi-static analysis.
+
+    In the place of a code without factors for motion those of `checks.motion_code`, if given.
+    """
+    checks, by = case.checks, motion_profile(case.checks)
+    if by is None or checks.motion_code is None:
+        return criteria_of(case)
+    named = zip(checks.codes, profiles_of(replace(checks, motion_code=None)), strict=True)
+    codes = [code for code, each in named if each.is_for_motion]
+    if checks.codes and len(codes) == len(checks.codes):
+        return criteria_of(case)
+    own = replace(checks, codes=tuple(dict.fromkeys((*codes, checks.motion_code))))
+    return criteria_of(replace(case, checks=replace(own, motion_code=None)))
 
 
 def _checked(case: Case, lines: tuple[LineOfShip, ...], moored: MooredShip) -> CheckReport:
     """Check each line as it hangs under its largest tension, by quasi-static factors."""
-    criteria = criteria_of(case)
+    criteria = _criteria(case)
     results: list[CheckResult] = []
     told: list[str] = []
     for each, leg in zip(lines, moored.system.legs, strict=True):
@@ -304,6 +320,7 @@ def _of_waves(moored: MooredShip, waves: Waves) -> Iterator[Message]:
     length = 2.0 * math.pi / k
     if of.drift_file:
         yield Message("floater.drift_of_file")
+        yield from ship.remarks
     else:
         yield Message("floater.drift_by_reflection", part=of.reflection)
     if k * ship.depth < 0.5 * math.pi:
@@ -363,10 +380,7 @@ def ship_document(found: ShipVerification) -> dict[str, Any]:
         "since_s": float(found.runs[0].time[0]),
         "storm_s": dynamics.duration_of_interest,
         "mean_force_N": list(rest.force),
-        "mean_loads": {
-            name: {"surge_N": part[0], "sway_N": part[1], "yaw_N_m": part[2]}
-            for name, part in zip(names, (each.tolist() for each in rest.parts), strict=True)
-        },
+        "mean_loads": {name: part.tolist() for name, part in zip(names, rest.parts, strict=True)},
         "rest": {"x_m": rest.place[0], "y_m": rest.place[1], "yaw_rad": rest.place[2]},
         "heading_rad": found.heading,
         "offset_m": _document(found.offset),

@@ -3,25 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 
 from catopt.arrays import Array
-from catopt.documents import MOST_BYTES_OF_DATA, read_text
 from catopt.errors import InputError, Problem
-from catopt.units import as_written
-from catopt.verify.motion_file import SHOWN, Raos, few, read_columns, refused, responses
+from catopt.hydro.coefficient_files import wamit_rows
+from catopt.hydro.coefficients import FREEDOMS, Coefficients, Complex
+from catopt.verify.motion_file import SHOWN, Raos, read_columns, refused, responses
 from catopt.words import Message
 
 if TYPE_CHECKING:
     from catopt.model import Motion
-
-FREEDOMS: Final = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 
 _WAYS, _TURNS = FREEDOMS[:3], FREEDOMS[3:]
 _ANGLES = {"deg": math.pi / 180.0, "rad": 1.0}
@@ -61,25 +58,16 @@ class VesselRaos:
         turned = np.column_stack([pitch * z - yaw * y, yaw * x - roll * z, roll * y - pitch * x])
         return Raos(self.omega, given[:, :3] + turned)
 
-    def _at(self, heading: float) -> npt.NDArray[np.complex128]:
+    @property
+    def coefficients(self) -> Coefficients:
+        """The same as coefficients."""
+        answers = self.response.transpose(1, 0, 2)
+        return Coefficients(self.omega, self.heading, response=answers, source=self.path)
+
+    def _at(self, heading: float) -> Complex:
         """Response in a heading, as a complex number in proportion between two of the table."""
-        first, last = float(self.heading[0]), float(self.heading[-1])
-        wanted = first + (heading - first + _SAME) % (2.0 * math.pi) - _SAME
-        if wanted > last + _SAME:
-            found = Message(
-                "refused_motion.waves_travel_deg_from_ship", value=math.degrees(wanted) % 360.0
-            )
-            allowed = Message(
-                "refused_motion.file_has_rows", first=math.degrees(first), last=math.degrees(last)
-            )
-            raise refused(self.path, "heading", found, allowed)
-        above = min(int(np.searchsorted(self.heading, wanted)), self.heading.size - 1)
-        below = max(above - 1, 0)
-        gap = float(self.heading[above] - self.heading[below])
-        part = (wanted - float(self.heading[below])) / gap if gap > 0.0 else 0.0
-        lower, upper = self.response[below], self.response[above]
-        mixed: npt.NDArray[np.complex128] = lower + part * (upper - lower)
-        return mixed
+        wanted = np.full(self.omega.size, heading)
+        return self.coefficients.at("response", self.omega, wanted)
 
 
 def read_vessel_raos(motion: Motion) -> VesselRaos:
@@ -155,10 +143,6 @@ def _frequencies(path: str, columns: dict[str, Array]) -> Array:
 
 # ------------------------------------------------------------------ WAMIT's .4 file
 
-_COLUMNS: Final = ("PER", "BETA", "I", "MOD", "PHS", "RE", "IM")
-_ALIKE: Final = 2e-3
-"""Part of MOD by which RE and IM may miss MOD and PHS: three printed digits."""
-
 
 def read_wamit(motion: Motion) -> dict[str, Array]:
     """Read the columns that a table of RAOs has: heading and period, sizes and phases (rad).
@@ -171,7 +155,10 @@ def read_wamit(motion: Motion) -> dict[str, Array]:
     """
     path = motion.rao_file
     _check_conventions(motion)
-    rows = list(_rows(path))
+    wrong: list[Problem] = []
+    rows = wamit_rows(Path(path), ".4", wrong)[:, :5].tolist()
+    if wrong:
+        raise InputError(wrong, path)
     states = list(dict.fromkeys((per, beta) for per, beta, *_ in rows))
     place = {state: k for k, state in enumerate(states)}
     size, phase = np.full((2, len(states), 6), np.nan)
@@ -213,57 +200,3 @@ def _check_conventions(motion: Motion) -> None:
         problems.append(Problem("motion.rao_crest", "", allowed))
     if problems:
         raise InputError(problems, motion.rao_file)
-
-
-_Row = tuple[float, float, float, float, float]
-
-
-def _rows(path: str) -> Iterator[_Row]:
-    text = read_text(Path(path), path, kind="table of numbers", most=MOST_BYTES_OF_DATA)
-    problems: list[Problem] = []
-    found: list[_Row] = []
-    for number, line in enumerate(text.splitlines(), start=1):
-        if not line.strip():
-            continue
-        try:
-            found.append(_row(line))
-        except ValueError as error:
-            if number > 1 or any(cell[:1].isdigit() for cell in line.split()):
-                place = Message("refused_motion.at_line", number=number)
-                problems.append(Problem(place, as_written(line.strip()), error.args[0]))
-    if not problems and not found:
-        problems.append(
-            Problem(
-                "rows",
-                "none",
-                Message("refused_motion.rows_are_wanted", columns=" ".join(_COLUMNS)),
-            )
-        )
-    if problems:
-        raise InputError(few(problems), path)
-    return iter(found)
-
-
-def _row(line: str) -> _Row:
-    """Read a row; ValueError says what is wrong with it."""
-    cells = line.replace("D", "E").replace("d", "e").split()
-    if len(cells) != len(_COLUMNS):
-        columns = " ".join(_COLUMNS)
-        raise ValueError(
-            Message("refused_motion.row_numbers", count=len(_COLUMNS), columns=columns)
-        )
-    try:
-        per, beta, freedom, mod, phs, re, im = map(float, cells)
-    except ValueError:
-        raise ValueError(Message("refused_motion.numbers_wanted")) from None
-    if not all(map(math.isfinite, (per, beta, freedom, mod, phs, re, im))):
-        raise ValueError(Message("refused_motion.finite_numbers_are_wanted"))
-    if not per > 0.0:
-        raise ValueError(Message("refused_motion.row_period"))
-    if freedom not in range(1, 7):
-        raise ValueError(Message("refused_motion.row_freedom"))
-    angle = math.radians(phs)
-    off = math.hypot(re - mod * math.cos(angle), im - mod * math.sin(angle))
-    if off > _ALIKE * max(mod, math.hypot(re, im)):
-        raise ValueError(Message("refused_motion.row_kind"))
-    return per, beta, freedom, mod, phs

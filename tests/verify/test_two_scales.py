@@ -20,6 +20,7 @@ from catopt.schemas import schema
 from catopt.schemas.validation import inconsistencies
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.result import Verification
+from catopt.verify.ship_files import drift_csv, led_case, raos_csv
 from catopt.verify.two_scales import ShipVerification, moored_ship, ship_document, verify_ship
 
 LOADED = Path(__file__).parents[2] / "cases" / "fso-rang-dong-ship" / "loaded.toml"
@@ -78,6 +79,16 @@ def test_checks_are_of_the_largest_by_quasi_static_factors() -> None:
         assert each.demand == pytest.approx(most, rel=1e-9)
         assert each.capacity == pytest.approx(6140e3 / 2.0)  # quasi-static: 2.0, dynamic: 1.67
     assert {each.place.state for each in tensions} == {"intact"}
+
+
+def test_the_excursion_is_checked_by_the_span_of_the_largest_tension() -> None:
+    case = shorter(read_case(LOADED), 60.0, 10.0)
+    strict = replace(case, checks=replace(case.checks, max_span=1060.0))
+    found = verify_ship(strict)
+    spans = {e.place.line: e for e in found.checks.results if e.kind == "span"}
+    assert not spans[2].passes
+    assert spans[2].demand > 1056.0 - found.rest.place[0]
+    assert spans[5].passes
 
 
 def test_the_document_fits_its_schema() -> None:
@@ -215,3 +226,33 @@ def test_refusals_of_a_run(tmp_path: Path) -> None:
     other = replace(case.floater.ship, drift_file=str(tmp_path / "ship.8"), ulen=1.0)
     with pytest.raises(InputError, match=r"ship\.8, line 1"):
         verify_ship(replace(case, floater=replace(case.floater, ship=other)))
+
+
+AT_SEA = Path(__file__).parents[1] / "answers" / "cases" / "ship-at-sea.toml"
+
+
+@pytest.mark.parametrize("is_turret", [False, True])
+def test_its_lines_in_the_truss_model_are_led_the_same_way(tmp_path: Path, is_turret: bool) -> None:
+    """RAOs, drift and mean load of the files: path of the body, and tensions of light motions."""
+    text = AT_SEA.read_text("utf-8")
+    if is_turret:  # heading 20 deg off x: answers are turned into the axes of the lines
+        text = text.replace('fairlead_radius = "4 m"', 'fairlead_radius = "0 m"')
+        text = text.replace(
+            'moulded_depth = "5 m"', 'moulded_depth = "5 m"\nmooring_point = "12 m"'
+        )
+        text = text.replace('anchor_radius = "117 m"', 'anchor_radius = "113 m"')
+    ship = verify_ship(parse_case(text))
+    (tmp_path / "ship_raos.csv").write_text(raos_csv(ship))
+    (tmp_path / "ship_drift.csv").write_text(drift_csv(ship))
+    led = parse_case(write_case(led_case(ship)), folder=str(tmp_path))
+    parts = verify_dynamic(led, proof="none").parts
+    run, own = parts[0].runs[0], ship.runs[0]
+    assert run.track is not None
+    time = run.history.time
+    at = (time > 22.0) & (time < 58.0)
+    for axis in (0, 1):
+        path = np.interp(time[at], own.time, own.whole[:, axis])
+        assert run.track[at, axis] == pytest.approx(path, abs=2e-3)
+    for part, line in zip(parts, ship.lines, strict=True):
+        tension = part.runs[0].history.fairlead_tension[:, 0]
+        assert tension.mean() == pytest.approx(line.fairlead.mean, rel=0.02)

@@ -1,0 +1,110 @@
+"""The case of a ship's sizing with what it knows of the sea, so that the ship runs as it is."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Final
+
+from catopt.checks.profiles import profiles_of
+from catopt.loads.heading import HEAD_ON
+from catopt.model import (
+    Case,
+    CurrentProfile,
+    Dynamics,
+    Floater,
+    LoadCase,
+    ShipAfloat,
+    System,
+    WaveState,
+)
+from catopt.sizing.afloat import MOTION_CODE
+from catopt.sizing.environment import WIND_MEAN, mean_over
+from catopt.sizing.pattern import Pattern, system_case
+from catopt.sizing.settle import ConvergedSizing
+from catopt.sizing.tanker_request import MooredShip, TankerRequest
+from catopt.ties import largest
+
+_AN_HOUR: Final = 3600.0
+_RUN: Final = 3600.0
+"""s, of a run: slow motion has periods of minutes."""
+_RUNS: Final = 3
+_COMPONENTS: Final = 200
+
+
+def ship_afloat(
+    request: TankerRequest, settled: ConvergedSizing, around: Pattern | None
+) -> Case | None:
+    """Add ship, wind, waves and current to the case of her lines in the hardest load case.
+
+    A single line is a system of one, its anchor where the everyday force has it. The ship turns
+    about the bow, to which her lines go. None for a ship at a buoy, one whose loads come from
+    several directions, and a sea without waves.
+    """
+    env = request.environment
+    is_head_on = request.weathervaning.directions == (HEAD_ON,)
+    if request.buoy is not None or not is_head_on or not env.sea.hs > 0.0:
+        return None
+    case = settled.case
+    if around is None:
+        hardest = largest(settled.posed.loads, lambda each: each.horizontal_force)
+        state = next(each for each in case.load_cases if each.name == hardest.load_case)
+        held = _one_line(case, state, settled)
+    else:
+        hardest = next(e for e in settled.posed.loads if e.load_case == around.hardest.load_case)
+        held = system_case(case, around)
+    moored = next(each for each in request.ships if each.condition == hardest.condition)
+    wind = mean_over(env.wind.speed, WIND_MEAN, _AN_HOUR) if env.wind.speed > 0.0 else 0.0
+    flows = env.current.speed > 0.0
+    checks = held.checks
+    if any(not each.is_for_motion for each in profiles_of(checks)):
+        checks = replace(checks, motion_code=MOTION_CODE)
+    return replace(
+        held,
+        site=replace(held.site, water_depth=hardest.depth),
+        checks=checks,
+        waves=WaveState("jonswap", env.sea.hs, env.sea.period, components=_COMPONENTS),
+        current=CurrentProfile("power", speed=env.current.speed) if flows else None,
+        floater=Floater(ship=_ship(moored, env.water_density), wind_speed=wind),
+        dynamics=Dynamics(_RUN, runs=_RUNS),
+    )
+
+
+def _one_line(case: Case, state: LoadCase, settled: ConvergedSizing) -> Case:
+    """Put the line alone around the ship's mooring point, pulled away from its anchor."""
+    rise = state.water_level + state.fairlead_rise
+    height = case.fairlead_height + rise
+    spans = {name: each.span for name, each in settled.point.checks.solutions}
+    everyday = next(each for each in case.load_cases if each.kind == "reference")
+    system = System.around(
+        settled.point.line,
+        azimuths=(math.pi,),
+        anchor_radius=spans[everyday.name],
+        fairlead_height=height,
+        seabed_friction=case.site.seabed_friction,
+        force=(state.horizontal_force, 0.0),
+    )
+    return replace(
+        case,
+        title=f"{case.title}: {state.name}",
+        fairlead_height=height,
+        load=None,
+        load_cases=(),
+        design=None,
+        system=system,
+    )
+
+
+def _ship(moored: MooredShip, water_density: float) -> ShipAfloat:
+    ship = moored.ship
+    return ShipAfloat(
+        length=ship.length_overall,
+        breadth=ship.breadth,
+        draught=ship.draught,
+        moulded_depth=ship.draught + moored.fairlead,
+        condition="ballast" if moored.condition == "ballast" else "loaded",
+        mooring_point=0.5 * ship.length_overall,
+        displacement=ship.displacement * water_density,
+        frontal_area=ship.frontal_area,
+        lateral_area=ship.lateral_area,
+    )
