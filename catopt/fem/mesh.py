@@ -62,7 +62,11 @@ class LineMesh:
     def load_node(self) -> Codes:
         """Node of each point load of the line, shape (point loads,)."""
         positions = [load.position for load in self.line.point_loads]
-        return np.array([int(np.abs(self.arc - s).argmin()) for s in positions], dtype=np.int64)
+        return np.array([self.nearest(s) for s in positions], dtype=np.int64)
+
+    def nearest(self, arc: float) -> int:
+        """Node nearest to an arc length, m."""
+        return int(np.abs(self.arc - arc).argmin())
 
     @property
     def loads(self) -> list[tuple[PointLoad, int]]:

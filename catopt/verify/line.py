@@ -109,13 +109,15 @@ class Comparing:
     """One line by both models, whose figures are compared.
 
     `trusses`: on each mesh, from the coarsest; `line`: of a system: which of its lines, from 0.
-    A slack line is known to a bar, which is the least that its forces and lengths are measured by.
+    A slack line is known to a bar, which is the least that its forces and lengths are measured by;
+    `beside`: those of slack lines that move with this one, N and m.
     """
 
     closed: Solution
     trusses: Sequence[TrussSolution]
     tolerance: float
     line: int | None = None
+    beside: tuple[float, float] = (0.0, 0.0)
 
     @property
     def is_slack(self) -> bool:
@@ -126,13 +128,22 @@ class Comparing:
     def scales(self) -> tuple[float, float]:
         """What forces, N, and lengths, m, are measured by."""
         force, length = self.closed.fairlead.tension, self.closed.line.length
-        if not self.is_slack:
-            return force, length
+        heaviest, longest = self.bar if self.is_slack else (0.0, 0.0)
+        heaviest, longest = max(heaviest, self.beside[0]), max(longest, self.beside[1])
+        return max(force, heaviest / self.tolerance), max(length, longest / self.tolerance)
+
+    @property
+    def bar(self) -> tuple[float, float]:
+        """Weight of the heaviest bar of the finest mesh, N, and length of the longest, m."""
         mesh = self.trusses[-1].mesh
         weight = np.array([abs(each.submerged_weight) for each in mesh.line.segments])
-        heaviest = float((weight[mesh.segment] * mesh.length).max())
-        longest = float(mesh.length.max())
-        return max(force, heaviest / self.tolerance), max(length, longest / self.tolerance)
+        return float((weight[mesh.segment] * mesh.length).max()), float(mesh.length.max())
+
+    def of_several(self, force: float, length: float) -> Iterator[Compared]:
+        """Compare what is compared of every line of several beside its tensions."""
+        yield self.of("horizontal_force", "N", force)
+        yield self.of("span", "m", length)
+        yield self.of("grounded_length", "m", length)
 
     def of(self, quantity: str, unit: Unit, scale: float, path: str = "") -> Compared:
         """Compare a figure of both models, by its path where that is not its name."""
