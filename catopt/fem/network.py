@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -13,10 +13,12 @@ from catopt.fem.mesh import LineMesh, end_nodes
 from catopt.fem.problem import Problem, Water, build, straight
 from catopt.fem.resting import Body
 from catopt.fem.result import TrussSolution, read_line
-from catopt.fem.settle import Controls, Rest, settle
+from catopt.fem.settle import Controls, Rest, follow, settle
 
 Vector = tuple[float, float, float]
 
+_LAID_ANEW, _STAYS = 8, 1e-9
+"""How often at most; and part of the longest line by which ends then move at most."""
 _LEAST_HEIGHT = 1e-3
 """Of the longest line, in which a joint begins above the bed."""
 
@@ -79,6 +81,8 @@ def solve_network(
         place[p] = there[of_end == p][0]
     problem = build(meshes, held._replace(place=place), Bed(), seabed_friction, Water(), False)
     rest = settle(problem, straight(problem, there[:, 0], there[:, 1]), controls or Controls())
+    if seabed_friction > 0.0:
+        rest = _laid_towards_ends(problem, rest, controls or Controls())
     nodes = np.stack(end_nodes(problem.bars.start), axis=1)
     of_point = [of_end == p for p in range(len(points))]
     return NetworkSolution(
@@ -90,6 +94,30 @@ def solve_network(
         iterations=rest.iterations,
         rest=rest,
     )
+
+
+def _laid_towards_ends(problem: Problem, rest: Rest, controls: Controls) -> Rest:
+    """Lay lines anew between where their ends have come to rest, until these stay.
+
+    Where friction has used up what pulls at a line, it stays where it lay without friction, which
+    is not in line with where its ends have moved since. As laid anew it is in one plane.
+    """
+    longest = float(np.add.reduceat(problem.bars.length, problem.bars.start[:-1]).max())
+    first, last = end_nodes(problem.bars.start)
+    for _ in range(_LAID_ANEW):
+        before = rest.state.x[np.concatenate([first, last])]
+        x = rest.state.x.copy()
+        for a, b in zip(first, last, strict=True):
+            from_first = x[a : b + 1, :2] - x[a, :2]
+            span = float(np.hypot(*from_first[-1]))
+            if span > 0.0:
+                away = np.hypot(from_first[:, 0], from_first[:, 1])[:, np.newaxis]
+                x[a : b + 1, :2] = x[a, :2] + away * from_first[-1] / span
+        anew = follow(problem, replace(rest, state=rest.state._replace(x=x)), controls)
+        rest = replace(anew, iterations=rest.iterations + anew.iterations)
+        if np.abs(rest.state.x[np.concatenate([first, last])] - before).max() <= _STAYS * longest:
+            break
+    return rest
 
 
 def _vector(values: Array) -> Vector:

@@ -29,6 +29,8 @@ SLACK_ORDER = 1.0
 SLACK = "truss.slack"
 """Key of what is to be known of a slack line."""
 
+_NO_PULL = 1e-9
+"""Horizontal force, over the tension, that is rounding."""
 _AT_END = 1e-9
 """How far beyond its end, over its length, a stretch may be level."""
 
@@ -122,7 +124,8 @@ class Comparing:
     @property
     def is_slack(self) -> bool:
         """Whether the line hangs straight down to bights on the bed."""
-        return self.closed.regime == "slack"
+        pull, tension = self.closed.horizontal_force, self.closed.fairlead.tension
+        return self.closed.regime == "slack" or pull <= _NO_PULL * tension
 
     @property
     def scales(self) -> tuple[float, float]:

@@ -165,7 +165,21 @@ def fault(seed: int, elements: int) -> str:
     return "" if part.verdict != "differs" else str(part.worst)
 
 
-@pytest.mark.parametrize("seed", [13, 14, 18, 19])
+@pytest.mark.parametrize("seed", [13, 14, 18, 19, 80])
 def test_random_networks(seed: int) -> None:
-    """Floats, joints in a row, and all of its lines slack."""
+    """Floats, joints in a row, all of its lines slack; friction that uses up all of a line's pull.
+
+    The last was off by 3e-4 as long as such a line stayed where it lay without friction.
+    """
     assert fault(seed, 40) == ""
+
+
+MOST_UNSOLVED = 30
+"""Of 200: slack lines on a smooth bed, where nothing holds their bars, may not come to rest."""
+
+
+@pytest.mark.slow
+def test_two_hundred_random_networks() -> None:
+    faults = [said for seed in range(200) if (said := fault(seed, 40))]
+    assert [said for said in faults if "did not come to rest" not in said] == []
+    assert len(faults) <= MOST_UNSOLVED
