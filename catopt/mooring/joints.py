@@ -221,8 +221,12 @@ class _Search:
                 at = self.moved(at, self.nudge(), 1.0)
                 continue
             best = min(best, left)
-            at = self.step(at, motions, forces, laid)
+            before, at = at, self.step(at, motions, forces, laid)
             self.check_turns(at.poses, begun)
+            if (before.places, before.poses) == (at.places, at.poses):
+                break
+        if any(laid.values()) and self.network.site.seabed_friction:
+            return self.found(at, laid, left, step)  # which is refused: friction holds it
         values = {"left": left, "steps": _STEPS, "part": left / max(pulls)}
         raise NotConvergedError(Message("mooring.joints_not_at_rest", **values))
 

