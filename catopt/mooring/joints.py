@@ -223,7 +223,7 @@ class _Search:
             best = min(best, left)
             before, at = at, self.step(at, motions, forces, laid)
             self.check_turns(at.poses, begun)
-            if (before.places, before.poses) == (at.places, at.poses):
+            if left > limit and (before.places, before.poses) == (at.places, at.poses):
                 break
         if any(laid.values()) and self.network.site.seabed_friction:
             return self.found(at, laid, left, step)  # which is refused: friction holds it
