@@ -152,11 +152,11 @@ def _lift_slope(state: State, pieces: Pieces) -> float:
         if left <= SHORTEST * whole:
             below = part >= pieces.length[k] - SHORTEST * whole
             if below and state.V - hung > SHORTEST * state.V and stretch > 0.0:
-                return 1.0 / stretch
+                return float(1.0 / stretch)
             w = max(pieces.weight[k - 1] if below and k else w, 0.0)
-            return w / (1.0 + w * stretch)
+            return float(w / (1.0 + w * stretch))
         hung += pieces.load[k]
-    return max(pieces.weight[0], 0.0)
+    return float(max(pieces.weight[0], 0.0))
 
 
 def _stiffness(state: State, slopes: Matrix, u: tuple[float, float], span: float) -> Matrix:
