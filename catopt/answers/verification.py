@@ -33,18 +33,20 @@ _Named = tuple[str, "StaticComparison"]
 def verification_answer(found: Verification) -> blocks.Answer:
     """Lay out a case by both models."""
     several = len(found.parts) > 1
-    is_named = several or bool(found.case.load_cases)
+    is_named = several or found.is_named
     said = [block for part in found.parts for block in _part(part, is_named=is_named)]
     if several:
         said.append(blocks.Verdict(verdict_sentence(found), found.is_settled))
     parts = [(part.name, part) for part in found.parts]
-    return answered(
+    answer = answered(
         "verify",
         found.case.title or Message("captions.mooring_line"),
         section("captions.verification", *said),
         *_files(parts),
         section("captions.shapes", _shapes(parts)),
     )
+    of_points = any(part.kind == "network" for part in found.parts)
+    return replace(answer, next="verify_points" if of_points else "")
 
 
 def front_answer(front: FrontVerification) -> blocks.Answer:
@@ -74,8 +76,10 @@ def front_answer(front: FrontVerification) -> blocks.Answer:
 
 def _part(part: StaticComparison, *, is_named: bool) -> Iterator[blocks.Block]:
     found = [each for each in part.quantities if each.line is None]
-    if part.kind == "system":
-        yield _compared(found, Message("truss.body_by_both"))
+    if part.kind != "line":
+        about = "body" if part.kind == "system" else "points"
+        if found:
+            yield _compared(found, Message(f"truss.{about}_by_both"))
         yield _lines(part)
     else:
         caption = Message("captions.load_case", name=part.name)
@@ -145,7 +149,12 @@ def quantity_in_note(quantity: Quantity) -> str:
 
 
 def _label(each: Compared) -> Message:
-    return label(QUANTITY_OF[each.quantity], with_symbol=each.quantity.startswith("position"))
+    """Name a quantity, of a network by its joint or body."""
+    of = QUANTITY_OF[each.quantity]
+    if each.point:
+        named = blocks.labelled(each.point, of.symbol or term(of.name))
+        return Message("words.heading", label=named, unit=Unit(of))
+    return label(of, with_symbol=each.quantity.startswith("position"))
 
 
 def lines_in_note(part: StaticComparison, caption: str) -> blocks.Table:
@@ -161,17 +170,17 @@ def lines_in_note(part: StaticComparison, caption: str) -> blocks.Table:
 def _lines(part: StaticComparison) -> blocks.Table:
     """Tabulate each line's tensions, and the largest difference of all its quantities."""
     numbers = range(len(part.lines))
-    fairlead, anchor = (
-        Rows(part.of(f"{end}_tension", k) for k in numbers) for end in ("fairlead", "anchor")
-    )
+    is_network = part.kind == "network"
+    ends = ("to", "from") if is_network else ("fairlead", "anchor")
+    fairlead, anchor = (Rows(part.of(f"{end}_tension", k) for k in numbers) for end in ends)
     worst = Rows(part.worst_of(k) for k in numbers)
     return tabulate(
         "compared_lines",
-        texts("line", [k + 1 for k in numbers]),
-        fairlead.measured("tension", "closed_form", "fairlead_by_closed_form", symbol=""),
-        fairlead.measured("tension", "extrapolated", "fairlead_by_truss", symbol=""),
-        anchor.measured("tension", "closed_form", "anchor_by_closed_form", symbol=""),
-        anchor.measured("tension", "extrapolated", "anchor_by_truss", symbol=""),
+        texts("line", [part.name_of_line(k) for k in numbers]),
+        fairlead.measured("tension", "closed_form", f"{ends[0]}_by_closed_form", symbol=""),
+        fairlead.measured("tension", "extrapolated", f"{ends[0]}_by_truss", symbol=""),
+        anchor.measured("tension", "closed_form", f"{ends[1]}_by_closed_form", symbol=""),
+        anchor.measured("tension", "extrapolated", f"{ends[1]}_by_truss", symbol=""),
         worst.measured(GAP, "gap", "largest_difference"),
         fairlead.measured(_ORDER, "order", "order"),
         caption=Message("captions.lines"),
@@ -270,6 +279,7 @@ def _quantities(parts: Sequence[_Named]) -> blocks.Table:
         "quantities",
         named.texts("load_case", itemgetter(0)),
         of.texts("line", lambda each: None if each.line is None else each.line + 1),
+        *([of.texts("point")] if any(each.point for each in of.rows) else []),
         of.texts("quantity", lambda each: blocks.keyed(each.quantity, _said_name(each.quantity))),
         of.texts("unit"),
         of.of_row("closed_form"),
@@ -291,7 +301,7 @@ def _quantities(parts: Sequence[_Named]) -> blocks.Table:
 
 def _said_name(quantity: str) -> Message:
     """Name a quantity in a table; where a body is has the same name along x and y."""
-    if quantity.startswith("position"):
+    if quantity.startswith(("position", "place")):
         return Message(f"truss.{quantity}")
     return term(QUANTITY_OF[quantity].name)
 

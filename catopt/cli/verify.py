@@ -19,7 +19,12 @@ from catopt.answers.verification import (
     verification_answer,
 )
 from catopt.casefile import read_case
-from catopt.casefile.design_directory import DESIGN_CASE, read_design, read_design_document
+from catopt.casefile.design_directory import (
+    DESIGN_CASE,
+    read_design,
+    read_design_document,
+    read_mooring_or_design,
+)
 from catopt.cli import options
 from catopt.cli.answering import (
     FAILED,
@@ -30,9 +35,10 @@ from catopt.cli.answering import (
     Files,
     answering,
 )
-from catopt.cli.values import read_known, refuse
+from catopt.cli.values import refuse, with_known_codes
 from catopt.errors import Problem
 from catopt.model import Case
+from catopt.model.network import Network
 from catopt.verify.motion_words import not_converged_sentence, stopped_sentence
 from catopt.verify.proof import Proof
 from catopt.verify.settings import ELEMENTS, TOLERANCE, check_settings
@@ -50,7 +56,7 @@ if TYPE_CHECKING:
 class _Found:
     """What came of a case, or of every design of a front."""
 
-    case: Case
+    case: Case | Network
     at_rest: Verification | FrontVerification
     sentence: str
     answers: tuple[Answer, ...]
@@ -89,7 +95,11 @@ def verify(
         refuse(Problem(key, str(each), wanted) for key, each in given.items() if each is not None)
         found = _front(asked, case, how, moving)
     else:
-        found = _case(asked, read_known(case, design), load_case, how, moving)
+        read = read_mooring_or_design(case, design)
+        if isinstance(read, Network):
+            found = _network(read, load_case, how, is_moving=with_motion)
+        else:
+            found = _case(asked, with_known_codes(read), load_case, how, moving)
 
     def document() -> dict[str, Any]:
         return found.at_rest.to_dict() | found.in_motion()
@@ -123,7 +133,25 @@ def _of_motion(
         yield Problem("--workers", str(workers), Message("refused_command.n_1_or_more_processes"))
 
 
-# ------------------------------------------------------------------ one case
+# ------------------------------------------------------------------ one case, or one network
+
+
+def _network(
+    network: Network,
+    load_case: str | None,
+    how: dict[str, Any],
+    *,
+    is_moving: bool,
+) -> _Found:
+    """Verify points, lines and bodies, which rest."""
+    from catopt.report import bundle
+    from catopt.verify.case import verify_case
+
+    if is_moving:
+        refuse([Problem("--dynamic", "", Message("refused_command.does_not_go_with_lines"))])
+    found = verify_case(network, load_case=load_case, **how)
+    pictures = (partial(bundle.verification_pictures, found),)
+    return _Found(network, found, verdict_sentence(found), (verification_answer(found),), pictures)
 
 
 def _case(

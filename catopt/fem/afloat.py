@@ -12,7 +12,7 @@ import math
 from typing import Any, Final, NamedTuple
 
 from catopt.compiled import inlined, packed
-from catopt.fem.block_tridiagonal import back_substitute_blocks, eliminate_blocks, hold, solve_3
+from catopt.fem.block_tridiagonal import back_substitute_blocks, eliminate_blocks, hold, solve_dense
 from catopt.fem.moving import Blend, BodyNode, Moving, MovingLines
 from catopt.fem.moving_assembly import assemble_moving
 from catopt.fem.newmark import predict
@@ -286,7 +286,7 @@ def _solve_hull(body: Afloat) -> bool:
     """Turn what is left over into the move of the hull; False where it has none."""
     matrix, rest = body.room.matrix, body.room.rest
     hold(body.hull.free, matrix, rest)
-    return solve_3(matrix, rest)
+    return solve_dense(matrix, rest)
 
 
 def _move_hull(part: float, h: float, rules: Any, body: Afloat) -> None:

@@ -19,7 +19,7 @@ from catopt.fem.banded import DIAGONAL
 from catopt.fem.bed import ABSENT, FREE, HELD, ON_BED, PULLED, Ground, touches
 from catopt.fem.friction import add_friction
 from catopt.fem.loads import axis
-from catopt.fem.resting import Law, Net
+from catopt.fem.resting import Law, Net, row_of_bar
 from catopt.fem.touchdown import hanging_node, own_rest, share_slope, share_weight, shift_slope
 
 _BARRIER: Final = 1e-4
@@ -40,9 +40,9 @@ def assemble(line: int, net: Net) -> tuple[int, float]:
     Returns the number of nodes and bars whose state changed, and the largest misfit of a bar's
     length relative to it.
     """
-    bars, state, _, nodal, _, law, band, rhs = net
+    bars, state, _, nodal, _, law, band, rhs, _ = net
     first, end = bars.start[line], bars.start[line + 1]
-    for row in range(4 * first, 4 * end):
+    for row in range(row_of_bar(first, line) - 3, row_of_bar(end, line)):
         rhs[row] = 0.0
         for c in range(band.shape[1]):
             band[row, c] = 0.0
@@ -53,9 +53,10 @@ def assemble(line: int, net: Net) -> tuple[int, float]:
     if law.ease == 0.0:
         _touch_down(line, first, end, net)
     changed = _lay_on_bed(line, first, end, net)
-    for e in range(first, end):
+    for node in range(first + line, end + line + 1):
+        row = row_of_bar(node - line, line) - 3
         for i in range(3):
-            rhs[4 * e + 1 + i] -= state.balance[e + line + 1, i] / law.soft
+            rhs[row + i] -= state.balance[node, i] / law.soft
     return changed, strain
 
 
@@ -64,7 +65,7 @@ def _add_bars(line: int, first: int, end: int, net: Net) -> float:
 
     Arrays are taken out of their tuples before the loop: numba counts references within it.
     """
-    bars, state, loads, _, ground, law, band, rhs = net
+    bars, state, loads, _, ground, law, band, rhs, _ = net
     x, tension, contact, _, balance = state
     force, first_by, second_by = loads
     length, compliance = bars.length, bars.compliance
@@ -78,8 +79,7 @@ def _add_bars(line: int, first: int, end: int, net: Net) -> float:
         misfit, slope = _misfit(size, l0, T, compliance[e], law)
         slack = _is_slack(a, T / law.soft, misfit / l0, contact, ground, law)
         across = (T if law.carries_compression else max(T, 0.0)) / (size * law.soft)
-        row = 4 * e
-        has_first = e > first
+        row = row_of_bar(e, line)
         if slack:
             band[row, DIAGONAL] = 1.0
             rhs[row] = -T / law.soft
@@ -94,10 +94,8 @@ def _add_bars(line: int, first: int, end: int, net: Net) -> float:
             band[down, DIAGONAL - 1 - i] = -t[i]
             if not slack:
                 band[row, DIAGONAL + 1 + i] = t[i]
-            if has_first:
-                band[up, DIAGONAL + 3 - i] = t[i]
-                if not slack:
-                    band[row, DIAGONAL - 3 + i] = -t[i]
+                band[row, DIAGONAL - 3 + i] = -t[i]
+            band[up, DIAGONAL + 3 - i] = t[i]
             for j in range(3):
                 g = across * ((1.0 if i == j else 0.0) - t[i] * t[j])
                 by_first, by_second = 0.0, 0.0
@@ -105,17 +103,16 @@ def _add_bars(line: int, first: int, end: int, net: Net) -> float:
                     by_first = first_by[e, i, j] / law.soft
                     by_second = second_by[e, i, j] / law.soft
                 band[down, DIAGONAL + j - i] += by_second - g
-                if has_first:
-                    band[up, DIAGONAL + j - i] += by_first - g
-                    band[up, DIAGONAL + 4 + j - i] += by_second + g
-                    band[down, DIAGONAL - 4 + j - i] += by_first + g
+                band[up, DIAGONAL + j - i] += by_first - g
+                band[up, DIAGONAL + 4 + j - i] += by_second + g
+                band[down, DIAGONAL - 4 + j - i] += by_first + g
         strain = max(strain, 0.0 if slack else abs(misfit) / l0)
     return strain
 
 
 def _touch_down(line: int, first: int, end: int, net: Net) -> None:
     """Let bars that lie in part on a rigid bed share their weight (`touchdown`)."""
-    _, state, loads, _, ground, law, band, _ = net
+    _, state, loads, _, ground, law, band, _, _ = net
     for e in range(first, end):
         a = e + line
         hangs = hanging_node(a, state.contact)
@@ -134,7 +131,7 @@ def _touch_down(line: int, first: int, end: int, net: Net) -> None:
             left = 0.0 if is_end else state.balance[hangs, 2]
             slope = shift_slope(lift, -2.0 * loads.force[e, 2], left)
             across = (T if law.carries_compression else max(T, 0.0)) / (size * law.soft)
-            share_slope(4 * e, e > first, slope, (tx, ty, tz), across, band)
+            share_slope(row_of_bar(e, line), slope, (tx, ty, tz), across, band)
 
 
 def _misfit(size: float, l0: float, T: float, compliance: float, law: Law) -> tuple[float, float]:
@@ -161,11 +158,11 @@ def _is_slack(
 
 def _lay_on_bed(line: int, first: int, end: int, net: Net) -> int:
     """Let the bed act on the inner nodes; returns how many changed their state."""
-    bars, state, loads, _, ground, law, band, rhs = net
+    bars, state, loads, _, ground, law, band, rhs, _ = net
     x, _, contact, reaction, balance = state
     force, length, stiffness, changed = loads.force, bars.length, ground.stiffness, 0
     for e in range(first + 1, end):
-        node, row = e + line, 4 * e - 3
+        node, row = e + line, row_of_bar(e, line) - 3
         for i in range(3):
             band[row + i, DIAGONAL] -= law.drag_in / law.soft
         was = contact[node]

@@ -72,28 +72,29 @@ def invert_3(blocks: Any, n: int) -> bool:
     return True
 
 
-def solve_3(matrix: Any, rest: Any) -> bool:
-    """Turn the right hand side of three equations into their solution, with exchange of rows.
+def solve_dense(matrix: Any, rest: Any) -> bool:
+    """Turn the right hand side of a few equations into their solution, with exchange of rows.
 
     False where there is none; both are overwritten.
     """
-    for j in range(3):
+    size = rest.shape[0]
+    for j in range(size):
         pivot = j
-        for r in range(j + 1, 3):
+        for r in range(j + 1, size):
             if abs(matrix[r, j]) > abs(matrix[pivot, j]):
                 pivot = r
         if matrix[pivot, j] == 0.0:
             return False
-        for c in range(3):
+        for c in range(size):
             matrix[j, c], matrix[pivot, c] = matrix[pivot, c], matrix[j, c]
         rest[j], rest[pivot] = rest[pivot], rest[j]
-        for r in range(j + 1, 3):
+        for r in range(j + 1, size):
             factor = matrix[r, j] / matrix[j, j]
-            for c in range(j, 3):
+            for c in range(j, size):
                 matrix[r, c] -= factor * matrix[j, c]
             rest[r] -= factor * rest[j]
-    for r in range(2, -1, -1):
-        for c in range(r + 1, 3):
+    for r in range(size - 1, -1, -1):
+        for c in range(r + 1, size):
             rest[r] -= matrix[r, c] * rest[c]
         rest[r] /= matrix[r, r]
     return True

@@ -13,7 +13,7 @@ from typing import Any
 from catopt.fem.banded import DIAGONAL
 from catopt.fem.bed import ON_BED, SPRING, Ground, friction_sense
 from catopt.fem.loads import axis
-from catopt.fem.resting import Net
+from catopt.fem.resting import Net, row_of_bar
 
 
 def limit(node: int, reaction: float, ground: Ground, contact: Any) -> float:
@@ -44,7 +44,7 @@ def _rub(e: int, node: int, most: float, mu: float, rigid: bool, net: Net) -> No
     bar pulls, whichever is less, so that tension falls to 0 and not below. With negative `most`, N,
     and `mu` it acts along that pull, so that tension grows.
     """
-    state, band, soft, row = net.state, net.band, net.law.soft, 4 * e - 3
+    state, band, soft, row = net.state, net.band, net.law.soft, row_of_bar(e, node - e) - 3
     T = state.tension[e]
     size, tx, ty, _ = axis(state.x, node)
     level = math.sqrt(tx * tx + ty * ty)
@@ -65,7 +65,7 @@ def _rub(e: int, node: int, most: float, mu: float, rigid: bool, net: Net) -> No
 
 def _hold(e: int, node: int, net: Net) -> None:
     """Let friction take up all that the bar at the fairlead's side pulls along the bed."""
-    state, band, row = net.state, net.band, 4 * e - 3
+    state, band, row = net.state, net.band, row_of_bar(e, node - e) - 3
     T = state.tension[e]
     size, tx, ty, tz = axis(state.x, node)
     t = (tx, ty, tz)
@@ -81,7 +81,7 @@ def _hold(e: int, node: int, net: Net) -> None:
 def _drag_spring(e: int, node: int, most: float, mu: float, rigid: bool, net: Net) -> None:
     """Add the force of a node's friction spring: elastic below mu R, slipping at it."""
     x, foot, spring = net.state.x, net.ground.spring_foot, net.ground.tangential[node]
-    band, soft, row = net.band, net.law.soft, 4 * e - 3
+    band, soft, row = net.band, net.law.soft, row_of_bar(e, node - e) - 3
     u = (x[node, 0] - foot[node, 0], x[node, 1] - foot[node, 1])
     distance = math.sqrt(u[0] * u[0] + u[1] * u[1])
     if spring * distance <= most or distance == 0.0:
@@ -99,7 +99,7 @@ def _drag_spring(e: int, node: int, most: float, mu: float, rigid: bool, net: Ne
 
 def _slide(e: int, node: int, n: Any, most: float, mu: float, rigid: bool, net: Net) -> None:
     """Add a friction of `most`, N, against the direction n along the bed, and its change with R."""
-    band, row = net.band, 4 * e - 3
+    band, row = net.band, row_of_bar(e, node - e) - 3
     for i in range(2):
         net.state.balance[node, i] -= most * n[i]
         if rigid:

@@ -19,6 +19,8 @@ SAME_PLACE = 1e-9
 """Two joints closer than this part of the line's length are one."""
 _SHARP = 2.0
 """A bend is sharp whose radius of curvature is below this many bars."""
+_SHARPEST = 1e-6
+"""Radius of curvature, over the line's length, below which a bend is a kink."""
 _BARS = 4.0
 """Bars over the radius of a sharp bend, and over the distance from it."""
 
@@ -62,7 +64,11 @@ class LineMesh:
     def load_node(self) -> Codes:
         """Node of each point load of the line, shape (point loads,)."""
         positions = [load.position for load in self.line.point_loads]
-        return np.array([int(np.abs(self.arc - s).argmin()) for s in positions], dtype=np.int64)
+        return np.array([self.nearest(s) for s in positions], dtype=np.int64)
+
+    def nearest(self, arc: float) -> int:
+        """Node nearest to an arc length, m."""
+        return int(np.abs(self.arc - arc).argmin())
 
     @property
     def loads(self) -> list[tuple[PointLoad, int]]:
@@ -103,7 +109,8 @@ def mesh_line(
     _check(line, elements, element_length)
     bounds = np.concatenate([[0.0], np.cumsum([s.length for s in line.segments])])
     sizes = _target_lengths(line, elements, element_length)
-    sharp = [bend for bend in bends if bend[1] < _SHARP * sizes.max()]
+    least = _SHARPEST * line.length
+    sharp = [(at, max(r, least)) for at, r in bends if r < _SHARP * sizes.max()]
     joints = _joints(line, [*bounds, *_rings(line, sharp, float(sizes.max()))])
     owner = np.searchsorted(bounds[1:-1], 0.5 * (joints[1:] + joints[:-1]))
     pieces = np.diff(joints)

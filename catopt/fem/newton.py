@@ -36,7 +36,9 @@ class Newton:
         varies = problem.current is not None or math.isfinite(problem.surface)
         blocks = (count if varies else 0, 3, 3)
         self.loads = BarLoads(np.zeros((count, 3)), np.zeros(blocks), np.zeros(blocks))
-        self._room = np.zeros((4 * count, WIDTH)), np.zeros(4 * count)
+        rows = 4 * count + 3 * (problem.bars.start.size - 1)
+        aside = rows if (problem.body.of_end[:, 0] >= 0).any() else 0
+        self._room = np.zeros((rows, WIDTH)), np.zeros(rows), np.zeros((aside, 3))
         self._drag_in = _DRAG_IN * problem.soft / float(problem.bars.length.sum())
 
     @property

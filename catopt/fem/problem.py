@@ -77,6 +77,13 @@ class Problem:
         return to_nodes(self.bars.length, self.bars.start)
 
 
+def one_point(free: Array, force: Array, place: Array, lines: int) -> Body:
+    """Return one point in which all lines end; of three values each."""
+    of_end = np.array([[-1, 0]] * lines, dtype=np.int64)
+    lies = np.zeros(1, dtype=np.int64)
+    return Body(free[np.newaxis], force[np.newaxis], place[np.newaxis], of_end, lies)
+
+
 def build(
     meshes: Sequence[LineMesh],
     body: Body,
@@ -85,7 +92,7 @@ def build(
     water: Water,
     carries_compression: bool,
 ) -> Problem:
-    """Lay out all lines, one after the other; they meet in `body`."""
+    """Lay out all lines, one after the other; they meet in the points of `body`."""
     start = first_bars(meshes)
     length = np.concatenate([mesh.length for mesh in meshes])
     multiplier = bed.EA_multiplier if isinstance(bed, HeldBed) else 1.0
@@ -97,7 +104,9 @@ def build(
         in_air = length * water.gravity * by_bar(meshes, "mass")
     nodal = np.concatenate([_point_loads(mesh) for mesh in meshes])
     bars = Bars(length, compliance, start, submerged, in_air, *_drag(meshes, water.current))
-    most = heaviest(start, submerged, nodal) + float(np.linalg.norm(body.free * body.force))
+    most = heaviest(start, submerged, nodal) + float(
+        np.linalg.norm(body.free * body.force, axis=1).sum()
+    )
     return Problem(
         bars=bars,
         nodal=nodal,
@@ -126,10 +135,10 @@ def straight(problem: Problem, anchors: Array, fairleads: Array) -> State:
     return State(x, tension, contact, np.zeros(nodes), np.zeros((nodes, 3)))
 
 
-def place_of(node: int, start: Codes, x: Array) -> Message:
-    """Words for where a node is, in which line; -1 is the body."""
+def place_of(node: int, start: Codes, x: Array, points: int = 1) -> Message:
+    """Words for where a node is, in which line; below 0 are the points in which lines meet."""
     if node < 0:
-        return Message("truss.the_body")
+        return Message("truss.the_body" if points == 1 else "truss.the_point", number=-node)
     firsts = start + np.arange(start.size)
     line = int(np.searchsorted(firsts, node, side="right")) - 1
     here = dict(zip("xyz", map(float, x[node]), strict=True))

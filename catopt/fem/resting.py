@@ -1,7 +1,8 @@
 """Lines at rest as the kernels take them: what they are made of, their shape, the law of the bars.
 
 All bars follow one another, line after line. Line k has one node more than bars: bar e lies between
-nodes e + k and e + k + 1.
+nodes e + k and e + k + 1. The equations of line k begin with three of its first node, then come
+that of a bar and three of its second node, and so on: see `row_of_bar`.
 """
 
 from __future__ import annotations
@@ -10,6 +11,11 @@ from typing import NamedTuple
 
 from catopt.arrays import Array, Codes
 from catopt.fem.bed import Ground
+
+
+def row_of_bar(e: int, line: int) -> int:
+    """Row of the strain of a bar; those of its first node are the three before it."""
+    return 4 * e + 3 * line + 3
 
 
 class Bars(NamedTuple):
@@ -54,11 +60,17 @@ class Law(NamedTuple):
 
 
 class Body(NamedTuple):
-    """The node in which the lines meet; arrays of shape (3,)."""
+    """The nodes in which lines meet: a joint, or a body that does not turn. Of shape (points, 3).
+
+    The ends of lines that move with a point keep their distance from it.
+    """
 
     free: Array  # 1.0 for each direction in which it may move, 0.0 where it is held
     force: Array  # on it, N
-    place: Array  # of the last node of the first line in the directions that are held, m
+    place: Array  # of the first end that moves with it in the directions that are held, m
+    of_end: Codes  # (lines, 2): point with which the first and the last node of a line move; -1:
+    # none, it stays
+    lies: Codes  # (points,): 1 for a joint, which the bed carries
 
 
 class Net(NamedTuple):
@@ -70,5 +82,6 @@ class Net(NamedTuple):
     nodal: Array  # (nodes, 3): forces on the nodes, N
     ground: Ground
     law: Law
-    band: Array  # (4 bars, 19): coefficients, forces divided by `law.soft`
-    rhs: Array  # (4 bars,)
+    band: Array  # (4 bars + 3 lines, 19): coefficients, forces divided by `law.soft`
+    rhs: Array  # (4 bars + 3 lines,)
+    side: Array  # (4 bars + 3 lines, 3): of the displacement of a line's first node that moves

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from catopt.fem.mesh import LineMesh
 from catopt.fem.problem import Problem
 from catopt.fem.settle import Rest
 from catopt.fem.touchdown import hanging_part
+from catopt.model import Line
 
 _NO_TENSION = 1e-9
 """Tension that is rounding, over the largest one."""
@@ -39,8 +40,8 @@ class TrussSolution:
     fairlead: EndForce  # nodal reactions
     anchor: EndForce  # after seabed friction
     span: float  # horizontal distance between the ends, m
-    grounded_length: float  # unstretched, m; between nodes, the touchdown follows from the reaction
-    # of the last node
+    lying: Array  # (elements,): part of each bar that lies on the bed; where one touches down
+    # follows from the reaction of its node
     bed_reaction: Array  # (elements + 1,): upward force of the bed on each node, N; below 0 only
     # where a `HeldBed` holds a node down
     penetration: float  # largest depth of a node below the bed, m
@@ -56,6 +57,11 @@ class TrussSolution:
     def horizontal_force(self) -> float:
         """Horizontal force at the fairlead, N."""
         return self.fairlead.horizontal_force
+
+    @property
+    def grounded_length(self) -> float:
+        """Length on the bed, unstretched, m."""
+        return math.fsum(self.mesh.length * self.lying)
 
     @property
     def arc(self) -> Array:
@@ -120,7 +126,7 @@ def read_line(index: int, mesh: LineMesh, problem: Problem, rest: Rest) -> Truss
         fairlead=fairlead,
         anchor=anchor,
         span=math.hypot(*(x[-1, :2] - x[0, :2])),
-        grounded_length=math.fsum(mesh.length * (1.0 - part)),
+        lying=1.0 - part,
         bed_reaction=reaction,
         penetration=float(max(-x[:, 2].min(), 0.0)),
         residual=rest.residual,
@@ -129,6 +135,65 @@ def read_line(index: int, mesh: LineMesh, problem: Problem, rest: Rest) -> Truss
         end_tension=_end_tension(d / size[:, np.newaxis], T, half, lies, part, friction),
         rest=rest,
     )
+
+
+def part_of(whole: TrussSolution, line: Line, start: float, *, turned: bool) -> TrussSolution:
+    """Return a part of a line at rest as one of its own, from the arc length `start` on, m.
+
+    `turned`: whether `line` is counted from the other end. Its ends are joints of the mesh.
+    """
+    mesh = whole.mesh
+    first, last = (mesh.nearest(at) for at in (start, start + line.length))
+    bars, nodes = slice(first, last), slice(first, last + 1)
+    kept = [k for k, at in enumerate(mesh.joints) if first <= mesh.nearest(at) <= last]
+    joints = tuple(mesh.joints[k] - mesh.arc[first] for k in kept)
+    counts = tuple(mesh.counts[k] for k in kept[:-1])
+    x, ends = whole.nodes[nodes], whole.end_tension[bars]
+    part = replace(
+        whole,
+        mesh=LineMesh(line, joints, counts),
+        nodes=x,
+        tension=whole.tension[bars],
+        anchor=whole.anchor if first == 0 else _cut(whole, first, 0),
+        fairlead=whole.fairlead if last == mesh.elements else _cut(whole, last - 1, 1),
+        span=math.hypot(*(x[-1, :2] - x[0, :2])),
+        lying=whole.lying[bars],
+        bed_reaction=whole.bed_reaction[nodes],
+        penetration=float(max(-x[:, 2].min(), 0.0)),
+        end_tension=ends,
+    )
+    if not turned:
+        return part
+    length = joints[-1]
+    return replace(
+        part,
+        mesh=LineMesh(line, tuple(length - at for at in reversed(joints)), counts[::-1]),
+        nodes=x[::-1],
+        tension=part.tension[::-1],
+        anchor=_turned(part.fairlead),
+        fairlead=_turned(part.anchor),
+        lying=part.lying[::-1],
+        bed_reaction=part.bed_reaction[::-1],
+        end_tension=ends[::-1, ::-1],
+    )
+
+
+def _cut(whole: TrussSolution, bar: int, side: int) -> EndForce:
+    """Force in a line at the first (0) or the second end of a bar."""
+    mesh = whole.mesh
+    d = whole.nodes[bar + 1] - whole.nodes[bar]
+    force = whole.tension[bar] * d / max(float(np.linalg.norm(d)), 1e-300)
+    weight = mesh.line.segments[mesh.segment[bar]].submerged_weight * mesh.length[bar]
+    size = float(whole.end_tension[bar, side])
+    vertical = float(force[2]) + (side - 0.5) * weight
+    if whole.lying[bar] > 0.0 and whole.bed_reaction[bar + side] > 0.0:
+        vertical = 0.0
+    level = math.sqrt(max(size * size - vertical * vertical, 0.0))
+    return EndForce(size, level, vertical, math.atan2(vertical, level))
+
+
+def _turned(end: EndForce) -> EndForce:
+    return replace(end, vertical_force=-end.vertical_force, angle=-end.angle)
 
 
 def _end(

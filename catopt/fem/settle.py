@@ -166,9 +166,10 @@ def _between(first: Body, last: Body, part: float) -> Body:
     if part == 1.0 or not np.array_equal(first.free, last.free):
         return last
     force, place = (
-        (1.0 - part) * old + part * new for old, new in zip(first[1:], last[1:], strict=True)
+        (1.0 - part) * old + part * new
+        for old, new in ((first.force, last.force), (first.place, last.place))
     )
-    return Body(last.free, force, place)
+    return last._replace(force=force, place=place)
 
 
 def _dragged_feet(state: State, ground: Ground) -> Ground:
@@ -219,12 +220,12 @@ def _restore(state: State, kept: State) -> None:
 
 def _stuck(newton: Newton, ease: float) -> NotConvergedError:
     """Say where the forces do not balance."""
-    report = newton.last
+    report, problem = newton.last, newton.problem
     assert report is not None
     values = {
         "count": newton.iterations,
         "left": report.imbalance,
-        "where": place_of(report.node, newton.problem.bars.start, newton.state.x),
+        "where": place_of(report.node, problem.bars.start, newton.state.x, len(problem.body.free)),
         "part": report.imbalance / max(report.tension, 1e-300),
     }
     if ease == 0.0:

@@ -12,8 +12,7 @@ from catopt.arrays import Array
 from catopt.errors import NoEquilibriumError
 from catopt.fem.bed import Bed, HeldBed, friction_sense
 from catopt.fem.mesh import LineMesh, end_nodes, mesh_line
-from catopt.fem.problem import Problem, Water, build, straight
-from catopt.fem.resting import Body
+from catopt.fem.problem import Problem, Water, build, one_point, straight
 from catopt.fem.result import SystemSolution, TrussSolution, read_line
 from catopt.fem.settle import Controls, Rest, follow, settle
 from catopt.model import Line
@@ -86,10 +85,11 @@ def solve_line(
     _check_length(line, math.hypot(span or 0.0, rise))
     free_span = math.sqrt(max(line.length**2 - rise**2, 0.01 * line.length**2))
     fairlead = np.array([span if span is not None else free_span, 0.0, height])
-    body = Body(
+    body = one_point(
         free=np.array([1.0 if span is None else 0.0, 0.0, 0.0]),
         force=np.array([horizontal_force or 0.0, 0.0, 0.0]),
         place=fairlead,
+        lines=1,
     )
     ends = np.array([[[0.0, 0.0, anchor_height]], [fairlead]])
     problem = build(
@@ -149,10 +149,11 @@ def solve_system(
         distance = float(np.linalg.norm(reach if position is not None else reach[2:]))
         _check_length(leg.line, distance, number + 1)
     is_free = 1.0 if position is None else 0.0
-    body = Body(
+    body = one_point(
         free=np.array([is_free, is_free, 0.0]),
         force=np.array([*(force or (0.0, 0.0)), 0.0]),
         place=origin + offsets[0],
+        lines=len(legs),
     )
     problem = build(
         cuts, body, bed or Bed(), seabed_friction, water or Water(), carries_compression

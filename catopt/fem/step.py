@@ -8,9 +8,16 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from catopt.fem.assembly import assemble
-from catopt.fem.banded import DIAGONAL, back_substitute, eliminate
-from catopt.fem.block_tridiagonal import solve_3
-from catopt.fem.resting import Bars, Body, Law, Net, State
+from catopt.fem.banded import (
+    DIAGONAL,
+    back_substitute,
+    eliminate,
+    reach_of_first,
+    take_aside,
+)
+from catopt.fem.bed import FREE, ON_BED, touches
+from catopt.fem.block_tridiagonal import solve_dense
+from catopt.fem.resting import Bars, Body, Law, Net, State, row_of_bar
 
 
 class StepReport(NamedTuple):
@@ -29,47 +36,146 @@ class StepReport(NamedTuple):
 def newton_step(net: Net, body: Body) -> StepReport:
     """Assemble, measure what is left over, and solve; the step is left in `net.rhs`.
 
-    Its entry 4 e is the change of the tension of bar e over `law.soft`, entries 4 e + 1 to 4 e + 3
-    are the displacement of the bar's second node.
+    Of each line it has the displacement of its first node, then bar by bar the change of its
+    tension over `law.soft` and the displacement of its second node.
     """
-    bars, state, band, rhs = net.bars, net.state, net.band, net.rhs
-    lines = bars.start.shape[0] - 1
-    schur = np.zeros((3, 3))
-    total = np.zeros(3)
+    bars, state, rhs = net.bars, net.state, net.rhs
+    lines, size = bars.start.shape[0] - 1, 3 * body.free.shape[0]
+    schur = np.zeros((size, size))
+    total = -body.force.copy().reshape(size) / net.law.soft
     left = body.force.copy()
     changed = 0
     strain = 0.0
     singular = False
     for k in range(lines):
-        first, end = 4 * bars.start[k], 4 * bars.start[k + 1]
         news, worst = assemble(k, net)
         if news > 0:
             # How a bar shares its weight depends on the states of both its nodes.
             _, worst = assemble(k, net)
         changed += news
         strain = max(strain, worst)
-        for i in range(3):
-            left[i] += state.balance[bars.start[k + 1] + k, i]
-        if eliminate(band, rhs, first, end) >= 0:
-            singular = True
-        for i in range(3):
-            total[i] += rhs[end - 3 + i]
-            for j in range(3):
-                schur[i, j] += band[end - 3 + i, DIAGONAL + j - i]
+        for side in range(2):
+            at = body.of_end[k, side]
+            for i in range(3):
+                if at >= 0:
+                    left[at, i] += state.balance[bars.start[k + side] + k, i]
+        singular = _reduce(k, net, body, schur, total) or singular
+    changed += _lay_joints(net, body, left, schur, total)
     imbalance, node = _largest_imbalance(bars, state, left, body)
-    away = _gap_to_place(state.x, bars.start[1], body, total)
-    move = _body_move(schur, total, body, net.law)
+    away = _gap_to_place(net, body, total)
+    _move_points(schur, total, body, net.law)
     for k in range(lines):
-        first, end = 4 * bars.start[k], 4 * bars.start[k + 1]
-        for i in range(3):
-            rhs[end - 3 + i] = move[i]
-        back_substitute(band, rhs, first, end)
+        _move_line(k, net, body, total)
     turn = _largest_turn(bars, state, rhs)
     tension = 0.0
     for e in range(state.tension.shape[0]):
         tension = max(tension, abs(state.tension[e]))
     singular = singular or not math.isfinite(turn)
     return StepReport(imbalance, node, strain, tension, changed, away, turn, singular)
+
+
+def _reduce(k: int, net: Net, body: Body, schur: Any, total: Any) -> bool:
+    """Eliminate a line and add it to the equations of its points; whether that has no solution."""
+    bars, band, rhs = net.bars, net.band, net.rhs
+    first, end = row_of_bar(bars.start[k], k), row_of_bar(bars.start[k + 1], k)
+    a, b = body.of_end[k, 0], body.of_end[k, 1]
+    side = net.side if a >= 0 else net.side[:0]
+    if a >= 0:
+        take_aside(band, side, first, end)
+    if eliminate(band, rhs, side, first, end) >= 0:
+        return True
+    if b >= 0:
+        for i in range(3):
+            total[3 * b + i] += rhs[end - 3 + i]
+            for j in range(3):
+                schur[3 * b + i, 3 * b + j] += band[end - 3 + i, DIAGONAL + j - i]
+    if a >= 0:
+        _add_first(net, first, end, (a, b), schur, total)
+    return False
+
+
+def _add_first(net: Net, first: int, end: int, of: tuple[int, int], schur: Any, total: Any) -> None:
+    """Add to the equations of its points what a line has of its first node, which moves."""
+    a, b = of
+    own = np.zeros((3, 7))
+    reach_of_first(net.band, net.rhs, net.side, first, end, own)
+    for i in range(3):
+        total[3 * a + i] += own[i, 6]
+        for j in range(3):
+            schur[3 * a + i, 3 * a + j] += own[i, j]
+            if b >= 0:
+                schur[3 * a + i, 3 * b + j] += own[i, 3 + j]
+                schur[3 * b + i, 3 * a + j] += net.side[end - 3 + i, j]
+
+
+def _move_line(k: int, net: Net, body: Body, moves: Any) -> None:
+    """Put the displacements of a line's ends back into its equations."""
+    bars, rhs = net.bars, net.rhs
+    first, end = row_of_bar(bars.start[k], k), row_of_bar(bars.start[k + 1], k)
+    a, b = body.of_end[k, 0], body.of_end[k, 1]
+    for i in range(3):
+        rhs[first - 3 + i] = moves[3 * a + i] if a >= 0 else 0.0
+    if a >= 0:
+        for r in range(first, end - 3):
+            for i in range(3):
+                rhs[r] -= net.side[r, i] * moves[3 * a + i]
+    for i in range(3):
+        rhs[end - 3 + i] = moves[3 * b + i] if b >= 0 else 0.0
+    back_substitute(net.band, rhs, first, end)
+
+
+def _lay_joints(net: Net, body: Body, left: Any, schur: Any, total: Any) -> int:
+    """Let the bed act on joints; returns how many changed their state."""
+    changed = 0
+    for p in range(body.lies.shape[0]):
+        if body.lies[p] == 1:
+            changed += _lay_joint(p, net, body, left, schur, total)
+    return changed
+
+
+def _lay_joint(p: int, net: Net, body: Body, left: Any, schur: Any, total: Any) -> int:
+    """Let the bed act on a joint; returns whether it changed its state."""
+    bars, state, law = net.bars, net.state, net.law
+    stiffness, rest = _bed_of_joint(p, net, body)
+    rigid, at, up = math.isinf(stiffness), _node_of(p, bars, body), 3 * p + 2
+    was, z = state.contact[at], state.x[at, 2]
+    pushed = -left[p, 2] if rigid else -stiffness * z
+    now = touches(was, z, pushed - rest * (1.0 - 1e-9), 1e-12 * bars.length[0])
+    for k in range(bars.start.shape[0] - 1):
+        for side in range(2):
+            if body.of_end[k, side] == p:
+                state.contact[bars.start[k + side] + k] = now
+                state.reaction[bars.start[k + side] + k] = 0.0
+    if now == FREE:
+        return int(was != now)
+    if was == FREE:
+        pushed = max(pushed, 0.0)
+    state.reaction[at] = pushed
+    if rigid:
+        left[p, 2] = 0.0
+        for c in range(schur.shape[0]):
+            schur[up, c] = 0.0
+        schur[up, up] = 1.0
+        total[up] = -z
+    else:
+        left[p, 2] += pushed
+        total[up] -= pushed / law.soft
+        schur[up, up] -= stiffness / law.soft
+    return int(was != now)
+
+
+def _bed_of_joint(p: int, net: Net, body: Body) -> tuple[float, float]:
+    """Stiffness of the bed under a joint, N/m, and half of each bar there that lies wholly, N."""
+    bars, contact = net.bars, net.state.contact
+    stiffness, rest = 0.0, 0.0
+    for k in range(bars.start.shape[0] - 1):
+        for side in range(2):
+            if body.of_end[k, side] == p:
+                node, bar = bars.start[k + side] + k, bars.start[k + side] - side
+                stiffness += net.ground.stiffness[node]
+                if net.law.ease == 0.0 and contact[node + 1 - 2 * side] == ON_BED:
+                    rest -= min(net.loads.force[bar, 2], 0.0)
+    return stiffness, rest
 
 
 def take_step(net: Net, part: float) -> None:
@@ -81,45 +187,63 @@ def take_step(net: Net, part: float) -> None:
     bars, state, law, rhs = net.bars, net.state, net.law, net.rhs
     for k in range(bars.start.shape[0] - 1):
         for e in range(bars.start[k], bars.start[k + 1]):
-            T = state.tension[e] + part * law.soft * rhs[4 * e]
+            row = row_of_bar(e, k)
+            T = state.tension[e] + part * law.soft * rhs[row]
             if law.ease > 0.0 and not law.carries_compression:
                 T = max(T, 0.1 * state.tension[e])
             state.tension[e] = T
             for i in range(3):
-                state.x[e + k + 1, i] += part * rhs[4 * e + 1 + i]
+                state.x[e + k + 1, i] += part * rhs[row + 1 + i]
+        for i in range(3):
+            first = bars.start[k]
+            state.x[first + k, i] += part * rhs[row_of_bar(first, k) - 3 + i]
 
 
-def _gap_to_place(x: Any, node: int, body: Body, total: Any) -> float:
-    """Ask for the way to the body's place in the directions that are held; its largest part, m."""
+def _gap_to_place(net: Net, body: Body, total: Any) -> float:
+    """Ask for the way to each point's place where it is held; its largest part, m."""
     away = 0.0
-    for i in range(3):
-        if body.free[i] == 0.0:
-            total[i] = body.place[i] - x[node, i]
-            away = max(away, abs(total[i]))
+    for p in range(body.free.shape[0]):
+        at = _node_of(p, net.bars, body)
+        for i in range(3):
+            if body.free[p, i] == 0.0:
+                total[3 * p + i] = body.place[p, i] - net.state.x[at, i]
+                away = max(away, abs(total[3 * p + i]))
     return away
 
 
-def _body_move(schur: Any, total: Any, body: Body, law: Law) -> Any:
-    """Displacement of the body under what lines and force leave over; nan if it has none."""
-    for i in range(3):
-        schur[i, i] -= law.drag_in / law.soft
-        if body.free[i] == 0.0:
-            for j in range(3):
-                schur[i, j] = 0.0
-            schur[i, i] = 1.0
-        else:
-            total[i] -= body.force[i] / law.soft
-    if not solve_3(schur, total):
+def _node_of(p: int, bars: Bars, body: Body) -> int:
+    """Give the first end that moves with a point."""
+    for k in range(bars.start.shape[0] - 1):
+        for side in range(2):
+            if body.of_end[k, side] == p:
+                return int(bars.start[k + side] + k)
+    return -1
+
+
+def _move_points(schur: Any, total: Any, body: Body, law: Law) -> None:
+    """Turn what lines and forces leave over into displacements of the points; nan for none."""
+    for p in range(body.free.shape[0]):
+        for i in range(3):
+            row = 3 * p + i
+            if body.free[p, i] == 0.0:
+                for j in range(schur.shape[0]):
+                    schur[row, j] = 0.0
+                schur[row, row] = 1.0
+            else:
+                schur[row, row] -= law.drag_in / law.soft
+    if not solve_dense(schur, total):
         total[:] = math.nan
-    return total
 
 
 def _largest_imbalance(bars: Bars, state: State, left: Any, body: Body) -> tuple[float, int]:
     """Size and place of the largest force left over at a node that may move."""
-    square = 0.0
-    for i in range(3):
-        square += body.free[i] * left[i] ** 2
-    largest, place = square, -1
+    largest, place = 0.0, -1
+    for p in range(body.free.shape[0]):
+        square = 0.0
+        for i in range(3):
+            square += body.free[p, i] * left[p, i] ** 2
+        if square > largest:
+            largest, place = square, -1 - p
     for k in range(bars.start.shape[0] - 1):
         for node in range(bars.start[k] + k + 1, bars.start[k + 1] + k):
             square = 0.0
@@ -135,11 +259,11 @@ def _largest_turn(bars: Bars, state: State, rhs: Any) -> float:
     largest = 0.0
     for k in range(bars.start.shape[0] - 1):
         for e in range(bars.start[k], bars.start[k + 1]):
-            a = e + k
+            a, row = e + k, row_of_bar(e, k)
             square = 0.0
             size = 0.0
             for i in range(3):
-                by = rhs[4 * e + 1 + i] - (rhs[4 * e - 3 + i] if e > bars.start[k] else 0.0)
+                by = rhs[row + 1 + i] - rhs[row - 3 + i]
                 square += by * by
                 size += (state.x[a + 1, i] - state.x[a, i]) ** 2
             if not square <= largest * largest * size:

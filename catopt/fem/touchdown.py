@@ -68,18 +68,16 @@ def shift_slope(lift: float, weight: float, left: float) -> float:
     return (q - r) / (wanted - now) - 1.0 if wanted != now else 0.0
 
 
-def share_slope(row: int, has_first: bool, slope: float, t: Any, across: float, band: Any) -> None:
+def share_slope(row: int, slope: float, t: Any, across: float, band: Any) -> None:
     """Write the derivatives of `share_weight`; `slope`: of what is shifted (`shift_slope`)."""
     band[row + 3, DIAGONAL - 3] -= slope * t[2]
-    if has_first:
-        band[row - 1, DIAGONAL + 1] += slope * t[2]
+    band[row - 1, DIAGONAL + 1] += slope * t[2]
     for j in range(3):
         g = slope * across * ((1.0 if j == 2 else 0.0) - t[2] * t[j])
         band[row + 3, DIAGONAL - 2 + j] -= g
-        if has_first:
-            band[row + 3, DIAGONAL - 6 + j] += g
-            band[row - 1, DIAGONAL + 2 + j] += g
-            band[row - 1, DIAGONAL - 2 + j] -= g
+        band[row + 3, DIAGONAL - 6 + j] += g
+        band[row - 1, DIAGONAL + 2 + j] += g
+        band[row - 1, DIAGONAL - 2 + j] -= g
 
 
 def own_rest(node: int, below: float, above: float, contact: Any) -> float:

@@ -350,7 +350,7 @@ def network_misfits(
     ]
 
 
-def joined(to: Iterable[str], ends: Iterable[tuple[str, str]]) -> set[str]:
+def joined(to: Iterable[str], ends: Iterable[Iterable[str]]) -> set[str]:
     """Gather the points that lines join to some, by way of any others; these among them."""
     found, pairs = {*to}, [{*pair} for pair in ends]
     while more := {end for pair in pairs if pair & found for end in pair} - found:

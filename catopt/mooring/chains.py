@@ -16,7 +16,15 @@ from catopt.catenary.root_search import BY_SPAN
 from catopt.catenary.solve import solution_of
 from catopt.model import Line, PointLoad, Segment
 from catopt.model.network import LineBetween, Network
-from catopt.mooring.joints import JointsAtRest, Run, check_afloat, run_of, solved, turned_line
+from catopt.mooring.joints import (
+    JointsAtRest,
+    Run,
+    check_afloat,
+    friction_of,
+    run_of,
+    solved,
+    turned_line,
+)
 from catopt.mooring.line_ends import Ends, Vector
 
 JOINT = "joint: "
@@ -121,7 +129,7 @@ def apart(
                 turned_line(given) if is_turned else given,
             )
             at = {own.first: places[start], own.second: places[end]}
-            parted[number] = own, solved(own, at, network.site.seabed_friction, ends)
+            parted[number] = own, solved(own, at, friction_of(whole, run), ends)
     own_runs = tuple(parted[k][0] for k in range(len(network.lines)))
     own_ends = tuple(parted[k][1] for k in range(len(network.lines)))
     everywhere = tuple(places[point.name] for point in network.points)
@@ -156,7 +164,7 @@ def _left(
     ends: Sequence[Ends],
     up: dict[str, float],
 ) -> float:
-    """Say what the lines of rows leave over at the joints between them, N."""
+    """Say what lines of rows leave over at the joints between them, beside bed and friction, N."""
     left = 0.0
     for name in (name for row in rows for name in row.joints):
         k = network.numbers[name]
@@ -168,5 +176,6 @@ def _left(
         ]
         x, y, z = (math.fsum(each) for each in zip(*pulls, strict=True))
         over_bed = z - network.points[k].submerged_weight  # joints of rows have no force
-        left = max(left, math.hypot(x, y, over_bed + up[name]))
+        rubbed = network.site.seabed_friction * up[name]
+        left = max(left, math.hypot(max(math.hypot(x, y) - rubbed, 0.0), over_bed + up[name]))
     return left

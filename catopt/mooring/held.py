@@ -11,7 +11,7 @@ from catopt.catenary.in_current import SolutionInCurrent, hung_on_float
 from catopt.catenary.root_search import BY_SPAN
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solution_of
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, NoEquilibriumError, Problem
 from catopt.model import CurrentProfile, Site, System
 from catopt.model.network import LineBetween, MooredBody, Network, Point
 from catopt.mooring.chains import apart, in_rows, rows_of
@@ -23,6 +23,7 @@ from catopt.mooring.joints import (
     assembled,
     by_turning,
     check_afloat,
+    is_anchored,
     joints_at_rest,
     moored,
     product,
@@ -183,7 +184,7 @@ class LinesAtRest:
 
     def is_anchored(self, line: int) -> bool:
         """Whether a line, counted from 0, ends at an anchor: its first end then."""
-        return self.network.points[self.runs[line].first].kind == "anchor"
+        return is_anchored(self.network, self.runs[line])
 
     def to_dict(self) -> dict[str, Any]:
         """Lay it out as the documents have it."""
@@ -423,7 +424,13 @@ class WithoutLoad:
 def without_load(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> WithoutLoad:
     """Bring a network to rest without load on its bodies; raises what `at_rest` raises."""
     whole = in_rows(network, rows_of(network))
-    _, runs, found = _in_place(whole.unloaded(), displacement)
+    try:
+        _, runs, found = _in_place(whole.unloaded(), displacement)
+    except NoEquilibriumError as error:
+        if whole.unloaded() == whole:
+            raise
+        said = Message("mooring.refused_without_load", refusal=error.message)
+        raise NoEquilibriumError(said, error.quantity, error.missing) from error
     _, held = _ends_held(whole, displacement)
     return WithoutLoad(network, whole, runs, held, found)
 

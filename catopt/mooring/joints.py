@@ -100,6 +100,20 @@ def run_of(name: str, first: int, second: int, line: Line) -> Run:
     return Run(name, first, second, line, *cut(line))
 
 
+def is_anchored(network: Network, run: Run) -> bool:
+    """Whether a line ends at an anchor: its first end then."""
+    return network.points[run.first].kind == "anchor"
+
+
+def friction_of(network: Network, run: Run) -> float:
+    """Return the friction of the bed on a line: 0 without an anchor, where it must not lie.
+
+    Which way friction acts on it is open: with it, the forces of what is sought would have no
+    energy, and what is refused in the end might not be found.
+    """
+    return network.site.seabed_friction if is_anchored(network, run) else 0.0
+
+
 def turned_line(line: Line) -> Line:
     """Return a line counted from its other end."""
     loads = [replace(load, position=line.length - load.position) for load in line.point_loads]
@@ -124,7 +138,7 @@ def joints_at_rest(
         found = _Search(network, runs, held).rest(known)
     else:
         places = tuple(held[k] for k in range(len(network.points)))
-        ends = tuple(solved(run, places, network.site.seabed_friction) for run in runs)
+        ends = tuple(solved(run, places, friction_of(network, run)) for run in runs)
         found = JointsAtRest(places, ends, (0.0,) * len(places), 0.0, 0)
     _check(network, runs, found)
     return found
@@ -182,7 +196,6 @@ class _Search:
 
     def __init__(self, network: Network, runs: Sequence[Run], held: dict[int, Vector]) -> None:
         self.network, self.runs, self.held = network, runs, held
-        self.friction = network.site.seabed_friction
         self.joints = [k for k, point in enumerate(network.points) if point.kind == "joint"]
         self.bodies = moored(network, 3 * len(self.joints))
         self.size = 3 * len(self.joints) + sum(body.freedoms for body in self.bodies)
@@ -208,8 +221,12 @@ class _Search:
                 at = self.moved(at, self.nudge(), 1.0)
                 continue
             best = min(best, left)
-            at = self.step(at, motions, forces, laid)
+            before, at = at, self.step(at, motions, forces, laid)
             self.check_turns(at.poses, begun)
+            if left > limit and (before.places, before.poses) == (at.places, at.poses):
+                break
+        if any(laid.values()) and self.network.site.seabed_friction:
+            return self.found(at, laid, left, step)  # which is refused: friction holds it
         values = {"left": left, "steps": _STEPS, "part": left / max(pulls)}
         raise NotConvergedError(Message("mooring.joints_not_at_rest", **values))
 
@@ -265,7 +282,7 @@ class _Search:
     def ends(self, places: Sequence[Vector], known: Sequence[Ends] | None) -> list[Ends]:
         """Solve every line."""
         return [
-            solved(run, places, self.friction, None if known is None else known[k])
+            solved(run, places, friction_of(self.network, run), None if known is None else known[k])
             for k, run in enumerate(self.runs)
         ]
 
@@ -546,9 +563,8 @@ def _check(network: Network, runs: Sequence[Run], found: JointsAtRest) -> None:
             raise NoEquilibriumError(said, "force", reaction)
     check_afloat(network, found.places)
     for run, each in zip(runs, found.ends, strict=True):
-        is_anchored = network.points[run.first].kind == "anchor"
         length = each.state.grounded
-        if length > 0.0 and site.seabed_friction > 0.0 and not is_anchored:
+        if length > 0.0 and site.seabed_friction > 0.0 and not is_anchored(network, run):
             said = Message("mooring.drags_both_ways", number=run.name, length=length)
             raise NoEquilibriumError(said, "force", length)
 

@@ -22,6 +22,9 @@ Matrix = tuple[tuple[float, ...], ...]
 NEAREST = 1e-9
 """Of a line's length: ends nearer than that in plan are taken to be so far from each other."""
 
+SHORTEST = 1e-12
+"""Of a line's length, or of its tension, that is rounding."""
+
 EXACT, STEPS = 2e-15, 8
 """Part of the length by which a span may be missed; tangents that are followed to it."""
 
@@ -124,13 +127,36 @@ def _by_end(state: State, problem: LineProblem) -> tuple[float, float, float, fl
         # Slack: it hangs straight down to the bed, and lifts more of itself as it is raised. One
         # whose end lies on the bed is as stiff along it as its span grows with the force.
         along = 1.0 / state.x_H if state.H > 0.0 and state.x_H > 0.0 else 0.0
-        return along, 0.0, 0.0, max(problem.pieces.weight[-1], 0.0)
+        return along, 0.0, 0.0, _lift_slope(state, problem.pieces)
     return (
         state.z_V / determinant,
         -state.x_V / determinant,
         -state.z_H / determinant,
         state.x_H / determinant,
     )
+
+
+def _lift_slope(state: State, pieces: Pieces) -> float:
+    """Derive the tension of a slack line at its end b by that end's height, N/m.
+
+    It takes up what lies at the touchdown, and stretches above it; where a point load there is
+    being lifted, it stretches alone.
+    """
+    whole = math.fsum(pieces.length)
+    left, hung, stretch = whole - state.grounded, 0.0, 0.0
+    for k in range(len(pieces.length) - 1, -1, -1):
+        part, w = min(left, pieces.length[k]), pieces.weight[k]
+        stretch += part * pieces.compliance[k]
+        hung += part * w
+        left -= part
+        if left <= SHORTEST * whole:
+            below = part >= pieces.length[k] - SHORTEST * whole
+            if below and state.V - hung > SHORTEST * state.V and stretch > 0.0:
+                return float(1.0 / stretch)
+            w = max(pieces.weight[k - 1] if below and k else w, 0.0)
+            return float(w / (1.0 + w * stretch))
+        hung += pieces.load[k]
+    return float(max(pieces.weight[0], 0.0))
 
 
 def _stiffness(state: State, slopes: Matrix, u: tuple[float, float], span: float) -> Matrix:

@@ -226,10 +226,10 @@ def _of_comparison(found: Verification, part: StaticComparison) -> Drawing:
     """Draw a line by both models; of a body the most loaded one."""
     from catopt.figures.verification import comparison
 
-    titles = [found.case.title, part.name if found.case.load_cases else ""]
+    titles = [found.case.title, part.name if found.is_named else ""]
     line = first_largest([pair.finest.fairlead.tension for pair in part.lines])
-    if part.kind == "system":
-        titles.append(Message("figures.most_loaded", line=line + 1))
+    if part.kind != "line":
+        titles.append(Message("figures.most_loaded", line=part.name_of_line(line)))
     return Drawing(comparison(part.lines[line]), ", ".join(filter(None, titles)), 2)
 
 

@@ -10,9 +10,11 @@ from catopt.catenary.case import as_found, solve_case
 from catopt.catenary.warnings import check_buoys, named_line
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.model import Case
+from catopt.model.network import Network
 from catopt.patience import paced
 from catopt.units import as_written
 from catopt.verify.line import verify_line
+from catopt.verify.network import verify_network
 from catopt.verify.result import VERDICTS, StaticComparison, Verification, least_agreeing
 from catopt.verify.settings import ELEMENTS, TOLERANCE, check_settings
 from catopt.verify.system import verify_system
@@ -25,7 +27,7 @@ Progress = Callable[[int, int], None]
 
 
 def verify_case(
-    case: Case,
+    case: Case | Network,
     *,
     load_case: str | None = None,
     elements: int = ELEMENTS,
@@ -40,8 +42,9 @@ def verify_case(
 
     Parameters
     ----------
-    case : Case
-        As read by `catopt.read_case`; with a system, the body and all its lines.
+    case : Case or Network
+        As read by `catopt.read_case`; with a system, the body and all its lines; of points, lines
+        and bodies all of them.
     load_case : str, optional
         Name of one load case; all of them when left out, or the load where there are none.
     elements : int
@@ -76,6 +79,11 @@ def verify_case(
     2.0
     """
     check_settings(elements, tolerance, source="verify_case")
+    if isinstance(case, Network):
+        if load_case is not None:
+            raise _no_load_cases(load_case)
+        part = verify_network(case, elements=elements, tolerance=tolerance, name=LOAD)
+        return Verification(case, (part,))
     case.site.check_level()
     case.check_still_water()
     states = load_states(case, load_case)
@@ -99,13 +107,15 @@ def load_states(case: Case, wanted: str | None) -> list[tuple[str, Case]]:
         return list(states.items())
     if wanted not in {state.name for state in case.load_cases}:
         names = ", ".join(state.name for state in case.load_cases)
-        allowed = (
-            Message("refused.one_of", words=names)
-            if names
-            else Message("refused_command.case_has_no_load_cases")
-        )
-        raise InputError([Problem("--load-case", as_written(wanted), allowed)], "options")
+        raise _no_load_cases(wanted, names)
     return [(wanted, states[wanted])]
+
+
+def _no_load_cases(wanted: str, names: str = "") -> InputError:
+    allowed = Message("refused_command.case_has_no_load_cases")
+    if names:
+        allowed = Message("refused.one_of", words=names)
+    return InputError([Problem("--load-case", as_written(wanted), allowed)], "options")
 
 
 def _named(case: Case) -> Iterator[tuple[str, Case]]:

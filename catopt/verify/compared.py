@@ -40,8 +40,9 @@ class Compared:
     `closed_form`: its value; `fem`: by the truss model on each mesh, from the coarsest; `scale`:
     what a difference is measured by: the fairlead tension, the line's length; `tolerance`: allowed
     difference over the scale; `line`: of a system: which of its lines, from 0; None for the body,
-    or where there is one line; `limit`: extrapolated in another way than from the values themselves
-    (the shape: node by node); `theory`: order by which the error should fall.
+    or where there is one line; `point`: of a network: name of the joint or body; `limit`:
+    extrapolated in another way than from the values themselves (the shape: node by node); `theory`:
+    order by which the error should fall.
     """
 
     quantity: str
@@ -53,6 +54,7 @@ class Compared:
     line: int | None = None
     limit: float | None = None
     theory: float = ORDER
+    point: str = ""
 
     @property
     def key(self) -> str:

@@ -84,9 +84,15 @@ def _static(part: StaticComparison) -> dict[str, Any]:
 
 
 def _by_key(part: StaticComparison, value: Callable[[Compared], float]) -> dict[str, Any]:
-    """Lay values out by quantity, those of a system's lines in a list."""
-    found: dict[str, Any] = {each.key: value(each) for each in part.quantities if each.line is None}
-    if part.kind == "system":
+    """Lay values out by quantity, those of lines in a list, those of joints and bodies by name."""
+    alone = [each for each in part.quantities if each.line is None]
+    found: dict[str, Any] = {each.key: value(each) for each in alone if not each.point}
+    if part.kind == "network":
+        named: dict[str, dict[str, float]] = {}
+        for each in alone:
+            named.setdefault(each.point, {})[each.key] = value(each)
+        found["points"] = named
+    if part.kind != "line":
         found["lines"] = [
             {each.key: value(each) for each in part.quantities if each.line == k}
             for k in range(len(part.lines))
@@ -96,7 +102,8 @@ def _by_key(part: StaticComparison, value: Callable[[Compared], float]) -> dict[
 
 def _name(each: Compared) -> dict[str, Any]:
     line = None if each.line is None else each.line + 1
-    return {"quantity": each.quantity, "line": line, "unit": each.unit}
+    point = {"point": each.point} if each.point else {}
+    return {"quantity": each.quantity, "line": line, **point, "unit": each.unit}
 
 
 def _compared(each: Compared) -> dict[str, Any]:

@@ -29,6 +29,8 @@ SLACK_ORDER = 1.0
 SLACK = "truss.slack"
 """Key of what is to be known of a slack line."""
 
+_NO_PULL = 1e-9
+"""Horizontal force, over the tension, that is rounding."""
 _AT_END = 1e-9
 """How far beyond its end, over its length, a stretch may be level."""
 
@@ -109,30 +111,42 @@ class Comparing:
     """One line by both models, whose figures are compared.
 
     `trusses`: on each mesh, from the coarsest; `line`: of a system: which of its lines, from 0.
-    A slack line is known to a bar, which is the least that its forces and lengths are measured by.
+    A slack line is known to a bar, which is the least that its forces and lengths are measured by;
+    `beside`: those of slack lines that move with this one, N and m.
     """
 
     closed: Solution
     trusses: Sequence[TrussSolution]
     tolerance: float
     line: int | None = None
+    beside: tuple[float, float] = (0.0, 0.0)
 
     @property
     def is_slack(self) -> bool:
         """Whether the line hangs straight down to bights on the bed."""
-        return self.closed.regime == "slack"
+        pull, tension = self.closed.horizontal_force, self.closed.fairlead.tension
+        return self.closed.regime == "slack" or pull <= _NO_PULL * tension
 
     @property
     def scales(self) -> tuple[float, float]:
         """What forces, N, and lengths, m, are measured by."""
         force, length = self.closed.fairlead.tension, self.closed.line.length
-        if not self.is_slack:
-            return force, length
+        heaviest, longest = self.bar if self.is_slack else (0.0, 0.0)
+        heaviest, longest = max(heaviest, self.beside[0]), max(longest, self.beside[1])
+        return max(force, heaviest / self.tolerance), max(length, longest / self.tolerance)
+
+    @property
+    def bar(self) -> tuple[float, float]:
+        """Weight of the heaviest bar of the finest mesh, N, and length of the longest, m."""
         mesh = self.trusses[-1].mesh
         weight = np.array([abs(each.submerged_weight) for each in mesh.line.segments])
-        heaviest = float((weight[mesh.segment] * mesh.length).max())
-        longest = float(mesh.length.max())
-        return max(force, heaviest / self.tolerance), max(length, longest / self.tolerance)
+        return float((weight[mesh.segment] * mesh.length).max()), float(mesh.length.max())
+
+    def of_several(self, force: float, length: float) -> Iterator[Compared]:
+        """Compare what is compared of every line of several beside its tensions."""
+        yield self.of("horizontal_force", "N", force)
+        yield self.of("span", "m", length)
+        yield self.of("grounded_length", "m", length)
 
     def of(self, quantity: str, unit: Unit, scale: float, path: str = "") -> Compared:
         """Compare a figure of both models, by its path where that is not its name."""

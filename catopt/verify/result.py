@@ -13,7 +13,9 @@ from catopt.arrays import Array
 from catopt.catenary.layout import end_of, tension_at
 from catopt.catenary.solution import Solution
 from catopt.fem import SystemSolution, TrussSolution
+from catopt.fem.network import NetworkSolution
 from catopt.model import Case
+from catopt.model.network import Network
 from catopt.shown import Displayable
 from catopt.ties import largest
 from catopt.verify.compared import ORDER, ROUNDING, Compared, worst_of
@@ -91,7 +93,9 @@ class Mesh:
     """Largest depth of a node below the bed, m."""
 
     @classmethod
-    def of(cls, truss: TrussSolution | SystemSolution, lines: Sequence[TrussSolution]) -> Mesh:
+    def of(
+        cls, truss: TrussSolution | SystemSolution | NetworkSolution, lines: Sequence[TrussSolution]
+    ) -> Mesh:
         """Tell of a solution of one line, or of a body with several."""
         elements = sum(line.mesh.elements for line in lines)
         penetration = max(line.penetration for line in lines) + 0.0
@@ -146,7 +150,7 @@ class StaticComparison:
     """Closed form and truss model at rest under one load."""
 
     name: str
-    kind: Literal["line", "system"]
+    kind: Literal["line", "system", "network"]
     quantities: tuple[Compared, ...]
     """Every one that both models know."""
     meshes: tuple[Mesh, ...]
@@ -156,6 +160,8 @@ class StaticComparison:
     """Allowed difference over each quantity's scale."""
     remarks: tuple[str, ...] = ()
     """What to know before the verdict is used."""
+    line_names: tuple[str, ...] = ()
+    """Of a network."""
 
     @property
     def worst(self) -> Compared:
@@ -193,9 +199,14 @@ class StaticComparison:
         """Largest difference over its scale on one mesh, from 0."""
         return max(abs(each.fem[mesh] - each.closed_form) / each.scale for each in self.quantities)
 
-    def of(self, quantity: str, line: int | None = None) -> Compared:
+    def of(self, quantity: str, line: int | None = None, point: str = "") -> Compared:
         """Look a quantity up, such as ``"fairlead_tension"``; of a system by the line, from 0."""
-        return next(q for q in self.quantities if (q.quantity, q.line) == (quantity, line))
+        wanted = (quantity, line, point)
+        return next(q for q in self.quantities if (q.quantity, q.line, q.point) == wanted)
+
+    def name_of_line(self, line: int) -> str:
+        """Name of a line, from 0: of a network its own, else its number."""
+        return self.line_names[line] if self.line_names else f"{line + 1}"
 
 
 def least_agreeing(parts: Sequence[StaticComparison]) -> StaticComparison:
@@ -208,9 +219,14 @@ def least_agreeing(parts: Sequence[StaticComparison]) -> StaticComparison:
 class Verification(Displayable):
     """A case by both models."""
 
-    case: Case
+    case: Case | Network
     parts: tuple[StaticComparison, ...]
     """One a load case; none where there is no closed form to compare with."""
+
+    @property
+    def is_named(self) -> bool:
+        """Whether the load cases have names."""
+        return isinstance(self.case, Case) and bool(self.case.load_cases)
 
     @property
     def static(self) -> StaticComparison:

@@ -124,6 +124,4 @@ def _line(
     force, length = both.scales
     yield both.of("fairlead_tension", "N", force, "fairlead.tension")
     yield both.of("anchor_tension", "N", force, "anchor.tension")
-    yield both.of("horizontal_force", "N", force)
-    yield both.of("span", "m", length)
-    yield both.of("grounded_length", "m", length)
+    yield from both.of_several(force, length)

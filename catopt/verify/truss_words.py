@@ -37,6 +37,11 @@ QUANTITY_OF: Mapping[str, Quantity] = MappingProxyType(
         "position_x": named("offset", "Position of the body", "x"),
         "position_y": named("offset", "Position of the body", "y"),
         "moment_of_lines": named("moment", "Moment of the lines", ""),
+        "place_x": named("offset", "Position of the joint", "x"),
+        "place_y": named("offset", "Position of the joint", "y"),
+        "place_z": named("height", "Position of the joint", "z"),
+        "from_tension": named("tension", "Tension, from", "T1"),
+        "to_tension": named("tension", "Tension, to", "T2"),
     }
 )
 """What each compared quantity is in tables."""
@@ -57,12 +62,18 @@ def in_parts(value: float) -> str:
     return f"{value:.1e}" if value >= ROUNDING else f"<{ROUNDING:.0e}"
 
 
-def name_of(each: Compared) -> Message:
-    """Name a quantity, with its line in a system: ``"fairlead tension of line 2"``."""
+def name_of(each: Compared, part: StaticComparison | None = None) -> Message:
+    """Name a quantity, with its line in a system: ``"fairlead tension of line 2"``.
+
+    `part`: of which it is, where lines may have names.
+    """
     name = Message(f"truss.{each.quantity}")
+    if each.point:
+        return Message("truss.quantity_of_point", quantity=name, name=each.point)
     if each.line is None or each.quantity.startswith("position"):
         return name
-    return Message("truss.quantity_of_line", quantity=name, number=each.line + 1)
+    number = f"{each.line + 1}" if part is None else part.name_of_line(each.line)
+    return Message("truss.quantity_of_line", quantity=name, number=number)
 
 
 def gap_words(each: Compared) -> Message:
@@ -81,7 +92,7 @@ def part_sentence(part: StaticComparison) -> Message:
     worst = part.worst
     allowed = f"{part.tolerance:.0e}"
     if part.verdict == "agrees":
-        told = Message("truss.largest", quantity=name_of(worst), gap=gap_words(worst))
+        told = Message("truss.largest", quantity=name_of(worst, part), gap=gap_words(worst))
         if worst.gap < ROUNDING:
             told = Message("truss.below_scale", limit=f"{ROUNDING:.0e}")
         return Message("truss.agree", largest=told, allowed=allowed)
@@ -90,7 +101,7 @@ def part_sentence(part: StaticComparison) -> Message:
     for each in others[:_MOST_NAMED]:
         of = QUANTITY_OF[each.quantity]
         amount = Measure(of.key, each.difference, digits=of.digits + 1)
-        values = {"quantity": name_of(each), "amount": amount, "gap": gap_words(each)}
+        values = {"quantity": name_of(each, part), "amount": amount, "gap": gap_words(each)}
         differences.append(Message("truss.differs_by", **values))
     if len(others) > _MOST_NAMED:
         differences.append(Message("truss.and_more", more=len(others) - _MOST_NAMED))
@@ -103,7 +114,7 @@ def rough_sentence(part: StaticComparison) -> str:
     if not part.rough:
         return ""
     rough = (
-        Message("truss.rough_quantity", quantity=name_of(each), order=each.order)
+        Message("truss.rough_quantity", quantity=name_of(each, part), order=each.order)
         for each in part.rough[:_MOST_NAMED]
     )
     told: Message = Several(rough, ", ")

@@ -27,6 +27,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--lines", type=int, default=1_000_000, help="how many lines")
     parser.add_argument("--first", type=int, default=0, help="index of the first line")
     parser.add_argument("--systems", type=int, default=0, help="how many moored bodies")
+    parser.add_argument("--networks", type=int, default=0, help="how many networks, from --first")
     parser.add_argument("--seed", type=int, default=1, help="seed of all of them")
     parser.add_argument("--workers", type=int, default=1, help="processes")
     parser.add_argument("--out", type=Path, default=Path(), help="where a failing case goes")
@@ -42,6 +43,10 @@ def main(arguments: list[str] | None = None) -> int:
         failures += tally.failures
     if given.systems > 0:
         failures += _systems(given.systems, given.seed)
+    if given.networks > 0:
+        networks = import_module("tests.campaign.network_check")
+        say(f"\n{given.networks:,} networks from {given.first}")
+        failures += networks.run(given.networks, given.first, say)
     return 1 if failures else 0
 
 

@@ -13,8 +13,8 @@ from catopt.fem import Bed, Current, DragSection, Water, mesh_line
 from catopt.fem.assembly import assemble
 from catopt.fem.banded import DIAGONAL, REACH, WIDTH, back_substitute, eliminate
 from catopt.fem.loads import bar_loads
-from catopt.fem.problem import Problem, build, straight
-from catopt.fem.resting import BarLoads, Body, Law, Net, State
+from catopt.fem.problem import Problem, build, one_point, straight
+from catopt.fem.resting import BarLoads, Law, Net, State
 from catopt.model import Line, PointLoad, Segment
 
 Array = npt.NDArray[np.float64]
@@ -25,6 +25,9 @@ CURRENT = Current(
     lambda x: np.tile([1.2, 0.7, 0.1], (len(x), 1)),
     [DragSection(0.2, 1.4, 0.3), DragSection(0.1, 1.0, 0.5)],
 )
+
+
+NO_SIDE = np.zeros((0, 3))
 
 
 def dense(band: Array) -> Array:
@@ -47,9 +50,9 @@ def equations(problem: Problem, state: State, ground: Any, law: Law) -> tuple[Ar
     if problem.current is not None:
         velocity = problem.current.velocity(np.zeros((count, 3)))
     bar_loads(state.x, problem.first_node, problem.bars, problem.surface, velocity, loads)
-    band, rhs = np.zeros((4 * count, WIDTH)), np.zeros(4 * count)
+    band, rhs = np.zeros((4 * count + 3, WIDTH)), np.zeros(4 * count + 3)
     copy = State(*(a.copy() for a in state))  # type: ignore[arg-type]
-    assemble(0, Net(problem.bars, copy, loads, problem.nodal, ground, law, band, rhs))
+    assemble(0, Net(problem.bars, copy, loads, problem.nodal, ground, law, band, rhs, NO_SIDE))
     return dense(band), rhs
 
 
@@ -88,7 +91,7 @@ def test_matrix_is_the_derivative_of_the_residual(
     all in it; only the water's velocity is taken to stay the same.
     """
     rng = np.random.default_rng(7)
-    body = Body(np.array([1.0, 1.0, 0.0]), np.array([1e4, 0.0, 0.0]), np.zeros(3))
+    body = one_point(np.array([1.0, 1.0, 0.0]), np.array([1e4, 0.0, 0.0]), np.zeros(3), 1)
     problem = build([mesh_line(LINE, 12)], body, bed, friction, water, False)
     state = bent_state(problem, rng, on_bed)
     ground = problem.ground
@@ -102,21 +105,21 @@ def test_matrix_is_the_derivative_of_the_residual(
     law = Law(0.0, problem.soft, False, 0.0)
     if name == "touching down":
         # Where the hanging node is in balance, the bar's secant (`shift_slope`) is the derivative.
-        left = -law.soft * equations(problem, state, ground, law)[1][4 * 4 + 3]
+        left = -law.soft * equations(problem, state, ground, law)[1][4 * 4 + 6]
         problem.nodal[5, 2] -= left
     matrix, _ = equations(problem, state, ground, law)
     count = problem.bars.length.size
     slopes = np.zeros_like(matrix)
-    for column in range(4 * count):
+    for column in range(4 * count + 3):
         sides = []
         for sign in (1.0, -1.0):
             moved = State(*(a.copy() for a in state))  # type: ignore[arg-type]
-            bar, part = divmod(column, 4)
+            node, part = divmod(column, 4)
             h = 1e-6
-            if part == 0:
-                moved.tension[bar] += sign * h * law.soft
+            if part == 3:
+                moved.tension[node] += sign * h * law.soft
             else:
-                moved.x[bar + 1, part - 1] += sign * h
+                moved.x[node, part] += sign * h
             sides.append(equations(problem, moved, ground, law)[1])
         slopes[:, column] = -(sides[0] - sides[1]) / (2 * h)
     assert np.abs(slopes - matrix).max() < 1e-6 * np.abs(matrix).max()
@@ -133,7 +136,7 @@ def test_elimination_agrees_with_numpy(seed: int) -> None:
     band[5, DIAGONAL] = 0.0  # a pivot that has to be sought
     rhs = rng.normal(size=rows)
     matrix, right = dense(band), rhs.copy()
-    assert eliminate(band, rhs, 0, rows) == -1
+    assert eliminate(band, rhs, NO_SIDE, 0, rows) == -1
     last = np.array([[band[rows - 3 + i, DIAGONAL + j - i] for j in range(3)] for i in range(3)])
     rhs[-3:] = np.linalg.solve(last, rhs[-3:])
     back_substitute(band, rhs, 0, rows)
@@ -147,4 +150,4 @@ def test_a_row_of_zeros_is_found() -> None:
     band = np.zeros((12, WIDTH))
     band[:, DIAGONAL] = 1.0
     band[4, DIAGONAL] = 0.0
-    assert eliminate(band, np.ones(12), 0, 12) == 4
+    assert eliminate(band, np.ones(12), NO_SIDE, 0, 12) == 4

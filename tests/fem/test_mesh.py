@@ -45,3 +45,9 @@ def test_refinement_keeps_every_node() -> None:
 def test_wrong_numbers_are_named(elements: int, length: float | None, key: str) -> None:
     with pytest.raises(InputError, match=key):
         mesh_line(LINE, elements, element_length=length)
+
+
+def test_a_line_that_all_but_hangs_slack_has_no_million_bars() -> None:
+    """Its bend has a radius of H / w = 1e-12 m: rings twice as wide each, of some bars."""
+    line = Line([Segment(300.0, 500.0)])
+    assert mesh_line(line, 60, bends=[(120.0, 1e-12)]).elements < 60 + 4 * 2 * 25

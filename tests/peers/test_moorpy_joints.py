@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
+import io
 import math
+import random
 import warnings
+from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from catopt.casefile import read_mooring
-from catopt.model.network import Network
-from catopt.mooring.held import hold
+from catopt.catenary.solve import solve
+from catopt.constants import STANDARD_GRAVITY
+from catopt.errors import CatoptError
+from catopt.model import Line, Segment, Site
+from catopt.model.network import LineBetween, Network, Point
+from catopt.mooring.held import LinesAtRest, at_rest, hold
+from catopt.mooring.line_ends import Vector
 from tests.decks.own import BRIDLE
 
 moorpy = pytest.importorskip("moorpy", reason="optional extra: peers")
@@ -57,3 +65,134 @@ def test_stiffness_by_differences_of_their_forces(tmp_path: Path) -> None:
     assert pulls == pytest.approx(own, rel=1e-6)
     slope = pulls[1] - pulls[0]
     assert hold(network).body.stiffness[0][0] == pytest.approx(slope, rel=2e-3)
+
+
+def for_both(seed: int) -> Network:
+    """Draw legs with bridles, clumps and buoys: uniform lines, a smooth bed, the body held."""
+    draw = random.Random(seed)
+    depth = draw.uniform(30.0, 400.0)
+    heavy = draw.uniform(100.0, 2500.0)
+    points: list[Point] = []
+    lines: list[LineBetween] = []
+    count = draw.randint(2, 4)
+
+    def tie(start: Vector, end: Vector, names: tuple[str, str]) -> None:
+        length = math.dist(start, end) * draw.uniform(0.995, 1.06)
+        weight = heavy * 10.0 ** draw.uniform(-0.7, 0.3)
+        segment = Segment(length, weight, EA=weight * length * 10.0 ** draw.uniform(2.0, 3.5))
+        lines.append(LineBetween(Line([segment]), *names))
+
+    for k in range(count):
+        side = math.tau * (k + draw.uniform(-0.2, 0.2)) / count
+        x, y = math.cos(side), math.sin(side)
+        far, near = depth * draw.uniform(2.0, 4.0), depth * draw.uniform(0.6, 1.2)
+        height = 0.7 * depth * draw.uniform(0.6, 1.0)
+        anchor, joint = (far * x, far * y, 0.0), (near * x, near * y, height)
+        points += [
+            Point(f"a{k}", "anchor", *anchor),
+            Point(f"j{k}", "joint", submerged_weight=heavy * depth * draw.uniform(-0.1, 0.2)),
+        ]
+        tie(anchor, joint, (f"a{k}", f"j{k}"))
+        for across in draw.choice([(0.0,), (-0.1, 0.1), (-0.1, 0.0, 0.1)]):
+            place = (0.2 * depth * x - across * depth * y, 0.2 * depth * y + across * depth * x)
+            name = f"f{k}{across}"
+            points.append(Point(name, "fairlead", *place, depth))
+            tie(joint, (*place, depth), (f"j{k}", name))
+    return Network(Site(1.5 * depth), tuple(points), tuple(lines), title=f"legs {seed}")
+
+
+def by_moorpy(network: Network, near: LinesAtRest, draw: random.Random) -> Any | None:
+    """Solve by MoorPy from up to 0.2 % of the depth away; None where it is off by itself.
+
+    It takes the weight of a line from mass and volume: a line of no volume weighs its mass.
+    """
+    depth, g = network.site.water_depth, STANDARD_GRAVITY
+    with warnings.catch_warnings(), redirect_stdout(io.StringIO()):
+        warnings.simplefilter("ignore")
+        system = moorpy.System(depth=depth, rho=network.site.water_density, g=g)
+        for point, place in zip(network.points, near.joints.places, strict=True):
+            x, y, z = (at + draw.uniform(-0.002, 0.002) * depth for at in place)
+            free = point.kind == "joint"
+            at = (x, y, max(z, 0.0) - depth) if free else (*place[:2], place[2] - depth)
+            pull = [*point.hung[:2], point.hung[2]] if free else [0.0, 0.0, 0.0]
+            system.addPoint(0 if free else 1, list(at), fExt=pull)
+        for k, line in enumerate(network.lines):
+            (segment,) = line.line.segments
+            name = f"type {k}"
+            system.lineTypes[name] = {
+                "name": name,
+                "d_vol": 1e-9,
+                "m": segment.submerged_weight / g,
+                "w": segment.submerged_weight,
+                "EA": segment.EA,
+                "EAd": 0.0,
+                "EAd_Lm": 0.0,
+                "cost": 0.0,
+                "material": "",
+                "MBL": 0.0,
+            }
+            ends = (network.numbers[end] + 1 for end in (line.start, line.end))
+            system.addLine(segment.length, name, pointA=next(ends), pointB=next(ends))
+        try:
+            system.initialize()
+            system.solveEquilibrium(DOFtype="free", tol=1e-7, maxIter=40)
+        except Exception:  # it has several; none is an answer
+            return None
+    strongest = max(max(line.TA, line.TB) for line in system.lineList)
+    for point in system.pointList:
+        lies = point.r[2] <= -depth + 1e-9
+        if point.type == 0 and (lies or max(map(abs, point.getForces())) > 1e-6 * strongest):
+            return None  # joints on its bed of springs are another model
+    wrong = (is_wrong(line, depth, strongest) for line in system.lineList)
+    return None if any(wrong) else system
+
+
+def is_wrong(line: Any, depth: float, strongest: float) -> bool:
+    """Whether MoorPy's line misses, between its own ends, what a line of the same figures pulls."""
+    a, b = sorted((line.rA, line.rB), key=lambda end: float(end[2]))
+    alone = solve(
+        Line([Segment(line.L, line.type["w"], EA=line.type["EA"])]),
+        height=float(b[2]) + depth,
+        anchor_height=max(float(a[2]) + depth, 0.0),
+        span=float(math.hypot(*(b - a)[:2])),
+    )
+    off = sorted([line.TA, line.TB])[1] - alone.fairlead.tension
+    return bool(abs(off) > 1e-6 * strongest)
+
+
+def compared_with_moorpy(seeds: range) -> tuple[int, list[str]]:
+    """How many networks both solve, and where they differ."""
+    both, unlike = 0, []
+    for seed in seeds:
+        try:
+            network = for_both(seed)
+            ours = at_rest(network)
+        except CatoptError:
+            continue
+        if any(each.horizontal_force == 0.0 for each in ours.lines):
+            continue  # of slack lines it has another model
+        system = by_moorpy(network, ours, random.Random(seed))
+        if system is None:
+            continue
+        both += 1
+        strongest = max(line.fairlead.tension for line in ours.lines)
+        for line, own in zip(system.lineList, ours.lines, strict=True):
+            pair = sorted([line.TA, line.TB]), sorted([own.anchor.tension, own.fairlead.tension])
+            off = max(abs(a - b) for a, b in zip(*pair, strict=True)) / strongest
+            if off > 1e-5:
+                unlike.append(f"{network.title}, line {line.number}: {off:.1e}, {pair}")
+    return both, unlike
+
+
+def test_random_networks() -> None:
+    """Its forces are left at 1e-6 of the largest; soft lines turn that into some 1e-5 of others."""
+    both, unlike = compared_with_moorpy(range(12))
+    assert unlike == []
+    assert both >= 6
+
+
+@pytest.mark.slow
+def test_three_hundred_random_networks() -> None:
+    both, unlike = compared_with_moorpy(range(1000, 1500))
+    assert unlike == []
+    assert both >= 300

@@ -1,0 +1,66 @@
+"""The campaign over networks, in small; and that it sees what is planted."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from catopt.errors import NoEquilibriumError
+from catopt.mooring.held import at_rest
+from tests.campaign.network_check import faults_of_answer, faults_of_refusal, judge
+from tests.campaign.networks import drawn
+
+
+@pytest.mark.parametrize("seed", [0, 3, 10, 13, 18, 19])
+def test_each_answer_balances(seed: int) -> None:
+    assert judge(seed) == ("answered", [])
+
+
+@pytest.mark.slow
+def test_many() -> None:
+    assert {seed: faults for seed in range(150) if (faults := judge(seed)[1])} == {}
+
+
+def test_a_joint_that_is_off_its_place_is_seen() -> None:
+    found = at_rest(drawn(18))
+    assert faults_of_answer(found) == []
+    number = next(k for k, p in enumerate(found.network.points) if p.kind == "joint")
+    x, y, z = found.joints.places[number]
+    places = (*found.joints.places[:number], (x + 1e-4, y, z), *found.joints.places[number + 1 :])
+    moved = replace(found, joints=found.joints._replace(places=places))
+    assert "N left at" in faults_of_answer(moved)[0]
+
+
+def test_a_refusal_without_a_cause_is_seen() -> None:
+    smooth = drawn(18)
+    rough = replace(smooth, site=replace(smooth.site, seabed_friction=0.6))
+    error = NoEquilibriumError("a joint lies on the bed", "force", 1.0)
+    assert "nothing of the kind" in faults_of_refusal(rough, error)[0]
+    assert faults_of_refusal(replace(smooth, site=replace(smooth.site, seabed_friction=0.0)), error)
+
+
+def test_lines_without_an_anchor_have_no_friction_while_it_is_sought() -> None:
+    """Before, the forces on this grid had no energy: 200 steps of which the last did not move."""
+    assert judge(12) == ("refused", [])
+
+
+def test_what_friction_holds_to_the_last_digit_is_refused_for_that() -> None:
+    """On a rough bed a line gives way by H^2 / (2 EA mu w): 4e-4 N are less than digits of places.
+
+    Before, it was "not converged" with 2e-8 of the largest tension left over.
+    """
+    assert judge(264) == ("refused", [])
+
+
+def test_friction_on_a_joint_of_two_lines_is_no_residual() -> None:
+    """0.6 of the 2026 N with which the bed carries it."""
+    found = at_rest(drawn(89))
+    assert found.joints.residual < 1e-3
+    assert max(found.joints.reactions) > 1e3
+
+
+def test_what_lies_without_load_alone_is_told_so() -> None:
+    with pytest.raises(NoEquilibriumError, match="without load on its bodies"):
+        at_rest(drawn(96))
+    assert judge(96) == ("refused", [])
