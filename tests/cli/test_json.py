@@ -110,7 +110,7 @@ UNITS = {
 @pytest.mark.parametrize("name", schemas.names())
 def test_units_of_keys_stand_in_the_descriptions(name: str) -> None:
     for path, node in objects(schemas.schema(name)):
-        for key, property_ in node["properties"].items():
+        for key, property_ in node.get("properties", {}).items():
             unit = next((unit for end, unit in UNITS.items() if key.endswith(end)), None)
             if unit is not None:
                 first = property_["description"].replace(",", " ").replace(":", " ").rstrip(".")
