@@ -23,7 +23,7 @@ from catopt.loads.ship import Ship
 from catopt.loads.ship_estimate import BLOCK, estimated_tanker
 from catopt.loads.ship_loads import AIR_DENSITY
 from catopt.loads.ufc_current import longitudinal_loads, transverse_load, yaw_moment
-from catopt.loads.wave_drift import depth_factor, width_across
+from catopt.loads.wave_drift import depth_factor, share_above, width_across
 from catopt.loads.weathervane import YAW_TYPES
 from catopt.model import ShipAfloat
 from catopt.waves import Waves
@@ -177,22 +177,29 @@ class ShipInWeather:
         """Mean drift of each wave over the square of its amplitude: (headings, waves, 3).
 
         `headings`: of the ship, from the x axis of the system, rad; N/m2 and N/m, in the ship's
-        axes about the origin. Out of the file, about midships; or of a side that reflects the waves
-        (`catopt.loads.wave_drift`), along them.
+        axes about the origin. Out of the file, about midships; or of a side that reflects of each
+        wave a given part, or what of its energy flows above the keel (`catopt.loads.wave_drift`),
+        along them.
         """
         angle = waves.direction - headings[:, np.newaxis]
         of = self._drift_file
         if of is not None:
             found = of.at("mean_drift", waves.omega, angle)[..., [0, 1, 5]].real
         else:
-            ship, unit = self.ship, 0.5 * self.density * STANDARD_GRAVITY * self.of.reflection**2
-            factor = np.array([depth_factor(float(k), self.depth) for k in wave_numbers])
+            ship, unit = self.ship, 0.5 * self.density * STANDARD_GRAVITY
+            factor = np.array([self._reflected(float(k)) for k in wave_numbers])
             size = (ship.length_waterline, ship.breadth)
             width = np.vectorize(lambda each: width_across(*size, each))(angle)
             push = unit * factor * width
             found = np.stack([push * np.cos(angle), push * np.sin(angle), 0.0 * push], axis=-1)
         found[..., 2] -= self.of.mooring_point * found[..., 1]
         return np.asarray(found)
+
+    def _reflected(self, wave_number: float) -> float:
+        """Square of the reflection of a wave, times what its depth adds."""
+        part = self.of.reflection
+        square = share_above(wave_number, self.of.draught, self.depth) if part is None else part**2
+        return square * depth_factor(wave_number, self.depth)
 
     def steady(self, heading: float, drift: Array) -> Array:
         """Force and moment of the mean weather at a heading, rad, as `drift` has them.

@@ -89,8 +89,9 @@ class ShipAfloat(Checked):
     current_yaw: Literal["", "series-60", "FFG"] = ""
     """Hull by whose figures, which are recalled, the current turns the ship; empty: it acts
     amidships."""
-    reflection: Share = 1.0
-    """Part of the waves that the hull reflects, for the drift."""
+    reflection: Share | None = None
+    """Part of the height of every wave that the hull reflects, for the drift; None: of each wave
+    the energy that flows above the keel."""
     drift_file: Annotated[str, File(example='"ship.8"')] = ""
     """Path of WAMIT's .8 file with the mean drift; empty: by `reflection`."""
     ulen: Length | None = None

@@ -164,7 +164,7 @@ def verify_ship(case: Case, *, progress: Progress | None = None) -> ShipVerifica
     >>> short = replace(case.dynamics, duration=120.0, ramp=20.0)
     >>> found = verify_ship(replace(case, dynamics=short))
     >>> round(found.rest.force[0] / 1e3)
-    -2271
+    -1433
     """
     moored, drive = moored_ship(case)
     dynamics = drive.dynamics
@@ -321,6 +321,8 @@ def _of_waves(moored: MooredShip, waves: Waves) -> Iterator[Message]:
     if of.drift_file:
         yield Message("floater.drift_of_file")
         yield from ship.remarks
+    elif of.reflection is None:
+        yield Message("floater.drift_above_keel")
     else:
         yield Message("floater.drift_by_reflection", part=of.reflection)
     if k * ship.depth < 0.5 * math.pi:

@@ -380,6 +380,8 @@ def range_of(kind: Kind) -> str:
     assert isinstance(kind, Measured)
     if kind.at_most is not None:
         top = "pi/2" if kind.at_most == math.pi / 2.0 else f"{kind.at_most:g}"
+        if kind.at_least is None:
+            return f"above {kind.above:g}, to {top}"
         return f"{kind.at_least:g} to {top}"
     if kind.above is not None:
         return f"above {kind.above:g}"

@@ -32,7 +32,7 @@ from catopt.waves import Waves, jonswap, random_waves, regular_wave
 from catopt.waves.dispersion import fill_wave_numbers
 
 DEPTH, DENSITY = 60.0, 1025.0
-OF = ShipAfloat(190.0, 32.0, 12.0, 18.0, gusts="none")
+OF = ShipAfloat(190.0, 32.0, 12.0, 18.0, gusts="none", reflection=1.0)
 CHAIN = Line([Segment(900.0, 1500.0, EA=9e8)])
 
 

@@ -14,6 +14,7 @@ from catopt import read_case, solve_system
 from catopt.answers.ship import ship_answer
 from catopt.casefile import parse_case, write_case
 from catopt.errors import InputError
+from catopt.loads.wave_drift import share_above
 from catopt.model import Case, Motion
 from catopt.render.files import csv_files
 from catopt.schemas import schema
@@ -48,7 +49,29 @@ def test_the_mean_weather_by_hand() -> None:
     assert -current[0] > form
     assert -current[0] < 2.0 * form
     longest = 2.0 * 1025.0 * 9.80665 * 8.48**2 / 16.0 * 32.0  # the factor is between 1 and 2
-    assert 0.5 * longest < -drift[0] < 0.75 * longest
+    whole = verify_ship(reflecting(shorter(read_case(LOADED), 60.0, 10.0), 1.0)).rest.parts[2]
+    assert 0.5 * longest < -whole[0] < 0.75 * longest
+    # Above a keel at 12.5 m flows half of a wave of 12 to 13 s: (1 - exp(-2 k T)) in deep water.
+    assert 0.4 < drift[0] / whole[0] < 0.7
+
+
+def reflecting(case: Case, part: float) -> Case:
+    assert case.floater is not None
+    assert case.floater.ship is not None
+    ship = replace(case.floater.ship, reflection=part)
+    return replace(case, floater=replace(case.floater, ship=ship))
+
+
+@pytest.mark.parametrize(("k", "draught", "depth"), [(0.03, 12.0, 56.0), (0.2, 8.0, 20.0)])
+def test_what_flows_above_the_keel(k: float, draught: float, depth: float) -> None:
+    """By quadrature of cosh^2 k z over the depth; in deep water 1 - exp(-2 k T)."""
+    z = np.linspace(0.0, depth, 200_001)
+    flow = np.cosh(k * z) ** 2
+    below = z <= depth - draught
+    wanted = 1.0 - np.trapezoid(flow[below], z[below]) / np.trapezoid(flow, z)
+    assert share_above(k, draught, depth) == pytest.approx(wanted, abs=1e-5)
+    assert share_above(k, draught, 4000.0) == pytest.approx(1.0 - math.exp(-2.0 * k * draught))
+    assert share_above(k, depth, depth) == 1.0
 
 
 def test_it_rests_where_its_lines_have_it() -> None:
@@ -108,7 +131,7 @@ def test_the_answer_has_every_line_and_remark() -> None:
     points = [each for each in answer.blocks if type(each).__name__ == "Points"]
     keys = {each.key for each in points[0].said}  # type: ignore[union-attr]
     assert "floater.few_cycles" in keys  # of 200 s
-    wanted = "drift_by_reflection shallow_drift closed_raos no_roll quasi_static_lines slow_damping"
+    wanted = "drift_above_keel shallow_drift closed_raos no_roll quasi_static_lines slow_damping"
     assert {f"floater.{each}" for each in wanted.split()} <= keys
     assert "floater.wide_hull" not in keys
 
