@@ -21,6 +21,7 @@ from pathlib import Path
 from typing import Annotated, Any, Literal, NotRequired, Union, get_args, get_origin, get_type_hints
 
 import numpy as np
+import numpy.typing as npt
 
 from catopt.casefile.sizing_file import Moored
 from catopt.catalogue.document import Answer
@@ -220,7 +221,7 @@ class _Written:
         if origin in (tuple, list):
             sized = {} if inner[-1] is ... or origin is list else _items(len(inner), len(inner))
             return {"type": "array", **sized, "items": self.of(inner[0])}
-        if origin is np.ndarray:
+        if origin in (np.ndarray, npt.NDArray):  # numpy 2.5 has an alias of its own
             return {"type": "array", "items": {"type": "number"}}
         if isinstance(hint, type) and issubclass(hint, Record):
             if hint is self._whole:
