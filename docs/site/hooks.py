@@ -52,6 +52,9 @@ BESIDE_DOCS = (
 FOUND_LAST = ("api", "CHANGELOG", "benchmarks", "cases", "reports", "catalogue-verdicts")
 """Pages that have every word, and are seldom what one looks for."""
 
+TERMS = "conventions.md"
+"""The page that says what a word of the field means here: it is found first."""
+
 NOTEBOOK = ".ipynb"
 
 FENCE = re.compile(r"^(?P<fence>`{3,}).*?^(?P=fence)$", re.MULTILINE | re.DOTALL)
@@ -103,6 +106,8 @@ def on_page_markdown(markdown: str, page: Page, files: Files, **_: object) -> st
     known = {file.src_uri for file in files}
     if page.file.src_uri.startswith(FOUND_LAST):
         page.meta["search"] = {"boost": 0.2}
+    if page.file.src_uri == TERMS:
+        page.meta["search"] = {"boost": 4}
     return relinked(unmarked(described(markdown)), page.file.src_uri, known)
 
 

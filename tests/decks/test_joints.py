@@ -98,11 +98,11 @@ def test_what_is_written_reads_back(text: str, tmp_path: Path) -> None:
 
 
 def test_other_commands_refuse_it(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="catopt system, check, report and import"):
+    with pytest.raises(InputError, match="catopt system, check, verify, report and import"):
         read_deck(BRIDLE)
     place = tmp_path / "bridle.txt"
     place.write_text(BRIDLE)
-    with pytest.raises(InputError, match="catopt system, check, report and import"):
+    with pytest.raises(InputError, match="catopt system, check, verify, report and import"):
         read_case(place)
     with pytest.raises(InputError, match="leave out --line"):
         read_any_deck(BRIDLE, asked=Asked(line=1))
