@@ -1,7 +1,4 @@
-"""The search for the best designs of a case, by whichever method fits.
-
-The exact front: every design of the space is evaluated.
-"""
+"""The search for the best designs of a case: all of them, or a method for spaces too large."""
 
 from __future__ import annotations
 
