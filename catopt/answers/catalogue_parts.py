@@ -25,7 +25,24 @@ def parts_of(found: Found) -> Iterator[blocks.Block]:
     if found.fittings or found.missing:
         yield from _fittings(found)
     if found.sinkers:
-        yield from _sinkers(found)
+        of = Rows(found.sinkers)
+        yield tabulate(
+            "sinkers",
+            of.texts("soil", lambda each: term(each.soil)),
+            of.texts("friction", lambda each: _number(each.friction)),
+            *if_known(of.measured("tension", "holding", "ultimate_holding", symbol="")),
+            *if_known(of.measured("tension", "pull", "pull_by_factor", symbol="")),
+            of.texts("adhesion", lambda each: _kilopascals(each.adhesion)),
+            of.texts("conf", "confidence"),
+        )
+        first = found.sinkers[0]
+        yield for_people(
+            "catalogue.sinker",
+            material=term(first.material),
+            mass=f"{first.mass / 1e3:g}",
+            weight=f"{first.submerged_weight / 1e3:.1f}",
+            factor=f"{first.safety_factor:g}",
+        )
 
 
 def _components(found: Found) -> blocks.Table:
@@ -96,27 +113,6 @@ def _fittings(found: Found) -> Iterator[blocks.Block]:
             yield blocks.Text(note, only="people")
     if found.missing:
         yield blocks.Warnings(tuple(found.missing))
-
-
-def _sinkers(found: Found) -> Iterator[blocks.Block]:
-    of = Rows(found.sinkers)
-    yield tabulate(
-        "sinkers",
-        of.texts("soil", lambda each: term(each.soil)),
-        of.texts("friction", lambda each: _number(each.friction)),
-        *if_known(of.measured("tension", "holding", "ultimate_holding", symbol="")),
-        *if_known(of.measured("tension", "pull", "pull_by_factor", symbol="")),
-        of.texts("adhesion", lambda each: _kilopascals(each.adhesion)),
-        of.texts("conf", "confidence"),
-    )
-    first = found.sinkers[0]
-    yield for_people(
-        "catalogue.sinker",
-        material=term(first.material),
-        mass=f"{first.mass / 1e3:g}",
-        weight=f"{first.submerged_weight / 1e3:.1f}",
-        factor=f"{first.safety_factor:g}",
-    )
 
 
 def _number(value: float | None) -> Cited:

@@ -389,7 +389,14 @@ def _front(found: FrontInMotion) -> Iterator[blocks.Block]:
         yield blocks.Verdict(Message("motion.not_proven"), passes=False)
     only_in_motion = [each.number for each in found.designs if not each.passes]
     if only_in_motion:
-        numbers = _in_ranges(only_in_motion)
+        # Write rising numbers as 1-3, 5.
+        runs: list[list[int]] = []
+        for number in only_in_motion:
+            if runs and number == runs[-1][-1] + 1:
+                runs[-1].append(number)
+            else:
+                runs.append([number])
+        numbers = ", ".join(f"{run[0]}-{run[-1]}" if len(run) > 1 else str(run[0]) for run in runs)
         yield blocks.Verdict(Message("motion.front_fails", designs=numbers), passes=False)
     if found.recommended is None:
         yield blocks.Verdict(Message("motion.front_none"), passes=False)
@@ -397,17 +404,6 @@ def _front(found: FrontInMotion) -> Iterator[blocks.Block]:
         key = "front_same" if found.recommended == found.of_search else "front_other"
         values = {"number": found.recommended, "search": found.of_search}
         yield blocks.Verdict(Message(f"motion.{key}", **values), passes=True)
-
-
-def _in_ranges(numbers: list[int]) -> str:
-    """Write rising numbers as 1-3, 5."""
-    runs: list[list[int]] = []
-    for number in numbers:
-        if runs and number == runs[-1][-1] + 1:
-            runs[-1].append(number)
-        else:
-            runs.append([number])
-    return ", ".join(f"{run[0]}-{run[-1]}" if len(run) > 1 else str(run[0]) for run in runs)
 
 
 def _designs(found: FrontInMotion) -> blocks.Table:

@@ -14,9 +14,8 @@ from catopt.words import Cited, Message, Several
 
 if TYPE_CHECKING:
     from catopt.fem.morison import MorisonSection as Section
-    from catopt.model import CurrentProfile, Motion, Segment, WaveState, WaveTrain
+    from catopt.model import CurrentProfile, Motion, Segment, WaveState
     from catopt.notes.motion import InMotion
-    from catopt.verify.motion_file import Raos
 
 _JUDGED_BY = {
     "largest": "by_largest",
@@ -48,7 +47,26 @@ def drive_blocks(moved: InMotion) -> Iterator[Block]:
     """Lay out what drives the line, the model, and inertia and drag of its segments."""
     yield Facts("motion_drive", tuple(drive_facts(moved)), _said("drive"))
     if moved.drive.raos is not None:
-        yield _raos(moved.drive.raos)
+        # Tabulate a ship's response at the fairlead, by rising period.
+        raos = moved.drive.raos
+        count = len(raos.omega)
+        rows = range(count - 1, -1, -1)[:: max(1, math.ceil(count / _MOST_RAOS))]
+        sizes = abs(raos.response)
+        periods = [2.0 * math.pi / float(raos.omega[row]) for row in rows]
+        columns = [measured(_S4, periods, "note_motion.rao_period")]
+        for k, axis in enumerate(_AXES):
+            if not sizes[:, k].any():
+                continue
+            size = [float(sizes[row, k]) for row in rows]
+            # Where nothing moves there is no lag, whatever the file has.
+            lags = [
+                _lag(complex(raos.response[row, k])) if of > 0.0 else None
+                for row, of in zip(rows, size, strict=True)
+            ]
+            along = _said(f"{axis}_motion")
+            columns.append(measured(significant("m/m", 4), size, along))
+            columns.append(measured(_DEGREES, lags, _said("phase", axis=along)))
+        yield Table("motion_raos", tuple(columns), _said("rao_table"))
     yield Facts("motion_model", tuple(_model(moved)), _said("model"))
     yield segments_table(moved)
     yield small("note_motion.coefficients")
@@ -75,9 +93,32 @@ def drive_facts(moved: InMotion) -> Iterator[Fact]:
 
 def _waves(waves: WaveState, moved: InMotion) -> Iterator[Fact]:
     if waves.elevation_file:
-        yield from _recorded(waves, moved)
+        record, kept = moved.drive.elevation, moved.drive.recorded_waves
+        assert record is not None
+        name = Cited(Path(waves.elevation_file).name)
+        yield _fact("waves", _said("recorded_surface", file=name))
+        yield _fact("surface_length", record.duration, _S)
+        yield _fact("recorded_at", waves.elevation_x, _M)
+        yield _fact("significant_height", kept.significant_height, _M4)
+        yield _fact("wave_direction", waves.direction, _DEGREES)
+        yield _fact("components", kept.count)
+        yield _fact("shortest_kept", 2.0 * math.pi / float(kept.omega[-1]), _S4)
+        yield _fact("variance_left_out", record.left_out(kept), PERCENT)
+        yield _fact("mean_taken_off", record.mean, _M4)
     for train, gamma in zip(waves.all_trains, moved.drive.gammas, strict=True):
-        yield from _train(train, gamma)
+        is_regular = train.spectrum == "regular"
+        yield _fact("waves", _said(train.spectrum.replace("-", "_")))
+        yield _fact("wave_height" if is_regular else "significant_height", train.height, _M)
+        yield _fact("wave_period" if is_regular else "peak_period", train.period, _S)
+        if gamma is not None:
+            by_rule = "gamma_by_rule" if train.peak_enhancement is None else "gamma"
+            yield _fact(by_rule, gamma, significant("-", 4))
+        yield _fact("wave_direction", train.direction, _DEGREES)
+        if train.spreading_exponent is not None:
+            n, count = f"{train.spreading_exponent:g}", train.directions
+            yield _fact("spreading", _said("cosine_power", n=n, count=count))
+        if not is_regular:
+            yield _fact("components", train.components)
     if waves.is_random:
         runs = moved.drive.dynamics.runs
         seeds = [f"({waves.seed}, {k})" for k in range(min(runs, _MOST_SEEDS))]
@@ -85,37 +126,6 @@ def _waves(waves: WaveState, moved: InMotion) -> Iterator[Fact]:
             seeds.append(f"… ({waves.seed}, {runs - 1})")
         yield _fact("seeds", ", ".join(seeds))
     yield _fact("stretching", _said(f"stretching_{waves.stretching}"))
-
-
-def _recorded(waves: WaveState, moved: InMotion) -> Iterator[Fact]:
-    record, kept = moved.drive.elevation, moved.drive.recorded_waves
-    assert record is not None
-    name = Cited(Path(waves.elevation_file).name)
-    yield _fact("waves", _said("recorded_surface", file=name))
-    yield _fact("surface_length", record.duration, _S)
-    yield _fact("recorded_at", waves.elevation_x, _M)
-    yield _fact("significant_height", kept.significant_height, _M4)
-    yield _fact("wave_direction", waves.direction, _DEGREES)
-    yield _fact("components", kept.count)
-    yield _fact("shortest_kept", 2.0 * math.pi / float(kept.omega[-1]), _S4)
-    yield _fact("variance_left_out", record.left_out(kept), PERCENT)
-    yield _fact("mean_taken_off", record.mean, _M4)
-
-
-def _train(train: WaveTrain, gamma: float | None) -> Iterator[Fact]:
-    is_regular = train.spectrum == "regular"
-    yield _fact("waves", _said(train.spectrum.replace("-", "_")))
-    yield _fact("wave_height" if is_regular else "significant_height", train.height, _M)
-    yield _fact("wave_period" if is_regular else "peak_period", train.period, _S)
-    if gamma is not None:
-        by_rule = "gamma_by_rule" if train.peak_enhancement is None else "gamma"
-        yield _fact(by_rule, gamma, significant("-", 4))
-    yield _fact("wave_direction", train.direction, _DEGREES)
-    if train.spreading_exponent is not None:
-        n, count = f"{train.spreading_exponent:g}", train.directions
-        yield _fact("spreading", _said("cosine_power", n=n, count=count))
-    if not is_regular:
-        yield _fact("components", train.components)
 
 
 def _current(current: CurrentProfile, moved: InMotion) -> Iterator[Fact]:
@@ -176,28 +186,6 @@ def _motion(motion: Motion, moved: InMotion) -> Iterator[Fact]:
             if moves.any():
                 ends = {"a": f"{moves.min():.4g}", "b": f"{moves.max():.4g}"}
                 yield _fact(f"record_{axis}", _said("from_to", **ends))
-
-
-def _raos(raos: Raos) -> Table:
-    """Tabulate a ship's response at the fairlead, by rising period."""
-    count = len(raos.omega)
-    rows = range(count - 1, -1, -1)[:: max(1, math.ceil(count / _MOST_RAOS))]
-    sizes = abs(raos.response)
-    periods = [2.0 * math.pi / float(raos.omega[row]) for row in rows]
-    columns = [measured(_S4, periods, "note_motion.rao_period")]
-    for k, axis in enumerate(_AXES):
-        if not sizes[:, k].any():
-            continue
-        size = [float(sizes[row, k]) for row in rows]
-        # Where nothing moves there is no lag, whatever the file has.
-        lags = [
-            _lag(complex(raos.response[row, k])) if of > 0.0 else None
-            for row, of in zip(rows, size, strict=True)
-        ]
-        along = _said(f"{axis}_motion")
-        columns.append(measured(significant("m/m", 4), size, along))
-        columns.append(measured(_DEGREES, lags, _said("phase", axis=along)))
-    return Table("motion_raos", tuple(columns), _said("rao_table"))
 
 
 def _lag(response: complex) -> float:

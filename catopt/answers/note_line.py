@@ -270,7 +270,17 @@ def of_the_front(chosen: Chosen, left_out: str = "note.front_left_out") -> Itera
     yield replace(_designs(designs, keys), shown=shown, marked=chosen.number - 1)
     if len(shown) < len(designs):
         yield small(left_out, count=len(designs) - len(shown))
-    yield from _neighbours(document, keys)
+    steps = document.get("neighbours", [])
+    if not steps:
+        return
+    of = Rows(steps)
+    yield tabulate(
+        "neighbours",
+        of.texts("note.front_change", itemgetter("change")),
+        *_objectives(keys, steps),
+        of.texts("verdict", _said, passes=tuple(each["feasible"] for each in steps)),
+        caption=Message("note.front_neighbours", number=document["recommended"] + 1),
+    )
 
 
 def _present(present: Mapping[str, Any], keys: Sequence[str]) -> Message:
@@ -310,20 +320,6 @@ def _sinker(point: Mapping[str, Any]) -> str:
     """Say the mass in air of a design's sinker; empty where there is none."""
     sinker = point.get("sinker")
     return f"{sinker['mass_kg'] / 1e3:g} t" if sinker and sinker["mass_kg"] else ""
-
-
-def _neighbours(document: Mapping[str, Any], keys: Sequence[str]) -> Iterator[Table]:
-    steps = document.get("neighbours", [])
-    if not steps:
-        return
-    of = Rows(steps)
-    yield tabulate(
-        "neighbours",
-        of.texts("note.front_change", itemgetter("change")),
-        *_objectives(keys, steps),
-        of.texts("verdict", _said, passes=tuple(each["feasible"] for each in steps)),
-        caption=Message("note.front_neighbours", number=document["recommended"] + 1),
-    )
 
 
 def _said(step: Mapping[str, Any]) -> str:

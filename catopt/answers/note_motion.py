@@ -82,7 +82,20 @@ def motion_blocks(note: Note) -> Iterator[Block]:
         yield _cases(moved)
     yield _statistics(part, solution)
     yield _uses(moved, index)
-    yield _outcome(part)
+    balance = part.governing.history.balance
+    listed: list[tuple[str, float | None, Quantity]] = [
+        ("note_motion.anywhere", part.max_tension, _BARE),
+        ("note_motion.still_max", part.quasi_static_max, _BARE),
+        ("note_motion.amplification", part.amplification, _FACTOR),
+        ("note_motion.slack_time", part.slack_time, _SLACK),
+        ("note_motion.longest_slack", part.longest_slack, _SLACK),
+    ]
+    for name, energy in ENERGIES.items():
+        said = Message("note_motion.energy", what=term(name))
+        listed.append((said, getattr(balance, energy), _ENERGY))
+    listed.append(("note_motion.energy_part", balance.numerical_part, _PART))
+    facts = tuple(blocks.stated(*each[:2], quantity=each[2]) for each in listed)
+    yield blocks.Facts("motion_outcome", facts, Message("note_motion.outcome"))
     yield from _extremes(part)
     peaks = exceedance(part)
     if peaks is not None:
@@ -207,23 +220,6 @@ def _uses(moved: InMotion, shown: int) -> Table:
 
 
 # ------------------------------------------------------------------ what it comes to
-
-
-def _outcome(part: DynamicPart) -> blocks.Facts:
-    balance = part.governing.history.balance
-    listed: list[tuple[str, float | None, Quantity]] = [
-        ("note_motion.anywhere", part.max_tension, _BARE),
-        ("note_motion.still_max", part.quasi_static_max, _BARE),
-        ("note_motion.amplification", part.amplification, _FACTOR),
-        ("note_motion.slack_time", part.slack_time, _SLACK),
-        ("note_motion.longest_slack", part.longest_slack, _SLACK),
-    ]
-    for name, energy in ENERGIES.items():
-        said = Message("note_motion.energy", what=term(name))
-        listed.append((said, getattr(balance, energy), _ENERGY))
-    listed.append(("note_motion.energy_part", balance.numerical_part, _PART))
-    facts = tuple(blocks.stated(*each[:2], quantity=each[2]) for each in listed)
-    return blocks.Facts("motion_outcome", facts, Message("note_motion.outcome"))
 
 
 def _extremes(part: DynamicPart) -> Iterator[Table]:

@@ -88,29 +88,27 @@ class _Builder:
             return _segment(table, self.catalogue.segments.get(path))
         given = self.given(table, path)
         if isinstance(table, SegmentChoiceTable):
-            return self._segment_choice(given, path)
+            # Build what a segment may be; what is left out is as the line has it at the same
+            # place.
+            own: Path = ("line", "segments", path[-1])
+            names = self.catalogue.names
+            if not given["lengths"]:
+                given["lengths"] = (self.case.line.segments[int(path[-1])].given()["length"],)
+            single, several = given.pop("component", None), given.pop("components", None)
+            components: tuple[str, ...] = ()
+            if several is not None:
+                components = tuple(names[*path, "components", k] for k in range(len(several)))
+            elif single is not None:
+                components = (names[*path, "component"],)
+            elif any(key in given for key in SIZES):  # of the component of the line
+                components = (names[*own, "component"],)
+            one, many = given.pop("diameter", None), given.pop("diameters", ())
+            diameters = tuple(sorted(many)) if one is None else (one,)
+            return SegmentChoice(**given, components=components, diameters=diameters)
         if isinstance(table, FatigueSeaStateTable):
             given["share"] = share_of_year(given) or 0.0
             given.pop("time_per_year", None)
         return made_of(table, given, self.site)
-
-    def _segment_choice(self, given: dict[str, Any], path: Path) -> SegmentChoice:
-        """Build what a segment may be; what is left out is as the line has it at the same place."""
-        own: Path = ("line", "segments", path[-1])
-        names = self.catalogue.names
-        if not given["lengths"]:
-            given["lengths"] = (self.case.line.segments[int(path[-1])].given()["length"],)
-        single, several = given.pop("component", None), given.pop("components", None)
-        components: tuple[str, ...] = ()
-        if several is not None:
-            components = tuple(names[*path, "components", k] for k in range(len(several)))
-        elif single is not None:
-            components = (names[*path, "component"],)
-        elif any(key in given for key in SIZES):  # of the component of the line
-            components = (names[*own, "component"],)
-        one, many = given.pop("diameter", None), given.pop("diameters", ())
-        diameters = tuple(sorted(many)) if one is None else (one,)
-        return SegmentChoice(**given, components=components, diameters=diameters)
 
 
 def made_of(table: Table, given: dict[str, Any], site: Site) -> Any:
@@ -118,18 +116,14 @@ def made_of(table: Table, given: dict[str, Any], site: Site) -> Any:
     if table.model is Checks and "code" in given:
         given["codes"] = (given.pop("code"),)
     if {"density", "volume"} & set(given) and not table.choices:
-        given = _weighed(given, site.water_density)
+        # Put the weight in water in the place of a body's density or volume.
+        density, volume = given.pop("density", None), given.pop("volume", None)
+        if volume is not None:
+            weight = (given["mass"] - site.water_density * volume) * STANDARD_GRAVITY
+        else:
+            weight = weight_in_water(given["mass"], density, site.water_density)
+        given = given | {"submerged_weight": weight}
     return given if table.model is None else table.model(**given)
-
-
-def _weighed(given: dict[str, Any], water: float) -> dict[str, Any]:
-    """Put the weight in water in the place of a body's density or volume."""
-    density, volume = given.pop("density", None), given.pop("volume", None)
-    if volume is not None:
-        weight = (given["mass"] - water * volume) * STANDARD_GRAVITY
-    else:
-        weight = weight_in_water(given["mass"], density, water)
-    return given | {"submerged_weight": weight}
 
 
 def _segment(table: SegmentTable, component: Component | None) -> Any:

@@ -66,7 +66,12 @@ def read_design(directory: Path, number: int) -> Case:
     title = f"{case.title}, design {number}" if case.title else f"Design {number}"
     try:
         line, anchor = _line(design, case), _anchor(design, case)
-        case = _at_level(design, case)
+        # Raise water and fairleads to where a whole mooring goes farthest.
+        found = design.get("system") or {}
+        level = found.get("farthest_water_level_m", 0.0)
+        lift = level + found.get("farthest_fairlead_rise_m", 0.0)
+        site = replace(case.site, water_depth=case.site.water_depth + level)
+        case = replace(case, site=site, fairlead_height=case.fairlead_height + lift, design=None)
         system = _system(design, line, case)
     except InputError as error:
         problems = [replace(p, key=f"front[{number - 1}]: {p.key}") for p in error.problems]
@@ -120,15 +125,6 @@ def _with_motion(segment: Segment, case: Case) -> Segment:
         component = families.component(segment.component, segment.nominal_diameter)
         same = [component.segment(segment.length)]
     return replace(segment, **{key: getattr(same[0], key) for key in _MOTION}) if same else segment
-
-
-def _at_level(design: dict[str, Any], case: Case) -> Case:
-    """Raise water and fairleads to where a whole mooring goes farthest."""
-    found = design.get("system") or {}
-    level = found.get("farthest_water_level_m", 0.0)
-    lift = level + found.get("farthest_fairlead_rise_m", 0.0)
-    site = replace(case.site, water_depth=case.site.water_depth + level)
-    return replace(case, site=site, fairlead_height=case.fairlead_height + lift, design=None)
 
 
 def _system(design: dict[str, Any], line: Line, case: Case) -> System | None:

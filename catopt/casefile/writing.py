@@ -90,7 +90,16 @@ def write_case(case: Case | Network) -> str:
     if isinstance(case, Network):
         blocks = _blocks(NetworkTable, _given(case))
     else:
-        blocks = _blocks(CaseTable, _of_case(case))
+        # Return what a case has to say, by the keys of its file and in their order.
+        site = case.site
+        given = _given(case) | {"pso": case.swarm}
+        given["site"] = _given(site) | {"water_depth": site.depth_to_seabed}
+        ends = ("fairlead_height", "anchor_height")
+        heights = {key: site.height_above_seabed(getattr(case, key)) for key in ends}
+        given["line"] = heights | vars(case.line)
+        if case.system is not None:
+            given["system"] = _around(case, case.system)
+        blocks = _blocks(CaseTable, {key: given[key] for key in entries(CaseTable) if key in given})
     return "\n\n".join("\n".join(block) for block in blocks) + "\n"
 
 
@@ -108,19 +117,6 @@ def _blocks(
             for part in value if several else [value]:
                 below = part if isinstance(part, dict) else _given(part)
                 yield from _blocks(inner, below, (*path, key), array=several)
-
-
-def _of_case(case: Case) -> dict[str, Any]:
-    """Return what a case has to say, by the keys of its file and in their order."""
-    site = case.site
-    given = _given(case) | {"pso": case.swarm}
-    given["site"] = _given(site) | {"water_depth": site.depth_to_seabed}
-    ends = ("fairlead_height", "anchor_height")
-    heights = {key: site.height_above_seabed(getattr(case, key)) for key in ends}
-    given["line"] = heights | vars(case.line)
-    if case.system is not None:
-        given["system"] = _around(case, case.system)
-    return {key: given[key] for key in entries(CaseTable) if key in given}
 
 
 def _around(case: Case, system: System) -> dict[str, Any]:

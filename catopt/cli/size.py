@@ -96,7 +96,18 @@ def _size(
     from catopt.sizing.file import read_file
     from catopt.sizing.known import known
 
-    _check_places(asked, save)
+    # Refuse, before anything is computed, what cannot be written or would replace a case.
+    if save is not None and save.exists():
+        raise refused(
+            "--save", str(save), Message("refused_command.there_already_kept_give_another")
+        )
+    if save is not None and not save.parent.is_dir():
+        raise refused(
+            "--save", str(save), Message("refused_command.there_no_directory", parent=save.parent)
+        )
+    asked.check_place()
+    if asked.out is not None:
+        refuse_own_case(asked.out)
     spell = by_option if moored == "buoy" else as_option
     given = typed(moored, options)
     if place is not None and is_form(place):
@@ -164,21 +175,6 @@ def _sized(asked: Asked, of: ResolvedInputs) -> tuple[Sizing, Answer]:
 
         lines = card_lines(miss_answer(error, of), asked.language)
         asked.leave(error.exit_status, "\n".join(each.text for each in lines))
-
-
-def _check_places(asked: Asked, save: Path | None) -> None:
-    """Refuse, before anything is computed, what cannot be written or would replace a case."""
-    if save is not None and save.exists():
-        raise refused(
-            "--save", str(save), Message("refused_command.there_already_kept_give_another")
-        )
-    if save is not None and not save.parent.is_dir():
-        raise refused(
-            "--save", str(save), Message("refused_command.there_no_directory", parent=save.parent)
-        )
-    asked.check_place()
-    if asked.out is not None:
-        refuse_own_case(asked.out)
 
 
 def _give(asked: Asked, found: Sizing, answer: Answer, save: Path | None, given: Given) -> None:

@@ -9,7 +9,6 @@ from catopt.design.evaluation import DesignProblem
 from catopt.design.outcome import Outcome
 from catopt.design.result import NearMiss
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
-from catopt.model import Line
 from catopt.words import Measure, Message, Sentence, Several
 from catopt.words.measure import number
 
@@ -55,7 +54,19 @@ def no_feasible_design(problem: DesignProblem, outcome: Outcome) -> NoFeasibleDe
     reasons = [_check_words(result) for result in miss.failing] or [miss.reason]
     what = [Message("design.indented", said=reason) for reason in reasons]
     key = "design.nearest_so_far" if outcome.interrupted else "design.nearest"
-    nearest = Message(key, line=_line_words(miss.line))
+    parts = [
+        Message(
+            "design.of_length",
+            length=segment.length,
+            segment=segment.name or Message("checks.segment", number=number),
+        )
+        for number, segment in enumerate(miss.line.segments, start=1)
+    ]
+    parts += [
+        Message("design.weight_of", mass=(load.mass or 0.0) / 1e3, position=load.position)
+        for load in miss.line.point_loads
+    ]
+    nearest = Message(key, line=Several(parts, ", "))
     message = Several((Several((said, nearest), " "), *what), "\n")
     return NoFeasibleDesignError(message, miss, interrupted=outcome.interrupted)
 
@@ -85,19 +96,3 @@ def _shown(value: float, unit: str) -> str:
     if unit == "rad":
         return f"{math.degrees(value):.4g} deg"
     return f"{number(value, '.4g')} {unit}"
-
-
-def _line_words(line: Line) -> str:
-    parts = [
-        Message(
-            "design.of_length",
-            length=segment.length,
-            segment=segment.name or Message("checks.segment", number=number),
-        )
-        for number, segment in enumerate(line.segments, start=1)
-    ]
-    parts += [
-        Message("design.weight_of", mass=(load.mass or 0.0) / 1e3, position=load.position)
-        for load in line.point_loads
-    ]
-    return Several(parts, ", ")

@@ -135,18 +135,15 @@ class EvaluationArchive(Tally):
         # What cannot be compared is no answer, whatever its checks say.
         excess = np.where(np.isfinite(objectives).all(axis=1), excess, np.maximum(excess, 1.0))
         first, last = self.evaluations, self.evaluations + len(genes)
-        self._make_room(last)
+        # Lengthen what is remembered to a number of rows or more; a budget may be any number.
+        more = max(last, 2 * len(self._excess)) - len(self._excess)
+        if last > len(self._excess):
+            room = np.empty((more, self.problem.objectives))
+            self._objectives = np.concatenate((self._objectives, room))
+            self._excess = np.concatenate((self._excess, np.empty(more)))
         self._objectives[first:last] = objectives
         self._excess[first:last] = excess
         self._row.update((each.tobytes(), first + k) for k, each in enumerate(genes))
         self.count(genes, objectives, excess)
         if self.progress is not None:
             self.progress(last, self._budget)
-
-    def _make_room(self, rows: int) -> None:
-        """Lengthen what is remembered to a number of rows or more; a budget may be any number."""
-        more = max(rows, 2 * len(self._excess)) - len(self._excess)
-        if rows > len(self._excess):
-            room = np.empty((more, self.problem.objectives))
-            self._objectives = np.concatenate((self._objectives, room))
-            self._excess = np.concatenate((self._excess, np.empty(more)))

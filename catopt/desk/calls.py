@@ -75,7 +75,18 @@ def ask(call: str, question: Question) -> Reply:
             return _compare(question.get("kept", ""), text, language)
         if call == "note":
             return _note(text, language)
-        return _page(text, language, is_whole=call == "whole")
+        # Draw the answer at every step of a slider; the whole has every table of the command.
+        from catopt.render.page import card, fragment
+
+        answer = _answer(text, is_whole=call == "whole")
+        drawn, more = answer.sections[:1], answer.sections[1:]
+        return {
+            "html": fragment(replace(answer, sections=drawn), language),
+            "more": fragment(replace(answer, sections=more), language) if more else "",
+            "card": card(answer, language),
+            **_beside(text, language),
+            **_open(text),
+        }
     except CatoptError as error:
         return _failed(error, language)
     finally:
@@ -186,21 +197,6 @@ def _name(door: Door) -> str:
 
 
 # ------------------------------------------------------------------ what the page shows
-
-
-def _page(text: str, language: Language, *, is_whole: bool) -> Reply:
-    """Draw the answer at every step of a slider; the whole has every table of the command."""
-    from catopt.render.page import card, fragment
-
-    answer = _answer(text, is_whole=is_whole)
-    drawn, more = answer.sections[:1], answer.sections[1:]
-    return {
-        "html": fragment(replace(answer, sections=drawn), language),
-        "more": fragment(replace(answer, sections=more), language) if more else "",
-        "card": card(answer, language),
-        **_beside(text, language),
-        **_open(text),
-    }
 
 
 def _beside(text: str, language: Language) -> Reply:

@@ -132,17 +132,13 @@ def in_words(solved: ExportedLines) -> Iterator[str]:
         if line.at_rest is not None:
             yield f"    on a bed without friction: {_sentence(line.at_rest)}"
     if solved.system is not None:
-        yield from _of_body(solved.lines, solved)
-
-
-def _of_body(lines: Sequence[ExportedLine], solved: ExportedLines) -> Iterator[str]:
-    assert solved.system is not None
-    where, force = solved.system.position, solved.system.system.force
-    yield (
-        f"  body at x {significant(where.x)} m, y {significant(where.y)} m, yaw "
-        f"{significant(where.yaw)} rad, where the {len(lines)} lines balance a force of "
-        f"{significant(force[0])} N along x and {significant(force[1])} N along y"
-    )
+        assert solved.system is not None
+        where, force = solved.system.position, solved.system.system.force
+        yield (
+            f"  body at x {significant(where.x)} m, y {significant(where.y)} m, yaw "
+            f"{significant(where.yaw)} rad, where the {len(solved.lines)} lines balance a force of "
+            f"{significant(force[0])} N along x and {significant(force[1])} N along y"
+        )
 
 
 def _sentence(solution: Solution) -> str:

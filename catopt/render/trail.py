@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 from catopt.answers.blocks import Step, exact
@@ -54,7 +53,9 @@ def in_symbols(step: Step) -> str:
 def in_numbers(step: Step) -> str:
     """Put the numbers in: ``"4000 / 245"``; empty where there are none."""
     if step.terms:
-        return _sum([" · ".join(_digits(each, step.digits) for each in of) for of in step.terms])
+        terms = [" · ".join(_digits(each, step.digits) for each in of) for of in step.terms]
+        shown = terms if len(terms) <= _MOST else (*terms[:2], "…", terms[-1])
+        return " + ".join(shown).replace("+ −", "− ")
     is_product = not isinstance(step.formula, str)
     numbers = {symbol: _Number(value) for symbol, value in step.numbers.items()}
     for each in numbers.values():
@@ -66,8 +67,3 @@ def in_numbers(step: Step) -> str:
 def _digits(value: float, digits: int) -> str:
     """Write a number with so many digits; with nine it can be put in again."""
     return replace(exact(""), digits=digits).format(value).replace("-", "−")
-
-
-def _sum(terms: Sequence[str]) -> str:
-    shown = terms if len(terms) <= _MOST else (*terms[:2], "…", terms[-1])
-    return " + ".join(shown).replace("+ −", "− ")

@@ -72,18 +72,14 @@ def _converted(thing: Any, units: Units) -> Any:
         kind: Any = type(thing)
         made = in_units(vars(thing), units)
         return kind(made["key"], **made["values"]) if thing.key else kind(**made)
-    return _without_doubles(thing)
-
-
-def _without_doubles(made: Any) -> Any:
-    if isinstance(made, Fact):
-        also = [each for each in made.also if each.field_unit != _unit(made)]
-        return replace(made, also=tuple(also))
-    if isinstance(made, Table):
-        return replace(made, columns=tuple(_seen_once(made.columns)))
-    if isinstance(made, Axis) and made.second is not None and not made.second.zero:
-        return replace(made, second=None) if _unit(made.second) == _unit(made) else made
-    return made
+    if isinstance(thing, Fact):
+        also = [each for each in thing.also if each.field_unit != _unit(thing)]
+        return replace(thing, also=tuple(also))
+    if isinstance(thing, Table):
+        return replace(thing, columns=tuple(_seen_once(thing.columns)))
+    if isinstance(thing, Axis) and thing.second is not None and not thing.second.zero:
+        return replace(thing, second=None) if _unit(thing.second) == _unit(thing) else thing
+    return thing
 
 
 def _seen_once(columns: Iterable[Column]) -> Iterator[Column]:

@@ -42,6 +42,11 @@ def study(progress: Progress | None = None) -> Study:
     solution = _solve_by_swarm(source, progress)
     by_swarm = _results(solution)
     in_closed_form = _results(_hang(source.inputs["submerged_weight_kgf_per_m"]))
+    values: dict[str, object] = {"weight": source.inputs["submerged_weight_kgf_per_m"]}
+    for name, key in zip(("angle", "offset", "tension"), _RESULTS, strict=True):
+        printed = source.printed["pso"][key]
+        values[name] = printed.text
+        values[f"{name}_low"], values[f"{name}_high"] = _weights_for(key, printed).ends(3)
     return study_of(
         source,
         items=(
@@ -53,7 +58,7 @@ def study(progress: Progress | None = None) -> Study:
         ),
         findings=(
             Message("reproduce.results_by_finite_elements_analytic"),
-            _about_the_weight(source),
+            Message("reproduce.weight", **values),
             _about_the_tension(source),
             Message("reproduce.printed_objective_3_55e_15", limit=ZERO),
         ),
@@ -162,15 +167,6 @@ def _percent(value: float, reference: float) -> float:
 def _weights_for(key: str, printed: Printed) -> Interval:
     """Find the weights, kgf/m, for which a quantity prints so."""
     return interval(lambda weight: _results(_hang(weight))[key], printed, _WEIGHTS)
-
-
-def _about_the_weight(source: Published) -> str:
-    values: dict[str, object] = {"weight": source.inputs["submerged_weight_kgf_per_m"]}
-    for name, key in zip(("angle", "offset", "tension"), _RESULTS, strict=True):
-        printed = source.printed["pso"][key]
-        values[name] = printed.text
-        values[f"{name}_low"], values[f"{name}_high"] = _weights_for(key, printed).ends(3)
-    return Message("reproduce.weight", **values)
 
 
 def _about_the_tension(source: Published) -> str:

@@ -311,23 +311,19 @@ def tanker_20m_sinker() -> Study:
         tension = found.solution.fairlead.tension / KN
         items += compare(source, method, {_LENGTH: found.value, _TENSION: tension})
         drawn.append(Drawn(method, found.solution))
+    force = source.inputs["horizontal_force_kN"]
+    largest = max((row.printed[_TENSION] for row in rows), key=lambda printed: printed.value)
     return study_of(
         source,
         items,
         findings=(
-            _about_the_load(source, rows),
+            Message("reproduce.by_text_line_carries_h", force=force, tension=largest.text),
             _about_other_forces(source, rows),
             _about_the_lengths(source, rows),
             _about_the_tensions(source, rows),
         ),
         drawn=tuple(drawn),
     )
-
-
-def _about_the_load(source: Published, rows: list[_Row]) -> str:
-    force = source.inputs["horizontal_force_kN"]
-    largest = max((row.printed[_TENSION] for row in rows), key=lambda printed: printed.value)
-    return Message("reproduce.by_text_line_carries_h", force=force, tension=largest.text)
 
 
 def _about_other_forces(source: Published, rows: list[_Row]) -> str:

@@ -133,20 +133,16 @@ def _verified(name: str, case: Case, elements: int, tolerance: float) -> StaticC
         case = as_found(case)
         closed = solve_case(case)
         part = verify_line(case, closed, elements=elements, tolerance=tolerance, name=name)
-    _check_buoys(part, case.site.water_depth)
-    return part
-
-
-def _check_buoys(part: StaticComparison, water_depth: float) -> None:
-    """Refuse buoys above the water surface by the truss model, which has every line."""
+    # Refuse buoys above the water surface by the truss model, which has every line.
     for number, pair in enumerate(part.lines, start=1):
         mesh = pair.finest.mesh
         heights = pair.finest.nodes[mesh.load_node, 2].tolist()
         if part.kind == "line":
-            check_buoys(mesh.line, heights, water_depth)
+            check_buoys(mesh.line, heights, case.site.water_depth)
             continue
         with named_line(number):
-            check_buoys(mesh.line, heights, water_depth)
+            check_buoys(mesh.line, heights, case.site.water_depth)
+    return part
 
 
 # ------------------------------------------------------------------ a front
