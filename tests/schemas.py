@@ -23,25 +23,25 @@ from typing import Annotated, Any, Literal, NotRequired, Union, get_args, get_or
 import numpy as np
 import numpy.typing as npt
 
-from catopt.casefile.sizing_file import Moored
+from catopt.casefile.reading import Moored
+from catopt.catalogue.components import CONFIDENCES
 from catopt.catalogue.document import Answer
-from catopt.catalogue.figure import CONFIDENCES
 from catopt.catenary.case_curve import CaseCurve
 from catopt.catenary.in_current import SolutionInCurrent
 from catopt.catenary.solution import Solution
-from catopt.checks.criterion import LOAD_KINDS
+from catopt.checks.kinds import LOAD_KINDS
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.evaluation import OBJECTIVE_KEYS
 from catopt.export.exported import Format
 from catopt.loads.component import LoadComponent
 from catopt.loads.document import ComparedLoads
 from catopt.loads.weathervane import ShipHeading
-from catopt.model.current_profile import CURRENT_PROFILES
 from catopt.model.design import SearchMethod
 from catopt.model.dynamics import InitialFriction, JudgedBy
 from catopt.model.kinds import OneOf
 from catopt.model.load import LoadCaseState
 from catopt.model.network import PointKind
+from catopt.model.sea import CURRENT_PROFILES
 from catopt.records import From, OrNull, Part, Record, parts, unit_of
 from catopt.reproduce.items import Reproduction
 from catopt.sizing.alternatives import Role
@@ -49,12 +49,11 @@ from catopt.sizing.inputs import INPUTS
 from catopt.sizing.known import Origin
 from catopt.sizing.line_choice import PREFERENCES
 from catopt.study.base import Computed
-from catopt.verify.compared import Unit
 from catopt.verify.dynamic_result import SERIES, Verdict
 from catopt.verify.fatigue import FatigueReport
 from catopt.verify.motion_words import DYNAMIC_QUANTITY_OF as QUANTITY_OF
 from catopt.verify.proof import Proof, Way
-from catopt.verify.result import StaticComparison
+from catopt.verify.result import StaticComparison, Unit
 from catopt.verify.result import Verdict as VerdictAtRest
 from catopt.words.texts import LANGUAGES
 

@@ -8,12 +8,11 @@ from itertools import permutations
 
 import pytest
 
-from catopt.checks.criterion import CheckSource
+from catopt.checks.kinds import CheckSource
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.mooring.circle import watch_circle
 from catopt.ties import first_largest, largest
-from catopt.verify.compared import Compared
-from catopt.verify.result import StaticComparison, least_agreeing
+from catopt.verify.result import Compared, StaticComparison, least_agreeing
 from tests.mooring.layouts import spread
 
 ALIKE = tuple(permutations((1.0, 1.0 + 1e-15, 1.0 - 1e-12)))

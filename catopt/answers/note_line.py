@@ -22,22 +22,29 @@ from catopt.answers.blocks import (
     texts,
 )
 from catopt.answers.check import checked, failing_checks, load_case_table
-from catopt.answers.curve import marks_table, points_table
 from catopt.answers.design import shown_designs
-from catopt.answers.note import by_both, case_sections, note_answer, opening, section, small
+from catopt.answers.note import (
+    basis_section,
+    by_both,
+    case_sections,
+    note_answer,
+    opening,
+    section,
+    sheet_sections,
+    small,
+)
 from catopt.answers.note_motion import motion_blocks
-from catopt.answers.note_sheet import basis_section, sheet_sections
+from catopt.answers.solution import marks_table, points_table
 from catopt.answers.trail import equation_trail
-from catopt.figures.curve import load_curve
 from catopt.figures.front import OBJECTIVES, composition, front
-from catopt.figures.line import line_in_water, tension_along
-from catopt.figures.swarm import fitness, swarm_tension
+from catopt.figures.line import line_in_water, load_curve, tension_along
+from catopt.figures.studies import fitness, swarm_tension
 from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:
     from catopt.answers.blocks import Section
-    from catopt.notes.directory import Chosen
     from catopt.notes.line import Note
+    from catopt.notes.origin import Chosen
 
 _ROWS = 15
 """Points of the curve that people see, about."""

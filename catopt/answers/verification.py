@@ -12,13 +12,12 @@ from catopt.answers import blocks
 from catopt.answers.blocks import Rows, answered, measured, section, tabulate, texts, yes_or_no
 from catopt.answers.check import verdict_column
 from catopt.quantities import Quantity
-from catopt.verify.truss_words import QUANTITY_OF, name_of, part_sentence, rough_sentence
+from catopt.verify.motion_words import QUANTITY_OF, name_of, part_sentence, rough_sentence
 from catopt.words import Message, Several, Unit, term
 
 if TYPE_CHECKING:
     from catopt.verify.case import DesignVerification, FrontVerification
-    from catopt.verify.compared import Compared
-    from catopt.verify.result import StaticComparison, Verification
+    from catopt.verify.result import Compared, StaticComparison, Verification
 
 GAP = Quantity("gap", "Difference", "", "-", "-", 1.0, 1, "scientific", floor=1e-10)
 """Difference over its scale; what is below the truss model's own tolerance is chance, even a 0."""

@@ -6,15 +6,13 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from catopt.catalogue.components import Component
+from catopt.catalogue.components import RECALLED, SPECS, Component, Figure, within
 from catopt.catalogue.evaluation import Evaluation
-from catopt.catalogue.family import Family, in_mm
-from catopt.catalogue.figure import RECALLED, SPECS, Figure, within
-from catopt.catalogue.names import ComponentName, find_name, meant, shared_names
+from catopt.catalogue.family import ComponentName, Family, find_name, in_mm, meant, shared_names
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import InputError, Problem
-from catopt.model.line_kind import line_kind
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
+from catopt.model.line import line_kind
 from catopt.units import as_written
 from catopt.words import Message
 

@@ -10,13 +10,17 @@ from typing import Any
 
 from catopt.catalogue.components import (
     NO_FIGURE,
+    RECALLED,
+    SPECS,
     Alternative,
     Component,
+    Figure,
     Hydrodynamic,
     Provenance,
+    Source,
+    weakest,
 )
 from catopt.catalogue.family import Family, in_mm
-from catopt.catalogue.figure import RECALLED, SPECS, Figure, Source, weakest
 from catopt.catalogue.formula import Coefficient, MeanLoad
 from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError, Problem

@@ -13,8 +13,8 @@ from pathlib import Path
 from types import MappingProxyType
 
 from catopt.catalogue.collection import Catalogue
+from catopt.catalogue.components import CONFIDENCES, SPECS, Figure, Source, within
 from catopt.catalogue.family import Family, Sizes, in_mm
-from catopt.catalogue.figure import CONFIDENCES, SPECS, Figure, Source, within
 from catopt.catalogue.formula import (
     ChainLoad,
     ChainModulus,
@@ -29,7 +29,7 @@ from catopt.catalogue.formula import (
 )
 from catopt.catalogue.table import Table
 from catopt.documents import read_text
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.units import UNITS, Dimension
 from catopt.words import Message
 

@@ -25,15 +25,21 @@ from itertools import pairwise
 from typing import Annotated, NamedTuple
 
 from catopt.catenary.layout import Profile, Stretch
-from catopt.catenary.solution import EndState, PointLoadState, Residual, SegmentState, Solution
+from catopt.catenary.solution import (
+    EndState,
+    PointLoadState,
+    Residual,
+    SegmentState,
+    Solution,
+    plausibility,
+)
 from catopt.catenary.solve import solve
 from catopt.catenary.state import Regime
-from catopt.catenary.warnings import plausibility
 from catopt.errors import InputError, NotConvergedError, Problem
 from catopt.model import Case, CurrentProfile, Line, Site
-from catopt.model.current_profile import ProfileKind
 from catopt.model.kinds import Force, Speed
 from catopt.model.line import drag_missing
+from catopt.model.sea import ProfileKind
 from catopt.records import From, Record
 from catopt.words import Measure, Message
 

@@ -6,8 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from catopt.checks.criteria import Criteria, allowed_by
-from catopt.checks.criterion import Criterion, State
-from catopt.checks.excess import ROUNDING
+from catopt.checks.kinds import ROUNDING, Criterion, State
 from catopt.checks.result import CheckReport
 from catopt.model import Line, Segment, Service
 from catopt.model.load import LoadCaseKind

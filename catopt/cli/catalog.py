@@ -12,8 +12,15 @@ import typer
 from catopt.cli.answering import Asked, answering
 from catopt.cli.completion import completed
 from catopt.cli.help_words import WithWords, group
-from catopt.cli.options import ForceOption, LengthOption, TablesOutOption
-from catopt.cli.values import by_option, given_ones, in_si, refuse
+from catopt.cli.options import (
+    ForceOption,
+    LengthOption,
+    TablesOutOption,
+    by_option,
+    given_ones,
+    in_si,
+    refuse,
+)
 from catopt.errors import InputError, NoAnswerError, Problem
 from catopt.units import Dimension, as_written
 from catopt.words import Measure, Message, say
@@ -97,7 +104,7 @@ def find(
 ) -> None:
     """Find components, anchors and fittings by what they are called."""
     from catopt.catalogue.finding import find as find_all
-    from catopt.loads.held import anchors_held
+    from catopt.loads.sinker import anchors_held
 
     known = _catalogue(families)
     with _by_option({"component": "WORDS", "size": "WORDS"}):
@@ -128,7 +135,7 @@ def anchor(
 ) -> None:
     """Show what a drag anchor holds."""
     from catopt.catalogue.finding import SOILS
-    from catopt.loads.held import anchors_held, named_anchors
+    from catopt.loads.sinker import anchors_held, named_anchors
 
     values = in_si({"--mass": (mass, Dimension.MASS)})
     with _by_option({"anchor": "ANCHOR", "mass": "--mass", "soil": "--soil"}):
@@ -181,8 +188,7 @@ def sinker(
     water_density: WaterOption = None,
 ) -> None:
     """Show what a sinker holds on each soil."""
-    from catopt.loads.held import sinkers_held
-    from catopt.loads.sinker import AS_CLAY
+    from catopt.loads.sinker import AS_CLAY, sinkers_held
 
     values = in_si(
         {
@@ -273,7 +279,7 @@ def _sized(
     known: Catalogue, family: str, grade: str | None, size: str | None
 ) -> tuple[str, str | None, str | None]:
     """Tell family, grade and size apart, wherever the size was named; a bare number is in mm."""
-    from catopt.catalogue.names import split_size
+    from catopt.catalogue.family import split_size
 
     name, own = split_size(family)
     given = [each for each in (own, size) if each is not None]

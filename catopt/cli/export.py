@@ -6,13 +6,22 @@ from typing import Annotated, Literal, get_args
 
 import typer
 
-from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
+from catopt.casefile.reading import DESIGN_CASE, DESIGN_DOCUMENT
 from catopt.cli.answering import Asked, answering
-from catopt.cli.options import CaseArgument, CountOption, DesignOption, LoadCaseOption, PlaceOption
-from catopt.cli.values import in_state, positive, read_known, refused
+from catopt.cli.options import (
+    CaseArgument,
+    CountOption,
+    DesignOption,
+    LoadCaseOption,
+    PlaceOption,
+    in_state,
+    positive,
+    read_known,
+    refused,
+)
 from catopt.errors import InputError, Problem
 from catopt.export.exported import Source
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.notes.origin import file_name, read_source
 from catopt.units import Dimension
 from catopt.words import Message

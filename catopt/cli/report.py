@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from catopt.cli.answering import INTERRUPTED, Asked, answering
-from catopt.cli.options import CaseArgument, DesignOption, OnceOption, PlaceOption
+from catopt.cli.options import CaseArgument, DesignOption, OnceOption, PlaceOption, refused
 from catopt.cli.solve import Method
-from catopt.cli.values import refused
 from catopt.cli.verify import stop_in_doubt
 from catopt.notes.origin import file_name
 from catopt.verify.motion_words import stopped_words
@@ -131,10 +130,9 @@ def _document(
     workbook: dict[str, Any] | None = None,
 ) -> dict[str, Any]:
     """Say what was written (schema catopt.report/1); of a sizing, of its recommended line."""
-    from catopt.notes.line import Note
+    from catopt.notes.line import Note, SizeNote
     from catopt.notes.motion import motion_document
-    from catopt.notes.network import NetworkNote
-    from catopt.notes.size import SizeNote
+    from catopt.notes.system import NetworkNote
 
     of = note.line if isinstance(note, SizeNote) else note
     line = of if isinstance(of, Note) else None

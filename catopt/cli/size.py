@@ -12,15 +12,14 @@ import typer
 from catopt.cli.answering import Asked, answering, refuse_own_case
 from catopt.cli.completion import completed
 from catopt.cli.help_words import GroupWithWords, WithWords, group
-from catopt.cli.options import OutOption
+from catopt.cli.options import OutOption, refused
 from catopt.cli.size_options import as_option, by_option, typed, with_inputs
-from catopt.cli.values import refused
 from catopt.words import Message
 
 if TYPE_CHECKING:
     from catopt.answers.blocks import Answer
-    from catopt.casefile.sizing_file import Moored
-    from catopt.notes.size import Given
+    from catopt.casefile.reading import Moored
+    from catopt.notes.line import Given
     from catopt.sizing import Sizing
     from catopt.sizing.known import ResolvedInputs
     from catopt.sizing.telling import Spelling
@@ -36,7 +35,7 @@ class _OfAFile(GroupWithWords):
 
 
 def _moored(path: str) -> Moored:
-    from catopt.casefile.sizing_file import moored_in
+    from catopt.casefile.reading import moored_in
     from catopt.sizing.form import read_form
 
     return read_form(path)[0].moored if is_form(path) else moored_in(path) or "buoy"
@@ -162,7 +161,7 @@ def _size_form(
 def _sized(asked: Asked, of: ResolvedInputs) -> tuple[Sizing, Answer]:
     """Size what is known; where no line passes, say what is nearest and what would help."""
     from catopt.answers.size import size_answer
-    from catopt.design.near_miss import NoFeasibleDesignError
+    from catopt.design.neighbours import NoFeasibleDesignError
     from catopt.sizing.requests import size as size_known
 
     try:
@@ -170,7 +169,7 @@ def _sized(asked: Asked, of: ResolvedInputs) -> tuple[Sizing, Answer]:
             found = size_known(of)
             return found, size_answer(found)
     except NoFeasibleDesignError as error:
-        from catopt.answers.size_miss import miss_answer
+        from catopt.answers.size_card import miss_answer
         from catopt.render.card import card_lines
 
         lines = card_lines(miss_answer(error, of), asked.language)
@@ -198,8 +197,8 @@ def _give(asked: Asked, found: Sizing, answer: Answer, save: Path | None, given:
 
 def _as_given(place: str | None, options: Mapping[str, object], spell: Spelling) -> Given:
     """Say for the note what was asked for: by a file, and by what was typed or answered."""
+    from catopt.notes.line import Given
     from catopt.notes.origin import read_source
-    from catopt.notes.size import Given
 
     source = None if place is None else read_source(Path(place))
     rows = [

@@ -12,8 +12,7 @@ import typer
 
 from catopt.answers.study import members_table, plan_answer, study_answer
 from catopt.cli.answering import Asked, answering
-from catopt.cli.options import CountOption, OutOption
-from catopt.cli.values import refuse, refused
+from catopt.cli.options import CountOption, OutOption, refuse, refused
 from catopt.errors import Problem
 from catopt.words import Message
 

@@ -7,8 +7,8 @@ from typing import Annotated
 
 import typer
 
+from catopt.cli.options import refused
 from catopt.cli.output import Output
-from catopt.cli.values import refused
 from catopt.words import Message
 
 
@@ -20,8 +20,7 @@ def web(
 ) -> None:
     """Write the page that sizes and computes moorings in the browser."""
     from catopt.report.files import check_directory, write_files
-    from catopt.web.build import fetched, pieces
-    from catopt.web.document import document
+    from catopt.web.build import document, fetched, pieces
 
     output: Output = context.obj
     if (out is None) == (single is None):

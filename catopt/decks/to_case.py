@@ -14,8 +14,8 @@ from itertools import groupby
 from operator import attrgetter
 from statistics import fmean
 
-from catopt.decks.chains import Chain
 from catopt.decks.deck import Deck, LineType, Notes, Piece, Point
+from catopt.decks.strung import Chain
 from catopt.model import Case, Line, Load, PointLoad, Segment, Site, System
 
 ROUNDING = 5e-5

@@ -22,11 +22,10 @@ from catopt.answers.blocks import (
     section,
 )
 from catopt.casefile.reading import parse_case
-from catopt.desk.fields import DOORS, Door, fields_of
-from catopt.desk.text import door_of, text_of, values_of
+from catopt.desk.fields import DOORS, Door, door_of, fields_of, text_of, values_of
 from catopt.documents import parse_toml
 from catopt.errors import CatoptError, InputError
-from catopt.render.units import UNITS
+from catopt.render.values import UNITS
 from catopt.words import LANGUAGES, Language, Measure, Message, say
 
 if TYPE_CHECKING:
@@ -252,7 +251,7 @@ def _is_news(block: Block) -> bool:
 
 def _compare(kept: str, text: str, language: Language) -> Reply:
     """Lay out an answer beside one that was kept."""
-    from catopt.answers.comparison import comparison
+    from catopt.answers.of_result import comparison
     from catopt.render.page import fragment
 
     door = _door(text)
@@ -276,7 +275,7 @@ def _line(text: str, *, readout: bool) -> _Laid:
     """Lay a line out; what the drawings say where one points waits until a slider rests."""
     from catopt.answers.check import check_answer, failing_checks, governing_sentence
     from catopt.answers.solution import result_facts, solution_answer
-    from catopt.catalogue.in_words import chain_words
+    from catopt.catalogue.family import chain_words
     from catopt.catenary.case import solve_case, under_a_load
     from catopt.checks.case import check_case
     from catopt.figures.line import line_in_water, tension_along
@@ -352,7 +351,7 @@ def _note(text: str, language: Language) -> Reply:
 
 
 def _noted(text: str, door: Door, file: SourceFile) -> Answer:
-    from catopt.notes.directory import Asked
+    from catopt.notes.origin import Asked
 
     asked = Asked(verify=False)
     if door == "line":
@@ -366,7 +365,7 @@ def _noted(text: str, door: Door, file: SourceFile) -> Answer:
 
         return system_note_answer(system_note(_case(text), (file,), asked))
     from catopt.answers.note_size import size_note_answer
-    from catopt.notes.size import Given, size_note
+    from catopt.notes.line import Given, size_note
 
     return size_note_answer(size_note(_sizing(text, door), Given(file), asked))
 

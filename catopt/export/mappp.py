@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from catopt.decks.deck import Deck
-from catopt.export.text import exact
+from catopt.export.exported import exact
 
 _TOLERANCES = ("inner_ftol 1e-12", "inner_gtol 1e-12", "inner_xtol 1e-12", "outer_tol 1e-5")
 """With its own for the lines, 1e-6, MAP++ does not balance a node below which friction acts."""

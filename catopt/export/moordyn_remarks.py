@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from catopt.export.body_in_water import STEEL_DENSITY
+from catopt.export.exported import significant
 from catopt.export.exported_line import ExportedLines
 from catopt.export.moordyn_model import Model, is_above, resting
-from catopt.export.text import significant
 from catopt.model import Segment
-from catopt.words.message import Message
+from catopt.words import Message
 
 MOORPY_REACH = 2.0
 """Height above the bed below which MoorPy 1.3 takes weight off a point, m."""

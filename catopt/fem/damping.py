@@ -10,7 +10,7 @@ import numpy as np
 
 from catopt.arrays import Array
 from catopt.model.dynamics import BARS
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.words import Message
 
 

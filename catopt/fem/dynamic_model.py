@@ -19,7 +19,7 @@ from catopt.fem.moving import MovingLines
 from catopt.fem.problem import node_friction
 from catopt.fem.seabed import Seabed
 from catopt.model import PointLoad
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.words import Message
 
 MassMatrix = Literal["consistent", "lumped"]

@@ -29,7 +29,7 @@ from catopt.fem.simulation import Break, Simulation
 from catopt.fem.sloped_rest import settle_on_slope
 from catopt.fem.solve import Leg, solve_line, solve_system
 from catopt.model import Line
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.waves import Sea
 from catopt.words import Measure, Message
 

@@ -21,18 +21,18 @@ import math
 from dataclasses import dataclass
 from typing import Any, Final
 
-from catopt.fem.block_tridiagonal import (
+from catopt.fem.banded import (
     back_substitute_blocks,
+    copy_rows,
     eliminate_blocks,
     hold,
     invert_3,
 )
 from catopt.fem.moving import Blend, BodyNode, Moving, MovingLines
 from catopt.fem.moving_assembly import assemble_moving
-from catopt.fem.rows import copy_rows
 from catopt.fem.sampling import Room, Setting
 from catopt.fem.series import fill_series
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 
 _LEAST: Final = 1.0 / 32.0
 """Least part of a Newton step that is taken where the forces left over do not get smaller."""

@@ -6,7 +6,7 @@ from typing import Final
 
 import numpy as np
 
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.waves import Sea, breaking_warning, repetition_warning
 from catopt.words import Message, term
 

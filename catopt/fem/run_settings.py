@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, field
 
 from catopt.fem.newmark import Scheme
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.words import Message
 
 

@@ -24,8 +24,8 @@ from typing import Any
 from catopt.compiled import inlined
 from catopt.fem.moving import Blend, Equations, Moving, MovingLines
 from catopt.model.dynamics import INITIAL_FRICTION, InitialFriction
-from catopt.model.site import STEEPEST
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
+from catopt.model.load import STEEPEST
 
 
 @dataclass(frozen=True)

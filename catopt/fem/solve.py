@@ -16,7 +16,7 @@ from catopt.fem.problem import Problem, Water, build, one_point, straight
 from catopt.fem.result import SystemSolution, TrussSolution, read_line
 from catopt.fem.settle import Controls, Rest, follow, settle
 from catopt.model import Line
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.words import Message
 
 

@@ -12,8 +12,8 @@ import numpy as np
 from catopt.arrays import Array
 from catopt.errors import NoEquilibriumError, NotConvergedError
 from catopt.fem.afloat import Afloat, sample_hull
+from catopt.fem.banded import eliminate_blocks
 from catopt.fem.bed import HeldBed
-from catopt.fem.block_tridiagonal import eliminate_blocks
 from catopt.fem.dynamic_model import LineProperties
 from catopt.fem.dynamics import check_run, line_at_rest, ramped, run_from_rest
 from catopt.fem.history import History

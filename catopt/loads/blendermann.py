@@ -7,11 +7,10 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from catopt.loads.component import LoadComponent
-from catopt.loads.drag import wind_on_ship
-from catopt.loads.environment import Wind
+from catopt.loads.environment import Wind, wind_on_ship
 from catopt.loads.ship import Ship
 from catopt.loads.source import BLENDERMANN, LoadSource
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.words import Message, term
 
 

@@ -10,7 +10,7 @@ from catopt.loads.source import LoadSource
 from catopt.model.kinds import Force, SomeForce
 from catopt.records import Record
 from catopt.shown import Tabled
-from catopt.words.measure import number
+from catopt.words.message import number
 
 Axis = Literal["along", "surge", "sway"]
 """Along the one direction of everything; along a ship, positive forwards; across it, positive away

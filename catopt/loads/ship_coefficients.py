@@ -14,15 +14,15 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Final, Literal, get_args
 
-from catopt.catalogue.figure import CONFIDENCES
+from catopt.catalogue.components import CONFIDENCES
 from catopt.catalogue.table import Table
 from catopt.documents import read_text
 from catopt.loads.component import Axis, LoadComponent, Number
-from catopt.loads.drag import drag, drag_component
+from catopt.loads.environment import drag, drag_component
 from catopt.loads.ship import Ship
-from catopt.loads.ship_estimate import Condition
+from catopt.loads.ship_dimensions import Condition
 from catopt.loads.source import LoadSource
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.words import Cited, Message, term
 
 SCHEMA: Final = "catopt.ship-coefficients/1"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from catopt.catalogue.figure import RECALLED, Confidence
+from catopt.catalogue.components import RECALLED, Confidence
 from catopt.errors import InputError, Problem
 from catopt.records import Record
 from catopt.words import Message

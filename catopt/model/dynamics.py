@@ -7,9 +7,17 @@ from dataclasses import dataclass
 from typing import Annotated, Any, Final, Literal, get_args
 
 from catopt.errors import Problem
-from catopt.model.kinds import Duration, Measured, NotNegative, Share, Time, Whole
-from catopt.model.motion import OF_A_BODY, RAO_CONVENTIONS
-from catopt.model.validity import Checked, Findings
+from catopt.model.kinds import (
+    Checked,
+    Duration,
+    Findings,
+    Measured,
+    NotNegative,
+    Share,
+    Time,
+    Whole,
+)
+from catopt.model.sea import OF_A_BODY, RAO_CONVENTIONS
 from catopt.units import Dimension, as_written
 from catopt.words import Message
 

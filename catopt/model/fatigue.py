@@ -9,8 +9,10 @@ from typing import Annotated, Any, Final
 from catopt.errors import Problem
 from catopt.model.kinds import (
     Angle,
+    Checked,
     Factor,
     File,
+    Findings,
     Length,
     Measured,
     OneOf,
@@ -19,7 +21,6 @@ from catopt.model.kinds import (
     Share,
     Time,
 )
-from catopt.model.validity import Checked, Findings
 from catopt.units import Dimension
 from catopt.words import Message
 

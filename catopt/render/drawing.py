@@ -7,10 +7,9 @@ from collections.abc import Iterable
 from typing import Any
 
 from catopt.figures.chart import Chart, Place
-from catopt.render.looks import COLOURS, LOOKS, SIGNS
+from catopt.render.looks import COLOURS, LOOKS, SIGNS, axis_title
 from catopt.render.sheet import Chart as Native
 from catopt.render.sheet import Number, Series, Sheet, Text, number_pattern
-from catopt.render.ticks import axis_title
 from catopt.words import Message
 
 _SIZE = (680, 420)

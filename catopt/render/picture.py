@@ -30,9 +30,17 @@ from catopt.figures.chart import (
     Series,
     legend,
 )
-from catopt.render.looks import COLOURS, LOOKS, SIGNS, Look
-from catopt.render.ticks import Tick, axis_title, scale_ticks, tick_marks
-from catopt.render.units import as_wanted
+from catopt.render.looks import (
+    COLOURS,
+    LOOKS,
+    SIGNS,
+    Look,
+    Tick,
+    axis_title,
+    scale_ticks,
+    tick_marks,
+)
+from catopt.render.values import as_wanted
 from catopt.words import Language
 
 DPI = 200

@@ -19,8 +19,7 @@ from catopt.answers.blocks import (
     Warnings,
 )
 from catopt.quantities import QUANTITIES
-from catopt.render.units import as_wanted
-from catopt.render.values import cell, is_seen, parts_of, shown
+from catopt.render.values import as_wanted, cell, is_seen, parts_of, shown
 from catopt.words import Language, Message, Sentence, Several, say
 
 _WIDTH = 80

@@ -10,7 +10,7 @@ from pathlib import Path
 from time import time
 from typing import Any
 
-from catopt.casefile.design_directory import DESIGN_CASE
+from catopt.casefile.reading import DESIGN_CASE
 from catopt.casefile.writing import text_digest
 from catopt.errors import InputError, Problem
 from catopt.interrupt import signals_wait

@@ -7,17 +7,22 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 from catopt.model import Line, Segment, SwarmSettings
-from catopt.reproduce.comparison import (
+from catopt.reproduce.items import (
+    TF,
+    Drawn,
     Interval,
+    Item,
+    Printed,
+    Published,
+    Study,
     by_order,
     compare,
     interval,
     item_of,
     not_reproducible,
+    published,
     study_of,
 )
-from catopt.reproduce.items import Drawn, Item, Printed, Study
-from catopt.reproduce.published import TF, Published, published
 from catopt.units import UNITS, Dimension
 from catopt.words import Message
 

@@ -10,16 +10,25 @@ from typing import TYPE_CHECKING
 
 from catopt.constants import STANDARD_GRAVITY
 from catopt.model import Line, Segment, System
-from catopt.reproduce.comparison import compare, study_of
-from catopt.reproduce.items import Item, MooredLine, Mooring, SideBySide, Study, in_unit
-from catopt.reproduce.published import KN, Published, published
+from catopt.reproduce.items import (
+    KN,
+    Item,
+    MooredLine,
+    Mooring,
+    Published,
+    SideBySide,
+    Study,
+    compare,
+    in_unit,
+    published,
+    study_of,
+)
 from catopt.words import Message
 
 if TYPE_CHECKING:
     from catopt.fem import HeldBed, TrussSolution
     from catopt.fem import SystemSolution as TrussSystem
-    from catopt.verify.compared import Compared
-    from catopt.verify.result import StaticComparison
+    from catopt.verify.result import Compared, StaticComparison
 
 NAME = "fso_rang_dong"
 
@@ -119,7 +128,7 @@ def as_run(
     `force`: on the turret along x, N; the printed one when left out.
     """
     from catopt.fem import solve_system
-    from catopt.verify.system import truss_legs
+    from catopt.verify.line import truss_legs
 
     source = published(NAME)
     system = turret(source, azimuths)
@@ -147,7 +156,7 @@ def held_bed(source: Published, *, stiffened: bool = True) -> HeldBed:
 @cache
 def free_bed() -> StaticComparison:
     """Solve with a bed that only pushes and the printed EA, by closed form and truss model."""
-    from catopt.verify.system import verify_system
+    from catopt.verify.line import verify_system
 
     return verify_system(turret(published(NAME)), elements=BARS, tolerance=TOLERANCE)
 

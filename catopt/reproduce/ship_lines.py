@@ -11,9 +11,19 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from catopt.model import Line, PointLoad, Segment
-from catopt.reproduce.comparison import compare, interval, study_of
-from catopt.reproduce.items import Drawn, Item, Printed, Study
-from catopt.reproduce.published import KN, TF, Published, published
+from catopt.reproduce.items import (
+    KN,
+    TF,
+    Drawn,
+    Item,
+    Printed,
+    Published,
+    Study,
+    compare,
+    interval,
+    published,
+    study_of,
+)
 from catopt.words import Message
 
 if TYPE_CHECKING:

@@ -17,9 +17,7 @@ from catopt.reproduce import (
     ship_lines,
     ship_loads,
 )
-from catopt.reproduce.comparison import compare, study_of
-from catopt.reproduce.items import Reproduction, Study
-from catopt.reproduce.published import published
+from catopt.reproduce.items import Reproduction, Study, compare, published, study_of
 from catopt.words import Message
 
 Progress = Callable[[int, int], None]
@@ -86,6 +84,6 @@ def reproduce(name: str | None = None, *, progress: Progress | None = None) -> R
 
 
 def _allowed(name: str) -> Message:
-    from catopt.catalogue.names import meant
+    from catopt.catalogue.family import meant
 
     return meant(Message("refused.one_of", words=", ".join(names())), name, names())

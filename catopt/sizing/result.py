@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Final, Literal
 
 from catopt.catalogue.choice import chosen
-from catopt.catalogue.in_words import chain_words
+from catopt.catalogue.family import chain_words
 from catopt.catenary.solution import Solution
 from catopt.design.result import DesignPoint
 from catopt.loads.buoy_shape import BuoyShape

@@ -6,8 +6,7 @@ import copy
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from catopt.casefile.location import parts
-from catopt.casefile.names import hint
+from catopt.casefile.document import hint, parts
 from catopt.casefile.reading import case_of
 from catopt.casefile.schema import CaseTable, Table, entries
 from catopt.checks.case import check_case

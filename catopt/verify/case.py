@@ -7,17 +7,16 @@ from dataclasses import dataclass
 from typing import Any
 
 from catopt.catenary.case import as_found, solve_case
-from catopt.catenary.warnings import check_buoys, named_line
+from catopt.catenary.solution import check_buoys, named_line
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.model import Case
 from catopt.model.network import Network
 from catopt.patience import paced
 from catopt.units import as_written
-from catopt.verify.line import verify_line
+from catopt.verify.line import verify_line, verify_system
 from catopt.verify.network import verify_network
 from catopt.verify.result import VERDICTS, StaticComparison, Verification, least_agreeing
 from catopt.verify.settings import ELEMENTS, TOLERANCE, check_settings
-from catopt.verify.system import verify_system
 from catopt.words import Message
 
 LOAD = "load"

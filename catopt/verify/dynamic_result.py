@@ -15,10 +15,18 @@ import numpy as np
 from catopt.arrays import Array, Flags
 from catopt.checks.fatigue import Cycles
 from catopt.fem.course import taken_together
-from catopt.fem.extremes import Extreme, GumbelFit, TailFit, block_maxima, weibull_tail
+from catopt.fem.extremes import (
+    Extreme,
+    GumbelFit,
+    SeriesStatistics,
+    TailFit,
+    block_maxima,
+    power_spectrum,
+    series_statistics,
+    weibull_tail,
+)
 from catopt.fem.extremes import gumbel as gumbel_of
 from catopt.fem.history import History
-from catopt.fem.statistics import SeriesStatistics, power_spectrum, series_statistics
 from catopt.floater.alone import HullHistory
 from catopt.model import Case, Line
 from catopt.model.dynamics import InitialFriction

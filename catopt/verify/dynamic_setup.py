@@ -10,30 +10,31 @@ from functools import cached_property, lru_cache
 import numpy as np
 
 from catopt.errors import InputError, Problem
-from catopt.fem.cylinder_coefficients import (
+from catopt.fem.damping import LineDamping
+from catopt.fem.dynamic_model import Fluid, LineProperties
+from catopt.fem.morison import (
     OBLIQUE,
+    MorisonSection,
     added_mass,
     steady_drag,
     wake_amplification,
 )
-from catopt.fem.damping import LineDamping
-from catopt.fem.dynamic_model import Fluid, LineProperties
-from catopt.fem.morison import MorisonSection
 from catopt.fem.newmark import Scheme
 from catopt.fem.run_settings import StepControls, TimeStepping
 from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, Sampled, Series
 from catopt.model import Anchor, Case, Dynamics, Motion, Segment, WaveState, WaveTrain
-from catopt.model.current_profile import CurrentProfile
+from catopt.model.sea import CurrentProfile
 from catopt.verify.motion_file import (
     Raos,
+    VesselRaos,
     read_current,
     read_elevation,
     read_force,
     read_motion,
     read_raos,
+    read_vessel_raos,
 )
-from catopt.verify.vessel import VesselRaos, read_vessel_raos
 from catopt.waves import (
     CosineSpreading,
     CurrentSeries,

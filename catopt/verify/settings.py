@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 
 ELEMENTS = 200
 """Bars of a line on the coarsest mesh."""

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from catopt.catalogue.family import split_size, words_of
 from catopt.catalogue.finding import MOST_ROWS, find, read_query
 from catopt.catalogue.fittings import fittings
-from catopt.catalogue.names import split_size, words_of
 from catopt.catalogue.standard import standard
 from catopt.errors import InputError
 

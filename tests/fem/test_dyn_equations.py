@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from catopt.fem import mesh_line
-from catopt.fem.block_tridiagonal import back_substitute_blocks, eliminate_blocks
+from catopt.fem.banded import back_substitute_blocks, eliminate_blocks
 from catopt.fem.damping import LineDamping, rayleigh_factors
 from catopt.fem.dynamic_model import Fluid, LineProperties, lay_out_moving
 from catopt.fem.morison import MorisonSection

@@ -6,13 +6,13 @@ import pytest
 
 from catopt.errors import InputError, NoAnswerError
 from catopt.loads import size_sinker
-from catopt.loads.held import sinkers_held
 from catopt.loads.sinker import (
     ADHESION,
     SOIL_FRICTION,
     adhesion_holding,
     friction_of,
     holding_force,
+    sinkers_held,
     submerged_weight,
 )
 from catopt.loads.source import LoadSource
