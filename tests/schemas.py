@@ -49,7 +49,8 @@ from catopt.sizing.inputs import INPUTS
 from catopt.sizing.known import Origin
 from catopt.sizing.line_choice import PREFERENCES
 from catopt.study.base import Computed
-from catopt.verify.dynamic_result import SERIES, Verdict
+from catopt.verify.dynamic_result import Verdict
+from catopt.verify.dynamic_run import SERIES
 from catopt.verify.fatigue import FatigueReport
 from catopt.verify.motion_words import DYNAMIC_QUANTITY_OF as QUANTITY_OF
 from catopt.verify.proof import Proof, Way

@@ -31,7 +31,8 @@ if TYPE_CHECKING:
 
     from catopt.checks.result import CheckReport
     from catopt.notes.motion import DesignInMotion, FrontInMotion
-    from catopt.verify.dynamic_result import DynamicPart, DynamicRun, DynamicVerification, OverRuns
+    from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
+    from catopt.verify.dynamic_run import DynamicRun, OverRuns
     from catopt.verify.two_scales import ShipVerification
 
 _TIME = Quantity("time", "Time", "", "s", "s", 1.0, 4)

@@ -13,12 +13,8 @@ from catopt.documents import figures
 if TYPE_CHECKING:
     from catopt.fem.extremes import Extreme
     from catopt.verify.case import DesignVerification, FrontVerification
-    from catopt.verify.dynamic_result import (
-        DynamicPart,
-        DynamicRun,
-        DynamicVerification,
-        OverRuns,
-    )
+    from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
+    from catopt.verify.dynamic_run import DynamicRun, OverRuns
     from catopt.verify.result import Compared, StaticComparison, Verification
 
 _SCHEMA = "catopt.verify/1"

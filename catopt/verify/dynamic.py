@@ -19,7 +19,8 @@ from catopt.interrupt import waiting_interrupt
 from catopt.model import Case
 from catopt.verify.case import load_states
 from catopt.verify.dynamic_lines import LinesAtRest, lines_at_rest, quasi_static
-from catopt.verify.dynamic_result import DynamicPart, DynamicRun, DynamicVerification
+from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
+from catopt.verify.dynamic_run import DynamicRun
 from catopt.verify.dynamic_setup import Excitation, check_for_motion, read_drive
 from catopt.verify.judged import with_verdicts
 from catopt.verify.motion_file import energy_beyond

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Final, Literal
 
 if TYPE_CHECKING:
     from catopt.checks.fatigue import Cycles
-    from catopt.verify.dynamic_result import DynamicRun
+    from catopt.verify.dynamic_run import DynamicRun
 
 LIMIT: Final = 0.05
 """Change of a maximum over itself, or part of the work lost, beyond which nothing is converged."""
