@@ -49,12 +49,13 @@ from catopt.sizing.inputs import INPUTS
 from catopt.sizing.known import Origin
 from catopt.sizing.line_choice import PREFERENCES
 from catopt.study.base import Computed
+from catopt.verify.compared import Unit
 from catopt.verify.dynamic_result import Verdict
 from catopt.verify.dynamic_run import SERIES
 from catopt.verify.fatigue import FatigueReport
 from catopt.verify.motion_words import DYNAMIC_QUANTITY_OF as QUANTITY_OF
 from catopt.verify.proof import Proof, Way
-from catopt.verify.result import StaticComparison, Unit
+from catopt.verify.result import StaticComparison
 from catopt.verify.result import Verdict as VerdictAtRest
 from catopt.words.texts import LANGUAGES
 

@@ -12,7 +12,8 @@ from catopt.checks.kinds import CheckSource
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.mooring.circle import watch_circle
 from catopt.ties import first_largest, largest
-from catopt.verify.result import Compared, StaticComparison, least_agreeing
+from catopt.verify.compared import Compared
+from catopt.verify.result import StaticComparison, least_agreeing
 from tests.mooring.layouts import spread
 
 ALIKE = tuple(permutations((1.0, 1.0 + 1e-15, 1.0 - 1e-12)))

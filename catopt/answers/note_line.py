@@ -38,7 +38,7 @@ from catopt.answers.solution import marks_table, points_table
 from catopt.answers.trail import equation_trail
 from catopt.figures.front import OBJECTIVES, composition, front
 from catopt.figures.line import line_in_water, load_curve, tension_along
-from catopt.figures.studies import fitness, swarm_tension
+from catopt.figures.swarm import fitness, swarm_tension
 from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:

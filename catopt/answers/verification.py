@@ -17,7 +17,8 @@ from catopt.words import Message, Several, Unit, term
 
 if TYPE_CHECKING:
     from catopt.verify.case import DesignVerification, FrontVerification
-    from catopt.verify.result import Compared, StaticComparison, Verification
+    from catopt.verify.compared import Compared
+    from catopt.verify.result import StaticComparison, Verification
 
 GAP = Quantity("gap", "Difference", "", "-", "-", 1.0, 1, "scientific", floor=1e-10)
 """Difference over its scale; what is below the truss model's own tolerance is chance, even a 0."""

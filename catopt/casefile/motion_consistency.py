@@ -10,8 +10,8 @@ from catopt.casefile.document import Finding, Section, refusals
 from catopt.casefile.schema import entries
 from catopt.constants import YEAR
 from catopt.model import CurrentProfile, Motion
+from catopt.model import dynamics as damage
 from catopt.model import dynamics as run
-from catopt.model import fatigue as damage
 from catopt.model.body import floater_misfits, ship_misfits
 from catopt.model.sea import CURRENT_PROFILES, MOTION_WAYS, OF_A_BODY, train_misfits, wave_misfits
 from catopt.words import Message

@@ -172,8 +172,8 @@ def read_mooring(path: str | os.PathLike[str]) -> Case | Network:
     """
     source = os.fspath(path)
     if Path(path).suffix.lower() != ".toml":
-        from catopt.decks.deck import tell
         from catopt.decks.reading import is_deck, read_any_deck
+        from catopt.decks.told import tell
 
         deck = read_text(Path(path), source, broken=True)
         if is_deck(deck):

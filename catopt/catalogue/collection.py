@@ -1,9 +1,10 @@
-"""A catalogue: families of components, and what can be asked of them."""
+"""A catalogue: families of components, what can be asked of them, and the one that comes along."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import cache
 from types import MappingProxyType
 
 from catopt.catalogue.components import RECALLED, SPECS, Component, Figure, within
@@ -208,3 +209,11 @@ def _bar_recalled(check: Findings, figure: Figure, allow_recalled: bool) -> None
     if figure.confidence == RECALLED and not allow_recalled:
         why = Message("catalogue.only_recalled")
         check.add(f"variants.{figure.quantity}", as_written(figure.variant), why)
+
+
+@cache
+def standard() -> Catalogue:
+    """Return the catalogue that comes with catopt; it is read once."""
+    from catopt.catalogue.reading import read_standard
+
+    return read_standard()

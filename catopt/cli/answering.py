@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any, NoReturn
 import typer
 
 from catopt.cli import options as option
-from catopt.cli.options import refused
 from catopt.cli.output import Output
+from catopt.cli.values import refused
 from catopt.errors import InputError
 from catopt.patience import when_long
 from catopt.quantities import Units

@@ -12,15 +12,8 @@ import typer
 from catopt.cli.answering import Asked, answering
 from catopt.cli.completion import completed
 from catopt.cli.help_words import WithWords, group
-from catopt.cli.options import (
-    ForceOption,
-    LengthOption,
-    TablesOutOption,
-    by_option,
-    given_ones,
-    in_si,
-    refuse,
-)
+from catopt.cli.options import ForceOption, LengthOption, TablesOutOption
+from catopt.cli.values import by_option, given_ones, in_si, refuse
 from catopt.errors import InputError, NoAnswerError, Problem
 from catopt.units import Dimension, as_written
 from catopt.words import Measure, Message, say

@@ -11,7 +11,8 @@ from catopt.answers.check import check_answer, verdict_sentence
 from catopt.casefile.reading import read_mooring_or_design
 from catopt.cli.answering import FAILED, Asked, answering
 from catopt.cli.completion import completed
-from catopt.cli.options import CaseArgument, DesignOption, StrictOption, TablesOutOption, by_option
+from catopt.cli.options import CaseArgument, DesignOption, StrictOption, TablesOutOption
+from catopt.cli.values import by_option
 from catopt.model.network import Network
 
 _CODE = typer.Option(metavar="NAME", autocompletion=completed("code"))

@@ -11,7 +11,8 @@ import typer
 from catopt.answers.solution import curve_answer
 from catopt.casefile import read_case
 from catopt.cli.answering import Asked, answering
-from catopt.cli.options import CaseArgument, OutOption, in_si, with_known_codes
+from catopt.cli.options import CaseArgument, OutOption
+from catopt.cli.values import in_si, with_known_codes
 from catopt.errors import InputError
 from catopt.units import Dimension
 

@@ -11,7 +11,8 @@ from catopt.answers.design import design_answer
 from catopt.casefile import read_case, write_case
 from catopt.casefile.reading import DESIGN_CASE
 from catopt.cli.answering import INTERRUPTED, Asked, answering, refuse_own_case
-from catopt.cli.options import CaseArgument, CountOption, OutOption, by_option, given_ones
+from catopt.cli.options import CaseArgument, CountOption, OutOption
+from catopt.cli.values import by_option, given_ones
 from catopt.errors import InputError, Problem
 from catopt.words import Message
 

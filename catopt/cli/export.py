@@ -8,17 +8,8 @@ import typer
 
 from catopt.casefile.reading import DESIGN_CASE, DESIGN_DOCUMENT
 from catopt.cli.answering import Asked, answering
-from catopt.cli.options import (
-    CaseArgument,
-    CountOption,
-    DesignOption,
-    LoadCaseOption,
-    PlaceOption,
-    in_state,
-    positive,
-    read_known,
-    refused,
-)
+from catopt.cli.options import CaseArgument, CountOption, DesignOption, LoadCaseOption, PlaceOption
+from catopt.cli.values import in_state, positive, read_known, refused
 from catopt.errors import InputError, Problem
 from catopt.export.exported import Source
 from catopt.model.kinds import Findings

@@ -6,7 +6,7 @@ from catopt.answers.fatigue import fatigue_answer, fatigue_sentence
 from catopt.casefile import read_case
 from catopt.cli import options
 from catopt.cli.answering import FAILED, STOPPED, Asked, answering
-from catopt.cli.options import with_known_codes
+from catopt.cli.values import with_known_codes
 from catopt.words import say
 
 

@@ -9,7 +9,8 @@ import typer
 
 from catopt.casefile import write_case
 from catopt.cli.answering import Asked, answering
-from catopt.cli.options import CountOption, LengthOption, PlaceOption, positive, refused
+from catopt.cli.options import CountOption, LengthOption, PlaceOption
+from catopt.cli.values import positive, refused
 from catopt.decks.reading import Asked as Missing
 from catopt.decks.reading import is_deck, read_any_deck
 from catopt.documents import read_text

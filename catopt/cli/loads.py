@@ -13,9 +13,10 @@ import typer
 
 from catopt.cli.answering import Asked, answering
 from catopt.cli.help_words import WithWords, group
-from catopt.cli.options import LengthOption, TablesOutOption, given_ones, in_si
+from catopt.cli.options import LengthOption, TablesOutOption
 from catopt.cli.size import BuoyArgument, is_file
 from catopt.cli.size_options import as_option, by_option, typed, with_inputs
+from catopt.cli.values import given_ones, in_si
 from catopt.errors import InputError, Problem
 from catopt.ties import largest
 from catopt.units import Dimension

@@ -11,8 +11,8 @@ from catopt.answers.note_line import line_note_answer
 from catopt.answers.note_size import size_note_answer
 from catopt.answers.note_system import network_note_answer, system_note_answer
 from catopt.casefile.reading import DESIGN_CASE, DESIGN_DOCUMENT, Moored, moored_in
-from catopt.cli.options import refuse
 from catopt.cli.output import Progress
+from catopt.cli.values import refuse
 from catopt.documents import parse_toml, read_text
 from catopt.errors import InputError, Problem
 from catopt.notes.line import Given, Note, SizeNote, read_note, size_note

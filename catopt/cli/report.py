@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from catopt.cli.answering import INTERRUPTED, Asked, answering
-from catopt.cli.options import CaseArgument, DesignOption, OnceOption, PlaceOption, refused
+from catopt.cli.options import CaseArgument, DesignOption, OnceOption, PlaceOption
 from catopt.cli.solve import Method
+from catopt.cli.values import refused
 from catopt.cli.verify import stop_in_doubt
 from catopt.notes.origin import file_name
 from catopt.verify.motion_words import stopped_words

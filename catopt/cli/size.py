@@ -12,8 +12,9 @@ import typer
 from catopt.cli.answering import Asked, answering, refuse_own_case
 from catopt.cli.completion import completed
 from catopt.cli.help_words import GroupWithWords, WithWords, group
-from catopt.cli.options import OutOption, refused
+from catopt.cli.options import OutOption
 from catopt.cli.size_options import as_option, by_option, typed, with_inputs
+from catopt.cli.values import refused
 from catopt.words import Message
 
 if TYPE_CHECKING:

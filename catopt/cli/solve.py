@@ -9,7 +9,7 @@ from typing import Annotated, Literal
 import typer
 
 from catopt.answers.solution import solution_answer
-from catopt.cli import options as values
+from catopt.cli import values
 from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CaseArgument, CountOption, DesignOption, LoadCaseOption, OutOption
 from catopt.errors import Problem

@@ -12,7 +12,8 @@ import typer
 
 from catopt.answers.study import members_table, plan_answer, study_answer
 from catopt.cli.answering import Asked, answering
-from catopt.cli.options import CountOption, OutOption, refuse, refused
+from catopt.cli.options import CountOption, OutOption
+from catopt.cli.values import refuse, refused
 from catopt.errors import Problem
 from catopt.words import Message
 
@@ -45,7 +46,7 @@ def study(
     missing = [option for option, given in of_directory.items() if given and asked.out is None]
     refuse(_problems(missing, workers, scheduler, is_both=plan and status))
     if parquet:
-        from catopt.study.table import need_parquet
+        from catopt.study.store import need_parquet
 
         need_parquet()
     asked.check_place()

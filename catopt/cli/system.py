@@ -11,7 +11,8 @@ import typer
 from catopt.answers.system import network_answer, system_answer
 from catopt.casefile.reading import read_mooring_or_design
 from catopt.cli.answering import Asked, answering
-from catopt.cli.options import CaseArgument, DesignOption, OutOption, in_si, refuse, refused
+from catopt.cli.options import CaseArgument, DesignOption, OutOption
+from catopt.cli.values import in_si, refuse, refused
 from catopt.errors import Problem
 from catopt.model.network import Network
 from catopt.patience import paced

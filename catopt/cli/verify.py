@@ -35,13 +35,12 @@ from catopt.cli.answering import (
     Files,
     answering,
 )
-from catopt.cli.options import refuse, with_known_codes
+from catopt.cli.values import refuse, with_known_codes
 from catopt.errors import Problem
 from catopt.model import Case
 from catopt.model.network import Network
 from catopt.verify.motion_words import not_converged_sentence, stopped_sentence
-from catopt.verify.proof import Proof
-from catopt.verify.settings import ELEMENTS, TOLERANCE, check_settings
+from catopt.verify.proof import ELEMENTS, TOLERANCE, Proof, check_settings
 from catopt.words import Message, say
 
 if TYPE_CHECKING:

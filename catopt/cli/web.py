@@ -7,8 +7,8 @@ from typing import Annotated
 
 import typer
 
-from catopt.cli.options import refused
 from catopt.cli.output import Output
+from catopt.cli.values import refused
 from catopt.words import Message
 
 

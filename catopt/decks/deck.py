@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from operator import itemgetter
 from typing import Literal, TypedDict, TypeVar, Unpack
@@ -191,17 +191,3 @@ class Notes:
             self.refuse(row, f"{name} {word}", key, limit=limit)
             return math.nan
         return found
-
-
-_when_read: list[Callable[[Sequence[str]], None]] = []
-
-
-def when_read(told: Callable[[Sequence[str]], None]) -> None:
-    """Have the remarks told by this, in place of an earlier one."""
-    _when_read[:] = [told]
-
-
-def tell(remarks: Sequence[str]) -> None:
-    """Tell them to whoever wanted to know."""
-    for told in _when_read:
-        told(remarks)

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from catopt.export.body_in_water import STEEL_DENSITY
 from catopt.export.exported import significant
-from catopt.export.exported_line import ExportedLines
+from catopt.export.exported_line import STEEL_DENSITY, ExportedLines
 from catopt.export.moordyn_model import Model, is_above, resting
 from catopt.model import Segment
 from catopt.words import Message

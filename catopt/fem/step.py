@@ -16,8 +16,8 @@ from catopt.fem.banded import (
     solve_dense,
     take_aside,
 )
-from catopt.fem.bed import FREE, ON_BED, touches
 from catopt.fem.resting import Bars, Body, Law, Net, State, row_of_bar
+from catopt.fem.seabed import FREE, ON_BED, touches
 
 
 class StepReport(NamedTuple):

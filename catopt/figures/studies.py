@@ -1,114 +1,20 @@
-"""Studies, published ones beside other models, and what a particle swarm went through."""
+"""Several lines, or several models of a moored body, in one drawing."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
 from itertools import cycle
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-import numpy as np
-
-from catopt.figures.chart import (
-    IN_TONNES,
-    Area,
-    Axis,
-    Chart,
-    Level,
-    Mark,
-    Place,
-    Series,
-    axis,
-    pointed,
-    span_of,
-)
+from catopt.figures.chart import Area, Axis, Chart, Level, Mark, Place, Series, axis, span_of
 from catopt.figures.line import room_around, surface_and_bed, water
 from catopt.figures.mooring import beyond, from_above
-from catopt.quantities import Quantity
-from catopt.words import Measure, Message
+from catopt.words import Message
 
 if TYPE_CHECKING:
-    from catopt.catenary.solution import Solution, SwarmReport
+    from catopt.catenary.solution import Solution
     from catopt.reproduce.items import Mooring
-    from catopt.study.result import Statistic, StudyResult
-
-_CONVERGED = 1e-9
-_MOST_POINTS = 400
-COUNT = Quantity("count", "Number", "", "-", "-", 1.0, 0)
-"""A whole number along an axis."""
-
-
-def fitness(swarm: SwarmReport) -> Chart:
-    """Draw the best objective over the iterations, logarithmic (figure 3 of S1).
-
-    It ends where the run has converged: what f is further on, rounding decides, and each processor
-    rounds in its own way.
-    """
-    history = [float(f"{f:.4g}") for f in swarm.best_objective_history[: _shown(swarm)]]
-    powers = [math.log10(f) for f in (*history, _CONVERGED)]
-    low, high = math.floor(min(powers) + 1e-9), math.ceil(max(powers) - 1e-9)
-    size = max(high - low, 1)
-    step = max(1, math.ceil((size + 1) / 8))
-    ticks = tuple(10.0**power for power in range(low + size, low - 1, -step))
-    ends, up = (10.0**low, 10.0 ** (low + size)), Message("figures.best_objective")
-    return _over_iterations(
-        swarm,
-        history,
-        "figures.run",
-        Level("limit", "y", _CONVERGED, Message("figures.converged")),
-        name="swarm",
-        title=Message("figures.fitness"),
-        y=axis("objective", ends, up, foot=0.0, ticks=ticks),
-    )
-
-
-def swarm_tension(swarm: SwarmReport, closed_form: float) -> Chart:
-    """Draw the fairlead tension over the iterations (figure 4 of S1); `closed_form` is in N."""
-    history = [float(f"{T:.6g}") for T in swarm.tension_history[: _shown(swarm)]]
-    exact = Message("figures.closed_form", T=Measure("tension", closed_form))
-    ends = span_of([*history, closed_form], 0.15, 0.15)
-    return _over_iterations(
-        swarm,
-        history,
-        "figures.best_particle",
-        Level("limit", "y", closed_form, exact),
-        name="swarm_tension",
-        title=Message("figures.swarm_tension"),
-        y=axis("tension", ends, Message("figures.fairlead_tension_axis"), second=IN_TONNES),
-    )
-
-
-def _over_iterations(
-    swarm: SwarmReport, history: Sequence[float], label: str, level: Level, **how: Any
-) -> Chart:
-    """Draw a history; say what is known of all of a few iterations, of some of many."""
-    shown, count = _shown(swarm), len(history)
-    stopped = Message("figures.stopped", iteration=shown + 1, iterations=swarm.iterations)
-    step = max(1, math.ceil(count / _MOST_POINTS))
-    chosen = sorted({*range(1, count + 1, step), count} - {0})
-    iterations, run = range(1, count + 1), swarm.best_run
-    return Chart(
-        x=Axis(Message("figures.iteration"), COUNT, 0.0, float(max(shown + 1, 2))),
-        series=(Series("first", iterations, history, Message(label, run=run)),),
-        levels=(level,),
-        points=pointed(
-            "figures.iteration_at",
-            chosen,
-            [history[n - 1] for n in chosen],
-            iteration=("", chosen),
-            f=("objective", [swarm.best_objective_history[n - 1] for n in chosen]),
-            T=("tension", [swarm.tension_history[n - 1] for n in chosen]),
-        ),
-        notes=(stopped,) if shown < len(swarm.best_objective_history) else (),
-        **how,
-    )
-
-
-def _shown(swarm: SwarmReport) -> int:
-    """Count the iterations before the one at which the run has converged."""
-    return sum(f >= _CONVERGED for f in swarm.best_objective_history)
-
 
 _LINES = ("mooring", "second", "first", "third", "fourth")
 _MODELS = (("second", "model-a"), ("first", "model-b"))
@@ -199,32 +105,4 @@ def models_from_the_side(moorings: Sequence[Mooring], number: int) -> Chart:
         marks=tuple(marks),
         levels=(Level("bed-edge", "y", 0.0, Message("figures.bed")),),
         areas=(Area("bed", (-math.inf,), (0.0,)),),
-    )
-
-
-_SHARE = Quantity("share", "Share", "", "-", "-", 1.0, 4)
-_MOST = 400
-"""Places of a curve, at equal shares and closer at its rare end."""
-
-
-def exceedance(result: StudyResult, of: Statistic) -> Chart:
-    """Draw the share of the members that are worse than each value of a quantity."""
-    values, shares = result.values(of.kept.name), result.study.shares()
-    there = np.isfinite(values) & (shares > 0.0)
-    order = np.argsort(values[there] if of.kept.high_is_worse else -values[there], kind="stable")
-    sorted_values, weights = values[there][order], shares[there][order]
-    worse = 1.0 - np.cumsum(weights) / weights.sum() + weights / weights.sum()
-    rare = float(worse.min())
-    wanted = np.geomspace(1.0, rare, _MOST)
-    at = np.unique(np.searchsorted(-worse, -wanted, side="right") - 1)
-    x, y = sorted_values[at].tolist(), worse[at].tolist()
-    key = "worse_above" if of.kept.high_is_worse else "worse_below"
-    limits = [] if of.limit is None else [of.limit]
-    return Chart(
-        "study",
-        Message("study.exceedance"),
-        Axis(of.kept.words, replace(of.kept.measure, symbol=""), *span_of([*x, *limits])),
-        Axis(Message(f"study.{key}"), _SHARE, 0.6 * rare, 1.4, foot=0.6 * rare),
-        series=(Series("first", x, y, Message(f"study.{key}")),),
-        levels=tuple(Level("capacity", "x", each, Message("study.limit")) for each in limits),
     )

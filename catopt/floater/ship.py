@@ -17,9 +17,9 @@ from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError
 from catopt.hydro.coefficient_files import read_wamit
 from catopt.hydro.coefficients import Coefficients
-from catopt.loads.blendermann import coefficients, pressure_centre, wind_type
 from catopt.loads.environment import drag
 from catopt.loads.ship import Ship
+from catopt.loads.ship_coefficients import coefficients, pressure_centre, wind_type
 from catopt.loads.ship_dimensions import BLOCK, estimated_tanker
 from catopt.loads.ship_loads import AIR_DENSITY
 from catopt.loads.ufc import longitudinal_loads, transverse_load, yaw_moment

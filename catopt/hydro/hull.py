@@ -12,8 +12,7 @@ from catopt.compiled import packed
 from catopt.constants import STANDARD_GRAVITY
 from catopt.hydro.coefficients import Complex
 from catopt.model.kinds import Findings
-from catopt.waves.fast_functions import cos_sin
-from catopt.waves.kinematics import Flow, fill_kinematics, smooth_ramp
+from catopt.waves.kinematics import Flow, cos_sin, fill_kinematics, smooth_ramp
 from catopt.waves.spectrum import fill_wave_numbers
 
 PRESSURE, DIFFRACTION, MEMORY, DRAG, WIND, DAMPING = range(6)

@@ -11,7 +11,7 @@ from warnings import warn
 from catopt.loads.buoy import buoy, buoy_loads, buoys, read_buoys, surface_speed
 from catopt.loads.buoy_shape import BuoyShape, BuoySlice, Floating
 from catopt.loads.calmar_file import read_calmar_buoy
-from catopt.loads.component import LoadComponent, Loads, Number
+from catopt.loads.component import LoadComponent, Loads, LoadSource, Number
 from catopt.loads.drag_anchor import (
     DragAnchorSize,
     HoldingCapacity,
@@ -29,7 +29,6 @@ from catopt.loads.ship_coefficients import (
 from catopt.loads.ship_dimensions import estimated_tanker
 from catopt.loads.ship_loads import METHODS, every_method, governing_loads, ship_loads
 from catopt.loads.sinker import SinkerSize, size_sinker
-from catopt.loads.source import LoadSource
 from catopt.loads.tanker_20m import TankerComparison, compare_tanker
 from catopt.loads.ufc import UfcWind
 from catopt.loads.weathervane import (

@@ -16,9 +16,8 @@ from catopt.constants import SEA_WATER_DENSITY
 from catopt.documents import read_text
 from catopt.errors import InputError, Problem
 from catopt.loads.buoy_shape import DRAG_COEFFICIENT, BuoyShape, BuoySlice, Floating
-from catopt.loads.component import LoadComponent, Loads, Number
+from catopt.loads.component import CALMAR, LoadComponent, Loads, LoadSource, Number
 from catopt.loads.environment import SeaState, SurfaceCurrent, WaterLevels, Wind, drag_component
-from catopt.loads.source import CALMAR, LoadSource
 from catopt.model.kinds import Findings
 from catopt.words import Measure, Message, Several, term
 

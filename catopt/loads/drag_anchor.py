@@ -9,8 +9,8 @@ from typing import Final, Literal, cast
 
 from catopt.catalogue.anchors import AnchorType, Holding, anchor_types
 from catopt.errors import NoAnswerError
+from catopt.loads.component import DTOCEAN, MOORPY, UFC, LoadSource, refuse_recalled
 from catopt.loads.ship_dimensions import NextSize, neighbours, next_size
-from catopt.loads.source import DTOCEAN, MOORPY, UFC, LoadSource, refuse_recalled
 from catopt.model.kinds import Findings
 from catopt.shown import Tabled
 from catopt.words import Measure, Message, Several, term

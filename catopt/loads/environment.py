@@ -10,9 +10,8 @@ import numpy as np
 
 from catopt.arrays import Array
 from catopt.constants import STANDARD_GRAVITY
-from catopt.loads.component import Axis, LoadComponent, Number
+from catopt.loads.component import Axis, LoadComponent, LoadSource, Number
 from catopt.loads.ship import Ship
-from catopt.loads.source import LoadSource
 from catopt.model.kinds import Angle, Findings
 from catopt.words import Message
 

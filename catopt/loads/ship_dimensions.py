@@ -10,8 +10,8 @@ from types import MappingProxyType
 from typing import Final, Literal, NamedTuple, TypeAlias, get_args
 
 from catopt.errors import NoAnswerError
+from catopt.loads.component import MARPOL, LoadSource
 from catopt.loads.ship import Ship
-from catopt.loads.source import MARPOL, LoadSource
 from catopt.model.kinds import Findings
 from catopt.shown import Tabled
 from catopt.words import Message

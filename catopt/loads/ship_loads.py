@@ -8,11 +8,10 @@ from dataclasses import replace
 from typing import Any, Final
 
 from catopt.constants import SEA_WATER_DENSITY
-from catopt.loads.blendermann import blendermann_loads
 from catopt.loads.component import LoadComponent, Loads
 from catopt.loads.environment import HEAD_ON, Headings, SeaState, SurfaceCurrent, Wind
 from catopt.loads.ship import Ship
-from catopt.loads.ship_coefficients import ShipCoefficients
+from catopt.loads.ship_coefficients import ShipCoefficients, blendermann_loads
 from catopt.loads.tcn_222_95 import tcn_loads
 from catopt.loads.ufc import (
     FASTEST_SHALLOW,

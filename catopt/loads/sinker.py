@@ -12,9 +12,9 @@ from catopt.catalogue.components import Confidence, Source
 from catopt.catalogue.family import meant, words_of
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.errors import InputError, Problem
+from catopt.loads.component import CALMAR, NAVFAC, LoadSource
 from catopt.loads.drag_anchor import CURVES, default_factor, holding_capacity
 from catopt.loads.ship_dimensions import SINKER_MASSES, NextSize, neighbours, next_size
-from catopt.loads.source import CALMAR, NAVFAC, LoadSource
 from catopt.model.anchor import sinker_needed
 from catopt.model.kinds import Findings
 from catopt.units import as_written

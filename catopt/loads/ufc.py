@@ -6,10 +6,9 @@ import math
 from dataclasses import dataclass
 from typing import Final, Literal
 
-from catopt.loads.component import LoadComponent, Number
+from catopt.loads.component import UFC, LoadComponent, LoadSource, Number, refuse_recalled
 from catopt.loads.environment import Wind, drag_component, wind_on_ship
 from catopt.loads.ship import PROPELLER_AREA_RATIOS, Ship
-from catopt.loads.source import UFC, LoadSource, refuse_recalled
 from catopt.model.kinds import Findings
 from catopt.words import Message, term
 

@@ -11,8 +11,7 @@ from catopt.model.design import (
     SegmentChoice,
     SinkerChoice,
 )
-from catopt.model.dynamics import Dynamics
-from catopt.model.fatigue import Fatigue, FatigueSeaState, SegmentCurve
+from catopt.model.dynamics import Dynamics, Fatigue, FatigueSeaState, SegmentCurve
 from catopt.model.line import Line, PointLoad, Segment
 from catopt.model.load import Checks, Load, LoadCase, Site
 from catopt.model.sea import CurrentProfile, Motion, WaveState, WaveTrain

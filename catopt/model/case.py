@@ -13,11 +13,12 @@ from catopt.model.design import Design, DesignLoad, Find, body_misfits, inconsis
 from catopt.model.dynamics import (
     FOR_MOTION,
     Dynamics,
+    Fatigue,
     broken_line_misfits,
     dynamics_misfits,
     of_motion_misfits,
+    sections_misfits,
 )
-from catopt.model.fatigue import Fatigue, sections_misfits
 from catopt.model.kinds import Checked, File, Findings, Height, Measured, Seed, Share, Whole
 from catopt.model.line import Line
 from catopt.model.load import Checks, Load, LoadCase, Site

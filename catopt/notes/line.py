@@ -16,8 +16,8 @@ from catopt.catenary.case import solve_case, under_a_load
 from catopt.checks.case import NO_CHECK, check_case, is_of_load
 from catopt.design.result import design_document
 from catopt.errors import CatoptError
+from catopt.loads.component import CALMAR, LoadSource
 from catopt.loads.sinker import DENSITIES, FACTOR_SOURCE, SAFETY_FACTOR
-from catopt.loads.source import CALMAR, LoadSource
 from catopt.mooring.solve import solve_system
 from catopt.notes.motion import (
     InMotion,

@@ -84,7 +84,7 @@ def solution_pictures(case: Case, solution: Solution) -> dict[str, bytes]:
 
 def _of_swarm(name: str, solution: Solution) -> dict[str, Drawing]:
     """Draw S1's figures 3 and 4; nothing when there was no swarm."""
-    from catopt.figures.studies import fitness, swarm_tension
+    from catopt.figures.swarm import fitness, swarm_tension
 
     swarm, title = solution.swarm, solution.title
     if swarm is None:
@@ -289,7 +289,7 @@ def _of_moved(found: DynamicVerification) -> Drawing:
 
 def _of_study(result: StudyResult) -> Drawing:
     """Draw how often values are exceeded: of the quantities with limits, or else of the first."""
-    from catopt.figures.studies import exceedance
+    from catopt.figures.study import exceedance
 
     known = [each for each in result.statistics if each.least < each.largest]
     drawn = [each for each in known if each.limit is not None] or known[:1]

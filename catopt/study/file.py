@@ -22,8 +22,8 @@ from catopt.model import Case
 from catopt.model.kinds import Kind, Measured, Seed, Size, Text, Whole
 from catopt.study.base import Base, Computed, Proof
 from catopt.study.member import kind_of_key, read_member
+from catopt.study.store import read_table
 from catopt.study.study import Axis, Distribution, DistributionKind, Study
-from catopt.study.table import read_table
 from catopt.units import Dimension, to_si
 from catopt.words import Listed, Message, Several
 

@@ -15,8 +15,8 @@ from catopt.patience import paced
 from catopt.units import as_written
 from catopt.verify.line import verify_line, verify_system
 from catopt.verify.network import verify_network
+from catopt.verify.proof import ELEMENTS, TOLERANCE, check_settings
 from catopt.verify.result import VERDICTS, StaticComparison, Verification, least_agreeing
-from catopt.verify.settings import ELEMENTS, TOLERANCE, check_settings
 from catopt.words import Message
 
 LOAD = "load"

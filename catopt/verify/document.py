@@ -13,9 +13,10 @@ from catopt.documents import figures
 if TYPE_CHECKING:
     from catopt.fem.extremes import Extreme
     from catopt.verify.case import DesignVerification, FrontVerification
+    from catopt.verify.compared import Compared
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
     from catopt.verify.dynamic_run import DynamicRun, OverRuns
-    from catopt.verify.result import Compared, StaticComparison, Verification
+    from catopt.verify.result import StaticComparison, Verification
 
 _SCHEMA = "catopt.verify/1"
 _ENERGIES = "put_in_J ends_J water_J kinetic_J elastic_J potential_J drag_J bed_J friction_J"

@@ -10,7 +10,6 @@ from functools import cached_property, lru_cache
 import numpy as np
 
 from catopt.errors import InputError, Problem
-from catopt.fem.damping import LineDamping
 from catopt.fem.dynamic_model import Fluid, LineProperties
 from catopt.fem.morison import (
     OBLIQUE,
@@ -19,7 +18,7 @@ from catopt.fem.morison import (
     steady_drag,
     wake_amplification,
 )
-from catopt.fem.newmark import Scheme
+from catopt.fem.newmark import LineDamping, Scheme
 from catopt.fem.run_settings import StepControls, TimeStepping
 from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, Sampled, Series

@@ -19,7 +19,7 @@ from catopt.checks.kinds import CheckSource
 from catopt.constants import YEAR
 from catopt.errors import InputError, Problem
 from catopt.model import Case, FatigueSeaState, Segment
-from catopt.model.fatigue import share_misfits
+from catopt.model.dynamics import share_misfits
 from catopt.model.kinds import Force, NotNegative, Place, Positive, Share
 from catopt.records import Counted, From, Record
 from catopt.ties import largest

@@ -19,15 +19,8 @@ from catopt.fem import solve_system as solve_truss
 from catopt.model import Case, System
 from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import solve_system
-from catopt.verify.result import (
-    ORDER,
-    Compared,
-    LinePair,
-    Mesh,
-    StaticComparison,
-    Unit,
-    largest_distances,
-)
+from catopt.verify.compared import ORDER, Compared, Unit
+from catopt.verify.result import LinePair, Mesh, StaticComparison, largest_distances
 from catopt.words import Message, Several
 
 Truss = TypeVar("Truss")

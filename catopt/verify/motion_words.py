@@ -9,14 +9,15 @@ from typing import TYPE_CHECKING
 
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.units import lasting
+from catopt.verify.compared import ORDER, ROUNDING
 from catopt.verify.proof import LIMIT, OF_MBL
-from catopt.verify.result import ORDER, ROUNDING
 from catopt.words import Listed, Measure, Message, Several
 
 if TYPE_CHECKING:
     from catopt.fem import Extreme
+    from catopt.verify.compared import Compared
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
-    from catopt.verify.result import Compared, StaticComparison
+    from catopt.verify.result import StaticComparison
 
 
 def named(key: str, name: str, symbol: str | None = None) -> Quantity:

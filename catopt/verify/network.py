@@ -19,8 +19,9 @@ from catopt.model.network import Network, joined
 from catopt.mooring.chains import Row, in_rows, rows_of
 from catopt.mooring.held import BodyAtRest, LinesAtRest, at_rest
 from catopt.mooring.joints import Moored, Run, moored, runs_of
+from catopt.verify.compared import ORDER, Compared
 from catopt.verify.line import SLACK, SLACK_ORDER, Comparing, bends, on_meshes
-from catopt.verify.result import ORDER, Compared, LinePair, Mesh, StaticComparison
+from catopt.verify.result import LinePair, Mesh, StaticComparison
 from catopt.words import Message
 
 _LEAST_OFFSET = 0.01

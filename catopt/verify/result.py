@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import math
 from bisect import bisect_right
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal, NamedTuple
 
@@ -19,6 +18,7 @@ from catopt.model import Case
 from catopt.model.network import Network
 from catopt.shown import Displayable
 from catopt.ties import largest
+from catopt.verify.compared import ORDER, ROUNDING, Compared, worst_of
 
 __all__ = [
     "VERDICTS",
@@ -30,148 +30,6 @@ __all__ = [
     "Verification",
     "least_agreeing",
 ]
-
-Unit = Literal["N", "m", "rad", "Nm"]
-
-ORDER = 2.0
-"""Of bars with half of their load at each end."""
-
-SMOOTH = 0.25
-"""How far the observed order may be from that of theory for the meshes to be extrapolated."""
-
-ROUNDING = 1e-10
-"""Tolerance of the truss model: what is below it, over the scale, is rounding."""
-
-NOISE = 10.0 * ROUNDING
-"""Change from mesh to mesh that is rounding, over the scale."""
-
-
-@dataclass(frozen=True)
-class Compared:
-    """One quantity by both models.
-
-    `quantity`: such as ``"fairlead_tension"``; keys of documents are this and the unit;
-    `closed_form`: its value; `fem`: by the truss model on each mesh, from the coarsest; `scale`:
-    what a difference is measured by: the fairlead tension, the line's length; `tolerance`: allowed
-    difference over the scale; `line`: of a system: which of its lines, from 0; None for the body,
-    or where there is one line; `point`: of a network: name of the joint or body; `limit`:
-    extrapolated in another way than from the values themselves (the shape: node by node); `theory`:
-    order by which the error should fall.
-    """
-
-    quantity: str
-    unit: Unit
-    closed_form: float
-    fem: tuple[float, ...]
-    scale: float
-    tolerance: float
-    line: int | None = None
-    limit: float | None = None
-    theory: float = ORDER
-    point: str = ""
-
-    @property
-    def key(self) -> str:
-        """Name with the unit, as documents have it: ``"span_m"``."""
-        return f"{self.quantity}_{self.unit}"
-
-    @property
-    def order(self) -> float | None:
-        """Observed order of the last three meshes; None where their change is rounding."""
-        return observed_order(self.fem, NOISE * self.scale)
-
-    @property
-    def is_smooth(self) -> bool:
-        """Whether the error falls as theory says, so that meshes may be extrapolated."""
-        order = self.order
-        return order is None or abs(order - self.theory) <= SMOOTH
-
-    @property
-    def extrapolated(self) -> float:
-        """The truss model's answer: Richardson's estimate; the finest mesh where not smooth."""
-        if not self.is_smooth or self.order is None:
-            return self.fem[-1]
-        return extrapolated(self.fem, self.theory) if self.limit is None else self.limit
-
-    @property
-    def left(self) -> float:
-        """What finer meshes would still change about the finest one, estimated."""
-        if self.is_smooth and self.order is not None:
-            return abs(self.extrapolated - self.fem[-1])
-        return abs(self.fem[-1] - self.fem[-2]) if len(self.fem) > 1 else 0.0
-
-    @property
-    def difference_before(self) -> float:
-        """Finest mesh minus closed form."""
-        return self.fem[-1] - self.closed_form
-
-    @property
-    def difference(self) -> float:
-        """Truss model's answer minus closed form."""
-        return self.extrapolated - self.closed_form
-
-    @property
-    def allowed(self) -> float:
-        """Largest difference that counts as agreement."""
-        return self.tolerance * self.scale
-
-    @property
-    def gap(self) -> float:
-        """Size of the difference over the scale."""
-        return abs(self.difference) / self.scale
-
-    @property
-    def gap_before(self) -> float:
-        """Size of the difference of the finest mesh over the scale."""
-        return abs(self.difference_before) / self.scale
-
-    @property
-    def is_resolved(self) -> bool:
-        """Whether a difference is more than what the truss model itself may still be off by.
-
-        Of an error that falls smoothly that is what was extrapolated; otherwise three times the
-        last change, which is what follows it at order 0.4.
-        """
-        own = self.left if self.is_smooth else 3.0 * self.left
-        return abs(self.difference) > own
-
-    @property
-    def severity(self) -> float:
-        """The gap over its tolerance."""
-        return self.gap / self.tolerance
-
-    @property
-    def agrees(self) -> bool:
-        """Whether the gap is within the tolerance."""
-        return self.gap <= self.tolerance
-
-
-def worst_of(quantities: Iterable[Compared]) -> Compared:
-    """Return the quantity with the largest gap over its tolerance; of those alike the first."""
-    listed = list(quantities)
-    resolved = ROUNDING / min(each.tolerance for each in listed)
-    return largest(listed, lambda each: each.severity, resolved)
-
-
-def observed_order(values: Sequence[float], noise: float) -> float | None:
-    """Order by which the last three values close up.
-
-    None where there are fewer than three values or the last change is rounding; infinite never: a
-    change that comes after none counts as order minus infinity, not smooth.
-    """
-    if len(values) < 3:
-        return None
-    first, second = values[-3] - values[-2], values[-2] - values[-1]
-    if abs(second) <= noise:
-        return None
-    return math.log2(max(abs(first), noise) / abs(second))
-
-
-def extrapolated(values: Sequence[float], order: float = ORDER) -> float:
-    """Richardson's estimate from the last two values, by the order by which the error falls."""
-    gain = math.pow(2.0, order) - 1.0
-    return values[-1] + (values[-1] - values[-2]) / gain
-
 
 Verdict = Literal["agrees", "differs", "not resolved", "not compared"]
 VERDICTS: tuple[Verdict, ...] = ("differs", "not resolved", "agrees")

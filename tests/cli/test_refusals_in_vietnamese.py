@@ -14,9 +14,9 @@ from catopt.casefile.schema import entries
 from catopt.casefile.writing import TEMPLATES
 from catopt.catalogue import standard
 from catopt.cli.app import _PLACES
-from catopt.loads.blendermann import TYPES
 from catopt.loads.buoy import buoys
 from catopt.loads.drag_anchor import SOILS
+from catopt.loads.ship_coefficients import TYPES
 from catopt.loads.sinker import SOIL_FRICTION
 from catopt.model.case import Boundary
 from catopt.reproduce import names as studies

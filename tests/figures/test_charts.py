@@ -23,7 +23,7 @@ from catopt.figures.line import (
     touchdowns,
 )
 from catopt.figures.mooring import near, plan, restoring, spread, watch_round, watch_track
-from catopt.figures.studies import fitness
+from catopt.figures.swarm import fitness
 from catopt.model import Case, Checks, Line, Load, Segment, Site
 from catopt.quantities import QUANTITIES
 from catopt.render.looks import LOOKS

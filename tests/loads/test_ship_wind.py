@@ -8,7 +8,7 @@ import pytest
 
 from catopt.errors import InputError
 from catopt.loads import Ship, UfcWind, Wind
-from catopt.loads.blendermann import TYPES, blendermann_loads, coefficients
+from catopt.loads.ship_coefficients import TYPES, blendermann_loads, coefficients
 from catopt.loads.ufc import (
     Superstructure,
     longitudinal_shape,

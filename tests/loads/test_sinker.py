@@ -6,6 +6,7 @@ import pytest
 
 from catopt.errors import InputError, NoAnswerError
 from catopt.loads import size_sinker
+from catopt.loads.component import LoadSource
 from catopt.loads.sinker import (
     ADHESION,
     SOIL_FRICTION,
@@ -15,7 +16,6 @@ from catopt.loads.sinker import (
     sinkers_held,
     submerged_weight,
 )
-from catopt.loads.source import LoadSource
 from catopt.model.anchor import sinker_needed
 
 from . import ROUNDING

@@ -21,7 +21,7 @@ from catopt.loads import (
     equilibrium_headings,
     every_lying,
 )
-from catopt.loads.blendermann import pressure_centre
+from catopt.loads.ship_coefficients import pressure_centre
 from catopt.loads.tanker_20m import CURRENT, SEA, WATER_DEPTH, WIND, tanker
 from catopt.loads.ufc import transverse_coefficient
 
