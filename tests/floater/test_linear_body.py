@@ -165,7 +165,7 @@ def test_oc4_beside_its_frequencies(tmp_path: Path) -> None:
     Ballasted platform 1.3473e7 kg, 13.46 m below the water, 6.827e9 kg m2; tower and nacelle of the
     5 MW turbine; C33 3.836e6 N/m, C44 -3.776e8 N m without weight (NREL/TP-5000-60601). Surge
     (0.0093 Hz there) is sway's, as by symmetry it must be. Roll and pitch are 5 % above the print:
-    the tower's bending takes 1 % off, pitch about the waterline alone would be 0.0366 Hz, and why the
+    the tower's bending takes 1 % off, pitch about the waterline alone would be 0.0366 Hz; why the
     decays of that model lie between is not known.
     """
     text = (HERE / "oc4_radiation.txt").read_text().splitlines()[2:]
