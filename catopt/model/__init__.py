@@ -20,6 +20,7 @@ from catopt.model.load import Load, LoadCase
 from catopt.model.motion import Motion
 from catopt.model.service import Service
 from catopt.model.site import Site
+from catopt.model.strain_table import StrainTable
 from catopt.model.system import Leg, System
 from catopt.model.wave_state import WaveState, WaveTrain
 
@@ -52,6 +53,7 @@ __all__ = [
     "ShipAfloat",
     "SinkerChoice",
     "Site",
+    "StrainTable",
     "SwarmSettings",
     "System",
     "WaveState",
