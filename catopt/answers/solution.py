@@ -19,6 +19,7 @@ from catopt.answers.blocks import (
     tabulate,
     texts,
 )
+from catopt.model.strain_table import StrainTable
 from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:
@@ -159,11 +160,13 @@ def given_tables(line: Line) -> Iterator[blocks.Table]:
     yield tabulate(
         "segments_given",
         *_named("segment", segments),
-        *segments.own("length", "submerged_weight", "EA"),
+        *segments.own("length", "submerged_weight"),
+        segments.measured("EA", lambda of: None if isinstance(of.EA, StrainTable) else of.EA),
         segments.measured("mass_per_length", "mass"),
         *segments.own("MBL"),
         caption=Message("captions.segments_from_the_anchor_to_the_fairlead"),
     )
+    yield from _strain_tables(line)
     if line.point_loads:
         loads = Rows(line.point_loads)
         yield tabulate(
@@ -175,6 +178,21 @@ def given_tables(line: Line) -> Iterator[blocks.Table]:
             *if_known(*loads.own("friction")),
             caption=Message("captions.point_loads"),
         )
+
+
+def _strain_tables(line: Line) -> Iterator[blocks.Table]:
+    """Tabulate the strains of ropes that have them by a table."""
+    every = enumerate((each.EA for each in line.segments), start=1)
+    found = [(k, EA) for k, EA in every if isinstance(EA, StrainTable)]
+    rows = [(k, *row) for k, EA in found for row in zip(EA.strain, EA.tension, strict=True)]
+    if rows:
+        number, strain, tension = zip(*rows, strict=True)
+        columns = (
+            texts("segment", number),
+            measured("strain", strain),
+            measured("tension", tension),
+        )
+        yield tabulate("strain_given", *columns, caption=Message("captions.strain_given"))
 
 
 def _named(what: str, of: Rows) -> Iterator[blocks.Column]:

@@ -26,6 +26,7 @@ from catopt.errors import InputError
 from catopt.model import Case, CatalogueChoice, Checks, Line, SegmentChoice, Site, System
 from catopt.model.kinds import File
 from catopt.model.line import weight_in_water
+from catopt.model.strain_table import StrainTable
 from catopt.units import as_written
 from catopt.words import Message
 from catopt.words.refusals import problem_words
@@ -339,6 +340,8 @@ def _segment(table: SegmentTable, component: Component | None) -> Any:
         given["drag_axial"] *= math.pi
     made = component.segment(1.0) if component else None
     figures = {each.name: getattr(made, each.name) for each in fields(made)} if made else {}
+    if "strain" in given:
+        given["EA"] = StrainTable(given.pop("strain"), given.pop("strain_tension"))
     if given.get("drag_method") == "roughness":
         figures |= dict.fromkeys(("drag_normal", "drag_axial", "added_mass_normal"))
     return table.model(**figures | given)

@@ -22,6 +22,7 @@ from catopt.model.design import FIND_QUANTITIES, FORCES, body_misfits, inconsist
 from catopt.model.dynamics import OF_MOTION
 from catopt.model.line import END_ROUNDING, break_test_misfits, drag_misfits, point_drag_misfits
 from catopt.model.service import wear_misfits
+from catopt.model.strain_table import table_misfits
 from catopt.model.system import system_misfits
 from catopt.units import Dimension
 from catopt.words import Message
@@ -147,6 +148,23 @@ def _segment(segment: Section) -> Iterator[Finding]:
     if not segment.misspelt("drag_method", "roughness"):
         yield from segment.refused(drag_misfits(segment.values()))
         yield from segment.refused(break_test_misfits(segment.given))
+    yield from _strain_table(segment)
+
+
+def _strain_table(segment: Section) -> Iterator[Finding]:
+    """Find a table of strains that is half, wrong, or beside an axial stiffness."""
+    keys = ("strain", "strain_tension")
+    given = [key for key in keys if key in segment]
+    if not given or segment.misspelt(*keys, "EA"):
+        return
+    if "EA" in segment:
+        yield segment.wrong("EA", Message("refused_case.table_or_stiffness"))
+    for key in keys:
+        if key not in given:
+            yield segment.missing(key, Message("refused.missing_goes_with", key_=given[0]))
+    values = segment.values()
+    if len(given) == len(keys) and all(values[key] is not None for key in keys):
+        yield from segment.refused(table_misfits(values["strain"], values["strain_tension"]))
 
 
 def _weight(body: Section) -> Iterator[Finding]:

@@ -24,9 +24,11 @@ from catopt.model.kinds import (
     Kind,
     Length,
     Measured,
+    NotNegative,
     OneOf,
     Share,
     Size,
+    SomeForce,
     Source,
     Weight,
     annotated,
@@ -141,9 +143,9 @@ class SegmentTable(Table):
     """A uniform stretch of the line."""
 
     model = model.Segment
-    keys = """name length component diameter submerged_weight mass EA MBL MBL_mean MBL_cov
-        proof_load price wear_rate wear_zone drag_diameter drag_normal drag_axial drag_axial_area
-        added_mass_normal added_mass_axial drag_method roughness keulegan_carpenter
+    keys = """name length component diameter submerged_weight mass EA strain strain_tension MBL
+        MBL_mean MBL_cov proof_load price wear_rate wear_zone drag_diameter drag_normal drag_axial
+        drag_axial_area added_mass_normal added_mass_axial drag_method roughness keulegan_carpenter
         wake_amplification"""
     symbols: ClassVar = {
         "L": "length",
@@ -159,6 +161,8 @@ class SegmentTable(Table):
 
     diameter: Length | None = None
     submerged_weight: Weight | None = None
+    strain: Annotated[list[NotNegative], Size(2, MOST_TABLES)] | None = None
+    strain_tension: Annotated[list[SomeForce], Size(2, MOST_TABLES)] | None = None
     drag_axial_area: Annotated[str, OneOf(DRAG_AREAS)] | None = None
 
 

@@ -40,6 +40,7 @@ from catopt.model import (
 from catopt.model.kinds import Measured
 from catopt.model.network import LineBetween, MooredBody, Network, Point
 from catopt.model.sea import HARMONIC
+from catopt.model.strain_table import StrainTable
 from catopt.units import UNITS, Dimension, as_written
 from catopt.words import Message
 
@@ -169,6 +170,9 @@ def _given(part: object) -> dict[str, Any]:
         case Segment():
             if part.nominal_diameter is not None:
                 given["diameter"] = part.nominal_diameter
+            if isinstance(part.EA, StrainTable):
+                del given["EA"]
+                given["strain"], given["strain_tension"] = part.EA.strain, part.EA.tension
             if part.component:  # which would give its own name to a segment without one
                 given["name"] = part.name
         case CatalogueChoice():

@@ -15,6 +15,7 @@ from catopt.errors import FloatsUpError
 from catopt.model import Line
 from catopt.model.kinds import Angle, Factor, Force, Height, Length, NotNegative, Place, SomeForce
 from catopt.model.line import INEXTENSIBLE
+from catopt.model.strain_table import StrainTable
 from catopt.records import Counted, From, FromZero, Record
 from catopt.shown import Displayable
 from catopt.words import Measure, Message
@@ -284,6 +285,8 @@ def plausibility(solution: Solution) -> Iterator[Message]:
         yield Message("catenary.slack", length=solution.grounded_length, span=solution.span)
     parts = list(zip(count(1), solution.segments, solution.line.segments))
     for number, state, segment in parts:
+        if isinstance(segment.EA, StrainTable):
+            continue  # whose strains are its own
         if INEXTENSIBLE < segment.EA < math.inf:
             yield Message("catenary.inextensible", number=number, EA=segment.EA)
         strain = state.max_tension / segment.EA

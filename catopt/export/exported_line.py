@@ -169,7 +169,7 @@ def rigid_segments(case: Case) -> tuple[str, ...]:
         f"line.segments[{number}]"
         for line in lines
         for number, segment in enumerate(line.segments)
-        if math.isinf(segment.EA)
+        if segment.is_inextensible
     )
     return tuple(dict.fromkeys(found))
 
@@ -221,7 +221,7 @@ def _body(case: Case, EA: float | None) -> ExportedLines:
 
 
 def _with_EA(line: Line, EA: float) -> Line:
-    segments = [replace(s, EA=EA) if math.isinf(s.EA) else s for s in line.segments]
+    segments = [replace(s, EA=EA) if s.is_inextensible else s for s in line.segments]
     return Line(segments, line.point_loads)
 
 

@@ -150,7 +150,7 @@ def _line_type(
     program: str,
 ) -> LineType:
     key = f"line.segments[{number}]"
-    if math.isinf(segment.EA):
+    if segment.is_inextensible:
         allowed = Message("refused_command.missing_lets_every_line_stretch", program=program)
         raise InputError([Problem(f"{key}.EA", "", allowed)], program)
     wanted = word(segment.name or segment.component, f"segment_{number + 1}")

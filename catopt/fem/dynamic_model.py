@@ -220,7 +220,7 @@ def _check(
             elif segment.mass * fluid.gravity < segment.submerged_weight * (1.0 - 1e-6):
                 words = f"{segment.mass:g} kg/m in air, {segment.submerged_weight:g} N/m in water"
                 found.add(f"{key}.mass", words, Message("refused_motion.line_weighs_more_air_than"))
-            if math.isinf(segment.EA):
+            if segment.is_inextensible:
                 found.add(
                     f"{key}.EA", "inf", Message("refused_motion.line_motion_needs_axial_stiffness")
                 )

@@ -255,7 +255,7 @@ def _check_water(lines: Sequence[Line], water: Water | None) -> None:
 
 def _check_length(line: Line, distance: float, number: int | None = None) -> None:
     """Refuse a line that does not stretch and is no longer than the distance between its ends."""
-    if all(math.isinf(segment.EA) for segment in line.segments) and line.length <= distance:
+    if all(segment.is_inextensible for segment in line.segments) and line.length <= distance:
         missing = distance - line.length
         key = "truss.too_short" if number is None else "truss.line_too_short"
         raise NoEquilibriumError(

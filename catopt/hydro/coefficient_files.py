@@ -291,7 +291,7 @@ def read_capytaine(path: str | os.PathLike[str]) -> Coefficients:
     """Read a dataset of one body that capytaine wrote, a netCDF file; time goes as there.
 
     Complex values are those of `capytaine.io.xarray.separate_complex_values`. Needs the package
-    xarray, ``pip install "catopt[tables]"``, and for netCDF 4 netCDF4 or h5netcdf.
+    xarray and h5netcdf, ``pip install "catopt[tables]"``.
 
     Raises
     ------

@@ -16,6 +16,7 @@ from catopt.model.line import Line, PointLoad, Segment
 from catopt.model.load import Checks, Load, LoadCase, Site
 from catopt.model.sea import CurrentProfile, Motion, WaveState, WaveTrain
 from catopt.model.service import Service
+from catopt.model.strain_table import StrainTable
 from catopt.model.system import Leg, System
 
 __all__ = [
@@ -47,6 +48,7 @@ __all__ = [
     "ShipAfloat",
     "SinkerChoice",
     "Site",
+    "StrainTable",
     "SwarmSettings",
     "System",
     "WaveState",

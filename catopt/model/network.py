@@ -197,7 +197,7 @@ class Network(Checked):
                 found.add(f"lines[{k}].segments", *weightless("a line between points"))
             if {each.start, each.end} & {*joints, *itertools.chain(*tied)}:
                 allowed = Message("refused_case.missing_lines_meet_joints_have")
-                for i in (i for i, segment in enumerate(segments) if math.isinf(segment.EA)):
+                for i in (i for i, segment in enumerate(segments) if segment.is_inextensible):
                     found.add(f"lines[{k}].segments[{i}].EA", "", allowed)
         self._check_site(found)
         for key in ("max_span", "max_offset"):

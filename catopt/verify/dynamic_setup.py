@@ -377,7 +377,7 @@ def _of_segment(index: int, segment: Segment) -> list[Problem]:
     path, lacks = f"line.segments[{index}]", []
     if not segment.mass:
         lacks.append(("mass", "missing_line_motion_needs"))
-    if math.isinf(segment.EA):
+    if segment.is_inextensible:
         lacks.append(("EA", "missing_motion_EA"))
     if segment.drag_method == "roughness":
         if segment.drag_diameter is None:

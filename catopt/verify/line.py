@@ -4,19 +4,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import accumulate
 from operator import attrgetter
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 
+from catopt.arrays import Array
+from catopt.catenary.by_table import ROUNDS, has_table
 from catopt.catenary.solution import Solution
 from catopt.errors import NotConvergedError
 from catopt.fem import Leg as TrussLeg
 from catopt.fem import LineMesh, TrussSolution, mesh_line, solve_line
 from catopt.fem import SystemSolution as TrussSystem
 from catopt.fem import solve_system as solve_truss
-from catopt.model import Case, System
+from catopt.model import Case, Line, System
+from catopt.model.strain_table import StrainTable
 from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import solve_system
 from catopt.verify.compared import ORDER, Compared, Unit
@@ -34,6 +38,8 @@ SLACK_ORDER = 1.0
 SLACK = "truss.slack"
 """Key of what is to be known of a slack line."""
 
+_SAME_TENSION = 1e-11
+"""Change of a bar's tension, over the largest, at which the law of its table is found."""
 _NO_PULL = 1e-9
 """Horizontal force, over the tension, that is rounding."""
 _AT_END = 1e-9
@@ -213,8 +219,10 @@ def _solved(
     span: float | None = None,
     start: TrussSolution | None = None,
 ) -> TrussSolution:
+    if has_table(mesh.line):
+        return _by_table(case, mesh, horizontal_force=horizontal_force, span=span, start=start)
     return solve_line(
-        case.line,
+        mesh.line,
         height=case.fairlead_height,
         horizontal_force=horizontal_force,
         span=span,
@@ -223,6 +231,37 @@ def _solved(
         mesh=mesh,
         start=start,
     )
+
+
+def _by_table(case: Case, mesh: LineMesh, **load: Any) -> TrussSolution:
+    """Solve with bars that each stretch as their table does about their own tension.
+
+    A strain e + c T is that of a bar of (1 + e) times the length; see `catopt.catenary.by_table`.
+    """
+    tension = np.zeros(mesh.elements)
+    for _ in range(ROUNDS):
+        found = _solved(case, _grown(mesh, tension), **load)
+        moved = float(np.abs(found.tension - tension).max())
+        tension = found.tension
+        if moved <= _SAME_TENSION * float(tension.max()):
+            return replace(found, mesh=mesh)
+    raise NotConvergedError(Message("catenary.not_converged"))
+
+
+def _grown(mesh: LineMesh, tension: Array) -> LineMesh:
+    """Cut a line with tables into bars that have the law of their table at their own tension."""
+    bars = []
+    for k, length, T in zip(mesh.segment, mesh.length.tolist(), tension.tolist(), strict=True):
+        own = mesh.line.segments[k]
+        table, e, EA = own.EA, 0.0, own.EA
+        if isinstance(table, StrainTable):
+            e, c = table.law(T, T)
+            EA = (1.0 + e) / c
+        weight = own.submerged_weight / (1.0 + e)
+        bars.append(replace(own, length=(1.0 + e) * length, submerged_weight=weight, EA=EA))
+    arc = [0.0, *accumulate(bar.length for bar in bars)]
+    loads = [replace(load, position=arc[node]) for load, node in mesh.loads]
+    return LineMesh(Line(bars, loads), tuple(arc), (1,) * len(bars))
 
 
 def _under_force(case: Case, mesh: LineMesh, H: float) -> TrussSolution:

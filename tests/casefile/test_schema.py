@@ -166,6 +166,8 @@ RENAMED: dict[tuple[type, str], str] = {(Segment, "diameter"): "nominal_diameter
 
 NOT_IN_THE_MODEL = {
     (Segment, "drag_axial_area"),  # the coefficient is brought to D when it is read
+    (Segment, "strain"),  # with the next the table in the place of EA
+    (Segment, "strain_tension"),
     (PointLoad, "density"),
     (PointLoad, "volume"),
     (Anchor, "density"),
