@@ -155,7 +155,7 @@ class Notes:
                 [Problem(_place(rows), *said) for said, rows in alike.items()], self.source
             )
 
-    def want(self, sections: Mapping[str, Sequence[Row]]) -> None:
+    def require(self, sections: Mapping[str, Sequence[Row]]) -> None:
         """Refuse a deck without line types, points or lines."""
         for name, said in (("types", "line_types"), ("points", "points"), ("lines", "lines")):
             if not sections.get(name):

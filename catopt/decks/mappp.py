@@ -71,7 +71,7 @@ def _sections(text: str, notes: Notes) -> dict[str, list[Row]]:
             notes.say("commented", line=number, text=" ".join(words)[:40])
         elif words:
             found[_SECTIONS[section]].append(Row(number, words))
-    notes.want(found)
+    notes.require(found)
     return found
 
 

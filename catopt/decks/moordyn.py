@@ -107,7 +107,7 @@ def parse_moordyn(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
         notes.say("failures", line=sections["failures"][0].number)
     for row in sections.get("rod types", ()):
         notes.say("rod_type", line=row.number, name=row.words[0])
-    notes.want(sections)
+    notes.require(sections)
     options = _options(sections.get("options", []), notes, given)
     first = sections["types"][0] if sections.get("types") else Row(0, ())
     of_types = _columns("types", first, heads, notes)
