@@ -17,9 +17,9 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any, Final
 
-from catopt.desk import ask, shell
-from catopt.desk.fields import DOORS, START
 from catopt.errors import InputError, Problem
+from catopt.page_api import ask, shell
+from catopt.page_api.fields import DOORS, START
 from catopt.render.looks import stylesheet
 from catopt.words import LANGUAGES, Message
 

@@ -18,9 +18,9 @@ from typing import Any, Literal
 
 import pytest
 
-from catopt.desk import ask
-from catopt.desk.fields import DOORS, START, Door
 from catopt.errors import InputError
+from catopt.page_api import ask
+from catopt.page_api.fields import DOORS, START, Door
 from catopt.web.build import Part, document, fetched, parts, pieces
 from catopt.words import LANGUAGES, Language
 from tests.report.browser import CHROMIUM, Tab, chromium
