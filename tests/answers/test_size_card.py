@@ -140,7 +140,7 @@ def test_no_box_has_both_words(name: str) -> None:
     assert not re.search(r"\bfail", text)
     assert "không đạt" not in " ".join(screen(of, "vi")).lower()
     broken = replace(of.point.checks, results=tuple(
-        replace(each, excess=1.0) for each in of.point.checks.results
+        replace(each, exceedance=1.0) for each in of.point.checks.results
     ))  # fmt: skip
     point = replace(of.point, checks=broken)
     failing = verdict(replace(of, settled=replace(of.settled, point=point)))
