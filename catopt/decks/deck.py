@@ -60,7 +60,7 @@ class Point:
 
 
 @dataclass(frozen=True)
-class Piece:
+class DeckPiece:
     """A uniform line between two points."""
 
     row: int
@@ -78,7 +78,7 @@ class Deck:
     depth: float
     types: Mapping[str, LineType]
     points: Mapping[str, Point]
-    pieces: Sequence[Piece]
+    pieces: Sequence[DeckPiece]
     friction: float | None = None
 
     def hung_weight(self, point: Point) -> float:

@@ -13,9 +13,9 @@ import pytest
 import catopt
 from catopt.errors import InputError
 from catopt.web import build
-from catopt.web.build import Part, document, fetched, parts, site
+from catopt.web.build import PinnedPart, document, fetched, parts, site
 
-PART = Part(
+PART = PinnedPart(
     "a.whl",
     "https://example.org/a.whl",
     "ba7816bf" + "8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad",
