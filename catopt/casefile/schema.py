@@ -14,7 +14,6 @@ from typing import Annotated, Any, ClassVar
 
 from catopt import model
 from catopt.model import ClumpWeightChoice, Load, PointLoad, SwarmSettings
-from catopt.model.checks import Code
 from catopt.model.design import Component
 from catopt.model.kinds import (
     Angle,
@@ -34,6 +33,7 @@ from catopt.model.kinds import (
     Weight,
     annotated,
 )
+from catopt.model.load import Code
 from catopt.model.network import LineBetween, Network
 from catopt.units import Dimension
 

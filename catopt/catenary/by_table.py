@@ -16,8 +16,7 @@ from itertools import accumulate
 from typing import Final
 
 from catopt.catenary.layout import Stretch, tension_at
-from catopt.catenary.solution import SegmentState, Solution
-from catopt.catenary.warnings import plausibility
+from catopt.catenary.solution import SegmentState, Solution, plausibility
 from catopt.errors import NoEquilibriumError, NotConvergedError
 from catopt.model import Line, PointLoad, Segment
 from catopt.model.strain_table import StrainTable

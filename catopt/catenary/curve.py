@@ -33,8 +33,7 @@ from catopt.errors import (
     Problem,
 )
 from catopt.model import Line
-from catopt.model.kinds import Measured, Place, SomeForce
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings, Measured, Place, SomeForce
 from catopt.patience import paced
 from catopt.records import From, OrNull, Record
 from catopt.shown import Tabled

@@ -25,6 +25,8 @@ from catopt.catenary.solution import (
     Residual,
     SegmentState,
     Solution,
+    above_water,
+    plausibility,
 )
 from catopt.catenary.span_or_tension import given_span, given_tension, least_tension, other_forces
 from catopt.catenary.state import (
@@ -39,10 +41,9 @@ from catopt.catenary.state import (
     TURNED,
     State,
 )
-from catopt.catenary.warnings import above_water, plausibility
 from catopt.errors import CatoptError, NoEquilibriumError, NotConvergedError
 from catopt.model import Case, Line, Load, PointLoad
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.words import Message
 
 AT_BED = 1e-9

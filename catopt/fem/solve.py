@@ -10,13 +10,13 @@ import numpy as np
 
 from catopt.arrays import Array
 from catopt.errors import NoEquilibriumError
-from catopt.fem.bed import Bed, HeldBed, friction_sense
 from catopt.fem.mesh import LineMesh, end_nodes, mesh_line
 from catopt.fem.problem import Problem, Water, build, one_point, straight
 from catopt.fem.result import SystemSolution, TrussSolution, read_line
+from catopt.fem.seabed import Bed, HeldBed, friction_sense
 from catopt.fem.settle import Controls, Rest, follow, settle
 from catopt.model import Line
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.words import Message
 
 

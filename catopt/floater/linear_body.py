@@ -16,7 +16,7 @@ from catopt.arrays import Array
 from catopt.errors import NotConvergedError
 from catopt.hydro.coefficients import FREEDOMS, Coefficients, Complex
 from catopt.hydro.memory import Memory, infinite_added_mass
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.waves import Waves
 from catopt.words import Message
 

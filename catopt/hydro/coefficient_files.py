@@ -14,7 +14,7 @@ from catopt.arrays import Array
 from catopt.documents import MOST_BYTES_OF_DATA, read_text
 from catopt.errors import InputError, Problem, need_package
 from catopt.hydro.coefficients import FREEDOMS, Coefficients, Complex
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.units import as_written
 from catopt.words import Message
 

@@ -20,7 +20,7 @@ import numpy.typing as npt
 from scipy.interpolate import CubicSpline
 
 from catopt.arrays import Array, Codes
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.words import Message
 
 _FINE: Final = 4000

@@ -6,12 +6,15 @@ import math
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, fields
 from itertools import pairwise
-from typing import TYPE_CHECKING, Annotated, Any, Final, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Final, Literal, get_args
 
+from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import Problem
 from catopt.model.kinds import (
     Area,
+    Checked,
     Coefficient,
+    Findings,
     Force,
     Given,
     Height,
@@ -28,9 +31,35 @@ from catopt.model.kinds import (
 )
 from catopt.model.service import WEAR_ZONES
 from catopt.model.strain_table import StrainTable
-from catopt.model.validity import Checked, Findings
 from catopt.units import Dimension
 from catopt.words import Message
+
+
+def weight_in_water(mass: float, density: float, water_density: float) -> float:
+    """Submerged weight of a solid body, N, from kg and kg/m3; negative when it floats.
+
+    S2, equation (24), with W = m g0.
+    """
+    return mass * STANDARD_GRAVITY * (1.0 - water_density / density)
+
+
+LineKind = Literal["chain", "wire", "rope"]
+"""Chain, steel wire rope of any make, fibre rope: codes have factors of their own for each."""
+LINE_KINDS: tuple[LineKind, ...] = get_args(LineKind)
+
+_ROPES = "rope polyester nylon polyamide polypropylene polyethylene hmpe aramid"
+_WORDS: dict[LineKind, str] = {"chain": "chain", "wire": "wire spiral", "rope": _ROPES}
+"""Words in a component's name by the kind of line; wire comes before rope, for "wire rope"."""
+
+
+def line_kind(component: str) -> LineKind | None:
+    """Return the kind of line by the name of a component; None when it does not say."""
+    name = component.casefold()
+    for kind, words in _WORDS.items():
+        if any(word in name for word in words.split()):
+            return kind
+    return None
+
 
 INEXTENSIBLE: Final = 1e12
 """Axial stiffness beyond which a line hardly stretches, N; no real one comes near it."""

@@ -10,7 +10,7 @@ from itertools import pairwise
 from typing import NoReturn
 
 from catopt.errors import InputError, Problem
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.words import Message
 
 

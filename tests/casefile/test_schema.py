@@ -23,7 +23,7 @@ from catopt.casefile.schema import (
     table_of,
 )
 from catopt.catalogue import ALL
-from catopt.catalogue.figure import SPECS
+from catopt.catalogue.components import SPECS
 from catopt.errors import InputError
 from catopt.model import (
     Anchor,
@@ -58,7 +58,7 @@ from catopt.model.anchor import ANCHOR_KINDS
 from catopt.model.design import OBJECTIVES
 from catopt.model.kinds import Flag, Kind, Measured, OneOf, Text, Whole
 from catopt.model.line import DragMethod
-from catopt.model.motion import OF_A_BODY
+from catopt.model.sea import OF_A_BODY
 from catopt.units import UNITS, Dimension, implausible
 
 PAGE = (Path(__file__).parents[2] / "docs" / "case-file.md").read_text(encoding="utf-8")
