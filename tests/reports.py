@@ -19,8 +19,7 @@ from catopt.notes.line import Note, SizeNote, read_note
 from catopt.notes.system import SystemNote, read_system_note
 from catopt.render.files import document_bytes
 from catopt.render.page import page
-from catopt.report.bundle import reproduction_pictures
-from catopt.report.files import write_files
+from catopt.report.bundle import reproduction_pictures, write_files
 from catopt.reproduce import book, reproduce
 
 __all__ = ["CASES", "NOTES", "REPORTS", "SIZINGS", "note_of_case", "note_page"]

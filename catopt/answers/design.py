@@ -17,7 +17,7 @@ from catopt.answers.check import (
     verdict_blocks,
 )
 from catopt.checks.kinds import QUANTITY_OF
-from catopt.figures.front import objective
+from catopt.figures.sizing import objective
 from catopt.quantities import Quantity
 from catopt.words import Measure, Message, Several, term
 

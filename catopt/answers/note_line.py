@@ -36,8 +36,8 @@ from catopt.answers.note import (
 from catopt.answers.note_motion import motion_blocks
 from catopt.answers.solution import marks_table, points_table
 from catopt.answers.trail import equation_trail
-from catopt.figures.front import OBJECTIVES, composition, front
 from catopt.figures.line import line_in_water, load_curve, tension_along
+from catopt.figures.sizing import OBJECTIVES, composition, front
 from catopt.figures.swarm import fitness, swarm_tension
 from catopt.words import Measure, Message, Several, term
 

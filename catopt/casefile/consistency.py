@@ -8,10 +8,9 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from catopt.casefile import ranges
-from catopt.casefile.building import SIZES
+from catopt.casefile import building as ranges
+from catopt.casefile.building import SIZES, duplicates
 from catopt.casefile.document import FileSection, Finding, parts, refusals
-from catopt.casefile.ranges import duplicates
 from catopt.casefile.schema import LENGTHS, MASSES, POSITIONS, PRETENSIONS, RADII, entries
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.documents import Path

@@ -12,8 +12,8 @@ from catopt.constants import YEAR
 from catopt.model import CurrentProfile, Motion
 from catopt.model import dynamics as damage
 from catopt.model import dynamics as run
-from catopt.model.body import floater_misfits, ship_misfits
 from catopt.model.sea import CURRENT_PROFILES, MOTION_WAYS, OF_A_BODY, train_misfits, wave_misfits
+from catopt.model.system import floater_misfits, ship_misfits
 from catopt.words import Message
 
 _FOR_FATIGUE = ("dynamics", "waves", "service")

@@ -49,7 +49,7 @@ class Asked:
     def check_place(self) -> None:
         """Refuse a place that no files can go to, before anything is computed."""
         if self.out is not None:
-            from catopt.report.files import check_directory
+            from catopt.report.bundle import check_directory
 
             check_directory(self.out)
 
@@ -125,7 +125,7 @@ class Asked:
         write is never replaced, nor is that of a design search, without which its front would be
         lost: the directory `front` of a search goes with the case.
         """
-        from catopt.report.files import write_files
+        from catopt.report.bundle import write_files
 
         assert self.out is not None
         whole, text, stays = dict(files), None, ""
@@ -161,7 +161,7 @@ class Asked:
         """
         path = None
         if self.out is not None:
-            from catopt.report.files import write_files
+            from catopt.report.bundle import write_files
 
             place = self.out / name if self.out.is_dir() or not self.out.suffix else self.out
             (written,) = write_files(place.parent, {place.name: text.encode()}, keep=[keep])

@@ -135,7 +135,7 @@ def _size_form(
 ) -> None:
     """Size what a form asks for, and write the answer beside it; of a fleet a row each."""
     from catopt.render.workbook import workbook
-    from catopt.report.files import write_files
+    from catopt.report.bundle import write_files
     from catopt.sizing.form import read_form
 
     files, found = read_form(place), []
@@ -189,7 +189,7 @@ def _give(asked: Asked, found: Sizing, answer: Answer, save: Path | None, given:
         asked.write(files)
     if save is not None:
         from catopt.casefile import write_case
-        from catopt.report.files import write_files
+        from catopt.report.bundle import write_files
 
         write_files(save.parent, {save.name: write_case(found.whole_case).encode()})
         asked.output.note(f"{save} written; refine it with: catopt design {save}")

@@ -19,7 +19,7 @@ def web(
     taken_from: Annotated[Path | None, typer.Option("--from", metavar="DIR")] = None,
 ) -> None:
     """Write the page that sizes and computes moorings in the browser."""
-    from catopt.report.files import check_directory, write_files
+    from catopt.report.bundle import check_directory, write_files
     from catopt.web.build import document, fetched, pieces
 
     output: Printer = context.obj
@@ -48,7 +48,7 @@ def page_app(
     """Open the page with catopt itself behind it; Ctrl-C ends it."""
     import webbrowser
 
-    from catopt.web.server import PageServer
+    from catopt.web.build import PageServer
 
     output: Printer = context.obj
     try:

@@ -18,7 +18,7 @@ from catopt.hydro.cylinder import FloatingCylinder
 from catopt.loads.buoy import AIR_DENSITY, buoy, read_buoys
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.model import Floater
-from catopt.waves.spectrum import fill_wave_numbers
+from catopt.waves.random_surface import fill_wave_numbers
 from catopt.words import Message
 
 _THICK: Final = 0.1

@@ -14,8 +14,7 @@ from scipy.linalg import eig, expm
 
 from catopt.arrays import Array
 from catopt.errors import NotConvergedError
-from catopt.hydro.coefficients import FREEDOMS, Coefficients, Complex
-from catopt.hydro.memory import Memory, infinite_added_mass
+from catopt.hydro.coefficients import FREEDOMS, Coefficients, Complex, Memory, infinite_added_mass
 from catopt.model.kinds import Findings
 from catopt.waves import Waves
 from catopt.words import Message

@@ -21,9 +21,8 @@ from catopt.loads.environment import drag
 from catopt.loads.ship import Ship
 from catopt.loads.ship_coefficients import coefficients, pressure_centre, wind_type
 from catopt.loads.ship_dimensions import BLOCK, estimated_tanker
-from catopt.loads.ship_loads import AIR_DENSITY
+from catopt.loads.ship_loads import AIR_DENSITY, depth_factor, share_above, width_across
 from catopt.loads.ufc import longitudinal_loads, transverse_load, yaw_moment
-from catopt.loads.wave_drift import depth_factor, share_above, width_across
 from catopt.loads.weathervane import YAW_TYPES
 from catopt.model import ShipAfloat
 from catopt.waves import Waves
@@ -178,7 +177,7 @@ class ShipInWeather:
 
         `headings`: of the ship, from the x axis of the system, rad; N/m2 and N/m, in the ship's
         axes about the origin. Out of the file, about midships; or of a side that reflects of each
-        wave a given part, or what of its energy flows above the keel (`catopt.loads.wave_drift`),
+        wave a given part, or what of its energy flows above the keel (`catopt.loads.ship_loads`),
         along them.
         """
         angle = waves.direction - headings[:, np.newaxis]

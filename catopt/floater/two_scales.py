@@ -30,7 +30,7 @@ from catopt.mooring.batch import as_arrays
 from catopt.mooring.descent import Rest
 from catopt.mooring.zero_load import ZeroLoadPosition, zero_load_position
 from catopt.waves import Waves
-from catopt.waves.spectrum import fill_wave_numbers
+from catopt.waves.random_surface import fill_wave_numbers
 from catopt.words import Message
 
 SLOW_STEP: Final = 1.0

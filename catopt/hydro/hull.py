@@ -13,7 +13,7 @@ from catopt.constants import STANDARD_GRAVITY
 from catopt.hydro.coefficients import Complex
 from catopt.model.kinds import Findings
 from catopt.waves.kinematics import Flow, cos_sin, fill_kinematics, smooth_ramp
-from catopt.waves.spectrum import fill_wave_numbers
+from catopt.waves.random_surface import fill_wave_numbers
 
 PRESSURE, DIFFRACTION, MEMORY, DRAG, WIND, DAMPING = range(6)
 """Rows of `HullState.parts`; the first with the weight."""

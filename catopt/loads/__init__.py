@@ -15,11 +15,12 @@ from catopt.loads.component import LoadComponent, Loads, LoadSource, Number
 from catopt.loads.drag_anchor import (
     DragAnchorSize,
     HoldingCapacity,
+    LayingCheck,
     holding_capacity,
+    laying_check,
     size_drag_anchor,
 )
 from catopt.loads.environment import HEAD_ON, Headings, SeaState, SurfaceCurrent, WaterLevels, Wind
-from catopt.loads.laying import LayingCheck, laying_check
 from catopt.loads.ship import Ship
 from catopt.loads.ship_coefficients import (
     ShipCoefficients,

@@ -166,7 +166,7 @@ def surface_speed(
     All are from one side. The wave is CALMAR's, pi Hs/T, or catopt's own: the largest that does not
     break, in water of a depth, m (`SeaState.surface_velocity`).
     """
-    from catopt.waves.current import wind_driven_speed
+    from catopt.waves.sea import wind_driven_speed
 
     driven = wind_driven_speed(wind.speed, "CALMAR")
     return current.speed + driven + _wave_speed(sea, depth, wave_height)

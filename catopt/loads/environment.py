@@ -299,7 +299,7 @@ class SeaState:
 
     def wave_number(self, depth: float) -> float:
         """Wave number in water of a depth, rad/m."""
-        from catopt.waves.spectrum import wave_number
+        from catopt.waves.random_surface import wave_number
 
         return wave_number(2.0 * math.pi / self.period, depth)
 

@@ -16,9 +16,14 @@ from catopt.loads.environment import Headings, SeaState, SurfaceCurrent, Wind, d
 from catopt.loads.ship import Ship
 from catopt.loads.ship_coefficients import ShipCoefficients, pressure_centre, wind_type
 from catopt.loads.ship_coefficients import coefficients as coefficients_of
-from catopt.loads.ship_loads import AIR_DENSITY, governing_loads
+from catopt.loads.ship_loads import (
+    AIR_DENSITY,
+    DriftWave,
+    flat_side_drift,
+    governing_loads,
+    width_across,
+)
 from catopt.loads.ufc import transverse_load, yaw_moment
-from catopt.loads.wave_drift import DriftWave, flat_side_drift, width_across
 from catopt.model.kinds import Angle, Findings, Length
 from catopt.records import Record
 from catopt.shown import Tabled

@@ -1,7 +1,6 @@
 """What is moored, as frozen values in SI: no input, no output, no solving."""
 
 from catopt.model.anchor import Anchor
-from catopt.model.body import Body, Buoy, Floater, ShipAfloat
 from catopt.model.case import Case, CatalogueChoice, SwarmSettings
 from catopt.model.design import (
     ClumpWeightChoice,
@@ -17,7 +16,7 @@ from catopt.model.load import Checks, Load, LoadCase, Site
 from catopt.model.sea import CurrentProfile, Motion, WaveState, WaveTrain
 from catopt.model.service import Service
 from catopt.model.strain_table import StrainTable
-from catopt.model.system import Leg, System
+from catopt.model.system import Body, Buoy, Floater, Leg, ShipAfloat, System
 
 __all__ = [
     "Anchor",

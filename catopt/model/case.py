@@ -8,7 +8,6 @@ from typing import Annotated, Literal
 
 from catopt.errors import InputError, Problem
 from catopt.model.anchor import Anchor
-from catopt.model.body import Body, Buoy, Floater
 from catopt.model.design import Design, DesignLoad, Find, body_misfits, inconsistencies
 from catopt.model.dynamics import (
     FOR_MOTION,
@@ -24,7 +23,7 @@ from catopt.model.line import Line
 from catopt.model.load import Checks, Load, LoadCase, Site
 from catopt.model.sea import CurrentProfile, Motion, WaveState
 from catopt.model.service import Service, wear_misfits
-from catopt.model.system import System, system_misfits
+from catopt.model.system import Body, Buoy, Floater, System, system_misfits
 from catopt.model.wear import worn_line
 from catopt.units import Dimension
 from catopt.words import Message

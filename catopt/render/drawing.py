@@ -7,9 +7,9 @@ from collections.abc import Iterable
 from typing import Any
 
 from catopt.figures.chart import Chart, Place
-from catopt.render.looks import COLOURS, LOOKS, SIGNS, axis_title
 from catopt.render.sheet import Chart as Native
 from catopt.render.sheet import Number, Series, Text, WorkbookSheet, number_pattern
+from catopt.render.svg import COLOURS, LOOKS, SIGNS, axis_title
 from catopt.words import Message
 
 _SIZE = (680, 420)

@@ -33,8 +33,7 @@ from catopt.answers.blocks import (
     exact,
 )
 from catopt.quantities import GREEK, Quantity
-from catopt.render.looks import stylesheet
-from catopt.render.svg import svg
+from catopt.render.svg import stylesheet, svg
 from catopt.render.values import SEEN, as_wanted, cell, in_language, is_seen, parts_of, shown
 from catopt.words import Language, Message, say
 

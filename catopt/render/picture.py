@@ -30,7 +30,7 @@ from catopt.figures.chart import (
     Series,
     legend,
 )
-from catopt.render.looks import (
+from catopt.render.svg import (
     COLOURS,
     LOOKS,
     SIGNS,

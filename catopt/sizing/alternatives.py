@@ -20,7 +20,7 @@ from catopt.design.evaluation import DesignProblem
 from catopt.design.neighbours import NoFeasibleDesignError, neighbour, steps
 from catopt.errors import CatoptError, InputError, NoAnswerError
 from catopt.loads.buoy_shape import BuoyShape
-from catopt.loads.laying import laying_check
+from catopt.loads.drag_anchor import laying_check
 from catopt.loads.sinker import friction_of
 from catopt.model import Anchor, Case, Service
 from catopt.model.line import line_kind

@@ -33,7 +33,7 @@ from catopt.verify.dynamic_setup import Excitation, read_drive
 from catopt.verify.motion_file import energy_beyond
 from catopt.verify.side_by_side import Progress
 from catopt.waves import Waves, breaking_warning
-from catopt.waves.spectrum import wave_number
+from catopt.waves.random_surface import wave_number
 from catopt.words import Message
 
 _LEVELS: Final = 20

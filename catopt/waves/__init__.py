@@ -11,33 +11,34 @@ from catopt.waves.components import (
     strongest_return,
     waves_needed,
 )
-from catopt.waves.current import (
-    Current,
-    CurrentSeries,
-    PowerLawCurrent,
-    TableCurrent,
-    WindCurrent,
-    wind_driven_speed,
-)
 from catopt.waves.kinematics import Flow, fill_elevation, fill_kinematics
 from catopt.waves.random_surface import (
     CosineSpreading,
-    frequency_range,
-    random_waves,
-    s4_range_jonswap,
-    s4_range_pierson_moskowitz,
-)
-from catopt.waves.sea import Kinematics, Sea, breaking_height, breaking_warning
-from catopt.waves.spectrum import (
     Spectrum,
+    frequency_range,
     jonswap,
     peak_enhancement,
     peak_from_mean,
     peak_from_zero_crossing,
     pierson_moskowitz,
+    random_waves,
+    s4_range_jonswap,
+    s4_range_pierson_moskowitz,
     wave_number,
     wavelength,
     zero_crossing_from_mean,
+)
+from catopt.waves.sea import (
+    Current,
+    CurrentSeries,
+    Kinematics,
+    PowerLawCurrent,
+    Sea,
+    TableCurrent,
+    WindCurrent,
+    breaking_height,
+    breaking_warning,
+    wind_driven_speed,
 )
 
 __all__ = [

@@ -14,7 +14,7 @@ from catopt.answers.verification import (
     verdict_sentence,
     verification_answer,
 )
-from catopt.figures.verification import comparison
+from catopt.figures.motion import comparison
 from catopt.report.bundle import verification_pictures
 from catopt.verify.case import Design, verify_case, verify_front
 from catopt.verify.compared import ROUNDING

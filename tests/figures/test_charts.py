@@ -26,7 +26,7 @@ from catopt.figures.mooring import near, plan, restoring, spread, watch_round, w
 from catopt.figures.swarm import fitness
 from catopt.model import Case, Checks, Line, Load, Segment, Site
 from catopt.quantities import QUANTITIES
-from catopt.render.looks import LOOKS
+from catopt.render.svg import LOOKS
 from catopt.words import Message
 from tests.answers.results import CURVED, report_with
 from tests.report.notes import BODIES, TURRET, body_note

@@ -14,8 +14,7 @@ from catopt import Line, Segment, System, solve_system
 from catopt.errors import InputError
 from catopt.floater.linear_body import LinearBody
 from catopt.hydro.coefficient_files import read_wamit
-from catopt.hydro.coefficients import Coefficients
-from catopt.hydro.memory import Memory
+from catopt.hydro.coefficients import Coefficients, Memory
 from catopt.mooring.held import held_body
 from catopt.waves import regular_wave
 from tests.mooring.test_held import held

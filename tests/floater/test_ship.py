@@ -29,7 +29,7 @@ from catopt.model import ShipAfloat
 from catopt.mooring.arrangement import room_for
 from catopt.mooring.batch import as_arrays
 from catopt.waves import Waves, jonswap, random_waves, regular_wave
-from catopt.waves.spectrum import fill_wave_numbers
+from catopt.waves.random_surface import fill_wave_numbers
 
 DEPTH, DENSITY = 60.0, 1025.0
 OF = ShipAfloat(190.0, 32.0, 12.0, 18.0, gusts="none", reflection=1.0)

@@ -292,7 +292,7 @@ def _results() -> tuple[dict[str, str], dict[str, str]]:
     from catopt.catenary.case import solve_case
     from catopt.design.result import design_document
     from catopt.design.search import design_case
-    from catopt.report.files import with_digest
+    from catopt.report.bundle import with_digest
 
     line = parse_case(_case("buoy-9.5m/case.toml"))
     searched = parse_case(SMALL_DESIGN)

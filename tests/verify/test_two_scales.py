@@ -14,7 +14,7 @@ from catopt import read_case, solve_system
 from catopt.answers.motion import ship_answer
 from catopt.casefile import parse_case, write_case
 from catopt.errors import InputError
-from catopt.loads.wave_drift import share_above
+from catopt.loads.ship_loads import share_above
 from catopt.model import Case, Motion
 from catopt.render.files import csv_files
 from catopt.schemas import schema

@@ -16,7 +16,7 @@ import pytest
 
 from catopt.page_api import ask
 from catopt.page_api.fields import START
-from catopt.web.server import PageServer
+from catopt.web.build import PageServer
 
 QUESTION: dict[str, Any] = {"door": "line", "values": START["line"]}
 
