@@ -54,6 +54,9 @@ from catopt.quantities import QUANTITIES, Quantity
 from catopt.words import Measure, Message, Sentence, Several
 
 if TYPE_CHECKING:
+    from catopt.checks.result import CheckReport
+    from catopt.mooring.line_out import LineOut
+    from catopt.mooring.network_out import NetworkOut
     from catopt.mooring.response import Response
     from catopt.mooring.solution import LegState, SystemSolution
     from catopt.notes.system import NetworkNote, SystemNote
@@ -76,7 +79,7 @@ def system_note_answer(note: SystemNote) -> blocks.Answer:
         *_opening(note),
         basis_section(note.sheet),
         _section("identity", _identity(note)),
-        _section("checks", _checks(note)),
+        _section("checks", _checks(note.checks, "note_system.checks_about")),
         _section("line_out", _line_out(note)),
         _section("elevation", _elevation(note)),
         _section("results", _results(note)),
@@ -274,10 +277,10 @@ def _lines(note: SystemNote) -> Iterator[Block]:
     yield Text(Several((known, Message("note_system.lines_marked")), " "), is_small=True)
 
 
-def _checks(note: SystemNote) -> Iterator[Block]:
-    if note.checks.results:
-        yield Text(Message("note_system.checks_about"))
-        yield from checked_body(note.checks)
+def _checks(checks: CheckReport, about: str) -> Iterator[Block]:
+    if checks.results:
+        yield Text(Message(about))
+        yield from checked_body(checks)
         yield small("note.checks_legend")
 
 
@@ -295,8 +298,13 @@ def _line_out(note: SystemNote) -> Iterator[Block]:
     columns = (*table.columns[:-1], blocks.measured("utilisation", note.left), table.columns[-1])
     further = _further(each.response for each in gone)
     yield replace(table, columns=(*columns, *further), caption="", marked=hardest)
+    yield from _lost(gone)
+
+
+def _lost(gone: Iterable[LineOut | NetworkOut]) -> Iterator[Verdict]:
+    """Say without which lines there is no rest, and why."""
     for each in gone:
-        if each.response is None:
+        if each.refusal:
             lost = Message("mooring.lost", number=each.missing + 1, refusal=each.refusal)
             yield Verdict(lost, passes=False)
 
@@ -444,7 +452,7 @@ def network_note_answer(note: NetworkNote) -> blocks.Answer:
     sections = (
         *_network_opening(note),
         network_basis_section(note.sheet),
-        _section("checks", _network_checks(note)),
+        _section("checks", _checks(note.checks, "note_system.network_checks_about")),
         _section("line_out", _network_line_out(note)),
         _section("side", _side(note)),
         _section("joints", _joints(note)),
@@ -523,13 +531,6 @@ def _network_lines(note: NetworkNote) -> Iterator[Block]:
     yield small("note_system.network_lines_about")
 
 
-def _network_checks(note: NetworkNote) -> Iterator[Block]:
-    if note.checks.results:
-        yield Text(Message("note_system.network_checks_about"))
-        yield from checked_body(note.checks)
-        yield small("note.checks_legend")
-
-
 def _network_line_out(note: NetworkNote) -> Iterator[Block]:
     """Tabulate what each line gone does, and say why the joints find no rest."""
     gone = note.line_out
@@ -537,10 +538,7 @@ def _network_line_out(note: NetworkNote) -> Iterator[Block]:
         return
     yield Text(Message("note_system.network_line_out_about"))
     yield network_out_table(gone, note.checks)
-    for each in gone:
-        if each.rest is None:
-            lost = Message("mooring.lost", number=each.missing + 1, refusal=each.refusal)
-            yield Verdict(lost, passes=False)
+    yield from _lost(gone)
 
 
 def _components(note: NetworkNote) -> Iterator[Block]:

@@ -135,9 +135,9 @@ def checks_in_motion(
 
     Raises InputError, NoEquilibriumError and NotConvergedError as `check_case` does.
     """
-    from catopt.verify.judged import check_parts
+    from catopt.verify.judged import check_parts, solutions_at_rest
 
-    solved = lines_at_rest(found) if at_rest is None else at_rest
+    solved = solutions_at_rest(found.case, found.parts) if at_rest is None else at_rest
     report = check_parts(found.case, found.parts, solved)
     if report.results:
         report = replace(report, warnings=(*report.warnings, *_of_the_storm(found.parts)))
@@ -165,13 +165,6 @@ def _of_the_storm(parts: Sequence[DynamicPart]) -> Iterator[Message]:
                 probable=Measure("tension", probable),
                 time=lasting(part.duration_of_interest),
             )
-
-
-def lines_at_rest(found: DynamicVerification) -> Sequence[Solution | None]:
-    """Solve every line at rest, in closed form; none on a bed that slopes."""
-    from catopt.verify.judged import solutions_at_rest
-
-    return solutions_at_rest(found.case, found.parts)
 
 
 def _uses(part: DynamicPart, solution: Solution, made: CheckReport) -> Iterator[SegmentUse]:
@@ -346,6 +339,7 @@ def front_in_motion(
     a tension. A design without an answer does not stop the others.
     """
     from catopt.verify.dynamic import verify_dynamic
+    from catopt.verify.judged import solutions_at_rest
 
     for _, case, _ in cases[:1]:
         if not any(each.check == "tension" for each in criteria_of(case, analysis="dynamic").all):
@@ -360,7 +354,7 @@ def front_in_motion(
             progress(done, len(cases))
         try:
             found = verify_dynamic(case, proof=proof, workers=workers)
-            still = lines_at_rest(found)
+            still = solutions_at_rest(found.case, found.parts)
             checks = checks_in_motion(found, still)
         except (NoAnswerError, NotConvergedError) as error:
             designs.append(DesignInMotion(number, objectives, failure=error.message))
