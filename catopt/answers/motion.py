@@ -168,7 +168,7 @@ def _beyond_MBL(parts: Sequence[DynamicPart]) -> Iterator[blocks.Block]:
     if not parts or (found := parts[0].beyond_MBL) is None:
         return
     part = parts[0]
-    told: str = Message(
+    reported: str = Message(
         "motion.beyond_MBL",
         tension=Measure("tension", found.tension),
         MBL=Measure("tension", found.MBL),
@@ -176,10 +176,10 @@ def _beyond_MBL(parts: Sequence[DynamicPart]) -> Iterator[blocks.Block]:
     )
     if len(parts) > 1:
         numbers = ", ".join(f"{line}" for line in sorted(each.line or 0 for each in parts))
-        told = Several((told, Message("motion.beyond_MBL_lines", numbers=numbers)), " ")
+        reported = Several((reported, Message("motion.beyond_MBL_lines", numbers=numbers)), " ")
     if part.drive.case.load_cases:
-        told = Message("motion.why_of", where=part.where, why=told)
-    yield blocks.Verdict(_of_line(part, told), False)
+        reported = Message("motion.why_of", where=part.where, why=reported)
+    yield blocks.Verdict(_of_line(part, reported), False)
 
 
 def lines_of_body(parts: Sequence[DynamicPart]) -> blocks.Table:

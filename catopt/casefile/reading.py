@@ -173,7 +173,7 @@ def read_mooring(path: str | os.PathLike[str]) -> Case | Network:
     source = os.fspath(path)
     if Path(path).suffix.lower() != ".toml":
         from catopt.decks.reading import is_deck, read_any_deck
-        from catopt.decks.told import tell
+        from catopt.decks.reported import tell
 
         deck = read_text(Path(path), source, broken=True)
         if is_deck(deck):

@@ -160,5 +160,5 @@ def _check_ends(line: Line, largest: Sequence[float]) -> None:
         if isinstance(segment.EA, StrainTable) and tension > segment.EA.tension[-1]:
             last = segment.EA.tension[-1]
             values = {"tension": Measure("tension", tension), "last": Measure("tension", last)}
-            told = Message("catenary.table_ends", number=k, **values)
-            raise NoEquilibriumError(told, "force", tension - last)
+            reported = Message("catenary.table_ends", number=k, **values)
+            raise NoEquilibriumError(reported, "force", tension - last)

@@ -335,8 +335,8 @@ class _Way:
                 anchor_height=self.problem.anchor_height,
             )
         except NoEquilibriumError as stop:
-            told = self._at(value, Several((stop.message, *self._farthest()), " "))
-            raise NoEquilibriumError(told, stop.quantity, stop.missing) from stop
+            reported = self._at(value, Several((stop.message, *self._farthest()), " "))
+            raise NoEquilibriumError(reported, stop.quantity, stop.missing) from stop
         except NotConvergedError as stop:
             raise type(stop)(self._at(value, stop.message)) from stop
 

@@ -284,8 +284,8 @@ def refusal(status: int, line: Line, load: Load, problem: LineProblem) -> Catopt
         missing = distance - line.length
         way = Message("catenary.way_up" if load.span is None else "catenary.way_across")
         key = "catenary.too_short" if missing > 0.0 else "catenary.just_as_long"
-        told = Message(key, length=line.length, way=way, distance=distance, missing=missing)
-        return NoEquilibriumError(told, "length", missing)
+        reported = Message(key, length=line.length, way=way, distance=distance, missing=missing)
+        return NoEquilibriumError(reported, "length", missing)
     if status == TOO_HEAVY:
         tension = load.fairlead_tension
         assert tension is not None
@@ -293,9 +293,9 @@ def refusal(status: int, line: Line, load: Load, problem: LineProblem) -> Catopt
         missing = least - tension
         rise = problem.fairlead_height - problem.anchor_height
         values = {"tension": tension, "missing": missing, "least": least}
-        told = Message("catenary.too_heavy", **values)
+        reported = Message("catenary.too_heavy", **values)
         if rise > line.length:  # no part of it is spare: the tension is that of its stretch
-            told = Message("catenary.too_taut", length=line.length, rise=rise, **values)
-        return NoEquilibriumError(told, "force", missing)
+            reported = Message("catenary.too_taut", length=line.length, rise=rise, **values)
+        return NoEquilibriumError(reported, "force", missing)
     assert status == NOT_CONVERGED
     return NotConvergedError(Message("catenary.not_converged"))

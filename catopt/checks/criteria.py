@@ -189,15 +189,15 @@ class Criteria:
 
         The key is that of the segment: ``line.segments[0]``.
         """
-        told = set()
+        reported = set()
         for criterion in self.all:
             wanted = (
                 criterion.is_for(strength.kind)
                 and not set(kinds).isdisjoint(criterion.kinds)
                 and not set(states).isdisjoint(criterion.states)
             )
-            if criterion.of and wanted and criterion.of not in told:
-                told.add(criterion.of)
+            if criterion.of and wanted and criterion.of not in reported:
+                reported.add(criterion.of)
                 try:
                     allowed_by(criterion, strength, key)
                 except InputError as error:

@@ -92,7 +92,7 @@ def check_system(case: Case, report: SystemReport | None = None) -> CheckReport:
         results += check_state(state, criteria, known, case.anchor)
     lines = {line: of_criteria(criteria, line, strengths) for line, strengths in known.items()}
     warnings = (
-        *(warning for told in lines.values() for warning in told),
+        *(warning for reported in lines.values() for warning in reported),
         *(
             of_line_out(criteria, damaged, len(legs))
             if case.system.judged_line_out

@@ -200,7 +200,7 @@ def answering(
             from catopt.render.values import UNITS
 
             output = context.obj
-            when_long(lambda told: output.note(say(told, lang)))
+            when_long(lambda reported: output.note(say(reported, lang)))
             before = UNITS.set(units or "")
             try:
                 command(Asked(context.obj, lang, as_json, out, full), **options)

@@ -248,11 +248,11 @@ def ship(
         *_no_part(of, {*_SHIP, "moulded_depth"} - ({"hmax"} if by_hs else set())),
     )
     warned = estimated_dimensions(of.read)
-    told = [
+    reported = [
         replace(each, assumptions=(*each.assumptions, *said), warnings=(*each.warnings, *warned))
         for each in (worst.loads, *others)
     ]
-    _give(asked, *told, lyings=lyings if turns or len(lyings) > 1 else ())
+    _give(asked, *reported, lyings=lyings if turns or len(lyings) > 1 else ())
 
 
 # ------------------------------------------------------------------ parts of the commands

@@ -139,11 +139,11 @@ class YamlTable:
         `groups`: pattern of a group's keys, by the key of its remark; the first that fits is said.
         """
         found: dict[str, dict[str, list[int]]] = {}
-        told = {id(t.items[key]) for t in self.opened for key in t.read if key in t.items}
+        reported = {id(t.items[key]) for t in self.opened for key in t.read if key in t.items}
         for table in self.opened:
             for key, item in table.items.items():
-                if id(item) not in told and item.value is not None:
-                    told.add(id(item))
+                if id(item) not in reported and item.value is not None:
+                    reported.add(id(item))
                     first = key.split(",")[0].strip()
                     fits = (name for name, keys in groups.items() if re.search(keys, first))
                     group = found.setdefault(next(fits, "unread_unknown"), {})

@@ -380,8 +380,8 @@ def _doubts(components: list[Component], catalogue: Catalogue) -> Iterator[str]:
         if catalogue.family(component.family).sizes.confidence == RECALLED:
             yield Message("design.recalled_sizes", family=component.family)
     for quantities, names in recalled.items():
-        told = ", ".join(quantities)
-        yield Message("design.recalled", components=_listed(names), quantities=told)
+        reported = ", ".join(quantities)
+        yield Message("design.recalled", components=_listed(names), quantities=reported)
     if unknown:
         yield Message("design.no_EA", components=_listed(unknown))
 

@@ -69,8 +69,8 @@ class ShipInWeather:
                 ship = replace(ship, displacement=of.displacement / self.density)
             ship.check_afloat(self.depth)
         except InputError as error:
-            told = [replace(each, key=f"floater.ship.{each.key}") for each in error.problems]
-            raise InputError(told, "--dynamic") from None
+            reported = [replace(each, key=f"floater.ship.{each.key}") for each in error.problems]
+            raise InputError(reported, "--dynamic") from None
         return ship
 
     @property

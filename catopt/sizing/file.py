@@ -68,11 +68,17 @@ class SizingFile:
             return dotted((*inputs[name].path, *(() if index is None else (index,))))
 
         own = {name: each for name, each in inputs.items() if name not in before}
-        told = [name for name, each in own.items() if self._is_told(each.path)]
-        told += [dotted(finding.path) for finding in self.findings]
+        reported = [name for name, each in own.items() if self._is_reported(each.path)]
+        reported += [dotted(finding.path) for finding in self.findings]
         given = self.given(before)
         return known(
-            self.moored, given, spelled, self.source, told=told, defaults=defaults, called=called
+            self.moored,
+            given,
+            spelled,
+            self.source,
+            reported=reported,
+            defaults=defaults,
+            called=called,
         )
 
     def inputs(self, before: Mapping[str, object] = _NOTHING) -> Mapping[str, Input]:
@@ -123,10 +129,10 @@ class SizingFile:
         ordered = in_order_of(self.document, list(dict.fromkeys(found)))
         return InputError([*(each.as_problem() for each in ordered), *others], self.source)
 
-    def _is_told(self, path: Path) -> bool:
+    def _is_reported(self, path: Path) -> bool:
         """Say whether a fault of a key, or of its table, is told already."""
-        told = [*(finding.path for finding in self.findings), *self._misspelt()]
-        return any(path[: len(each)] == each[: len(path)] for each in told)
+        reported = [*(finding.path for finding in self.findings), *self._misspelt()]
+        return any(path[: len(each)] == each[: len(path)] for each in reported)
 
     def _misspelt(self) -> Iterator[Path]:
         """List the keys that were meant by unknown ones."""

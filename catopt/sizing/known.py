@@ -127,24 +127,24 @@ def known(
     spell: Spelling = as_keyword,
     source: str = "",
     *,
-    told: Collection[str] = (),
+    reported: Collection[str] = (),
     defaults: Mapping[str, object] | None = None,
     called: Mapping[str, str] | None = None,
 ) -> ResolvedInputs:
     """Read what is given, and take what is not.
 
-    `given`: by name: numbers in SI, or texts with units; None: left out. `spell`, `source`, `told`,
-    `called`: as for `ErrorCollector`. `defaults`: what is taken of what is left out, in place
-    of the defaults of the table.
+    `given`: by name: numbers in SI, or texts with units; None: left out. `spell`, `source`,
+    `reported`, `called`: as for `ErrorCollector`. `defaults`: what is taken of what is left out, in
+    place of the defaults of the table.
     """
     given = {name: value for name, value in given.items() if value is not None}
     inputs = inputs_of(moored, held_by=_held_by(moored, given))
-    telling = ErrorCollector(inputs, spell, source, told, called)
+    telling = ErrorCollector(inputs, spell, source, reported, called)
     values: dict[str, Any] = {}
     for name, value in given.items():
         if name not in inputs:
             _refuse(telling, moored, name, value)
-        elif not telling.is_told(name):
+        elif not telling.is_reported(name):
             read = _read(telling, inputs[name], value)
             values |= {} if read is None else {name: read}
     _contradictions(telling, inputs, given)

@@ -190,7 +190,7 @@ def _sea(of: ResolvedInputs) -> SeaState:
 def _body(of: ResolvedInputs) -> BuoyShape | GivenBuoy | None:
     """Look the buoy up, or take it by its force and its buoyancy."""
     telling, pair = of.telling, ("force", "reserve_buoyancy")
-    by_force = [name for name in pair if name in of.given or telling.is_told(name)]
+    by_force = [name for name in pair if name in of.given or telling.is_reported(name)]
     if "buoy" in of.given and by_force:
         instead = " and ".join(map(telling.spell, by_force))
         telling.add("buoy", f'"{of["buoy"]}"', Message("refused.leave_out_or", other=instead))

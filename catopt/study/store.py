@@ -66,7 +66,7 @@ class Store:
     def __init__(self, study: Study, directory: Path | None = None) -> None:
         self._study = study
         self._file = ":memory:" if directory is None else str(directory / STORE)
-        with self._told():
+        with self._reported():
             if directory is not None:
                 directory.mkdir(parents=True, exist_ok=True)
             self._database = sqlite3.connect(self._file, check_same_thread=False)
@@ -79,7 +79,7 @@ class Store:
                 raise
 
     @contextmanager
-    def _told(self) -> Iterator[None]:
+    def _reported(self) -> Iterator[None]:
         """Refuse in words what the file or its disk does not do: full, held, damaged, gone."""
         try:
             yield
@@ -103,7 +103,7 @@ class Store:
 
     def done(self) -> set[int]:
         """Return the numbers of the pieces that are there."""
-        with self._told():
+        with self._reported():
             return {number for (number,) in self._database.execute("SELECT number FROM pieces")}
 
     def put(self, found: Computed) -> None:
@@ -114,12 +114,12 @@ class Store:
             json.dumps(found.words, ensure_ascii=False),
             json.dumps({str(k): v for k, v in sorted(found.reasons.items())}, ensure_ascii=False),
         )
-        with self._told(), self._database:
+        with self._reported(), self._database:
             self._database.execute("INSERT OR REPLACE INTO pieces VALUES (?, ?, ?, ?)", row)
 
     def pieces(self) -> Iterator[Computed]:
         """Yield the pieces that are there, by number; a damaged one is taken out and told."""
-        with self._told():
+        with self._reported():
             rows = self._database.execute("SELECT * FROM pieces ORDER BY number")
             for number, *row in rows:
                 try:

@@ -213,7 +213,7 @@ class Study:
         """Return the values of one member, from 0, by key path."""
         return {key: _plain(column[0]) for key, column in self.values(member, member + 1).items()}
 
-    def told_of(self, member: int) -> dict[str, Any]:
+    def reported_of(self, member: int) -> dict[str, Any]:
         """Return what tells a member: its title where that varies, or else all its values."""
         values = self.values_of(member)
         return {"title": values["title"]} if "title" in values else values

@@ -96,10 +96,10 @@ def part_sentence(part: StaticComparison) -> Message:
     worst = part.worst
     allowed = f"{part.tolerance:.0e}"
     if part.verdict == "agrees":
-        told = Message("truss.largest", quantity=name_of(worst, part), gap=gap_words(worst))
+        reported = Message("truss.largest", quantity=name_of(worst, part), gap=gap_words(worst))
         if worst.gap < ROUNDING:
-            told = Message("truss.below_scale", limit=f"{ROUNDING:.0e}")
-        return Message("truss.agree", largest=told, allowed=allowed)
+            reported = Message("truss.below_scale", limit=f"{ROUNDING:.0e}")
+        return Message("truss.agree", largest=reported, allowed=allowed)
     others = [each for each in part.quantities if not each.agrees]
     differences = []
     for each in others[:_MOST_NAMED]:
@@ -121,11 +121,11 @@ def rough_sentence(part: StaticComparison) -> str:
         Message("truss.rough_quantity", quantity=name_of(each, part), order=each.order)
         for each in part.rough[:_MOST_NAMED]
     )
-    told: Message = Several(rough, ", ")
+    reported: Message = Several(rough, ", ")
     if len(part.rough) > _MOST_NAMED:
         more = len(part.rough) - _MOST_NAMED
-        told = Message("truss.rough_more", quantities=told, more=more)
-    return Message("truss.rough", quantities=told)
+        reported = Message("truss.rough_more", quantities=reported, more=more)
+    return Message("truss.rough", quantities=reported)
 
 
 DYNAMIC_QUANTITY_OF: Mapping[str, Quantity] = MappingProxyType(
@@ -163,15 +163,15 @@ def motion_sentences(part: DynamicPart) -> list[str]:
     """Say what the motion does to the line: amplification, most probable maximum, slack."""
     largest = part.of("fairlead_tension").maximum
     reached = Measure("tension", largest)
-    told = Message("motion.reaches", tension=reached)
+    reported = Message("motion.reaches", tension=reached)
     if part.dynamic_amplification is not None and part.quasi_static_max is not None:
         still = Measure("tension", part.quasi_static_max)
         values = {"tension": reached, "times": part.dynamic_amplification, "still": still}
-        told = Message("motion.reaches_times", **values)
+        reported = Message("motion.reaches_times", **values)
     slack = Message("motion.no_slack")
     if part.slack_time > 0.0:
         slack = Message("motion.goes_slack", time=part.slack_time, longest=part.longest_slack)
-    sentences = [told, *_extremes(part), slack, *_by_damping(part)]
+    sentences = [reported, *_extremes(part), slack, *_by_damping(part)]
     if part.anchor_at_rest:
         at_rest = {state: Measure("tension", N) for state, N in part.anchor_at_rest.items()}
         sentences.append(Message("motion.friction_at_rest", **at_rest))

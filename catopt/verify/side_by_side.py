@@ -132,7 +132,7 @@ _THREADS = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "OMP_NUM_THREADS")
 _WHOLE = 1000
 """Progress of one run is told in so many parts."""
 
-_told: Any = None
+_reported: Any = None
 _stop: Any = None
 
 
@@ -156,8 +156,8 @@ class Crew:
         self._pool: ProcessPoolExecutor | None = None
         if workers > 1:
             context = get_context("spawn")
-            self._told, self._stop = context.SimpleQueue(), context.Event()
-            shared = self._told, self._stop
+            self._reported, self._stop = context.SimpleQueue(), context.Event()
+            shared = self._reported, self._stop
             self._pool = ProcessPoolExecutor(workers, context, _begin, shared)
 
     def __enter__(self) -> Crew:
@@ -170,7 +170,7 @@ class Crew:
             # The traceback of an error keeps frames, and these the error: what processes share is
             # not to wait for a collection of such circles.
             self._pool = None
-            del self._told, self._stop
+            del self._reported, self._stop
 
     def each(self, task: Callable[[int, Progress], T], count: int, progress: Progress) -> list[T]:
         """Do a task for each number from 0 on.
@@ -192,8 +192,8 @@ class Crew:
             waiting = set(futures)
             while waiting:
                 done, waiting = wait(waiting, _LOOK, FIRST_COMPLETED)
-                while not self._told.empty():
-                    number, part = self._told.get()
+                while not self._reported.empty():
+                    number, part = self._reported.get()
                     reached[number] = part
                 for each in done:
                     each.result()
@@ -227,10 +227,10 @@ def share_of(progress: Progress | None, done: int, total: int, part: int = 1) ->
     return lambda at, end: progress(done * end + part * at, total * end)
 
 
-def _begin(told: Any, stop: Any) -> None:
-    global _told, _stop
+def _begin(reported: Any, stop: Any) -> None:
+    global _reported, _stop
     begin_process()
-    _told, _stop = told, stop
+    _reported, _stop = reported, stop
 
 
 def begin_process() -> None:
@@ -256,7 +256,7 @@ def _do(task: Callable[[int, Progress], T], number: int) -> T:
         now = monotonic()
         if now - last >= _LOOK or at >= end:
             last = now
-            _told.put((number, at / end))
+            _reported.put((number, at / end))
 
     return task(number, tell)
 

@@ -247,7 +247,7 @@ def _checked(case: Case, lines: tuple[LineOfShip, ...], moored: MooredShip) -> C
     """Check each line as it hangs under its largest tension, by quasi-static factors."""
     criteria = _criteria(case)
     results: list[CheckResult] = []
-    told: list[str] = []
+    reported: list[str] = []
     for each, leg in zip(lines, moored.system.legs, strict=True):
         strengths = criteria.strengths(leg.line, {"extreme"})
         solution = solve(
@@ -268,8 +268,8 @@ def _checked(case: Case, lines: tuple[LineOfShip, ...], moored: MooredShip) -> C
             place=place,
         )
         results += of_line
-        told += of_criteria(criteria, leg.line, strengths)
-    return CheckReport(case.title, tuple(results), (), tuple(dict.fromkeys(told)))
+        reported += of_criteria(criteria, leg.line, strengths)
+    return CheckReport(case.title, tuple(results), (), tuple(dict.fromkeys(reported)))
 
 
 def _remarks(

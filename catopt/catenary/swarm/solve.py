@@ -268,14 +268,14 @@ def _verify(runs: _Runs, excess: float, settings: SwarmSettings) -> None:
         particles=settings.particles,
         iterations=Message("catenary.iterations", count=settings.iterations),
     )
-    told = {"effort": effort, "way_out": Message("catenary.swarm_way_out")}
+    reported = {"effort": effort, "way_out": Message("catenary.swarm_way_out")}
     if not runs.best.objective < RESULT:
         raise NotConvergedError(
-            Message("catenary.swarm_misses", f=runs.best.objective, limit=RESULT, **told)
+            Message("catenary.swarm_misses", f=runs.best.objective, limit=RESULT, **reported)
         )
     if not abs(excess) < SPAN_AGREEMENT:
         raise NotConvergedError(
-            Message("catenary.swarm_span", excess=abs(excess), limit=SPAN_AGREEMENT, **told)
+            Message("catenary.swarm_span", excess=abs(excess), limit=SPAN_AGREEMENT, **reported)
         )
 
 
