@@ -40,7 +40,7 @@ def _seen(of: argparse.Namespace) -> Iterator[str]:
     yield "# Whole moorings a second"
     yield ""
     problem = space(of.designs)
-    values = problem.assess(problem.space.genes_between(0, 2)).excess
+    values = problem.assess(problem.space.genes_between(0, 2)).exceedance
     yield f"Two designs of {problem.space.count}: {values.tolist()}"
 
 

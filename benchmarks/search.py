@@ -66,7 +66,7 @@ def spaces() -> Iterator[Space]:
     """Yield the spaces whose front is known."""
     tables: tuple[KnownSpace, ...] = (tanker(), leg(), buoy())
     for table in tables:
-        feasible = float((table.excess <= ROUNDING).mean())
+        feasible = float((table.exceedance <= ROUNDING).mean())
         name = f"{table.name}, table"
         yield Space(name, table.designs, feasible, table, table.front.objectives)
     wanted: list[tuple[str, tuple[Objective, ...]]] = [
@@ -98,7 +98,7 @@ def study(space: Space, search: Callable[..., Outcome], seeds: int) -> Runs:
         seconds.append(time.perf_counter() - start)
         assert outcome.evaluations <= EVALUATIONS
         volumes.append(hypervolume(outcome.objectives, reference) / exact)
-        infeasible += int((space.problem.evaluate(outcome.genes).excess > ROUNDING).sum())
+        infeasible += int((space.problem.evaluate(outcome.genes).exceedance > ROUNDING).sum())
     return Runs(np.array(volumes), np.array(seconds), infeasible)
 
 

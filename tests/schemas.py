@@ -42,7 +42,7 @@ from catopt.model.kinds import OneOf
 from catopt.model.load import LoadCaseState
 from catopt.model.network import PointKind
 from catopt.model.sea import CURRENT_PROFILES
-from catopt.records import From, Matching, OrNull, Part, Record, parts, unit_of
+from catopt.records import From, Key, Matching, OrNull, Record, parts, unit_of
 from catopt.reproduce.items import Reproduction
 from catopt.sizing.alternatives import Role
 from catopt.sizing.inputs import INPUTS
@@ -199,7 +199,7 @@ class _Written:
             "properties": {part.key: self._described(part) for part in found},
         }
 
-    def _described(self, part: Part) -> Schema:
+    def _described(self, part: Key) -> Schema:
         unit = unit_of(part.hint)
         if isinstance(getattr(part.owner, part.path[-1], None), types.FunctionType) and (
             isinstance(part.hint, type) and issubclass(part.hint, Record)

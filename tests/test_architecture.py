@@ -29,7 +29,7 @@ ALL_BUT_CLI = (
     | READING
     | DESIGNING
     | {"mooring", "loads", "schemas", "verify", "reproduce", "sizing", "study", "export", "report"}
-    | {"answers", "figures", "notes", "render", "desk", "web"}
+    | {"answers", "figures", "notes", "render", "page_api", "web"}
 )
 RESULTS = {
     *("model", "catenary", "mooring", "design", "verify", "reproduce", "study"),
@@ -95,11 +95,11 @@ MAY_IMPORT: dict[str, set[str]] = {
     | DESIGNING
     | {"mooring", "loads", "schemas", "verify", "reproduce", "sizing", "study", "_version"}
     | {"figures", "notes", "render"},
-    "desk": SOLVING
+    "page_api": SOLVING
     | READING
     | DESIGNING
     | {"mooring", "loads", "sizing", "answers", "figures", "notes", "render", "_version"},
-    "web": {"errors", "documents", "words", "desk", "render"},
+    "web": {"errors", "documents", "words", "page_api", "render"},
     "compile_jobs": SOLVING
     | READING
     | DESIGNING

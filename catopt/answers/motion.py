@@ -203,7 +203,7 @@ def lines_of_body(parts: Sequence[DynamicPart]) -> blocks.Table:
             "motion.most_at_anchor_by_damping",
         ),
         of.measured("tension", "quasi_static_max", "quasi_static", symbol=""),
-        of.measured(_RATIO, "amplification", "amplification"),
+        of.measured(_RATIO, "dynamic_amplification", "amplification"),
         of.measured(_SLACK, "slack_time", "slack"),
         of.measured(_PERCENT, lambda part: part.change_of("fairlead_tension"), "change"),
         of.texts("verdict", lambda part: term(part.verdict)),
@@ -290,7 +290,7 @@ def _summary(parts: Sequence[DynamicPart]) -> Iterator[blocks.Column]:
     yield of.texts("complete", lambda part: yes_or_no(part.is_complete))
     yield of.measured(_NEWTON, "max_tension", "largest_tension_anywhere")
     yield of.measured(_NEWTON, "quasi_static_max", _STILL)
-    yield of.measured(_RATIO, "amplification", "dynamic_amplification")
+    yield of.measured(_RATIO, "dynamic_amplification", "dynamic_amplification")
     yield of.measured(_TIME, "slack_time", "slack_in_all")
     yield of.measured(_TIME, "longest_slack", "longest_slack")
     yield of.texts("verdict", lambda part: term(part.verdict))
@@ -429,7 +429,7 @@ def _designs(found: FrontInMotion) -> blocks.Table:
             _FORCE, lambda part: part.of("fairlead_tension").maximum, "motion.front_largest"
         ),
         parts.measured(_FORCE, "quasi_static_max", "motion.front_still"),
-        parts.measured(_RATIO, "amplification", "motion.front_allowance"),
+        parts.measured(_RATIO, "dynamic_amplification", "motion.front_allowance"),
         parts.measured(_PERCENT, lambda part: part.change_of("fairlead_tension"), "change"),
         of.measured("utilisation", "tightest.utilisation"),
         verdict,

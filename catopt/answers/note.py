@@ -547,7 +547,7 @@ def _damaged(sheet: Stated) -> Message:
     if not sheet.judges_line_out:
         return Message("note_sheet.damaged_not_judged")
     states = [each for each in sheet.report.results if each.place.state != "intact"]
-    worst = max(states, key=lambda each: each.excess)
+    worst = max(states, key=lambda each: each.exceedance)
     key = "damaged_passes" if all(each.passes for each in states) else "damaged_fails"
     values = {"check": worst.name, "state": worst.where, "source": worst.source.text}
     return Message(f"note_sheet.{key}", **values)

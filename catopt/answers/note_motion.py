@@ -328,7 +328,7 @@ def motion_blocks(note: Note) -> Iterator[Block]:
     listed: list[tuple[str, float | None, Quantity]] = [
         ("note_motion.anywhere", part.max_tension, _BARE),
         ("note_motion.still_max", part.quasi_static_max, _BARE),
-        ("note_motion.amplification", part.amplification, _FACTOR),
+        ("note_motion.amplification", part.dynamic_amplification, _FACTOR),
         ("note_motion.slack_time", part.slack_time, _SLACK),
         ("note_motion.longest_slack", part.longest_slack, _SLACK),
     ]
@@ -429,7 +429,7 @@ def _cases(moved: InMotion) -> Table:
         "motion_cases",
         of.texts("load_case", "name"),
         *_fairleads(of.rows, [solution.fairlead.tension for solution in moved.solutions]),
-        of.measured(_FACTOR, "amplification", "note_motion.amplification"),
+        of.measured(_FACTOR, "dynamic_amplification", "note_motion.amplification"),
         measured("utilisation", map(moved.used, range(len(of.rows)))),
         caption=Message("note_motion.cases", unit=Unit(_BARE)),
         marked=moved.governing,
@@ -585,7 +585,7 @@ def _lines(note: SystemNote, found: DynamicVerification) -> Table:
         of.texts("line"),
         *_fairleads(of.rows, [line.tension for line in note.solution.lines]),
         of.measured(_BARE, "quasi_static_max", "quasi_static_fairlead_tension"),
-        of.measured(_FACTOR, "amplification", "note_motion.amplification"),
+        of.measured(_FACTOR, "dynamic_amplification", "note_motion.amplification"),
         of.measured(fixed("s", 1), "slack_time", "slack_in_all"),
         caption=Message("note_motion.lines", unit=Unit(_BARE)),
         marked=of.rows.index(found.governing),

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, fields, replace
 from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Any
 
-from catopt.casefile.document import Finding, Section
+from catopt.casefile.document import FileSection, Finding
 from catopt.casefile.motion_consistency import share_of_year
 from catopt.casefile.ranges import values_of
 from catopt.casefile.schema import (
@@ -16,7 +16,7 @@ from catopt.casefile.schema import (
     FatigueSeaStateTable,
     SegmentChoiceTable,
     SegmentTable,
-    Table,
+    TableSchema,
     VariantsTable,
     entries,
 )
@@ -64,7 +64,7 @@ def catalogue_choice(given: dict[str, Any], folder: str) -> CatalogueChoice:
     )
 
 
-def from_catalogue(case: Section, folder: str) -> FromCatalogue:
+def from_catalogue(case: FileSection, folder: str) -> FromCatalogue:
     """Look up every component that a document names."""
     found = FromCatalogue()
     of_line = case.table("line").tables("segments")
@@ -88,7 +88,7 @@ def from_catalogue(case: Section, folder: str) -> FromCatalogue:
     return found
 
 
-def _named(segments: list[Section]) -> Iterator[tuple[Path, str]]:
+def _named(segments: list[FileSection]) -> Iterator[tuple[Path, str]]:
     """List the names of components with their places."""
     for segment in segments:
         name = segment.value("component")
@@ -99,7 +99,7 @@ def _named(segments: list[Section]) -> Iterator[tuple[Path, str]]:
                 yield (*segment.path, "components", index), each
 
 
-def _catalogue(found: FromCatalogue, case: Section, folder: str) -> ChosenCatalogue | None:
+def _catalogue(found: FromCatalogue, case: FileSection, folder: str) -> ChosenCatalogue | None:
     """Read the catalogue; None, and findings if they are new, when the choice is faulty."""
     from catopt.catalogue.choice import chosen
 
@@ -155,7 +155,7 @@ def _check_variants(found: FromCatalogue, catalogue: ChosenCatalogue) -> None:
 
 
 def _looked_up(
-    found: FromCatalogue, catalogue: ChosenCatalogue, segment: Section, key: str, name: str
+    found: FromCatalogue, catalogue: ChosenCatalogue, segment: FileSection, key: str, name: str
 ) -> list[Component]:
     """Look a component up in the sizes that a key has; what is not made is a finding there."""
     sizes = segment.value(key) if name else None
@@ -195,7 +195,7 @@ def _or_own(path: Path, allowed: str) -> str:
     return Message("refused.own_figures", said=allowed)
 
 
-def _sizes(found: FromCatalogue, catalogue: ChosenCatalogue, segment: Section) -> None:
+def _sizes(found: FromCatalogue, catalogue: ChosenCatalogue, segment: FileSection) -> None:
     """Check that what a segment of a design may be made of is made in the sizes that are asked."""
     names = [name for place, name in found.names.items() if place[:3] == segment.path]
     own = ("line", *segment.path[1:], "component")
@@ -208,7 +208,9 @@ def _sizes(found: FromCatalogue, catalogue: ChosenCatalogue, segment: Section) -
             _sold(found, catalogue, segment, name)
 
 
-def _sold(found: FromCatalogue, catalogue: ChosenCatalogue, segment: Section, name: str) -> None:
+def _sold(
+    found: FromCatalogue, catalogue: ChosenCatalogue, segment: FileSection, name: str
+) -> None:
     """Check that a component is sold in a size between the bounds, if there are any."""
     low, high = segment.number("diameter_min"), segment.number("diameter_max")
     if low is not None and high is not None and high < low:
@@ -273,9 +275,9 @@ class _Builder:
         """Return a value as the model has it: a table as its part, an array as a tuple."""
         if isinstance(value, list):
             return tuple(self.value(each, (*path, k)) for k, each in enumerate(value))
-        return self.part(value, path) if isinstance(value, Table) else value
+        return self.part(value, path) if isinstance(value, TableSchema) else value
 
-    def given(self, table: Table, path: Path = ()) -> dict[str, Any]:
+    def given(self, table: TableSchema, path: Path = ()) -> dict[str, Any]:
         """Return what a table gives, as the model has it; paths of files count from the folder."""
         given = {key: self.value(each, (*path, key)) for key, each in table.given().items()}
         for key in given:
@@ -286,7 +288,7 @@ class _Builder:
             given[values.many] = values_of(values, own)
         return given
 
-    def part(self, table: Table, path: Path = ()) -> Any:
+    def part(self, table: TableSchema, path: Path = ()) -> Any:
         """Build what a table holds; of variants of figures, a mapping."""
         if isinstance(table, SegmentTable):
             return _segment(table, self.catalogue.segments.get(path))
@@ -315,7 +317,7 @@ class _Builder:
         return made_of(table, given, self.site)
 
 
-def made_of(table: Table, given: dict[str, Any], site: Site) -> Any:
+def made_of(table: TableSchema, given: dict[str, Any], site: Site) -> Any:
     """Make the part of the model of what a table gives; of variants of figures, a mapping."""
     if table.model is Checks and "code" in given:
         given["codes"] = (given.pop("code"),)

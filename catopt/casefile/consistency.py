@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from catopt.casefile import ranges
 from catopt.casefile.building import SIZES
-from catopt.casefile.document import Finding, Section, parts, refusals
+from catopt.casefile.document import FileSection, Finding, parts, refusals
 from catopt.casefile.ranges import duplicates
 from catopt.casefile.schema import LENGTHS, MASSES, POSITIONS, PRETENSIONS, RADII, entries
 from catopt.constants import SEA_WATER_DENSITY
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from catopt.catalogue import Component
 
 
-def consistency_findings(case: Section, components: Mapping[Path, Component]) -> list[Finding]:
+def consistency_findings(case: FileSection, components: Mapping[Path, Component]) -> list[Finding]:
     """List what contradicts itself in a document, with its components by their paths."""
     line = case.table("line")
     segments, loads = line.tables("segments"), line.tables("point_loads")
@@ -51,7 +51,7 @@ def consistency_findings(case: Section, components: Mapping[Path, Component]) ->
     ]
 
 
-def judged_findings(case: Section, segments: list[Section]) -> list[Finding]:
+def judged_findings(case: FileSection, segments: list[FileSection]) -> list[Finding]:
     """List what contradicts itself in what lines are judged by: checks, anchor, service."""
     service = case.table("service").given
     return [
@@ -61,7 +61,7 @@ def judged_findings(case: Section, segments: list[Section]) -> list[Finding]:
     ]
 
 
-def _load(case: Section) -> Iterator[Finding]:
+def _load(case: FileSection) -> Iterator[Finding]:
     """Find any but exactly one known quantity at the fairlead, as the model has it."""
     load, sought = case.table("load"), _sought(case)
     if not isinstance(case.given.get("load"), dict) or (sought and sought.seeks_force):
@@ -72,7 +72,7 @@ def _load(case: Section) -> Iterator[Finding]:
         yield from (Finding(("load",), each.found, each.allowed) for each in problems)
 
 
-def _find(case: Section) -> Iterator[Finding]:
+def _find(case: FileSection) -> Iterator[Finding]:
     """Find conditions too few or too many, and keys that go with another quantity."""
     find = case.table("find")
     if _sought(case) is None or find.misspelt():
@@ -84,7 +84,7 @@ def _find(case: Section) -> Iterator[Finding]:
 
 
 def _misfits(
-    case: Section, line: Section, components: Mapping[Path, Component]
+    case: FileSection, line: FileSection, components: Mapping[Path, Component]
 ) -> Iterator[Finding]:
     """Find what does not fit between what is sought, the load and the line, as the model has it."""
     sought, has_load = _sought(case), case.given.get("load") is not None
@@ -112,14 +112,14 @@ def _misfits(
             yield from case.refused([replace(problem, allowed=allowed)])
 
 
-def _has_MBL(segment: Section, component: Component | None) -> bool:
+def _has_MBL(segment: FileSection, component: Component | None) -> bool:
     """Whether a segment's strength is given, or may be for all that is clear."""
     if not segment.lacks("MBL"):
         return True
     return component.MBL is not None if component else "component" in segment
 
 
-def _sought(case: Section) -> Find | None:
+def _sought(case: FileSection) -> Find | None:
     """Return what is sought, with a condition that fits; None when nothing is or it is unclear."""
     find = case.table("find").given
     quantity: Any = find.get("quantity")
@@ -133,7 +133,7 @@ def _sought(case: Section) -> Find | None:
     return sought
 
 
-def _segment(segment: Section) -> Iterator[Finding]:
+def _segment(segment: FileSection) -> Iterator[Finding]:
     """Find a segment without weight or component, and a component without its diameter."""
     if "component" in segment:
         if segment.lacks("diameter"):
@@ -151,7 +151,7 @@ def _segment(segment: Section) -> Iterator[Finding]:
     yield from _strain_table(segment)
 
 
-def _strain_table(segment: Section) -> Iterator[Finding]:
+def _strain_table(segment: FileSection) -> Iterator[Finding]:
     """Find a table of strains that is half, wrong, or beside an axial stiffness."""
     keys = ("strain", "strain_tension")
     given = [key for key in keys if key in segment]
@@ -167,7 +167,7 @@ def _strain_table(segment: Section) -> Iterator[Finding]:
         yield from segment.refused(table_misfits(values["strain"], values["strain_tension"]))
 
 
-def _weight(body: Section) -> Iterator[Finding]:
+def _weight(body: FileSection) -> Iterator[Finding]:
     """Find a body whose weight is not given, or given both itself and by density or volume."""
     if body.misspelt("submerged_weight", "mass", "density", "volume"):
         return
@@ -191,13 +191,13 @@ def _weight(body: Section) -> Iterator[Finding]:
         yield body.missing("submerged_weight", wanted)
 
 
-def _drag(load: Section) -> Iterator[Finding]:
+def _drag(load: FileSection) -> Iterator[Finding]:
     """Find a drag of a point load that lacks its area or its coefficient."""
     if not load.misspelt("drag_area", "drag_coefficient"):
         yield from load.refused(point_drag_misfits(load.given))
 
 
-def _positions(segments: list[Section], loads: list[Section]) -> Iterator[Finding]:
+def _positions(segments: list[FileSection], loads: list[FileSection]) -> Iterator[Finding]:
     """Find point loads beyond the end of the line."""
     lengths = [segment.number("length") for segment in segments]
     known = [length for length in lengths if length is not None]
@@ -210,7 +210,7 @@ def _positions(segments: list[Section], loads: list[Section]) -> Iterator[Findin
             yield load.wrong("position", Message("refused.below_line", length=total))
 
 
-def _contact_offset(site: Section, line: Section) -> Iterator[Finding]:
+def _contact_offset(site: FileSection, line: FileSection) -> Iterator[Finding]:
     """Find depth and heights that are not above the axis of a line that lies on the bed."""
     offset = site.number("contact_offset")
     if not offset:
@@ -225,7 +225,7 @@ def _contact_offset(site: Section, line: Section) -> Iterator[Finding]:
             yield line.wrong(key, f"{allowed}; 0 is an end on the seabed")
 
 
-def _levels(case: Section, states: list[Section]) -> Iterator[Finding]:
+def _levels(case: FileSection, states: list[FileSection]) -> Iterator[Finding]:
     """Find names used twice, and water levels that leave no water, of load cases or of loads."""
     depth = case.table("site").number("water_depth")
     line = case.table("line")
@@ -244,7 +244,7 @@ def _levels(case: Section, states: list[Section]) -> Iterator[Finding]:
             yield state.wrong("water_level", allowed)
 
 
-def _system(case: Section) -> Iterator[Finding]:
+def _system(case: FileSection) -> Iterator[Finding]:
     """Find what does not go with a system, and a load in yaw on a body that cannot turn."""
     if "system" not in case:
         return
@@ -266,7 +266,7 @@ def _system(case: Section) -> Iterator[Finding]:
         yield system.wrong("moment", allowed)
 
 
-def _checks(case: Section) -> Iterator[Finding]:
+def _checks(case: FileSection) -> Iterator[Finding]:
     """Find codes or a largest span given in two ways, and what goes with several lines."""
     checks = case.table("checks")
     for section in (checks, case.table("anchor")):
@@ -288,7 +288,7 @@ def _checks(case: Section) -> Iterator[Finding]:
     yield from duplicates(checks, "codes")
 
 
-def _anchor(case: Section) -> Iterator[Finding]:
+def _anchor(case: FileSection) -> Iterator[Finding]:
     """Find what does not go with the kind of anchor, as the model has it."""
     anchor = case.table("anchor")
     kind: Any = anchor.given.get("kind")
@@ -309,7 +309,7 @@ def _anchor(case: Section) -> Iterator[Finding]:
             yield from anchor.refused([problem])
 
 
-def sinks_findings(case: Section, body: Section) -> Iterator[Finding]:
+def sinks_findings(case: FileSection, body: FileSection) -> Iterator[Finding]:
     """Find a sinker that floats."""
     site = case.table("site")
     water = site.number("water_density")
@@ -325,7 +325,7 @@ def sinks_findings(case: Section, body: Section) -> Iterator[Finding]:
 _COMPONENTS = ("components", "component")
 
 
-def design_findings(case: Section) -> list[Finding]:
+def design_findings(case: FileSection) -> list[Finding]:
     """List what contradicts itself in the design of a document."""
     design, line = case.table("design"), _Line(case.table("line"))
     if not design.given:
@@ -347,11 +347,11 @@ def design_findings(case: Section) -> list[Finding]:
 class _Line:
     """What the segments of a design may take over from the line."""
 
-    def __init__(self, line: Section) -> None:
+    def __init__(self, line: FileSection) -> None:
         self.segments = line.tables("segments")
         self.is_clear = bool(self.segments) and not line.misspelt("segments")
 
-    def at(self, index: int) -> Section | None:
+    def at(self, index: int) -> FileSection | None:
         """Return the segment at a place, counted from 0; None when there is none."""
         return self.segments[index] if index < len(self.segments) else None
 
@@ -360,7 +360,7 @@ class _Line:
         return self.is_clear and self.at(index) is None
 
 
-def _design_segment(choice: Section, index: int, line: _Line) -> Iterator[Finding]:
+def _design_segment(choice: FileSection, index: int, line: _Line) -> Iterator[Finding]:
     """Find what is given in two ways, and what the line has not got to be taken over."""
     yield from ranges.findings(LENGTHS, choice)
     if all(key in choice for key in _COMPONENTS):
@@ -384,7 +384,7 @@ def _design_segment(choice: Section, index: int, line: _Line) -> Iterator[Findin
         yield choice.missing("components", why)
 
 
-def _sizes(choice: Section) -> Iterator[Finding]:
+def _sizes(choice: FileSection) -> Iterator[Finding]:
     """Find diameters given in two ways, twice, or as a range that is none."""
     ranged = [key for key in ("diameter_min", "diameter_max") if key in choice]
     singly = [key for key in ("diameter", "diameters") if key in choice]
@@ -395,7 +395,7 @@ def _sizes(choice: Section) -> Iterator[Finding]:
     yield from ranges.duplicates(choice, "diameters")
 
 
-def _clump_weight(choice: Section) -> Iterator[Finding]:
+def _clump_weight(choice: FileSection) -> Iterator[Finding]:
     """Find a clump weight without mass or place, or with two."""
     yield from ranges.findings(MASSES, choice, required=True)
     yield from ranges.findings(POSITIONS, choice)
@@ -409,7 +409,7 @@ def _clump_weight(choice: Section) -> Iterator[Finding]:
 
 
 def _design_positions(
-    segments: list[Section], weights: list[Section], line: _Line
+    segments: list[FileSection], weights: list[FileSection], line: _Line
 ) -> Iterator[Finding]:
     """Find clump weights that are beyond the end of the longest line at every position."""
     longest = []
@@ -432,7 +432,7 @@ def _design_positions(
 
 
 def _as_the_model_has_it(
-    design: Section, segments: list[Section], weights: list[Section]
+    design: FileSection, segments: list[FileSection], weights: list[FileSection]
 ) -> Iterator[Finding]:
     """Find objectives too few or too many, joints that are not there, and no fixed segment."""
     choices = [
@@ -455,7 +455,7 @@ def _as_the_model_has_it(
     yield from design.refused(_as_given(design, problems))
 
 
-def _of_a_body(case: Section, design: Section) -> Iterator[Finding]:
+def _of_a_body(case: FileSection, design: FileSection) -> Iterator[Finding]:
     """Find radii given in two ways, and what goes with several lines alone or not with them."""
     yield from ranges.findings(RADII, design)
     yield from ranges.findings(PRETENSIONS, design)
@@ -474,7 +474,7 @@ def _of_a_body(case: Section, design: Section) -> Iterator[Finding]:
     yield from case.refused(_as_given(design, problems))
 
 
-def _as_given(design: Section, problems: Iterable[Problem]) -> Iterator[Problem]:
+def _as_given(design: FileSection, problems: Iterable[Problem]) -> Iterator[Problem]:
     """Say which key of the file gives what the model has under one name."""
     for problem in problems:
         for values in (RADII, PRETENSIONS):
@@ -484,7 +484,7 @@ def _as_given(design: Section, problems: Iterable[Problem]) -> Iterator[Problem]
         yield problem
 
 
-def _excursion(case: Section, design: Section) -> Iterator[Finding]:
+def _excursion(case: FileSection, design: FileSection) -> Iterator[Finding]:
     """Find an excursion that has no reference to count from."""
     objectives, states = design.value("objectives") or [], case.tables("load_cases")
     misread = "load_cases" in case and not states

@@ -14,7 +14,7 @@ from catopt.casefile.schema import (
     CaseTable,
     Entry,
     LoadTable,
-    Table,
+    TableSchema,
     VariantsTable,
     entries,
 )
@@ -88,7 +88,7 @@ _SHORT = 4
 """Letters of a word that is another word when its first letter is another: wind is not find."""
 
 
-def nearest(table: type[Table], key: str, top: type[Table] = CaseTable) -> str | None:
+def nearest(table: type[TableSchema], key: str, top: type[TableSchema] = CaseTable) -> str | None:
     """Return the key of `table` that `key` is a misspelling of or the symbol for, if any.
 
     `top` is the schema of the whole file.
@@ -112,12 +112,14 @@ def nearest(table: type[Table], key: str, top: type[Table] = CaseTable) -> str |
     return by_plain[close[0]] if close else None
 
 
-def stands_for(table: type[Table], key: str, top: type[Table] = CaseTable) -> str | None:
+def stands_for(
+    table: type[TableSchema], key: str, top: type[TableSchema] = CaseTable
+) -> str | None:
     """Return the key of `table` that a key it does not have was to give, if any."""
     return table.later[key] if key in table.later else nearest(table, key, top)
 
 
-def hint(table: type[Table], key: str, top: type[Table] = CaseTable) -> str:
+def hint(table: type[TableSchema], key: str, top: type[TableSchema] = CaseTable) -> str:
     """Say what to do about a key that `table` does not have."""
     near = nearest(table, key, top)
     if near is not None:
@@ -136,7 +138,7 @@ def _plain(key: str) -> str:
 
 
 def _elsewhere(
-    key: str, table: type[Table], path: Path = (), *, array: bool = False
+    key: str, table: type[TableSchema], path: Path = (), *, array: bool = False
 ) -> Iterator[str]:
     """List the tables in which `key` would be right, by the lines that open them."""
     for name, entry in entries(table).items():
@@ -150,7 +152,7 @@ def _elsewhere(
             yield from _elsewhere(key, entry.table, below, array=entry.array)
 
 
-AnyTable = TypeVar("AnyTable", bound=Table)
+AnyTable = TypeVar("AnyTable", bound=TableSchema)
 
 
 def read_tables(document: dict[str, Any], top: type[AnyTable]) -> tuple[AnyTable, list[Finding]]:
@@ -164,7 +166,7 @@ def read_tables(document: dict[str, Any], top: type[AnyTable]) -> tuple[AnyTable
 
 
 class _Reader:
-    def __init__(self, top: type[Table]) -> None:
+    def __init__(self, top: type[TableSchema]) -> None:
         self.top = top
         self.findings: list[Finding] = []
 
@@ -229,7 +231,7 @@ class _Reader:
     def _note(self, path: Path, given: Any, allowed: str) -> None:
         self.findings.append(Finding(path, as_written(given), allowed))
 
-    def _unknown(self, path: Path, schema: type[Table], key: str, given: Any) -> Finding:
+    def _unknown(self, path: Path, schema: type[TableSchema], key: str, given: Any) -> Finding:
         here = (*path, key)
         if key in schema.elsewhere:
             return Finding(here, as_written(given), Message(schema.elsewhere[key]))
@@ -263,23 +265,23 @@ def table(document: dict[str, Any], key: str) -> dict[str, Any]:
 
 
 @dataclass(frozen=True)
-class Section:
+class FileSection:
     """A table of the document, with its schema and its path; of the whole file to begin with."""
 
     given: dict[str, Any]
-    schema: type[Table] = CaseTable
+    schema: type[TableSchema] = CaseTable
     path: Path = ()
 
     def __contains__(self, key: str) -> bool:
         return key in self.given
 
-    def table(self, key: str) -> Section:
+    def table(self, key: str) -> FileSection:
         """Return a table in this one; an empty one where there is none."""
         inner = entries(self.schema)[key].table
         assert inner is not None
-        return Section(table(self.given, key), inner, (*self.path, key))
+        return FileSection(table(self.given, key), inner, (*self.path, key))
 
-    def tables(self, key: str) -> list[Section]:
+    def tables(self, key: str) -> list[FileSection]:
         """List the tables of an array; none when one of them is no table, or they are too many."""
         inner, array = entries(self.schema)[key].table, self.given.get(key)
         assert inner is not None
@@ -287,7 +289,7 @@ class Section:
             return []
         if not all(isinstance(each, dict) for each in array):
             return []
-        return [Section(each, inner, (*self.path, key, k)) for k, each in enumerate(array)]
+        return [FileSection(each, inner, (*self.path, key, k)) for k, each in enumerate(array)]
 
     def value(self, key: str) -> Any:
         """Return a value as the model takes it; None when it is missing or wrong in itself.

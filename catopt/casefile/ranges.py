@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
-from catopt.casefile.document import Finding, Section
+from catopt.casefile.document import FileSection, Finding
 from catopt.casefile.schema import Values
 from catopt.units import as_written
 from catopt.words import Message
@@ -28,7 +28,7 @@ def wanted(values: Values) -> str:
     return f"{values.many}, {values.one}, or {low} with {high} and {step}"
 
 
-def is_given(values: Values, section: Section) -> bool:
+def is_given(values: Values, section: FileSection) -> bool:
     """Whether a table has any of the keys."""
     return any(key in section for key in values.keys)
 
@@ -43,7 +43,7 @@ def values_of(values: Values, given: dict[str, Any]) -> tuple[float, ...]:
     return () if low is None or high is None or step is None else _steps(low, high, step)
 
 
-def read(values: Values, section: Section) -> tuple[float, ...]:
+def read(values: Values, section: FileSection) -> tuple[float, ...]:
     """Return the values of a table of the document; empty where they are not clear."""
     if not is_given(values, section) or any(findings(values, section)):
         return ()
@@ -51,7 +51,7 @@ def read(values: Values, section: Section) -> tuple[float, ...]:
     return () if None in given.values() else values_of(values, given)
 
 
-def findings(values: Values, section: Section, *, required: bool = False) -> Iterator[Finding]:
+def findings(values: Values, section: FileSection, *, required: bool = False) -> Iterator[Finding]:
     """Find values given in two ways, in half of one, twice, or (where required) not at all."""
     ranged = [key for key in values.range if key in section]
     singly = [key for key in (values.one, values.many) if key in section]
@@ -65,7 +65,7 @@ def findings(values: Values, section: Section, *, required: bool = False) -> Ite
     yield from duplicates(section, values.many)
 
 
-def _range_findings(values: Values, section: Section) -> Iterator[Finding]:
+def _range_findings(values: Values, section: FileSection) -> Iterator[Finding]:
     low_key, high_key, step_key = values.range
     together = f"{low_key}, {high_key} and {step_key} go together"
     yield from (section.missing(key, together) for key in values.range if key not in section)
@@ -80,7 +80,7 @@ def _range_findings(values: Values, section: Section) -> Iterator[Finding]:
         )
 
 
-def upside_down(section: Section, low_key: str, high_key: str) -> Iterator[Finding]:
+def upside_down(section: FileSection, low_key: str, high_key: str) -> Iterator[Finding]:
     """Find an upper bound below the lower one."""
     low, high = section.number(low_key), section.number(high_key)
     if low is not None and high is not None and high < low:
@@ -88,7 +88,7 @@ def upside_down(section: Section, low_key: str, high_key: str) -> Iterator[Findi
         yield section.wrong(high_key, Message("refused.at_least_key", key=low_key, shown=shown))
 
 
-def duplicates(section: Section, key: str) -> Iterator[Finding]:
+def duplicates(section: FileSection, key: str) -> Iterator[Finding]:
     """Find values of an array that stand there already, however they are written."""
     read = section.value(key) or []
     for index, each in enumerate(read):

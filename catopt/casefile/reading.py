@@ -12,9 +12,9 @@ from typing import Any, Final, Literal, TypeVar
 
 from catopt.casefile.building import build_case, from_catalogue, made_of
 from catopt.casefile.consistency import consistency_findings, design_findings, judged_findings
-from catopt.casefile.document import Finding, Section, parts, read_tables, refuse, table
+from catopt.casefile.document import FileSection, Finding, parts, read_tables, refuse, table
 from catopt.casefile.motion_consistency import motion_findings
-from catopt.casefile.schema import CaseTable, LineBetweenTable, NetworkTable, Table
+from catopt.casefile.schema import CaseTable, LineBetweenTable, NetworkTable, TableSchema
 from catopt.documents import attributes, parse_toml, read_text
 from catopt.errors import InputError, Problem
 from catopt.model import Anchor, Case, Line, PointLoad, Segment, Site, System
@@ -85,7 +85,7 @@ def parse_network(text: str, source: str = "") -> Network:
     """
     document = parse_toml(text, source)
     table, findings = read_tables(document, NetworkTable)
-    case = Section(document, schema=NetworkTable)
+    case = FileSection(document, schema=NetworkTable)
     findings += judged_findings(case, [])
     problems: list[Problem] = []
     points: list[Any] = []
@@ -122,7 +122,7 @@ def _line(problems: list[Problem], path: str, table: LineBetweenTable) -> Any:
     return LineBetween(line, table.start, table.end, table.name or "")
 
 
-def _segment(table: Table) -> Segment:
+def _segment(table: TableSchema) -> Segment:
     given = table.given()
     if "diameter" in given:
         given["nominal_diameter"] = given.pop("diameter")
@@ -213,7 +213,7 @@ def parse_case(text: str, source: str = "", *, folder: str = "") -> Case:
 def case_of(document: dict[str, Any], source: str = "", *, folder: str = "") -> Case:
     """Make the case of a document, as the TOML reader returns it; as `parse_case`."""
     table, findings = read_tables(document, CaseTable)
-    case = Section(document)
+    case = FileSection(document)
     catalogue = from_catalogue(case, folder)
     findings += catalogue.findings
     findings += consistency_findings(case, catalogue.segments)

@@ -14,7 +14,7 @@ from catopt.casefile.document import header
 from catopt.casefile.schema import (
     CaseTable,
     NetworkTable,
-    Table,
+    TableSchema,
     VariantsTable,
     WavesTable,
     WaveTrainTable,
@@ -106,7 +106,7 @@ def write_case(case: Case | Network) -> str:
 
 
 def _blocks(
-    schema: type[Table], given: Mapping[str, Any], path: Path = (), *, array: bool = False
+    schema: type[TableSchema], given: Mapping[str, Any], path: Path = (), *, array: bool = False
 ) -> Iterator[list[str]]:
     """Write a table and those below it, each as its lines; one that says nothing is not opened."""
     known = entries(schema)
@@ -210,7 +210,7 @@ def _is_nothing(value: object) -> bool:
     return value is None or value is False or value in ("", ())
 
 
-def _lines(schema: type[Table], given: Mapping[str, Any]) -> Iterator[str]:
+def _lines(schema: type[TableSchema], given: Mapping[str, Any]) -> Iterator[str]:
     """Write the keys of a table that are given, most in the order of the table."""
     known = entries(schema)
     for key in given if schema in (VariantsTable, WavesTable) else known:
@@ -218,7 +218,7 @@ def _lines(schema: type[Table], given: Mapping[str, Any]) -> Iterator[str]:
             yield _line(schema, key, given[key])
 
 
-def _line(schema: type[Table], key: str, value: Any) -> str:
+def _line(schema: type[TableSchema], key: str, value: Any) -> str:
     """Write a key with its value, or with its array on as many lines as it needs."""
     entry = entries(schema)[key]
     unit = entry.kind.si_unit if isinstance(entry.kind, Measured) else None
@@ -332,7 +332,7 @@ def _with_others(text: str) -> str:
     from catopt.casefile.schema import CaseTable, entries
     from catopt.model.kinds import OneOf
 
-    table: type[Table] = CaseTable
+    table: type[TableSchema] = CaseTable
     lines = []
     for line in text.splitlines(keepends=True):
         if header := re.match(r"(?:# )?\[+([\w.]+)\]+", line):

@@ -12,21 +12,21 @@ from typing import Any, Final
 from catopt.catalogue.components import CONFIDENCES, Confidence, Source
 from catopt.catalogue.family import in_mm
 from catopt.catalogue.reading import own_sources
-from catopt.catalogue.table import Table
+from catopt.catalogue.table import TomlTable
 from catopt.model.kinds import Findings
 from catopt.words import Measure, Message, term
 
 
 def read_own(
     name: str, schema: str, keys: Sequence[str]
-) -> tuple[Table, Findings, dict[str, Source]]:
+) -> tuple[TomlTable, Findings, dict[str, Source]]:
     """Open one of catopt's own data files, with what is wrong with it and the sources by key."""
     text = files("catopt.catalogue").joinpath("data", name).read_text(encoding="utf-8")
-    document, findings = Table.of_file(text, f"catopt's {name}", schema, keys)
+    document, findings = TomlTable.of_file(text, f"catopt's {name}", schema, keys)
     return document, findings, own_sources()
 
 
-def cited(table: Table, sources: dict[str, Source]) -> dict[str, Any]:
+def cited(table: TomlTable, sources: dict[str, Source]) -> dict[str, Any]:
     """Read where an entry comes from: sources, place and confidence."""
     return {
         "sources": tuple(sources[key] for key in table.texts("source", required=True)),
@@ -153,7 +153,7 @@ def fittings_for(
     return FittingSet(component, diameter, MBL, MappingProxyType(found), MappingProxyType(missing))
 
 
-def _sizes(table: Table, sources: dict[str, Source]) -> list[Fitting]:
+def _sizes(table: TomlTable, sources: dict[str, Source]) -> list[Fitting]:
     table.only(
         "name", "kind", "also", "title", "columns", "rows", "price_per_N", "source", "place",
         "confidence", "note",

@@ -25,7 +25,7 @@ LOCAL = 1e-11
 _STEPS = 20_000
 
 
-class Part(NamedTuple):
+class PartInCurrent(NamedTuple):
     """A uniform part of the line, and the point loads on its lower end.
 
     length (m), submerged weight (N/m), compliance (1/N), 0.5 rho D C across and along (N s2/m3);
@@ -64,7 +64,7 @@ class Node(NamedTuple):
         return math.sqrt(self.fx * self.fx + self.fy * self.fy + self.fz * self.fz)
 
 
-def parts_of(line: Line, density: float, friction: float) -> tuple[Part, ...]:
+def parts_of(line: Line, density: float, friction: float) -> tuple[PartInCurrent, ...]:
     """Cut a line at its segments and point loads, from the anchor up."""
     half, ends, start = 0.5 * density, [0.0], 0.0
     for segment in line.segments:
@@ -79,7 +79,7 @@ def parts_of(line: Line, density: float, friction: float) -> tuple[Part, ...]:
         hold = [friction if each.friction is None else each.friction for each in here]
         area = half * (segment.drag_diameter or 0.0)
         found.append(
-            Part(
+            PartInCurrent(
                 high - low,
                 segment.submerged_weight,
                 1.0 / segment.EA,
@@ -97,7 +97,7 @@ def parts_of(line: Line, density: float, friction: float) -> tuple[Part, ...]:
 def along(
     at: Node,
     length: float,
-    part: Part,
+    part: PartInCurrent,
     flow: Flow,
     scales: tuple[float, float],
     longest: float,
@@ -137,7 +137,7 @@ _FIFTH_LESS_FOURTH = (71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 
 
 
 def _stepped(
-    at: Node, stride: float, part: Part, flow: Flow, scales: tuple[float, float]
+    at: Node, stride: float, part: PartInCurrent, flow: Flow, scales: tuple[float, float]
 ) -> tuple[Node, float]:
     """Take one step up the line; its error by the scales."""
     y: tuple[float, ...] = at[1:]
@@ -151,7 +151,7 @@ def _stepped(
     return Node(at.s + stride, *new), stride * error
 
 
-def _slope(y: Sequence[float], part: Part, flow: Flow) -> tuple[float, ...]:
+def _slope(y: Sequence[float], part: PartInCurrent, flow: Flow) -> tuple[float, ...]:
     """Say how place, force and stretched length change along the line, going up."""
     _, _, z, fx, fy, fz, _ = y
     T = math.sqrt(fx * fx + fy * fy + fz * fz)
@@ -173,7 +173,7 @@ def _slope(y: Sequence[float], part: Part, flow: Flow) -> tuple[float, ...]:
     )
 
 
-def dragged(T: float, length: float, part: Part, friction: float) -> tuple[float, float]:
+def dragged(T: float, length: float, part: PartInCurrent, friction: float) -> tuple[float, float]:
     """Tension at the far end of a part on the bed, and its stretched length."""
     loss = friction * part.weight
     taut = min(length, T / loss) if loss > 0.0 else length

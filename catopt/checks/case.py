@@ -22,7 +22,7 @@ from catopt.checks.kinds import (
     Demand,
     Place,
     State,
-    ratio_excess,
+    ratio_exceedance,
 )
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.checks.strength import Strength
@@ -195,7 +195,7 @@ def _tension(
         note = Message("checks.on_the_mean", strength=note, **values)
     if strength.note:
         note = Several((note, strength.note), ", ")
-    return Demand(tension, capacity, ratio_excess(tension, capacity), note)
+    return Demand(tension, capacity, ratio_exceedance(tension, capacity), note)
 
 
 def result_of(
@@ -214,7 +214,7 @@ def result_of(
         demand=found.demand,
         capacity=found.capacity,
         unit=QUANTITY_OF[check].si_unit,
-        excess=found.excess,
+        exceedance=found.exceedance,
         source=criterion.source,
         note=Several(part for part in (found.note, criterion.note) if part),
         place=place,
@@ -227,7 +227,7 @@ def check_buoyancy(
     """Hold the vertical pulls of all lines of a body, N, against its reserve of buoyancy."""
     pull = math.fsum(pulls)
     for criterion in criteria.of("buoyancy", "extreme", place.state):
-        found = Demand(pull, criterion.value, ratio_excess(pull, criterion.value))
+        found = Demand(pull, criterion.value, ratio_exceedance(pull, criterion.value))
         yield result_of("buoyancy", criterion, found, load_case, place)
 
 

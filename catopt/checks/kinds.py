@@ -22,11 +22,11 @@ if TYPE_CHECKING:
 
 __all__ = [
     "ROUNDING",
-    "grounded_excess",
-    "holding_excess",
-    "ratio_excess",
-    "uplift_angle_excess",
-    "uplift_force_excess",
+    "grounded_exceedance",
+    "holding_exceedance",
+    "ratio_exceedance",
+    "uplift_angle_exceedance",
+    "uplift_force_exceedance",
 ]
 
 State = Literal["intact", "one_line_out", "transient"]
@@ -127,7 +127,7 @@ ROUNDING: Final = 1e-9
 
 
 @inlined
-def ratio_excess(demand: float, capacity: float) -> float:
+def ratio_exceedance(demand: float, capacity: float) -> float:
     """Demand beside capacity, in one unit.
 
     Of a segment's tension and strength over factor, span and limit, pull at the fairlead and
@@ -137,13 +137,13 @@ def ratio_excess(demand: float, capacity: float) -> float:
 
 
 @inlined
-def uplift_angle_excess(angle: float, limit: float) -> float:
+def uplift_angle_exceedance(angle: float, limit: float) -> float:
     """Inclination at the anchor beside the largest allowed one; rad, and the excess per rad."""
     return angle - limit
 
 
 @inlined
-def uplift_force_excess(vertical: float, horizontal: float, limit: float) -> float:
+def uplift_force_exceedance(vertical: float, horizontal: float, limit: float) -> float:
     """Vertical pull at the anchor beside the largest allowed one; N.
 
     Measured by the limit or by the horizontal force, whichever is larger, for the limit may be 0.
@@ -156,7 +156,7 @@ def uplift_force_excess(vertical: float, horizontal: float, limit: float) -> flo
 
 
 @inlined
-def grounded_excess(grounded: float, wanted: float) -> float:
+def grounded_exceedance(grounded: float, wanted: float) -> float:
     """Length on the bed short of what is wanted, by what is wanted; m. 0 wants nothing."""
     if wanted == 0.0:
         return -1.0
@@ -164,7 +164,7 @@ def grounded_excess(grounded: float, wanted: float) -> float:
 
 
 @inlined
-def holding_excess(horizontal: float, factor: float, capacity: float) -> float:
+def holding_exceedance(horizontal: float, factor: float, capacity: float) -> float:
     """Pull on a drag anchor times its factor beside its ultimate holding capacity; N."""
     return factor * horizontal / capacity - 1.0
 
@@ -190,7 +190,7 @@ class Demand(NamedTuple):
 
     demand: float
     capacity: float
-    excess: float
+    exceedance: float
     note: str = ""
 
 
@@ -261,31 +261,31 @@ Measuring = Callable[[float, Judged, "Anchor | None"], Demand]
 def _uplift_angle(limit: float, solution: Judged, _: Anchor | None) -> Demand:
     """Inclination of the line at the anchor <= limit, rad."""
     angle = solution.anchor.angle
-    return Demand(angle, limit, uplift_angle_excess(angle, limit))
+    return Demand(angle, limit, uplift_angle_exceedance(angle, limit))
 
 
 def _uplift_force(limit: float, solution: Judged, _: Anchor | None) -> Demand:
     """Vertical pull of the line on the anchor <= limit, N."""
     pull = solution.anchor
-    excess = uplift_force_excess(pull.vertical_force, pull.horizontal_force, limit)
-    return Demand(pull.vertical_force, limit, excess)
+    exceedance = uplift_force_exceedance(pull.vertical_force, pull.horizontal_force, limit)
+    return Demand(pull.vertical_force, limit, exceedance)
 
 
 def _grounded_length(wanted: float, solution: Judged, _: Anchor | None) -> Demand:
     """Wanted length <= unstretched length that lies on the bed, m."""
     lies = solution.grounded_length
-    return Demand(wanted, lies, grounded_excess(lies, wanted), Message("checks.wanted"))
+    return Demand(wanted, lies, grounded_exceedance(lies, wanted), Message("checks.wanted"))
 
 
 def _span(limit: float, solution: Judged, _: Anchor | None) -> Demand:
     """Span <= limit, m."""
-    return Demand(solution.span, limit, ratio_excess(solution.span, limit))
+    return Demand(solution.span, limit, ratio_exceedance(solution.span, limit))
 
 
 def _buoyancy(reserve: float, solution: Judged, _: Anchor | None) -> Demand:
     """Vertical pull at the fairlead <= reserve buoyancy, N."""
     vertical = solution.fairlead.vertical_force
-    return Demand(vertical, reserve, ratio_excess(vertical, reserve))
+    return Demand(vertical, reserve, ratio_exceedance(vertical, reserve))
 
 
 def _sliding(factor: float, solution: Judged, anchor: Anchor | None) -> Demand:
@@ -296,7 +296,7 @@ def _sliding(factor: float, solution: Judged, anchor: Anchor | None) -> Demand:
     pull, weight = solution.anchor, anchor.submerged_weight
     needed = sinker_needed(pull.horizontal_force, pull.vertical_force, anchor.friction, factor)
     note = Message("checks.sinker_needed", factor=factor, friction=anchor.friction)
-    return Demand(needed, weight, ratio_excess(needed, weight), note)
+    return Demand(needed, weight, ratio_exceedance(needed, weight), note)
 
 
 def _holding(factor: float, solution: Judged, anchor: Anchor | None) -> Demand:
@@ -305,7 +305,7 @@ def _holding(factor: float, solution: Judged, anchor: Anchor | None) -> Demand:
     assert anchor.holding_capacity is not None
     pull, capacity = solution.anchor.horizontal_force, anchor.holding_capacity
     note = Message("checks.capacity", capacity=Measure("tension", capacity), factor=factor)
-    return Demand(pull, capacity / factor, holding_excess(pull, factor, capacity), note)
+    return Demand(pull, capacity / factor, holding_exceedance(pull, factor, capacity), note)
 
 
 class LineCheck(NamedTuple):

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from catopt.checks.case import check_buoyancy, check_tensions, result_of
 from catopt.checks.criteria import Criteria, criteria_of, motion_profile
-from catopt.checks.kinds import OF_LINE, USER, Demand, Place, State, ratio_excess
+from catopt.checks.kinds import OF_LINE, USER, Demand, Place, State, ratio_exceedance
 from catopt.checks.profiles import profiles_of
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.model import Case, Line
@@ -119,7 +119,7 @@ def _others(
     if slide is None:
         return
     for criterion in criteria.of("slide", kind, place.state):
-        found = Demand(slide, criterion.value, ratio_excess(slide, criterion.value))
+        found = Demand(slide, criterion.value, ratio_exceedance(slide, criterion.value))
         yield result_of("slide", criterion, found, moved.load_case, place)
 
 

@@ -166,7 +166,7 @@ def lost_results(
             demand=1.0,
             capacity=0.0,
             unit="",
-            excess=1.0,
+            exceedance=1.0,
             source=source,
             note=refusal,
             place=place,

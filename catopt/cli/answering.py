@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 import typer
 
 from catopt.cli import options as option
-from catopt.cli.output import Output
+from catopt.cli.output import Printer
 from catopt.cli.values import refused
 from catopt.errors import InputError
 from catopt.patience import when_long
@@ -40,7 +40,7 @@ Files = Callable[[], dict[str, bytes]]
 class Asked:
     """How an answer is asked for: where it is printed, and by which of the common options."""
 
-    output: Output
+    output: Printer
     language: Language
     as_json: bool
     out: Path | None

@@ -93,7 +93,7 @@ def buoy(
     options = {"buoy": None if place else name, **inputs}
     with _known("buoy", place, options, by_option, _OF_BUOYS) as of:
         make = of.telling.make
-        of.want("buoy", "depth")
+        of.require("buoy", "depth")
         for each in ("force", "reserve_buoyancy"):
             if each in of.given:
                 of.telling.add(
@@ -173,7 +173,7 @@ def ship(
     }
     with _known("tanker", file, inputs, as_option, _OF_SHIPS) as of:
         make = of.telling.make
-        of.want("length", "breadth", "draught", "depth")
+        of.require("length", "breadth", "draught", "depth")
         own = make(in_si, {name: (text, Dimension.LENGTH) for name, text in lengths.items()})
         turns = weathervane or any(inputs[name] is None for name in of.given & {*DIRECTIONS})
         if not turns:

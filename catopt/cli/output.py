@@ -118,7 +118,7 @@ COMPILING = "catopt: compiling for this machine, once; the next run starts at on
 DAMAGED = "catopt: compiled code in {} was damaged; it is dropped and compiled anew"
 
 
-class Output:
+class Printer:
     """Where the answer of a command, its notes and its progress go."""
 
     def __init__(self) -> None:

@@ -170,7 +170,7 @@ def _sized(asked: Asked, of: ResolvedInputs) -> tuple[Sizing, Answer]:
             found = size_known(of)
             return found, size_answer(found)
     except NoFeasibleDesignError as error:
-        from catopt.answers.size_card import miss_answer
+        from catopt.answers.size_miss import miss_answer
         from catopt.render.card import card_lines
 
         lines = card_lines(miss_answer(error, of), asked.language)

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from catopt.cli.output import Output
+from catopt.cli.output import Printer
 from catopt.cli.values import refused
 from catopt.words import Message
 
@@ -22,7 +22,7 @@ def web(
     from catopt.report.files import check_directory, write_files
     from catopt.web.build import document, fetched, pieces
 
-    output: Output = context.obj
+    output: Printer = context.obj
     if (out is None) == (single is None):
         raise refused("--out", "", Message("refused_command.give_either_out_dir_or"))
     folder = out if single is None else single.parent
@@ -50,7 +50,7 @@ def page_app(
 
     from catopt.web.server import PageServer
 
-    output: Output = context.obj
+    output: Printer = context.obj
     try:
         server = PageServer(port)
     except (OSError, OverflowError) as error:

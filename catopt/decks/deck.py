@@ -60,7 +60,7 @@ class Point:
 
 
 @dataclass(frozen=True)
-class Piece:
+class DeckPiece:
     """A uniform line between two points."""
 
     row: int
@@ -78,7 +78,7 @@ class Deck:
     depth: float
     types: Mapping[str, LineType]
     points: Mapping[str, Point]
-    pieces: Sequence[Piece]
+    pieces: Sequence[DeckPiece]
     friction: float | None = None
 
     def hung_weight(self, point: Point) -> float:
@@ -155,7 +155,7 @@ class Notes:
                 [Problem(_place(rows), *said) for said, rows in alike.items()], self.source
             )
 
-    def want(self, sections: Mapping[str, Sequence[Row]]) -> None:
+    def require(self, sections: Mapping[str, Sequence[Row]]) -> None:
         """Refuse a deck without line types, points or lines."""
         for name, said in (("types", "line_types"), ("points", "points"), ("lines", "lines")):
             if not sections.get(name):

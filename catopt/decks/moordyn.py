@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
-from catopt.decks.deck import Deck, End, Limits, LineType, Notes, Piece, Point, Row, refusal
+from catopt.decks.deck import Deck, DeckPiece, End, Limits, LineType, Notes, Point, Row, refusal
 from catopt.documents import read_text
 from catopt.errors import InputError
 from catopt.model.strain_table import StrainTable
@@ -107,7 +107,7 @@ def parse_moordyn(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
         notes.say("failures", line=sections["failures"][0].number)
     for row in sections.get("rod types", ()):
         notes.say("rod_type", line=row.number, name=row.words[0])
-    notes.want(sections)
+    notes.require(sections)
     options = _options(sections.get("options", []), notes, given)
     first = sections["types"][0] if sections.get("types") else Row(0, ())
     of_types = _columns("types", first, heads, notes)
@@ -386,16 +386,16 @@ def _point(
     return Point(row.number, name, end or "free", x, y, z, mass, volume, area, added)
 
 
-def _piece(row: Row, heads: Mapping[str, Row], notes: Notes, *, first: bool) -> Piece:
+def _piece(row: Row, heads: Mapping[str, Row], notes: Notes, *, first: bool) -> DeckPiece:
     """Read a line; version 1 has its length before its ends."""
     at = _columns("lines", row, heads, notes, v=1 if first else 2) if len(row.words) > 5 else {}
     if not at:
         notes.refuse(row.number, refusal("columns", count=len(row.words)), "line_columns")
-        return Piece(row.number, "", ("", ""), math.nan)
+        return DeckPiece(row.number, "", ("", ""), math.nan)
     ends = row.words[at["attacha"]], row.words[at["attachb"]]
     for end in ends:
         if re.match(r"[A-Za-z]", end):
             notes.refuse(row.number, end, "rods")
     notes.say("segments")
     length = notes.number(row, at["unstrlen"], "UnstrLen", above=0.0)
-    return Piece(row.number, row.words[at["linetype"]], ends, length)
+    return DeckPiece(row.number, row.words[at["linetype"]], ends, length)

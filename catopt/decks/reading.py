@@ -27,14 +27,14 @@ class Item:
     value: Any
 
 
-class Table:
+class YamlTable:
     """A mapping: what is read of it is noted, so that the rest can be named.
 
     `notes` takes problems and remarks; `opened` has all tables of the file that were looked into.
     """
 
     def __init__(
-        self, row: int, items: Mapping[str, Item], notes: Notes, opened: list[Table]
+        self, row: int, items: Mapping[str, Item], notes: Notes, opened: list[YamlTable]
     ) -> None:
         self.row, self.items, self.notes, self.opened = row, items, notes, opened
         self.read: set[str] = set()
@@ -80,13 +80,13 @@ class Table:
             for each in words
         ]
 
-    def table(self, key: str) -> Table:
+    def table(self, key: str) -> YamlTable:
         """Return a table, an empty one where there is none."""
         found = self.item(key)
         if found.value is not None and not isinstance(found.value, dict):
             self.notes.refuse(found.row, key, "keys_with_values")
         items = found.value if isinstance(found.value, dict) else {}
-        return Table(found.row, items, self.notes, self.opened)
+        return YamlTable(found.row, items, self.notes, self.opened)
 
     def items_of(self, key: str) -> list[Item]:
         """Return a list, an empty one where there is none."""
@@ -97,15 +97,15 @@ class Table:
             self.notes.refuse(found.row, key, "a_list_is_wanted")
         return []
 
-    def tables(self, key: str) -> Iterator[Table]:
+    def tables(self, key: str) -> Iterator[YamlTable]:
         """Yield the tables of a list."""
         for each in self.items_of(key):
             if isinstance(each.value, dict):
-                yield Table(each.row, each.value, self.notes, self.opened)
+                yield YamlTable(each.row, each.value, self.notes, self.opened)
             elif each.value is not None:
                 self.notes.refuse(each.row, key, "keys_with_values")
 
-    def named(self, key: str) -> Iterator[tuple[str, Table]]:
+    def named(self, key: str) -> Iterator[tuple[str, YamlTable]]:
         """Yield name and table of each table below, also of one with ``keys`` and ``data``."""
         below = self.table(key)
         for row in below.rows():
@@ -113,25 +113,25 @@ class Table:
         for name in [each for each in below.items if each not in ("keys", "data")]:
             yield name, below.table(name)
 
-    def rows(self) -> Iterator[Table]:
+    def rows(self) -> Iterator[YamlTable]:
         """Yield the rows of ``keys`` and ``data``, each as a table."""
         heads = [str(each.value) for each in self.items_of("keys")]
         yield from self._rows(heads, self.items_of("data"))
 
-    def columns(self, first: str) -> Iterator[Table]:
+    def columns(self, first: str) -> Iterator[YamlTable]:
         """Yield the rows below a key that names its columns, ``A, B, C``, by its first."""
         for key in [each for each in self.items if each.split(",")[0].strip() == first]:
             heads = [each.strip() for each in key.split(",")]
             yield from self._rows(heads, self.items_of(key))
 
-    def _rows(self, heads: list[str], lines: list[Item]) -> Iterator[Table]:
+    def _rows(self, heads: list[str], lines: list[Item]) -> Iterator[YamlTable]:
         for each in lines:
             values = each.value if isinstance(each.value, list) else [each]
             if len(values) > len(heads):
                 given = refusal("values", count=len(values))
                 self.notes.refuse(each.row, given, "wanted_count", count=len(heads))
             items = dict(zip(heads, values, strict=False))
-            yield Table(each.row, items, self.notes, self.opened)
+            yield YamlTable(each.row, items, self.notes, self.opened)
 
     def say_unread(self, groups: Mapping[str, str]) -> None:
         """Name every key of the file that was not read, by the group that says why.
@@ -157,7 +157,7 @@ def _lines(rows: list[int]) -> str:
     return f"{rows[0]}" if len(rows) == 1 else f"{rows[0]} and {len(rows) - 1} more"
 
 
-def parse_yaml(text: str, notes: Notes) -> Table:
+def parse_yaml(text: str, notes: Notes) -> YamlTable:
     """Read a YAML file whose top is a mapping.
 
     Raises InputError for what is no YAML, and where PyYAML is not installed.
@@ -179,7 +179,7 @@ def parse_yaml(text: str, notes: Notes) -> Table:
     if not notes.problems and not isinstance(found.value, dict):
         notes.refuse(found.row, "", "keys_with_values")
     notes.raise_if_any()
-    return Table(found.row, found.value, notes, [])
+    return YamlTable(found.row, found.value, notes, [])
 
 
 def _item(node: Any, notes: Notes, seen: set[int]) -> Item:

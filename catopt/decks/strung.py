@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from catopt.decks.deck import Deck, Notes, Piece, Point, refusal
+from catopt.decks.deck import Deck, DeckPiece, Notes, Point, refusal
 
 
 @dataclass(frozen=True)
@@ -13,7 +13,7 @@ class Chain:
     """A mooring line of a deck, from its anchor to its fairlead; one point more than pieces."""
 
     points: Sequence[Point]
-    pieces: Sequence[Piece]
+    pieces: Sequence[DeckPiece]
 
     @property
     def anchor(self) -> Point:
@@ -53,7 +53,7 @@ def chains_of(deck: Deck, notes: Notes, only: int | None = None) -> list[Chain]:
     return found
 
 
-def check_meeting(deck: Deck, notes: Notes) -> dict[str, list[Piece]]:
+def check_meeting(deck: Deck, notes: Notes) -> dict[str, list[DeckPiece]]:
     """List the lines that meet in every point; a free one that holds nothing is refused."""
     meeting = _meeting(deck, notes)
     notes.raise_if_any()
@@ -68,7 +68,7 @@ def check_meeting(deck: Deck, notes: Notes) -> dict[str, list[Piece]]:
     return meeting
 
 
-def _refuse_joints(deck: Deck, meeting: Mapping[str, Sequence[Piece]], notes: Notes) -> None:
+def _refuse_joints(deck: Deck, meeting: Mapping[str, Sequence[DeckPiece]], notes: Notes) -> None:
     """Refuse a free point that does not hang in one line, of which one alone is wanted."""
     for name, pieces in meeting.items():
         if pieces and is_joint(deck.points[name], len(pieces)):
@@ -86,8 +86,8 @@ def _is_pulled(deck: Deck, point: Point) -> bool:
     return up > deck.hung_weight(point) or along != 0.0 or across != 0.0
 
 
-def _meeting(deck: Deck, notes: Notes) -> dict[str, list[Piece]]:
-    found: dict[str, list[Piece]] = {name: [] for name in deck.points}
+def _meeting(deck: Deck, notes: Notes) -> dict[str, list[DeckPiece]]:
+    found: dict[str, list[DeckPiece]] = {name: [] for name in deck.points}
     for piece in deck.pieces:
         if piece.type not in deck.types:
             kind, known = refusal("line_type", name=piece.type), ", ".join(deck.types)
@@ -102,11 +102,11 @@ def _meeting(deck: Deck, notes: Notes) -> dict[str, list[Piece]]:
     return found
 
 
-def _held(deck: Deck, piece: Piece) -> str | None:
+def _held(deck: Deck, piece: DeckPiece) -> str | None:
     return next((end for end in piece.ends if deck.points[end].end != "free"), None)
 
 
-def _follow(deck: Deck, piece: Piece, left: list[Piece]) -> Chain:
+def _follow(deck: Deck, piece: DeckPiece, left: list[DeckPiece]) -> Chain:
     """Take the pieces of one chain out of those that are left."""
     name = _held(deck, piece)
     assert name is not None
@@ -133,7 +133,7 @@ def _oriented(chain: Chain) -> Chain:
 
 
 @dataclass(frozen=True)
-class Section:
+class DeckSection:
     """A uniform stretch: line of the file, line type and unstretched length, m."""
 
     row: int
@@ -153,17 +153,17 @@ class PointMass:
 
 
 def from_sections(
-    name: str, ends: tuple[Point, Point], parts: Sequence[Section | PointMass]
-) -> tuple[dict[str, Point], list[Piece]]:
+    name: str, ends: tuple[Point, Point], parts: Sequence[DeckSection | PointMass]
+) -> tuple[dict[str, Point], list[DeckPiece]]:
     """Turn a line into points ``NAME.1`` and so on and pieces, both from its first end.
 
     `ends`: where it is held; their own names do not count.
     """
     first, last = ends
-    total = sum(part.length for part in parts if isinstance(part, Section)) or 1.0
-    points, pieces, arc = [replace(first, name=f"{name}.1")], list[Piece](), 0.0
+    total = sum(part.length for part in parts if isinstance(part, DeckSection)) or 1.0
+    points, pieces, arc = [replace(first, name=f"{name}.1")], list[DeckPiece](), 0.0
     for part in parts:
-        if isinstance(part, Section):
+        if isinstance(part, DeckSection):
             arc += part.length
             along = arc / total  # where it begins to be sought does not matter
             x, y, z = (
@@ -172,7 +172,7 @@ def from_sections(
             )
             points.append(Point(part.row, f"{name}.{len(points) + 1}", "free", x, y, z))
             between = (points[-2].name, points[-1].name)
-            pieces.append(Piece(part.row, part.type, between, part.length))
+            pieces.append(DeckPiece(part.row, part.type, between, part.length))
         else:
             points[-1] = _with(points[-1], part)
     end = points[-1]

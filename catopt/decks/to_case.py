@@ -14,7 +14,7 @@ from itertools import groupby
 from operator import attrgetter
 from statistics import fmean
 
-from catopt.decks.deck import Deck, LineType, Notes, Piece, Point
+from catopt.decks.deck import Deck, DeckPiece, LineType, Notes, Point
 from catopt.decks.strung import Chain
 from catopt.model import Case, Line, Load, PointLoad, Segment, Site, System
 
@@ -53,7 +53,7 @@ def site_of_chains(deck: Deck, chains: Sequence[Chain], notes: Notes) -> tuple[S
 
 
 def site_of(
-    deck: Deck, pieces: Sequence[Piece], ends: Sequence[Point], notes: Notes
+    deck: Deck, pieces: Sequence[DeckPiece], ends: Sequence[Point], notes: Notes
 ) -> tuple[Site, str]:
     """Return the site of lines and where they are from; what they are made of is checked and said.
 

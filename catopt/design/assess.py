@@ -12,11 +12,11 @@ from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT, State
 from catopt.checks.criteria import Limits
 from catopt.checks.kinds import (
     ROUNDING,
-    grounded_excess,
-    holding_excess,
-    ratio_excess,
-    uplift_angle_excess,
-    uplift_force_excess,
+    grounded_exceedance,
+    holding_exceedance,
+    ratio_exceedance,
+    uplift_angle_exceedance,
+    uplift_force_exceedance,
 )
 from catopt.compiled import inlined
 from catopt.design.space import AT_END
@@ -120,7 +120,7 @@ def is_too_weak(forces: Any, line: Tables, room: Room, segments: int) -> bool:
     top = segments - 1
     for c in range(len(line.force)):
         allowed = line.allowed[c, room.place[top], room.option[top]]
-        if ratio_excess(forces[c], allowed) > ROUNDING:
+        if ratio_exceedance(forces[c], allowed) > ROUNDING:
             return True
     return False
 
@@ -193,18 +193,18 @@ def assess(
     first: int,
     end: int,
     objectives: Any,
-    excess: Any,
+    exceedance: Any,
     sinker: Any,
     unsolved: Any,
 ) -> None:
     """Build, solve and check designs number `first` to `end` (not included) of shape (n, genes).
 
     With `stops_early` a design that has failed one check is left: its objectives are nan then, and
-    its excess is above ROUNDING but not the largest. Written to: `objectives`, shape (n, 5): mass,
-    offset, excursion, cost and length, nan where there is no equilibrium; `excess`, shape (n,): the
-    largest of all checks, -1 where there is none; `sinker`, shape (n,): the lightest that holds, or
-    the heaviest, -1 where there is none; `unsolved`, shape (1,), raised by the number of lines that
-    did not converge.
+    its exceedance is above ROUNDING but not the largest. Written to: `objectives`, shape (n, 5):
+    mass, offset, excursion, cost and length, nan where there is no equilibrium; `exceedance`, shape
+    (n,): the largest of all checks, -1 where there is none; `sinker`, shape (n,): the lightest that
+    holds, or the heaviest, -1 where there is none; `unsolved`, shape (1,), raised by the number of
+    lines that did not converge.
     """
     for i in range(first, end):
         for k in range(5):
@@ -213,16 +213,16 @@ def assess(
         segments = take_segments(genes[i], tables, room)
         weights, beyond = take_weights(genes[i], tables, room, segments)
         if beyond > 0.0:
-            excess[i] = NO_DESIGN + beyond
+            exceedance[i] = NO_DESIGN + beyond
             continue
         # Even the horizontal force alone may be too much.
         if stops_early and is_too_weak(tables.force, tables, room, segments):
-            excess[i] = 1.0
+            exceedance[i] = 1.0
             continue
         found = _in_all_load_cases(tables, room, segments, weights, stops_early)
         unsolved[0] += found.unsolved
         sinker[i] = found.sinker
-        excess[i] = found.worst if found.worst > -math.inf else -1.0
+        exceedance[i] = found.worst if found.worst > -math.inf else -1.0
         if not math.isnan(found.largest):
             weigh(tables, room, segments, genes[i], 1, objectives[i])
             objectives[i, OFFSET] = rounded(found.largest, tables.step[OFFSET])
@@ -265,7 +265,7 @@ def _in_all_load_cases(
             worst = max(worst, _no_equilibrium(state, tables, room, segments, c))
             largest = math.nan
             break
-        worst = max(worst, largest_excess(state, problem, tables, room, segments, c))
+        worst = max(worst, largest_exceedance(state, problem, tables, room, segments, c))
         if len(tables.sinker_weight) > 0:
             pull = sinker_needed(
                 state.H_anchor, state.V_anchor, tables.sinker_friction, tables.limit[c, SLIDING]
@@ -280,7 +280,7 @@ def _in_all_load_cases(
     sinker = -1
     if needed > -math.inf:
         sinker = _lightest(needed, tables.sinker_weight)
-        worst = max(worst, ratio_excess(needed, tables.sinker_weight[sinker]))
+        worst = max(worst, ratio_exceedance(needed, tables.sinker_weight[sinker]))
     return _Found(worst, largest, reference, sinker, unsolved)
 
 
@@ -384,7 +384,7 @@ def _no_equilibrium(state: State, tables: Tables, room: Room, segments: int, c: 
 
 
 @inlined
-def largest_excess(
+def largest_exceedance(
     state: State, problem: LineProblem, tables: Tables, room: Room, segments: int, c: int
 ) -> float:
     """Largest excess of all checks in one load case, save that of a sinker."""
@@ -393,24 +393,24 @@ def largest_excess(
     for s in range(segments):
         allowed = tables.allowed[c, room.place[s], room.option[s]]
         if allowed < math.inf:
-            worst = max(worst, ratio_excess(room.tension[s], allowed))
+            worst = max(worst, ratio_exceedance(room.tension[s], allowed))
     limit = tables.limit[c]
     if limit[UPLIFT_ANGLE] < math.inf:
         lifts = state.V_anchor != 0.0
         angle = math.atan2(state.V_anchor, state.H_anchor) if lifts else 0.0
-        worst = max(worst, uplift_angle_excess(angle, limit[UPLIFT_ANGLE]))
+        worst = max(worst, uplift_angle_exceedance(angle, limit[UPLIFT_ANGLE]))
     if limit[UPLIFT_FORCE] < math.inf:
         V, H = state.V_anchor, state.H_anchor
-        worst = max(worst, uplift_force_excess(V, H, limit[UPLIFT_FORCE]))
+        worst = max(worst, uplift_force_exceedance(V, H, limit[UPLIFT_FORCE]))
     if limit[GROUNDED] > 0.0:
-        worst = max(worst, grounded_excess(state.grounded, limit[GROUNDED]))
+        worst = max(worst, grounded_exceedance(state.grounded, limit[GROUNDED]))
     if limit[SPAN] < math.inf:
-        worst = max(worst, ratio_excess(state.span, limit[SPAN]))
+        worst = max(worst, ratio_exceedance(state.span, limit[SPAN]))
     if limit[RESERVE] < math.inf:
-        worst = max(worst, ratio_excess(state.V, limit[RESERVE]))
+        worst = max(worst, ratio_exceedance(state.V, limit[RESERVE]))
     if limit[HOLDING] > 0.0:
         capacity = tables.holding_capacity
-        worst = max(worst, holding_excess(state.H_anchor, limit[HOLDING], capacity))
+        worst = max(worst, holding_exceedance(state.H_anchor, limit[HOLDING], capacity))
     return worst
 
 
@@ -418,7 +418,7 @@ def largest_excess(
 def _lightest(needed: float, weights: Any) -> int:
     """Index of the lightest sinker that holds, or of the heaviest."""
     for k in range(len(weights)):
-        if ratio_excess(needed, weights[k]) <= ROUNDING:
+        if ratio_exceedance(needed, weights[k]) <= ROUNDING:
             return k
     return len(weights) - 1
 

@@ -233,7 +233,7 @@ class Outcome:
     # the design of the least excess, which explains what stops the others where none is feasible;
     # None where none was evaluated, its excess is infinite then
     closest: tuple[int, ...] | None
-    least_excess: float
+    least_exceedance: float
     unsolved: int = 0  # lines that did not converge, of an enumeration
     # designs that each of `catopt.design.assess.BOUNDS` has proved needless, and that were not
     # evaluated; empty where nothing is proved
@@ -250,7 +250,7 @@ class Tally:
         self.evaluations = 0
         self.feasible = 0
         self.closest: Genes = self.front.genes  # one row, none as long as there is no such design
-        self.least_excess = float("inf")
+        self.least_exceedance = float("inf")
         self.unsolved = 0
         self.excluded: tuple[int, ...] = ()
 
@@ -258,23 +258,23 @@ class Tally:
         self,
         genes: Genes,
         objectives: Floats,
-        excess: Floats,
+        exceedance: Floats,
         *,
         is_whole: bool = True,
         excluded: tuple[int, ...] = (),
     ) -> None:
         """Add designs; an excess that is not of all checks tells nothing of the closest design."""
-        is_feasible = excess <= ROUNDING
+        is_feasible = exceedance <= ROUNDING
         front = merge(self.front, genes[is_feasible], objectives[is_feasible])
-        least = int(np.argmax(excess <= excess.min() + ROUNDING))
+        least = int(np.argmax(exceedance <= exceedance.min() + ROUNDING))
         # Nothing slow from here on: what Ctrl-C leaves belongs together.
         self.front = front
         self.evaluations += len(genes) - sum(excluded)
         before = self.excluded or (0,) * len(excluded)
         self.excluded = tuple(map(int.__add__, before, excluded)) or before
         self.feasible += int(is_feasible.sum())
-        if is_whole and excess[least] < self.least_excess - ROUNDING:
-            self.closest, self.least_excess = genes[[least]], float(excess[least])
+        if is_whole and exceedance[least] < self.least_exceedance - ROUNDING:
+            self.closest, self.least_exceedance = genes[[least]], float(exceedance[least])
 
     def outcome(self, *, interrupted: bool, evaluated: int = 0) -> Outcome:
         """Sum up; `evaluated` says how many designs an earlier pass over them has evaluated."""
@@ -284,7 +284,7 @@ class Tally:
             feasible=self.feasible,
             interrupted=interrupted,
             closest=tuple(self.closest[0].tolist()) if len(self.closest) else None,
-            least_excess=self.least_excess,
+            least_exceedance=self.least_exceedance,
             unsolved=self.unsolved,
             excluded=self.excluded,
         )
@@ -302,7 +302,7 @@ class EvaluationArchive(Tally):
         self._budget = budget
         self._row: dict[bytes, int] = {}
         self._objectives: Floats = np.empty((0, problem.objectives))
-        self._excess: Floats = np.empty(0)
+        self._exceedance: Floats = np.empty(0)
 
     @property
     def share_spent(self) -> float:
@@ -328,23 +328,25 @@ class EvaluationArchive(Tally):
         if len(new) > room:
             raise BudgetSpentError
         rows = [self._row[key] for key in keys]
-        return Evaluated(self._objectives[rows], self._excess[rows])
+        return Evaluated(self._objectives[rows], self._exceedance[rows])
 
     def _record(self, genes: Genes) -> None:
         """Evaluate designs of which none is known."""
-        objectives, excess = self.problem.evaluate(genes)
+        objectives, exceedance = self.problem.evaluate(genes)
         # What cannot be compared is no answer, whatever its checks say.
-        excess = np.where(np.isfinite(objectives).all(axis=1), excess, np.maximum(excess, 1.0))
+        exceedance = np.where(
+            np.isfinite(objectives).all(axis=1), exceedance, np.maximum(exceedance, 1.0)
+        )
         first, last = self.evaluations, self.evaluations + len(genes)
         # Lengthen what is remembered to a number of rows or more; a budget may be any number.
-        more = max(last, 2 * len(self._excess)) - len(self._excess)
-        if last > len(self._excess):
+        more = max(last, 2 * len(self._exceedance)) - len(self._exceedance)
+        if last > len(self._exceedance):
             room = np.empty((more, self.problem.objectives))
             self._objectives = np.concatenate((self._objectives, room))
-            self._excess = np.concatenate((self._excess, np.empty(more)))
+            self._exceedance = np.concatenate((self._exceedance, np.empty(more)))
         self._objectives[first:last] = objectives
-        self._excess[first:last] = excess
+        self._exceedance[first:last] = exceedance
         self._row.update((each.tobytes(), first + k) for k, each in enumerate(genes))
-        self.count(genes, objectives, excess)
+        self.count(genes, objectives, exceedance)
         if self.progress is not None:
             self.progress(last, self._budget)

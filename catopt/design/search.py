@@ -66,7 +66,7 @@ def estimate(problem: DesignProblem, *, workers: int = 1) -> Estimate:
         sample = min(sample, designs)
         genes = problem.space.genes_of(np.linspace(0, designs - 1, sample).astype(np.int64))
         found = problem.assess(genes, stops_early=True, workers=workers)
-        tally.count(genes, found.objectives[:, problem.columns], found.excess, is_whole=False)
+        tally.count(genes, found.objectives[:, problem.columns], found.exceedance, is_whole=False)
         best = tally.front.objectives if len(tally.front.genes) else None
         start = time.perf_counter()
         problem.assess(genes, stops_early=True, workers=workers, best=best)
@@ -97,7 +97,7 @@ def enumerate_designs(
             found = problem.assess(genes, stops_early=stops_early, workers=workers, best=best)
             objectives, is_whole = found.objectives[:, problem.columns], not stops_early
             excluded = found.excluded
-            tally.count(genes, objectives, found.excess, is_whole=is_whole, excluded=excluded)
+            tally.count(genes, objectives, found.exceedance, is_whole=is_whole, excluded=excluded)
             tally.unsolved += found.unsolved
             if progress is not None:
                 progress(tally.evaluations + sum(tally.excluded), problem.space.count)

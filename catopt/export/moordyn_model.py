@@ -51,7 +51,7 @@ class Joint:
 
 
 @dataclass(frozen=True)
-class Piece:
+class ModelPiece:
     """A uniform part of the line between two joints that follow each other.
 
     `length`: unstretched, m; `elements`: into how many equal parts it is cut.
@@ -63,12 +63,12 @@ class Piece:
 
 
 @dataclass(frozen=True)
-class Part:
+class LinePart:
     """One line cut: its joints, one more than its pieces."""
 
     line: ExportedLine
     joints: Sequence[Joint]
-    pieces: Sequence[Piece]
+    pieces: Sequence[ModelPiece]
 
 
 @dataclass(frozen=True)
@@ -76,11 +76,11 @@ class Model:
     """What is written: all lines cut, and the height of the water surface above the bed, m."""
 
     solved: ExportedLines
-    parts: Sequence[Part]
+    parts: Sequence[LinePart]
     surface: float
 
     @property
-    def pieces(self) -> list[Piece]:
+    def pieces(self) -> list[ModelPiece]:
         """Those of all lines, in order."""
         return [piece for part in self.parts for piece in part.pieces]
 
@@ -115,7 +115,7 @@ def is_above(solved: ExportedLines) -> bool:
     return solved.highest - depth > ROUNDING * depth
 
 
-def _parts(solved: ExportedLines, elements: int, program: str) -> list[Part]:
+def _parts(solved: ExportedLines, elements: int, program: str) -> list[LinePart]:
     """Cut every line, and gather what is wrong with any."""
     density = solved.case.site.water_density
     known: dict[Segment, LineType] = {}
@@ -136,7 +136,7 @@ def _parts(solved: ExportedLines, elements: int, program: str) -> list[Part]:
         except InputError as error:
             problems += error.problems
         if not problems:
-            parts.append(Part(line, joints, _pieces(of, joints, types, elements)))
+            parts.append(LinePart(line, joints, _pieces(of, joints, types, elements)))
     if problems:
         raise InputError(list(dict.fromkeys(problems)), program)
     return parts
@@ -196,7 +196,7 @@ def _hanging(line: Line, loads: Sequence[PointLoad], density: float) -> BodyInWa
 
 def _pieces(
     line: Line, joints: Sequence[Joint], types: Sequence[LineType], elements: int
-) -> list[Piece]:
+) -> list[ModelPiece]:
     """Say what lies between each two joints: of which segment it is, and how finely cut."""
     ends = list(accumulate(segment.length for segment in line.segments))
     pieces = []
@@ -205,11 +205,11 @@ def _pieces(
         number = next((k for k, end in enumerate(ends) if middle < end), len(ends) - 1)
         length = upper.arc - lower.arc
         cuts = max(2, round(elements * length / line.length))
-        pieces.append(Piece(types[number], length, cuts))
+        pieces.append(ModelPiece(types[number], length, cuts))
     return pieces
 
 
-def resting(parts: Sequence[Part]) -> Iterator[tuple[Part, int, float]]:
+def resting(parts: Sequence[LinePart]) -> Iterator[tuple[LinePart, int, float]]:
     """Yield the joints at which the bed carries some of what hangs there, with how much; N."""
     for part in parts:
         states = part.line.solution.point_loads

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, Final, Literal, TypeVar, get_args
 
 from catopt.catalogue.family import nearest
-from catopt.catalogue.table import Table
+from catopt.catalogue.table import TomlTable
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.documents import read_text
 from catopt.errors import InputError, Problem
@@ -70,7 +70,7 @@ def read_buoys(path: str | os.PathLike[str]) -> tuple[BuoyShape, ...]:
 
 def parse_buoys(text: str, source: str = "") -> tuple[BuoyShape, ...]:
     """Read the text of a file of buoys, whose source is named in messages of every problem."""
-    file, findings = Table.of_file(text, source, SCHEMA, ("origin", "buoy"))
+    file, findings = TomlTable.of_file(text, source, SCHEMA, ("origin", "buoy"))
     origin = file.text("origin", required=False) or "the user's own"
     read = [_read(table, origin, findings) for table in file.tables("buoy")]
     found = tuple(shape for shape in read if shape is not None)
@@ -85,7 +85,7 @@ _SLICES: Final = ("hull", "structure", "pylons", "topmarks")
 _WORDS: Final = ("name", "origin", "chain_source")
 
 
-def _read(table: Table, origin: str, findings: Findings) -> BuoyShape | None:
+def _read(table: TomlTable, origin: str, findings: Findings) -> BuoyShape | None:
     """Make a buoy; None where something is wrong with it."""
     before = len(findings.problems)
     table.only(*(each.name for each in fields(BuoyShape)))
@@ -103,7 +103,7 @@ def _read(table: Table, origin: str, findings: Findings) -> BuoyShape | None:
     return _made(table, BuoyShape, values, findings)
 
 
-def _slices(table: Table, key: str, findings: Findings) -> tuple[BuoySlice, ...]:
+def _slices(table: TomlTable, key: str, findings: Findings) -> tuple[BuoySlice, ...]:
     """Read an array of slices, from the lowest upwards."""
     made = []
     for each in table.tables(key):
@@ -118,7 +118,7 @@ def _slices(table: Table, key: str, findings: Findings) -> tuple[BuoySlice, ...]
 
 
 def _made(
-    table: Table, maker: Callable[..., Made], values: dict[str, Any], findings: Findings
+    table: TomlTable, maker: Callable[..., Made], values: dict[str, Any], findings: Findings
 ) -> Made | None:
     try:
         return maker(**values)

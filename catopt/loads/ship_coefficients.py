@@ -13,7 +13,7 @@ from types import MappingProxyType
 from typing import Final, Literal, NamedTuple, get_args
 
 from catopt.catalogue.components import CONFIDENCES
-from catopt.catalogue.table import Table
+from catopt.catalogue.table import TomlTable
 from catopt.documents import read_text
 from catopt.loads.component import BLENDERMANN, Axis, LoadComponent, LoadSource, Number
 from catopt.loads.environment import Wind, drag, drag_component, wind_on_ship
@@ -335,7 +335,7 @@ def read_ship_coefficients(path: str | os.PathLike[str]) -> ShipCoefficients:
 def parse_ship_coefficients(text: str, source: str = "") -> ShipCoefficients:
     """Read the text of a file of coefficients; the source names it in messages."""
     keys = ("name", "source", "confidence", "angles_from", "wind", "current")
-    file, findings = Table.of_file(text, source, SCHEMA, keys)
+    file, findings = TomlTable.of_file(text, source, SCHEMA, keys)
     name, document = file.text("name"), file.text("source")
     confidence = file.word("confidence", CONFIDENCES)
     start = file.word("angles_from", ("bow", "stern"))
@@ -356,7 +356,7 @@ def parse_ship_coefficients(text: str, source: str = "") -> ShipCoefficients:
 
 
 def _read(
-    table: Table, kind: Literal["wind", "current"], start: str | None
+    table: TomlTable, kind: Literal["wind", "current"], start: str | None
 ) -> CoefficientTable | None:
     """Read one table; None where something is wrong with it."""
     own = ("depth_over_draught",) if kind == "current" else ()

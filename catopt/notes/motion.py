@@ -119,7 +119,7 @@ def motion_document(moved: InMotion | DynamicVerification | None) -> dict[str, A
         "duration_of_interest_s": part.duration_of_interest,
         "most_probable_low_N": None if extreme is None else extreme.low,
         "most_probable_high_N": None if extreme is None else extreme.high,
-        "amplification": part.amplification,
+        "amplification": part.dynamic_amplification,
         "slack_time_s": part.slack_time,
         "utilisation": used,
     }
@@ -386,6 +386,6 @@ def _document(each: DesignInMotion) -> dict[str, Any]:
         "tension_at_rest_N": each.at_rest,
         "largest_tension_N": None if part is None else part.of("fairlead_tension").maximum,
         "quasi_static_tension_N": None if part is None else part.quasi_static_max,
-        "amplification": None if part is None else part.amplification,
+        "amplification": None if part is None else part.dynamic_amplification,
         "checks": None if each.checks is None else each.checks.motion_document(),
     }

@@ -12,7 +12,7 @@ from catopt._version import __version__
 from catopt.casefile import case_digest, read_case, read_mooring
 from catopt.casefile import reading as design_directory
 from catopt.casefile.reading import DESIGN_CASE, DESIGN_DOCUMENT, SIZING
-from catopt.casefile.schema import CaseTable, Table, entries
+from catopt.casefile.schema import CaseTable, TableSchema, entries
 from catopt.documents import MOST_BYTES_OF_DATA, dotted, parse_toml, read_text
 from catopt.documents import Path as Keys
 from catopt.errors import InputError, Problem
@@ -68,7 +68,7 @@ class Origin:
 
 
 def origin_of(
-    files: tuple[SourceFile, ...], date: str = "", schema: type[Table] = CaseTable
+    files: tuple[SourceFile, ...], date: str = "", schema: type[TableSchema] = CaseTable
 ) -> Origin:
     """Say where a note comes from; the first of the files, as its schema has it, has its inputs."""
     document = parse_toml(files[0].text, files[0].name)
@@ -101,14 +101,14 @@ def file_name(path: Path, design: int | None) -> str:
 # ------------------------------------------------------------------ values of a file
 
 
-def inputs_of(document: dict[str, Any], schema: type[Table]) -> tuple[Input, ...]:
+def inputs_of(document: dict[str, Any], schema: type[TableSchema]) -> tuple[Input, ...]:
     """List every value of a file, as the TOML reader returns it, that is no free text."""
     found = leaves(document, schema)
     return tuple(_input(*leaf) for leaf in found if leaf[0] not in _FREE_TEXT)
 
 
 def leaves(
-    document: dict[str, Any], schema: type[Table], path: Keys = ()
+    document: dict[str, Any], schema: type[TableSchema], path: Keys = ()
 ) -> Iterator[tuple[Keys, Kind | None, Any]]:
     """Yield every value of a case file with its path and its kind; arrays of values are whole."""
     known = entries(schema)

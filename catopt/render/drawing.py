@@ -9,14 +9,14 @@ from typing import Any
 from catopt.figures.chart import Chart, Place
 from catopt.render.looks import COLOURS, LOOKS, SIGNS, axis_title
 from catopt.render.sheet import Chart as Native
-from catopt.render.sheet import Number, Series, Sheet, Text, number_pattern
+from catopt.render.sheet import Number, Series, Text, WorkbookSheet, number_pattern
 from catopt.words import Message
 
 _SIZE = (680, 420)
 """Pixels."""
 
 
-def draw(chart: Chart, sheet: Sheet, cells: Sheet, row: int) -> int:
+def draw(chart: Chart, sheet: WorkbookSheet, cells: WorkbookSheet, row: int) -> int:
     """Write what a drawing shows as cells, and draw them on another sheet; areas are left out.
 
     It begins in a row of `sheet`; returns the first row below it.

@@ -114,7 +114,7 @@ class _Heading(NamedTuple):
     is_number: bool = False
 
 
-class _Table(NamedTuple):
+class _LaidTable(NamedTuple):
     """A table as plain values."""
 
     kind: str
@@ -236,11 +236,11 @@ def _block(block: Block) -> Iterator[Any]:
             yield _Words("points", block.said, style="warnings")
 
 
-def _tables(table: Table) -> Iterator[_Table]:
+def _tables(table: Table) -> Iterator[_LaidTable]:
     columns = [each for each in table.columns if each.only not in {"files", "workbook"}]
     headings = [_Heading(_heading(each), each.is_number) for each in columns]
     for caption, rows in parts_of(table):
-        yield _Table(
+        yield _LaidTable(
             "table",
             table.name,
             caption,
@@ -281,7 +281,7 @@ def _si(value: object) -> float | None:
     return value if isinstance(value, int | float) and math.isfinite(value) else None
 
 
-def _facts(block: Facts) -> _Table:
+def _facts(block: Facts) -> _LaidTable:
     """Lay named values out, those of quantities in SI, too; words alone have no headings."""
     facts = [each for each in block.facts if each.only in SEEN]
     quantities = [each.quantity for each in facts if each.quantity is not None]
@@ -291,7 +291,7 @@ def _facts(block: Facts) -> _Table:
     headings = [_Heading(Message(name), name != "page.what" and not only_words) for name in names]
     rows = [_fact(each)[: len(names)] for each in facts]
     kind = "facts" if only_words and not block.caption else "table"
-    return _Table(kind, block.name, block.caption, headings, rows)
+    return _LaidTable(kind, block.name, block.caption, headings, rows)
 
 
 def _fact(fact: Fact) -> tuple[_Cell, ...]:
@@ -309,7 +309,7 @@ def _in_si(quantity: Quantity, si: float) -> str:
     return exact(quantity.si_unit).format(0.0 if is_zero else si, unit=True)
 
 
-def _trail(block: Trail) -> _Table:
+def _trail(block: Trail) -> _LaidTable:
     """Lay steps out: what comes out, its equation, its numbers put in, and what others have."""
     steps = block.steps
     columns: dict[str, list[_Cell]] = {
@@ -326,7 +326,7 @@ def _trail(block: Trail) -> _Table:
     numbers = {Message("page.value"), block.stated}
     headings = [_Heading(each, each in numbers) for each in columns]
     rows = list(zip(*columns.values(), strict=True))
-    return _Table("table", block.name, block.caption, headings, rows)
+    return _LaidTable("table", block.name, block.caption, headings, rows)
 
 
 def _result(step: Step, value: float | None, unknown: str) -> _Cell:

@@ -20,7 +20,7 @@ from catopt.casefile.document import (
     table,
 )
 from catopt.casefile.reading import Moored, case_key, moored_in
-from catopt.casefile.schema import Table, entries
+from catopt.casefile.schema import TableSchema, entries
 from catopt.documents import Path, dotted, parse_toml, read_text
 from catopt.errors import InputError, Problem
 from catopt.sizing.buoy_request import BuoyRequest
@@ -133,7 +133,7 @@ class SizingFile:
         top = schema_of(self.moored)
         for finding in self.findings:
             *above, key = finding.path
-            schema: type[Table] | None = top
+            schema: type[TableSchema] | None = top
             for part in above:
                 entry = None if schema is None else entries(schema).get(str(part))
                 schema = None if entry is None else entry.table

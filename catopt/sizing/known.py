@@ -85,7 +85,7 @@ class ResolvedInputs:
         """Return a value; None where it is not known."""
         return self.values.get(name)
 
-    def want(self, *names: str) -> None:
+    def require(self, *names: str) -> None:
         """Tell which of some inputs are missing, each with an example."""
         inputs = inputs_of(self.moored)
         for name in names:

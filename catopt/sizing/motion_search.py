@@ -458,7 +458,7 @@ def _least_that_stays(parts: Sequence[DynamicPart]) -> Anchor:
 
 
 def _worst(check: CheckResult) -> float:
-    return -check.excess
+    return -check.exceedance
 
 
 def _line_tried(
@@ -548,7 +548,7 @@ def _nothing_passes(found: _Search, counted: Counted) -> NoLineInMotionError:
     every = [each for each in found.judged.values() if each is not None]
 
     def miss(of: _Judged) -> float:
-        return of.tried.failing[0].excess if of.tried.failing else math.inf
+        return of.tried.failing[0].exceedance if of.tried.failing else math.inf
 
     nearest = min(every, key=miss)
     (first, *_) = nearest.settled.point.line.segments

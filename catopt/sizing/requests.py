@@ -71,7 +71,7 @@ def request_of(of: ResolvedInputs) -> BuoyRequest | TankerRequest:
 
 
 def _of_a_buoy(of: ResolvedInputs) -> BuoyRequest | None:
-    of.want("depth")
+    of.require("depth")
     body = _body(of)
     place = _environment(of, is_pushed=of.given.isdisjoint({"force", "reserve_buoyancy"}))
     line = _line(of, *_sizes_for(of, body))
@@ -92,7 +92,7 @@ def _of_a_buoy(of: ResolvedInputs) -> BuoyRequest | None:
 
 
 def _of_a_tanker(of: ResolvedInputs) -> TankerRequest | None:
-    of.want("length", "breadth", "draught", "depth")
+    of.require("length", "breadth", "draught", "depth")
     if of["in_motion"]:
         of.telling.add("in_motion", "true", Message("refused.no_ship_afloat"))
     ships = _ships(of)
@@ -202,7 +202,7 @@ def _body(of: ResolvedInputs) -> BuoyShape | GivenBuoy | None:
         allowed = Message("refused.buoy_wanted", **keys)
         telling.add("buoy", "", allowed)
         return None
-    of.want(*pair)
+    of.require(*pair)
     return telling.make(GivenBuoy, of["force"], of["reserve_buoyancy"], of["keel_depth"])
 
 

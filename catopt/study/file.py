@@ -14,7 +14,7 @@ import numpy as np
 from catopt.arrays import Array
 from catopt.casefile.document import read_tables, refuse
 from catopt.casefile.reading import moored_of
-from catopt.casefile.schema import Table, entries
+from catopt.casefile.schema import TableSchema, entries
 from catopt.checks.criteria import criteria_of
 from catopt.documents import parse_toml, read_text
 from catopt.errors import InputError, Problem
@@ -71,7 +71,7 @@ Columns = Annotated[Any, ByName('{ Fx = "system.force[0]" }')]
 Limits = Annotated[Any, ByName('{ fairlead_tension = "50 kN" }')]
 
 
-class VaryTable(Table):
+class VaryTable(TableSchema):
     """One thing that varies, or several that go together."""
 
     symbols: ClassVar[Mapping[str, str]] = {"from": "min", "to": "max", "file": "table"}
@@ -89,7 +89,7 @@ class VaryTable(Table):
     weight: Annotated[str, Text(filled=True, example='"hours"')] | None = None
 
 
-class StudyTable(Table):
+class StudyTable(TableSchema):
     """A whole study file."""
 
     title: str = ""

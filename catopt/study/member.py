@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from catopt.casefile.document import hint, parts
 from catopt.casefile.reading import case_of
-from catopt.casefile.schema import CaseTable, Table, entries
+from catopt.casefile.schema import CaseTable, TableSchema, entries
 from catopt.checks.case import check_case
 from catopt.errors import CatoptError, InputError, Problem
 from catopt.model import Case
@@ -36,7 +36,7 @@ def kind_of_key(base: Base, key: str) -> Kind:
     that counts into an array of tables which the file does not have.
     """
     top = CaseTable if base.moored is None else schema_of(base.moored)
-    table: type[Table] | None = top
+    table: type[TableSchema] | None = top
     place: Any = base.document
     entry = None
     for at, part in enumerate(parts(key)):

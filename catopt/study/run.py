@@ -25,7 +25,7 @@ from catopt.study.member import OfSizing, compute_member, reason_of
 from catopt.study.result import StudyResult
 from catopt.study.statics import at_rest
 from catopt.study.store import Computed, Store
-from catopt.study.study import Piece, Study
+from catopt.study.study import Study, StudyPiece
 from catopt.verify.side_by_side import begin_process, no_script
 from catopt.words import Message
 
@@ -121,7 +121,7 @@ def run_into(
             progress(reached, len(study))
 
 
-def compute_piece(base: Base, piece: Piece, *, of_sizing: OfSizing | None = None) -> Computed:
+def compute_piece(base: Base, piece: StudyPiece, *, of_sizing: OfSizing | None = None) -> Computed:
     """Compute the members of a piece."""
     measured = [each.name for each in base.kept if each.quantity]
     texts = [each.name for each in base.kept if not each.quantity]
@@ -145,7 +145,10 @@ def compute_piece(base: Base, piece: Piece, *, of_sizing: OfSizing | None = None
 
 
 def _at_once(
-    task: Callable[[Piece], Computed], pieces: Iterator[Piece], executor: Executor, count: int
+    task: Callable[[StudyPiece], Computed],
+    pieces: Iterator[StudyPiece],
+    executor: Executor,
+    count: int,
 ) -> Iterator[Computed]:
     """Keep an executor busy with a few pieces at a time; what waits costs memory."""
     running: set[Future[Computed]] = {executor.submit(task, each) for each in islice(pieces, count)}
@@ -255,5 +258,5 @@ def plan_study(study: Study) -> Plan:
     return Plan(study, timed, seconds, width * len(study))
 
 
-def _alone(study: Study, member: int) -> Piece:
-    return Piece(0, member, study.values(member, member + 1))
+def _alone(study: Study, member: int) -> StudyPiece:
+    return StudyPiece(0, member, study.values(member, member + 1))

@@ -21,7 +21,7 @@ from catopt.mooring.batch import SystemSolutions, solve_system_many
 from catopt.mooring.case import report_system
 from catopt.study.base import Base
 from catopt.study.member import kind_of_key, read_member, reason_of
-from catopt.study.study import Piece
+from catopt.study.study import StudyPiece
 from catopt.words import Message
 
 LOADS: Final = frozenset(
@@ -47,7 +47,7 @@ class AtRest(NamedTuple):
     reasons: dict[int, str]
 
 
-def at_rest(base: Base, piece: Piece) -> AtRest:
+def at_rest(base: Base, piece: StudyPiece) -> AtRest:
     """Solve the members of a piece."""
     names = [each.name for each in base.kept]
     found = AtRest({name: np.full(len(piece), np.nan) for name in names}, {})
@@ -59,7 +59,7 @@ def at_rest(base: Base, piece: Piece) -> AtRest:
     return found
 
 
-def _groups(piece: Piece) -> Iterator[Group]:
+def _groups(piece: StudyPiece) -> Iterator[Group]:
     """Part a piece by all but the loads."""
     slow = {key: column for key, column in piece.columns.items() if key not in LOADS}
     if not slow:
@@ -74,7 +74,7 @@ def _groups(piece: Piece) -> Iterator[Group]:
         yield Group(at, piece.changes(int(at[0])))
 
 
-def _solve(base: Base, piece: Piece, group: Group, found: AtRest) -> None:
+def _solve(base: Base, piece: StudyPiece, group: Group, found: AtRest) -> None:
     loads = {key: np.asarray(piece.columns[key])[group.at] for key in piece.columns if key in LOADS}
     within = np.ones(len(group.at), dtype=bool)
     for key, values in loads.items():

@@ -151,7 +151,7 @@ PIECE = MappingProxyType({"statics": 20_000, "checks": 100, "motion": 1, "linear
 
 
 @dataclass(frozen=True)
-class Piece:
+class StudyPiece:
     """Members that are computed together.
 
     `number`, `first`: of the piece, and of its first member, from 0; `columns`: values of each
@@ -250,10 +250,10 @@ class Study:
         """How many pieces there are."""
         return math.ceil(len(self) / PIECE[self.base.compute])
 
-    def piece(self, number: int) -> Piece:
+    def piece(self, number: int) -> StudyPiece:
         """Return a piece by its number from 0."""
         first, end = self.piece_start(number), self.piece_start(number + 1)
-        return Piece(number, first, self.values(first, end))
+        return StudyPiece(number, first, self.values(first, end))
 
     def piece_start(self, number: int) -> int:
         """Return the first member of a piece, from 0; that after the last for the next piece."""

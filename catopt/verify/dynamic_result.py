@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Final, Literal, NamedTuple
+from warnings import warn
 
 import numpy as np
 
@@ -354,6 +355,12 @@ class DynamicPart:
 
     @property
     def amplification(self) -> float | None:
+        """Old name of `dynamic_amplification`, for one version."""
+        warn("amplification is dynamic_amplification now", DeprecationWarning, stacklevel=2)
+        return self.dynamic_amplification
+
+    @property
+    def dynamic_amplification(self) -> float | None:
         """Largest tension at the fairlead over the largest quasi-static one."""
         still = self.quasi_static_max
         return None if still is None else self.of("fairlead_tension").maximum / still

@@ -164,9 +164,9 @@ def motion_sentences(part: DynamicPart) -> list[str]:
     largest = part.of("fairlead_tension").maximum
     reached = Measure("tension", largest)
     told = Message("motion.reaches", tension=reached)
-    if part.amplification is not None and part.quasi_static_max is not None:
+    if part.dynamic_amplification is not None and part.quasi_static_max is not None:
         still = Measure("tension", part.quasi_static_max)
-        values = {"tension": reached, "times": part.amplification, "still": still}
+        values = {"tension": reached, "times": part.dynamic_amplification, "still": still}
         told = Message("motion.reaches_times", **values)
     slack = Message("motion.no_slack")
     if part.slack_time > 0.0:

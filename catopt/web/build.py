@@ -17,13 +17,13 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any, Final
 
-from catopt.desk import ask, shell
-from catopt.desk.fields import DOORS, START
 from catopt.errors import InputError, Problem
+from catopt.page_api import ask, shell
+from catopt.page_api.fields import DOORS, START
 from catopt.render.looks import stylesheet
 from catopt.words import LANGUAGES, Message
 
-__all__ = ["Part", "document", "fetched", "parts", "pieces", "site"]
+__all__ = ["PinnedPart", "document", "fetched", "parts", "pieces", "site"]
 
 _STYLE: Final = "style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'"
 _SCRIPT: Final = "script-src 'unsafe-inline' data: blob: 'wasm-unsafe-eval'"
@@ -91,7 +91,7 @@ def _inert(text: str) -> str:
     return text.replace("<", "\\u003c")
 
 
-Read = Callable[["Part"], bytes]
+Read = Callable[["PinnedPart"], bytes]
 
 _LOADER: Final = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip")
 _WITHOUT: Final = ("cli", "fem", "reproduce", "decks", "export")
@@ -102,7 +102,7 @@ _WAIT: Final = 120.0
 
 
 @dataclass(frozen=True)
-class Part:
+class PinnedPart:
     """A file from a package registry, with the SHA-256 of its bytes."""
 
     name: str
@@ -111,13 +111,13 @@ class Part:
 
 
 @cache
-def parts() -> tuple[Part, ...]:
+def parts() -> tuple[PinnedPart, ...]:
     """List what a browser needs beside catopt; Pyodide comes first."""
     table = tomllib.loads(files("catopt.web").joinpath("parts.toml").read_text("utf-8"))
-    return tuple(Part(**each) for each in table["parts"])
+    return tuple(PinnedPart(**each) for each in table["parts"])
 
 
-def fetched(part: Part, folder: Path | None = None) -> bytes:
+def fetched(part: PinnedPart, folder: Path | None = None) -> bytes:
     """Read a part from a folder, by its name, or where none is given from its registry.
 
     InputError when it is not there, cannot be fetched, or is another file than the pinned one.

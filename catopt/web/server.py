@@ -11,8 +11,8 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from threading import Lock
 from typing import Any, Final
 
-from catopt.desk import CALLS, ask
 from catopt.documents import MOST_BYTES
+from catopt.page_api import CALLS, ask
 from catopt.web.build import document
 
 __all__ = ["PageServer"]

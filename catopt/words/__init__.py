@@ -8,7 +8,7 @@ Kinds of messages:
 - `Message("GROUP.NAME", **values)`: a text of ``texts/GROUP.toml``; ``count`` chooses one or many.
 - `Several` and `Listed` join others, `Sentence` ends one with a full stop.
 - `Told` is a text of a data file, ``{ en = "...", vi = "..." }``: notes of codes and families,
-  titles of published studies (`catopt.catalogue.table.Table.said`).
+  titles of published studies (`catopt.catalogue.table.TomlTable.said`).
 - `Measure` is a value with its unit, `Cited` what is the same in every language.
 
 An error has its message as ``error.message``; ``str(error)`` is English. `catopt.words.saved` keeps

@@ -15,7 +15,8 @@ import catopt
 from catopt.answers.blocks import Answer, Brief, Facts, Table, Text, Verdict
 from catopt.answers.note_size import size_note_answer
 from catopt.answers.size import size_answer
-from catopt.answers.size_card import miss_answer, size_card, verdict
+from catopt.answers.size_card import size_card, verdict
+from catopt.answers.size_miss import miss_answer
 from catopt.casefile.reading import Moored
 from catopt.cli.size import size as size_commands
 from catopt.cli.size_options import as_option, by_option
@@ -139,7 +140,7 @@ def test_no_box_has_both_words(name: str) -> None:
     assert not re.search(r"\bfail", text)
     assert "không đạt" not in " ".join(screen(of, "vi")).lower()
     broken = replace(of.point.checks, results=tuple(
-        replace(each, excess=1.0) for each in of.point.checks.results
+        replace(each, exceedance=1.0) for each in of.point.checks.results
     ))  # fmt: skip
     point = replace(of.point, checks=broken)
     failing = verdict(replace(of, settled=replace(of.settled, point=point)))

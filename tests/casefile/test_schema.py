@@ -17,7 +17,7 @@ from catopt.casefile.schema import (
     AnchorMotionTable,
     CaseTable,
     LineTable,
-    Table,
+    TableSchema,
     VariantsTable,
     entries,
     table_of,
@@ -65,8 +65,8 @@ PAGE = (Path(__file__).parents[2] / "docs" / "case-file.md").read_text(encoding=
 
 
 def tables(
-    table: type[Table] = CaseTable, path: str = "", header: str = ""
-) -> dict[str, type[Table]]:
+    table: type[TableSchema] = CaseTable, path: str = "", header: str = ""
+) -> dict[str, type[TableSchema]]:
     """Every table of the schema by the line that opens it; the top of the file by an empty one."""
     found = {header: table}
     for key, entry in entries(table).items():
@@ -108,7 +108,7 @@ NEEDED: dict[type, dict[str, Any]] = {
 }
 """What each part of the model needs at least."""
 
-TABLES: list[type[Table]] = [*map(table_of, NEEDED), AnchorMotionTable]
+TABLES: list[type[TableSchema]] = [*map(table_of, NEEDED), AnchorMotionTable]
 
 RECORDED = {"spectrum": None, "height": None, "period": None, "elevation_file": "e.csv"}
 ROUGH = {"drag_method": "roughness", "roughness": 1e-4, "keulegan_carpenter": 8.0}
@@ -251,7 +251,7 @@ def accepts(function: Callable[..., object], *args: object, **kwargs: object) ->
     return True
 
 
-def keys_with_a_value() -> Iterator[tuple[type[Table], str, Kind]]:
+def keys_with_a_value() -> Iterator[tuple[type[TableSchema], str, Kind]]:
     for table in TABLES:
         for key, entry in entries(table).items():
             if entry.kind is not None and (table.model, key) not in NOT_IN_THE_MODEL:
@@ -259,7 +259,7 @@ def keys_with_a_value() -> Iterator[tuple[type[Table], str, Kind]]:
 
 
 @pytest.mark.parametrize(("table", "key", "kind"), list(keys_with_a_value()))
-def test_the_ranges_are_those_of_the_model(table: type[Table], key: str, kind: Kind) -> None:
+def test_the_ranges_are_those_of_the_model(table: type[TableSchema], key: str, kind: Kind) -> None:
     part = table.model
     needed = NEEDED[part] | BESIDE.get((part, key), {})
     attribute = RENAMED.get((part, key), key)
@@ -343,14 +343,16 @@ def test_the_page_has_exactly_the_sections_and_keys_of_the_schema() -> None:
     assert {header: list(rows) for header, rows in documented().items()} == schema
 
 
-def documented_keys() -> Iterator[tuple[type[Table], str, Row]]:
+def documented_keys() -> Iterator[tuple[type[TableSchema], str, Row]]:
     for header, rows in documented().items():
         for key, row in rows.items():
             yield tables()[header], key, row
 
 
 @pytest.mark.parametrize(("table", "key", "row"), list(documented_keys()))
-def test_unit_range_default_and_example_are_right(table: type[Table], key: str, row: Row) -> None:
+def test_unit_range_default_and_example_are_right(
+    table: type[TableSchema], key: str, row: Row
+) -> None:
     entry = entries(table)[key]
     assert entry.kind is not None
     assert row.si == (

@@ -229,7 +229,7 @@ def test_a_criterion_says_why_a_proof_load_is_not_known() -> None:
 def test_of_checks_that_rounding_tells_apart_the_first_is_shown(second: float, shown: int) -> None:
     source = CheckSource("code")
     first, other = (
-        CheckResult("tension", "tension", f"case {k}", 1.0, 2.0, "N", excess, source)
-        for k, excess in enumerate((0.5, second))
+        CheckResult("tension", "tension", f"case {k}", 1.0, 2.0, "N", exceedance, source)
+        for k, exceedance in enumerate((0.5, second))
     )
     assert CheckReport("", (first, other), ()).tightest_by_state == (shown,)

@@ -203,7 +203,7 @@ def test_no_feasible_design_names_the_check_and_by_how_much() -> None:
     miss = error.near_miss
     assert miss is not None
     report = check_line(miss.line, case)
-    assert [result.excess for result in miss.failing] == [r.excess for r in report.failed]
+    assert [result.exceedance for result in miss.failing] == [r.exceedance for r in report.failed]
     worst = miss.failing[0]
     message = str(error)
     assert "none of the 300 designs passes every check" in message

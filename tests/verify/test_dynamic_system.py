@@ -84,7 +84,7 @@ def test_a_line_of_a_led_body_is_that_line_by_itself() -> None:
     size = float(of_line.fairlead_tension.max())
     assert np.allclose(of_body.fairlead_tension, of_line.fairlead_tension, atol=1e-7 * size)
     assert np.allclose(first.runs[0].quasi_static, single.runs[0].quasi_static, rtol=1e-9)
-    assert first.amplification == pytest.approx(single.amplification, rel=1e-6)
+    assert first.dynamic_amplification == pytest.approx(single.dynamic_amplification, rel=1e-6)
 
 
 def test_a_drift_moves_the_place_about_which_a_body_is_led() -> None:

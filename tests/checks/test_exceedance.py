@@ -9,15 +9,16 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from catopt.checks import kinds as excess
+from catopt.checks import kinds as exceedance
 from catopt.checks.case import check_case
-from catopt.checks.kinds import ROUNDING
+from catopt.checks.kinds import ROUNDING, CheckSource
+from catopt.checks.result import CheckResult
 from catopt.compiled import compiled
 from catopt.model import Anchor, Buoy, Checks
 
 from .lines import GROUNDED, LIFTED, asking
 
-FUNCTIONS = [getattr(excess, name) for name in excess.__all__ if name != "ROUNDING"]
+FUNCTIONS = [getattr(exceedance, name) for name in exceedance.__all__ if name != "ROUNDING"]
 FACTOR = st.floats(1.0, 50.0)
 BAND = 4.0 * ROUNDING
 """Beside the limit, as a part of it or of H, rounding may decide either way."""
@@ -62,7 +63,7 @@ def test_a_check_is_passed_exactly_when_demand_is_within_capacity(
         distance = abs(result.demand - result.capacity)
         if distance > BAND * max(result.demand, result.capacity, 30e3 * (result.unit == "N"), 1.0):
             assert result.passes == (result.demand < result.capacity), result.name
-            assert (result.excess > 0.0) == (result.demand > result.capacity), result.name
+            assert (result.exceedance > 0.0) == (result.demand > result.capacity), result.name
         if result.capacity > 0.0:
             assert result.utilisation == result.demand / result.capacity
         else:
@@ -82,13 +83,20 @@ def test_compiled_and_plain_are_one(function: object) -> None:
 
 def test_what_is_not_asked_for_is_never_overrun() -> None:
     """With the numbers that `Limits` has for it."""
-    assert excess.uplift_angle_excess(1.5, math.inf) < 0.0
-    assert excess.uplift_force_excess(1e9, 1.0, math.inf) < 0.0
-    assert excess.grounded_excess(0.0, 0.0) < 0.0
-    assert excess.ratio_excess(1e9, math.inf) < 0.0
+    assert exceedance.uplift_angle_exceedance(1.5, math.inf) < 0.0
+    assert exceedance.uplift_force_exceedance(1e9, 1.0, math.inf) < 0.0
+    assert exceedance.grounded_exceedance(0.0, 0.0) < 0.0
+    assert exceedance.ratio_exceedance(1e9, math.inf) < 0.0
 
 
 def test_no_uplift_without_any_force_is_kept() -> None:
     """Where seabed friction holds the line, neither V nor H reaches the anchor."""
-    assert excess.uplift_force_excess(0.0, 0.0, 0.0) == 0.0
-    assert excess.uplift_force_excess(0.05, 0.05, 0.0) == 1.0
+    assert exceedance.uplift_force_exceedance(0.0, 0.0, 0.0) == 0.0
+    assert exceedance.uplift_force_exceedance(0.05, 0.05, 0.0) == 1.0
+
+
+def test_the_old_name_of_the_exceedance_of_a_check_warns_for_one_version() -> None:
+    result = CheckResult("name", "span", "load", 66.0, 60.0, "m", 0.1, CheckSource("user"))
+    with pytest.warns(DeprecationWarning, match="exceedance"):
+        assert result.excess == 0.1
+    assert result.to_dict()["excess"] == 0.1

@@ -25,9 +25,9 @@ from catopt.answers.blocks import (
     section,
 )
 from catopt.casefile.reading import parse_case
-from catopt.desk.fields import DOORS, START, Door, door_of, fields_of, text_of, values_of
 from catopt.documents import parse_toml
 from catopt.errors import CatoptError, InputError
+from catopt.page_api.fields import DOORS, START, Door, door_of, fields_of, text_of, values_of
 from catopt.render.values import UNITS
 from catopt.words import LANGUAGES, Language, Measure, Message, say
 
@@ -73,7 +73,7 @@ def shell(language: Language = "en") -> str:
     """
     from catopt.render.page import template
 
-    rendered = template("catopt.desk", "shell.html").render(
+    rendered = template("catopt.page_api", "shell.html").render(
         language=language,
         doors=DOORS,
         fields={door: fields_of(door) for door in DOORS},
