@@ -13,6 +13,7 @@ from catopt.figures.chart import (
     Area,
     Axis,
     Chart,
+    Film,
     Level,
     Mark,
     Point,
@@ -369,6 +370,28 @@ def worst_moment(scene: Scene) -> Chart:
         levels=(Level("bed-edge", "y", 0.0, Message("figures.bed")),),
         to_scale=1.0,
     )
+
+
+_CLEAR = 1.05
+"""Room above the highest surface and hull, over their height."""
+
+
+def film_of(scene: Scene) -> Film:
+    """Make a film of buoy, line and water around the largest tension."""
+    k, x = scene.worst, scene.x
+    highest = max(float(scene.surface.max()), *(float(scene.hull(j)[:, 1].max()) for j in (0, k)))
+    known = {"T": Measure("tension", float(scene.tension[k])), "t": float(scene.time[k])}
+    title = Message("figures.film", seconds=float(scene.time[-1] - scene.time[0]), **known)
+    values = {
+        "time": scene.time.round(3).tolist(),
+        "line": scene.line.round(3).tolist(),
+        "place": scene.place.round(4).tolist(),
+        "tension": (scene.tension / 1e3).round(3).tolist(),
+        "x": x.round(3).tolist(),
+        "surface": scene.surface.round(3).tolist(),
+        "outline": scene.outline.round(4).tolist(),
+    }
+    return Film(title, float(x[0]), float(x[-1] - x[0]), _CLEAR * highest, k, values)
 
 
 def _through(role: str, places: Array, label: str = "") -> Series:

@@ -272,12 +272,12 @@ def _afloat(found: DynamicVerification, language: Language) -> dict[str, bytes]:
     hull = found.governing.governing.hull
     if hull is None or hull.scene is None:
         return {}
-    from catopt.figures.motion import worst_moment
-    from catopt.render.film import film
+    from catopt.figures.motion import film_of, worst_moment
+    from catopt.render.film import film_page
 
     title = ", ".join(filter(None, (found.case.title, found.governing.where)))
     drawn = {"moment": Drawing((worst_moment(hull.scene),), title)}
-    return _pictures(drawn) | {"film.html": film(hull.scene, title, language)}
+    return _pictures(drawn) | {"film.html": film_page(film_of(hull.scene), title, language)}
 
 
 def _on_slope(found: DynamicVerification) -> dict[str, Drawing]:
