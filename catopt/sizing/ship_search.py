@@ -1,0 +1,434 @@
+"""Which line holds its ship in motion: sized for what the runs of lines say, until one passes.
+
+A line is sized at rest, run with the ship in every load case, and sized anew for an allowance for
+motion that is the runs' own, by the factors of the code that judges lines in motion, until what is
+sized passes its runs. From there shorter lines and thinner ones are run, a step at a time, as long
+as they pass and are preferred: what is recommended is the last that passes, and the next shorter
+and the next thinner line were seen to fail. What holds the line is sized for its runs.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from typing import Final, NamedTuple
+
+from catopt.catalogue.in_words import chain_words
+from catopt.catenary.solution import Solution
+from catopt.checks.case import check_case
+from catopt.checks.profiles import profiles_of
+from catopt.checks.result import CheckReport, CheckResult
+from catopt.design.near_miss import NoFeasibleDesignError
+from catopt.design.result import NearMiss
+from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
+from catopt.floater.ship import ShipInWeather
+from catopt.loads.drag_anchor import DragAnchorSize
+from catopt.loads.sinker import SinkerSize
+from catopt.model import Anchor, Case, Line
+from catopt.patience import expect
+from catopt.sizing.afloat import MOTION_CODE
+from catopt.sizing.anchorage import DragGround
+from catopt.sizing.in_motion import (
+    Counted,
+    InMotion,
+    LineTried,
+    NoLineInMotionError,
+    RunsAfloat,
+    Storm,
+)
+from catopt.sizing.line_choice import sold
+from catopt.sizing.pattern import Pattern
+from catopt.sizing.settle import ConvergedSizing, best_of
+from catopt.sizing.ship_afloat import runs_afloat, ship_afloat
+from catopt.sizing.tanker_request import TankerRequest
+from catopt.ties import largest
+from catopt.verify.two_scales import ShipVerification, check_hanging, verify_ship
+from catopt.words import Message
+
+_MOST_FACTOR: Final = 10.0
+"""Allowance for motion beyond which no line is sized: that of `LineChoice`."""
+_RISE: Final = 1.05
+"""By which the allowance rises at least where the line that it gives fails."""
+_HOUR: Final = 0.25
+"""s, about, that an hour of a ship on a line takes to run."""
+_LINES: Final = 8
+"""Lines that a search runs, about: for its announcement."""
+
+Settle = Callable[[TankerRequest], ConvergedSizing]
+Around = Callable[[TankerRequest, ConvergedSizing], Pattern | None]
+
+
+class ShipMoved(NamedTuple):
+    """The line that a sizing recommends in motion, with what holds it."""
+
+    settled: ConvergedSizing
+    around: Pattern | None
+    in_motion: InMotion
+    drag_anchor: DragAnchorSize | None
+    sinker: SinkerSize | None
+    span: tuple[str, float]  # load case of the largest in motion, and that, m
+
+
+class _Run(NamedTuple):
+    """A load case of a line that was run."""
+
+    load_case: str
+    case: Case
+    found: ShipVerification
+    at_rest: Solution  # the most loaded line under the steady load of that load case
+
+    @property
+    def hanging(self) -> Solution:
+        """The most loaded line under the tension that it is judged by."""
+        return self.found.hanging[self.found.most_loaded]
+
+    @property
+    def factor(self) -> float:
+        """What an allowance for motion would have to be."""
+        return self.hanging.horizontal_force / self.at_rest.horizontal_force
+
+
+@dataclass(frozen=True)
+class _Judged:
+    """What the runs of a line came to."""
+
+    tried: LineTried
+    line: Line
+    settled: ConvergedSizing | None = None  # None: it fails at rest
+    around: Pattern | None = None
+    runs: tuple[_Run, ...] = ()
+    anchor: Anchor | None = None
+    drag_anchor: DragAnchorSize | None = None
+    checks: CheckReport | None = None
+
+    @property
+    def factor(self) -> float:
+        """The largest allowance for motion of its load cases; infinite where it has no run."""
+        return max((each.factor for each in self.runs), default=math.inf)
+
+
+def search_ship_in_motion(
+    request: TankerRequest, start: ConvergedSizing, settle: Settle, around: Around
+) -> ShipMoved:
+    """Find a line that passes in motion, the next shorter and thinner of which do not.
+
+    `start` is what is recommended at rest; `settle` sizes for a request, and `around` solves the
+    equilibrium of its lines. InputError: the ship cannot be run. NoLineInMotionError: no line that
+    was sized for its runs passes them.
+    """
+    how = request.in_motion
+    assert how is not None
+    if not runs_afloat(request):
+        problem = Problem("in_motion", "true", Message("refused.no_ship_afloat"))
+        raise InputError([problem], "TankerRequest")
+    hours = _LINES * how.seeds * how.duration / 3600.0 * len(start.posed.loads) * request.lines
+    expect(Message("sizing.running_ship"), _HOUR * hours)
+    found = _Search(request, how, start, settle, around)
+    passing = found.passing(start.point.line)
+    if passing is None:
+        raise _nothing_passes(found)
+    return _moved(request, how, found, found.lessened(passing))
+
+
+class _Search:
+    """Lines that were tried."""
+
+    def __init__(
+        self,
+        request: TankerRequest,
+        how: RunsAfloat,
+        start: ConvergedSizing,
+        settle: Settle,
+        around: Around,
+    ) -> None:
+        self.request, self.how, self.start = request, how, start
+        self._settle, self._around = settle, around
+        self.judged: dict[Line, _Judged] = {}
+        self._ships: dict[str, ShipInWeather] = {}
+        # Load cases, the one that stopped the last line first.
+        self._order = [each.load_case for each in start.posed.loads]
+        design = start.posed.case.design
+        assert design is not None
+        self.lengths = design.segments[0].lengths
+        self._sizes = sold(request.line, request.environment.water_density)
+        own = request.line
+        is_for_motion = all(each.is_for_motion for each in profiles_of(own.checks))
+        code = own.code if is_for_motion else MOTION_CODE
+        self._line = replace(own, code=code, prefer=own.looks_for)
+
+    # ------------------------------------------------------------------ lines
+
+    def passing(self, line: Line) -> _Judged | None:
+        """Size lines for what the runs of the one before ask for, until one passes its own."""
+        factor = 1.0
+        while True:
+            judged = self.tried(line)
+            if judged.tried.passes:
+                return judged
+            if factor >= _MOST_FACTOR:
+                return None
+            needed = judged.factor if judged.runs else 0.0
+            factor = min(max(needed, _RISE * factor), _MOST_FACTOR)
+            sized = self._sized(factor)
+            while sized in self.judged and factor < _MOST_FACTOR:
+                factor = min(_RISE * factor, _MOST_FACTOR)
+                sized = self._sized(factor)
+            if sized is None:
+                return None
+            line = sized
+
+    def lessened(self, passing: _Judged) -> _Judged:
+        """Run shorter and thinner lines, a step at a time, as long as they pass and are preferred.
+
+        In the end the next shorter and the next thinner one were both run, and are no better.
+        """
+        while True:
+            before = passing
+            for step in (self._shorter, self._thinner):
+                while (line := step(passing.line)) is not None:
+                    judged = self.tried(line)
+                    if not judged.tried.passes or not self._is_preferred(judged, passing):
+                        break
+                    passing = judged
+            if passing is before:
+                return passing
+
+    def _sized(self, factor: float) -> Line | None:
+        """Size a line at rest for an allowance for motion; None where none passes."""
+        line = replace(self._line, dynamic_factor=factor)
+        try:
+            return self._settle(replace(self.request, line=line)).point.line
+        except NoAnswerError:
+            return None
+
+    def _shorter(self, line: Line) -> Line | None:
+        """Take the next shorter line of its size."""
+        (segment,) = line.segments
+        shorter = [each for each in self.lengths if each < segment.length * (1.0 - 1e-9)]
+        if not shorter:
+            return None
+        return replace(line, segments=(replace(segment, length=shorter[-1]),))
+
+    def _thinner(self, line: Line) -> Line | None:
+        """Take the next thinner line of its length."""
+        (segment,) = line.segments
+        size = segment.nominal_diameter or 0.0
+        thinner = [
+            each
+            for each in self._sizes
+            if each.component == segment.component and (each.nominal_diameter or 0.0) < size
+        ]
+        if not thinner:
+            return None
+        least = max(thinner, key=lambda each: each.nominal_diameter or 0.0)
+        return replace(line, segments=(replace(least, length=segment.length),))
+
+    def failing_below(self, line: Line) -> Iterator[LineTried]:
+        """Yield the next shorter and the next thinner line, where they fail."""
+        for step in (self._shorter, self._thinner):
+            judged = self.judged.get(step(line) or line)
+            if judged is not None and not judged.tried.passes:
+                yield judged.tried
+
+    def _is_preferred(self, one: _Judged, other: _Judged) -> bool:
+        assert one.settled is not None
+        assert other.settled is not None
+        points = [one.settled.point, other.settled.point]
+        return best_of(points, self.request.line) is one.settled.point
+
+    # ------------------------------------------------------------------ one line
+
+    def tried(self, line: Line) -> _Judged:
+        """Run a line in every load case; those after one that fails are left out."""
+        if line not in self.judged:
+            self.judged[line] = self._run(line)
+        return self.judged[line]
+
+    def _at_rest(self, line: Line) -> ConvergedSizing:
+        """Settle the one line, without an allowance for motion; NoAnswerError where it fails."""
+        (segment,), weights = line.segments, line.point_loads
+        assert segment.nominal_diameter is not None
+        scope = segment.length / self.request.environment.levels.high
+        step = self.lengths[1] - self.lengths[0] if len(self.lengths) > 1 else self.lengths[0]
+        only = replace(
+            self.request.line.only(segment.component, segment.nominal_diameter),
+            dynamic_factor=1.0,
+            scope=(scope, scope),
+            length_step=step,
+        )
+        own = replace(
+            self.request,
+            line=only,
+            clump_masses=tuple(each.mass for each in weights if each.mass is not None),
+            clump_places=tuple(each.position for each in weights),
+        )
+        return self._settle(own)
+
+    def _run(self, line: Line) -> _Judged:
+        try:
+            settled = self._at_rest(line)
+            around = self._around(self.request_of_one, settled)
+        except NoFeasibleDesignError as error:
+            failing = () if error.near_miss is None else error.near_miss.failing
+            return _Judged(_tried(line, 0, failing, "" if failing else error.message), line)
+        except NoAnswerError as error:
+            return _Judged(_tried(line, 0, (), error.message), line)
+        judged = _Judged(_tried(line, 0, ()), line, settled, around)
+        runs: tuple[_Run, ...] = ()
+        for name in tuple(self._order):
+            try:
+                runs = (*runs, self._in_load_case(name, settled, around))
+                judged = self._held(replace(judged, runs=runs))
+            except (NoAnswerError, NotConvergedError) as error:
+                count = (len(runs) + 1) * self.how.seeds
+                judged = replace(judged, tried=_tried(line, count, (), error.message), runs=runs)
+            if not judged.tried.passes:
+                self._order.remove(name)
+                self._order.insert(0, name)
+                break
+        return judged
+
+    @property
+    def request_of_one(self) -> TankerRequest:
+        """The request without an allowance for motion."""
+        return replace(self.request, line=replace(self.request.line, dynamic_factor=1.0))
+
+    def _in_load_case(
+        self, name: str, settled: ConvergedSizing, around: Pattern | None
+    ) -> _Run:
+        case = ship_afloat(self.request, settled, around, name)
+        assert case is not None
+        assert case.dynamics is not None
+        judged = replace(case, dynamics=replace(case.dynamics, judged_by=self.how.judged_by))
+        found = verify_ship(judged, ship=self._ships.get(name))
+        self._ships[name] = found.moored.ship
+        if around is None:
+            at_rest = dict(settled.point.checks.solutions)[name]
+        else:
+            (state,) = (each for each in around.states if each.load_case == name)
+            lines = (each.solution for each in state.solution.lines)
+            at_rest = largest(list(lines), lambda each: each.fairlead.tension)
+        return _Run(name, case, found, at_rest)
+
+    def _held(self, judged: _Judged) -> _Judged:
+        """Size what holds the line for its runs, and check it; NoAnswerError: nothing does."""
+        settled, ground = judged.settled, self.request.ground
+        assert settled is not None
+        anchor, size = settled.point.anchor, None
+        pulls = [solution.anchor for each in judged.runs for solution in each.found.hanging]
+        pull = max(each.horizontal_force for each in pulls)
+        if isinstance(ground, DragGround):
+            least = max(each.horizontal_force for each in settled.posed.loads)
+            size = ground.sized(max(pull, self.request.line.allowance * least / self.request.lines))
+            anchor = ground.held(size)
+        elif anchor is not None:
+            lift = max(0.0, *(each.vertical_force for each in pulls))
+            sinker = ground.sized(pull, lift, self.request.environment.water_density)
+            if sinker.mass > (anchor.mass or 0.0):
+                weight = sinker.submerged_weight
+                anchor = replace(anchor, mass=sinker.mass, submerged_weight=weight)
+        results: list[CheckResult] = []
+        warnings: dict[str, None] = {}
+        for each in judged.runs:
+            report = check_hanging(replace(each.found.case, anchor=anchor), each.found.hanging)
+            results += (replace(one, load_case=each.load_case) for one in report.results)
+            warnings |= dict.fromkeys(report.warnings)
+        failing = sorted((e for e in results if not e.passes), key=lambda check: -check.excess)
+        tried = _tried(judged.line, len(judged.runs) * self.how.seeds, tuple(failing))
+        checks = CheckReport(settled.case.title, tuple(results), (), tuple(warnings))
+        return replace(judged, tried=tried, anchor=anchor, drag_anchor=size, checks=checks)
+
+
+def _tried(
+    line: Line, runs: int, failing: tuple[CheckResult, ...], reason: str = ""
+) -> LineTried:
+    (segment,) = line.segments
+    size = segment.nominal_diameter or 0.0
+    return LineTried(
+        segment.component, size, line.length, line.mass or 0.0, runs, failing, reason
+    )
+
+
+# ------------------------------------------------------------------ the answer
+
+
+def _counted(found: _Search) -> Counted:
+    run = [each.tried for each in found.judged.values() if each.tried.runs]
+    considered = len(found._sizes) * len(found.lengths)
+    return Counted(
+        considered, None, considered - len(run), len(run), sum(each.runs for each in run)
+    )
+
+
+def _moved(
+    request: TankerRequest, how: RunsAfloat, found: _Search, chosen: _Judged
+) -> ShipMoved:
+    assert chosen.settled is not None
+    assert chosen.checks is not None
+    hardest = largest(chosen.runs, lambda each: each.hanging.fairlead.tension)
+    case = replace(hardest.case, anchor=chosen.anchor)
+    settled = chosen.settled
+    still = check_case(replace(settled.case, anchor=chosen.anchor, design=None))
+    point = replace(settled.point, anchor=chosen.anchor, checks=still)
+    sinker = None
+    if not isinstance(request.ground, DragGround):
+        pulls = [solution.anchor for each in chosen.runs for solution in each.found.hanging]
+        sinker = request.ground.sized(
+            max(each.horizontal_force for each in pulls),
+            max(0.0, *(each.vertical_force for each in pulls)),
+            request.environment.water_density,
+        )
+    widest = largest(chosen.runs, lambda each: each.hanging.span)
+    return ShipMoved(
+        replace(settled, point=point, choice=request.line),
+        chosen.around,
+        InMotion(
+            how,
+            case,
+            chosen.checks,
+            _storm(chosen),
+            request.line.allowance,
+            _counted(found),
+            tuple(each.tried for each in found.judged.values()),
+            load_cases=len(chosen.runs),
+            less=tuple(found.failing_below(chosen.line)),
+        ),
+        chosen.drag_anchor,
+        sinker,
+        (widest.load_case, widest.hanging.span),
+    )
+
+
+def _storm(of: _Judged) -> Storm:
+    """Find the load case of the largest tension at the fairlead, and what the storm comes to."""
+
+    def tension(each: _Run) -> float:
+        line = each.found.lines[each.found.most_loaded]
+        return line.judged("most-probable")
+
+    hardest = largest(of.runs, tension)
+    line = hardest.found.lines[hardest.found.most_loaded]
+    extreme = line.storm
+    return Storm(
+        hardest.load_case,
+        max(one.fairlead.seen for each in of.runs for one in each.found.lines),
+        None if extreme is None else extreme.most_probable,
+        None if extreme is None else extreme.low,
+        None if extreme is None else extreme.high,
+        hardest.at_rest.fairlead.tension,
+    )
+
+
+def _nothing_passes(found: _Search) -> NoLineInMotionError:
+    """Say which line fails by the least."""
+
+    def miss(of: _Judged) -> float:
+        return of.tried.failing[0].excess if of.tried.failing else math.inf
+
+    every = [each for each in found.judged.values() if each.tried.runs]
+    nearest = min(every or list(found.judged.values()), key=miss)
+    (segment,) = nearest.line.segments
+    chain = chain_words(segment.component, segment.nominal_diameter)
+    near = NearMiss(nearest.line, nearest.tried.failing, nearest.tried.reason)
+    return NoLineInMotionError(near, chain, _counted(found))
