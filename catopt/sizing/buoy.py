@@ -33,6 +33,7 @@ from catopt.words import Measure, Message
 if TYPE_CHECKING:
     from catopt.sizing.motion_search import Moved
 
+
 def sized_buoy(request: BuoyRequest) -> Sizing:
     """Size the chain and the sinker of a buoy.
 

@@ -49,6 +49,7 @@ class LineChoice:
     diameters: tuple[float, ...] = ()
     # step of the length, m; None: a round one near a 25th of the height that the line spans
     length_step: float | None = None
+    length: float | None = None  # only this one, m; None: every step
     # least and largest length, in depths at high water: of a buoy's chain
     scope: tuple[float, float] = (0.0, math.inf)
     # which design of the front is recommended. Practice: the lightest that is no longer than the
@@ -79,7 +80,7 @@ class LineChoice:
                 Message("refused.none"),
                 Message("refused_sizing.one_family_with_grade_wanted"),
             )
-        found.numbers(self, "m", "diameter_min", "diameter_max", "length_step", above=0.0)
+        found.numbers(self, "m", "diameter_min", "diameter_max", "length_step", "length", above=0.0)
         found.numbers(self, "m", "max_swing", above=0.0)
         found.number("swing_price", self.swing_price, "USD/m", at_least=0.0)
         least, most = self.diameter_min, self.diameter_max
@@ -234,9 +235,10 @@ class LineChoice:
         if most < math.inf:
             last = min(last, math.floor(most / step + _ROUNDING))
         last = max(last, first)
+        every = tuple(round(step * k, 9) for k in range(first, last + 1))
         return SegmentChoice(
             name=Message("sizing.chain_part"),
-            lengths=tuple(round(step * k, 9) for k in range(first, last + 1)),
+            lengths=every if self.length is None else (self.length,),
             components=self.components,
             diameters=self.diameters,
             diameter_min=self.diameter_min,

@@ -2,9 +2,9 @@
 
 A line is sized at rest, run with the ship in every load case, and sized anew for an allowance for
 motion that is the runs' own, by the factors of the code that judges lines in motion, until what is
-sized passes its runs. From there shorter lines and thinner ones are run, a step at a time, as long
-as they pass and are preferred: what is recommended is the last that passes, and the next shorter
-and the next thinner line were seen to fail. What holds the line is sized for its runs.
+sized passes its runs. From there shorter lines and thinner ones are run as long as they pass and
+are preferred: what is recommended is the last that does, and the next shorter and the next thinner
+line were run, too. What holds the line is sized for its runs.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.floater.ship import ShipInWeather
 from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.sinker import SinkerSize
-from catopt.model import Anchor, Case, Line
+from catopt.model import Anchor, Case, Line, Segment
 from catopt.patience import expect
 from catopt.sizing.afloat import MOTION_CODE
 from catopt.sizing.anchorage import DragGround
@@ -164,35 +164,49 @@ class _Search:
         factor = 1.0
         while True:
             judged = self.tried(line)
-            if judged.tried.passes:
-                return judged
-            if factor >= _MOST_FACTOR:
-                return None
+            if judged.tried.passes or factor >= _MOST_FACTOR:
+                return judged if judged.tried.passes else None
             needed = judged.factor if judged.runs else 0.0
-            factor = min(max(needed, _RISE * factor), _MOST_FACTOR)
+            low, factor = factor, min(max(needed, _RISE * factor), _MOST_FACTOR)
             sized = self._sized(factor)
             while sized in self.judged and factor < _MOST_FACTOR:
                 factor = min(_RISE * factor, _MOST_FACTOR)
                 sized = self._sized(factor)
-            if sized is None:
+            # Another line than the one before may move less: what can be sized for is tried.
+            while sized is None and factor > _RISE * low:
+                factor = 0.5 * (low + factor)
+                sized = self._sized(factor)
+            if sized is None or sized in self.judged:
                 return None
             line = sized
 
     def lessened(self, passing: _Judged) -> _Judged:
-        """Run shorter and thinner lines, a step at a time, as long as they pass and are preferred.
+        """Run shorter and thinner lines as long as they pass and are preferred.
 
         In the end the next shorter and the next thinner one were both run, and are no better.
         """
         while True:
             before = passing
-            for step in (self._shorter, self._thinner):
-                while (line := step(passing.line)) is not None:
-                    judged = self.tried(line)
-                    if not judged.tried.passes or not self._is_preferred(judged, passing):
-                        break
-                    passing = judged
+            for less in (self._shorter, self._thinner):
+                passing = self._last_of(tuple(less(passing.line)), passing)
             if passing is before:
                 return passing
+
+    def _last_of(self, lines: tuple[Line, ...], passing: _Judged) -> _Judged:
+        """Find the last of lines, each less than the one before, that passes and is preferred.
+
+        Steps double as long as they do, and are halved from the first that does not: taken that a
+        line fails between two that fail. The one after the last was run.
+        """
+        at, leap, end = -1, 1, len(lines)
+        while at + 1 < end:
+            place = min(at + leap, end - 1)
+            judged = self.tried(lines[place])
+            if judged.tried.passes and self._is_preferred(judged, passing):
+                passing, at, leap = judged, place, 2 * leap
+            else:
+                end, leap = place, max(1, (place - at) // 2)
+        return passing
 
     def _sized(self, factor: float) -> Line | None:
         """Size a line at rest for an allowance for motion; None where none passes."""
@@ -202,32 +216,28 @@ class _Search:
         except NoAnswerError:
             return None
 
-    def _shorter(self, line: Line) -> Line | None:
-        """Take the next shorter line of its size."""
+    def _shorter(self, line: Line) -> Iterator[Line]:
+        """Yield shorter lines of its size, the longest first."""
         (segment,) = line.segments
-        shorter = [each for each in self.lengths if each < segment.length * (1.0 - 1e-9)]
-        if not shorter:
-            return None
-        return replace(line, segments=(replace(segment, length=shorter[-1]),))
+        for each in reversed(self.lengths):
+            if each < segment.length * (1.0 - 1e-9):
+                yield replace(line, segments=(replace(segment, length=each),))
 
-    def _thinner(self, line: Line) -> Line | None:
-        """Take the next thinner line of its length."""
+    def _thinner(self, line: Line) -> Iterator[Line]:
+        """Yield thinner lines of its length, the thickest first."""
         (segment,) = line.segments
-        size = segment.nominal_diameter or 0.0
-        thinner = [
-            each
-            for each in self._sizes
-            if each.component == segment.component and (each.nominal_diameter or 0.0) < size
-        ]
-        if not thinner:
-            return None
-        least = max(thinner, key=lambda each: each.nominal_diameter or 0.0)
-        return replace(line, segments=(replace(least, length=segment.length),))
+
+        def size(of: Segment) -> float:
+            return of.nominal_diameter or 0.0
+
+        for each in sorted(self._sizes, key=size, reverse=True):
+            if each.component == segment.component and size(each) < size(segment):
+                yield replace(line, segments=(replace(each, length=segment.length),))
 
     def failing_below(self, line: Line) -> Iterator[LineTried]:
         """Yield the next shorter and the next thinner line, where they fail."""
-        for step in (self._shorter, self._thinner):
-            judged = self.judged.get(step(line) or line)
+        for less in (self._shorter, self._thinner):
+            judged = self.judged.get(next(less(line), line))
             if judged is not None and not judged.tried.passes:
                 yield judged.tried
 
@@ -249,13 +259,10 @@ class _Search:
         """Settle the one line, without an allowance for motion; NoAnswerError where it fails."""
         (segment,), weights = line.segments, line.point_loads
         assert segment.nominal_diameter is not None
-        scope = segment.length / self.request.environment.levels.high
-        step = self.lengths[1] - self.lengths[0] if len(self.lengths) > 1 else self.lengths[0]
         only = replace(
             self.request.line.only(segment.component, segment.nominal_diameter),
             dynamic_factor=1.0,
-            scope=(scope, scope),
-            length_step=step,
+            length=segment.length,
         )
         own = replace(
             self.request,
@@ -294,9 +301,7 @@ class _Search:
         """The request without an allowance for motion."""
         return replace(self.request, line=replace(self.request.line, dynamic_factor=1.0))
 
-    def _in_load_case(
-        self, name: str, settled: ConvergedSizing, around: Pattern | None
-    ) -> _Run:
+    def _in_load_case(self, name: str, settled: ConvergedSizing, around: Pattern | None) -> _Run:
         case = ship_afloat(self.request, settled, around, name)
         assert case is not None
         assert case.dynamics is not None
@@ -340,14 +345,10 @@ class _Search:
         return replace(judged, tried=tried, anchor=anchor, drag_anchor=size, checks=checks)
 
 
-def _tried(
-    line: Line, runs: int, failing: tuple[CheckResult, ...], reason: str = ""
-) -> LineTried:
+def _tried(line: Line, runs: int, failing: tuple[CheckResult, ...], reason: str = "") -> LineTried:
     (segment,) = line.segments
     size = segment.nominal_diameter or 0.0
-    return LineTried(
-        segment.component, size, line.length, line.mass or 0.0, runs, failing, reason
-    )
+    return LineTried(segment.component, size, line.length, line.mass or 0.0, runs, failing, reason)
 
 
 # ------------------------------------------------------------------ the answer
@@ -361,9 +362,7 @@ def _counted(found: _Search) -> Counted:
     )
 
 
-def _moved(
-    request: TankerRequest, how: RunsAfloat, found: _Search, chosen: _Judged
-) -> ShipMoved:
+def _moved(request: TankerRequest, how: RunsAfloat, found: _Search, chosen: _Judged) -> ShipMoved:
     assert chosen.settled is not None
     assert chosen.checks is not None
     hardest = largest(chosen.runs, lambda each: each.hanging.fairlead.tension)

@@ -307,7 +307,7 @@ def _design(request: TankerRequest, height: float) -> Design:
         sinker = request.ground.choice(coded=line.has_factor("sliding"), heavy=True)
     longest = longest_useful(line, request.environment.water_density, height)
     return Design(
-        segments=(line.segment(height, depth=request.environment.levels.high, longest=longest),),
+        segments=(line.segment(height, longest=longest),),
         objectives=line.objectives,
         clump_weights=weights,
         sinker=sinker,

@@ -226,7 +226,9 @@ def verify_ship(
     )
     hanging = hang_judged(case, lines, moored)
     checks, directions = check_hanging(case, hanging), _waves(drive, 0).direction
-    return ShipVerification(case, moored, rest, histories, lines, hanging, checks, remarks, directions)
+    return ShipVerification(
+        case, moored, rest, histories, lines, hanging, checks, remarks, directions
+    )
 
 
 def _waves(drive: Excitation, run: int) -> Waves:
@@ -235,10 +237,8 @@ def _waves(drive: Excitation, run: int) -> Waves:
     return waves
 
 
-def moored_ship(
-    case: Case, ship: ShipInWeather | None = None
-) -> tuple[MooredShip, Excitation]:
-    """Make the ship of a case on its lines, and what drives it; raises and takes as `verify_ship`."""
+def moored_ship(case: Case, ship: ShipInWeather | None = None) -> tuple[MooredShip, Excitation]:
+    """Make the ship of a case on its lines, and what drives it; as `verify_ship`."""
     if case.floater is None or case.floater.ship is None or case.system is None:
         allowed = Message("refused_case.ship_wanted")
         raise InputError([Problem("floater.ship", "", allowed)], "--dynamic")
