@@ -3,8 +3,9 @@
 A line is sized at rest, run with the ship in every load case, and sized anew for an allowance for
 motion that is the runs' own, by the factors of the code that judges lines in motion, until what is
 sized passes its runs. From there shorter lines and thinner ones are run as long as they pass and
-are preferred: what is recommended is the last that does, and the next shorter and the next thinner
-line were run, too. What holds the line is sized for its runs.
+are preferred, and lines that are both thinner and longer, or thicker and shorter: what is
+recommended is the last that passes, and the next shorter and the next thinner line were run, too.
+What holds the line is sized for its runs.
 """
 
 from __future__ import annotations
@@ -22,7 +23,6 @@ from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.near_miss import NoFeasibleDesignError
 from catopt.design.result import NearMiss
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
-from catopt.floater.ship import ShipInWeather
 from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.sinker import SinkerSize
 from catopt.model import Anchor, Case, Line, Segment
@@ -85,8 +85,14 @@ class _Run(NamedTuple):
 
     @property
     def factor(self) -> float:
-        """What an allowance for motion would have to be."""
-        return self.hanging.horizontal_force / self.at_rest.horizontal_force
+        """What an allowance for motion would have to be.
+
+        By what the runs reached, or what is most probable, where an interval of few peaks is wide.
+        """
+        line, judged = self.found.lines[self.found.most_loaded], self.hanging.fairlead.tension
+        reached = max(line.fairlead.seen, line.judged("most-probable"))
+        share = min(1.0, reached / judged)
+        return share * self.hanging.horizontal_force / self.at_rest.horizontal_force
 
 
 @dataclass(frozen=True)
@@ -128,7 +134,7 @@ def search_ship_in_motion(
     passing = found.passing(start.point.line)
     if passing is None:
         raise _nothing_passes(found)
-    return _moved(request, how, found, found.lessened(passing))
+    return _moved(request, how, found, found.best(passing))
 
 
 class _Search:
@@ -145,7 +151,8 @@ class _Search:
         self.request, self.how, self.start = request, how, start
         self._settle, self._around = settle, around
         self.judged: dict[Line, _Judged] = {}
-        self._ships: dict[str, ShipInWeather] = {}
+        self._settled: dict[Line, ConvergedSizing] = {}
+        self._earlier: dict[str, ShipVerification] = {}
         # Load cases, the one that stopped the last line first.
         self._order = [each.load_case for each in start.posed.loads]
         design = start.posed.case.design
@@ -180,6 +187,23 @@ class _Search:
                 return None
             line = sized
 
+    def best(self, passing: _Judged) -> _Judged:
+        """Run less, then thinner lines that are longer and thicker ones that are shorter.
+
+        Until none of these that passes is preferred.
+        """
+        passing = self.lessened(passing)
+        while True:
+            before = passing
+            for lines in self._exchanged(before.line):
+                better = tuple(each for each in lines if self._is_better(each, passing))
+                passing = self._last_of(better, passing)
+                if passing is not before:
+                    passing = self.lessened(passing)
+                    break
+            if passing is before:
+                return passing
+
     def lessened(self, passing: _Judged) -> _Judged:
         """Run shorter and thinner lines as long as they pass and are preferred.
 
@@ -202,7 +226,7 @@ class _Search:
         while at + 1 < end:
             place = min(at + leap, end - 1)
             judged = self.tried(lines[place])
-            if judged.tried.passes and self._is_preferred(judged, passing):
+            if judged.tried.passes and self._is_better(judged.line, passing):
                 passing, at, leap = judged, place, 2 * leap
             else:
                 end, leap = place, max(1, (place - at) // 2)
@@ -234,6 +258,27 @@ class _Search:
             if each.component == segment.component and size(each) < size(segment):
                 yield replace(line, segments=(replace(each, length=segment.length),))
 
+    def _exchanged(self, line: Line) -> Iterator[tuple[Line, ...]]:
+        """Yield lines a step or two longer, from the thickest of the thinner ones on; then shorter.
+
+        Of those the thickest alone: it is the likeliest to pass.
+        """
+        (segment,) = line.segments
+        lengths = [round(each, 9) for each in self.lengths]
+        at = lengths.index(round(segment.length, 9))
+        for place in (at + 1, at + 2, at - 1, at - 2):
+            if not 0 <= place < len(lengths):
+                continue
+            of_length = replace(line, segments=(replace(segment, length=self.lengths[place]),))
+            if place > at:
+                yield tuple(self._thinner(of_length))
+                continue
+            thick = [each for each in self._sizes if each.component == segment.component]
+            thickest = max(thick, key=lambda each: each.nominal_diameter or 0.0)
+            if (thickest.nominal_diameter or 0.0) > (segment.nominal_diameter or 0.0):
+                cut = replace(thickest, length=self.lengths[place])
+                yield (replace(line, segments=(cut,)),)
+
     def failing_below(self, line: Line) -> Iterator[LineTried]:
         """Yield the next shorter and the next thinner line, where they fail."""
         for less in (self._shorter, self._thinner):
@@ -241,11 +286,14 @@ class _Search:
             if judged is not None and not judged.tried.passes:
                 yield judged.tried
 
-    def _is_preferred(self, one: _Judged, other: _Judged) -> bool:
-        assert one.settled is not None
-        assert other.settled is not None
-        points = [one.settled.point, other.settled.point]
-        return best_of(points, self.request.line) is one.settled.point
+    def _is_better(self, line: Line, than: _Judged) -> bool:
+        """Whether a line passes at rest and is preferred."""
+        assert than.settled is not None
+        try:
+            own = self._at_rest(line).point
+        except NoAnswerError:
+            return False
+        return best_of([own, than.settled.point], self.request.line) is own
 
     # ------------------------------------------------------------------ one line
 
@@ -256,6 +304,12 @@ class _Search:
         return self.judged[line]
 
     def _at_rest(self, line: Line) -> ConvergedSizing:
+        """Settle a line as `_settle_one`, once."""
+        if line not in self._settled:
+            self._settled[line] = self._settle_one(line)
+        return self._settled[line]
+
+    def _settle_one(self, line: Line) -> ConvergedSizing:
         """Settle the one line, without an allowance for motion; NoAnswerError where it fails."""
         (segment,), weights = line.segments, line.point_loads
         assert segment.nominal_diameter is not None
@@ -306,8 +360,9 @@ class _Search:
         assert case is not None
         assert case.dynamics is not None
         judged = replace(case, dynamics=replace(case.dynamics, judged_by=self.how.judged_by))
-        found = verify_ship(judged, ship=self._ships.get(name))
-        self._ships[name] = found.moored.ship
+        earlier = self._earlier.get(name)
+        found = verify_ship(judged, ship=None if earlier is None else earlier.moored.ship)
+        self._earlier[name] = found
         if around is None:
             at_rest = dict(settled.point.checks.solutions)[name]
         else:
