@@ -69,6 +69,8 @@ class LineChoice:
     # allowance for motion on the steady forces, which every check sees. None: that of the code's
     # method
     dynamic_factor: float | None = None
+    # that which runs in motion ask for, in its place
+    run_factor: float | None = None
     # whether figures and criteria that were read in no document may be used
     allow_recalled: bool = False
 
@@ -107,6 +109,7 @@ class LineChoice:
                 rate,
                 Message("refused_sizing.must_be_mm_year_or", fastest_wear=_FASTEST_WEAR * 1000.0),
             )
+        found.numbers(self, "", "run_factor", at_least=1.0)
         if self.dynamic_factor is not None:
             found.number("dynamic_factor", self.dynamic_factor, "", at_least=1.0, at_most=10.0)
         try:
@@ -164,7 +167,7 @@ class LineChoice:
     @property
     def allowance(self) -> float:
         """For motion, on the steady forces."""
-        own = self.dynamic_factor
+        own = self.dynamic_factor if self.run_factor is None else self.run_factor
         return self.method.dynamic_factor if own is None else own
 
     @property

@@ -46,10 +46,12 @@ from catopt.ties import largest
 from catopt.verify.two_scales import ShipVerification, check_hanging, verify_ship
 from catopt.words import Message
 
-_MOST_FACTOR: Final = 10.0
-"""Allowance for motion beyond which no line is sized: that of `LineChoice`."""
+_MOST_FACTOR: Final = 100.0
+"""Allowance for motion beyond which no line is sized."""
 _RISE: Final = 1.05
 """By which the allowance rises at least where the line that it gives fails."""
+_LEAP: Final = 4.0
+"""By which it rises at most: a line that is nearly taut moves harder than the next one will."""
 _HOUR: Final = 0.25
 """s, about, that an hour of a ship on a line takes to run."""
 _LINES: Final = 8
@@ -174,7 +176,7 @@ class _Search:
             if judged.tried.passes or factor >= _MOST_FACTOR:
                 return judged if judged.tried.passes else None
             needed = judged.factor if judged.runs else 0.0
-            low, factor = factor, min(max(needed, _RISE * factor), _MOST_FACTOR)
+            low, factor = factor, min(max(needed, _RISE * factor), _LEAP * factor, _MOST_FACTOR)
             sized = self._sized(factor)
             while sized in self.judged and factor < _MOST_FACTOR:
                 factor = min(_RISE * factor, _MOST_FACTOR)
@@ -234,7 +236,7 @@ class _Search:
 
     def _sized(self, factor: float) -> Line | None:
         """Size a line at rest for an allowance for motion; None where none passes."""
-        line = replace(self._line, dynamic_factor=factor)
+        line = replace(self._line, run_factor=factor)
         try:
             return self._settle(replace(self.request, line=line)).point.line
         except NoAnswerError:
