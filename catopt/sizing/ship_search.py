@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 from catopt.catalogue.in_words import chain_words
 from catopt.catenary.solution import Solution
@@ -43,7 +43,7 @@ from catopt.sizing.settle import ConvergedSizing, best_of
 from catopt.sizing.ship_afloat import runs_afloat, ship_afloat
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.ties import largest
-from catopt.verify.two_scales import ShipVerification, check_hanging, verify_ship
+from catopt.verify.two_scales import LineOfShip, check_hanging, verify_ship
 from catopt.words import Message
 
 _MOST_FACTOR: Final = 100.0
@@ -77,13 +77,20 @@ class _Run(NamedTuple):
 
     load_case: str
     case: Case
-    found: ShipVerification
+    lines: tuple[LineOfShip, ...]
+    every: tuple[Solution, ...]  # line under the tension that it is judged by
+    most_loaded: int
     at_rest: Solution  # the most loaded line under the steady load of that load case
+
+    @property
+    def line(self) -> LineOfShip:
+        """What the most loaded line carries."""
+        return self.lines[self.most_loaded]
 
     @property
     def hanging(self) -> Solution:
         """The most loaded line under the tension that it is judged by."""
-        return self.found.hanging[self.found.most_loaded]
+        return self.every[self.most_loaded]
 
     @property
     def factor(self) -> float:
@@ -91,9 +98,8 @@ class _Run(NamedTuple):
 
         By what the runs reached, or what is most probable, where an interval of few peaks is wide.
         """
-        line, judged = self.found.lines[self.found.most_loaded], self.hanging.fairlead.tension
-        reached = max(line.fairlead.seen, line.judged("most-probable"))
-        share = min(1.0, reached / judged)
+        reached = max(self.line.fairlead.seen, self.line.judged("most-probable"))
+        share = min(1.0, reached / self.hanging.fairlead.tension)
         return share * self.hanging.horizontal_force / self.at_rest.horizontal_force
 
 
@@ -154,7 +160,7 @@ class _Search:
         self._settle, self._around = settle, around
         self.judged: dict[Line, _Judged] = {}
         self._settled: dict[Line, ConvergedSizing] = {}
-        self._earlier: dict[str, ShipVerification] = {}
+        self._ships: dict[str, Any] = {}  # by load case, with tables that their lines share
         # Load cases, the one that stopped the last line first.
         self._order = [each.load_case for each in start.posed.loads]
         design = start.posed.case.design
@@ -362,23 +368,22 @@ class _Search:
         assert case is not None
         assert case.dynamics is not None
         judged = replace(case, dynamics=replace(case.dynamics, judged_by=self.how.judged_by))
-        earlier = self._earlier.get(name)
-        found = verify_ship(judged, ship=None if earlier is None else earlier.moored.ship)
-        self._earlier[name] = found
+        found = verify_ship(judged, ship=self._ships.get(name))
+        self._ships[name] = found.moored.ship
         if around is None:
             at_rest = dict(settled.point.checks.solutions)[name]
         else:
             (state,) = (each for each in around.states if each.load_case == name)
             lines = (each.solution for each in state.solution.lines)
             at_rest = largest(list(lines), lambda each: each.fairlead.tension)
-        return _Run(name, case, found, at_rest)
+        return _Run(name, case, found.lines, found.hanging, found.most_loaded, at_rest)
 
     def _held(self, judged: _Judged) -> _Judged:
         """Size what holds the line for its runs, and check it; NoAnswerError: nothing does."""
         settled, ground = judged.settled, self.request.ground
         assert settled is not None
         anchor, size = settled.point.anchor, None
-        pulls = [solution.anchor for each in judged.runs for solution in each.found.hanging]
+        pulls = [solution.anchor for each in judged.runs for solution in each.every]
         pull = max(each.horizontal_force for each in pulls)
         if isinstance(ground, DragGround):
             least = max(each.horizontal_force for each in settled.posed.loads)
@@ -393,7 +398,7 @@ class _Search:
         results: list[CheckResult] = []
         warnings: dict[str, None] = {}
         for each in judged.runs:
-            report = check_hanging(replace(each.found.case, anchor=anchor), each.found.hanging)
+            report = check_hanging(replace(each.case, anchor=anchor), each.every)
             results += (replace(one, load_case=each.load_case) for one in report.results)
             warnings |= dict.fromkeys(report.warnings)
         failing = sorted((e for e in results if not e.passes), key=lambda check: -check.excess)
@@ -429,7 +434,7 @@ def _moved(request: TankerRequest, how: RunsAfloat, found: _Search, chosen: _Jud
     point = replace(settled.point, anchor=chosen.anchor, checks=still)
     sinker = None
     if not isinstance(request.ground, DragGround):
-        pulls = [solution.anchor for each in chosen.runs for solution in each.found.hanging]
+        pulls = [solution.anchor for each in chosen.runs for solution in each.every]
         sinker = request.ground.sized(
             max(each.horizontal_force for each in pulls),
             max(0.0, *(each.vertical_force for each in pulls)),
@@ -460,15 +465,13 @@ def _storm(of: _Judged) -> Storm:
     """Find the load case of the largest tension at the fairlead, and what the storm comes to."""
 
     def tension(each: _Run) -> float:
-        line = each.found.lines[each.found.most_loaded]
-        return line.judged("most-probable")
+        return each.line.judged("most-probable")
 
     hardest = largest(of.runs, tension)
-    line = hardest.found.lines[hardest.found.most_loaded]
-    extreme = line.storm
+    extreme = hardest.line.storm
     return Storm(
         hardest.load_case,
-        max(one.fairlead.seen for each in of.runs for one in each.found.lines),
+        max(one.fairlead.seen for each in of.runs for one in each.lines),
         None if extreme is None else extreme.most_probable,
         None if extreme is None else extreme.low,
         None if extreme is None else extreme.high,

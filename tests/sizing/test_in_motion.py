@@ -191,7 +191,7 @@ def test_runs_want_to_be_in_motion() -> None:
 
 def test_a_buoy_of_the_library_is_one_wherever_its_file_lies() -> None:
     """CALMAR's own file names another origin; another mass is another buoy."""
-    place = {"buoy": "T-5000l-2.4m", "depth": "12 m"}
+    place: dict[str, Any] = {"buoy": "T-5000l-2.4m", "depth": "12 m"}
     request: Any = request_of(known("buoy", place))
     with alone():
         case = size_buoy(**place).case
