@@ -33,7 +33,7 @@ ALL_BUT_CLI = (
 )
 RESULTS = {
     *("model", "catenary", "mooring", "design", "verify", "reproduce", "study"),
-    *("sizing", "loads"),
+    *("sizing", "loads", "floater"),
 }
 """Parts whose results are drawn: only a type checker reads them there."""
 

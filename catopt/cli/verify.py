@@ -196,7 +196,7 @@ def _case(
     return replace(
         found,
         answers=(*found.answers, answer),
-        pictures=(*found.pictures, partial(bundle.motion_pictures, moved)),
+        pictures=(*found.pictures, partial(bundle.motion_pictures, moved, asked.language)),
         in_motion=lambda: {"dynamic": moved.to_dict() | own},
         stop=partial(stop_in_doubt, asked, moved),
     )

@@ -13,6 +13,7 @@ from catopt.figures.chart import (
     Area,
     Axis,
     Chart,
+    Film,
     Level,
     Mark,
     Point,
@@ -29,6 +30,7 @@ from catopt.words import Measure, Message
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
+    from catopt.floater.scene import Scene
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
     from catopt.verify.dynamic_run import DynamicRun
     from catopt.verify.result import LinePair
@@ -417,3 +419,69 @@ def track(found: DynamicVerification) -> Chart:
         marks=(Mark("reference", x[0], y[0], Message("figures.still")),),
         to_scale=1.0,
     )
+
+
+_LEAST_SHARE = 0.34
+"""Height over breadth of a drawing to scale."""
+_BEFORE = (2.0, 1.0)
+"""s before the worst moment at which the line is drawn, too."""
+
+
+def worst_moment(scene: Scene) -> Chart:
+    """Draw buoy, line and water at the largest tension, to scale, with the line just before."""
+    k = scene.worst
+    t, tension = float(scene.time[k]), float(scene.tension[k])
+    before = (scene.line[int(np.abs(scene.time - (t - ago)).argmin())] for ago in _BEFORE)
+    earlier = [_through("faint", each) for each in before]
+    earlier[0] = earlier[0]._replace(label=Message("figures.line_before", longest=_BEFORE[0]))
+    hull, x, surface = scene.hull(k), scene.x.tolist(), scene.surface[k].tolist()
+    hull = np.concatenate([hull, hull[:1]])
+    now = _through("mooring", scene.line[k], Message("figures.mooring_line"))
+    # High enough for the words beside its axis.
+    top = max(1.1 * max(*surface, float(hull[:, 1].max())), _LEAST_SHARE * (x[-1] - x[0]))
+    foot = -0.06 * top
+    return Chart(
+        "moment",
+        Message("figures.worst_moment", T=Measure("tension", tension), t=t),
+        axis("x", (x[0], x[-1])),
+        axis("z", (foot, top)),
+        series=(
+            *earlier,
+            now,
+            Series("surface", x, surface, Message("figures.surface_then")),
+            _through("first", hull, Message("figures.buoy_then")),
+        ),
+        areas=(
+            Area("water", [0.0] * len(x), surface, x),
+            Area("bed", (foot,), (0.0,)),
+        ),
+        levels=(Level("bed-edge", "y", 0.0, Message("figures.bed")),),
+        to_scale=1.0,
+    )
+
+
+_CLEAR = 1.05
+"""Room above the highest surface and hull, over their height."""
+
+
+def film_of(scene: Scene) -> Film:
+    """Make a film of buoy, line and water around the largest tension."""
+    k, x = scene.worst, scene.x
+    highest = max(float(scene.surface.max()), *(float(scene.hull(j)[:, 1].max()) for j in (0, k)))
+    known = {"T": Measure("tension", float(scene.tension[k])), "t": float(scene.time[k])}
+    title = Message("figures.film", seconds=float(scene.time[-1] - scene.time[0]), **known)
+    values = {
+        "time": scene.time.round(3).tolist(),
+        "line": scene.line.round(3).tolist(),
+        "place": scene.place.round(4).tolist(),
+        "tension": (scene.tension / 1e3).round(3).tolist(),
+        "x": x.round(3).tolist(),
+        "surface": scene.surface.round(3).tolist(),
+        "outline": scene.outline.round(4).tolist(),
+    }
+    return Film(title, float(x[0]), float(x[-1] - x[0]), _CLEAR * highest, k, values)
+
+
+def _through(role: str, places: Array, label: str = "") -> Series:
+    """Draw a line through places, (n, 2)."""
+    return Series(role, places[:, 0].tolist(), places[:, 1].tolist(), label)

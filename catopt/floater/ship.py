@@ -6,6 +6,7 @@ Axes of the ship: x forwards, y to port, moments counter-clockwise, about the or
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Final
@@ -205,12 +206,22 @@ class ShipInWeather:
 
         `drift` (3,): of the waves there.
         """
-        total = np.array(drift, dtype=float)
-        for table, (x, y) in ((self.wind_table, self.wind), (self.current_table, self.current)):
-            if x or y:
-                off = math.remainder(math.atan2(-y, -x) - heading, _TURN)
-                total += (x * x + y * y) * table_at(table, off)
-        return total
+        wind, current = self.blown(heading)
+        return np.asarray(drift + wind + current)
+
+    def blown(self, heading: float) -> tuple[Array, Array]:
+        """Force and moment of the mean wind and of the current at a heading, rad, likewise."""
+        wind = _streamed(lambda: self.wind_table, self.wind, heading)
+        return wind, _streamed(lambda: self.current_table, self.current, heading)
+
+
+def _streamed(table: Callable[[], Array], flow: tuple[float, float], heading: float) -> Array:
+    """Force and moment of a stream that goes along x and y of the system, m/s; none of none."""
+    x, y = flow
+    if not (x or y):
+        return np.zeros(3)
+    off = math.remainder(math.atan2(-y, -x) - heading, _TURN)
+    return (x * x + y * y) * table_at(table(), off)
 
 
 def table_at(table: Array, angle: float) -> Array:

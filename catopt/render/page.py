@@ -140,7 +140,7 @@ def page(answer: Answer, language: Language = "en") -> bytes:
     a name are left out. The page is complete HTML in UTF-8: it refers to no other file and to no
     network.
     """
-    answer, script = as_wanted(answer, language), _file("script.js")
+    answer, script = as_wanted(answer, language), file_text("script.js")
     # The page's own policy runs the script of this hash and no other.
     script_hash = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
     rendered = template("catopt.render", "page.html").render(
@@ -151,7 +151,7 @@ def page(answer: Answer, language: Language = "en") -> bytes:
         sections=_sections(answer, language),
         footer=say(Message("page.footer", version=__version__), language),
         hover=say(Message("page.hover"), language),
-        style=stylesheet() + _file("style.css"),
+        style=stylesheet() + file_text("style.css"),
         script=script,
         script_hash=script_hash,
     )
@@ -204,7 +204,8 @@ def template(package: str, name: str) -> Template:
     return environment.get_template(name)
 
 
-def _file(name: str) -> str:
+def file_text(name: str) -> str:
+    """Read a file that stands beside the renderers."""
     return files("catopt.render").joinpath(name).read_text("utf-8")
 
 

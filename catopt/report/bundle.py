@@ -371,15 +371,29 @@ def _of_motion(part: DynamicPart, title: str) -> Drawing:
     return Drawing(charts if peaks is None else (*charts, peaks), title)
 
 
-def motion_pictures(found: DynamicVerification) -> dict[str, bytes]:
-    """Draw every load case in motion, or the governing line of a body."""
+def motion_pictures(found: DynamicVerification, language: Language = "en") -> dict[str, bytes]:
+    """Draw every load case in motion, or the governing line of a body; of a buoy afloat a film."""
     title, parts = found.case.title, found.parts
     if found.case.system is not None:
         part = found.governing
         return _pictures({"dynamic": _of_motion(part, f"{title}, {part.where}")})
     titles = [title] if len(parts) == 1 else [f"{title}, {each.name}".strip(", ") for each in parts]
     drawings = map(_of_motion, parts, titles)
-    return _pictures(_on_slope(found) | _numbered("dynamic", drawings, len(parts)))
+    drawn = _pictures(_on_slope(found) | _numbered("dynamic", drawings, len(parts)))
+    return drawn | _afloat(found, language)
+
+
+def _afloat(found: DynamicVerification, language: Language) -> dict[str, bytes]:
+    """Draw a buoy afloat at the largest tension of all runs, and what it does around it."""
+    hull = found.governing.governing.hull
+    if hull is None or hull.scene is None:
+        return {}
+    from catopt.figures.motion import film_of, worst_moment
+    from catopt.render.film import film_page
+
+    title = ", ".join(filter(None, (found.case.title, found.governing.where)))
+    drawn = {"moment": Drawing((worst_moment(hull.scene),), title)}
+    return _pictures(drawn) | {"film.html": film_page(film_of(hull.scene), title, language)}
 
 
 def _on_slope(found: DynamicVerification) -> dict[str, Drawing]:

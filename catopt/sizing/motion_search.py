@@ -126,6 +126,7 @@ def search_in_motion(
             counted,
             found.tried,
             by_length,
+            len(chosen.case.load_cases),
         ),
         _sinker_size(request, chosen),
     )

@@ -93,8 +93,6 @@ def _of_a_buoy(of: ResolvedInputs) -> BuoyRequest | None:
 
 def _of_a_tanker(of: ResolvedInputs) -> TankerRequest | None:
     of.require("length", "breadth", "draught", "depth")
-    if of["in_motion"]:
-        of.telling.add("in_motion", "true", Message("refused.no_ship_afloat"))
     ships = _ships(of)
     place = _environment(of, wind=wind_of_30_s(of))
     shape = None if of["buoy"] is None else shape_of(of)
@@ -118,6 +116,7 @@ def _of_a_tanker(of: ResolvedInputs) -> TankerRequest | None:
         source=of["source"] or "",
         defaults=words,
         service_type=of["service_type"],
+        in_motion=_runs(of) if of["in_motion"] else None,
         estimates=(
             *of_the_hull(of),
             *of_the_ballast(of),
@@ -132,9 +131,11 @@ def _of_a_tanker(of: ResolvedInputs) -> TankerRequest | None:
 
 
 def _runs(of: ResolvedInputs) -> RunsAfloat | None:
-    """Say how lines are run with the buoy."""
-    maker = partial(RunsAfloat, max_slide=of["max_slide"], other_lengths=of["other_lengths"] or 0)
-    return of.telling.make(maker, of["seeds"], of["run_time"])
+    """Say how lines are run with the buoy or the ship."""
+    own: dict[str, Any] = {}
+    if of.moored == "buoy":
+        own = {"max_slide": of["max_slide"], "other_lengths": of["other_lengths"] or 0}
+    return of.telling.make(partial(RunsAfloat, **own), of["seeds"], of["run_time"])
 
 
 # ------------------------------------------------------------------ place and weather
@@ -162,7 +163,8 @@ def of_the_service(of: ResolvedInputs, place: Environment | None) -> tuple[Messa
     """Say what the service type asks for, and which motions are left out."""
     if place is None or of["service_type"] is None:
         return ()
-    return (*demands(of["service_type"], place), left_out(place))
+    asked = tuple(demands(of["service_type"], place))
+    return asked if of["in_motion"] else (*asked, left_out(place))
 
 
 def _environment(

@@ -426,7 +426,7 @@ def _fast_frequency(waves: Waves) -> float:
     return float(np.interp(_FAST, place, waves.omega[order]))
 
 
-@lru_cache(maxsize=4)
+@lru_cache(maxsize=16)
 def _waves(given: WaveState, run: int) -> Waves:
     generator = np.random.default_rng([given.seed, run])
     first, *others = (_train(train, generator) for train in given.all_trains)

@@ -28,6 +28,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--first", type=int, default=0, help="index of the first line")
     parser.add_argument("--systems", type=int, default=0, help="how many moored bodies")
     parser.add_argument("--networks", type=int, default=0, help="how many networks, from --first")
+    parser.add_argument("--in-motion", type=int, default=0, help="sizings in motion, from --first")
     parser.add_argument("--seed", type=int, default=1, help="seed of all of them")
     parser.add_argument("--workers", type=int, default=1, help="processes")
     parser.add_argument("--out", type=Path, default=Path(), help="where a failing case goes")
@@ -47,6 +48,10 @@ def main(arguments: list[str] | None = None) -> int:
         networks = import_module("tests.campaign.network_check")
         say(f"\n{given.networks:,} networks from {given.first}")
         failures += networks.run(given.networks, given.first, say)
+    if given.in_motion > 0:
+        in_motion = import_module("tests.campaign.in_motion")
+        say(f"\n{given.in_motion:,} sizings in motion from {given.first}")
+        failures += in_motion.run(given.in_motion, given.first, say)
     return 1 if failures else 0
 
 
@@ -81,6 +86,7 @@ def write_simplest(tally: Tally, folder: Path) -> Path | None:
 
 def say(text: str) -> None:
     sys.stdout.write(text + "\n")
+    sys.stdout.flush()
 
 
 if __name__ == "__main__":

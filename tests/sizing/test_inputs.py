@@ -51,7 +51,7 @@ BASE: dict[Moored, dict[str, object]] = {
 STILL: dict[str, object] = dict.fromkeys(
     ("in_motion", "seeds", "run_time", "other_lengths", "max_slide")
 )
-"""Of what is run in time there are tests of their own: it takes minutes, and no ship floats."""
+"""Of what is run in time there are tests of their own: it takes minutes."""
 SEVERAL: dict[str, object] = {"low_water": "20 m", "max_swing": None, "swing_price": None}
 SEVERAL |= {"in_motion": None}
 ONE_LINE: dict[str, object] = {"low_water": "20 m", "prefer": "cheapest", "in_motion": None}
