@@ -26,9 +26,9 @@ from catopt.catenary.equilibrium import given_force
 from catopt.catenary.pieces import LineProblem, Pieces, cut
 from catopt.catenary.solve import solve
 from catopt.checks.case import check_line
-from catopt.checks.excess import ROUNDING
+from catopt.checks.kinds import ROUNDING
 from catopt.design.evaluation import DesignProblem
-from catopt.design.outcome import Outcome
+from catopt.design.front import Outcome
 from catopt.design.problem import Floats, Genes
 from catopt.design.search import Found, answer, design_case, enumerate_designs
 from catopt.machine_code import _inner

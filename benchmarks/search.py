@@ -20,12 +20,11 @@ import numpy as np
 
 from benchmarks.common import page
 from catopt.casefile import read_case
-from catopt.checks.excess import ROUNDING
+from catopt.checks.kinds import ROUNDING
 from catopt.design import steps
 from catopt.design.evaluation import DesignProblem
-from catopt.design.front import hypervolume, non_dominated, reference_point
+from catopt.design.front import Outcome, hypervolume, non_dominated, reference_point
 from catopt.design.nsga2 import nsga2
-from catopt.design.outcome import Outcome
 from catopt.design.problem import Floats, Problem
 from catopt.design.search import enumerate_designs
 from catopt.design.swarm import swarm

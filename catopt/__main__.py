@@ -45,7 +45,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     status = 0
     try:
         if arguments is None:
-            from catopt.cli.streams import guard_streams
+            from catopt.cli.output import guard_streams
 
             guard_streams()
         copy_context().run(_run, arguments, output)

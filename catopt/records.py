@@ -25,6 +25,12 @@ class From(NamedTuple):
     least: int
 
 
+class Matching(NamedTuple):
+    """Pattern of a text; stands in ``Annotated``."""
+
+    pattern: str
+
+
 class OrNull:
     """Stands in ``Annotated`` of an array that may have nan: null in documents."""
 

@@ -55,7 +55,9 @@ def _blocks(result: StudyResult) -> Iterator[blocks.Block]:
         yield blocks.Text(Message("study.influence_note"), is_small=True)
     for name, counted in result.counted().items():
         if counted:
-            yield _counts(name, counted)
+            words, counts = zip(*counted, strict=True)
+            columns = (texts(f"study.{name}", _cells(words)), texts("study.members", counts))
+            yield tabulate(f"study_{name}", *columns, caption=Message("study.counts"))
     if result.reasons:
         yield _failures(result)
     yield from _reach(result)
@@ -271,12 +273,6 @@ def _influences(result: StudyResult) -> blocks.Table:
 def _keys(rows: Iterable[Iterable[str]]) -> blocks.Column:
     """Make a column of key paths that vary together."""
     return texts("study.key", [Cited(", ".join(keys)) for keys in rows])
-
-
-def _counts(name: str, counted: list[tuple[str, int]]) -> blocks.Table:
-    words, counts = zip(*counted, strict=True)
-    columns = (texts(f"study.{name}", _cells(words)), texts("study.members", counts))
-    return tabulate(f"study_{name}", *columns, caption=Message("study.counts"))
 
 
 def _failures(result: StudyResult) -> blocks.Table:

@@ -86,7 +86,7 @@ def is_uniform(solution: Solution) -> bool:
     return (
         len(segments) == 1
         and not solution.line.point_loads
-        and math.isinf(segments[0].EA)
+        and segments[0].is_inextensible
         and segments[0].submerged_weight > 0.0
         and (
             solution.regime == "suspended"

@@ -12,7 +12,7 @@ from catopt.answers import blocks
 from catopt.answers.blocks import Rows, answered, measured, section, tabulate, texts, yes_or_no
 from catopt.answers.check import verdict_column
 from catopt.quantities import Quantity
-from catopt.verify.truss_words import QUANTITY_OF, name_of, part_sentence, rough_sentence
+from catopt.verify.motion_words import QUANTITY_OF, name_of, part_sentence, rough_sentence
 from catopt.words import Message, Several, Unit, term
 
 if TYPE_CHECKING:

@@ -6,17 +6,14 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
-from catopt.casefile.document import Section, refusals
-from catopt.casefile.location import Finding
+from catopt.casefile.document import Finding, Section, refusals
 from catopt.casefile.schema import entries
 from catopt.constants import YEAR
 from catopt.model import CurrentProfile, Motion
+from catopt.model import dynamics as damage
 from catopt.model import dynamics as run
-from catopt.model import fatigue as damage
 from catopt.model.body import floater_misfits, ship_misfits
-from catopt.model.current_profile import CURRENT_PROFILES
-from catopt.model.motion import MOTION_WAYS, OF_A_BODY
-from catopt.model.wave_state import train_misfits, wave_misfits
+from catopt.model.sea import CURRENT_PROFILES, MOTION_WAYS, OF_A_BODY, train_misfits, wave_misfits
 from catopt.words import Message
 
 _FOR_FATIGUE = ("dynamics", "waves", "service")

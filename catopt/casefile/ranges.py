@@ -6,8 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
-from catopt.casefile.document import Section
-from catopt.casefile.location import Finding
+from catopt.casefile.document import Finding, Section
 from catopt.casefile.schema import Values
 from catopt.units import as_written
 from catopt.words import Message

@@ -14,7 +14,6 @@ from typing import Annotated, Any, ClassVar
 
 from catopt import model
 from catopt.model import ClumpWeightChoice, Load, PointLoad, SwarmSettings
-from catopt.model.checks import Code
 from catopt.model.design import Component
 from catopt.model.kinds import (
     Angle,
@@ -25,13 +24,16 @@ from catopt.model.kinds import (
     Kind,
     Length,
     Measured,
+    NotNegative,
     OneOf,
     Share,
     Size,
+    SomeForce,
     Source,
     Weight,
     annotated,
 )
+from catopt.model.load import Code
 from catopt.model.network import LineBetween, Network
 from catopt.units import Dimension
 
@@ -141,9 +143,9 @@ class SegmentTable(Table):
     """A uniform stretch of the line."""
 
     model = model.Segment
-    keys = """name length component diameter submerged_weight mass EA MBL MBL_mean MBL_cov
-        proof_load price wear_rate wear_zone drag_diameter drag_normal drag_axial drag_axial_area
-        added_mass_normal added_mass_axial drag_method roughness keulegan_carpenter
+    keys = """name length component diameter submerged_weight mass EA strain strain_tension MBL
+        MBL_mean MBL_cov proof_load price wear_rate wear_zone drag_diameter drag_normal drag_axial
+        drag_axial_area added_mass_normal added_mass_axial drag_method roughness keulegan_carpenter
         wake_amplification"""
     symbols: ClassVar = {
         "L": "length",
@@ -159,6 +161,8 @@ class SegmentTable(Table):
 
     diameter: Length | None = None
     submerged_weight: Weight | None = None
+    strain: Annotated[list[NotNegative], Size(2, MOST_TABLES)] | None = None
+    strain_tension: Annotated[list[SomeForce], Size(2, MOST_TABLES)] | None = None
     drag_axial_area: Annotated[str, OneOf(DRAG_AREAS)] | None = None
 
 

@@ -1,4 +1,4 @@
-"""From a Case to a case file: each part of the model under the keys of its table."""
+"""From a Case to a case file, and commented files to start from."""
 
 from __future__ import annotations
 
@@ -7,9 +7,10 @@ import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from hashlib import sha256
 from pathlib import Path as FilePath
-from typing import Any, Final
+from types import MappingProxyType
+from typing import Any, Final, NamedTuple
 
-from catopt.casefile.location import header
+from catopt.casefile.document import header
 from catopt.casefile.schema import (
     CaseTable,
     NetworkTable,
@@ -37,9 +38,10 @@ from catopt.model import (
     WaveState,
 )
 from catopt.model.kinds import Measured
-from catopt.model.motion import HARMONIC
 from catopt.model.network import LineBetween, MooredBody, Network, Point
-from catopt.units import UNITS, Dimension
+from catopt.model.sea import HARMONIC
+from catopt.model.strain_table import StrainTable
+from catopt.units import UNITS, Dimension, as_written
 from catopt.words import Message
 
 _ESCAPES = {
@@ -90,7 +92,16 @@ def write_case(case: Case | Network) -> str:
     if isinstance(case, Network):
         blocks = _blocks(NetworkTable, _given(case))
     else:
-        blocks = _blocks(CaseTable, _of_case(case))
+        # Return what a case has to say, by the keys of its file and in their order.
+        site = case.site
+        given = _given(case) | {"pso": case.swarm}
+        given["site"] = _given(site) | {"water_depth": site.depth_to_seabed}
+        ends = ("fairlead_height", "anchor_height")
+        heights = {key: site.height_above_seabed(getattr(case, key)) for key in ends}
+        given["line"] = heights | vars(case.line)
+        if case.system is not None:
+            given["system"] = _around(case, case.system)
+        blocks = _blocks(CaseTable, {key: given[key] for key in entries(CaseTable) if key in given})
     return "\n\n".join("\n".join(block) for block in blocks) + "\n"
 
 
@@ -108,19 +119,6 @@ def _blocks(
             for part in value if several else [value]:
                 below = part if isinstance(part, dict) else _given(part)
                 yield from _blocks(inner, below, (*path, key), array=several)
-
-
-def _of_case(case: Case) -> dict[str, Any]:
-    """Return what a case has to say, by the keys of its file and in their order."""
-    site = case.site
-    given = _given(case) | {"pso": case.swarm}
-    given["site"] = _given(site) | {"water_depth": site.depth_to_seabed}
-    ends = ("fairlead_height", "anchor_height")
-    heights = {key: site.height_above_seabed(getattr(case, key)) for key in ends}
-    given["line"] = heights | vars(case.line)
-    if case.system is not None:
-        given["system"] = _around(case, case.system)
-    return {key: given[key] for key in entries(CaseTable) if key in given}
 
 
 def _around(case: Case, system: System) -> dict[str, Any]:
@@ -172,6 +170,9 @@ def _given(part: object) -> dict[str, Any]:
         case Segment():
             if part.nominal_diameter is not None:
                 given["diameter"] = part.nominal_diameter
+            if isinstance(part.EA, StrainTable):
+                del given["EA"]
+                given["strain"], given["strain_tension"] = part.EA.strain, part.EA.tension
             if part.component:  # which would give its own name to a segment without one
                 given["name"] = part.name
         case CatalogueChoice():
@@ -266,3 +267,83 @@ def _array(key: str, values: Sequence[str]) -> str:
             row = ""
         row += f"{value}, "
     return "\n".join([*lines, f"  {row.rstrip()}", "]"])
+
+
+class Template(NamedTuple):
+    """What a template is of, and the command that takes its file: ``solve`` for most.
+
+    `needs`: another template whose file it names.
+    """
+
+    about: str
+    command: str = "solve"
+    needs: str = ""
+
+
+TEMPLATES: Mapping[str, Template] = MappingProxyType(
+    {
+        "buoy": Template("marker buoy on 20 m of chain, every key with a comment"),
+        "tanker": Template("tanker on one chain with a sinker, two load cases", "check"),
+        "leg": Template("chain, wire and chain with a clump weight, water levels", "check"),
+        "system": Template("body moored by six lines", "system"),
+        "design": Template("search for the chain, length and sinker of a buoy", "design"),
+        "motion": Template("line in waves, current and motion", "verify --dynamic"),
+        "study": Template("a case again and again, with what varies in it", "study", "buoy"),
+        "size-buoy": Template("buoy in its weather, in place of options", "size buoy"),
+        "size-tanker": Template("tanker in its weather, in place of options", "size tanker"),
+    }
+)
+"""Templates by name."""
+
+
+def template(name: str) -> str:
+    """Return a commented file that its command takes as it stands.
+
+    Parameters
+    ----------
+    name : str
+        One of `TEMPLATES`.
+
+    Returns
+    -------
+    str
+        TOML.
+
+    Raises
+    ------
+    InputError
+        When there is no such template.
+    """
+    if name not in TEMPLATES:
+        from catopt.catalogue.family import meant
+
+        allowed = meant(Message("refused.one_of", words=", ".join(TEMPLATES)), name, TEMPLATES)
+        raise InputError([Problem("template", as_written(name), allowed)])
+    from importlib.resources import files
+
+    text = (files(__package__) / "templates" / f"{name}.toml").read_text(encoding="utf-8")
+    return _with_others(text) if "{others}" in text else text
+
+
+def _with_others(text: str) -> str:
+    """Put the other words that a key takes where a comment has ``{others}``."""
+    import re
+
+    from catopt.casefile.schema import CaseTable, entries
+    from catopt.model.kinds import OneOf
+
+    table: type[Table] = CaseTable
+    lines = []
+    for line in text.splitlines(keepends=True):
+        if header := re.match(r"(?:# )?\[+([\w.]+)\]+", line):
+            table = CaseTable
+            for part in header[1].split("."):
+                table = entries(table)[part].table or table
+        if "{others}" in line:
+            key, value = re.findall(r"^(?:# )?(\w+) = (.*?)  +#", line)[0]
+            kind = entries(table)[key].kind
+            assert isinstance(kind, OneOf)
+            others = [word for word in kind.words if f'"{word}"' not in value]
+            line = line.replace("{others}", ", ".join(others))
+        lines.append(line)
+    return "".join(lines)

@@ -7,8 +7,8 @@ from functools import cache
 from types import MappingProxyType
 from typing import Final
 
-from catopt.catalogue.figure import Confidence, Source
-from catopt.catalogue.parts import cited, read_own
+from catopt.catalogue.components import Confidence, Source
+from catopt.catalogue.fittings import cited, read_own
 from catopt.catalogue.table import Table
 from catopt.constants import STANDARD_GRAVITY
 

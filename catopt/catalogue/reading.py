@@ -13,8 +13,8 @@ from pathlib import Path
 from types import MappingProxyType
 
 from catopt.catalogue.collection import Catalogue
+from catopt.catalogue.components import CONFIDENCES, SPECS, Figure, Source, within
 from catopt.catalogue.family import Family, Sizes, in_mm
-from catopt.catalogue.figure import CONFIDENCES, SPECS, Figure, Source, within
 from catopt.catalogue.formula import (
     ChainLoad,
     ChainModulus,
@@ -29,7 +29,7 @@ from catopt.catalogue.formula import (
 )
 from catopt.catalogue.table import Table
 from catopt.documents import read_text
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.units import UNITS, Dimension
 from catopt.words import Message
 
@@ -69,15 +69,13 @@ def read_formula(figure: Table, quantity: str) -> Formula | None:
         return None
     if powers:
         return _polynomial(table, powers)
-    return _read(table, kinds[0], quantity)
-
-
-def _read(table: Table, kind: str, quantity: str) -> Formula | None:
+    kind = kinds[0]
     match kind:
         case "rows":
             return _rows(table, SPECS[quantity].unit)
         case "times":
-            return _multiple(table, SPECS[quantity].of)
+            factor, other = table.number("times", above=0.0), table.word("of", SPECS[quantity].of)
+            return None if factor is None or other is None else Multiple(factor, other)
         case "coefficient":
             return _coefficient(table)
         case "chain_modulus":
@@ -106,11 +104,6 @@ def _rows(table: Table, si_unit: str) -> Rows | None:
         tuple(diameter / 1e3 for diameter, _ in rows),
         tuple(value * units[unit] for _, value in rows),
     )
-
-
-def _multiple(table: Table, of: tuple[str, ...]) -> Multiple | None:
-    factor, other = table.number("times", above=0.0), table.word("of", of)
-    return None if factor is None or other is None else Multiple(factor, other)
 
 
 def _coefficient(table: Table) -> Coefficient | None:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any, TypeVar
 
-from catopt.catalogue.names import nearest
+from catopt.catalogue.family import nearest
 from catopt.documents import parse_toml
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.units import as_written
 from catopt.words import LANGUAGES, Cited, Message, Told
 

@@ -21,9 +21,8 @@ from catopt.catenary.curve import (
     load_curve,
     weight_force,
 )
-from catopt.catenary.solution import Solution
+from catopt.catenary.solution import Solution, check_buoys
 from catopt.catenary.solve import solve
-from catopt.catenary.warnings import check_buoys
 from catopt.errors import FloatsUpError, InputError, Problem
 from catopt.model import Case
 from catopt.model.kinds import Place, SomeForce

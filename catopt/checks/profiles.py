@@ -7,22 +7,23 @@ from functools import cache
 from importlib.resources import files
 from typing import Literal, TypeVar
 
-from catopt.catalogue.figure import CONFIDENCES, RECALLED, Confidence
-from catopt.catalogue.names import nearest
+from catopt.catalogue.components import CONFIDENCES, RECALLED, Confidence
+from catopt.catalogue.family import nearest
 from catopt.catalogue.table import Table
-from catopt.checks.criterion import (
+from catopt.checks.kinds import (
     ANALYSES,
+    CHECK_KINDS,
     LOAD_KINDS,
     STATES,
     STRENGTHS,
+    CheckKind,
     CheckSource,
     Criterion,
     StrengthKind,
 )
-from catopt.checks.kinds import CHECK_KINDS, CheckKind
-from catopt.model.checks import Checks
-from catopt.model.line_kind import LINE_KINDS
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
+from catopt.model.line import LINE_KINDS
+from catopt.model.load import Checks
 from catopt.units import as_written
 from catopt.words import Cited, Message
 

@@ -6,9 +6,7 @@ from dataclasses import dataclass, field
 from typing import Annotated, Any
 
 from catopt.catenary.solution import Solution
-from catopt.checks.criterion import CheckSource, Place
-from catopt.checks.excess import ROUNDING
-from catopt.checks.kinds import CHECK_UNITS, CheckKind
+from catopt.checks.kinds import CHECK_UNITS, ROUNDING, CheckKind, CheckSource, Place
 from catopt.model import LoadCase
 from catopt.model.kinds import OneOf
 from catopt.model.kinds import Place as Along

@@ -131,7 +131,7 @@ class Asked:
         whole, text, stays = dict(files), None, ""
         if case is not None:
             from catopt.casefile import write_case
-            from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
+            from catopt.casefile.reading import DESIGN_CASE, DESIGN_DOCUMENT
 
             text = write_case(case).encode()
             stays = _stays(self.out, with_front=front is not None)
@@ -197,7 +197,7 @@ def answering(
             full: bool = False,
             **options: Any,
         ) -> None:
-            from catopt.render.units import UNITS
+            from catopt.render.values import UNITS
 
             output = context.obj
             when_long(lambda told: output.note(say(told, lang)))
@@ -247,8 +247,7 @@ def refuse_own_case(directory: Path) -> None:
 def _stays(directory: Path, *, with_front: bool) -> str:
     """Say why the case file in a directory must not be replaced; empty where it may."""
     from catopt.casefile import write_case
-    from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
-    from catopt.casefile.reading import parse_mooring
+    from catopt.casefile.reading import DESIGN_CASE, DESIGN_DOCUMENT, parse_mooring
 
     place = directory / DESIGN_CASE
     if not place.exists():

@@ -23,9 +23,9 @@ from catopt.units import Dimension
 from catopt.words import Cited, Measure, Message, term
 
 if TYPE_CHECKING:
-    from catopt.casefile.sizing_file import Moored
+    from catopt.casefile.reading import Moored
     from catopt.loads import Afloat, Loads, SeaState, ShipHeading, Turning
-    from catopt.loads.ship_estimate import Condition
+    from catopt.loads.ship_dimensions import Condition
     from catopt.sizing.known import ResolvedInputs
     from catopt.sizing.telling import Spelling
 
@@ -155,8 +155,8 @@ def ship(
 ) -> None:
     """Compute the loads on a ship, from wind, current and waves."""
     from catopt.loads import METHODS, WaterLevels, every_lying, every_method
-    from catopt.loads.ship_estimate import MIDSHIP, WATERLINE, box_estimates, estimates
-    from catopt.sizing.headings import DIRECTIONS, directions_of, read_turning, turned_round
+    from catopt.loads.ship_dimensions import MIDSHIP, WATERLINE, box_estimates, estimates
+    from catopt.sizing.environment import DIRECTIONS, directions_of, read_turning, turned_round
     from catopt.sizing.known import estimated_dimensions
     from catopt.sizing.requests import (
         BARGE,
@@ -335,7 +335,7 @@ class _Form(NamedTuple):
 def _ships_afloat(of: ResolvedInputs, form: _Form) -> Iterator[Afloat]:
     """Make the ship at each draught that is known."""
     from catopt.loads import Afloat, Ship
-    from catopt.loads.ship_estimate import BLOCK
+    from catopt.loads.ship_dimensions import BLOCK
     from catopt.sizing.requests import TAKEN_FOR, draughts_of, own_tables, ship_at
     from catopt.sizing.tanker_request import check_deadweight
 
@@ -383,7 +383,7 @@ def _what_is_taken(form: _Form, worst: ShipHeading, turning: Turning | None) -> 
     block = ship.displacement / (ship.length_waterline * ship.breadth * ship.draught)
     yield Message("loads.hull_form", length=form.waterline, block=block, midship=form.midship)
     if turning is not None:
-        from catopt.sizing.headings import turning_words
+        from catopt.sizing.environment import turning_words
 
         yield turning_words(turning, ship)
 

@@ -7,8 +7,8 @@ from typing import Annotated
 
 import typer
 
-from catopt.casefile.new_case import TEMPLATES, template
-from catopt.casefile.sizing_file import Moored
+from catopt.casefile.reading import Moored
+from catopt.casefile.writing import TEMPLATES, template
 from catopt.cli.completion import completed
 from catopt.cli.options import JsonOption, LangOption
 from catopt.cli.output import Output

@@ -131,10 +131,9 @@ def _document(
     workbook: dict[str, Any] | None = None,
 ) -> dict[str, Any]:
     """Say what was written (schema catopt.report/1); of a sizing, of its recommended line."""
-    from catopt.notes.line import Note
+    from catopt.notes.line import Note, SizeNote
     from catopt.notes.motion import motion_document
-    from catopt.notes.network import NetworkNote
-    from catopt.notes.size import SizeNote
+    from catopt.notes.system import NetworkNote
 
     of = note.line if isinstance(note, SizeNote) else note
     line = of if isinstance(of, Note) else None

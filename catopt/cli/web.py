@@ -20,8 +20,7 @@ def web(
 ) -> None:
     """Write the page that sizes and computes moorings in the browser."""
     from catopt.report.files import check_directory, write_files
-    from catopt.web.build import fetched, pieces
-    from catopt.web.document import document
+    from catopt.web.build import document, fetched, pieces
 
     output: Output = context.obj
     if (out is None) == (single is None):

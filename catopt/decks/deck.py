@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from operator import itemgetter
-from typing import Literal, TypedDict, TypeVar, Unpack
+from typing import Any, Literal, TypedDict, TypeVar, Unpack
 
 from catopt.errors import InputError, Problem
 from catopt.words.message import Message
@@ -27,15 +27,15 @@ class Row:
 class LineType:
     """What a line is made of, with its line of the file.
 
-    `diameter`: volume-equivalent, m; `mass`: in air, kg/m; `EA`, `MBL`: N; `friction`: on the bed,
-    where the deck has it by line type; `drag`: Cd across on d, Cd along on pi d, Ca across and
-    along on the displaced water.
+    `diameter`: volume-equivalent, m; `mass`: in air, kg/m; `EA`, `MBL`: N, or
+    the table of strains that a rope follows; `friction`: on the bed, where the deck has it by line
+    type; `drag`: Cd across on d, Cd along on pi d, Ca across and along on the displaced water.
     """
 
     row: int
     diameter: float
     mass: float
-    EA: float
+    EA: Any
     friction: float | None = None
     drag: tuple[float, float, float, float] | None = None
     MBL: float | None = None

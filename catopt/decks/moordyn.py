@@ -10,9 +10,13 @@ import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.decks.deck import Deck, End, Limits, LineType, Notes, Piece, Point, Row, refusal
+from catopt.documents import read_text
+from catopt.errors import InputError
+from catopt.model.strain_table import StrainTable
 
 _SECTIONS = (
     (r"ROD\s+(TYPES|DICTIONARY)", "rod types"),
@@ -279,15 +283,33 @@ def _type(row: Row, heads: Mapping[str, Row], notes: Notes) -> LineType:
     return LineType(row.number, diameter, mass, EA, None, drag)
 
 
-def _stiffness(row: Row, place: int, notes: Notes) -> float:
+def _stiffness(row: Row, place: int, notes: Notes) -> float | StrainTable:
     word = row.words[place]
     if not re.match(r"[-+.\d]", word):
-        notes.refuse(row.number, f"EA {word}", "a_table_of_strain")
-        return math.nan
+        return _strain_table(row, word, notes)
     first, *others = word.split("|")
     if others:
         notes.say("static_stiffness", line=row.number, value=word, taken=first)
     return notes.value(row.number, first, "EA", above=0.0)
+
+
+def _strain_table(row: Row, word: str, notes: Notes) -> float | StrainTable:
+    """Read the file of strains and tensions, N, that stands beside the deck."""
+    path = Path(notes.source).parent / word
+    if Path(word).name != word or not path.is_file():
+        notes.refuse(row.number, f"EA {word}", "a_table_of_strain")
+        return math.nan
+    rows = [line.split() for line in read_text(path, str(path), kind="table").splitlines()]
+    try:
+        # Two lines of heads come first.
+        strain, tension = zip(
+            *((float(a), float(b)) for a, b in filter(None, rows[2:])), strict=True
+        )
+        return StrainTable(strain, tension)
+    except (ValueError, InputError) as error:
+        said = error.problems[0] if isinstance(error, InputError) else error
+        notes.refuse(row.number, f"EA {word}", "no_table_of_strain", said=f"{said}")
+        return math.nan
 
 
 @dataclass(frozen=True)

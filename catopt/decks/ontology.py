@@ -11,8 +11,8 @@ from collections.abc import Iterator, Mapping
 
 from catopt.decks.deck import Deck, LineType, Notes, Piece, Point, refusal
 from catopt.decks.moordyn import settled
+from catopt.decks.reading import Table, parse_yaml
 from catopt.decks.strung import PointMass, Section, from_sections
-from catopt.decks.tree import Table, parse_yaml
 
 _UNREAD = {
     "unread_weather": "metocean|resource|RAFT|[Ww]aves|marine_growth|_air$",

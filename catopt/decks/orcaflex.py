@@ -12,8 +12,8 @@ from dataclasses import replace
 
 from catopt.constants import STANDARD_GRAVITY
 from catopt.decks.deck import Deck, LineType, Notes, Piece, Point
+from catopt.decks.reading import Table, parse_yaml
 from catopt.decks.strung import PointMass, Section, from_sections
-from catopt.decks.tree import Table, parse_yaml
 
 TONNE, KILO = 1e3, 1e3
 """kg and N of OrcaFlex's units of mass and force."""

@@ -12,31 +12,29 @@ from catopt.catenary.equilibrium import given_force, hang_slack
 from catopt.catenary.pieces import LineProblem, Pieces, total_length
 from catopt.catenary.span_or_tension import given_span
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT, failed
-from catopt.checks.excess import ROUNDING, ratio_excess
+from catopt.checks.kinds import ROUNDING, ratio_excess
 from catopt.compiled import inlined
 from catopt.design.assess import (
+    LEAST_OFFSET,
+    MARGIN,
     NO_DESIGN,
     NO_EQUILIBRIUM,
+    NONE,
     OFFSET,
+    OFFSET_SO_FAR,
+    REACH,
     SLIDING,
+    STRENGTH,
+    is_beaten,
+    is_too_weak,
     largest_excess,
+    least_forces,
+    least_offset,
     pieces_in,
     rounded,
     take_segments,
     take_weights,
     weigh,
-)
-from catopt.design.bounds import (
-    LEAST_OFFSET,
-    MARGIN,
-    NONE,
-    OFFSET_SO_FAR,
-    REACH,
-    STRENGTH,
-    is_beaten,
-    is_too_weak,
-    least_forces,
-    least_offset,
 )
 from catopt.design.tables import BodyRoom, MooringTables, Room, Tables
 from catopt.model.anchor import sinker_needed

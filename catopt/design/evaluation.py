@@ -11,20 +11,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from catopt.catenary.batch import in_ranges
-from catopt.checks.case import LOAD, check_line
+from catopt.checks.case import LOAD, NO_CHECK, check_line
 from catopt.checks.criteria import criteria_of
-from catopt.checks.remarks import NO_CHECK
 from catopt.compiled import compiled
 from catopt.design.assess import COST, EXCURSION, LENGTH, MASS, OFFSET, assess
-from catopt.design.options import resolve
 from catopt.design.problem import Evaluated, Floats, Genes
 from catopt.design.result import DesignPoint, Neighbour
-from catopt.design.space import DesignSpace
+from catopt.design.space import DesignSpace, resolve
 from catopt.design.tables import Tables, room, tables_of
 from catopt.errors import CatoptError
 from catopt.model import Anchor, Case, Design, Line, LoadCase, SinkerChoice
-from catopt.model.immersion import weight_in_water
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
+from catopt.model.line import weight_in_water
 from catopt.words import Message
 
 OBJECTIVE_KEYS: Final = {
@@ -69,7 +67,7 @@ class Assessed(NamedTuple):
     # shape (n,): the lightest that holds, or the heaviest; -1: there is none
     sinker: NDArray[np.int64]
     unsolved: int  # lines that did not converge
-    excluded: tuple[int, ...] = ()  # designs by bound (`catopt.design.bounds.BOUNDS`), of moorings
+    excluded: tuple[int, ...] = ()  # designs by bound (`catopt.design.assess.BOUNDS`), of moorings
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from catopt.checks.criteria import criteria_of
-from catopt.checks.criterion import Place, State
+from catopt.checks.kinds import Place, State
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.checks.system import InState, check_state
 from catopt.design.symmetry import states_of

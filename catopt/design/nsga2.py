@@ -22,8 +22,8 @@ from pymoo.core.termination import NoTermination
 from pymoo.operators.crossover.sbx import SBX
 from pymoo.operators.mutation.pm import PM
 
-from catopt.checks.excess import ROUNDING
-from catopt.design.outcome import EvaluationArchive
+from catopt.checks.kinds import ROUNDING
+from catopt.design.front import EvaluationArchive
 from catopt.design.problem import Genes
 from catopt.design.steps import explore, scattered
 

@@ -10,7 +10,7 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from catopt.design.bounds import BOUNDS
+from catopt.design.assess import BOUNDS
 from catopt.design.evaluation import (
     OBJECTIVE_KEYS,
     DesignProblem,
@@ -18,11 +18,9 @@ from catopt.design.evaluation import (
     objective_words,
     present_line,
 )
-from catopt.design.front import Knee, hypervolume, knee, reference_point
+from catopt.design.front import Knee, Outcome, Progress, Tally, hypervolume, knee, reference_point
 from catopt.design.mooring import MooringProblem
-from catopt.design.near_miss import no_feasible_design
-from catopt.design.neighbours import ends, neighbours
-from catopt.design.outcome import Outcome, Progress, Tally
+from catopt.design.neighbours import ends, neighbours, no_feasible_design
 from catopt.design.problem import Genes
 from catopt.design.result import DesignPoint, DesignResult
 from catopt.errors import InputError, NotConvergedError, Problem

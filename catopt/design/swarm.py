@@ -17,10 +17,9 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from catopt.catenary.swarm.optimiser import velocity, without_logging
-from catopt.checks.excess import ROUNDING
-from catopt.design.front import crowding_distance
-from catopt.design.outcome import EvaluationArchive
+from catopt.catenary.swarm.solve import velocity, without_logging
+from catopt.checks.kinds import ROUNDING
+from catopt.design.front import EvaluationArchive, crowding_distance
 from catopt.design.problem import Evaluated, Floats, Genes, Problem
 from catopt.design.steps import explore, scattered
 from catopt.model import SwarmSettings

@@ -3,7 +3,6 @@
 Nothing here knows of a browser or of a command line; `ask` answers the same in both.
 """
 
-from catopt.desk.calls import CALLS, ask
-from catopt.desk.shell import shell
+from catopt.desk.calls import CALLS, ask, shell
 
 __all__ = ["CALLS", "ask", "shell"]

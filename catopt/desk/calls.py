@@ -1,4 +1,4 @@
-"""The questions of the page, and their answers."""
+"""The questions of the page, their answers, and the page around them."""
 
 from __future__ import annotations
 
@@ -8,6 +8,9 @@ from dataclasses import replace
 from functools import lru_cache, partial, wraps
 from typing import TYPE_CHECKING, Any, Final, TypeVar, cast
 
+from markupsafe import Markup
+
+from catopt._version import __version__
 from catopt.answers.blocks import (
     Answer,
     Block,
@@ -22,11 +25,10 @@ from catopt.answers.blocks import (
     section,
 )
 from catopt.casefile.reading import parse_case
-from catopt.desk.fields import DOORS, Door, fields_of
-from catopt.desk.text import door_of, text_of, values_of
+from catopt.desk.fields import DOORS, START, Door, door_of, fields_of, text_of, values_of
 from catopt.documents import parse_toml
 from catopt.errors import CatoptError, InputError
-from catopt.render.units import UNITS
+from catopt.render.values import UNITS
 from catopt.words import LANGUAGES, Language, Measure, Message, say
 
 if TYPE_CHECKING:
@@ -37,7 +39,54 @@ if TYPE_CHECKING:
     from catopt.quantities import Units
     from catopt.sizing import Sizing
 
-__all__ = ["CALLS", "ask"]
+__all__ = ["CALLS", "ask", "shell"]
+
+_WAVES: Final = '<path class="wave" d="M2 22q5-4 10 0t10 0 10 0 10 0 10 0 10 0"/>'
+_PICTURES: Final = {
+    "buoy": Markup(
+        f'{_WAVES}<path class="body" d="M28 24v-6h3V6h2v12h3v6z"/>'
+        '<path class="rope" d="M32 24q-2 12-22 13"/><path class="body" d="M4 34h8v4H4z"/>'
+    ),
+    "tanker": Markup(
+        f'{_WAVES}<path class="body" d="M22 17h38v9H27z"/><path class="body" d="M52 10h6v7h-6z"/>'
+        '<path class="rope" d="M23 18q-4 17-16 19"/><path class="body" d="m3 38 4-5 4 5z"/>'
+    ),
+    "line": Markup(
+        f'{_WAVES}<path class="rope" d="M58 22Q46 37 6 37"/><path class="body" d="m3 38 4-5 4 5z"/>'
+        '<circle class="body" cx="58" cy="21" r="3"/>'
+    ),
+    "body": Markup(
+        '<circle class="body" cx="32" cy="20" r="6"/><path class="rope" d="M32 14V3M37 17l19-8'
+        'M37 23l19 8M32 26v11M27 23 8 31M27 17 8 9"/>'
+    ),
+}
+"""What the doors look like."""
+
+
+def shell(language: Language = "en") -> str:
+    """Render the body of the page as HTML, every word in a language.
+
+    Examples
+    --------
+    >>> 'data-key="site.water_depth"' in shell("vi")
+    True
+    """
+    from catopt.render.page import template
+
+    rendered = template("catopt.desk", "shell.html").render(
+        language=language,
+        doors=DOORS,
+        fields={door: fields_of(door) for door in DOORS},
+        start=START,
+        say=lambda key: say(Message(f"desk.{key}"), language),
+        words=partial(say, language=language),
+        pictures=_PICTURES,
+        unit_of=lambda label: Message("desk.unit_of", label=label),
+        slider=lambda label: Message("desk.slider", label=label),
+        footer=say(Message("page.footer", version=__version__), language),
+    )
+    return rendered.removesuffix("\n")
+
 
 Question = Mapping[str, Any]
 Reply = dict[str, Any]
@@ -75,7 +124,18 @@ def ask(call: str, question: Question) -> Reply:
             return _compare(question.get("kept", ""), text, language)
         if call == "note":
             return _note(text, language)
-        return _page(text, language, is_whole=call == "whole")
+        # Draw the answer at every step of a slider; the whole has every table of the command.
+        from catopt.render.page import card, fragment
+
+        answer = _answer(text, is_whole=call == "whole")
+        drawn, more = answer.sections[:1], answer.sections[1:]
+        return {
+            "html": fragment(replace(answer, sections=drawn), language),
+            "more": fragment(replace(answer, sections=more), language) if more else "",
+            "card": card(answer, language),
+            **_beside(text, language),
+            **_open(text),
+        }
     except CatoptError as error:
         return _failed(error, language)
     finally:
@@ -188,21 +248,6 @@ def _name(door: Door) -> str:
 # ------------------------------------------------------------------ what the page shows
 
 
-def _page(text: str, language: Language, *, is_whole: bool) -> Reply:
-    """Draw the answer at every step of a slider; the whole has every table of the command."""
-    from catopt.render.page import card, fragment
-
-    answer = _answer(text, is_whole=is_whole)
-    drawn, more = answer.sections[:1], answer.sections[1:]
-    return {
-        "html": fragment(replace(answer, sections=drawn), language),
-        "more": fragment(replace(answer, sections=more), language) if more else "",
-        "card": card(answer, language),
-        **_beside(text, language),
-        **_open(text),
-    }
-
-
 def _beside(text: str, language: Language) -> Reply:
     """Say what was taken of what was not given, and which other lines there are, of a sizing."""
     from catopt.answers.size_card import other_words
@@ -256,7 +301,7 @@ def _is_news(block: Block) -> bool:
 
 def _compare(kept: str, text: str, language: Language) -> Reply:
     """Lay out an answer beside one that was kept."""
-    from catopt.answers.comparison import comparison
+    from catopt.answers.of_result import comparison
     from catopt.render.page import fragment
 
     door = _door(text)
@@ -280,7 +325,7 @@ def _line(text: str, *, readout: bool) -> _Laid:
     """Lay a line out; what the drawings say where one points waits until a slider rests."""
     from catopt.answers.check import check_answer, failing_checks, governing_sentence
     from catopt.answers.solution import result_facts, solution_answer
-    from catopt.catalogue.in_words import chain_words
+    from catopt.catalogue.family import chain_words
     from catopt.catenary.case import solve_case, under_a_load
     from catopt.checks.case import check_case
     from catopt.figures.line import line_in_water, tension_along
@@ -356,7 +401,7 @@ def _note(text: str, language: Language) -> Reply:
 
 
 def _noted(text: str, door: Door, file: SourceFile) -> Answer:
-    from catopt.notes.directory import Asked
+    from catopt.notes.origin import Asked
 
     asked = Asked(verify=False)
     if door == "line":
@@ -370,7 +415,7 @@ def _noted(text: str, door: Door, file: SourceFile) -> Answer:
 
         return system_note_answer(system_note(_case(text), (file,), asked))
     from catopt.answers.note_size import size_note_answer
-    from catopt.notes.size import Given, size_note
+    from catopt.notes.line import Given, size_note
 
     return size_note_answer(size_note(_sizing(text, door), Given(file), asked))
 

@@ -208,40 +208,32 @@ def _comments(
 
 def _entities(sheet: Sheet, remarks: Sequence[str]) -> Iterator[Group]:
     if not sheet.in_space:
-        yield from _surfaces(sheet)
+        # Draw the bed and the still water, both a tenth of the length beyond the line.
+        over, span = 0.1 * sheet.size, sheet.solved.lines[0].solution.span
+        depth = sheet.solved.case.site.water_depth
+        for layer, height, words in (
+            ("BED", 0.0, "bed"),
+            ("WATER", depth, f"still water, {depth:.6g} m above the bed"),
+        ):
+            ends = ((-over, height, 0.0), (span + over, height, 0.0))
+            yield from polyline(layer, ends, in_space=False)
+            beside = (-over, height + 0.5 * sheet.text_height, 0.0)
+            yield from text("TEXT", beside, words, sheet.text_height)
     for line in sheet.solved.lines:
-        yield from _segments(sheet, line)
+        # Draw every segment as a polyline of its own.
+        solution = line.solution
+        profile = solution.profile(POINTS)
+        start = 0.0
+        for segment in solution.line.segments:
+            places = _between(profile, start, start + segment.length, 1e-9 * solution.line.length)
+            start += segment.length
+            points = [sheet.at(line, *place) for place in places]
+            yield from polyline("LINE", points, in_space=sheet.in_space)
         for mark in _marks(line, in_space=sheet.in_space):
             yield from _drawn(sheet, mark, sheet.at(line, mark.distance, mark.height))
     if sheet.solved.system is not None:
         yield from _body(sheet)
     yield from _legend(sheet, remarks)
-
-
-def _surfaces(sheet: Sheet) -> Iterator[Group]:
-    """Draw the bed and the still water, both a tenth of the length beyond the line."""
-    over, span = 0.1 * sheet.size, sheet.solved.lines[0].solution.span
-    depth = sheet.solved.case.site.water_depth
-    for layer, height, words in (
-        ("BED", 0.0, "bed"),
-        ("WATER", depth, f"still water, {depth:.6g} m above the bed"),
-    ):
-        ends = ((-over, height, 0.0), (span + over, height, 0.0))
-        yield from polyline(layer, ends, in_space=False)
-        beside = (-over, height + 0.5 * sheet.text_height, 0.0)
-        yield from text("TEXT", beside, words, sheet.text_height)
-
-
-def _segments(sheet: Sheet, line: ExportedLine) -> Iterator[Group]:
-    """Draw every segment as a polyline of its own."""
-    solution = line.solution
-    profile = solution.profile(POINTS)
-    start = 0.0
-    for segment in solution.line.segments:
-        places = _between(profile, start, start + segment.length, 1e-9 * solution.line.length)
-        start += segment.length
-        points = [sheet.at(line, *place) for place in places]
-        yield from polyline("LINE", points, in_space=sheet.in_space)
 
 
 def _between(

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from catopt.decks.deck import Deck, Point
-from catopt.export.text import exact
+from catopt.decks.deck import Deck
+from catopt.export.exported import exact
 
 _TOLERANCES = ("inner_ftol 1e-12", "inner_gtol 1e-12", "inner_xtol 1e-12", "outer_tol 1e-5")
 """With its own for the lines, 1e-6, MAP++ does not balance a node below which friction acts."""
@@ -29,7 +29,14 @@ def mappp_lines(deck: Deck, said: Iterable[str]) -> Iterator[str]:
     yield "Node Type X Y Z M B FX FY FZ"
     yield "(-) (-) (m) (m) (m) (kg) (m3) (N) (N) (N)"
     for point in deck.points.values():
-        yield _node(point, deck.depth)
+        # Write a node; MAP++ is to find where a free one comes to rest.
+        mark = "#" if point.end == "free" else ""
+        place = [mark + exact(each) for each in (point.x, point.y, point.z)]
+        if point.end == "fixed" and point.z == -deck.depth:
+            place[2] = "depth"
+        forces = "0 0 0" if mark else "# # #"
+        of_body = f"{exact(point.mass)} {exact(point.volume)}"
+        yield " ".join([point.name, _KINDS[point.end], *place, of_body, forces])
     yield "---- LINE PROPERTIES ----"
     yield "Line LineType UnstrLen NodeAnch NodeFair Flags"
     yield "(-) (-) (m) (-) (-) (-)"
@@ -42,14 +49,3 @@ def mappp_lines(deck: Deck, said: Iterable[str]) -> Iterator[str]:
     yield from _TOLERANCES
     for line in said:
         yield f" ! {line}".rstrip()
-
-
-def _node(point: Point, depth: float) -> str:
-    """Write a node; MAP++ is to find where a free one comes to rest."""
-    mark = "#" if point.end == "free" else ""
-    place = [mark + exact(each) for each in (point.x, point.y, point.z)]
-    if point.end == "fixed" and point.z == -depth:
-        place[2] = "depth"
-    forces = "0 0 0" if mark else "# # #"
-    of_body = f"{exact(point.mass)} {exact(point.volume)}"
-    return " ".join([point.name, _KINDS[point.end], *place, of_body, forces])

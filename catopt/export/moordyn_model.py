@@ -8,9 +8,14 @@ from dataclasses import dataclass, replace
 from itertools import accumulate, pairwise
 
 from catopt.errors import InputError, Problem
-from catopt.export.body_in_water import BodyInWater, of_point_load, of_segment
-from catopt.export.exported_line import ExportedLine, ExportedLines
-from catopt.export.text import word
+from catopt.export.exported import word
+from catopt.export.exported_line import (
+    BodyInWater,
+    ExportedLine,
+    ExportedLines,
+    of_point_load,
+    of_segment,
+)
 from catopt.model import Line, PointLoad, Segment
 from catopt.words import Message
 
@@ -145,7 +150,7 @@ def _line_type(
     program: str,
 ) -> LineType:
     key = f"line.segments[{number}]"
-    if math.isinf(segment.EA):
+    if segment.is_inextensible:
         allowed = Message("refused_command.missing_lets_every_line_stretch", program=program)
         raise InputError([Problem(f"{key}.EA", "", allowed)], program)
     wanted = word(segment.name or segment.component, f"segment_{number + 1}")

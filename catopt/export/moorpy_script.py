@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from catopt.decks.deck import Deck
-from catopt.export.text import exact
+from catopt.export.exported import exact
 
 _KINDS = {"fixed": 1, "coupled": -1, "free": 0}
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator
 
-from catopt.decks.chains import Chain, chains_of
 from catopt.decks.deck import Deck, Notes
+from catopt.decks.strung import Chain, chains_of
 from catopt.errors import InputError, Problem
-from catopt.export.text import exact
+from catopt.export.exported import exact
 from catopt.words import Message
 
 

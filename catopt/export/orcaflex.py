@@ -8,10 +8,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator
 
-from catopt.decks.chains import Chain, chains_of
 from catopt.decks.deck import Deck, LineType, Notes, Point
+from catopt.decks.strung import Chain, chains_of
 from catopt.decks.to_case import weight_of
-from catopt.export.text import exact
+from catopt.export.exported import exact
 
 SINKING = 1e-3
 """How deep the heaviest line sinks into the bed, m."""

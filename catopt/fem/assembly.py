@@ -16,11 +16,11 @@ import math
 from typing import Any, Final
 
 from catopt.fem.banded import DIAGONAL
-from catopt.fem.bed import ABSENT, FREE, HELD, ON_BED, PULLED, Ground, touches
 from catopt.fem.friction import add_friction
 from catopt.fem.loads import axis
 from catopt.fem.resting import Law, Net, row_of_bar
-from catopt.fem.touchdown import hanging_node, own_rest, share_slope, share_weight, shift_slope
+from catopt.fem.seabed import ABSENT, FREE, HELD, ON_BED, PULLED, Ground, touches
+from catopt.fem.sloped_rest import hanging_node, own_rest, share_slope, share_weight, shift_slope
 
 _BARRIER: Final = 1e-4
 """On the way (e between 0 and 1) a bar that is too long by d l0 keeps the tension e K 1e-4 / d, so

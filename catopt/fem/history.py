@@ -9,7 +9,7 @@ import numpy as np
 from catopt.arrays import Array, Codes, Flags
 from catopt.fem.course import FOLLOWED, Course
 from catopt.fem.energy_balance import EnergyBalance
-from catopt.fem.statistics import SeriesStatistics
+from catopt.fem.extremes import SeriesStatistics
 
 STOPPED = "motion.stopped_at"
 """Key of the warning of a run that was stopped."""

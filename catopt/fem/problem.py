@@ -12,19 +12,6 @@ import numpy as np
 
 from catopt.arrays import Array, Codes
 from catopt.constants import STANDARD_GRAVITY
-from catopt.fem.bed import (
-    ABSENT,
-    FREE,
-    HELD,
-    LAID,
-    NO_FRICTION,
-    ON_BED,
-    PULLED,
-    SPRING,
-    Bed,
-    Ground,
-    HeldBed,
-)
 from catopt.fem.loads import Current
 from catopt.fem.mesh import (
     SAME_PLACE,
@@ -37,6 +24,19 @@ from catopt.fem.mesh import (
     to_nodes,
 )
 from catopt.fem.resting import Bars, Body, State
+from catopt.fem.seabed import (
+    ABSENT,
+    FREE,
+    HELD,
+    LAID,
+    NO_FRICTION,
+    ON_BED,
+    PULLED,
+    SPRING,
+    Bed,
+    Ground,
+    HeldBed,
+)
 from catopt.words import Message
 
 _LAWS = {"pulled": PULLED, "laid": LAID, "history": SPRING}

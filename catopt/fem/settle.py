@@ -21,11 +21,11 @@ import numpy as np
 
 from catopt.arrays import Array
 from catopt.errors import NotConvergedError
-from catopt.fem.bed import NO_FRICTION, SPRING, Ground, friction_sense
 from catopt.fem.friction import limit
 from catopt.fem.newton import Newton
 from catopt.fem.problem import Problem, place_of
 from catopt.fem.resting import Body, State
+from catopt.fem.seabed import NO_FRICTION, SPRING, Ground, friction_sense
 from catopt.words import Message
 
 

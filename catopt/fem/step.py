@@ -13,11 +13,11 @@ from catopt.fem.banded import (
     back_substitute,
     eliminate,
     reach_of_first,
+    solve_dense,
     take_aside,
 )
-from catopt.fem.bed import FREE, ON_BED, touches
-from catopt.fem.block_tridiagonal import solve_dense
 from catopt.fem.resting import Bars, Body, Law, Net, State, row_of_bar
+from catopt.fem.seabed import FREE, ON_BED, touches
 
 
 class StepReport(NamedTuple):

@@ -29,7 +29,8 @@ from catopt.words import Measure, Message
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
-    from catopt.verify.dynamic_result import DynamicPart, DynamicRun, DynamicVerification
+    from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
+    from catopt.verify.dynamic_run import DynamicRun
 
 _TIME = Quantity("time", "Time", "t", "s", "s", 1.0, 2)
 _FREQUENCY = Quantity("frequency", "Frequency", "f", "rad/s", "Hz", 2.0 * math.pi, 4)

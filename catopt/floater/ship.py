@@ -18,12 +18,12 @@ from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError
 from catopt.hydro.coefficient_files import read_wamit
 from catopt.hydro.coefficients import Coefficients
-from catopt.loads.blendermann import coefficients, pressure_centre, wind_type
-from catopt.loads.drag import drag
+from catopt.loads.environment import drag
 from catopt.loads.ship import Ship
-from catopt.loads.ship_estimate import BLOCK, estimated_tanker
+from catopt.loads.ship_coefficients import coefficients, pressure_centre, wind_type
+from catopt.loads.ship_dimensions import BLOCK, estimated_tanker
 from catopt.loads.ship_loads import AIR_DENSITY
-from catopt.loads.ufc_current import longitudinal_loads, transverse_load, yaw_moment
+from catopt.loads.ufc import longitudinal_loads, transverse_load, yaw_moment
 from catopt.loads.wave_drift import depth_factor, share_above, width_across
 from catopt.loads.weathervane import YAW_TYPES
 from catopt.model import ShipAfloat

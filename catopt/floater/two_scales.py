@@ -22,15 +22,15 @@ from catopt.errors import NoEquilibriumError, NotConvergedError
 from catopt.floater.ship import ShipInWeather
 from catopt.floater.slow_motion import SlowShip, hang_lines, step_slowly
 from catopt.hydro.coefficients import Coefficients
-from catopt.hydro.monohull import monohull_response
-from catopt.loads.gusts import gust_series
+from catopt.hydro.hull import monohull_response
+from catopt.loads.environment import gust_series
 from catopt.model import System
 from catopt.mooring.arrangement import room_for
 from catopt.mooring.batch import as_arrays
 from catopt.mooring.descent import Rest
 from catopt.mooring.zero_load import ZeroLoadPosition, zero_load_position
 from catopt.waves import Waves
-from catopt.waves.dispersion import fill_wave_numbers
+from catopt.waves.spectrum import fill_wave_numbers
 from catopt.words import Message
 
 SLOW_STEP: Final = 1.0

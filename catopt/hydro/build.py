@@ -16,9 +16,9 @@ from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.hydro.cylinder import FloatingCylinder
 from catopt.hydro.hull import PARTS, Hull, HullRecord, HullRoom, HullState
 from catopt.hydro.memory import Memory
-from catopt.model.validity import Findings
-from catopt.waves.dispersion import fill_wave_numbers
+from catopt.model.kinds import Findings
 from catopt.waves.kinematics import Flow
+from catopt.waves.spectrum import fill_wave_numbers
 from catopt.words import Message
 
 Complex = npt.NDArray[np.complex128]

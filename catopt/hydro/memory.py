@@ -20,7 +20,7 @@ import numpy.typing as npt
 from scipy.interpolate import CubicSpline
 
 from catopt.arrays import Array, Codes
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.words import Message
 
 _FINE: Final = 4000
@@ -30,7 +30,7 @@ _SAMPLES: Final = 240
 _KEPT: Final = 1e-4
 """Singular value, over the largest, below which there is nothing but rounding in a spline."""
 _MOST: Final = 12
-"""Exponentials of one K."""
+"""Exponentials of one K, unless more are asked for."""
 
 
 def retardation(omega: Array, damping: Array, t: Array) -> Array:
@@ -70,9 +70,10 @@ class Memory:
         return cls(np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64), empty, empty)
 
     @classmethod
-    def of(cls, omega: Array, damping: Array, longest: float) -> Memory:
+    def of(cls, omega: Array, damping: Array, longest: float, most: int = _MOST) -> Memory:
         """Find it from B (n, f, f) at rising frequencies, rad/s; K is over after `longest`, s.
 
+        At `most` so many exponentials each: a buoy's K falls at once, a ship's has many waves.
         Raises InputError where frequencies do not rise.
         """
         found = Findings("Memory")
@@ -88,7 +89,7 @@ class Memory:
                 if scale[i, j] <= 1e-9 * math.sqrt(scale[i, i] * scale[j, j]):
                     continue
                 K = retardation(omega, damping[:, i, j], t)
-                parts += [(i, j, p, r) for p, r in _exponentials(t, K)]
+                parts += [(i, j, p, r) for p, r in _exponentials(t, K, most)]
         rows = list(zip(*parts, strict=True)) or [(), (), (), ()]
         return cls(
             np.array(rows[0], dtype=np.int64),
@@ -119,12 +120,12 @@ class Memory:
         return both
 
 
-def _exponentials(t: Array, K: Array) -> list[tuple[complex, complex]]:
+def _exponentials(t: Array, K: Array, most: int) -> list[tuple[complex, complex]]:
     """Rates and strengths by the matrix pencil; one of each conjugate pair, twice as strong."""
     half = K.size // 2
     hankel = np.lib.stride_tricks.sliding_window_view(K, half + 1)
     _, size, rows = np.linalg.svd(hankel, full_matrices=False)
-    rank = int(min((size > _KEPT * size[0]).sum(), _MOST))
+    rank = int(min((size > _KEPT * size[0]).sum(), most))
     V = rows[:rank]
     z = np.linalg.eigvals(np.linalg.pinv(V[:, :-1].T) @ V[:, 1:].T)
     z = z[(np.abs(z) < 1.0 - 1e-9) & (np.abs(z) > 1e-12)]

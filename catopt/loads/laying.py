@@ -11,8 +11,8 @@ from typing import Final, Literal, get_args
 
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.loads.buoy_shape import BuoyShape
-from catopt.loads.source import LoadSource
-from catopt.model.validity import Findings
+from catopt.loads.component import LoadSource
+from catopt.model.kinds import Findings
 from catopt.shown import Tabled
 from catopt.words import Message
 

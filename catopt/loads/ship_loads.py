@@ -8,17 +8,21 @@ from dataclasses import replace
 from typing import Any, Final
 
 from catopt.constants import SEA_WATER_DENSITY
-from catopt.loads.blendermann import blendermann_loads
 from catopt.loads.component import LoadComponent, Loads
-from catopt.loads.environment import SeaState, SurfaceCurrent, Wind
-from catopt.loads.heading import HEAD_ON, Headings
+from catopt.loads.environment import HEAD_ON, Headings, SeaState, SurfaceCurrent, Wind
 from catopt.loads.ship import Ship
-from catopt.loads.ship_coefficients import ShipCoefficients
+from catopt.loads.ship_coefficients import ShipCoefficients, blendermann_loads
 from catopt.loads.tcn_222_95 import tcn_loads
-from catopt.loads.ufc_current import FASTEST_SHALLOW, longitudinal_loads, transverse_load
-from catopt.loads.ufc_wind import RECALLED_LONGITUDINAL, UfcWind, ufc_wind_loads
+from catopt.loads.ufc import (
+    FASTEST_SHALLOW,
+    RECALLED_LONGITUDINAL,
+    UfcWind,
+    longitudinal_loads,
+    transverse_load,
+    ufc_wind_loads,
+)
 from catopt.loads.wave_drift import DriftWave, ship_drift
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.ties import largest
 from catopt.words import Measure, Message, Several
 

@@ -6,10 +6,9 @@ import math
 from typing import Literal, get_args
 
 from catopt.constants import STANDARD_GRAVITY
-from catopt.loads.component import LoadComponent, Number
+from catopt.loads.component import DTOCEAN, LoadComponent, LoadSource, Number
 from catopt.loads.environment import SeaState
-from catopt.loads.source import DTOCEAN, LoadSource
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.words import Message, term
 
 DriftWave = Literal["sea state", "largest wave"]

@@ -10,8 +10,10 @@ from catopt.errors import Problem
 from catopt.model.kinds import (
     Angle,
     Area,
+    Checked,
     Coefficient,
     File,
+    Findings,
     Length,
     Mass,
     Measured,
@@ -26,7 +28,6 @@ from catopt.model.kinds import (
     Time,
     Weight,
 )
-from catopt.model.validity import Checked, Findings
 from catopt.units import Dimension
 from catopt.words import Message
 

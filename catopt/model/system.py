@@ -7,9 +7,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from catopt.errors import Problem
-from catopt.model.kinds import Angle, Force, Height, Length, Moment, NotNegative
+from catopt.model.kinds import Angle, Checked, Findings, Force, Height, Length, Moment, NotNegative
 from catopt.model.line import Line, weightless
-from catopt.model.validity import Checked, Findings
 from catopt.words import Message
 
 

@@ -19,8 +19,7 @@ from catopt.figures.chart import (
     Series,
     legend,
 )
-from catopt.render.looks import LOOKS, SIGNS
-from catopt.render.ticks import Tick, axis_title, scale_ticks, tick_marks
+from catopt.render.looks import LOOKS, SIGNS, Tick, axis_title, scale_ticks, tick_marks
 
 WIDTH = 640.0
 """Of every figure, in its own units."""

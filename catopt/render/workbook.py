@@ -25,11 +25,10 @@ from catopt.answers.blocks import (
 )
 from catopt.quantities import Quantity
 from catopt.render.drawing import draw
+from catopt.render.page import put_in
 from catopt.render.sheet import Book, Cell, Chart, Number, Series, Sheet, Style, number_pattern
 from catopt.render.sheet import Text as Words
-from catopt.render.trail import put_in
-from catopt.render.units import as_wanted
-from catopt.render.values import shown
+from catopt.render.values import as_wanted, shown
 from catopt.words import Language, Listed, Message
 
 _WIDTHS = (44.0, 24.0)

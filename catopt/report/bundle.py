@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from catopt.casefile.design_directory import DESIGN_CASE
+from catopt.casefile.reading import DESIGN_CASE
 from catopt.render.files import csv_of
 from catopt.report.files import write_files
 from catopt.ties import first_largest
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from catopt.model import Case
     from catopt.mooring.case import SystemReport
     from catopt.mooring.solution import SystemSolution
-    from catopt.notes.size import Given
+    from catopt.notes.line import Given
     from catopt.reproduce import Reproduction
     from catopt.reproduce.items import Study
     from catopt.sizing import Sizing
@@ -103,7 +103,7 @@ def _of_solution(solution: Solution) -> Drawing:
 
 
 def _of_curve(result: CaseCurve) -> Drawing:
-    from catopt.figures.curve import load_curve
+    from catopt.figures.line import load_curve
 
     return Drawing((load_curve(result),), result.case.title)
 
@@ -135,7 +135,7 @@ def system_pictures(report: SystemReport) -> dict[str, bytes]:
 
 def _of_front(result: DesignResult) -> Drawing:
     """Draw a front, and of single lines three of them."""
-    from catopt.design.document import design_document
+    from catopt.design.result import design_document
     from catopt.figures.front import front, front_lines
 
     document = design_document(result)
@@ -188,7 +188,7 @@ def size_files(
 
 def _size_page(of: Sizing, given: Given, language: Language) -> bytes:
     from catopt.answers.note_size import size_note_answer
-    from catopt.notes.size import size_note
+    from catopt.notes.line import size_note
     from catopt.render.page import page
 
     return page(size_note_answer(size_note(of, given)), language)
@@ -206,8 +206,8 @@ def write_member_note(
 
     `source` is the file that all sizings have in common, `changes` are the member's own values.
     """
+    from catopt.notes.line import Given
     from catopt.notes.origin import read_source
-    from catopt.notes.size import Given
 
     own = tuple(
         (key, f"{value:.10g} (SI)" if isinstance(value, float) else str(value))

@@ -10,7 +10,7 @@ from pathlib import Path
 from time import time
 from typing import Any
 
-from catopt.casefile.design_directory import DESIGN_CASE
+from catopt.casefile.reading import DESIGN_CASE
 from catopt.casefile.writing import text_digest
 from catopt.errors import InputError, Problem
 from catopt.interrupt import signals_wait
@@ -66,12 +66,15 @@ def write_files(
     of = contents.get(DESIGN_CASE) if case is None else case
     places = {directory / name: _marked(each, of) for name, each in contents.items()}
     for place in places:
-        if any(_is_same(place, read) for read in keep):
+        if any((place.exists() and read.exists() and place.samefile(read)) for read in keep):
             raise _refused(place, Message("refused_command.is_read"))
     try:
         _sweep(directory)
         for place, content in places.items():
-            _write_through(_temporary(place), content)
+            with _temporary(place).open("wb") as stream:
+                stream.write(content)
+                stream.flush()
+                os.fsync(stream.fileno())
         with signals_wait():
             for place in sorted(places, key=_rank):
                 _temporary(place).replace(place)
@@ -108,20 +111,9 @@ def _sweep(directory: Path) -> None:
             place.unlink(missing_ok=True)
 
 
-def _is_same(place: Path, other: Path) -> bool:
-    return place.exists() and other.exists() and place.samefile(other)
-
-
 def _temporary(place: Path) -> Path:
     """Name a file beside its place, for `replace` is only whole within one file system."""
     return place.with_name(f".{place.name}.{os.getpid()}.tmp")
-
-
-def _write_through(place: Path, content: bytes) -> None:
-    with place.open("wb") as stream:
-        stream.write(content)
-        stream.flush()
-        os.fsync(stream.fileno())
 
 
 def _reason(error: OSError) -> Message:

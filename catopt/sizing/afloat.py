@@ -8,7 +8,7 @@ from typing import Final
 
 from catopt.catalogue import component, standard
 from catopt.checks.profiles import profiles_of
-from catopt.loads.buoy_library import buoys
+from catopt.loads.buoy import buoys
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.model import Case, CurrentProfile, Dynamics, Floater, LoadCase, Segment, WaveState
 from catopt.sizing.buoy_request import BuoyRequest

@@ -12,13 +12,12 @@ from catopt.loads.component import Loads
 from catopt.loads.environment import WaterLevels
 from catopt.loads.sinker import SinkerSize
 from catopt.model import Case, LoadCase, Service, Site
-from catopt.sizing.alternatives import alternatives, candidates, limits
-from catopt.sizing.anchorage import SinkerGround
-from catopt.sizing.beside import beside
+from catopt.sizing.alternatives import alternatives, beside, candidates, limits
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.environment import Environment
 from catopt.sizing.in_motion import InMotion
 from catopt.sizing.line_choice import LineChoice, Prefer, first_line
+from catopt.sizing.pattern import SinkerGround
 from catopt.sizing.posed import Assumed
 from catopt.sizing.result import Sizing, SwingRadius
 from catopt.sizing.settle import ConvergedSizing

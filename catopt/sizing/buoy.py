@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from catopt.design.near_miss import NoFeasibleDesignError
+from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import DesignPoint
 from catopt.errors import InputError, Problem
 from catopt.loads.buoy_shape import BuoyShape

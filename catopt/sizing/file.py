@@ -10,12 +10,17 @@ from pathlib import Path as FilePath
 from types import MappingProxyType
 from typing import Any, Final
 
-from catopt.casefile.document import as_in_file, table
-from catopt.casefile.location import Finding, in_order_of, parts
-from catopt.casefile.names import stands_for
+from catopt.casefile.document import (
+    Finding,
+    as_in_file,
+    in_order_of,
+    parts,
+    read_tables,
+    stands_for,
+    table,
+)
+from catopt.casefile.reading import Moored, case_key, moored_in
 from catopt.casefile.schema import Table, entries
-from catopt.casefile.sizing_file import Moored, case_key, moored_in
-from catopt.casefile.structure import read_tables
 from catopt.documents import Path, dotted, parse_toml, read_text
 from catopt.errors import InputError, Problem
 from catopt.sizing.buoy_request import BuoyRequest

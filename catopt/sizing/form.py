@@ -14,7 +14,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Final
 
-from catopt.casefile.sizing_file import Moored
+from catopt.casefile.reading import Moored
 from catopt.errors import InputError, Problem
 from catopt.sizing.file import SizingFile, file_of
 from catopt.sizing.inputs import Input, inputs_of

@@ -6,12 +6,12 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 from catopt.checks.result import CheckReport, CheckResult
-from catopt.design.near_miss import NoFeasibleDesignError
+from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import NearMiss
 from catopt.documents import figures
 from catopt.model import Case
 from catopt.model.dynamics import JudgedBy
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.sizing.kinds import usual
 from catopt.words import Message, Several
 

@@ -15,7 +15,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Final
 
 if TYPE_CHECKING:
-    from catopt.casefile.sizing_file import Moored
+    from catopt.casefile.reading import Moored
 
 SINKER: Final = "sinker"
 """As the anchor of a tanker: held by its weight."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TypedDict, Unpack
 
-from catopt.casefile.sizing_file import Moored
+from catopt.casefile.reading import Moored
 from catopt.errors import InputError, Problem
 from catopt.sizing.buoy import sized_buoy
 from catopt.sizing.buoy_request import BuoyRequest

@@ -9,8 +9,8 @@ from __future__ import annotations
 from functools import cache
 from typing import Annotated, Any
 
+from catopt.casefile.reading import Moored
 from catopt.casefile.schema import Table
-from catopt.casefile.sizing_file import Moored
 from catopt.model.kinds import Flag, Kind, Measured, OneOf, Text, Whole
 from catopt.numerals import bare_number
 from catopt.sizing.inputs import Input, inputs_of, rows_of

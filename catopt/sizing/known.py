@@ -7,8 +7,8 @@ from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from catopt.casefile.sizing_file import Moored
-from catopt.catalogue.names import nearest
+from catopt.casefile.reading import Moored
+from catopt.catalogue.family import nearest
 from catopt.loads.ship_dimensions import DIMENSIONS_SOURCE, ship_dimensions
 from catopt.sizing.inputs import SINKER, Input, inputs_of
 from catopt.sizing.kinds import default_of, kind_of, usual

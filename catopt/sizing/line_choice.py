@@ -8,12 +8,12 @@ from functools import cache
 from typing import Final, Literal, cast, get_args
 
 from catopt.catalogue.choice import chosen
-from catopt.catalogue.figure import within
+from catopt.catalogue.components import within
 from catopt.checks.profiles import Method, profiles_of
 from catopt.constants import SEA_WATER_DENSITY, YEAR
 from catopt.errors import InputError, Problem
 from catopt.model import CatalogueChoice, Checks, Line, Segment, SegmentChoice, Service
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.sizing.kinds import usual
 from catopt.words import Message
 

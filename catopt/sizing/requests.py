@@ -11,12 +11,12 @@ from typing import Any, Final
 from catopt.checks.profiles import profiles_of
 from catopt.errors import InputError
 from catopt.loads import BuoyShape, SeaState, SurfaceCurrent, WaterLevels, Wind, buoys, read_buoys
-from catopt.loads.buoy_library import buoy as look_up
+from catopt.loads.buoy import buoy as look_up
 from catopt.loads.calmar_file import SUFFIX, read_calmar_buoy
 from catopt.loads.environment import HMAX_OVER_HS
 from catopt.loads.ship import Ship
 from catopt.loads.ship_coefficients import SQUARE_ENDED, ShipCoefficients, read_ship_coefficients
-from catopt.loads.ship_estimate import (
+from catopt.loads.ship_dimensions import (
     BALLAST_SOURCE,
     MOULDED,
     Condition,
@@ -28,18 +28,25 @@ from catopt.loads.ship_estimate import (
 from catopt.loads.sinker import AS_CLAY, MUD
 from catopt.loads.weathervane import Afloat
 from catopt.model import Checks
-from catopt.sizing.anchorage import CALMAR_SOIL, SAND, DragGround, SinkerGround
 from catopt.sizing.buoy import sized_buoy
 from catopt.sizing.buoy_request import BuoyRequest, GivenBuoy
-from catopt.sizing.environment import WIND_MEAN, Environment, mean_over, usual_period
-from catopt.sizing.headings import Weathervaning, weathervaning_of
+from catopt.sizing.environment import (
+    WIND_MEAN,
+    Environment,
+    Weathervaning,
+    demands,
+    left_out,
+    mean_over,
+    usual_period,
+    weathervaning_of,
+)
 from catopt.sizing.in_motion import RunsAfloat
 from catopt.sizing.inputs import SINKER
 from catopt.sizing.kinds import usual
 from catopt.sizing.known import ResolvedInputs
 from catopt.sizing.line_choice import LineChoice, sold, unpriced_components
+from catopt.sizing.pattern import CALMAR_SOIL, SAND, DragGround, SinkerGround
 from catopt.sizing.result import Sizing
-from catopt.sizing.service_type import demands, left_out
 from catopt.sizing.tanker import sized_tanker
 from catopt.sizing.tanker_request import MooredShip, TankerRequest, note_aground
 from catopt.units import lasting

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Final
 
 from catopt.checks.profiles import profiles_of
-from catopt.loads.heading import HEAD_ON
+from catopt.loads.environment import HEAD_ON
 from catopt.model import (
     Case,
     CurrentProfile,

@@ -15,12 +15,12 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any, Final, NamedTuple
 
-from catopt.catalogue.in_words import chain_words
+from catopt.catalogue.family import chain_words
 from catopt.catenary.solution import Solution
 from catopt.checks.case import check_case
 from catopt.checks.profiles import profiles_of
 from catopt.checks.result import CheckReport, CheckResult
-from catopt.design.near_miss import NoFeasibleDesignError
+from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import NearMiss
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.loads.drag_anchor import DragAnchorSize
@@ -28,7 +28,6 @@ from catopt.loads.sinker import SinkerSize
 from catopt.model import Anchor, Case, Line, Segment
 from catopt.patience import expect
 from catopt.sizing.afloat import MOTION_CODE
-from catopt.sizing.anchorage import DragGround
 from catopt.sizing.in_motion import (
     Counted,
     InMotion,
@@ -38,7 +37,7 @@ from catopt.sizing.in_motion import (
     Storm,
 )
 from catopt.sizing.line_choice import sold
-from catopt.sizing.pattern import Pattern
+from catopt.sizing.pattern import DragGround, Pattern
 from catopt.sizing.settle import ConvergedSizing, best_of
 from catopt.sizing.ship_afloat import runs_afloat, ship_afloat
 from catopt.sizing.tanker_request import TankerRequest

@@ -14,7 +14,6 @@ from catopt.loads.component import Loads
 from catopt.loads.environment import WaterLevels
 from catopt.loads.weathervane import Afloat, ShipHeading, every_lying
 from catopt.model import Buoy, ClumpWeightChoice, Design, LoadCase
-from catopt.sizing.anchorage import DragGround
 from catopt.sizing.answer import (
     case_of,
     in_place_of_allowance,
@@ -23,10 +22,9 @@ from catopt.sizing.answer import (
     sizing_of,
     worn_name,
 )
-from catopt.sizing.environment import Environment
-from catopt.sizing.headings import Weathervaning, turning_words
+from catopt.sizing.environment import Environment, Weathervaning, turning_words
 from catopt.sizing.line_choice import longest_useful
-from catopt.sizing.pattern import BodyState, Pattern, pattern, shared_force
+from catopt.sizing.pattern import BodyState, DragGround, Pattern, pattern, shared_force
 from catopt.sizing.posed import Assumed, LoadsAt, SizingCase, Water, rounded_up
 from catopt.sizing.result import Sizing, SwingRadius
 from catopt.sizing.settle import ConvergedSizing, point_diameter, point_pull, settle

@@ -9,17 +9,15 @@ from typing import Final, get_args
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.ship import Ship
 from catopt.loads.ship_coefficients import ShipCoefficients
-from catopt.loads.ship_estimate import Condition
+from catopt.loads.ship_dimensions import Condition
 from catopt.loads.ship_loads import METHODS, TCN
-from catopt.model.validity import Findings
-from catopt.sizing.anchorage import DragGround, SinkerGround
-from catopt.sizing.environment import Environment
-from catopt.sizing.headings import Weathervaning
+from catopt.model.kinds import Findings
+from catopt.sizing.environment import SERVICE_TYPES, Environment, ServiceType, Weathervaning
 from catopt.sizing.in_motion import RunsAfloat
 from catopt.sizing.kinds import usual
 from catopt.sizing.known import ReadInput
 from catopt.sizing.line_choice import LineChoice, unpriced_components
-from catopt.sizing.service_type import SERVICE_TYPES, ServiceType
+from catopt.sizing.pattern import DragGround, SinkerGround
 from catopt.words import Message
 
 _LEAST_CARGO: Final = 0.4

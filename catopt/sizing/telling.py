@@ -82,7 +82,14 @@ class ErrorCollector:
             return maker(*parts)
         except InputError as error:
             for each in error.problems:
-                self._keep(error.source, each)
+                key, index = each.key, None
+                if one_of_several := re.fullmatch(r"(.+)\[(\d+)\]", key):
+                    key, index = one_of_several[1], int(one_of_several[2])
+                name = self._names.get(f"{error.source}.{key}", self._names.get(key))
+                if name is None:
+                    self._problems.append(each)
+                else:
+                    self.add(name, each.found, each.allowed, index)
         return None
 
     def made(self, maker: Callable[..., Made], *parts: Any) -> Made:
@@ -96,13 +103,3 @@ class ErrorCollector:
         """Raise InputError with all that was kept, each once; with nothing, if all is told."""
         if self._problems or self._told:
             raise InputError(tuple(dict.fromkeys(self._problems)), self.source)
-
-    def _keep(self, source: str, problem: Problem) -> None:
-        key, index = problem.key, None
-        if one_of_several := re.fullmatch(r"(.+)\[(\d+)\]", key):
-            key, index = one_of_several[1], int(one_of_several[2])
-        name = self._names.get(f"{source}.{key}", self._names.get(key))
-        if name is None:
-            self._problems.append(problem)
-        else:
-            self.add(name, problem.found, problem.allowed, index)

@@ -12,12 +12,13 @@ from itertools import islice
 from multiprocessing import get_context
 from pathlib import Path
 from time import perf_counter
-from typing import Any
 
 import numpy as np
 
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
+from catopt.model.kinds import Duration
 from catopt.patience import paced
+from catopt.records import Counted, Record
 from catopt.study.base import Base
 from catopt.study.file import read_study
 from catopt.study.member import OfSizing, compute_member, reason_of
@@ -208,28 +209,29 @@ def cluster(address: str) -> Iterator[tuple[Executor, int]]:
 
 
 @dataclass(frozen=True, eq=False)
-class Plan:
-    """What a study asks for.
+class Plan(Record):
+    """What a study asks for, from a few members that were timed."""
 
-    `timed`: members that were computed to know it; `seconds`: processor time that all members take,
-    by those; `size`: bytes that they take on disk.
-    """
+    SCHEMA = "catopt.study_plan/1"
+    DOCUMENT = "title members timed seconds=processor_time_s size=disk_bytes"
 
     study: Study
-    timed: int
-    seconds: float
+    timed: Counted
+    """How many were computed to know it."""
+    seconds: Duration
+    """Processor time that all take, on one core."""
     size: float
+    """Bytes that they take in the directory, about."""
 
-    def to_dict(self) -> dict[str, Any]:
-        """Build the document that ``catopt study --plan --json`` prints."""
-        return {
-            "schema": "catopt.study_plan/1",
-            "title": self.study.title,
-            "members": len(self.study),
-            "timed": self.timed,
-            "processor_time_s": self.seconds,
-            "disk_bytes": self.size,
-        }
+    @property
+    def title(self) -> str:
+        """Title of the study."""
+        return self.study.title
+
+    @property
+    def members(self) -> Counted:
+        """How many there are."""
+        return len(self.study)
 
 
 def plan_study(study: Study) -> Plan:

@@ -9,7 +9,7 @@ from typing import Any, Final, NamedTuple
 
 import numpy as np
 
-from catopt.arrays import Array, Codes, Flags
+from catopt.arrays import Array, Codes
 from catopt.catenary.batch import Solutions, solve_many
 from catopt.catenary.case import solve_case
 from catopt.catenary.solution import Solution
@@ -78,7 +78,9 @@ def _solve(base: Base, piece: Piece, group: Group, found: AtRest) -> None:
     loads = {key: np.asarray(piece.columns[key])[group.at] for key in piece.columns if key in LOADS}
     within = np.ones(len(group.at), dtype=bool)
     for key, values in loads.items():
-        wrong = _beyond(base, key, values)
+        kind = kind_of_key(base, key)
+        assert isinstance(kind, Measured)
+        wrong = np.zeros(values.shape, dtype=bool) if kind.above is None else values <= kind.above
         within &= ~wrong
         for member in np.flatnonzero(wrong).tolist():
             found.reasons[int(group.at[member])] = _refusal(base, key, values[member])
@@ -100,13 +102,6 @@ def _solve(base: Base, piece: Piece, group: Group, found: AtRest) -> None:
     for name, column in solved[0].items():
         found.values[name][at] = column
     found.reasons.update({int(at[member]): reason for member, reason in solved[1].items()})
-
-
-def _beyond(base: Base, key: str, values: Array) -> Flags:
-    """Which loads the key does not take."""
-    kind = kind_of_key(base, key)
-    assert isinstance(kind, Measured)
-    return np.zeros(values.shape, dtype=bool) if kind.above is None else values <= kind.above
 
 
 def _refusal(base: Base, key: str, value: float) -> str:

@@ -14,12 +14,8 @@ if TYPE_CHECKING:
     from catopt.fem.extremes import Extreme
     from catopt.verify.case import DesignVerification, FrontVerification
     from catopt.verify.compared import Compared
-    from catopt.verify.dynamic_result import (
-        DynamicPart,
-        DynamicRun,
-        DynamicVerification,
-        OverRuns,
-    )
+    from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
+    from catopt.verify.dynamic_run import DynamicRun, OverRuns
     from catopt.verify.result import StaticComparison, Verification
 
 _SCHEMA = "catopt.verify/1"

@@ -29,7 +29,7 @@ from catopt.model import Load
 from catopt.model.dynamics import InitialFriction
 from catopt.mooring.solve import solve_system
 from catopt.verify.dynamic_setup import Excitation
-from catopt.verify.system import truss_legs
+from catopt.verify.line import truss_legs
 from catopt.waves import Sea, Waves, wavelength
 from catopt.words import Message
 

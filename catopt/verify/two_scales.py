@@ -15,11 +15,10 @@ import numpy as np
 from catopt.arrays import Array
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
+from catopt.checks.case import evaluate, of_criteria
 from catopt.checks.criteria import Criteria, criteria_of, motion_profile
-from catopt.checks.criterion import Place
-from catopt.checks.evaluation import evaluate
+from catopt.checks.kinds import Place
 from catopt.checks.profiles import profiles_of
-from catopt.checks.remarks import of_criteria
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.errors import InputError, Problem
 from catopt.fem.extremes import Extreme, weibull_tail
@@ -40,7 +39,7 @@ from catopt.verify.dynamic_setup import Excitation, read_drive
 from catopt.verify.motion_file import energy_beyond
 from catopt.verify.side_by_side import Progress
 from catopt.waves import Waves, breaking_warning
-from catopt.waves.dispersion import wave_number
+from catopt.waves.spectrum import wave_number
 from catopt.words import Message
 
 _LEVELS: Final = 20

@@ -16,7 +16,7 @@ import numpy as np
 import numpy.typing as npt
 
 from catopt.arrays import Array
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.words import Message
 
 WindRule = Literal["S4", "CALMAR"]

@@ -13,7 +13,7 @@ from typing import Final, Literal, get_args
 import numpy as np
 
 from catopt.arrays import Array
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.waves.components import Waves
 from catopt.waves.spectrum import Spectrum
 from catopt.words import Message

@@ -1,4 +1,4 @@
-"""A sea: depth, waves and current, and how far up and down the waves are taken to act."""
+"""A sea: depth, waves and current, and where Airy's theory no longer describes it."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Literal, NamedTuple, get_args
+from typing import Final, Literal, NamedTuple, get_args
 
 import numpy as np
 import numpy.typing as npt
 
 from catopt.arrays import Array
 from catopt.compiled import compiled
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.waves.components import Waves
 from catopt.waves.current import (
     Current,
@@ -24,9 +24,47 @@ from catopt.waves.current import (
     power_rows,
     table_rows,
 )
-from catopt.waves.dispersion import fill_wave_numbers
 from catopt.waves.kinematics import NEGLIGIBLE, Flow, fill_elevation, fill_kinematics
+from catopt.waves.spectrum import fill_wave_numbers, wave_number
 from catopt.words import Message
+
+_STEEPEST: Final = 0.142
+"""Height over length of the steepest regular wave in deep water, Miche (1944)."""
+
+
+def breaking_height(period: float, depth: float) -> float:
+    """Height at which a regular wave breaks, m: 0.142 lambda tanh(k d), Miche (1944).
+
+    Parameters
+    ----------
+    period, depth : float
+        s, and water depth, m; InputError unless above 0.
+    """
+    found = Findings("breaking_height")
+    found.number("period", period, "s", above=0.0)
+    found.number("depth", depth, "m", above=0.0)
+    found.raise_if_any()
+    k = wave_number(2.0 * math.pi / period, depth)
+    return _STEEPEST * 2.0 * math.pi / k * math.tanh(k * depth)
+
+
+def breaking_warning(sea: Sea) -> str | None:
+    """Say that a sea's waves are higher than they can be, with the numbers; None when they are not.
+
+    A regular wave is held by its height. A sum of waves is held by its significant height, at the
+    mean period: single waves in it are up to twice as high and break first.
+    """
+    if sea.waves is None:
+        return None
+    height, key = sea.waves.significant_height, "motion.waves_break"
+    if sea.waves.count == 1:
+        height, key = 2.0 * float(sea.waves.amplitude[0]), "motion.wave_breaks"
+    period = sea.waves.mean_period
+    limit = breaking_height(period, sea.depth)
+    if height <= limit:
+        return None
+    return Message(key, height=height, limit=limit, period=period, depth=sea.depth)
+
 
 Stretching = Literal["none", "wheeler"]
 """``"none"``: the formulas up to still water, and no water above it, under a crest or not.

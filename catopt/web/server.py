@@ -13,7 +13,7 @@ from typing import Any, Final
 
 from catopt.desk import CALLS, ask
 from catopt.documents import MOST_BYTES
-from catopt.web.document import document
+from catopt.web.build import document
 
 __all__ = ["PageServer"]
 

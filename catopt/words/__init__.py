@@ -34,8 +34,18 @@ reproduction, texts of plots.
 """
 
 from catopt.words.labels import heading, is_term, quantity_name, term
-from catopt.words.measure import Measure, Unit
-from catopt.words.message import Cited, Listed, Message, Sentence, Several, Told, is_said, say
+from catopt.words.message import (
+    Cited,
+    Listed,
+    Measure,
+    Message,
+    Sentence,
+    Several,
+    Told,
+    Unit,
+    is_said,
+    say,
+)
 from catopt.words.texts import LANGUAGES, Language
 
 __all__ = [

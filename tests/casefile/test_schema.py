@@ -23,7 +23,7 @@ from catopt.casefile.schema import (
     table_of,
 )
 from catopt.catalogue import ALL
-from catopt.catalogue.figure import SPECS
+from catopt.catalogue.components import SPECS
 from catopt.errors import InputError
 from catopt.model import (
     Anchor,
@@ -58,7 +58,7 @@ from catopt.model.anchor import ANCHOR_KINDS
 from catopt.model.design import OBJECTIVES
 from catopt.model.kinds import Flag, Kind, Measured, OneOf, Text, Whole
 from catopt.model.line import DragMethod
-from catopt.model.motion import OF_A_BODY
+from catopt.model.sea import OF_A_BODY
 from catopt.units import UNITS, Dimension, implausible
 
 PAGE = (Path(__file__).parents[2] / "docs" / "case-file.md").read_text(encoding="utf-8")
@@ -166,6 +166,8 @@ RENAMED: dict[tuple[type, str], str] = {(Segment, "diameter"): "nominal_diameter
 
 NOT_IN_THE_MODEL = {
     (Segment, "drag_axial_area"),  # the coefficient is brought to D when it is read
+    (Segment, "strain"),  # with the next the table in the place of EA
+    (Segment, "strain_tension"),
     (PointLoad, "density"),
     (PointLoad, "volume"),
     (Anchor, "density"),

@@ -10,8 +10,8 @@ from typing import NamedTuple
 import pytest
 
 from catopt.casefile import TEMPLATES, parse_case, template
+from catopt.casefile.reading import Moored
 from catopt.casefile.schema import CaseTable, Table, entries
-from catopt.casefile.sizing_file import Moored
 from catopt.model.kinds import OneOf
 from catopt.sizing.file import read_file
 from catopt.sizing.kinds import schema_of

@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from catopt.checks import excess
+from catopt.checks import kinds as excess
 from catopt.checks.case import check_case
-from catopt.checks.excess import ROUNDING
+from catopt.checks.kinds import ROUNDING
 from catopt.compiled import compiled
 from catopt.model import Anchor, Buoy, Checks
 

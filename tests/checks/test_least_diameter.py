@@ -7,10 +7,9 @@ from dataclasses import replace
 
 import pytest
 
-from catopt.checks.case import check_case
+from catopt.checks.case import check_case, least_diameters
 from catopt.checks.criteria import criteria_of
-from catopt.checks.criterion import USER, Place
-from catopt.checks.least_diameter import least_diameters
+from catopt.checks.kinds import USER, Place
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.model import Case, Checks, Line, Load, Segment, Site
 

@@ -8,13 +8,13 @@ import pytest
 
 from catopt import catalogue
 from catopt.checks.case import check_case
-from catopt.checks.criterion import CheckSource
+from catopt.checks.kinds import CheckSource
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.checks.strength import strength_of
 from catopt.constants import YEAR
 from catopt.errors import InputError
 from catopt.model import CatalogueChoice, Checks, Line, Segment, Service
-from catopt.model.line_kind import line_kind
+from catopt.model.line import line_kind
 
 from .lines import CLOSE, GROUNDED, PLAIN, asking
 

@@ -10,7 +10,7 @@ import pytest
 
 import catopt
 from catopt.cli.output import Output
-from catopt.design.document import design_document
+from catopt.design.result import design_document
 from catopt.design.search import enumerate_designs
 
 from .conftest import DESIGN, Run, changed, read_document, words

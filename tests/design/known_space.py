@@ -15,7 +15,7 @@ from math import prod
 import numpy as np
 
 from catopt import Line, PointLoad, Segment, solve_many
-from catopt.checks.excess import ROUNDING
+from catopt.checks.kinds import ROUNDING
 from catopt.design.front import Front, non_dominated
 from catopt.design.problem import Evaluated, Floats, Genes
 

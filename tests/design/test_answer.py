@@ -14,8 +14,7 @@ import pytest
 from catopt import Line, PointLoad, Segment, schemas, solve
 from catopt.checks.case import check_line
 from catopt.design.evaluation import DesignProblem, design_point
-from catopt.design.near_miss import NoFeasibleDesignError
-from catopt.design.neighbours import Step, neighbour, steps
+from catopt.design.neighbours import NoFeasibleDesignError, Step, neighbour, steps
 from catopt.design.result import DesignPoint
 from catopt.design.search import Found, answer, design_case, enumerate_designs
 from catopt.errors import CatoptError, InputError, NotConvergedError

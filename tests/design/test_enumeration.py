@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from catopt.casefile import read_case
-from catopt.checks.excess import ROUNDING
+from catopt.checks.kinds import ROUNDING
 from catopt.design.evaluation import LEAST_SHARE, DesignProblem
 from catopt.design.mooring import MooringProblem
 from catopt.design.search import Estimate, enumerate_designs, estimate

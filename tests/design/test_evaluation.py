@@ -14,7 +14,7 @@ from catopt.catenary.batch import room_for_runs
 from catopt.catenary.equilibrium import given_force
 from catopt.catenary.pieces import LineProblem, cut
 from catopt.checks.case import check_line
-from catopt.checks.excess import ROUNDING
+from catopt.checks.kinds import ROUNDING
 from catopt.design.assess import NO_DESIGN, NO_EQUILIBRIUM, segment_tensions
 from catopt.design.evaluation import DesignProblem
 from catopt.model import (

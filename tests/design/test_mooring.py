@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from catopt.checks.excess import ROUNDING
+from catopt.checks.kinds import ROUNDING
 from catopt.checks.system import check_system
-from catopt.design.bounds import BOUNDS, least_forces
+from catopt.design.assess import BOUNDS, least_forces
+from catopt.design.front import Outcome
 from catopt.design.mooring import MooringProblem
-from catopt.design.outcome import Outcome
 from catopt.design.search import design_case, enumerate_designs
 from catopt.design.symmetry import distinct_states, widest_gap
 from catopt.design.tables import room
@@ -421,7 +421,7 @@ def test_the_answer_says_what_governs_and_what_was_excluded() -> None:
 
 
 def test_when_no_mooring_passes_the_nearest_one_is_named() -> None:
-    from catopt.design.near_miss import NoFeasibleDesignError
+    from catopt.design.neighbours import NoFeasibleDesignError
 
     case = mooring_case(checks=Checks(safety_factor=40.0), headings=2)
     with pytest.raises(NoFeasibleDesignError) as caught:

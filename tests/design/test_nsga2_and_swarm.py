@@ -9,10 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from catopt.checks.excess import ROUNDING
-from catopt.design.front import hypervolume, non_dominated, reference_point
+from catopt.checks.kinds import ROUNDING
+from catopt.design.front import Outcome, hypervolume, non_dominated, reference_point
 from catopt.design.nsga2 import nsga2
-from catopt.design.outcome import Outcome
 from catopt.design.swarm import swarm
 
 from .known_space import KnownSpace, Recorded, buoy, funnel, leg, scrambled, tanker

@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from catopt.checks.excess import ROUNDING
-from catopt.design.front import crowding_distance
-from catopt.design.outcome import EvaluationArchive
+from catopt.checks.kinds import ROUNDING
+from catopt.design.front import EvaluationArchive, crowding_distance
 from catopt.design.steps import double_steps, improve, reached, scattered, single_steps
 
 from .known_space import KnownSpace, grid, scrambled, tanker

@@ -10,10 +10,9 @@ from typing import Any
 import pytest
 
 from catopt.answers.blocks import Answer, Table
-from catopt.answers.comparison import comparison
+from catopt.answers.of_result import comparison
 from catopt.desk import ask, shell
-from catopt.desk.fields import DOORS, START, Door, fields_of
-from catopt.desk.text import text_of, values_of
+from catopt.desk.fields import DOORS, START, Door, fields_of, text_of, values_of
 from catopt.sizing.inputs import rows_of
 from catopt.words import LANGUAGES, Language, Message, say
 from tests.cli.conftest import CASES, Run, run

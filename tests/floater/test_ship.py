@@ -28,14 +28,14 @@ from catopt.loads import (
     equilibrium_headings,
     ship_loads,
 )
-from catopt.loads.heading import Headings
-from catopt.loads.ufc_current import transverse_load
+from catopt.loads.environment import Headings
+from catopt.loads.ufc import transverse_load
 from catopt.loads.weathervane import YAW_TYPES
 from catopt.model import ShipAfloat
 from catopt.mooring.arrangement import room_for
 from catopt.mooring.batch import as_arrays
 from catopt.waves import Waves, jonswap, random_waves, regular_wave
-from catopt.waves.dispersion import fill_wave_numbers
+from catopt.waves.spectrum import fill_wave_numbers
 
 DEPTH, DENSITY = 60.0, 1025.0
 OF = ShipAfloat(190.0, 32.0, 12.0, 18.0, gusts="none", reflection=1.0)

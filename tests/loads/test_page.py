@@ -25,9 +25,9 @@ from catopt.loads import (
     size_sinker,
     surface_speed,
 )
-from catopt.loads.ship_estimate import Condition
+from catopt.loads.ship_dimensions import Condition
 from catopt.loads.tanker_20m import CURRENT, SEA, WATER_DEPTH, WIND, tanker
-from catopt.loads.ufc_current import propeller_area, wetted_surface
+from catopt.loads.ufc import propeller_area, wetted_surface
 from catopt.loads.wave_drift import depth_factor
 
 PAGE = Path(__file__).parents[2] / "docs" / "loads.md"

@@ -18,12 +18,12 @@ from catopt import size_buoy
 from catopt.answers.size import size_answer
 from catopt.casefile import parse_case, write_case
 from catopt.checks.case import check_case
-from catopt.checks.criterion import CheckSource
+from catopt.checks.kinds import CheckSource
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.evaluation import sinker_of
 from catopt.errors import InputError
+from catopt.notes.line import Given
 from catopt.notes.motion import checks_in_motion
-from catopt.notes.size import Given
 from catopt.render.card import card_lines
 from catopt.render.files import csv_files
 from catopt.report.bundle import size_files

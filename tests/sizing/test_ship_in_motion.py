@@ -15,9 +15,9 @@ import catopt.sizing.ship_search as searching
 from catopt import size_tanker
 from catopt.answers.size import size_answer
 from catopt.casefile import parse_case, write_case
-from catopt.checks.criterion import CheckSource
+from catopt.checks.kinds import CheckSource
 from catopt.checks.result import CheckResult
-from catopt.design.near_miss import NoFeasibleDesignError
+from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.errors import InputError
 from catopt.model import Case, Line
 from catopt.render.card import card_lines

@@ -30,7 +30,7 @@ from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_lines import LinesOfABody, lines_at_rest
 from catopt.verify.dynamic_result import DynamicVerification
 from catopt.verify.dynamic_setup import read_drive
-from catopt.verify.vessel import read_vessel_raos
+from catopt.verify.motion_file import read_vessel_raos
 
 CHAIN = Line([Segment(120.0, 1110.0, EA=5e8, mass=130.0, drag_normal=1.0, drag_diameter=0.1)])
 DEPTH, RADIUS = 20.0, 117.0

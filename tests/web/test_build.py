@@ -13,8 +13,7 @@ import pytest
 import catopt
 from catopt.errors import InputError
 from catopt.web import build
-from catopt.web.build import Part, fetched, parts, site
-from catopt.web.document import document
+from catopt.web.build import Part, document, fetched, parts, site
 
 PART = Part(
     "a.whl",

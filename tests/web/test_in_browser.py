@@ -21,8 +21,7 @@ import pytest
 from catopt.desk import ask
 from catopt.desk.fields import DOORS, START, Door
 from catopt.errors import InputError
-from catopt.web.build import Part, fetched, parts, pieces
-from catopt.web.document import document
+from catopt.web.build import Part, document, fetched, parts, pieces
 from catopt.words import LANGUAGES, Language
 from tests.report.browser import CHROMIUM, Tab, chromium
 from tests.report.page_reader import read_page

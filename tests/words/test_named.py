@@ -17,7 +17,7 @@ import pytest
 
 import catopt
 from catopt.casefile.schema import CaseTable, NetworkTable, Table, entries
-from catopt.model.find import FIND_QUANTITIES
+from catopt.model.design import FIND_QUANTITIES
 from catopt.reproduce import names
 from catopt.sizing.kinds import schema_of
 from catopt.study.file import StudyTable
