@@ -14,6 +14,8 @@ from catopt import read_case, solve_system
 from catopt.answers.motion import ship_answer
 from catopt.casefile import parse_case, write_case
 from catopt.errors import InputError
+from catopt.fem.extremes import Extreme
+from catopt.floater.two_scales import Scales
 from catopt.loads.ship_loads import share_above
 from catopt.model import Case, Motion
 from catopt.render.files import csv_files
@@ -22,7 +24,13 @@ from catopt.schemas.validation import inconsistencies
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.result import Verification
 from catopt.verify.ship_files import drift_csv, led_case, raos_csv
-from catopt.verify.two_scales import ShipVerification, moored_ship, ship_document, verify_ship
+from catopt.verify.two_scales import (
+    LineOfShip,
+    ShipVerification,
+    moored_ship,
+    ship_document,
+    verify_ship,
+)
 
 LOADED = Path(__file__).parents[2] / "cases" / "fso-rang-dong-ship" / "loaded.toml"
 TEXT = LOADED.read_text("utf-8")
@@ -279,3 +287,29 @@ def test_its_lines_in_the_truss_model_are_led_the_same_way(tmp_path: Path, is_tu
     for part, line in zip(parts, ship.lines, strict=True):
         tension = part.runs[0].history.fairlead_tension[:, 0]
         assert tension.mean() == pytest.approx(line.fairlead.mean, rel=0.02)
+
+
+def test_what_a_line_is_judged_by() -> None:
+    """Largest values: 10 + max(6 + 2 x 2, 5 + 2 x 3) = 21, or what a run reached."""
+    scales = Scales(10.0, 3.0, 6.0, 2.0, 5.0, seen=24.0)
+    storm = Extreme(10800.0, most_probable=22.0, expected=23.0, low=20.0, high=27.0)
+    line = LineOfShip(1, scales, scales, None, storm)
+    assert scales.combined == 21.0
+    assert [line.judged(by) for by in ("largest", "most-probable", "upper")] == [24.0, 22.0, 27.0]
+    assert replace(line, storm=None).judged("upper") == 24.0
+    calm = replace(line, fairlead=replace(scales, seen=20.0))
+    assert calm.judged("largest") == 21.0
+
+
+def test_the_checks_go_by_what_is_asked_for_and_say_so() -> None:
+    """A ship of an hour of her slow motion has a tail: its upper end stands in every tension."""
+    case = shorter(read_case(LOADED), 3600.0, 360.0)
+    assert case.dynamics is not None
+    asked = replace(case, dynamics=replace(case.dynamics, judged_by="upper"))
+    found = verify_ship(asked)
+    line = found.lines[found.most_loaded]
+    assert line.storm is not None
+    assert line.storm.low < line.storm.most_probable < line.storm.high
+    demands = {e.demand for e in found.checks.results if e.place.line == line.number}
+    assert any(each == pytest.approx(line.storm.high, rel=1e-9) for each in demands)
+    assert "floater.judged_upper" in {each.key for each in found.remarks}
