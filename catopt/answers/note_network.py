@@ -129,8 +129,7 @@ def _line_out(note: NetworkNote) -> Iterator[Block]:
     yield network_out_table(gone, note.checks)
     for each in gone:
         if each.rest is None:
-            lost = Message("mooring.lost", number=each.missing + 1, refusal=each.refusal)
-            yield Verdict(lost, passes=False)
+            yield Verdict(each.why_lost, passes=False)
 
 
 def _components(note: NetworkNote) -> Iterator[Block]:
