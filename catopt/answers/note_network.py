@@ -11,7 +11,7 @@ from catopt.answers import blocks
 from catopt.answers.blocks import Block, Figure, Section, Text, Verdict, about
 from catopt.answers.check import checked_body
 from catopt.answers.note import inputs_table, note_answer, opening, section, small
-from catopt.answers.note_sheet import damaged_section, network_basis_section
+from catopt.answers.note import damaged_section, network_basis_section
 from catopt.answers.solution import given_tables, method_name
 from catopt.answers.system import (
     bodies_table,
@@ -20,11 +20,11 @@ from catopt.answers.system import (
     meeting_table,
     network_out_table,
 )
-from catopt.figures.network import network_plan, network_side
+from catopt.figures.mooring import network_plan, network_side
 from catopt.words import Message
 
 if TYPE_CHECKING:
-    from catopt.notes.network import NetworkNote
+    from catopt.notes.system import NetworkNote
 
 _section = partial(section, group="note_system")
 

@@ -8,9 +8,9 @@ from dataclasses import dataclass, field, replace
 
 from catopt.catenary.solution import Solution
 from catopt.checks.criteria import Criteria, criteria_of
-from catopt.checks.criterion import Place, State
-from catopt.checks.evaluation import evaluate
-from catopt.checks.remarks import Lifted, of_criteria, of_transient, of_uplift
+from catopt.checks.kinds import Place, State
+from catopt.checks.case import evaluate
+from catopt.checks.case import Lifted, of_criteria, of_transient, of_uplift
 from catopt.checks.result import CheckReport, CheckResult, line_in_state
 from catopt.checks.strength import Strength
 from catopt.checks.system import for_line_out, lost_results, of_line_out, state_words

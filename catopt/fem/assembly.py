@@ -17,7 +17,7 @@ import math
 from typing import Any, Final
 
 from catopt.fem.banded import DIAGONAL
-from catopt.fem.bed import (
+from catopt.fem.seabed import (
     ABSENT,
     FREE,
     HELD,
@@ -31,7 +31,7 @@ from catopt.fem.bed import (
 from catopt.fem.friction import add_friction
 from catopt.fem.loads import axis
 from catopt.fem.resting import Law, Net, kept, row_of_bar
-from catopt.fem.touchdown import hanging_node, own_rest, share_slope, share_weight, shift_slope
+from catopt.fem.sloped_rest import hanging_node, own_rest, share_slope, share_weight, shift_slope
 
 _FAR: Final = 0.03
 """Above this e a bar is as stiff as the d that its tension asks for makes it: nets of springs that

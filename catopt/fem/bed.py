@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Final, Literal, NamedTuple, get_args
 
 from catopt.arrays import Array
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 
 FREE: Final = 0  # a node that hangs
 ON_BED: Final = 1  # one that the bed pushes

@@ -8,7 +8,7 @@ import numpy as np
 
 from catopt.compiled import compiled
 from catopt.fem.banded import WIDTH
-from catopt.fem.bed import NO_FRICTION, Ground
+from catopt.fem.seabed import NO_FRICTION, Ground
 from catopt.fem.loads import bar_loads
 from catopt.fem.problem import Problem
 from catopt.fem.resting import BarLoads, Law, Net, State

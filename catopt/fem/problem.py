@@ -12,7 +12,7 @@ import numpy as np
 
 from catopt.arrays import Array, Codes
 from catopt.constants import STANDARD_GRAVITY
-from catopt.fem.bed import (
+from catopt.fem.seabed import (
     ABSENT,
     FREE,
     HELD,

@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from catopt.arrays import Array, Codes
-from catopt.fem.bed import SLACK, Ground
+from catopt.fem.seabed import SLACK, Ground
 
 
 def row_of_bar(e: int, line: int) -> int:

@@ -24,7 +24,7 @@ import numpy as np
 
 from catopt.arrays import Array, Flags
 from catopt.errors import NotConvergedError
-from catopt.fem.bed import (
+from catopt.fem.seabed import (
     HALVING,
     NO_FRICTION,
     SHARING,

@@ -15,8 +15,8 @@ from catopt.fem.banded import (
     reach_of_first,
     take_aside,
 )
-from catopt.fem.bed import FREE, NO_FRICTION, ON_BED, SHARING, touches
-from catopt.fem.block_tridiagonal import solve_dense
+from catopt.fem.seabed import FREE, NO_FRICTION, ON_BED, SHARING, touches
+from catopt.fem.banded import solve_dense
 from catopt.fem.resting import Bars, Body, Law, Net, State, kept, row_of_bar
 
 _SLACK: Final = 1e-11

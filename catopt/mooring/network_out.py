@@ -9,7 +9,7 @@ from itertools import pairwise
 from typing import Any
 
 from catopt.errors import NoAnswerError, NoEquilibriumError, NotConvergedError
-from catopt.model.checks import Checks
+from catopt.model.load import Checks
 from catopt.model.network import LineBetween, Network, Point, joined
 from catopt.mooring.held import LinesAtRest, at_rest
 from catopt.patience import paced

@@ -17,7 +17,7 @@ from catopt.model import Case, Line, Load, Segment
 from catopt.verify import line as line_module
 from catopt.verify.line import compare_line, on_meshes, verify_line
 from catopt.verify.result import StaticComparison, closed_form_at, largest_distances
-from catopt.verify.truss_words import part_sentence
+from catopt.verify.motion_words import part_sentence
 from catopt.words import say
 
 from .cases import CASES, EA, TOUCHES_TWICE, force, moored
