@@ -26,9 +26,9 @@ from catopt.catenary.equilibrium import given_force
 from catopt.catenary.pieces import LineProblem, Pieces, cut
 from catopt.catenary.solve import solve
 from catopt.checks.case import check_line
-from catopt.checks.excess import ROUNDING
+from catopt.checks.kinds import ROUNDING
 from catopt.design.evaluation import DesignProblem
-from catopt.design.outcome import Outcome
+from catopt.design.front import Outcome
 from catopt.design.problem import Floats, Genes
 from catopt.design.search import Found, answer, design_case, enumerate_designs
 from catopt.machine_code import _inner
@@ -130,7 +130,7 @@ def _evaluation(rounds: int, designs: int) -> list[str]:
     for (name, _, _), median in zip(ways, medians, strict=True):
         ratio = median / medians[0]
         rows.append(f"| {name} | {_time(median)} | {1.0 / median:,.0f} | {ratio:,.3g} |")
-    feasible = float((problem.assess(genes).excess <= ROUNDING).mean())
+    feasible = float((problem.assess(genes).exceedance <= ROUNDING).mean())
     rows += [
         "",
         f"{100 * feasible:.0f} % of the designs are feasible. The equilibria take "
@@ -302,8 +302,8 @@ def _long_front() -> str:
     problem = DesignProblem.of(CASE)
     generator = np.random.default_rng(2)
     genes = np.stack([generator.integers(0, size, 4 * FRONT) for size in problem.sizes], axis=1)
-    objectives, excess = problem.evaluate(genes)
-    chosen = np.flatnonzero(excess <= ROUNDING)[:FRONT]
+    objectives, exceedance = problem.evaluate(genes)
+    chosen = np.flatnonzero(exceedance <= ROUNDING)[:FRONT]
     outcome = Outcome(genes[chosen], objectives[chosen], len(genes), FRONT, False, None, 0.0)
     start = time.perf_counter()
     result = answer(problem, Found(outcome, "nsga2", 0.0))

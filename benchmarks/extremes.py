@@ -23,8 +23,7 @@ import numpy.typing as npt
 
 from benchmarks.common import page
 from catopt.casefile import read_case
-from catopt.fem.extremes import Extreme, gumbel, weibull_tail
-from catopt.fem.statistics import peaks_above_mean
+from catopt.fem.extremes import Extreme, gumbel, peaks_above_mean, weibull_tail
 from catopt.model import Case
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicPart

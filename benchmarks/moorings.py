@@ -19,9 +19,9 @@ import numpy as np
 
 from benchmarks.common import page
 from catopt.compile_jobs import compile_always
-from catopt.design.bounds import BOUNDS
+from catopt.design.assess import BOUNDS
+from catopt.design.front import Outcome
 from catopt.design.mooring import MooringProblem
-from catopt.design.outcome import Outcome
 from catopt.design.search import enumerate_designs
 from catopt.model import SegmentChoice
 from tests.design.mooring_cases import mooring_case
@@ -40,7 +40,7 @@ def _seen(of: argparse.Namespace) -> Iterator[str]:
     yield "# Whole moorings a second"
     yield ""
     problem = space(of.designs)
-    values = problem.assess(problem.space.genes_between(0, 2)).excess
+    values = problem.assess(problem.space.genes_between(0, 2)).exceedance
     yield f"Two designs of {problem.space.count}: {values.tolist()}"
 
 

@@ -16,8 +16,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from benchmarks.common import page
-from catopt.web.build import fetched, pieces, site
-from catopt.web.document import document
+from catopt.web.build import document, fetched, pieces, site
 from tests.report.browser import Tab, chromium
 
 STEPS = 120

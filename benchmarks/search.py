@@ -20,12 +20,11 @@ import numpy as np
 
 from benchmarks.common import page
 from catopt.casefile import read_case
-from catopt.checks.excess import ROUNDING
+from catopt.checks.kinds import ROUNDING
 from catopt.design import steps
 from catopt.design.evaluation import DesignProblem
-from catopt.design.front import hypervolume, non_dominated, reference_point
+from catopt.design.front import Outcome, hypervolume, non_dominated, reference_point
 from catopt.design.nsga2 import nsga2
-from catopt.design.outcome import Outcome
 from catopt.design.problem import Floats, Problem
 from catopt.design.search import enumerate_designs
 from catopt.design.swarm import swarm
@@ -67,7 +66,7 @@ def spaces() -> Iterator[Space]:
     """Yield the spaces whose front is known."""
     tables: tuple[KnownSpace, ...] = (tanker(), leg(), buoy())
     for table in tables:
-        feasible = float((table.excess <= ROUNDING).mean())
+        feasible = float((table.exceedance <= ROUNDING).mean())
         name = f"{table.name}, table"
         yield Space(name, table.designs, feasible, table, table.front.objectives)
     wanted: list[tuple[str, tuple[Objective, ...]]] = [
@@ -99,7 +98,7 @@ def study(space: Space, search: Callable[..., Outcome], seeds: int) -> Runs:
         seconds.append(time.perf_counter() - start)
         assert outcome.evaluations <= EVALUATIONS
         volumes.append(hypervolume(outcome.objectives, reference) / exact)
-        infeasible += int((space.problem.evaluate(outcome.genes).excess > ROUNDING).sum())
+        infeasible += int((space.problem.evaluate(outcome.genes).exceedance > ROUNDING).sum())
     return Runs(np.array(volumes), np.array(seconds), infeasible)
 
 

@@ -29,7 +29,7 @@ from catopt.catenary.pieces import cut
 from catopt.catenary.solve import solve
 from catopt.catenary.swarm import solve_swarm
 from catopt.catenary.swarm.objective import Array, Objective, SuspendedObjective, objective_of
-from catopt.catenary.swarm.optimiser import optimiser
+from catopt.catenary.swarm.solve import optimiser
 from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import NotConvergedError
 from catopt.model import Line, PointLoad, Segment, SwarmSettings

@@ -44,6 +44,7 @@ if TYPE_CHECKING:
     from catopt.model import PointLoad as PointLoad
     from catopt.model import Segment as Segment
     from catopt.model import Site as Site
+    from catopt.model import StrainTable as StrainTable
     from catopt.model import System as System
     from catopt.mooring.solve import solve_system as solve_system
     from catopt.sizing.file import read_sizing as read_sizing
@@ -73,7 +74,16 @@ _HOMES = {
     "catopt.design.result": ("DesignResult",),
     "catopt.design.search": ("design_case",),
     "catopt.errors": ("CatoptError", "InputError", "NoEquilibriumError", "NotConvergedError"),
-    "catopt.model": ("Case", "Line", "Load", "PointLoad", "Segment", "Site", "System"),
+    "catopt.model": (
+        "Case",
+        "Line",
+        "Load",
+        "PointLoad",
+        "Segment",
+        "Site",
+        "StrainTable",
+        "System",
+    ),
     "catopt.mooring.solve": ("solve_system",),
     "catopt.sizing.file": ("read_sizing",),
     "catopt.sizing.keywords": ("size_buoy", "size_tanker"),

@@ -8,7 +8,7 @@ TYPE_CHECKING = False  # so that nothing is loaded before Ctrl-C is heeded
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from catopt.cli.output import Output
+    from catopt.cli.output import Printer
 
 __all__ = ["main"]
 
@@ -35,17 +35,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
         from contextvars import copy_context
 
         from catopt.cli.options import asked_language
-        from catopt.cli.output import Output
+        from catopt.cli.output import Printer
     except KeyboardInterrupt:  # while the program is still being loaded
         sys.stderr.write("catopt: interrupted\n")
         return INTERRUPTED
-    output = Output()
+    output = Printer()
     asked = sys.argv[1:] if arguments is None else list(arguments)
     output.language = asked_language(asked)
     status = 0
     try:
         if arguments is None:
-            from catopt.cli.streams import guard_streams
+            from catopt.cli.output import guard_streams
 
             guard_streams()
         copy_context().run(_run, arguments, output)
@@ -64,7 +64,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return status
 
 
-def _run(arguments: Sequence[str] | None, output: Output) -> None:
+def _run(arguments: Sequence[str] | None, output: Printer) -> None:
     from catopt.cli.app import command
     from catopt.cli.help_words import HELP_ALL, WHOLE
 
@@ -80,7 +80,7 @@ def _run(arguments: Sequence[str] | None, output: Output) -> None:
         raise SystemExit(run_in_vietnamese(command, args=typed, prog_name="catopt", obj=output))
 
 
-def _failed(error: Exception, output: Output) -> int:
+def _failed(error: Exception, output: Printer) -> int:
     """Say why there is no answer; returns the exit status."""
     from catopt.errors import CatoptError
     from catopt.interrupt import was_interrupted
@@ -115,7 +115,7 @@ def _of_the_place(error: Exception) -> str:
     return f"{short}: {error.strerror}" if short else str(error.strerror)
 
 
-def _fault(error: Exception, output: Output) -> str:
+def _fault(error: Exception, output: Printer) -> str:
     """Say what went wrong on our side; with its traceback when that was asked for."""
     if output.debug:
         from traceback import format_exception

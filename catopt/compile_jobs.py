@@ -29,7 +29,7 @@ def compile_always() -> Iterator[None]:
 
 def _template(name: str, more: str = "") -> Case:
     from catopt.casefile import parse_case
-    from catopt.casefile.new_case import template
+    from catopt.casefile.writing import template
 
     return parse_case(template(name) + more)
 

@@ -163,6 +163,7 @@ _TABLE = (
     _diameter("volume_diameter", "Volume-equivalent diameter", ""),
     _diameter("drag_diameter", "Drag diameter", ""),
     Quantity("coefficient", "Coefficient", "", "-", "-", 1.0, 3),
+    Quantity("strain", "Strain", "", "-", "-", 1.0, 5),
     Quantity("price", "Price", "", "USD/m", "USD/m", 1.0, 2),
     Quantity("cost", "Cost", "", "USD", "USD", 1.0, 0),
     _length("span", "Span", "S"),

@@ -25,6 +25,12 @@ class From(NamedTuple):
     least: int
 
 
+class Matching(NamedTuple):
+    """Pattern of a text; stands in ``Annotated``."""
+
+    pattern: str
+
+
 class OrNull:
     """Stands in ``Annotated`` of an array that may have nan: null in documents."""
 
@@ -46,7 +52,7 @@ class Record:
         return laid_out(self)
 
 
-class Part(NamedTuple):
+class Key(NamedTuple):
     """One key of a document: the attributes that lead to it, its key, its mark and its type."""
 
     path: tuple[str, ...]
@@ -69,17 +75,17 @@ def laid_out(of: Record, document: str = "") -> dict[str, Any]:
     return found
 
 
-_READ: dict[tuple[type, str], tuple[Part, ...]] = {}
+_READ: dict[tuple[type, str], tuple[Key, ...]] = {}
 
 
-def parts(of: type, document: str) -> tuple[Part, ...]:
+def parts(of: type, document: str) -> tuple[Key, ...]:
     """Read what a document of a class has; once."""
     if (of, document) not in _READ:
         _READ[of, document] = tuple(_part(of, word) for word in document.split())
     return _READ[of, document]
 
 
-def _part(of: type, word: str) -> Part:
+def _part(of: type, word: str) -> Key:
     mark = word[-1] if word[-1] in MARKS else ""
     name, _, key = word.removesuffix(mark).partition("=")
     path = tuple(name.split("."))
@@ -88,7 +94,7 @@ def _part(of: type, word: str) -> Part:
         owner = next(kind for kind in _types(hint) if hasattr(kind, "__annotations__"))
         hint = _hint(owner, each)
     unit = unit_of(hint)
-    return Part(path, key or path[-1] + (f"_{unit}" if unit else ""), mark, hint, owner)
+    return Key(path, key or path[-1] + (f"_{unit}" if unit else ""), mark, hint, owner)
 
 
 def _hint(of: type, name: str) -> Any:

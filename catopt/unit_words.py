@@ -113,7 +113,8 @@ def worth(unit: str) -> tuple[float, Powers] | None:
         return None
     si, powers = 1.0, [0] * 5
     for between, word, power in _PART.findall(text):
-        found = _word(word)
+        is_long = len(word) > 3 or not word.isascii()
+        found = known().get(word) or (known().get(word.casefold()) if is_long else None)
         if found is None:
             return None
         times = int(power or 1) * (-1 if between == "/" else 1)
@@ -121,8 +122,3 @@ def worth(unit: str) -> tuple[float, Powers] | None:
         powers = [a + times * b for a, b in zip(powers, found[1], strict=True)]
     a, b, c, d, e = powers
     return si, (a, b, c, d, e)
-
-
-def _word(word: str) -> tuple[float, Powers] | None:
-    is_long = len(word) > 3 or not word.isascii()
-    return known().get(word) or (known().get(word.casefold()) if is_long else None)

@@ -5,10 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import catopt
-from catopt.design.document import design_document
-from catopt.figures.front import front, front_lines
+from catopt.design.result import design_document
 from catopt.figures.line import line_in_water
-from catopt.figures.sizing import elevation, swing_circle
+from catopt.figures.sizing import elevation, front, front_lines, swing_circle
 from catopt.render.picture import pictures
 
 HERE = Path(__file__).parent

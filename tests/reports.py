@@ -12,16 +12,14 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from catopt.casefile import read_case, write_case
-from catopt.casefile.sizing_file import SIZING, moored_in
+from catopt.casefile.reading import SIZING, moored_in
 from catopt.cli.note_kind import answer_of, note_of_sizing
 from catopt.design.search import design_case
-from catopt.notes.line import Note, read_note
-from catopt.notes.size import SizeNote
+from catopt.notes.line import Note, SizeNote, read_note
 from catopt.notes.system import SystemNote, read_system_note
 from catopt.render.files import document_bytes
 from catopt.render.page import page
-from catopt.report.bundle import reproduction_pictures
-from catopt.report.files import write_files
+from catopt.report.bundle import reproduction_pictures, write_files
 from catopt.reproduce import book, reproduce
 
 __all__ = ["CASES", "NOTES", "REPORTS", "SIZINGS", "note_of_case", "note_page"]

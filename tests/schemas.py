@@ -23,34 +23,36 @@ from typing import Annotated, Any, Literal, NotRequired, Union, get_args, get_or
 import numpy as np
 import numpy.typing as npt
 
-from catopt.casefile.sizing_file import Moored
+from catopt.casefile.reading import Moored
+from catopt.catalogue.components import CONFIDENCES
 from catopt.catalogue.document import Answer
-from catopt.catalogue.figure import CONFIDENCES
 from catopt.catenary.case_curve import CaseCurve
 from catopt.catenary.in_current import SolutionInCurrent
 from catopt.catenary.solution import Solution
-from catopt.checks.criterion import LOAD_KINDS
+from catopt.checks.kinds import LOAD_KINDS
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.evaluation import OBJECTIVE_KEYS
-from catopt.export.exported import Format
+from catopt.export.exported import Exported
 from catopt.loads.component import LoadComponent
 from catopt.loads.document import ComparedLoads
 from catopt.loads.weathervane import ShipHeading
-from catopt.model.current_profile import CURRENT_PROFILES
 from catopt.model.design import SearchMethod
 from catopt.model.dynamics import InitialFriction, JudgedBy
 from catopt.model.kinds import OneOf
 from catopt.model.load import LoadCaseState
 from catopt.model.network import PointKind
-from catopt.records import From, OrNull, Part, Record, parts, unit_of
+from catopt.model.sea import CURRENT_PROFILES
+from catopt.records import From, Key, Matching, OrNull, Record, parts, unit_of
 from catopt.reproduce.items import Reproduction
 from catopt.sizing.alternatives import Role
 from catopt.sizing.inputs import INPUTS
 from catopt.sizing.known import Origin
 from catopt.sizing.line_choice import PREFERENCES
 from catopt.study.base import Computed
+from catopt.study.run import Plan
 from catopt.verify.compared import Unit
-from catopt.verify.dynamic_result import SERIES, Verdict
+from catopt.verify.dynamic_result import Verdict
+from catopt.verify.dynamic_run import SERIES
 from catopt.verify.fatigue import FatigueReport
 from catopt.verify.motion_words import DYNAMIC_QUANTITY_OF as QUANTITY_OF
 from catopt.verify.proof import Proof, Way
@@ -62,10 +64,12 @@ FOLDER = Path(str(files("catopt.schemas")))
 RECORDS: Mapping[str, tuple[type[Record], ...]] = {
     "check": (CheckReport,),
     "curve": (CaseCurve,),
+    "export": (Exported,),
     "fatigue": (FatigueReport,),
     "loads": (ComparedLoads,),
     "reproduction": (Reproduction,),
     "solution": (Solution, SolutionInCurrent),
+    "study_plan": (Plan,),
 }
 """Which records lay a document out; what only some of them have may be missing."""
 OF_A_CASE = ("check", "curve", "fatigue", "solution")
@@ -98,7 +102,6 @@ WORDS: Mapping[str, Mapping[str, tuple[Any, ...]]] = {
         "load_case/kind": LOAD_KINDS,
         "method": tuple(each for each in _of(SearchMethod) if each != "auto"),
     },
-    "export": {"format": _of(Format)},
     "network": {"states/points/kind": _of(PointKind), "states/current/profile": CURRENT_PROFILES},
     "report": {
         "language": LANGUAGES,
@@ -196,7 +199,7 @@ class _Written:
             "properties": {part.key: self._described(part) for part in found},
         }
 
-    def _described(self, part: Part) -> Schema:
+    def _described(self, part: Key) -> Schema:
         unit = unit_of(part.hint)
         if isinstance(getattr(part.owner, part.path[-1], None), types.FunctionType) and (
             isinstance(part.hint, type) and issubclass(part.hint, Record)
@@ -240,6 +243,8 @@ class _Written:
         for kind in kinds:
             if isinstance(kind, From):
                 found |= {"minItems" if found["type"] == "array" else "minimum": kind.least}
+            elif isinstance(kind, Matching):
+                found |= {"pattern": kind.pattern}
             elif kind is OrNull:
                 found["items"] = {"type": ["number", "null"]}
             elif isinstance(kind, OneOf):

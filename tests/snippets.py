@@ -140,7 +140,7 @@ def _run(command: str, folder: Path) -> str:
         capture_output=True,
         encoding="utf-8",
         check=False,
-        timeout=120,
+        timeout=300,
     )
     assert run.returncode == 0, f"{command} ended with {run.returncode}\n{run.stderr}"
     return run.stdout

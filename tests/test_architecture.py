@@ -29,11 +29,11 @@ ALL_BUT_CLI = (
     | READING
     | DESIGNING
     | {"mooring", "loads", "schemas", "verify", "reproduce", "sizing", "study", "export", "report"}
-    | {"answers", "figures", "notes", "render", "desk", "web"}
+    | {"answers", "figures", "notes", "render", "page_api", "web"}
 )
 RESULTS = {
     *("model", "catenary", "mooring", "design", "verify", "reproduce", "study"),
-    *("sizing", "loads"),
+    *("sizing", "loads", "floater"),
 }
 """Parts whose results are drawn: only a type checker reads them there."""
 
@@ -95,11 +95,11 @@ MAY_IMPORT: dict[str, set[str]] = {
     | DESIGNING
     | {"mooring", "loads", "schemas", "verify", "reproduce", "sizing", "study", "_version"}
     | {"figures", "notes", "render"},
-    "desk": SOLVING
+    "page_api": SOLVING
     | READING
     | DESIGNING
     | {"mooring", "loads", "sizing", "answers", "figures", "notes", "render", "_version"},
-    "web": {"errors", "documents", "words", "desk", "render"},
+    "web": {"errors", "documents", "words", "page_api", "render"},
     "compile_jobs": SOLVING
     | READING
     | DESIGNING
@@ -235,7 +235,7 @@ LAID_OUT = BASE | {"model", "catalogue", "answers", "figures"}
 LAID_OUT -= {"arrays", "compiled", "interrupt", "patience", "ties"}
 """All that runs to lay an answer out; results are read, and nothing is solved."""
 SAID = (
-    *("catopt.verify.motion_words.", "catopt.verify.truss_words.", "catopt.verify.compared."),
+    *("catopt.verify.motion_words.", "catopt.verify.motion_words.", "catopt.verify.compared."),
     "catopt.checks.kinds.",
 )
 """What results say of themselves in words, are rounded to or measured in."""

@@ -26,6 +26,7 @@ NAMES = [
     "Segment",
     "Site",
     "Solution",
+    "StrainTable",
     "System",
     "__version__",
     "check_case",

@@ -8,7 +8,7 @@ from itertools import permutations
 
 import pytest
 
-from catopt.checks.criterion import CheckSource
+from catopt.checks.kinds import CheckSource
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.mooring.circle import watch_circle
 from catopt.ties import first_largest, largest

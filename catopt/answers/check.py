@@ -23,7 +23,7 @@ from catopt.figures.line import Failing
 from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:
-    from catopt.checks.criterion import CheckSource
+    from catopt.checks.kinds import CheckSource
     from catopt.checks.result import CheckReport, CheckResult
 
 

@@ -17,7 +17,7 @@ from catopt.answers.check import (
     verdict_blocks,
 )
 from catopt.checks.kinds import QUANTITY_OF
-from catopt.figures.front import objective
+from catopt.figures.sizing import objective
 from catopt.quantities import Quantity
 from catopt.words import Measure, Message, Several, term
 
@@ -31,6 +31,26 @@ _MOST = 25
 
 def design_answer(result: DesignResult) -> blocks.Answer:
     """Lay out a front, its recommended design and how it was found."""
+    reference = ", ".join(f"{value:.6g}" for value in result.reference_point)
+    listed: dict[str, blocks.Value] = {
+        "title": result.case.title,
+        "method": result.method,
+        "exact_front": yes_or_no(result.is_exact),
+        "designs_in_the_space": result.designs,
+        "designs_evaluated": result.evaluations,
+        "of_these_feasible": result.feasible,
+        **({"designs_proved_needless": _bounds(result)} if result.excluded else {}),
+        "designs_on_the_front": len(result.front),
+        "recommended_design": result.recommended,
+        "why": result.recommendation,
+        "ends_of_the_front": Several(result.ends),
+        "hypervolume": result.hypervolume,
+        "reference_point": reference,
+        "seed": result.seed,
+        "interrupted": yes_or_no(result.interrupted),
+        "warnings": Several(result.warnings),
+    }
+    facts = tuple(stated(name, value) for name, value in listed.items())
     whole = answered(
         "design",
         result.case.title or Message("captions.mooring_line"),
@@ -39,7 +59,7 @@ def design_answer(result: DesignResult) -> blocks.Answer:
         section("captions.components", _components(result)),
         section("captions.checks", _checks(result)),
         *_loads(result),
-        section("captions.search", _search(result)),
+        section("captions.search", blocks.Facts("search", facts, only="files")),
     )
     return replace(whole, card=tuple(_card(result)))
 
@@ -346,27 +366,3 @@ def _loads(result: DesignResult) -> Iterator[blocks.Section]:
             of.texts("each_line_out", lambda load: yes_or_no(load.line_out)),
         )
         yield section(title, blocks.Table("loads", columns, title))
-
-
-def _search(result: DesignResult) -> blocks.Facts:
-    reference = ", ".join(f"{value:.6g}" for value in result.reference_point)
-    listed: dict[str, blocks.Value] = {
-        "title": result.case.title,
-        "method": result.method,
-        "exact_front": yes_or_no(result.is_exact),
-        "designs_in_the_space": result.designs,
-        "designs_evaluated": result.evaluations,
-        "of_these_feasible": result.feasible,
-        **({"designs_proved_needless": _bounds(result)} if result.excluded else {}),
-        "designs_on_the_front": len(result.front),
-        "recommended_design": result.recommended,
-        "why": result.recommendation,
-        "ends_of_the_front": Several(result.ends),
-        "hypervolume": result.hypervolume,
-        "reference_point": reference,
-        "seed": result.seed,
-        "interrupted": yes_or_no(result.interrupted),
-        "warnings": Several(result.warnings),
-    }
-    facts = tuple(stated(name, value) for name, value in listed.items())
-    return blocks.Facts("search", facts, only="files")

@@ -1,4 +1,4 @@
-"""What a line in motion consists of, all lines of a body, or the designs of a front."""
+"""What lines in motion consist of: one, all of a body, a ship on them, the designs of a front."""
 
 from __future__ import annotations
 
@@ -8,8 +8,17 @@ from operator import itemgetter
 from typing import TYPE_CHECKING
 
 from catopt.answers import blocks
-from catopt.answers.blocks import Rows, answered, measured, section, tabulate, texts, yes_or_no
-from catopt.answers.check import checks_in_motion
+from catopt.answers.blocks import (
+    Rows,
+    answered,
+    measured,
+    named,
+    section,
+    tabulate,
+    texts,
+    yes_or_no,
+)
+from catopt.answers.check import checks_in_motion, verdict_blocks
 from catopt.answers.verification import label, remarks
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.units import lasting
@@ -21,8 +30,10 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from catopt.checks.result import CheckReport
-    from catopt.notes.front_in_motion import DesignInMotion, FrontInMotion
-    from catopt.verify.dynamic_result import DynamicPart, DynamicRun, DynamicVerification, OverRuns
+    from catopt.notes.motion import DesignInMotion, FrontInMotion
+    from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
+    from catopt.verify.dynamic_run import DynamicRun, OverRuns
+    from catopt.verify.two_scales import ShipVerification
 
 _TIME = Quantity("time", "Time", "", "s", "s", 1.0, 4)
 _SLACK = replace(_TIME, digits=1)
@@ -157,7 +168,7 @@ def _beyond_MBL(parts: Sequence[DynamicPart]) -> Iterator[blocks.Block]:
     if not parts or (found := parts[0].beyond_MBL) is None:
         return
     part = parts[0]
-    told: str = Message(
+    reported: str = Message(
         "motion.beyond_MBL",
         tension=Measure("tension", found.tension),
         MBL=Measure("tension", found.MBL),
@@ -165,10 +176,10 @@ def _beyond_MBL(parts: Sequence[DynamicPart]) -> Iterator[blocks.Block]:
     )
     if len(parts) > 1:
         numbers = ", ".join(f"{line}" for line in sorted(each.line or 0 for each in parts))
-        told = Several((told, Message("motion.beyond_MBL_lines", numbers=numbers)), " ")
+        reported = Several((reported, Message("motion.beyond_MBL_lines", numbers=numbers)), " ")
     if part.drive.case.load_cases:
-        told = Message("motion.why_of", where=part.where, why=told)
-    yield blocks.Verdict(_of_line(part, told), False)
+        reported = Message("motion.why_of", where=part.where, why=reported)
+    yield blocks.Verdict(_of_line(part, reported), False)
 
 
 def lines_of_body(parts: Sequence[DynamicPart]) -> blocks.Table:
@@ -192,7 +203,7 @@ def lines_of_body(parts: Sequence[DynamicPart]) -> blocks.Table:
             "motion.most_at_anchor_by_damping",
         ),
         of.measured("tension", "quasi_static_max", "quasi_static", symbol=""),
-        of.measured(_RATIO, "amplification", "amplification"),
+        of.measured(_RATIO, "dynamic_amplification", "amplification"),
         of.measured(_SLACK, "slack_time", "slack"),
         of.measured(_PERCENT, lambda part: part.change_of("fairlead_tension"), "change"),
         of.texts("verdict", lambda part: term(part.verdict)),
@@ -279,7 +290,7 @@ def _summary(parts: Sequence[DynamicPart]) -> Iterator[blocks.Column]:
     yield of.texts("complete", lambda part: yes_or_no(part.is_complete))
     yield of.measured(_NEWTON, "max_tension", "largest_tension_anywhere")
     yield of.measured(_NEWTON, "quasi_static_max", _STILL)
-    yield of.measured(_RATIO, "amplification", "dynamic_amplification")
+    yield of.measured(_RATIO, "dynamic_amplification", "dynamic_amplification")
     yield of.measured(_TIME, "slack_time", "slack_in_all")
     yield of.measured(_TIME, "longest_slack", "longest_slack")
     yield of.texts("verdict", lambda part: term(part.verdict))
@@ -389,7 +400,14 @@ def _front(found: FrontInMotion) -> Iterator[blocks.Block]:
         yield blocks.Verdict(Message("motion.not_proven"), passes=False)
     only_in_motion = [each.number for each in found.designs if not each.passes]
     if only_in_motion:
-        numbers = _in_ranges(only_in_motion)
+        # Write rising numbers as 1-3, 5.
+        runs: list[list[int]] = []
+        for number in only_in_motion:
+            if runs and number == runs[-1][-1] + 1:
+                runs[-1].append(number)
+            else:
+                runs.append([number])
+        numbers = ", ".join(f"{run[0]}-{run[-1]}" if len(run) > 1 else str(run[0]) for run in runs)
         yield blocks.Verdict(Message("motion.front_fails", designs=numbers), passes=False)
     if found.recommended is None:
         yield blocks.Verdict(Message("motion.front_none"), passes=False)
@@ -397,17 +415,6 @@ def _front(found: FrontInMotion) -> Iterator[blocks.Block]:
         key = "front_same" if found.recommended == found.of_search else "front_other"
         values = {"number": found.recommended, "search": found.of_search}
         yield blocks.Verdict(Message(f"motion.{key}", **values), passes=True)
-
-
-def _in_ranges(numbers: list[int]) -> str:
-    """Write rising numbers as 1-3, 5."""
-    runs: list[list[int]] = []
-    for number in numbers:
-        if runs and number == runs[-1][-1] + 1:
-            runs[-1].append(number)
-        else:
-            runs.append([number])
-    return ", ".join(f"{run[0]}-{run[-1]}" if len(run) > 1 else str(run[0]) for run in runs)
 
 
 def _designs(found: FrontInMotion) -> blocks.Table:
@@ -422,7 +429,7 @@ def _designs(found: FrontInMotion) -> blocks.Table:
             _FORCE, lambda part: part.of("fairlead_tension").maximum, "motion.front_largest"
         ),
         parts.measured(_FORCE, "quasi_static_max", "motion.front_still"),
-        parts.measured(_RATIO, "amplification", "motion.front_allowance"),
+        parts.measured(_RATIO, "dynamic_amplification", "motion.front_allowance"),
         parts.measured(_PERCENT, lambda part: part.change_of("fairlead_tension"), "change"),
         of.measured("utilisation", "tightest.utilisation"),
         verdict,
@@ -436,3 +443,94 @@ def _verdict(each: DesignInMotion) -> Message:
     if each.found.verdict == "not converged":
         return Message("motion.front_not_converged")
     return Message("answers.passes" if each.passes else "answers.fails")
+
+
+_ON_CARD = 3
+"""Lines of the mooring that the card has, the most loaded ones."""
+
+
+def ship_answer(found: ShipVerification) -> blocks.Answer:
+    """Lay out a ship in motion: where it goes, what its lines carry, and on what that rests."""
+    remarks = tuple(found.remarks)
+    whole = answered(
+        "ship",
+        found.case.title or Message("captions.moored_body"),
+        section("captions.motion", *_means(found), _body(found), _lines(found), _rule(found)),
+        section("captions.checks_in_motion", *checks_in_motion(found.checks)),
+        section("captions.remarks", blocks.Points(remarks)),
+    )
+    return replace(whole, card=tuple(_card(found)))
+
+
+def _card(found: ShipVerification) -> Iterator[blocks.CardBlock]:
+    yield from verdict_blocks(found.checks)
+    yield from _means(found)
+    yield _body(found)
+    yield _lines(found, most=_ON_CARD)
+    yield blocks.Brief(tuple(found.remarks), Message("answers.card_to_be_known"), 4)
+
+
+def _means(found: ShipVerification) -> Iterator[blocks.Text]:
+    """Say what the mean weather is and where the ship lies in it."""
+    rest = found.rest
+    x, y = rest.force
+    values = {
+        "x": blocks.about("horizontal_force", x),
+        "y": blocks.about("horizontal_force", y),
+        "yaw": blocks.about("angle", found.heading),
+    }
+    yield blocks.Text(Message("floater.mean_weather", **values))
+
+
+def _rule(found: ShipVerification) -> blocks.Text:
+    dynamics = found.case.dynamics
+    assert dynamics is not None
+    said = Message(
+        "floater.rule",
+        count=len(found.runs),
+        time=lasting(dynamics.duration),
+        storm=lasting(dynamics.duration_of_interest),
+    )
+    return blocks.Text(said, is_small=True)
+
+
+def _body(found: ShipVerification) -> blocks.Table:
+    """Tabulate the parts of offset and yaw."""
+    units = (named("offset", ""), named("angle", ""))
+    of = Rows((found.offset, found.yaw))
+    names = (Message("floater.offset_row"), Message("floater.yaw_row"))
+    columns = [texts("quantity", names)]
+    columns += [of.texts(key, what, units=units) for key, what in _COLUMNS.items()]
+    return tabulate("ship_body", *columns, caption=Message("floater.the_ship"))
+
+
+def _lines(found: ShipVerification, most: int | None = None) -> blocks.Table:
+    """Tabulate the parts of every line's tension at its fairlead, and the combined largest."""
+    of = Rows(found.lines)
+    combined = [each.fairlead.combined for each in found.lines]
+    tension = blocks.rounded("tension", max(combined))
+    used = [None if each.MBL is None else each.fairlead.combined / each.MBL for each in found.lines]
+    shown = None
+    if most is not None and len(combined) > most:
+        order = sorted(range(len(combined)), key=lambda k: -round(combined[k], 3))
+        shown = tuple(sorted(order[:most]))
+    return tabulate(
+        "ship_lines",
+        of.texts("line", "number"),
+        *(of.measured(tension, f"fairlead.{what}", key) for key, what in _COLUMNS.items()),
+        of.measured(tension, "anchor.combined", "floater.at_anchor", priority=1),
+        blocks.measured(QUANTITIES["utilisation"], used, "floater.of_MBL"),
+        caption=Message("floater.line_tensions"),
+        shown=shown,
+        marked=found.most_loaded,
+    )
+
+
+_COLUMNS = {
+    "mean": "mean",
+    "floater.slow_deviation": "slow_deviation",
+    "floater.slow_largest": "slow_largest",
+    "floater.fast_deviation": "fast_deviation",
+    "floater.fast_largest": "fast_largest",
+    "floater.combined": "combined",
+}

@@ -22,22 +22,29 @@ from catopt.answers.blocks import (
     texts,
 )
 from catopt.answers.check import checked, failing_checks, load_case_table
-from catopt.answers.curve import marks_table, points_table
 from catopt.answers.design import shown_designs
-from catopt.answers.note import by_both, case_sections, note_answer, opening, section, small
+from catopt.answers.note import (
+    basis_section,
+    by_both,
+    case_sections,
+    note_answer,
+    opening,
+    section,
+    sheet_sections,
+    small,
+)
 from catopt.answers.note_motion import motion_blocks
-from catopt.answers.note_sheet import basis_section, sheet_sections
+from catopt.answers.solution import marks_table, points_table
 from catopt.answers.trail import equation_trail
-from catopt.figures.curve import load_curve
-from catopt.figures.front import OBJECTIVES, composition, front
-from catopt.figures.line import line_in_water, tension_along
+from catopt.figures.line import line_in_water, load_curve, tension_along
+from catopt.figures.sizing import OBJECTIVES, composition, front
 from catopt.figures.swarm import fitness, swarm_tension
 from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:
     from catopt.answers.blocks import Section
-    from catopt.notes.directory import Chosen
     from catopt.notes.line import Note
+    from catopt.notes.origin import Chosen
 
 _ROWS = 15
 """Points of the curve that people see, about."""
@@ -270,7 +277,17 @@ def of_the_front(chosen: Chosen, left_out: str = "note.front_left_out") -> Itera
     yield replace(_designs(designs, keys), shown=shown, marked=chosen.number - 1)
     if len(shown) < len(designs):
         yield small(left_out, count=len(designs) - len(shown))
-    yield from _neighbours(document, keys)
+    steps = document.get("neighbours", [])
+    if not steps:
+        return
+    of = Rows(steps)
+    yield tabulate(
+        "neighbours",
+        of.texts("note.front_change", itemgetter("change")),
+        *_objectives(keys, steps),
+        of.texts("verdict", _said, passes=tuple(each["feasible"] for each in steps)),
+        caption=Message("note.front_neighbours", number=document["recommended"] + 1),
+    )
 
 
 def _present(present: Mapping[str, Any], keys: Sequence[str]) -> Message:
@@ -310,20 +327,6 @@ def _sinker(point: Mapping[str, Any]) -> str:
     """Say the mass in air of a design's sinker; empty where there is none."""
     sinker = point.get("sinker")
     return f"{sinker['mass_kg'] / 1e3:g} t" if sinker and sinker["mass_kg"] else ""
-
-
-def _neighbours(document: Mapping[str, Any], keys: Sequence[str]) -> Iterator[Table]:
-    steps = document.get("neighbours", [])
-    if not steps:
-        return
-    of = Rows(steps)
-    yield tabulate(
-        "neighbours",
-        of.texts("note.front_change", itemgetter("change")),
-        *_objectives(keys, steps),
-        of.texts("verdict", _said, passes=tuple(each["feasible"] for each in steps)),
-        caption=Message("note.front_neighbours", number=document["recommended"] + 1),
-    )
 
 
 def _said(step: Mapping[str, Any]) -> str:

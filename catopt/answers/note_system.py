@@ -1,4 +1,4 @@
-"""What the note of a moored body consists of."""
+"""What the notes of a moored body, and of lines between points, consist of."""
 
 from __future__ import annotations
 
@@ -24,20 +24,40 @@ from catopt.answers.blocks import (
     texts,
 )
 from catopt.answers.check import checked_body
-from catopt.answers.note import by_both, case_sections, note_answer, opening, section, small
+from catopt.answers.note import (
+    basis_section,
+    by_both,
+    case_sections,
+    damaged_section,
+    inputs_table,
+    network_basis_section,
+    note_answer,
+    opening,
+    section,
+    sheet_sections,
+    small,
+)
 from catopt.answers.note_motion import body_motion_blocks
-from catopt.answers.note_sheet import basis_section, sheet_sections
-from catopt.answers.solution import method_name, profile_table
+from catopt.answers.solution import given_tables, method_name, profile_table
+from catopt.answers.system import (
+    bodies_table,
+    floats_tables,
+    joints_table,
+    meeting_table,
+    network_out_table,
+)
 from catopt.answers.trail import DEGREES, equation_trail, step_of
 from catopt.figures import mooring
 from catopt.figures.line import line_in_water, magnified
+from catopt.figures.mooring import network_plan, network_side
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.words import Measure, Message, Sentence, Several
 
 if TYPE_CHECKING:
+    from catopt.checks.result import CheckReport
     from catopt.mooring.response import Response
     from catopt.mooring.solution import LegState, SystemSolution
-    from catopt.notes.system import SystemNote
+    from catopt.notes.system import NetworkNote, SystemNote
 
 _CURVE_EVERY = 4
 """One point of a restoring curve in so many is shown; both ends and the middle are among them."""
@@ -57,7 +77,7 @@ def system_note_answer(note: SystemNote) -> blocks.Answer:
         *_opening(note),
         basis_section(note.sheet),
         _section("identity", _identity(note)),
-        _section("checks", _checks(note)),
+        _section("checks", _checks(note.checks, "note_system.checks_about")),
         _section("line_out", _line_out(note)),
         _section("elevation", _elevation(note)),
         _section("results", _results(note)),
@@ -255,10 +275,10 @@ def _lines(note: SystemNote) -> Iterator[Block]:
     yield Text(Several((known, Message("note_system.lines_marked")), " "), is_small=True)
 
 
-def _checks(note: SystemNote) -> Iterator[Block]:
-    if note.checks.results:
-        yield Text(Message("note_system.checks_about"))
-        yield from checked_body(note.checks)
+def _checks(checks: CheckReport, about: str) -> Iterator[Block]:
+    if checks.results:
+        yield Text(Message(about))
+        yield from checked_body(checks)
         yield small("note.checks_legend")
 
 
@@ -277,7 +297,7 @@ def _line_out(note: SystemNote) -> Iterator[Block]:
     further = _further(each.response for each in gone)
     yield replace(table, columns=(*columns, *further), caption="", marked=hardest)
     for each in gone:
-        if each.response is None:
+        if each.refusal:
             lost = Message("mooring.lost", number=each.missing + 1, refusal=each.refusal)
             yield Verdict(lost, passes=False)
 
@@ -418,3 +438,107 @@ def _line_trail(note: SystemNote) -> Iterator[Block]:
     """Follow the most loaded line through the equations of a line."""
     yield Text(Message("note_system.line_trail_of_line", line=note.solution.most_loaded + 1))
     yield from equation_trail(note.loaded.solution)
+
+
+def network_note_answer(note: NetworkNote) -> blocks.Answer:
+    """Lay out the note of lines between points."""
+    sections = (
+        *_network_opening(note),
+        network_basis_section(note.sheet),
+        _section("checks", _checks(note.checks, "note_system.network_checks_about")),
+        _section("line_out", _network_line_out(note)),
+        _section("side", _side(note)),
+        _section("joints", _joints(note)),
+        _section("lines", _network_lines(note)),
+        damaged_section(note.sheet),
+        section("components", _components(note)),
+        section("inputs", [Text(Message("note.inputs_about")), inputs_table(note.origin)]),
+    )
+    return note_answer(
+        note, "note_system.kind_network", sections, untitled="note_system.untitled_network"
+    )
+
+
+def _network_opening(note: NetworkNote) -> Iterator[Section]:
+    rest, network = note.rest, note.case
+    joints = sum(point.kind == "joint" for point in network.points)
+    tension = note.tensions[note.most_loaded]
+    said = Message(
+        "note_first.network",
+        lines=len(network.lines),
+        points=len(network.points),
+        joints=joints,
+        line=note.most_loaded + 1,
+        tension=about("tension", tension),
+    )
+    facts = (
+        ("note_system.identity_lines", f"{len(network.lines)}"),
+        ("note_system.identity_joints", f"{joints}"),
+        ("note.identity_method", method_name(rest.lines[0].method)),
+    )
+    lies = max(line.grounded_length for line in rest.lines)
+    return opening(
+        note,
+        facts,
+        said,
+        drawing=(
+            Text(Message("note_system.network_plan_about")),
+            Figure(network_plan(rest, note.most_loaded)),
+        ),
+        force=(Message("note_system.pull_on_body"), "horizontal_force", _pull(note)),
+        reach=(Message("note_system.longest_on_bed"), "grounded_length", lies),
+        tension=tension,
+    )
+
+
+def _pull(note: NetworkNote) -> float:
+    """Sum the horizontal pull of the lines on the points of the body, N."""
+    rest = note.rest
+    pulls = [
+        pull
+        for run, ends in zip(rest.runs, rest.joints.ends, strict=True)
+        for at, pull in ((run.first, ends.first), (run.second, ends.second))
+        if note.case.points[at].kind == "fairlead"
+    ]
+    return math.hypot(*(math.fsum(pull[k] for pull in pulls) for k in (0, 1)))
+
+
+def _side(note: NetworkNote) -> Iterator[Block]:
+    yield Text(Message("note_system.side_about"))
+    yield Figure(network_side(note.rest, note.most_loaded))
+
+
+def _joints(note: NetworkNote) -> Iterator[Block]:
+    if note.rest.bodies:
+        yield bodies_table(note.rest)
+    yield from floats_tables(note.rest)
+    if any(point.kind == "joint" for point in note.case.points):
+        yield joints_table(note.rest, "joints")
+    if note.rest.bodies or any(point.kind == "joint" for point in note.case.points):
+        found = note.rest.joints
+        yield small("note_system.joints_about", left=found.residual, steps=found.steps)
+
+
+def _network_lines(note: NetworkNote) -> Iterator[Block]:
+    yield meeting_table(note.rest, "network_lines", note.checks, marked=note.most_loaded)
+    yield small("note_system.network_lines_about")
+
+
+def _network_line_out(note: NetworkNote) -> Iterator[Block]:
+    """Tabulate what each line gone does, and say why the joints find no rest."""
+    gone = note.line_out
+    if not gone:
+        return
+    yield Text(Message("note_system.network_line_out_about"))
+    yield network_out_table(gone, note.checks)
+    yield from (Verdict(each.why_lost, passes=False) for each in gone if each.rest is None)
+
+
+def _components(note: NetworkNote) -> Iterator[Block]:
+    """Tabulate what each line is made of; those made alike once."""
+    alike: dict[object, list[str]] = {}
+    for number, run in enumerate(note.rest.runs, start=1):
+        alike.setdefault(run.line, []).append(f"{number}")
+    for line, numbers in alike.items():
+        yield Text(Message("note_system.network_components", lines=", ".join(numbers)))
+        yield from given_tables(line)  # type: ignore[arg-type]

@@ -35,12 +35,14 @@ def reproduction_answer(result: Reproduction) -> blocks.Answer:
         differ=verdicts.count("differs"),
         neither=verdicts.count("not reproducible"),
     )
+    of, findings = Rows(result.studies).within("findings")
+    columns = (of.texts("study", "name"), texts("finding", findings.rows))
     return answered(
         "reproduction",
         term("Published figures beside catopt's"),
         section("terms.comparison", _comparison(result.items)),
         section("captions.inputs", _inputs(result.studies)),
-        section("terms.findings", _findings(result.studies)),
+        section("terms.findings", tabulate("findings", *columns, only="workbook")),
         *(blocks.Section(study.name, tuple(_study(study))) for study in result.studies),
         section("terms.findings", blocks.Verdict(tally, "differs" not in verdicts)),
     )
@@ -76,12 +78,6 @@ def _inputs(studies: Sequence[Study]) -> blocks.Table:
         *of.own("unit", "origin"),
         only="workbook",
     )
-
-
-def _findings(studies: Sequence[Study]) -> blocks.Table:
-    of, findings = Rows(studies).within("findings")
-    columns = (of.texts("study", "name"), texts("finding", findings.rows))
-    return tabulate("findings", *columns, only="workbook")
 
 
 # ------------------------------------------------------------------ what people see of a study

@@ -291,8 +291,8 @@ def tried_blocks(of: InMotion) -> tuple[blocks.Block, ...]:
         every.texts("fails", "words"),
         caption=Message("sizing.lines_tried"),
     )
-    told = blocks.Text(runs_words(of)), blocks.Text(of.counted.words), tried
-    return (*told, *_by_length(of))
+    reported = blocks.Text(runs_words(of)), blocks.Text(of.counted.words), tried
+    return (*reported, *_by_length(of))
 
 
 def _by_length(of: InMotion) -> tuple[blocks.Block, ...]:

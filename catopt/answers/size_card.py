@@ -24,7 +24,7 @@ from catopt.answers.blocks import (
     texts,
 )
 from catopt.answers.check import verdict_column, verdict_sentence
-from catopt.catalogue.in_words import chain_words
+from catopt.catalogue.family import chain_words
 from catopt.constants import YEAR
 from catopt.units import lasting
 from catopt.words import Measure, Message, Several, is_said, term
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from catopt.checks.result import CheckResult
     from catopt.sizing import Sizing
     from catopt.sizing.alternatives import Alternative
-    from catopt.sizing.in_motion import InMotion
+    from catopt.sizing.in_motion import InMotion, LineTried
 
 _OTHERS = ("practice", "balanced", "shortest", "least-swing", "lightest", "cheapest")
 """Preferences by how much their lines matter beside the recommended one."""
@@ -45,7 +45,7 @@ def size_card(of: Sizing, *, with_others: bool = True) -> tuple[CardBlock, ...]:
     """Lay out what is recommended on one screen, with other lines in words where wanted."""
     (code, *_) = of.case.checks.codes
     briefs = (
-        *(_of_the_runs(of.in_motion) if of.in_motion is not None else ()),
+        *_of_motion(of),
         Brief(of.departures, Message("sizing.card_departs", code=code), 2),
         Brief((of.practice,), Message("sizing.card_practice"), 3),
         Brief(of.fittings, Message("sizing.card_fittings")),
@@ -153,6 +153,13 @@ def _in_motion(of: InMotion) -> Iterator[Fact]:
     yield _worded("motion_factor", Message("sizing.in_place_of", **factors))
 
 
+def less_words(of: LineTried) -> Message:
+    """Say of a line that it fails, and by what."""
+    why = Message(f"checks.{of.failing[0].kind}_short") if of.failing else of.reason
+    size = round(1e3 * of.diameter, 6)
+    return Message("sizing.less_fails", size=size, length=of.length, check=why)
+
+
 def runs_words(of: InMotion) -> Message:
     """Say how lines were run, and what the checks are held against."""
     assert of.case.dynamics is not None
@@ -161,7 +168,7 @@ def runs_words(of: InMotion) -> Message:
         "sizing.runs_of",
         seeds=of.how.seeds,
         time=lasting(of.how.duration),
-        states=len(of.case.load_cases),
+        states=of.load_cases,
         judged=Message(f"sizing.judged_{of.how.judged_by.replace('-', '_')}", time=storm),
     )
 
@@ -187,10 +194,22 @@ def _about(force: float | None) -> Measure:
     return about("vertical_force", force or 0.0)
 
 
+def _of_motion(of: Sizing) -> Iterator[Brief]:
+    """Yield how lines were run; of a ship's line at rest that it was not, and what does so."""
+    if of.in_motion is not None:
+        yield from _of_the_runs(of.in_motion)
+    elif of.kind == "tanker":
+        key = "sizing.not_run" if of.ship_case is None else "sizing.not_run_yet"
+        yield Brief((Message(key),), Message("sizing.card_in_motion"), 1)
+
+
 def _of_the_runs(of: InMotion) -> Iterator[Brief]:
     """Yield how lines were run, and how many."""
     yield Brief((runs_words(of),), Message("sizing.card_runs"), 2)
     yield Brief((of.counted.words,), Message("sizing.card_in_motion"), 2)
+    if of.less:
+        failing = (less_words(each) for each in of.less)
+        yield Brief((Several(failing, "; "),), Message("sizing.card_less"), 2)
     lengths = [
         Message(
             "sizing.card_at_length",

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING
 from catopt.answers.blocks import Answer, Brief, Text
 from catopt.answers.check import demand_and_capacity
 from catopt.catalogue.choice import chosen
-from catopt.catalogue.in_words import chain_words
+from catopt.catalogue.family import chain_words
 from catopt.model import CatalogueChoice
 from catopt.words import Message, Several
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckResult
-    from catopt.design.near_miss import NoFeasibleDesignError
+    from catopt.design.neighbours import NoFeasibleDesignError
     from catopt.design.result import NearMiss
     from catopt.sizing.known import ResolvedInputs
 
@@ -34,7 +34,10 @@ def miss_answer(error: NoFeasibleDesignError, of: ResolvedInputs) -> Answer:
         card.append(Text(Message("sizing.miss_nearest", chain=chain, length=miss.line.length)))
         card += [Brief((said,), name, 2) for name, said in _worst(miss)]
         helping = [said for kind in _kinds(miss) for said in _helps(kind, of)]
-        if error.in_motion is not None:
+        if error.in_motion is not None and of.moored == "tanker":
+            options = {name: of.telling.spell(name) for name in ("lines", "seeds")}
+            helping.append(Message("sizing.miss_helps_ship", **options))
+        elif error.in_motion is not None:
             options = {"scope": of.telling.spell("scope_max"), "code": of.telling.spell("code")}
             helping.append(Message("sizing.miss_helps_motion", **options))
         advice = dict.fromkeys(helping)

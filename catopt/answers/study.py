@@ -55,7 +55,9 @@ def _blocks(result: StudyResult) -> Iterator[blocks.Block]:
         yield blocks.Text(Message("study.influence_note"), is_small=True)
     for name, counted in result.counted().items():
         if counted:
-            yield _counts(name, counted)
+            words, counts = zip(*counted, strict=True)
+            columns = (texts(f"study.{name}", _cells(words)), texts("study.members", counts))
+            yield tabulate(f"study_{name}", *columns, caption=Message("study.counts"))
     if result.reasons:
         yield _failures(result)
     yield from _reach(result)
@@ -85,10 +87,10 @@ def _few(result: StudyResult) -> blocks.Table:
     parts = [members_table(result.study, each) for each in result.store.pieces()]
     names = ["no", *result.study.keys, *(each.name for each in _in_table(result.study)), "reason"]
     every = zip(names, blocks.stacked(parts), strict=True)
-    told = [(name, each) for name, each in every if any(map(_is_known, each.values))]
+    reported = [(name, each) for name, each in every if any(map(_is_known, each.values))]
     shown = tuple(
         replace(each, priority=0 if name in _TOLD | {"no"} else at)
-        for at, (name, each) in enumerate(told, start=1)
+        for at, (name, each) in enumerate(reported, start=1)
     )
     return blocks.Table("few_members", shown, only="people")
 
@@ -164,7 +166,7 @@ def _first_beyond(result: StudyResult, found: Sequence[Statistic]) -> Iterator[b
     if study.distributions or all(each is None for each in members):
         return
     said = (
-        ", ".join(study.written(key, value) for key, value in study.told_of(each).items())
+        ", ".join(study.written(key, value) for key, value in study.reported_of(each).items())
         if each is not None
         else ""
         for each in members
@@ -224,7 +226,7 @@ def _first_orders(result: StudyResult) -> Iterator[blocks.Block]:
             measured(_SHARE, [each.importance[key] for _, each, key in rows], "study.importance"),
             caption=Message("study.failure_point"),
         )
-    told = [
+    reported = [
         Message(
             "study.other_point",
             name=of.name,
@@ -234,23 +236,23 @@ def _first_orders(result: StudyResult) -> Iterator[blocks.Block]:
         for of, each in found
         for index, point in each.others
     ]
-    told += (
+    reported += (
         Message("study.no_first_order", name=name, why=why)
         for name, why in result.no_first_orders.items()
     )
-    if told:
-        yield blocks.Warnings(tuple(told))
+    if reported:
+        yield blocks.Warnings(tuple(reported))
 
 
 def _worst(result: StudyResult) -> blocks.Table:
     study, varied = result.study, Rows(e for e in result.statistics if e.least < e.largest)
-    of, told = varied.within(lambda each: study.told_of(each.worst).items())
+    of, reported = varied.within(lambda each: study.reported_of(each.worst).items())
     return tabulate(
         "study_worst",
         of.texts("study.at", "kept.words"),
         of.texts("study.member", lambda each: each.worst + 1),
-        _keys((key,) for key, _ in told.rows),
-        texts("study.value", _cells(study.written(*each) for each in told.rows)),
+        _keys((key,) for key, _ in reported.rows),
+        texts("study.value", _cells(study.written(*each) for each in reported.rows)),
         caption=Message("study.worst_members"),
     )
 
@@ -271,12 +273,6 @@ def _influences(result: StudyResult) -> blocks.Table:
 def _keys(rows: Iterable[Iterable[str]]) -> blocks.Column:
     """Make a column of key paths that vary together."""
     return texts("study.key", [Cited(", ".join(keys)) for keys in rows])
-
-
-def _counts(name: str, counted: list[tuple[str, int]]) -> blocks.Table:
-    words, counts = zip(*counted, strict=True)
-    columns = (texts(f"study.{name}", _cells(words)), texts("study.members", counts))
-    return tabulate(f"study_{name}", *columns, caption=Message("study.counts"))
 
 
 def _failures(result: StudyResult) -> blocks.Table:

@@ -27,7 +27,7 @@ DEGREES = Quantity("exact", "", "", "rad", "deg", math.pi / 180.0, 9, "significa
 
 
 @dataclass(frozen=True)
-class Piece:
+class TrailPiece:
     """One stretch of the line, from the anchor up: in m, N/m and N.
 
     `number` is that of its uniform piece, from 1 at the anchor; V and T are vertical force and
@@ -86,7 +86,7 @@ def is_uniform(solution: Solution) -> bool:
     return (
         len(segments) == 1
         and not solution.line.point_loads
-        and math.isinf(segments[0].EA)
+        and segments[0].is_inextensible
         and segments[0].submerged_weight > 0.0
         and (
             solution.regime == "suspended"
@@ -104,7 +104,7 @@ def steps_of(solution: Solution) -> tuple[Step, ...]:
     return (*steps, *_mass(solution))
 
 
-def pieces_of(solution: Solution) -> tuple[Piece, ...]:
+def pieces_of(solution: Solution) -> tuple[TrailPiece, ...]:
     """Work out what each stretch of a line of several pieces contributes; none of one alone."""
     if is_uniform(solution):
         return ()
@@ -178,7 +178,7 @@ def _height(solution: Solution) -> Step:
 # ------------------------------------------------------------------ a line of several pieces
 
 
-def _piece(stretch: Stretch) -> Piece:
+def _piece(stretch: Stretch) -> TrailPiece:
     H, V1 = stretch.horizontal_force, stretch.vertical_force
     length, weight, compliance = stretch.length, stretch.submerged_weight, stretch.compliance
     EA = math.inf if compliance == 0.0 else 1.0 / compliance
@@ -186,7 +186,7 @@ def _piece(stretch: Stretch) -> Piece:
     if stretch.on_bed:
         T2 = H + stretch.friction * length
         dx = length * (1.0 + 0.5 * (H + T2) * compliance) * stretch.gathered
-        return Piece(number, True, length, weight, EA, 0.0, 0.0, H, T2, dx, 0.0, "C8")
+        return TrailPiece(number, True, length, weight, EA, 0.0, 0.0, H, T2, dx, 0.0, "C8")
     V2 = V1 + weight * length
     T1, T2 = math.hypot(H, V1), math.hypot(H, V2)
     m = T1 + T2
@@ -194,7 +194,7 @@ def _piece(stretch: Stretch) -> Piece:
     dz = length * sine + 0.5 * length * (V1 + V2) * compliance
     reach, equation = _reach(stretch, V2, m)
     dx = (reach + H * length * compliance) * stretch.gathered
-    return Piece(number, False, length, weight, EA, V1, V2, T1, T2, dx, dz, f"{equation}, C5")
+    return TrailPiece(number, False, length, weight, EA, V1, V2, T1, T2, dx, dz, f"{equation}, C5")
 
 
 def _reach(stretch: Stretch, V2: float, m: float) -> tuple[float, str]:
@@ -211,7 +211,7 @@ def _reach(stretch: Stretch, V2: float, m: float) -> tuple[float, str]:
     return H / weight * (math.asinh(V2 / H) - math.asinh(V1 / H)), "C3"
 
 
-def _pieces_table(pieces: tuple[Piece, ...]) -> Table:
+def _pieces_table(pieces: tuple[TrailPiece, ...]) -> Table:
     of, lies = Rows(pieces), ("note.equations_hangs", "note.equations_on_bed")
     return tabulate(
         "pieces",
@@ -227,7 +227,7 @@ def _pieces_table(pieces: tuple[Piece, ...]) -> Table:
     )
 
 
-def _sums(solution: Solution, pieces: tuple[Piece, ...]) -> Iterator[Step]:
+def _sums(solution: Solution, pieces: tuple[TrailPiece, ...]) -> Iterator[Step]:
     reaches, rises = [(each.dx,) for each in pieces], [(each.dz,) for each in pieces]
     span, rise = (math.fsum(value for (value,) in terms) for terms in (reaches, rises))
     height = solution.fairlead_height - solution.anchor_height

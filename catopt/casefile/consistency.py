@@ -1,30 +1,27 @@
-"""What must hold between the keys of a case file.
-
-These checks read the document itself and pass over what is missing or unreadable, so that they
-find their mistakes beside those of the single keys, not after them.
-"""
+"""What must hold between the keys of a case file."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from catopt.casefile.document import Section, refusals
-from catopt.casefile.location import Finding, parts
-from catopt.casefile.ranges import duplicates
-from catopt.casefile.schema import entries
+from catopt.casefile import building as ranges
+from catopt.casefile.building import SIZES, duplicates
+from catopt.casefile.document import FileSection, Finding, parts, refusals
+from catopt.casefile.schema import LENGTHS, MASSES, POSITIONS, PRETENSIONS, RADII, entries
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.documents import Path
-from catopt.errors import InputError
-from catopt.model import Anchor, Find, Load
+from catopt.errors import InputError, Problem
+from catopt.model import Anchor, ClumpWeightChoice, Design, Find, Load, SegmentChoice
 from catopt.model.anchor import ANCHOR_KINDS
+from catopt.model.design import FIND_QUANTITIES, FORCES, body_misfits, inconsistencies
 from catopt.model.dynamics import OF_MOTION
-from catopt.model.find import FIND_QUANTITIES, FORCES, inconsistencies
 from catopt.model.line import END_ROUNDING, break_test_misfits, drag_misfits, point_drag_misfits
 from catopt.model.service import wear_misfits
+from catopt.model.strain_table import table_misfits
 from catopt.model.system import system_misfits
 from catopt.units import Dimension
 from catopt.words import Message
@@ -33,7 +30,7 @@ if TYPE_CHECKING:
     from catopt.catalogue import Component
 
 
-def consistency_findings(case: Section, components: Mapping[Path, Component]) -> list[Finding]:
+def consistency_findings(case: FileSection, components: Mapping[Path, Component]) -> list[Finding]:
     """List what contradicts itself in a document, with its components by their paths."""
     line = case.table("line")
     segments, loads = line.tables("segments"), line.tables("point_loads")
@@ -53,7 +50,7 @@ def consistency_findings(case: Section, components: Mapping[Path, Component]) ->
     ]
 
 
-def judged_findings(case: Section, segments: list[Section]) -> list[Finding]:
+def judged_findings(case: FileSection, segments: list[FileSection]) -> list[Finding]:
     """List what contradicts itself in what lines are judged by: checks, anchor, service."""
     service = case.table("service").given
     return [
@@ -63,7 +60,7 @@ def judged_findings(case: Section, segments: list[Section]) -> list[Finding]:
     ]
 
 
-def _load(case: Section) -> Iterator[Finding]:
+def _load(case: FileSection) -> Iterator[Finding]:
     """Find any but exactly one known quantity at the fairlead, as the model has it."""
     load, sought = case.table("load"), _sought(case)
     if not isinstance(case.given.get("load"), dict) or (sought and sought.seeks_force):
@@ -74,7 +71,7 @@ def _load(case: Section) -> Iterator[Finding]:
         yield from (Finding(("load",), each.found, each.allowed) for each in problems)
 
 
-def _find(case: Section) -> Iterator[Finding]:
+def _find(case: FileSection) -> Iterator[Finding]:
     """Find conditions too few or too many, and keys that go with another quantity."""
     find = case.table("find")
     if _sought(case) is None or find.misspelt():
@@ -86,7 +83,7 @@ def _find(case: Section) -> Iterator[Finding]:
 
 
 def _misfits(
-    case: Section, line: Section, components: Mapping[Path, Component]
+    case: FileSection, line: FileSection, components: Mapping[Path, Component]
 ) -> Iterator[Finding]:
     """Find what does not fit between what is sought, the load and the line, as the model has it."""
     sought, has_load = _sought(case), case.given.get("load") is not None
@@ -114,14 +111,14 @@ def _misfits(
             yield from case.refused([replace(problem, allowed=allowed)])
 
 
-def _has_MBL(segment: Section, component: Component | None) -> bool:
+def _has_MBL(segment: FileSection, component: Component | None) -> bool:
     """Whether a segment's strength is given, or may be for all that is clear."""
     if not segment.lacks("MBL"):
         return True
     return component.MBL is not None if component else "component" in segment
 
 
-def _sought(case: Section) -> Find | None:
+def _sought(case: FileSection) -> Find | None:
     """Return what is sought, with a condition that fits; None when nothing is or it is unclear."""
     find = case.table("find").given
     quantity: Any = find.get("quantity")
@@ -135,7 +132,7 @@ def _sought(case: Section) -> Find | None:
     return sought
 
 
-def _segment(segment: Section) -> Iterator[Finding]:
+def _segment(segment: FileSection) -> Iterator[Finding]:
     """Find a segment without weight or component, and a component without its diameter."""
     if "component" in segment:
         if segment.lacks("diameter"):
@@ -150,9 +147,26 @@ def _segment(segment: Section) -> Iterator[Finding]:
     if not segment.misspelt("drag_method", "roughness"):
         yield from segment.refused(drag_misfits(segment.values()))
         yield from segment.refused(break_test_misfits(segment.given))
+    yield from _strain_table(segment)
 
 
-def _weight(body: Section) -> Iterator[Finding]:
+def _strain_table(segment: FileSection) -> Iterator[Finding]:
+    """Find a table of strains that is half, wrong, or beside an axial stiffness."""
+    keys = ("strain", "strain_tension")
+    given = [key for key in keys if key in segment]
+    if not given or segment.misspelt(*keys, "EA"):
+        return
+    if "EA" in segment:
+        yield segment.wrong("EA", Message("refused_case.table_or_stiffness"))
+    for key in keys:
+        if key not in given:
+            yield segment.missing(key, Message("refused.missing_goes_with", key_=given[0]))
+    values = segment.values()
+    if len(given) == len(keys) and all(values[key] is not None for key in keys):
+        yield from segment.refused(table_misfits(values["strain"], values["strain_tension"]))
+
+
+def _weight(body: FileSection) -> Iterator[Finding]:
     """Find a body whose weight is not given, or given both itself and by density or volume."""
     if body.misspelt("submerged_weight", "mass", "density", "volume"):
         return
@@ -176,13 +190,13 @@ def _weight(body: Section) -> Iterator[Finding]:
         yield body.missing("submerged_weight", wanted)
 
 
-def _drag(load: Section) -> Iterator[Finding]:
+def _drag(load: FileSection) -> Iterator[Finding]:
     """Find a drag of a point load that lacks its area or its coefficient."""
     if not load.misspelt("drag_area", "drag_coefficient"):
         yield from load.refused(point_drag_misfits(load.given))
 
 
-def _positions(segments: list[Section], loads: list[Section]) -> Iterator[Finding]:
+def _positions(segments: list[FileSection], loads: list[FileSection]) -> Iterator[Finding]:
     """Find point loads beyond the end of the line."""
     lengths = [segment.number("length") for segment in segments]
     known = [length for length in lengths if length is not None]
@@ -195,7 +209,7 @@ def _positions(segments: list[Section], loads: list[Section]) -> Iterator[Findin
             yield load.wrong("position", Message("refused.below_line", length=total))
 
 
-def _contact_offset(site: Section, line: Section) -> Iterator[Finding]:
+def _contact_offset(site: FileSection, line: FileSection) -> Iterator[Finding]:
     """Find depth and heights that are not above the axis of a line that lies on the bed."""
     offset = site.number("contact_offset")
     if not offset:
@@ -210,7 +224,7 @@ def _contact_offset(site: Section, line: Section) -> Iterator[Finding]:
             yield line.wrong(key, f"{allowed}; 0 is an end on the seabed")
 
 
-def _levels(case: Section, states: list[Section]) -> Iterator[Finding]:
+def _levels(case: FileSection, states: list[FileSection]) -> Iterator[Finding]:
     """Find names used twice, and water levels that leave no water, of load cases or of loads."""
     depth = case.table("site").number("water_depth")
     line = case.table("line")
@@ -229,7 +243,7 @@ def _levels(case: Section, states: list[Section]) -> Iterator[Finding]:
             yield state.wrong("water_level", allowed)
 
 
-def _system(case: Section) -> Iterator[Finding]:
+def _system(case: FileSection) -> Iterator[Finding]:
     """Find what does not go with a system, and a load in yaw on a body that cannot turn."""
     if "system" not in case:
         return
@@ -251,7 +265,7 @@ def _system(case: Section) -> Iterator[Finding]:
         yield system.wrong("moment", allowed)
 
 
-def _checks(case: Section) -> Iterator[Finding]:
+def _checks(case: FileSection) -> Iterator[Finding]:
     """Find codes or a largest span given in two ways, and what goes with several lines."""
     checks = case.table("checks")
     for section in (checks, case.table("anchor")):
@@ -273,7 +287,7 @@ def _checks(case: Section) -> Iterator[Finding]:
     yield from duplicates(checks, "codes")
 
 
-def _anchor(case: Section) -> Iterator[Finding]:
+def _anchor(case: FileSection) -> Iterator[Finding]:
     """Find what does not go with the kind of anchor, as the model has it."""
     anchor = case.table("anchor")
     kind: Any = anchor.given.get("kind")
@@ -294,7 +308,7 @@ def _anchor(case: Section) -> Iterator[Finding]:
             yield from anchor.refused([problem])
 
 
-def sinks_findings(case: Section, body: Section) -> Iterator[Finding]:
+def sinks_findings(case: FileSection, body: FileSection) -> Iterator[Finding]:
     """Find a sinker that floats."""
     site = case.table("site")
     water = site.number("water_density")
@@ -305,3 +319,179 @@ def sinks_findings(case: Section, body: Section) -> Iterator[Finding]:
     if density is not None and not density > water:
         allowed = Message("refused.sinker_floats", water=water)
         yield body.wrong("density", allowed)
+
+
+_COMPONENTS = ("components", "component")
+
+
+def design_findings(case: FileSection) -> list[Finding]:
+    """List what contradicts itself in the design of a document."""
+    design, line = case.table("design"), _Line(case.table("line"))
+    if not design.given:
+        return []
+    segments, weights = design.tables("segments"), design.tables("clump_weights")
+    sinker = design.table("sinker")
+    return [
+        *(f for index, each in enumerate(segments) for f in _design_segment(each, index, line)),
+        *(f for weight in weights for f in _clump_weight(weight)),
+        *_design_positions(segments, weights, line),
+        *(ranges.findings(MASSES, sinker, required=True) if sinker.given else ()),
+        *(sinks_findings(case, sinker) if sinker.given else ()),
+        *(_as_the_model_has_it(design, segments, weights) if segments else ()),
+        *_excursion(case, design),
+        *_of_a_body(case, design),
+    ]
+
+
+class _Line:
+    """What the segments of a design may take over from the line."""
+
+    def __init__(self, line: FileSection) -> None:
+        self.segments = line.tables("segments")
+        self.is_clear = bool(self.segments) and not line.misspelt("segments")
+
+    def at(self, index: int) -> FileSection | None:
+        """Return the segment at a place, counted from 0; None when there is none."""
+        return self.segments[index] if index < len(self.segments) else None
+
+    def lacks(self, index: int) -> bool:
+        """Whether there is certainly no segment at a place."""
+        return self.is_clear and self.at(index) is None
+
+
+def _design_segment(choice: FileSection, index: int, line: _Line) -> Iterator[Finding]:
+    """Find what is given in two ways, and what the line has not got to be taken over."""
+    yield from ranges.findings(LENGTHS, choice)
+    if all(key in choice for key in _COMPONENTS):
+        allowed = Message("refused.only_one")
+        yield Finding(
+            choice.path,
+            Message("refused_file.two_keys", one="component", other="components"),
+            allowed,
+        )
+    yield from _sizes(choice)
+    nothing = Message("refused.no_such_segment", number=index + 1)
+    if line.lacks(index) and choice.lacks(*LENGTHS.keys):
+        yield choice.missing("lengths", nothing)
+    if not choice.lacks(*_COMPONENTS):
+        return
+    own = line.at(index)
+    if line.lacks(index):
+        yield choice.missing("components", nothing)
+    elif any(key in choice for key in SIZES) and line.is_clear and own and own.lacks("component"):
+        why = Message("refused.segment_without_component", number=index + 1)
+        yield choice.missing("components", why)
+
+
+def _sizes(choice: FileSection) -> Iterator[Finding]:
+    """Find diameters given in two ways, twice, or as a range that is none."""
+    ranged = [key for key in ("diameter_min", "diameter_max") if key in choice]
+    singly = [key for key in ("diameter", "diameters") if key in choice]
+    if len(singly) + bool(ranged) > 1:
+        allowed = Message("refused.diameters_one_way")
+        yield Finding(choice.path, " and ".join([*singly, *ranged]), allowed)
+    yield from ranges.upside_down(choice, "diameter_min", "diameter_max")
+    yield from ranges.duplicates(choice, "diameters")
+
+
+def _clump_weight(choice: FileSection) -> Iterator[Finding]:
+    """Find a clump weight without mass or place, or with two."""
+    yield from ranges.findings(MASSES, choice, required=True)
+    yield from ranges.findings(POSITIONS, choice)
+    placed = [key for key in POSITIONS.keys if key in choice]
+    if placed and "joint" in choice:
+        found = " and ".join([*placed, "joint"])
+        yield Finding(choice.path, found, Message("refused.positions_or_joint"))
+    if choice.lacks(*POSITIONS.keys, "joint"):
+        ways = Message("refused.or_a_joint", ways=ranges.wanted(POSITIONS))
+        yield choice.missing("positions", ways)
+
+
+def _design_positions(
+    segments: list[FileSection], weights: list[FileSection], line: _Line
+) -> Iterator[Finding]:
+    """Find clump weights that are beyond the end of the longest line at every position."""
+    longest = []
+    for index, choice in enumerate(segments):
+        own = line.at(index)
+        if ranges.is_given(LENGTHS, choice):
+            length = max(ranges.read(LENGTHS, choice), default=None)
+        else:
+            length = own.number("length") if own else None
+        if length is None or choice.misspelt(*LENGTHS.keys):
+            return
+        longest.append(length)
+    total = math.fsum(longest)
+    for weight in weights:
+        positions = ranges.read(POSITIONS, weight)
+        if longest and positions and not positions[0] < total:
+            key = next(key for key in POSITIONS.keys if key in weight)
+            which = "one_below_longest" if key == POSITIONS.many else "below_longest"
+            yield weight.wrong(key, Message(f"refused.{which}", length=total))
+
+
+def _as_the_model_has_it(
+    design: FileSection, segments: list[FileSection], weights: list[FileSection]
+) -> Iterator[Finding]:
+    """Find objectives too few or too many, joints that are not there, and no fixed segment."""
+    choices = [
+        SegmentChoice((1.0,), optional=each.given.get("optional") is True) for each in segments
+    ]
+    hung = []
+    for weight in weights:
+        joint = weight.value("joint")
+        positions = () if joint else (1.0,)
+        hung.append(ClumpWeightChoice((1.0,), 1.0, positions=positions, joint=joint))
+    problems = refusals(
+        Design,
+        segments=tuple(choices),
+        clump_weights=tuple(hung),
+        objectives=tuple(design.value("objectives") or ("mass", "offset")),
+        lines=tuple(design.value("lines") or ()),
+        anchor_radii=(1.0,) if ranges.is_given(RADII, design) else (),
+        pretensions=(1.0,) if ranges.is_given(PRETENSIONS, design) else (),
+    )
+    yield from design.refused(_as_given(design, problems))
+
+
+def _of_a_body(case: FileSection, design: FileSection) -> Iterator[Finding]:
+    """Find radii given in two ways, and what goes with several lines alone or not with them."""
+    yield from ranges.findings(RADII, design)
+    yield from ranges.findings(PRETENSIONS, design)
+    has_system = "system" in case
+    if not has_system and case.misspelt("system"):
+        return
+    system = case.table("system")
+    force = system.value("force") or []
+    unclear = not force and not system.lacks("force")
+    given = {key: design.value(key) for key in ("lines", "headings", "objectives")}
+    given |= {"line_out": design.given.get("line_out") is True}
+    given |= {key: key in design for key in ("sinker", "loads")}
+    given |= {each.many: ranges.is_given(each, design) for each in (RADII, PRETENSIONS)}
+    has_force = bool(unclear or any(force))
+    problems = body_misfits(given, has_system=has_system, has_force=has_force)
+    yield from case.refused(_as_given(design, problems))
+
+
+def _as_given(design: FileSection, problems: Iterable[Problem]) -> Iterator[Problem]:
+    """Say which key of the file gives what the model has under one name."""
+    for problem in problems:
+        for values in (RADII, PRETENSIONS):
+            if problem.key.endswith(values.many):
+                given = next(key for key in values.keys if key in design)
+                problem = replace(problem, key=problem.key.replace(values.many, given))
+        yield problem
+
+
+def _excursion(case: FileSection, design: FileSection) -> Iterator[Finding]:
+    """Find an excursion that has no reference to count from."""
+    objectives, states = design.value("objectives") or [], case.tables("load_cases")
+    misread = "load_cases" in case and not states
+    count = sum(state.given.get("kind") == "reference" for state in states)
+    if "excursion" not in objectives or misread or count == 1 or "system" in case:
+        return
+    if not case.misspelt("load_cases"):
+        path = ("design", "objectives", objectives.index("excursion"))
+        key = "refused.references" if count else "refused.no_reference"
+        allowed = Message(key, found=count)
+        yield Finding(path, '"excursion"', allowed)

@@ -1,27 +1,261 @@
-"""Looks into the document of a case file as the TOML reader returns it, however broken it is.
-
-What is missing or wrong in itself is passed over: it is reported by its own key.
-"""
+"""Looks into the document of a file as the TOML reader returns it, however broken it is."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple, TypeVar
 
-from catopt.casefile.location import Finding, missing, parts
-from catopt.casefile.names import stands_for
 from catopt.casefile.schema import (
     MOST_FINDINGS,
     MOST_LISTED,
     MOST_TABLES,
     CaseTable,
-    Table,
+    Entry,
+    LoadTable,
+    TableSchema,
+    VariantsTable,
     entries,
 )
-from catopt.documents import Path
+from catopt.documents import Path, dotted
 from catopt.errors import InputError, Problem
 from catopt.units import as_written
+from catopt.words import Message
+
+
+class Finding(NamedTuple):
+    """A problem that still knows its path."""
+
+    path: Path
+    found: str
+    allowed: str
+
+    def as_problem(self) -> Problem:
+        """Return it as the caller gets to see it."""
+        return Problem(dotted(self.path), self.found, self.allowed)
+
+
+def parts(key: str) -> Path:
+    """Read ``line.segments[0].length`` as a path; for the model's own keys, which are bare."""
+    found = re.findall(r"\[(\d+)\]|([^.\[\]]+)", key)
+    return tuple(int(index) if index else name for index, name in found)
+
+
+def missing(wanted: str) -> Message:
+    """Say that a key is missing, and what is wanted."""
+    return Message("refused.missing", wanted=wanted)
+
+
+def header(path: Path, *, array: bool = False) -> str:
+    """Write the line that opens a table: ``[site]``, or ``[[line.segments]]`` for an array."""
+    if not path:
+        return Message("refused.top_of_file")
+    name = dotted(tuple(part for part in path if isinstance(part, str)))
+    return f"[[{name}]]" if array else f"[{name}]"
+
+
+def refuse(document: dict[str, Any], findings: list[Finding], source: str) -> None:
+    """Raise InputError if there are findings: with each of them once, in the file's order."""
+    if findings:
+        ordered = in_order_of(document, list(dict.fromkeys(findings)))
+        raise InputError([each.as_problem() for each in ordered], source)
+
+
+def in_order_of(document: dict[str, Any], findings: list[Finding]) -> list[Finding]:
+    """Sort findings as their keys stand in the document; missing keys last in their table."""
+    return sorted(findings, key=lambda finding: _rank(document, finding.path))
+
+
+def _rank(document: dict[str, Any], path: Path) -> tuple[int, ...]:
+    rank: list[int] = []
+    place: Any = document
+    for part in path:
+        if isinstance(part, int):
+            rank.append(part)
+            place = place[part] if isinstance(place, list) and part < len(place) else None
+        else:
+            keys = list(place) if isinstance(place, dict) else []
+            rank.append(keys.index(part) if part in keys else len(keys))
+            place = place.get(part) if isinstance(place, dict) else None
+    return tuple(rank)
+
+
+_SIMILAR = 0.6
+"""Share of letters in common (difflib's ratio) from which a key counts as misspelt."""
+
+_SHORT = 4
+"""Letters of a word that is another word when its first letter is another: wind is not find."""
+
+
+def nearest(table: type[TableSchema], key: str, top: type[TableSchema] = CaseTable) -> str | None:
+    """Return the key of `table` that `key` is a misspelling of or the symbol for, if any.
+
+    `top` is the schema of the whole file.
+    """
+    own = list(entries(table))
+    if key in table.symbols:
+        return table.symbols[key]
+    by_plain = {_plain(known): known for known in own}
+    if _plain(key) in by_plain:
+        return by_plain[_plain(key)]
+    plain = _plain(key)
+    longer = [known for known in own if known.endswith(f"_{plain}")]
+    if len(longer) == 1:
+        return longer[0]  # friction for seabed_friction
+    if any(_elsewhere(key, top)):
+        return None  # right elsewhere, so hardly a misspelling
+    from difflib import get_close_matches
+
+    likely = [known for known in by_plain if len(plain) > _SHORT or known[1:] != plain[1:]]
+    close = get_close_matches(plain, likely, n=1, cutoff=_SIMILAR)
+    return by_plain[close[0]] if close else None
+
+
+def stands_for(
+    table: type[TableSchema], key: str, top: type[TableSchema] = CaseTable
+) -> str | None:
+    """Return the key of `table` that a key it does not have was to give, if any."""
+    return table.later[key] if key in table.later else nearest(table, key, top)
+
+
+def hint(table: type[TableSchema], key: str, top: type[TableSchema] = CaseTable) -> str:
+    """Say what to do about a key that `table` does not have."""
+    near = nearest(table, key, top)
+    if near is not None:
+        return Message("refused.did_you_mean", near=near)
+    places = list(_elsewhere(key, top))
+    if places:
+        *others, last = places
+        if not others:
+            return Message("refused.move", place=last)
+        return Message("refused.move_or", places=", ".join(others), last=last)
+    return Message("refused.allowed_here", keys=", ".join(entries(table)))
+
+
+def _plain(key: str) -> str:
+    return key.casefold().replace("-", "_").replace(" ", "_")
+
+
+def _elsewhere(
+    key: str, table: type[TableSchema], path: Path = (), *, array: bool = False
+) -> Iterator[str]:
+    """List the tables in which `key` would be right, by the lines that open them."""
+    for name, entry in entries(table).items():
+        below = (*path, name)
+        if table is VariantsTable:
+            continue  # its keys are names of quantities
+        if name == key:
+            is_table = entry.table is not None
+            yield header(below, array=entry.array) if is_table else header(path, array=array)
+        if entry.table is not None:
+            yield from _elsewhere(key, entry.table, below, array=entry.array)
+
+
+AnyTable = TypeVar("AnyTable", bound=TableSchema)
+
+
+def read_tables(document: dict[str, Any], top: type[AnyTable]) -> tuple[AnyTable, list[Finding]]:
+    """Read a document by the schema of the whole file, with what is wrong in its form.
+
+    What is wrong is left out of the table, which is for use where nothing is.
+    """
+    reader = _Reader(top)
+    table = reader.table((), top, document)
+    return table, reader.findings[:MOST_FINDINGS]
+
+
+class _Reader:
+    def __init__(self, top: type[TableSchema]) -> None:
+        self.top = top
+        self.findings: list[Finding] = []
+
+    def table(self, path: Path, schema: type[AnyTable], given: dict[str, Any]) -> AnyTable:
+        """Read a table.
+
+        A missing key is not reported when an unknown key beside it is a misspelling of it, or
+        belongs to a later version and would stand for it: one mistake, one message.
+        """
+        if len(self.findings) >= MOST_FINDINGS:
+            return schema({})
+        known = entries(schema)
+        unknown = [key for key in given if key not in known]
+        if len(unknown) > MOST_FINDINGS:
+            many = Message("refused.many_unknown_keys", count=len(unknown))
+            self.findings.append(Finding((*path, unknown[0]), Message("refused.unknown_key"), many))
+            return schema({})
+        meant = {stands_for(schema, key, self.top) for key in unknown}
+        read = {}
+        for key, entry in known.items():
+            here = (*path, key)
+            if key in given:
+                read[key] = self._entry(here, entry, given[key])
+            elif entry.required and key not in meant:
+                self.findings.append(Finding(here, "", missing(_wanted(here, entry))))
+        self.findings += (self._unknown(path, schema, key, given[key]) for key in unknown)
+        return schema(read)
+
+    def _entry(self, path: Path, entry: Entry, given: Any) -> Any:
+        """Read what a key gives; an array as a list."""
+        if not entry.array:
+            return self._one(path, entry, given, _wanted(path, entry))
+        if not isinstance(given, list):
+            self._note(path, given, _wanted(path, entry))
+            return None
+        before, sound = len(self.findings), []
+        for index, each in enumerate(given):
+            noted = len(self.findings)
+            one = self._one((*path, index), entry, each, Message("refused.table"))
+            sound += [one] if len(self.findings) == noted else []
+        if len(sound) > entry.size.most:
+            del self.findings[before:]
+            values = {"wanted": _wanted(path, entry), "most": entry.size.most}
+            self._note(path, given, Message("refused.and_most", **values))
+        elif len(self.findings) == before and len(sound) < entry.size.fewest:
+            self._note(path, given, _wanted(path, entry))
+        return sound
+
+    def _one(self, path: Path, entry: Entry, given: Any, wanted: str) -> Any:
+        """Read one value or one table."""
+        if entry.kind is not None:
+            try:
+                return entry.kind.read(given)
+            except InputError as error:
+                self.findings += (Finding(path, p.found, p.allowed) for p in error.problems)
+        elif entry.table is not None and isinstance(given, dict):
+            return self.table(path, entry.table, given)
+        else:
+            self._note(path, given, wanted)
+        return None
+
+    def _note(self, path: Path, given: Any, allowed: str) -> None:
+        self.findings.append(Finding(path, as_written(given), allowed))
+
+    def _unknown(self, path: Path, schema: type[TableSchema], key: str, given: Any) -> Finding:
+        here = (*path, key)
+        if key in schema.elsewhere:
+            return Finding(here, as_written(given), Message(schema.elsewhere[key]))
+        if key not in schema.later:
+            return Finding(here, Message("refused.unknown_key"), hint(schema, key, self.top))
+        later = Message("refused.later")
+        if instead := schema.later[key]:
+            is_value = entries(schema)[instead].table is None
+            name = instead if is_value else header((*path, instead))
+            later = Message("refused.later_instead", name=name)
+        return Finding(here, as_written(given), later)
+
+
+def _wanted(path: Path, entry: Entry) -> str:
+    if entry.kind is not None:
+        said = entry.kind.wanted
+        return Message("refused.in_brackets", wanted=said) if entry.array else said
+    line = header(path, array=entry.array)
+    if entry.array:
+        return Message("refused.double_brackets", line=line)
+    if entry.table is LoadTable:
+        keys = ", ".join(entries(LoadTable))
+        return Message("refused.table_with_one_of", line=line, keys=keys)
+    return Message("refused.table_named", line=line)
 
 
 def table(document: dict[str, Any], key: str) -> dict[str, Any]:
@@ -31,23 +265,23 @@ def table(document: dict[str, Any], key: str) -> dict[str, Any]:
 
 
 @dataclass(frozen=True)
-class Section:
+class FileSection:
     """A table of the document, with its schema and its path; of the whole file to begin with."""
 
     given: dict[str, Any]
-    schema: type[Table] = CaseTable
+    schema: type[TableSchema] = CaseTable
     path: Path = ()
 
     def __contains__(self, key: str) -> bool:
         return key in self.given
 
-    def table(self, key: str) -> Section:
+    def table(self, key: str) -> FileSection:
         """Return a table in this one; an empty one where there is none."""
         inner = entries(self.schema)[key].table
         assert inner is not None
-        return Section(table(self.given, key), inner, (*self.path, key))
+        return FileSection(table(self.given, key), inner, (*self.path, key))
 
-    def tables(self, key: str) -> list[Section]:
+    def tables(self, key: str) -> list[FileSection]:
         """List the tables of an array; none when one of them is no table, or they are too many."""
         inner, array = entries(self.schema)[key].table, self.given.get(key)
         assert inner is not None
@@ -55,7 +289,7 @@ class Section:
             return []
         if not all(isinstance(each, dict) for each in array):
             return []
-        return [Section(each, inner, (*self.path, key, k)) for k, each in enumerate(array)]
+        return [FileSection(each, inner, (*self.path, key, k)) for k, each in enumerate(array)]
 
     def value(self, key: str) -> Any:
         """Return a value as the model takes it; None when it is missing or wrong in itself.

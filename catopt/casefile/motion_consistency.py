@@ -6,23 +6,20 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
-from catopt.casefile.document import Section, refusals
-from catopt.casefile.location import Finding
+from catopt.casefile.document import FileSection, Finding, refusals
 from catopt.casefile.schema import entries
 from catopt.constants import YEAR
 from catopt.model import CurrentProfile, Motion
+from catopt.model import dynamics as damage
 from catopt.model import dynamics as run
-from catopt.model import fatigue as damage
-from catopt.model.body import floater_misfits, ship_misfits
-from catopt.model.current_profile import CURRENT_PROFILES
-from catopt.model.motion import MOTION_WAYS, OF_A_BODY
-from catopt.model.wave_state import train_misfits, wave_misfits
+from catopt.model.sea import CURRENT_PROFILES, MOTION_WAYS, OF_A_BODY, train_misfits, wave_misfits
+from catopt.model.system import floater_misfits, ship_misfits
 from catopt.words import Message
 
 _FOR_FATIGUE = ("dynamics", "waves", "service")
 
 
-def motion_findings(case: Section) -> list[Finding]:
+def motion_findings(case: FileSection) -> list[Finding]:
     """List what contradicts itself in waves, current, motion, settings of a run and fatigue."""
     return [
         *_together(case),
@@ -36,7 +33,7 @@ def motion_findings(case: Section) -> list[Finding]:
     ]
 
 
-def _together(case: Section) -> Iterator[Finding]:
+def _together(case: FileSection) -> Iterator[Finding]:
     """Find sections without the one that reads them, as the model has it."""
     if case.misspelt(*run.FOR_MOTION):
         return
@@ -52,7 +49,7 @@ def _together(case: Section) -> Iterator[Finding]:
             yield from case.refused([problem])
 
 
-def _waves(case: Section) -> Iterator[Finding]:
+def _waves(case: FileSection) -> Iterator[Finding]:
     """Find any but exactly one way of giving waves, and keys that go with another."""
     waves = case.table("waves")
     if "waves" in case:
@@ -63,7 +60,7 @@ def _waves(case: Section) -> Iterator[Finding]:
         yield from train.refused(train_misfits(train.values()))
 
 
-def _current(current: Section) -> Iterator[Finding]:
+def _current(current: FileSection) -> Iterator[Finding]:
     """Find keys that the profile lacks or that go with another, and a table out of order."""
     profile: Any = current.given.get("profile")
     if profile not in CURRENT_PROFILES or current.misspelt():
@@ -76,7 +73,7 @@ def _current(current: Section) -> Iterator[Finding]:
     yield from current.refused(refusals(CurrentProfile, **given))
 
 
-def _motion(motion: Section) -> Iterator[Finding]:
+def _motion(motion: FileSection) -> Iterator[Finding]:
     """Find any but exactly one way of moving, and keys that go with another."""
     if motion.misspelt():
         return
@@ -94,7 +91,7 @@ def _motion(motion: Section) -> Iterator[Finding]:
             yield Finding(motion.path, problem.found, Message("refused.exactly_one", ways=ways))
 
 
-def _floater(floater: Section) -> Iterator[Finding]:
+def _floater(floater: FileSection) -> Iterator[Finding]:
     """Find any but exactly one of buoy and ship, and keys that go with the other."""
     ship = floater.table("ship")
     if not floater.misspelt():
@@ -103,7 +100,7 @@ def _floater(floater: Section) -> Iterator[Finding]:
         yield from ship.refused(ship_misfits(ship.given))
 
 
-def _run(case: Section, dynamics: Section) -> Iterator[Finding]:
+def _run(case: FileSection, dynamics: FileSection) -> Iterator[Finding]:
     """Find times of a run that do not fit into it, and a line that breaks at no time, or is not."""
     times = ("duration", "ramp", "broken_at", "time_step", "output_interval")
     given = {key: dynamics.number(key) for key in times}
@@ -118,7 +115,7 @@ def _run(case: Section, dynamics: Section) -> Iterator[Finding]:
         yield from case.refused(run.broken_line_misfits(dynamics.value("broken_line"), lines))
 
 
-def _fatigue(case: Section, fatigue: Section) -> Iterator[Finding]:
+def _fatigue(case: FileSection, fatigue: FileSection) -> Iterator[Finding]:
     """Find what contradicts itself in fatigue, and what it lacks elsewhere."""
     curves = fatigue.tables("curves")
     yield from _shares(fatigue)
@@ -140,7 +137,7 @@ def _fatigue(case: Section, fatigue: Section) -> Iterator[Finding]:
     yield from case.refused(problems)
 
 
-def _shares(fatigue: Section) -> Iterator[Finding]:
+def _shares(fatigue: FileSection) -> Iterator[Finding]:
     """Find sea states without exactly one way of saying how long, and more than a year of them."""
     shares: list[float] = []
     for state in fatigue.tables("sea_states"):

@@ -14,7 +14,6 @@ from typing import Annotated, Any, ClassVar
 
 from catopt import model
 from catopt.model import ClumpWeightChoice, Load, PointLoad, SwarmSettings
-from catopt.model.checks import Code
 from catopt.model.design import Component
 from catopt.model.kinds import (
     Angle,
@@ -25,13 +24,16 @@ from catopt.model.kinds import (
     Kind,
     Length,
     Measured,
+    NotNegative,
     OneOf,
     Share,
     Size,
+    SomeForce,
     Source,
     Weight,
     annotated,
 )
+from catopt.model.load import Code
 from catopt.model.network import LineBetween, Network
 from catopt.units import Dimension
 
@@ -72,7 +74,7 @@ RADII = Values("anchor_radius", "anchor_radii")
 PRETENSIONS = Values("pretension", "pretensions")
 
 
-class Table:
+class TableSchema:
     """A table of a file: its keys, and of one that was read what the file gives."""
 
     model: ClassVar[Any] = None
@@ -110,13 +112,13 @@ class Table:
         return dict(vars(self))
 
 
-_OF_MODEL: dict[type, type[Table]] = {}
+_OF_MODEL: dict[type, type[TableSchema]] = {}
 
 
-def table_of(part: type, **symbols: str) -> type[Table]:
+def table_of(part: type, **symbols: str) -> type[TableSchema]:
     """Return the table of a part of the model, the first; made where a file has it as the model."""
     if part not in _OF_MODEL:
-        type(f"{part.__name__}Table", (Table,), {"model": part, "symbols": symbols})
+        type(f"{part.__name__}Table", (TableSchema,), {"model": part, "symbols": symbols})
     return _OF_MODEL[part]
 
 
@@ -137,13 +139,13 @@ DRAG_AREAS = ("D", "pi D")
 """Area per length with which a coefficient of drag along the line goes."""
 
 
-class SegmentTable(Table):
+class SegmentTable(TableSchema):
     """A uniform stretch of the line."""
 
     model = model.Segment
-    keys = """name length component diameter submerged_weight mass EA MBL MBL_mean MBL_cov
-        proof_load price wear_rate wear_zone drag_diameter drag_normal drag_axial drag_axial_area
-        added_mass_normal added_mass_axial drag_method roughness keulegan_carpenter
+    keys = """name length component diameter submerged_weight mass EA strain strain_tension MBL
+        MBL_mean MBL_cov proof_load price wear_rate wear_zone drag_diameter drag_normal drag_axial
+        drag_axial_area added_mass_normal added_mass_axial drag_method roughness keulegan_carpenter
         wake_amplification"""
     symbols: ClassVar = {
         "L": "length",
@@ -159,10 +161,12 @@ class SegmentTable(Table):
 
     diameter: Length | None = None
     submerged_weight: Weight | None = None
+    strain: Annotated[list[NotNegative], Size(2, MOST_TABLES)] | None = None
+    strain_tension: Annotated[list[SomeForce], Size(2, MOST_TABLES)] | None = None
     drag_axial_area: Annotated[str, OneOf(DRAG_AREAS)] | None = None
 
 
-class PointLoadTable(Table):
+class PointLoadTable(TableSchema):
     """A clump weight (sinker) or a buoy on the line."""
 
     model = model.PointLoad
@@ -183,7 +187,7 @@ class PointLoadTable(Table):
     volume: Annotated[float, Measured(Dimension.VOLUME, above=0.0)] | None = None
 
 
-class LineTable(Table):
+class LineTable(TableSchema):
     """The mooring line."""
 
     model = model.Line
@@ -194,7 +198,7 @@ class LineTable(Table):
     point_loads: Annotated[list[PointLoad], Size(0, MOST_TABLES)] | None = None
 
 
-class LoadCaseTable(Table):
+class LoadCaseTable(TableSchema):
     """A state of the sea that the line has to meet."""
 
     model = model.LoadCase
@@ -202,7 +206,7 @@ class LoadCaseTable(Table):
     symbols: ClassVar = {"H": "horizontal_force"}
 
 
-class SystemTable(Table):
+class SystemTable(TableSchema):
     """A body moored by several lines, each like [line], and what pushes it."""
 
     model = model.System
@@ -214,7 +218,7 @@ class SystemTable(Table):
     force: Annotated[list[Force], Size(2, 2)] | None = None
 
 
-class ChecksTable(Table):
+class ChecksTable(TableSchema):
     """Limits a design has to keep."""
 
     model = model.Checks
@@ -226,7 +230,7 @@ class ChecksTable(Table):
     code: Code | None = None
 
 
-class AnchorTable(Table):
+class AnchorTable(TableSchema):
     """What holds the line at the bed."""
 
     model = model.Anchor
@@ -237,7 +241,7 @@ class AnchorTable(Table):
     density: Density | None = None
 
 
-class VariantsTable(Table):
+class VariantsTable(TableSchema):
     """Which of disagreeing figures to follow, by quantity of the catalogue."""
 
     all: Source | None = None
@@ -255,7 +259,7 @@ class VariantsTable(Table):
     price: Source | None = None
 
 
-class CatalogueTable(Table):
+class CatalogueTable(TableSchema):
     """Where components come from."""
 
     model = model.CatalogueChoice
@@ -263,7 +267,7 @@ class CatalogueTable(Table):
     variants: VariantsTable | None = None
 
 
-class SegmentChoiceTable(Table):
+class SegmentChoiceTable(TableSchema):
     """What one segment of a design may be."""
 
     model = model.SegmentChoice
@@ -275,7 +279,7 @@ class SegmentChoiceTable(Table):
     diameter: Length | None = None
 
 
-class ClumpWeightChoiceTable(Table):
+class ClumpWeightChoiceTable(TableSchema):
     """What one clump weight of a design may be."""
 
     model = model.ClumpWeightChoice
@@ -283,14 +287,14 @@ class ClumpWeightChoiceTable(Table):
     choices = (MASSES, POSITIONS)
 
 
-class SinkerChoiceTable(Table):
+class SinkerChoiceTable(TableSchema):
     """Sinkers at the anchor to choose from."""
 
     model = model.SinkerChoice
     choices = (MASSES,)
 
 
-class DesignTable(Table):
+class DesignTable(TableSchema):
     """What may vary, and what it is to be best in."""
 
     model = model.Design
@@ -301,7 +305,7 @@ class DesignTable(Table):
     clump_weights: Annotated[list[ClumpWeightChoice], Size(0, MOST_TABLES)] | None = None
 
 
-class WavesTable(Table):
+class WavesTable(TableSchema):
     """The waves of the sea, for a line in motion."""
 
     model = model.WaveState
@@ -310,7 +314,7 @@ class WavesTable(Table):
     symbols: ClassVar = WaveTrainTable.symbols
 
 
-class AnchorMotionTable(Table):
+class AnchorMotionTable(TableSchema):
     """How the lower end of a line moves."""
 
     model = model.Motion
@@ -320,7 +324,7 @@ class AnchorMotionTable(Table):
     file: Annotated[str, File(example='"lower-end.csv"')] | None = None
 
 
-class FatigueSeaStateTable(Table):
+class FatigueSeaStateTable(TableSchema):
     """Waves that last a part of the year."""
 
     model = model.FatigueSeaState
@@ -333,7 +337,7 @@ class FatigueSeaStateTable(Table):
     ) = None
 
 
-class FatigueTable(Table):
+class FatigueTable(TableSchema):
     """What the damage of a line in motion is found from."""
 
     model = model.Fatigue
@@ -341,7 +345,7 @@ class FatigueTable(Table):
     symbols: ClassVar = {"DFF": "design_factor"}
 
 
-class CaseTable(Table):
+class CaseTable(TableSchema):
     """A whole case file."""
 
     model = model.Case
@@ -358,7 +362,7 @@ class CaseTable(Table):
     pso: SwarmSettings | None = None
 
 
-class NetworkSegmentTable(Table):
+class NetworkSegmentTable(TableSchema):
     """A uniform stretch of a line between points."""
 
     model = model.Segment
@@ -374,14 +378,14 @@ class NetworkSegmentTable(Table):
     diameter: Length | None = None
 
 
-class NetworkLoadTable(Table):
+class NetworkLoadTable(TableSchema):
     """A clump weight or a buoy on a line between points."""
 
     model = model.PointLoad
     keys = "name position submerged_weight drag_area drag_coefficient"
 
 
-class LineBetweenTable(Table):
+class LineBetweenTable(TableSchema):
     """A line from one point to another."""
 
     model = LineBetween
@@ -391,7 +395,7 @@ class LineBetweenTable(Table):
     point_loads: list[NetworkLoadTable] | None = None
 
 
-class NetworkTable(Table):
+class NetworkTable(TableSchema):
     """A whole file of points, lines between them and bodies."""
 
     model = Network
@@ -406,23 +410,23 @@ class Entry:
     """
 
     kind: Kind | None
-    table: type[Table] | None
+    table: type[TableSchema] | None
     array: bool
     required: bool
     size: Size
 
 
-_KNOWN: dict[type[Table], Mapping[str, Entry]] = {}
+_KNOWN: dict[type[TableSchema], Mapping[str, Entry]] = {}
 
 
-def entries(table: type[Table]) -> Mapping[str, Entry]:
+def entries(table: type[TableSchema]) -> Mapping[str, Entry]:
     """List the keys of a table, in order, with what each holds."""
     if table not in _KNOWN:
         _KNOWN[table] = MappingProxyType(dict(_entries(table)))
     return _KNOWN[table]
 
 
-def _entries(table: type[Table]) -> Iterator[tuple[str, Entry]]:
+def _entries(table: type[TableSchema]) -> Iterator[tuple[str, Entry]]:
     own = annotated(table)
     of_model = annotated(table.model) if table.model else {}
     of_part = fields(table.model) if table.model else ()
@@ -438,8 +442,8 @@ def _entries(table: type[Table]) -> Iterator[tuple[str, Entry]]:
             for way in (ways.one, ways.many, *ways.range):
                 yield way, Entry(kind, None, way == key, False, Size(1, MOST_LISTED))
             continue
-        parts = (each for each in classes if issubclass(each, Table) or is_dataclass(each))
-        inner = next((p if issubclass(p, Table) else table_of(p) for p in parts), None)
+        parts = (each for each in classes if issubclass(each, TableSchema) or is_dataclass(each))
+        inner = next((p if issubclass(p, TableSchema) else table_of(p) for p in parts), None)
         required = not hasattr(table, key) if key in own else key in needed
         most = MOST_LISTED if inner is None else MOST_TABLES
         yield key, Entry(kind, inner, array, required, size or Size(1, most))

@@ -1,4 +1,4 @@
-"""From a Case to a case file: each part of the model under the keys of its table."""
+"""From a Case to a case file, and commented files to start from."""
 
 from __future__ import annotations
 
@@ -7,13 +7,14 @@ import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from hashlib import sha256
 from pathlib import Path as FilePath
-from typing import Any, Final
+from types import MappingProxyType
+from typing import Any, Final, NamedTuple
 
-from catopt.casefile.location import header
+from catopt.casefile.document import header
 from catopt.casefile.schema import (
     CaseTable,
     NetworkTable,
-    Table,
+    TableSchema,
     VariantsTable,
     WavesTable,
     WaveTrainTable,
@@ -37,9 +38,10 @@ from catopt.model import (
     WaveState,
 )
 from catopt.model.kinds import Measured
-from catopt.model.motion import HARMONIC
 from catopt.model.network import LineBetween, MooredBody, Network, Point
-from catopt.units import UNITS, Dimension
+from catopt.model.sea import HARMONIC
+from catopt.model.strain_table import StrainTable
+from catopt.units import UNITS, Dimension, as_written
 from catopt.words import Message
 
 _ESCAPES = {
@@ -90,12 +92,21 @@ def write_case(case: Case | Network) -> str:
     if isinstance(case, Network):
         blocks = _blocks(NetworkTable, _given(case))
     else:
-        blocks = _blocks(CaseTable, _of_case(case))
+        # Return what a case has to say, by the keys of its file and in their order.
+        site = case.site
+        given = _given(case) | {"pso": case.swarm}
+        given["site"] = _given(site) | {"water_depth": site.depth_to_seabed}
+        ends = ("fairlead_height", "anchor_height")
+        heights = {key: site.height_above_seabed(getattr(case, key)) for key in ends}
+        given["line"] = heights | vars(case.line)
+        if case.system is not None:
+            given["system"] = _around(case, case.system)
+        blocks = _blocks(CaseTable, {key: given[key] for key in entries(CaseTable) if key in given})
     return "\n\n".join("\n".join(block) for block in blocks) + "\n"
 
 
 def _blocks(
-    schema: type[Table], given: Mapping[str, Any], path: Path = (), *, array: bool = False
+    schema: type[TableSchema], given: Mapping[str, Any], path: Path = (), *, array: bool = False
 ) -> Iterator[list[str]]:
     """Write a table and those below it, each as its lines; one that says nothing is not opened."""
     known = entries(schema)
@@ -108,19 +119,6 @@ def _blocks(
             for part in value if several else [value]:
                 below = part if isinstance(part, dict) else _given(part)
                 yield from _blocks(inner, below, (*path, key), array=several)
-
-
-def _of_case(case: Case) -> dict[str, Any]:
-    """Return what a case has to say, by the keys of its file and in their order."""
-    site = case.site
-    given = _given(case) | {"pso": case.swarm}
-    given["site"] = _given(site) | {"water_depth": site.depth_to_seabed}
-    ends = ("fairlead_height", "anchor_height")
-    heights = {key: site.height_above_seabed(getattr(case, key)) for key in ends}
-    given["line"] = heights | vars(case.line)
-    if case.system is not None:
-        given["system"] = _around(case, case.system)
-    return {key: given[key] for key in entries(CaseTable) if key in given}
 
 
 def _around(case: Case, system: System) -> dict[str, Any]:
@@ -172,6 +170,9 @@ def _given(part: object) -> dict[str, Any]:
         case Segment():
             if part.nominal_diameter is not None:
                 given["diameter"] = part.nominal_diameter
+            if isinstance(part.EA, StrainTable):
+                del given["EA"]
+                given["strain"], given["strain_tension"] = part.EA.strain, part.EA.tension
             if part.component:  # which would give its own name to a segment without one
                 given["name"] = part.name
         case CatalogueChoice():
@@ -209,7 +210,7 @@ def _is_nothing(value: object) -> bool:
     return value is None or value is False or value in ("", ())
 
 
-def _lines(schema: type[Table], given: Mapping[str, Any]) -> Iterator[str]:
+def _lines(schema: type[TableSchema], given: Mapping[str, Any]) -> Iterator[str]:
     """Write the keys of a table that are given, most in the order of the table."""
     known = entries(schema)
     for key in given if schema in (VariantsTable, WavesTable) else known:
@@ -217,7 +218,7 @@ def _lines(schema: type[Table], given: Mapping[str, Any]) -> Iterator[str]:
             yield _line(schema, key, given[key])
 
 
-def _line(schema: type[Table], key: str, value: Any) -> str:
+def _line(schema: type[TableSchema], key: str, value: Any) -> str:
     """Write a key with its value, or with its array on as many lines as it needs."""
     entry = entries(schema)[key]
     unit = entry.kind.si_unit if isinstance(entry.kind, Measured) else None
@@ -266,3 +267,83 @@ def _array(key: str, values: Sequence[str]) -> str:
             row = ""
         row += f"{value}, "
     return "\n".join([*lines, f"  {row.rstrip()}", "]"])
+
+
+class Template(NamedTuple):
+    """What a template is of, and the command that takes its file: ``solve`` for most.
+
+    `needs`: another template whose file it names.
+    """
+
+    about: str
+    command: str = "solve"
+    needs: str = ""
+
+
+TEMPLATES: Mapping[str, Template] = MappingProxyType(
+    {
+        "buoy": Template("marker buoy on 20 m of chain, every key with a comment"),
+        "tanker": Template("tanker on one chain with a sinker, two load cases", "check"),
+        "leg": Template("chain, wire and chain with a clump weight, water levels", "check"),
+        "system": Template("body moored by six lines", "system"),
+        "design": Template("search for the chain, length and sinker of a buoy", "design"),
+        "motion": Template("line in waves, current and motion", "verify --dynamic"),
+        "study": Template("a case again and again, with what varies in it", "study", "buoy"),
+        "size-buoy": Template("buoy in its weather, in place of options", "size buoy"),
+        "size-tanker": Template("tanker in its weather, in place of options", "size tanker"),
+    }
+)
+"""Templates by name."""
+
+
+def template(name: str) -> str:
+    """Return a commented file that its command takes as it stands.
+
+    Parameters
+    ----------
+    name : str
+        One of `TEMPLATES`.
+
+    Returns
+    -------
+    str
+        TOML.
+
+    Raises
+    ------
+    InputError
+        When there is no such template.
+    """
+    if name not in TEMPLATES:
+        from catopt.catalogue.family import meant
+
+        allowed = meant(Message("refused.one_of", words=", ".join(TEMPLATES)), name, TEMPLATES)
+        raise InputError([Problem("template", as_written(name), allowed)])
+    from importlib.resources import files
+
+    text = (files(__package__) / "templates" / f"{name}.toml").read_text(encoding="utf-8")
+    return _with_others(text) if "{others}" in text else text
+
+
+def _with_others(text: str) -> str:
+    """Put the other words that a key takes where a comment has ``{others}``."""
+    import re
+
+    from catopt.casefile.schema import CaseTable, entries
+    from catopt.model.kinds import OneOf
+
+    table: type[TableSchema] = CaseTable
+    lines = []
+    for line in text.splitlines(keepends=True):
+        if header := re.match(r"(?:# )?\[+([\w.]+)\]+", line):
+            table = CaseTable
+            for part in header[1].split("."):
+                table = entries(table)[part].table or table
+        if "{others}" in line:
+            key, value = re.findall(r"^(?:# )?(\w+) = (.*?)  +#", line)[0]
+            kind = entries(table)[key].kind
+            assert isinstance(kind, OneOf)
+            others = [word for word in kind.words if f'"{word}"' not in value]
+            line = line.replace("{others}", ", ".join(others))
+        lines.append(line)
+    return "".join(lines)

@@ -10,13 +10,17 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 
-from catopt.catalogue.collection import ALL, NO_VARIANTS, Catalogue
-from catopt.catalogue.components import Alternative, Component, Hydrodynamic, Provenance
-from catopt.catalogue.family import Family, Sizes
-from catopt.catalogue.figure import Figure, Source
-from catopt.catalogue.names import ComponentName
-from catopt.catalogue.searching import search
-from catopt.catalogue.standard import standard
+from catopt.catalogue.collection import ALL, NO_VARIANTS, Catalogue, standard
+from catopt.catalogue.components import (
+    Alternative,
+    Component,
+    Figure,
+    Hydrodynamic,
+    Provenance,
+    Source,
+)
+from catopt.catalogue.family import ComponentName, Family, Sizes
+from catopt.catalogue.finding import search
 from catopt.constants import SEA_WATER_DENSITY
 
 __all__ = [

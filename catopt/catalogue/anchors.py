@@ -7,9 +7,9 @@ from functools import cache
 from types import MappingProxyType
 from typing import Final
 
-from catopt.catalogue.figure import Confidence, Source
-from catopt.catalogue.parts import cited, read_own
-from catopt.catalogue.table import Table
+from catopt.catalogue.components import Confidence, Source
+from catopt.catalogue.fittings import cited, read_own
+from catopt.catalogue.table import TomlTable
 from catopt.constants import STANDARD_GRAVITY
 
 SCHEMA: Final = "catopt.anchors/1"
@@ -70,7 +70,7 @@ def anchor_types() -> tuple[AnchorType, ...]:
     return read
 
 
-def _anchor(table: Table, sources: dict[str, Source], per_mass: float) -> AnchorType:
+def _anchor(table: TomlTable, sources: dict[str, Source], per_mass: float) -> AnchorType:
     return AnchorType(
         name=table.text("name") or "",
         title=table.said("title") or "",
@@ -83,7 +83,7 @@ def _anchor(table: Table, sources: dict[str, Source], per_mass: float) -> Anchor
     )
 
 
-def _holding(table: Table, sources: dict[str, Source]) -> Holding:
+def _holding(table: TomlTable, sources: dict[str, Source]) -> Holding:
     unit = table.word("unit", tuple(_UNITS)) or "N"
     return Holding(
         soil=table.text("soil") or "",

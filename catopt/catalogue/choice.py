@@ -9,7 +9,7 @@ from typing import Any
 from catopt import catalogue
 from catopt.catalogue.collection import ALL, Catalogue
 from catopt.catalogue.components import Component
-from catopt.catalogue.searching import held_by
+from catopt.catalogue.finding import held_by
 from catopt.errors import Problem
 from catopt.model import CatalogueChoice
 from catopt.units import as_written

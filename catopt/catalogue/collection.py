@@ -1,20 +1,19 @@
-"""A catalogue: families of components, and what can be asked of them."""
+"""A catalogue: families of components, what can be asked of them, and the one that comes along."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import cache
 from types import MappingProxyType
 
-from catopt.catalogue.components import Component
+from catopt.catalogue.components import RECALLED, SPECS, Component, Figure, within
 from catopt.catalogue.evaluation import Evaluation
-from catopt.catalogue.family import Family, in_mm
-from catopt.catalogue.figure import RECALLED, SPECS, Figure, within
-from catopt.catalogue.names import ComponentName, find_name, meant, shared_names
+from catopt.catalogue.family import ComponentName, Family, find_name, in_mm, meant, shared_names
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import InputError, Problem
-from catopt.model.line_kind import line_kind
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
+from catopt.model.line import line_kind
 from catopt.units import as_written
 from catopt.words import Message
 
@@ -210,3 +209,11 @@ def _bar_recalled(check: Findings, figure: Figure, allow_recalled: bool) -> None
     if figure.confidence == RECALLED and not allow_recalled:
         why = Message("catalogue.only_recalled")
         check.add(f"variants.{figure.quantity}", as_written(figure.variant), why)
+
+
+@cache
+def standard() -> Catalogue:
+    """Return the catalogue that comes with catopt; it is read once."""
+    from catopt.catalogue.reading import read_standard
+
+    return read_standard()

@@ -6,9 +6,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from catopt.catalogue.components import Alternative, Component, Hydrodynamic, Provenance
+from catopt.catalogue.components import (
+    SPECS,
+    Alternative,
+    Component,
+    Figure,
+    Hydrodynamic,
+    Provenance,
+    Source,
+)
 from catopt.catalogue.family import Family
-from catopt.catalogue.figure import SPECS, Figure, Source
 from catopt.catalogue.fittings import Fitting
 from catopt.documents import figures
 
@@ -22,14 +29,14 @@ class Answer:
     """Families that were listed, or that the components are of."""
     components: tuple[Component, ...] = ()
     anchors: Sequence[Any] = ()
-    """What drag anchors hold, `catopt.loads.held.AnchorHeld`."""
+    """What drag anchors hold, `catopt.loads.sinker.AnchorHeld`."""
     fittings: tuple[Fitting, ...] = ()
     uses: tuple[str, ...] = ()
     """What the fittings are for, beside each; empty where they were looked up by name."""
     missing: Sequence[str] = ()
     """Why what was asked for has no fitting."""
     sinkers: Sequence[Any] = ()
-    """What sinkers hold, `catopt.loads.held.SinkerHeld`."""
+    """What sinkers hold, `catopt.loads.sinker.SinkerHeld`."""
 
     @property
     def sources(self) -> tuple[Source, ...]:

@@ -10,13 +10,17 @@ from typing import Any
 
 from catopt.catalogue.components import (
     NO_FIGURE,
+    RECALLED,
+    SPECS,
     Alternative,
     Component,
+    Figure,
     Hydrodynamic,
     Provenance,
+    Source,
+    weakest,
 )
 from catopt.catalogue.family import Family, in_mm
-from catopt.catalogue.figure import RECALLED, SPECS, Figure, Source, weakest
 from catopt.catalogue.formula import Coefficient, MeanLoad
 from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError, Problem
@@ -105,7 +109,14 @@ class Evaluation:
         }
         values: dict[str, Any] = {key: self._hydrodynamic(key) for key in _COEFFICIENTS}
         values |= {key: None if key in lacking else self.value(key) for key in _VALUES}
-        origins["submerged_weight"] = self._weight_provenance(origins)
+        mass, volume = origins["mass"], origins["volume_diameter"]
+        origins["submerged_weight"] = Provenance(
+            sources=(WEIGHT_SOURCE,),
+            place="from the mass and the volume-equivalent diameter above",
+            confidence=weakest([mass.confidence, volume.confidence]),
+            formula=Message("catalogue.by_volume", weight=_WEIGHT_FORMULA),
+            range=(max(mass.range[0], volume.range[0]), min(mass.range[1], volume.range[1])),
+        )
         return Component(
             name=self._name,
             family=self.family.name,
@@ -211,14 +222,4 @@ class Evaluation:
             reason=figure.reason if len(others) > 1 else "",
             range=figure.range,
             note=figure.note,
-        )
-
-    def _weight_provenance(self, origins: Mapping[str, Provenance]) -> Provenance:
-        mass, volume = origins["mass"], origins["volume_diameter"]
-        return Provenance(
-            sources=(WEIGHT_SOURCE,),
-            place="from the mass and the volume-equivalent diameter above",
-            confidence=weakest([mass.confidence, volume.confidence]),
-            formula=Message("catalogue.by_volume", weight=_WEIGHT_FORMULA),
-            range=(max(mass.range[0], volume.range[0]), min(mass.range[1], volume.range[1])),
         )

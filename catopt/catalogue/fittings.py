@@ -2,18 +2,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
+from importlib.resources import files
 from types import MappingProxyType
-from typing import Final
+from typing import Any, Final
 
+from catopt.catalogue.components import CONFIDENCES, Confidence, Source
 from catopt.catalogue.family import in_mm
-from catopt.catalogue.figure import Confidence, Source
-from catopt.catalogue.parts import cited, read_own
-from catopt.catalogue.table import Table
-from catopt.model.validity import Findings
+from catopt.catalogue.reading import own_sources
+from catopt.catalogue.table import TomlTable
+from catopt.model.kinds import Findings
 from catopt.words import Measure, Message, term
+
+
+def read_own(
+    name: str, schema: str, keys: Sequence[str]
+) -> tuple[TomlTable, Findings, dict[str, Source]]:
+    """Open one of catopt's own data files, with what is wrong with it and the sources by key."""
+    text = files("catopt.catalogue").joinpath("data", name).read_text(encoding="utf-8")
+    document, findings = TomlTable.of_file(text, f"catopt's {name}", schema, keys)
+    return document, findings, own_sources()
+
+
+def cited(table: TomlTable, sources: dict[str, Source]) -> dict[str, Any]:
+    """Read where an entry comes from: sources, place and confidence."""
+    return {
+        "sources": tuple(sources[key] for key in table.texts("source", required=True)),
+        "place": table.cited("place") or "",
+        "confidence": table.word("confidence", CONFIDENCES) or CONFIDENCES[-1],
+    }
+
 
 _ROUNDING = 1e-9
 """Relative, of sizes."""
@@ -133,7 +153,7 @@ def fittings_for(
     return FittingSet(component, diameter, MBL, MappingProxyType(found), MappingProxyType(missing))
 
 
-def _sizes(table: Table, sources: dict[str, Source]) -> list[Fitting]:
+def _sizes(table: TomlTable, sources: dict[str, Source]) -> list[Fitting]:
     table.only(
         "name", "kind", "also", "title", "columns", "rows", "price_per_N", "source", "place",
         "confidence", "note",

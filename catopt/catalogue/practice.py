@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any, Final
 
-from catopt.catalogue.figure import RECALLED, Confidence, Source
-from catopt.model.validity import Findings
+from catopt.catalogue.components import RECALLED, Confidence, Source
+from catopt.model.kinds import Findings
 from catopt.units import UNITS, Dimension
 from catopt.words import Cited, Listed, Message, Several, Told
 

@@ -13,8 +13,8 @@ from pathlib import Path
 from types import MappingProxyType
 
 from catopt.catalogue.collection import Catalogue
+from catopt.catalogue.components import CONFIDENCES, SPECS, Figure, Source, within
 from catopt.catalogue.family import Family, Sizes, in_mm
-from catopt.catalogue.figure import CONFIDENCES, SPECS, Figure, Source, within
 from catopt.catalogue.formula import (
     ChainLoad,
     ChainModulus,
@@ -27,9 +27,9 @@ from catopt.catalogue.formula import (
     Polynomial,
     Rows,
 )
-from catopt.catalogue.table import Table
+from catopt.catalogue.table import TomlTable
 from catopt.documents import read_text
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.units import UNITS, Dimension
 from catopt.words import Message
 
@@ -52,7 +52,7 @@ _OF_ONE_NUMBER: Mapping[str, Callable[[float], Formula]] = MappingProxyType(
 _EXTRA = {"rows": ("unit",), "times": ("of",), "coefficient": ("diameter",)}
 
 
-def read_formula(figure: Table, quantity: str) -> Formula | None:
+def read_formula(figure: TomlTable, quantity: str) -> Formula | None:
     """Read the formula of a figure; None when something is wrong with it, which was then noted."""
     table = figure.table("formula")
     spec = SPECS[quantity]
@@ -69,15 +69,13 @@ def read_formula(figure: Table, quantity: str) -> Formula | None:
         return None
     if powers:
         return _polynomial(table, powers)
-    return _read(table, kinds[0], quantity)
-
-
-def _read(table: Table, kind: str, quantity: str) -> Formula | None:
+    kind = kinds[0]
     match kind:
         case "rows":
             return _rows(table, SPECS[quantity].unit)
         case "times":
-            return _multiple(table, SPECS[quantity].of)
+            factor, other = table.number("times", above=0.0), table.word("of", SPECS[quantity].of)
+            return None if factor is None or other is None else Multiple(factor, other)
         case "coefficient":
             return _coefficient(table)
         case "chain_modulus":
@@ -90,13 +88,13 @@ def _read(table: Table, kind: str, quantity: str) -> Formula | None:
     return None if value is None else _OF_ONE_NUMBER[kind](value)
 
 
-def _polynomial(table: Table, powers: list[str]) -> Polynomial | None:
+def _polynomial(table: TomlTable, powers: list[str]) -> Polynomial | None:
     read = [(int(key[1:]), table.number(key)) for key in sorted(powers)]
     terms = tuple((power, value) for power, value in read if value is not None)
     return Polynomial(terms) if len(terms) == len(powers) else None
 
 
-def _rows(table: Table, si_unit: str) -> Rows | None:
+def _rows(table: TomlTable, si_unit: str) -> Rows | None:
     rows = table.rows("rows")
     units = _UNITS[si_unit]
     unit = table.word("unit", tuple(units))
@@ -108,12 +106,7 @@ def _rows(table: Table, si_unit: str) -> Rows | None:
     )
 
 
-def _multiple(table: Table, of: tuple[str, ...]) -> Multiple | None:
-    factor, other = table.number("times", above=0.0), table.word("of", of)
-    return None if factor is None or other is None else Multiple(factor, other)
-
-
-def _coefficient(table: Table) -> Coefficient | None:
+def _coefficient(table: TomlTable) -> Coefficient | None:
     value, name = table.number("coefficient", above=0.0), table.text("diameter")
     if value is None or name is None:
         return None
@@ -178,7 +171,7 @@ def _parse(
     text: str, source: str, known: Mapping[str, Source]
 ) -> tuple[list[Family], dict[str, Source]]:
     """Read families, and the sources known after them."""
-    document, findings = Table.of_file(text, source, SCHEMA, ("sources", "family", "figure"))
+    document, findings = TomlTable.of_file(text, source, SCHEMA, ("sources", "family", "figure"))
     sources = {**known, **_sources(document)}
     drafts = [_draft(table, sources) for table in document.tables("family", required=False)]
     by_name = {draft.name: draft for draft in drafts if draft.name}
@@ -206,7 +199,7 @@ def _with_figures(draft: Family, figures: Iterable[Figure]) -> Family:
     return replace(draft, figures=tuple(own))
 
 
-def _sources(document: Table) -> dict[str, Source]:
+def _sources(document: TomlTable) -> dict[str, Source]:
     found = {}
     for key, table in document.named("sources"):
         table.only("title", "place", "origin")
@@ -215,7 +208,7 @@ def _sources(document: Table) -> dict[str, Source]:
     return found
 
 
-def _draft(table: Table, sources: Mapping[str, Source]) -> Family:
+def _draft(table: TomlTable, sources: Mapping[str, Source]) -> Family:
     """Read a family before its figures are gathered."""
     table.only("name", "title", "also", "grades", "range_mm", "sizes", "note")
     span = table.span_mm("range_mm") or (0.0, 0.0)
@@ -231,7 +224,7 @@ def _draft(table: Table, sources: Mapping[str, Source]) -> Family:
     )
 
 
-def _sizes(family: Table, sources: Mapping[str, Source], span: tuple[float, float]) -> Sizes:
+def _sizes(family: TomlTable, sources: Mapping[str, Source], span: tuple[float, float]) -> Sizes:
     table = family.table("sizes")
     if table is None:
         return Sizes()
@@ -248,7 +241,7 @@ def _sizes(family: Table, sources: Mapping[str, Source], span: tuple[float, floa
     )
 
 
-def _cited(table: Table, sources: Mapping[str, Source]) -> tuple[Source, ...]:
+def _cited(table: TomlTable, sources: Mapping[str, Source]) -> tuple[Source, ...]:
     """Read the sources that a figure names."""
     keys = table.texts("source", required=True)
     for key in keys:
@@ -262,7 +255,7 @@ def _cited(table: Table, sources: Mapping[str, Source]) -> tuple[Source, ...]:
 
 
 def _figure(
-    table: Table, sources: Mapping[str, Source], drafts: Mapping[str, Family]
+    table: TomlTable, sources: Mapping[str, Source], drafts: Mapping[str, Family]
 ) -> Figure | None:
     table.only(
         "family", "grade", "quantity", "variant", "default", "reason", "formula", "range_mm",
@@ -297,7 +290,7 @@ def _figure(
 
 
 def _span(
-    table: Table, formula: Formula | None, families: Sequence[Family]
+    table: TomlTable, formula: Formula | None, families: Sequence[Family]
 ) -> tuple[float, float] | None:
     """Read the range of a figure: as far as its rows or its families go, unless it is given."""
     rows = formula.diameters if isinstance(formula, Rows) else (0.0, math.inf)
@@ -320,7 +313,7 @@ def _span(
     return span
 
 
-def _knows(table: Table, drafts: Mapping[str, Family], name: str) -> bool:
+def _knows(table: TomlTable, drafts: Mapping[str, Family], name: str) -> bool:
     if name in drafts:
         return True
     listed = ", ".join(f'"{each}"' for each in drafts) or Message("refused_file.none_yet")
@@ -328,7 +321,7 @@ def _knows(table: Table, drafts: Mapping[str, Family], name: str) -> bool:
     return False
 
 
-def _figure_grades(table: Table, families: Sequence[Family]) -> tuple[str, ...]:
+def _figure_grades(table: TomlTable, families: Sequence[Family]) -> tuple[str, ...]:
     grades = table.texts("grade")
     for grade in grades:
         for draft in families:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any, TypeVar
 
-from catopt.catalogue.names import nearest
+from catopt.catalogue.family import nearest
 from catopt.documents import parse_toml
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.units import as_written
 from catopt.words import LANGUAGES, Cited, Message, Told
 
@@ -16,7 +16,7 @@ Word = TypeVar("Word", bound=str)
 _MM = 1e3
 
 
-class Table:
+class TomlTable:
     """A table of a file, as the TOML reader returns it, with the path at which it stands.
 
     Such as ``figure[3]``; empty for the file itself.
@@ -30,7 +30,7 @@ class Table:
     @classmethod
     def of_file(
         cls, text: str, source: str, schema: str, keys: Sequence[str]
-    ) -> tuple[Table, Findings]:
+    ) -> tuple[TomlTable, Findings]:
         """Read the text of a file of one schema; note what is wrong with its top.
 
         The keys are those that may stand beside ``schema``; the source names the file in messages.
@@ -190,7 +190,7 @@ class Table:
                 read.append((first, second))
         return read
 
-    def table(self, key: str) -> Table | None:
+    def table(self, key: str) -> TomlTable | None:
         """Go into a table; None when it is left out."""
         value = self.values.get(key)
         if value is None:
@@ -198,9 +198,9 @@ class Table:
         if not isinstance(value, dict):
             self.problem(key, Message("refused_file.a_table"))
             return None
-        return Table(value, self.at(key), self._findings)
+        return TomlTable(value, self.at(key), self._findings)
 
-    def tables(self, key: str, *, required: bool = True) -> list[Table]:
+    def tables(self, key: str, *, required: bool = True) -> list[TomlTable]:
         """Go into an array of tables."""
         value = self.values.get(key)
         if value is None and not required:
@@ -208,9 +208,9 @@ class Table:
         if not isinstance(value, list) or not all(isinstance(each, dict) for each in value):
             self.problem(key, Message("refused_file.tables", key=key))
             return []
-        return [Table(e, f"{self.at(key)}[{i}]", self._findings) for i, e in enumerate(value)]
+        return [TomlTable(e, f"{self.at(key)}[{i}]", self._findings) for i, e in enumerate(value)]
 
-    def named(self, key: str) -> Iterator[tuple[str, Table]]:
+    def named(self, key: str) -> Iterator[tuple[str, TomlTable]]:
         """Go into a table of tables."""
         within = self.table(key)
         for name in within.values if within else ():

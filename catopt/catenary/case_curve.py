@@ -21,9 +21,8 @@ from catopt.catenary.curve import (
     load_curve,
     weight_force,
 )
-from catopt.catenary.solution import Solution
+from catopt.catenary.solution import Solution, check_buoys
 from catopt.catenary.solve import solve
-from catopt.catenary.warnings import check_buoys
 from catopt.errors import FloatsUpError, InputError, Problem
 from catopt.model import Case
 from catopt.model.kinds import Place, SomeForce
@@ -161,8 +160,8 @@ def curve_case(
         first = _stepped(case, reference, over, least) if first is None else first
         last = _stepped(case, reference, over, BEYOND * force) if last is None else last
         if first == last and start is None and stop is None:
-            told = Message("refused_motion.span_this_line_does_not")
-            raise InputError([Problem("over", over, told)], "curve")
+            reported = Message("refused_motion.span_this_line_does_not")
+            raise InputError([Problem("over", over, reported)], "curve")
     check_range(first, last, points, "N" if over == "force" else "m", zero)
     kernel_over: Over = "horizontal_force" if over == "force" else "span"
     curve = _load_curve(case, reference, kernel_over, first, last, points)

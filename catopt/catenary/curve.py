@@ -9,13 +9,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Annotated, Literal
 
 import numpy as np
 
 from catopt.arrays import Array
+from catopt.catenary.by_table import by_first_rows, has_table, solve_by_table
 from catopt.catenary.equilibrium import given_force
 from catopt.catenary.find import find_limit_force
 from catopt.catenary.pieces import LineProblem, cut
@@ -32,8 +33,7 @@ from catopt.errors import (
     Problem,
 )
 from catopt.model import Line
-from catopt.model.kinds import Measured, Place, SomeForce
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings, Measured, Place, SomeForce
 from catopt.patience import paced
 from catopt.records import From, OrNull, Record
 from catopt.shown import Tabled
@@ -169,7 +169,7 @@ def load_curve(
             ends = [solve(line, horizontal_force=each, **place).span for each in ends]
         start, stop = ends[0] if start is None else start, ends[1] if stop is None else stop
     check_range(start, stop, points, "m" if over == "span" else "N")
-    pieces, segment_of = cut(line)
+    pieces, segment_of = cut(by_first_rows(line) if has_table(line) else line)
     problem = LineProblem(pieces, anchor_height, height, seabed_friction)
     way = _Way(line, problem, segment_of, over)
     values = [float(value) for value in np.linspace(start, stop, points)]
@@ -293,6 +293,8 @@ class _Way:
 
     def largest_tension(self, value: float, segment: int) -> float:
         """Largest tension in a segment at a value, N."""
+        if has_table(self.line):
+            return self.solution(value).segments[segment].max_tension
         state = self.state(value)
         known = BY_SPAN if self.over == "span" else BY_FORCE
         laid = solution_of(
@@ -300,7 +302,17 @@ class _Way:
         )
         return laid.segments[segment].max_tension
 
+    def _by_table(self, value: float) -> State:
+        """Solve with tables; what a line of parts gives way by is what the whole line does."""
+        found, parts = solve_by_table(self.line, lambda of: replace(self, line=of).solution(value))
+        of = self.problem
+        held = LineProblem(cut(parts)[0], of.anchor_height, of.fairlead_height, of.friction)
+        state = given_force(found.horizontal_force, held)
+        return state._replace(span=found.span, grounded=found.grounded_length)
+
     def _solved(self, value: float) -> State:
+        if has_table(self.line):
+            return self._by_table(value)
         if self.over == "span":
             state = given_span(value, self.problem, math.nan, math.nan)
         else:
@@ -323,8 +335,8 @@ class _Way:
                 anchor_height=self.problem.anchor_height,
             )
         except NoEquilibriumError as stop:
-            told = self._at(value, Several((stop.message, *self._farthest()), " "))
-            raise NoEquilibriumError(told, stop.quantity, stop.missing) from stop
+            reported = self._at(value, Several((stop.message, *self._farthest()), " "))
+            raise NoEquilibriumError(reported, stop.quantity, stop.missing) from stop
         except NotConvergedError as stop:
             raise type(stop)(self._at(value, stop.message)) from stop
 
@@ -340,7 +352,7 @@ class _Way:
     def _farthest(self) -> Iterator[Message]:
         rise = self.problem.fairlead_height - self.problem.anchor_height
         room = self.line.length**2 - rise**2
-        is_stiff = all(math.isinf(segment.EA) for segment in self.line.segments)
+        is_stiff = all(segment.is_inextensible for segment in self.line.segments)
         if self.over == "span" and room > 0.0 and is_stiff:
             yield Message("catenary.end_the_range", span=math.sqrt(room))
 

@@ -189,7 +189,7 @@ def _check_heaviest(without: Solution, position: float, condition: Condition) ->
     """
     below, above = _parted(without.line, position)
     over_bed = without.fairlead_height - math.fsum(part.length for part in above)
-    if any(math.isfinite(part.EA) for part in above) or over_bed <= 0.0:
+    if any(not part.is_inextensible for part in above) or over_bed <= 0.0:
         return
     try:
         left = solve(
@@ -436,7 +436,7 @@ def _shortest(line: Line, segment: int, rise: float) -> float:
     before = math.fsum(part.length for part in line.segments[:segment])
     end = before + line.segments[segment].length
     held = max((p - before for p in on_it if before < p <= end), default=0.0)
-    is_stiff = all(math.isinf(part.EA) for part in line.segments)
+    is_stiff = all(part.is_inextensible for part in line.segments)
     return max(rise - others, held, 0.0) if is_stiff else held
 
 

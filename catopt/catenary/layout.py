@@ -281,7 +281,8 @@ class Stretch:
     seabed) and the forces on it (N). compliance is 1/EA (1/N), friction what its tension gains per
     unstretched length towards the fairlead (N/m), `piece` counts from the anchor. `gathered` is the
     part of its reach that is used: below 1 where a slack line lies in bights on the bed. `slope` is
-    the sine of the inclination of a stretch that has neither weight nor force.
+    the sine of the inclination of a stretch that has neither weight nor force. `natural` is the
+    length without tension, by the law that its strain follows there, as a part of `length`.
     """
 
     start: float
@@ -297,6 +298,7 @@ class Stretch:
     piece: int = 0
     gathered: float = 1.0
     slope: float = 0.0
+    natural: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -361,10 +363,10 @@ def end_of(stretch: Stretch, length: float) -> tuple[float, float]:
     dx, dz = run_reach(
         stretch.horizontal_force,
         stretch.vertical_force,
-        length,
-        stretch.submerged_weight,
-        stretch.compliance,
-        stretch.friction,
+        length * stretch.natural,
+        stretch.submerged_weight / stretch.natural,
+        stretch.compliance / stretch.natural,
+        stretch.friction / stretch.natural,
         stretch.slope,
         stretch.on_bed,
     )

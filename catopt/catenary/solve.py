@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 from typing import Literal
 
+from catopt.catenary.by_table import has_table, solve_by_table
 from catopt.catenary.equilibrium import given_force
 from catopt.catenary.layout import Stretch, end_of, lay_out, max_tension, stretched_length
 from catopt.catenary.many import RESIDUAL_LIMIT
@@ -24,6 +25,8 @@ from catopt.catenary.solution import (
     Residual,
     SegmentState,
     Solution,
+    above_water,
+    plausibility,
 )
 from catopt.catenary.span_or_tension import given_span, given_tension, least_tension, other_forces
 from catopt.catenary.state import (
@@ -38,10 +41,9 @@ from catopt.catenary.state import (
     TURNED,
     State,
 )
-from catopt.catenary.warnings import above_water, plausibility
 from catopt.errors import CatoptError, NoEquilibriumError, NotConvergedError
 from catopt.model import Case, Line, Load, PointLoad
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.words import Message
 
 AT_BED = 1e-9
@@ -204,8 +206,16 @@ def solve(
     anchor_height = found.taken("anchor_height", anchor_height, "m", at_least=0.0)
     seabed_friction = found.taken("seabed_friction", seabed_friction, "", at_least=0.0)
     _check(line, load, found)
+    place = (anchor_height, height, seabed_friction)
+    if has_table(line):
+        return solve_by_table(line, lambda of: _closed(of, load, place))[0]
+    return _closed(line, load, place)
+
+
+def _closed(line: Line, load: Load, place: tuple[float, float, float]) -> Solution:
+    """Solve a line whose segments have an axial stiffness each."""
     pieces, segment_of = cut(line)
-    problem = LineProblem(pieces, anchor_height, height, seabed_friction)
+    problem = LineProblem(pieces, *place)
     state = _solve(load, problem)
     if state.status != CONVERGED:
         raise refusal(state.status, line, load, problem)
@@ -274,8 +284,8 @@ def refusal(status: int, line: Line, load: Load, problem: LineProblem) -> Catopt
         missing = distance - line.length
         way = Message("catenary.way_up" if load.span is None else "catenary.way_across")
         key = "catenary.too_short" if missing > 0.0 else "catenary.just_as_long"
-        told = Message(key, length=line.length, way=way, distance=distance, missing=missing)
-        return NoEquilibriumError(told, "length", missing)
+        reported = Message(key, length=line.length, way=way, distance=distance, missing=missing)
+        return NoEquilibriumError(reported, "length", missing)
     if status == TOO_HEAVY:
         tension = load.fairlead_tension
         assert tension is not None
@@ -283,9 +293,9 @@ def refusal(status: int, line: Line, load: Load, problem: LineProblem) -> Catopt
         missing = least - tension
         rise = problem.fairlead_height - problem.anchor_height
         values = {"tension": tension, "missing": missing, "least": least}
-        told = Message("catenary.too_heavy", **values)
+        reported = Message("catenary.too_heavy", **values)
         if rise > line.length:  # no part of it is spare: the tension is that of its stretch
-            told = Message("catenary.too_taut", length=line.length, rise=rise, **values)
-        return NoEquilibriumError(told, "force", missing)
+            reported = Message("catenary.too_taut", length=line.length, rise=rise, **values)
+        return NoEquilibriumError(reported, "force", missing)
     assert status == NOT_CONVERGED
     return NotConvergedError(Message("catenary.not_converged"))

@@ -144,8 +144,8 @@ def find(sought: Sought, start: float, scale: float, least: float) -> Found:
     if others:
         said = ", ".join(sought.written(each) for each, _ in others)
         values = {"what": sought.name, "condition": sought.condition.text, "others": said}
-        told = Message("catenary.other_values", **values, smallest=sought.written(value))
-        solution = solution.with_warnings((told,))
+        reported = Message("catenary.other_values", **values, smallest=sought.written(value))
+        solution = solution.with_warnings((reported,))
     return Found(
         sought.quantity, value, sought.condition.text, left, sought.number, solution=solution
     )

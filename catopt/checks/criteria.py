@@ -7,23 +7,23 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, NamedTuple
 
-from catopt.checks.criterion import (
+from catopt.checks.kinds import (
+    OF_LINE,
     STATES,
     USER,
     Analysis,
+    CheckKind,
     CheckSource,
     Criterion,
     State,
     StrengthKind,
 )
-from catopt.checks.kinds import OF_LINE, CheckKind
 from catopt.checks.profiles import Profile, profiles_of
 from catopt.checks.profiles import profiles as all_profiles
 from catopt.checks.strength import Strength, strength_of
 from catopt.errors import InputError, Problem
 from catopt.model import Anchor, CatalogueChoice, Line, Segment, Service
-from catopt.model.checks import Checks
-from catopt.model.load import LoadCaseKind
+from catopt.model.load import Checks, LoadCaseKind
 from catopt.model.wear import Condition
 from catopt.units import as_written
 from catopt.words import Cited, Message
@@ -68,7 +68,7 @@ class AllowedTension(NamedTuple):
 class Limits(NamedTuple):
     """The strictest limit of each kind, as plain numbers for compiled code.
 
-    What is not asked for has the number at which the functions of `catopt.checks.excess` are below
+    What is not asked for has the number at which the functions of `catopt.checks.kinds` are below
     0 for any line.
     """
 
@@ -189,15 +189,15 @@ class Criteria:
 
         The key is that of the segment: ``line.segments[0]``.
         """
-        told = set()
+        reported = set()
         for criterion in self.all:
             wanted = (
                 criterion.is_for(strength.kind)
                 and not set(kinds).isdisjoint(criterion.kinds)
                 and not set(states).isdisjoint(criterion.states)
             )
-            if criterion.of and wanted and criterion.of not in told:
-                told.add(criterion.of)
+            if criterion.of and wanted and criterion.of not in reported:
+                reported.add(criterion.of)
                 try:
                     allowed_by(criterion, strength, key)
                 except InputError as error:

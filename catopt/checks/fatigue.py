@@ -26,14 +26,14 @@ from typing import Final, Literal, NamedTuple
 import numpy as np
 
 from catopt.arrays import Array
-from catopt.catalogue.figure import Confidence
-from catopt.checks.criterion import USER, CheckSource
+from catopt.catalogue.components import Confidence
+from catopt.checks.kinds import USER, CheckSource
 from catopt.checks.strength import strength_of
 from catopt.constants import YEAR
 from catopt.errors import InputError, Problem, need_package
 from catopt.model import Case, Segment, SegmentCurve
 from catopt.model.kinds import Area, Force, Height
-from catopt.model.line_kind import LineKind, line_kind
+from catopt.model.line import LineKind, line_kind
 from catopt.words import Message
 
 _WIDTH: Final = 0.1

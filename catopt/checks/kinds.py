@@ -1,29 +1,173 @@
-"""The kinds of check: in what each is measured, and demand beside capacity of a line at rest.
-
-A new kind is an entry in `CheckKind`, its function and its row in `OF_LINE` here, and its words in
-both languages in ``catopt/words/texts/checks.toml``; where its number is the case's own, the row
-says which.
-"""
+"""The kinds of check: demand beside capacity, by how much a limit is overrun; a criterion."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Literal, NamedTuple, Protocol, get_args
+from typing import TYPE_CHECKING, Final, Literal, NamedTuple, Protocol, get_args
 
-from catopt.checks.excess import (
-    grounded_excess,
-    holding_excess,
-    ratio_excess,
-    uplift_angle_excess,
-    uplift_force_excess,
-)
+from catopt.catalogue.components import Confidence
+from catopt.compiled import inlined
 from catopt.model.anchor import sinker_needed
+from catopt.model.line import LINE_KINDS, LineKind
+from catopt.model.load import LoadCaseKind
 from catopt.quantities import QUANTITIES, Quantity
+from catopt.records import Counted, Record
 from catopt.words import Measure, Message
 
 if TYPE_CHECKING:
     from catopt.model import Anchor, Buoy, CatalogueChoice, Checks, Service
+
+__all__ = [
+    "ROUNDING",
+    "grounded_exceedance",
+    "holding_exceedance",
+    "ratio_exceedance",
+    "uplift_angle_exceedance",
+    "uplift_force_exceedance",
+]
+
+State = Literal["intact", "one_line_out", "transient"]
+STATES: tuple[State, ...] = get_args(State)
+"""Of a mooring: whole, at rest anew without a line, and on the way there after it parted."""
+
+Analysis = Literal["quasi-static", "dynamic"]
+ANALYSES: tuple[Analysis, ...] = get_args(Analysis)
+"""Tensions of lines at rest, or of lines run in time."""
+
+StrengthKind = Literal["MBL", "proof_load"]
+STRENGTHS: tuple[StrengthKind, ...] = get_args(StrengthKind)
+
+LOAD_KINDS: tuple[LoadCaseKind, ...] = get_args(LoadCaseKind)
+
+
+@dataclass(frozen=True)
+class Place(Record):
+    """Of which line a check is, and in which state of the mooring."""
+
+    DOCUMENT = "state line missing=missing_line"
+
+    state: State = "intact"
+    """Only of a body: its state."""
+    line: Counted | None = None
+    """Only of a body: the line; None where the check is of the body."""
+    missing: Counted | None = None
+    """Only of a body: the line that is out; None where all are there."""
+    segment: int | None = None
+    """Of a tension: from 1 at the anchor."""
+
+
+@dataclass(frozen=True)
+class CheckSource:
+    """Where a criterion comes from."""
+
+    code: str
+    """Name of the profile; user for the case's own numbers, anchor for the factor of its anchor
+    where the case says what that is from."""
+    document: str = ""
+    clause: str = ""
+    """What to open, and where in it; empty for the case's own numbers, which are then those of the
+    case file."""
+    confidence: Confidence | None = None
+    """A read in the document itself; B in two independent secondary sources, or in one and checked
+    by numbers; C in one secondary source; R recalled, read in no document; None for the case's own
+    numbers."""
+
+    @property
+    def text(self) -> str:
+        """Document, place and confidence in words; case file for the case's own numbers."""
+        if self.confidence is None:
+            return self.document or Message("checks.case_file")
+        where = ", ".join(part for part in (self.document, self.clause) if part)
+        return f"{where} [{self.confidence}]"
+
+
+USER = CheckSource("user")
+"""A number of the case file."""
+
+
+@dataclass(frozen=True)
+class Criterion:
+    """A limit or a factor that a line has to keep."""
+
+    check: CheckKind
+    value: float
+    """The factor of a tension, a sliding or a holding check; else the limit in SI."""
+    source: CheckSource
+    of: StrengthKind | Literal[""] = ""
+    """Of a tension check: the strength that is divided by the factor."""
+    part: float = 1.0
+    """Of a tension check: characteristic strength over that of the catalogue or certificate."""
+    mean_factor: float | None = None
+    """Of a tension in motion: the factor on its mean, where `value` is that on what is added to the
+    mean; None where `value` is on the whole."""
+    lines: tuple[LineKind, ...] = LINE_KINDS
+    kinds: tuple[LoadCaseKind, ...] = LOAD_KINDS
+    states: tuple[State, ...] = STATES
+    """For which kinds of line (of a tension check), load cases and states of the mooring it is."""
+    analysis: Analysis = "quasi-static"
+    """Of a tension check: from which analysis its tensions are."""
+    note: str = ""
+    """What else the document says of it."""
+
+    @property
+    def takes_tests(self) -> bool:
+        """Whether statistics of break tests take the place of a part of the MBL."""
+        return self.of == "MBL" and self.part != 1.0
+
+    def is_for(self, line: LineKind | None) -> bool:
+        """Whether it is for a kind of line; for one whose kind is not known every criterion is."""
+        return line is None or line in self.lines
+
+
+ROUNDING: Final = 1e-9
+"""What rounding may add to an excess: a thousand times the error of a solved line."""
+
+
+@inlined
+def ratio_exceedance(demand: float, capacity: float) -> float:
+    """Demand beside capacity, in one unit.
+
+    Of a segment's tension and strength over factor, span and limit, pull at the fairlead and
+    reserve buoyancy, the weight that a sinker needs (`sinker_needed` of model) and its own.
+    """
+    return demand / capacity - 1.0
+
+
+@inlined
+def uplift_angle_exceedance(angle: float, limit: float) -> float:
+    """Inclination at the anchor beside the largest allowed one; rad, and the excess per rad."""
+    return angle - limit
+
+
+@inlined
+def uplift_force_exceedance(vertical: float, horizontal: float, limit: float) -> float:
+    """Vertical pull at the anchor beside the largest allowed one; N.
+
+    Measured by the limit or by the horizontal force, whichever is larger, for the limit may be 0.
+    No limit is an infinite one.
+    """
+    if math.isinf(limit):
+        return -1.0
+    scale = max(limit, horizontal)
+    return (vertical - limit) / scale if scale > 0.0 else vertical
+
+
+@inlined
+def grounded_exceedance(grounded: float, wanted: float) -> float:
+    """Length on the bed short of what is wanted, by what is wanted; m. 0 wants nothing."""
+    if wanted == 0.0:
+        return -1.0
+    return 1.0 - grounded / wanted
+
+
+@inlined
+def holding_exceedance(horizontal: float, factor: float, capacity: float) -> float:
+    """Pull on a drag anchor times its factor beside its ultimate holding capacity; N."""
+    return factor * horizontal / capacity - 1.0
+
 
 CheckKind = Literal[
     "tension",
@@ -46,7 +190,7 @@ class Demand(NamedTuple):
 
     demand: float
     capacity: float
-    excess: float
+    exceedance: float
     note: str = ""
 
 
@@ -117,31 +261,31 @@ Measuring = Callable[[float, Judged, "Anchor | None"], Demand]
 def _uplift_angle(limit: float, solution: Judged, _: Anchor | None) -> Demand:
     """Inclination of the line at the anchor <= limit, rad."""
     angle = solution.anchor.angle
-    return Demand(angle, limit, uplift_angle_excess(angle, limit))
+    return Demand(angle, limit, uplift_angle_exceedance(angle, limit))
 
 
 def _uplift_force(limit: float, solution: Judged, _: Anchor | None) -> Demand:
     """Vertical pull of the line on the anchor <= limit, N."""
     pull = solution.anchor
-    excess = uplift_force_excess(pull.vertical_force, pull.horizontal_force, limit)
-    return Demand(pull.vertical_force, limit, excess)
+    exceedance = uplift_force_exceedance(pull.vertical_force, pull.horizontal_force, limit)
+    return Demand(pull.vertical_force, limit, exceedance)
 
 
 def _grounded_length(wanted: float, solution: Judged, _: Anchor | None) -> Demand:
     """Wanted length <= unstretched length that lies on the bed, m."""
     lies = solution.grounded_length
-    return Demand(wanted, lies, grounded_excess(lies, wanted), Message("checks.wanted"))
+    return Demand(wanted, lies, grounded_exceedance(lies, wanted), Message("checks.wanted"))
 
 
 def _span(limit: float, solution: Judged, _: Anchor | None) -> Demand:
     """Span <= limit, m."""
-    return Demand(solution.span, limit, ratio_excess(solution.span, limit))
+    return Demand(solution.span, limit, ratio_exceedance(solution.span, limit))
 
 
 def _buoyancy(reserve: float, solution: Judged, _: Anchor | None) -> Demand:
     """Vertical pull at the fairlead <= reserve buoyancy, N."""
     vertical = solution.fairlead.vertical_force
-    return Demand(vertical, reserve, ratio_excess(vertical, reserve))
+    return Demand(vertical, reserve, ratio_exceedance(vertical, reserve))
 
 
 def _sliding(factor: float, solution: Judged, anchor: Anchor | None) -> Demand:
@@ -152,7 +296,7 @@ def _sliding(factor: float, solution: Judged, anchor: Anchor | None) -> Demand:
     pull, weight = solution.anchor, anchor.submerged_weight
     needed = sinker_needed(pull.horizontal_force, pull.vertical_force, anchor.friction, factor)
     note = Message("checks.sinker_needed", factor=factor, friction=anchor.friction)
-    return Demand(needed, weight, ratio_excess(needed, weight), note)
+    return Demand(needed, weight, ratio_exceedance(needed, weight), note)
 
 
 def _holding(factor: float, solution: Judged, anchor: Anchor | None) -> Demand:
@@ -161,7 +305,7 @@ def _holding(factor: float, solution: Judged, anchor: Anchor | None) -> Demand:
     assert anchor.holding_capacity is not None
     pull, capacity = solution.anchor.horizontal_force, anchor.holding_capacity
     note = Message("checks.capacity", capacity=Measure("tension", capacity), factor=factor)
-    return Demand(pull, capacity / factor, holding_excess(pull, factor, capacity), note)
+    return Demand(pull, capacity / factor, holding_exceedance(pull, factor, capacity), note)
 
 
 class LineCheck(NamedTuple):

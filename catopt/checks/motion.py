@@ -6,11 +6,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from catopt.checks.case import check_buoyancy, check_tensions, result_of
 from catopt.checks.criteria import Criteria, criteria_of, motion_profile
-from catopt.checks.criterion import USER, Place, State
-from catopt.checks.evaluation import check_buoyancy, check_tensions, result_of
-from catopt.checks.excess import ratio_excess
-from catopt.checks.kinds import OF_LINE, Demand
+from catopt.checks.kinds import OF_LINE, USER, Demand, Place, State, ratio_exceedance
 from catopt.checks.profiles import profiles_of
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.model import Case, Line
@@ -121,7 +119,7 @@ def _others(
     if slide is None:
         return
     for criterion in criteria.of("slide", kind, place.state):
-        found = Demand(slide, criterion.value, ratio_excess(slide, criterion.value))
+        found = Demand(slide, criterion.value, ratio_exceedance(slide, criterion.value))
         yield result_of("slide", criterion, found, moved.load_case, place)
 
 

@@ -7,22 +7,23 @@ from functools import cache
 from importlib.resources import files
 from typing import Literal, TypeVar
 
-from catopt.catalogue.figure import CONFIDENCES, RECALLED, Confidence
-from catopt.catalogue.names import nearest
-from catopt.catalogue.table import Table
-from catopt.checks.criterion import (
+from catopt.catalogue.components import CONFIDENCES, RECALLED, Confidence
+from catopt.catalogue.family import nearest
+from catopt.catalogue.table import TomlTable
+from catopt.checks.kinds import (
     ANALYSES,
+    CHECK_KINDS,
     LOAD_KINDS,
     STATES,
     STRENGTHS,
+    CheckKind,
     CheckSource,
     Criterion,
     StrengthKind,
 )
-from catopt.checks.kinds import CHECK_KINDS, CheckKind
-from catopt.model.checks import Checks
-from catopt.model.line_kind import LINE_KINDS
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
+from catopt.model.line import LINE_KINDS
+from catopt.model.load import Checks
 from catopt.units import as_written
 from catopt.words import Cited, Message
 
@@ -122,13 +123,13 @@ def _refused(name: str, found: Profile | None, allow_recalled: bool) -> str:
 
 def parse_profiles(text: str, source: str = "") -> tuple[Profile, ...]:
     """Read the text of a TOML file of profiles; every problem of it is told at once."""
-    document, findings = Table.of_file(text, source, SCHEMA, ("profile",))
+    document, findings = TomlTable.of_file(text, source, SCHEMA, ("profile",))
     found = tuple(_profile(table) for table in document.tables("profile"))
     findings.raise_if_any()
     return found
 
 
-def _profile(table: Table) -> Profile:
+def _profile(table: TomlTable) -> Profile:
     table.only("name", "title", "document", "edition", "note", "aliases", "criterion", "method")
     name, edition = table.text("name") or "", table.text("edition", required=False)
     document = table.text("document") or ""
@@ -145,7 +146,7 @@ def _profile(table: Table) -> Profile:
     )
 
 
-def _method(table: Table | None) -> Method | None:
+def _method(table: TomlTable | None) -> Method | None:
     if table is None:
         return None
     table.only("dynamic_factor", "motion", "confidence", "prefer", "soil", "loads")
@@ -157,7 +158,7 @@ def _method(table: Table | None) -> Method | None:
     return Method(factor, motion, confidence, prefer, soil, loads)
 
 
-def _criterion(table: Table, code: str, document: str) -> Criterion | None:
+def _criterion(table: TomlTable, code: str, document: str) -> Criterion | None:
     table.only("check", "value", "kinds", "states", "clause", "confidence", "note", *_OF_TENSION)
     check, confidence = table.word("check", CHECK_KINDS), table.word("confidence", CONFIDENCES)
     value = table.number("value")
@@ -179,11 +180,11 @@ def _criterion(table: Table, code: str, document: str) -> Criterion | None:
     )
 
 
-def _given(table: Table, key: str) -> float | None:
+def _given(table: TomlTable, key: str) -> float | None:
     return table.number(key, above=0.0) if table.has(key) else None
 
 
-def _strength(table: Table, check: CheckKind | None) -> StrengthKind | Literal[""] | None:
+def _strength(table: TomlTable, check: CheckKind | None) -> StrengthKind | Literal[""] | None:
     """Read the strength that a tension check is on; no other check has one."""
     if check == "tension":
         return table.word("of", STRENGTHS)
@@ -193,7 +194,7 @@ def _strength(table: Table, check: CheckKind | None) -> StrengthKind | Literal["
     return ""
 
 
-def _words(table: Table, key: str, words: tuple[Word, ...]) -> tuple[Word, ...]:
+def _words(table: TomlTable, key: str, words: tuple[Word, ...]) -> tuple[Word, ...]:
     """Read some of a few words, in their own order."""
     given = table.texts(key)
     if not set(given) <= set(words):

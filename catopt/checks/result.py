@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from typing import Annotated, Any
+from warnings import warn
 
 from catopt.catenary.solution import Solution
-from catopt.checks.criterion import CheckSource, Place
-from catopt.checks.excess import ROUNDING
-from catopt.checks.kinds import CHECK_UNITS, CheckKind
+from catopt.checks.kinds import CHECK_UNITS, ROUNDING, CheckKind, CheckSource, Place
 from catopt.model import LoadCase
 from catopt.model.kinds import OneOf
 from catopt.model.kinds import Place as Along
@@ -32,8 +31,9 @@ class CheckResult(Record):
     """One criterion in one load case."""
 
     DOCUMENT = (
-        "name kind load_case demand capacity unit utilisation excess passes source.text=source "
-        "source.code source.confidence note place.state* place.line* place.missing=missing_line*"
+        "name kind load_case demand capacity unit utilisation exceedance=excess passes "
+        "source.text=source source.code source.confidence note place.state* place.line* "
+        "place.missing=missing_line*"
     )
 
     name: str
@@ -50,7 +50,7 @@ class CheckResult(Record):
     water."""
     unit: Annotated[str, OneOf(CHECK_UNITS)]
     """SI unit of demand and capacity; empty where they count lines."""
-    excess: float
+    exceedance: float
     """By how much the limit is overrun: 0 at the limit, negative inside it; a pure number, of an
     uplift angle in rad."""
     source: CheckSource
@@ -79,9 +79,15 @@ class CheckResult(Record):
         return self.load_case if number is None else line_in_state(number, self.load_case)
 
     @property
+    def excess(self) -> float:
+        """Old name of `exceedance`, for one version."""
+        warn("excess of a check is its exceedance now", DeprecationWarning, stacklevel=2)
+        return self.exceedance
+
+    @property
     def passes(self) -> bool:
-        """Whether the excess is at most 1e-9, for rounding."""
-        return self.excess <= ROUNDING
+        """Whether the exceedance is at most 1e-9, for rounding."""
+        return self.exceedance <= ROUNDING
 
 
 @dataclass(frozen=True)
@@ -166,12 +172,12 @@ class CheckReport(Displayable, Record):
     def failed(self) -> tuple[CheckResult, ...]:
         """The checks that are failed, the worst first; those alike as they come."""
         failed = [result for result in self.results if not result.passes]
-        return tuple(sorted(failed, key=lambda result: -round(result.excess, 9)))
+        return tuple(sorted(failed, key=lambda result: -round(result.exceedance, 9)))
 
     def tightest(self, kind: str) -> CheckResult | None:
         """Return the check of a kind nearest to its limit, over segments and load cases."""
         made = [result for result in self.results if result.kind == kind]
-        return largest(made, lambda result: result.excess, ROUNDING) if made else None
+        return largest(made, lambda result: result.exceedance, ROUNDING) if made else None
 
     @property
     def tightest_by_state(self) -> tuple[int, ...]:
@@ -180,7 +186,7 @@ class CheckReport(Displayable, Record):
         for index, each in enumerate(self.results):
             key = (each.place.state, each.kind, each.source)
             best = found.setdefault(key, index)
-            if each.excess > self.results[best].excess + ROUNDING:
+            if each.exceedance > self.results[best].exceedance + ROUNDING:
                 found[key] = index
         return tuple(sorted(found.values()))
 

@@ -6,11 +6,11 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import TYPE_CHECKING
 
-from catopt.checks.criterion import StrengthKind
+from catopt.checks.kinds import StrengthKind
 from catopt.constants import SEA_WATER_DENSITY, YEAR
 from catopt.errors import InputError, Problem
 from catopt.model import CatalogueChoice, Segment, Service
-from catopt.model.line_kind import LineKind, line_kind
+from catopt.model.line import LineKind, line_kind
 from catopt.model.wear import end_diameter
 from catopt.words import Measure, Message
 

@@ -1,20 +1,33 @@
-"""Check a body with several lines: every line, with all there and with each of them gone."""
+"""Check a body with several lines, or lines between points: with all there, with each gone."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
+from catopt.catenary.solution import Solution
+from catopt.checks.case import (
+    Lifted,
+    check_buoyancy,
+    evaluate,
+    of_criteria,
+    of_transient,
+    of_uplift,
+)
 from catopt.checks.criteria import HORIZONTAL_PULL, Criteria, criteria_of
-from catopt.checks.criterion import Criterion, Place, State
-from catopt.checks.evaluation import check_buoyancy, evaluate
-from catopt.checks.remarks import Lifted, of_criteria, of_transient, of_uplift
+from catopt.checks.kinds import Criterion, Place, State
 from catopt.checks.result import CheckReport, CheckResult, line_in_state
 from catopt.checks.strength import Strength
-from catopt.model import Anchor, Case, Line
+from catopt.errors import InputError, Problem
+from catopt.model import Anchor, Buoy, Case, CatalogueChoice, Checks, Line, Service
+from catopt.model.network import Network
 from catopt.mooring.case import SystemReport, report_system
+from catopt.mooring.held import LinesAtRest, at_rest
 from catopt.mooring.line_out import LineOut, one_line_out
+from catopt.mooring.network_out import NetworkOut, each_line_out
 from catopt.mooring.solution import SystemSolution
+from catopt.mooring.solve import of_line
 from catopt.words import Message
 
 
@@ -79,7 +92,7 @@ def check_system(case: Case, report: SystemReport | None = None) -> CheckReport:
         results += check_state(state, criteria, known, case.anchor)
     lines = {line: of_criteria(criteria, line, strengths) for line, strengths in known.items()}
     warnings = (
-        *(warning for told in lines.values() for warning in told),
+        *(warning for reported in lines.values() for warning in reported),
         *(
             of_line_out(criteria, damaged, len(legs))
             if case.system.judged_line_out
@@ -153,7 +166,7 @@ def lost_results(
             demand=1.0,
             capacity=0.0,
             unit="",
-            excess=1.0,
+            exceedance=1.0,
             source=source,
             note=refusal,
             place=place,
@@ -179,3 +192,164 @@ def of_line_out(
     for code in dict.fromkeys(source.code for source in coded):
         if code not in (*judging, HORIZONTAL_PULL.code):
             yield Message("checks.intact_only", code=code)
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """What lines between points are judged by, as a case has it."""
+
+    checks: Checks
+    anchor: Anchor | None
+    service: Service | None
+    buoy: Buoy | None = None
+    catalogue: CatalogueChoice = field(default_factory=CatalogueChoice)
+
+
+def check_network(
+    network: Network,
+    rest: LinesAtRest | None = None,
+    line_out: Sequence[NetworkOut] | None = None,
+) -> CheckReport:
+    """Check lines between points by every criterion, each in the state that it is for.
+
+    Tensions are checked of every line, all else of those that end at an anchor, at that end. Where
+    a criterion is for one line out, each line is gone in turn, and what finds no rest without it is
+    a failed check; a body that is held stays where it is.
+
+    `rest` is what `at_rest` gave for it, `line_out` what `each_line_out` did; what is left out is
+    solved here. Raises what `check_case` and `at_rest` raise.
+    """
+    criteria = criteria_of_network(network)
+    count = len(network.lines)
+    damaged = for_line_out(criteria, count)
+    wanted: tuple[State, ...] = ("intact", "one_line_out") if damaged else ("intact",)
+    rest = rest or at_rest(network)
+    strengths = _strengths(criteria, network, rest, wanted)
+    gone = (each_line_out(network) if line_out is None else line_out) if damaged else ()
+    results: list[CheckResult] = []
+    solved: list[tuple[Lifted, Place, bool]] = []
+    for place, found, numbers, refusal in _network_states(rest, gone):
+        if found is None:
+            results += lost_results(place, refusal, damaged)
+            continue
+        for k, (number, line) in enumerate(zip(numbers, found.lines, strict=True)):
+            own, anchored = replace(place, line=number + 1), found.is_anchored(k)
+            where = line_in_state(number + 1, state_words(place))
+            solved.append((Lifted(where, place.state, "extreme", line), own, anchored))
+            results += evaluate(
+                line,
+                criteria if anchored else _of_tension(criteria),
+                strengths[number],
+                network.anchor,
+                load_case=state_words(place),
+                kind="extreme",
+                place=own,
+            )
+    warnings = (
+        *(
+            said
+            for run, known in zip(rest.runs, strengths, strict=True)
+            for said in of_criteria(criteria, run.line, known)
+        ),
+        *of_line_out(criteria, damaged, count),
+        *(_of_states(network, gone) if damaged else ()),
+        *of_transient(criteria),
+        *of_uplift((each for each, _, anchored in solved if anchored), criteria, network.anchor),
+        *_of_anchors(criteria, rest),
+        *(Message("mooring.body_drifts", name=b.body.name) for b in rest.bodies if not b.is_held),
+        *_of_joints(rest),
+        *_of_lines(rest.lines),
+    )
+    return CheckReport(
+        title=network.title,
+        results=tuple(results),
+        solutions=tuple((each.where, each.solution) for each, _, _ in solved),
+        warnings=tuple(dict.fromkeys(warnings)),
+        places=tuple(place for _, place, _ in solved),
+    )
+
+
+def criteria_of_network(network: Network) -> Criteria:
+    """Gather all that a file of points and lines asks of them; as `criteria_of`."""
+    return criteria_of(_Asked(network.checks, network.anchor, network.service))
+
+
+def _network_states(
+    rest: LinesAtRest, gone: Sequence[NetworkOut]
+) -> Iterator[tuple[Place, LinesAtRest | None, tuple[int, ...], str]]:
+    """Yield each state with the lines at rest and their numbers, from 0."""
+    yield Place(), rest, tuple(range(len(rest.runs))), ""
+    for each in gone:
+        place = Place("one_line_out", missing=each.missing + 1)
+        yield place, each.rest, each.left, each.refusal
+
+
+def _of_tension(criteria: Criteria) -> Criteria:
+    """Return the criteria of a line that ends at no anchor."""
+    return replace(criteria, all=tuple(each for each in criteria.all if each.check == "tension"))
+
+
+def _strengths(
+    criteria: Criteria, network: Network, rest: LinesAtRest, states: Sequence[State]
+) -> tuple[tuple[Strength, ...], ...]:
+    """Find the strengths of all lines as they run, from their anchors; InputError names the keys.
+
+    A line that was given from its other end has its segments the other way round in the file.
+    """
+    found, problems = [], list[Problem]()
+    for k, (run, given) in enumerate(zip(rest.runs, network.lines, strict=True)):
+        try:
+            found.append(criteria.strengths(run.line, {"extreme"}, states))
+        except InputError as error:
+            is_turned = network.numbers[given.start] != run.first
+            last = len(run.line.segments) - 1 if is_turned else None
+            problems += (replace(each, key=_key(each.key, k, last)) for each in error.problems)
+    if problems:
+        raise InputError(tuple(problems), "checks")
+    return tuple(found)
+
+
+def _key(key: str, line: int, last: int | None) -> str:
+    """Name a key of a line as the file has it; `last`: its last segment, where it is turned."""
+
+    def placed(found: re.Match[str]) -> str:
+        number = int(found[1])
+        return f"lines[{line}].segments[{number if last is None else last - number}]"
+
+    return re.sub(r"^line\.segments\[(\d+)\]", placed, key)
+
+
+def _of_states(network: Network, gone: Sequence[NetworkOut]) -> Iterator[Message]:
+    """Say that the body stays where it is held, and which lines hang loose without another."""
+    if any(point.kind == "fairlead" and not point.body for point in network.points):
+        yield Message("checks.held_line_out")
+    for each in gone:
+        if each.loose:
+            loose = ", ".join(f"{number + 1}" for number in each.loose)
+            yield Message("checks.loose", number=each.missing + 1, lines=loose)
+        if each.stopped_short:
+            yield each.why_lost
+
+
+def _of_anchors(criteria: Criteria, rest: LinesAtRest) -> Iterator[Message]:
+    """Say which anchors are not judged: of rows from anchor to anchor, the farther one."""
+    points = rest.network.points
+    if all(each.check == "tension" for each in criteria.all):
+        return
+    for number, run in enumerate(rest.runs, start=1):
+        if points[run.second].kind == "anchor":
+            name = points[run.second].name
+            yield Message("checks.anchor_not_judged", number=number, name=name)
+
+
+def _of_joints(rest: LinesAtRest) -> Iterator[Message]:
+    """Say which joints something pulls out of the water."""
+    depth = rest.network.site.water_depth
+    for point, (_, _, height) in zip(rest.network.points, rest.joints.places, strict=True):
+        if point.kind == "joint" and height > depth:
+            yield Message("mooring.joint_above_water", name=point.name, height=height - depth)
+
+
+def _of_lines(lines: Sequence[Solution]) -> Iterator[str]:
+    for number, line in enumerate(lines, start=1):
+        yield from (of_line(number, warning) for warning in line.warnings)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 import typer
 
 from catopt.cli import options as option
-from catopt.cli.output import Output
+from catopt.cli.output import Printer
 from catopt.cli.values import refused
 from catopt.errors import InputError
 from catopt.patience import when_long
@@ -40,7 +40,7 @@ Files = Callable[[], dict[str, bytes]]
 class Asked:
     """How an answer is asked for: where it is printed, and by which of the common options."""
 
-    output: Output
+    output: Printer
     language: Language
     as_json: bool
     out: Path | None
@@ -49,7 +49,7 @@ class Asked:
     def check_place(self) -> None:
         """Refuse a place that no files can go to, before anything is computed."""
         if self.out is not None:
-            from catopt.report.files import check_directory
+            from catopt.report.bundle import check_directory
 
             check_directory(self.out)
 
@@ -125,13 +125,13 @@ class Asked:
         write is never replaced, nor is that of a design search, without which its front would be
         lost: the directory `front` of a search goes with the case.
         """
-        from catopt.report.files import write_files
+        from catopt.report.bundle import write_files
 
         assert self.out is not None
         whole, text, stays = dict(files), None, ""
         if case is not None:
             from catopt.casefile import write_case
-            from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
+            from catopt.casefile.reading import DESIGN_CASE, DESIGN_DOCUMENT
 
             text = write_case(case).encode()
             stays = _stays(self.out, with_front=front is not None)
@@ -161,7 +161,7 @@ class Asked:
         """
         path = None
         if self.out is not None:
-            from catopt.report.files import write_files
+            from catopt.report.bundle import write_files
 
             place = self.out / name if self.out.is_dir() or not self.out.suffix else self.out
             (written,) = write_files(place.parent, {place.name: text.encode()}, keep=[keep])
@@ -197,10 +197,10 @@ def answering(
             full: bool = False,
             **options: Any,
         ) -> None:
-            from catopt.render.units import UNITS
+            from catopt.render.values import UNITS
 
             output = context.obj
-            when_long(lambda told: output.note(say(told, lang)))
+            when_long(lambda reported: output.note(say(reported, lang)))
             before = UNITS.set(units or "")
             try:
                 command(Asked(context.obj, lang, as_json, out, full), **options)
@@ -247,8 +247,7 @@ def refuse_own_case(directory: Path) -> None:
 def _stays(directory: Path, *, with_front: bool) -> str:
     """Say why the case file in a directory must not be replaced; empty where it may."""
     from catopt.casefile import write_case
-    from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
-    from catopt.casefile.reading import parse_mooring
+    from catopt.casefile.reading import DESIGN_CASE, DESIGN_DOCUMENT, parse_mooring
 
     place = directory / DESIGN_CASE
     if not place.exists():

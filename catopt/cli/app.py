@@ -9,7 +9,7 @@ import typer
 
 from catopt._version import __version__
 from catopt.cli.help_words import GroupWithWords, WithWords, built
-from catopt.cli.output import Output
+from catopt.cli.output import Printer
 
 _PLACES = {
     "new": "new.new",
@@ -87,7 +87,7 @@ def catopt(
     debug: Annotated[bool, typer.Option("--debug")] = False,
 ) -> None:
     """Take the global options."""
-    output = context.ensure_object(Output)
+    output = context.ensure_object(Printer)
     output.debug = debug
     output.listen()
 

@@ -97,7 +97,7 @@ def find(
 ) -> None:
     """Find components, anchors and fittings by what they are called."""
     from catopt.catalogue.finding import find as find_all
-    from catopt.loads.held import anchors_held
+    from catopt.loads.sinker import anchors_held
 
     known = _catalogue(families)
     with _by_option({"component": "WORDS", "size": "WORDS"}):
@@ -128,7 +128,7 @@ def anchor(
 ) -> None:
     """Show what a drag anchor holds."""
     from catopt.catalogue.finding import SOILS
-    from catopt.loads.held import anchors_held, named_anchors
+    from catopt.loads.sinker import anchors_held, named_anchors
 
     values = in_si({"--mass": (mass, Dimension.MASS)})
     with _by_option({"anchor": "ANCHOR", "mass": "--mass", "soil": "--soil"}):
@@ -181,8 +181,7 @@ def sinker(
     water_density: WaterOption = None,
 ) -> None:
     """Show what a sinker holds on each soil."""
-    from catopt.loads.held import sinkers_held
-    from catopt.loads.sinker import AS_CLAY
+    from catopt.loads.sinker import AS_CLAY, sinkers_held
 
     values = in_si(
         {
@@ -273,7 +272,7 @@ def _sized(
     known: Catalogue, family: str, grade: str | None, size: str | None
 ) -> tuple[str, str | None, str | None]:
     """Tell family, grade and size apart, wherever the size was named; a bare number is in mm."""
-    from catopt.catalogue.names import split_size
+    from catopt.catalogue.family import split_size
 
     name, own = split_size(family)
     given = [each for each in (own, size) if each is not None]

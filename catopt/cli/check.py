@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from catopt.answers.check import check_answer, verdict_sentence
-from catopt.casefile.design_directory import read_mooring_or_design
+from catopt.casefile.reading import read_mooring_or_design
 from catopt.cli.answering import FAILED, Asked, answering
 from catopt.cli.completion import completed
 from catopt.cli.options import CaseArgument, DesignOption, StrictOption, TablesOutOption
@@ -29,8 +29,8 @@ def check(
 ) -> None:
     """Check a line under every load case, or the lines of a mooring in every state."""
     from catopt.checks.case import check_case
-    from catopt.checks.network import check_network
     from catopt.checks.profiles import profiles_of
+    from catopt.checks.system import check_network
 
     asked.check_place()
     read = read_mooring_or_design(case, design)

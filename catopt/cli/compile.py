@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import typer
 
-from catopt.cli.output import Output
+from catopt.cli.output import Printer
 
 
 def compile_all(context: typer.Context) -> None:
@@ -13,7 +13,7 @@ def compile_all(context: typer.Context) -> None:
 
     from catopt.compile_jobs import JOBS, compile_always
 
-    output: Output = context.obj
+    output: Printer = context.obj
     with compile_always(), output.progress("parts compiled") as tell:
         for done, (name, job) in enumerate(JOBS.items()):
             if tell is not None:

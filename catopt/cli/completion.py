@@ -40,7 +40,7 @@ def _names(kind: str) -> Iterable[str]:
     """Look up all names of a kind; a component of the catalogue is a family with its grade."""
     match kind:
         case "template":
-            from catopt.casefile.new_case import TEMPLATES
+            from catopt.casefile.writing import TEMPLATES
 
             return TEMPLATES
         case "study":
@@ -56,11 +56,11 @@ def _names(kind: str) -> Iterable[str]:
 
             return (each.name for each in buoys())
         case "anchor":
-            from catopt.loads.holding_data import ANCHORS
+            from catopt.loads.drag_anchor import ANCHORS
 
             return ANCHORS
         case "soil":  # under drag anchors and under sinkers
-            from catopt.loads.holding_data import SOILS
+            from catopt.loads.drag_anchor import SOILS
             from catopt.loads.sinker import SOIL_FRICTION
 
             return (*SOILS, *SOIL_FRICTION)

@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 
 import typer
 
-from catopt.answers.curve import curve_answer
+from catopt.answers.solution import curve_answer
 from catopt.casefile import read_case
 from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CaseArgument, OutOption

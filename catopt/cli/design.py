@@ -9,7 +9,7 @@ import typer
 
 from catopt.answers.design import design_answer
 from catopt.casefile import read_case, write_case
-from catopt.casefile.design_directory import DESIGN_CASE
+from catopt.casefile.reading import DESIGN_CASE
 from catopt.cli.answering import INTERRUPTED, Asked, answering, refuse_own_case
 from catopt.cli.options import CaseArgument, CountOption, OutOption
 from catopt.cli.values import by_option, given_ones
@@ -38,7 +38,7 @@ def design(
         raise InputError([Problem("design", "", allowed)], str(case))
     with by_option():
         read = replace(read, design=replace(read.design, **how))
-    from catopt.design.near_miss import NoFeasibleDesignError
+    from catopt.design.neighbours import NoFeasibleDesignError
     from catopt.design.search import design_case
 
     try:

@@ -6,14 +6,13 @@ from typing import Annotated, Literal, get_args
 
 import typer
 
-from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
+from catopt.casefile.reading import DESIGN_CASE, DESIGN_DOCUMENT
 from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CaseArgument, CountOption, DesignOption, LoadCaseOption, PlaceOption
 from catopt.cli.values import in_state, positive, read_known, refused
 from catopt.errors import InputError, Problem
 from catopt.export.exported import Source
-from catopt.model import Case
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.notes.origin import file_name, read_source
 from catopt.units import Dimension
 from catopt.words import Message
@@ -52,7 +51,15 @@ def export(
     paths = [case] if design is None else [case / DESIGN_CASE, case / DESIGN_DOCUMENT]
     files = [read_source(path) for path in paths]
     sources = tuple(Source(file.name, file.sha256) for file in files)
-    _check_stiffness(read, EA, stiffness, to)
+    # Refuse a line without EA where it needs one, and an EA that no segment needs.
+    from catopt.export.exported_line import rigid_segments
+
+    rigid = rigid_segments(read)
+    if EA is not None and not rigid:
+        raise refused("--EA", str(stiffness), Message("refused_command.every_segment_has_own_ea"))
+    if EA is None and rigid and to != "dxf":
+        allowed = Message("refused_command.missing_wants_give_segment_ea", to=to)
+        raise InputError([Problem(f"{key}.EA", "", allowed) for key in rigid], f"--to {to}")
     lines = exported_lines(read, EA)
     if to == "dxf":
         found = dxf_drawing(lines, sources=sources)
@@ -82,15 +89,3 @@ def _settings(
             found.add("--true-depth", "", only)
     found.raise_if_any()
     return EA
-
-
-def _check_stiffness(case: Case, EA: float | None, given: str | None, to: Target) -> None:
-    """Refuse a line without EA where it needs one, and an EA that no segment needs."""
-    from catopt.export.exported_line import rigid_segments
-
-    rigid = rigid_segments(case)
-    if EA is not None and not rigid:
-        raise refused("--EA", str(given), Message("refused_command.every_segment_has_own_ea"))
-    if EA is None and rigid and to != "dxf":
-        allowed = Message("refused_command.missing_wants_give_segment_ea", to=to)
-        raise InputError([Problem(f"{key}.EA", "", allowed) for key in rigid], f"--to {to}")

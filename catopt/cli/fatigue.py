@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from catopt.answers.fatigue import fatigue_answer, fatigue_sentence
+from catopt.answers.verification import fatigue_answer, fatigue_sentence
 from catopt.casefile import read_case
 from catopt.cli import options
 from catopt.cli.answering import FAILED, STOPPED, Asked, answering

@@ -14,7 +14,7 @@ from catopt.cli.values import positive, refused
 from catopt.decks.reading import Asked as Missing
 from catopt.decks.reading import is_deck, read_any_deck
 from catopt.documents import read_text
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.units import Dimension
 from catopt.words import Message
 

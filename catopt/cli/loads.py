@@ -23,9 +23,9 @@ from catopt.units import Dimension
 from catopt.words import Cited, Measure, Message, term
 
 if TYPE_CHECKING:
-    from catopt.casefile.sizing_file import Moored
+    from catopt.casefile.reading import Moored
     from catopt.loads import Afloat, Loads, SeaState, ShipHeading, Turning
-    from catopt.loads.ship_estimate import Condition
+    from catopt.loads.ship_dimensions import Condition
     from catopt.sizing.known import ResolvedInputs
     from catopt.sizing.telling import Spelling
 
@@ -93,7 +93,7 @@ def buoy(
     options = {"buoy": None if place else name, **inputs}
     with _known("buoy", place, options, by_option, _OF_BUOYS) as of:
         make = of.telling.make
-        of.want("buoy", "depth")
+        of.require("buoy", "depth")
         for each in ("force", "reserve_buoyancy"):
             if each in of.given:
                 of.telling.add(
@@ -155,8 +155,8 @@ def ship(
 ) -> None:
     """Compute the loads on a ship, from wind, current and waves."""
     from catopt.loads import METHODS, WaterLevels, every_lying, every_method
-    from catopt.loads.ship_estimate import MIDSHIP, WATERLINE, box_estimates, estimates
-    from catopt.sizing.headings import DIRECTIONS, directions_of, read_turning, turned_round
+    from catopt.loads.ship_dimensions import MIDSHIP, WATERLINE, box_estimates, estimates
+    from catopt.sizing.environment import DIRECTIONS, directions_of, read_turning, turned_round
     from catopt.sizing.known import estimated_dimensions
     from catopt.sizing.requests import (
         BARGE,
@@ -173,7 +173,7 @@ def ship(
     }
     with _known("tanker", file, inputs, as_option, _OF_SHIPS) as of:
         make = of.telling.make
-        of.want("length", "breadth", "draught", "depth")
+        of.require("length", "breadth", "draught", "depth")
         own = make(in_si, {name: (text, Dimension.LENGTH) for name, text in lengths.items()})
         turns = weathervane or any(inputs[name] is None for name in of.given & {*DIRECTIONS})
         if not turns:
@@ -248,11 +248,11 @@ def ship(
         *_no_part(of, {*_SHIP, "moulded_depth"} - ({"hmax"} if by_hs else set())),
     )
     warned = estimated_dimensions(of.read)
-    told = [
+    reported = [
         replace(each, assumptions=(*each.assumptions, *said), warnings=(*each.warnings, *warned))
         for each in (worst.loads, *others)
     ]
-    _give(asked, *told, lyings=lyings if turns or len(lyings) > 1 else ())
+    _give(asked, *reported, lyings=lyings if turns or len(lyings) > 1 else ())
 
 
 # ------------------------------------------------------------------ parts of the commands
@@ -335,7 +335,7 @@ class _Form(NamedTuple):
 def _ships_afloat(of: ResolvedInputs, form: _Form) -> Iterator[Afloat]:
     """Make the ship at each draught that is known."""
     from catopt.loads import Afloat, Ship
-    from catopt.loads.ship_estimate import BLOCK
+    from catopt.loads.ship_dimensions import BLOCK
     from catopt.sizing.requests import TAKEN_FOR, draughts_of, own_tables, ship_at
     from catopt.sizing.tanker_request import check_deadweight
 
@@ -383,7 +383,7 @@ def _what_is_taken(form: _Form, worst: ShipHeading, turning: Turning | None) -> 
     block = ship.displacement / (ship.length_waterline * ship.breadth * ship.draught)
     yield Message("loads.hull_form", length=form.waterline, block=block, midship=form.midship)
     if turning is not None:
-        from catopt.sizing.headings import turning_words
+        from catopt.sizing.environment import turning_words
 
         yield turning_words(turning, ship)
 

@@ -7,11 +7,11 @@ from typing import Annotated
 
 import typer
 
-from catopt.casefile.new_case import TEMPLATES, template
-from catopt.casefile.sizing_file import Moored
+from catopt.casefile.reading import Moored
+from catopt.casefile.writing import TEMPLATES, template
 from catopt.cli.completion import completed
 from catopt.cli.options import JsonOption, LangOption
-from catopt.cli.output import Output
+from catopt.cli.output import Printer
 from catopt.errors import InputError, Problem
 from catopt.words import Message, term
 
@@ -27,7 +27,7 @@ def new(
     out: Annotated[Path | None, typer.Option("--out", metavar="FORM", help="form")] = None,
 ) -> None:
     """Write a commented file to start from."""
-    output: Output = context.obj
+    output: Printer = context.obj
     if out is not None and path is None and out.suffix.lower() == ".xlsx":
         moored: Moored = "tanker" if "tanker" in name else "buoy"
         if moored not in name:

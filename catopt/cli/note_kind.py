@@ -8,21 +8,16 @@ from typing import TYPE_CHECKING
 
 from catopt.answers.blocks import Answer
 from catopt.answers.note_line import line_note_answer
-from catopt.answers.note_network import network_note_answer
 from catopt.answers.note_size import size_note_answer
-from catopt.answers.note_system import system_note_answer
-from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
-from catopt.casefile.sizing_file import Moored, moored_in
+from catopt.answers.note_system import network_note_answer, system_note_answer
+from catopt.casefile.reading import DESIGN_CASE, DESIGN_DOCUMENT, Moored, moored_in
 from catopt.cli.output import Progress
 from catopt.cli.values import refuse
 from catopt.documents import parse_toml, read_text
 from catopt.errors import InputError, Problem
-from catopt.notes.directory import Asked, asked_in
-from catopt.notes.line import Note, read_note
-from catopt.notes.network import NetworkNote, read_network_note
-from catopt.notes.origin import read_source
-from catopt.notes.size import Given, SizeNote, size_note
-from catopt.notes.system import SystemNote, read_system_note
+from catopt.notes.line import Given, Note, SizeNote, read_note, size_note
+from catopt.notes.origin import Asked, asked_in, read_source
+from catopt.notes.system import NetworkNote, SystemNote, read_network_note, read_system_note
 from catopt.sizing.file import read_file, sized
 from catopt.words import Message
 

@@ -47,7 +47,7 @@ def report(
     from catopt.notes.line import Note
     from catopt.notes.system import SystemNote
     from catopt.render.page import page
-    from catopt.report.files import write_files
+    from catopt.report.bundle import write_files
 
     output, language = asked.output, asked.language
     _check_place(asked.out)
@@ -106,7 +106,7 @@ def _check_place(out: Path | None) -> None:
     """Refuse, before anything is computed, a place where no page can go."""
     if out is None:
         return
-    from catopt.report.files import check_directory
+    from catopt.report.bundle import check_directory
 
     if out.suffix.lower() in OTHER_ENDINGS and not out.exists():
         allowed = Message("refused_command.page_file_ends_html_or")
@@ -131,10 +131,9 @@ def _document(
     workbook: dict[str, Any] | None = None,
 ) -> dict[str, Any]:
     """Say what was written (schema catopt.report/1); of a sizing, of its recommended line."""
-    from catopt.notes.line import Note
+    from catopt.notes.line import Note, SizeNote
     from catopt.notes.motion import motion_document
-    from catopt.notes.network import NetworkNote
-    from catopt.notes.size import SizeNote
+    from catopt.notes.system import NetworkNote
 
     of = note.line if isinstance(note, SizeNote) else note
     line = of if isinstance(of, Note) else None

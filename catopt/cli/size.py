@@ -19,8 +19,8 @@ from catopt.words import Message
 
 if TYPE_CHECKING:
     from catopt.answers.blocks import Answer
-    from catopt.casefile.sizing_file import Moored
-    from catopt.notes.size import Given
+    from catopt.casefile.reading import Moored
+    from catopt.notes.line import Given
     from catopt.sizing import Sizing
     from catopt.sizing.known import ResolvedInputs
     from catopt.sizing.telling import Spelling
@@ -36,7 +36,7 @@ class _OfAFile(GroupWithWords):
 
 
 def _moored(path: str) -> Moored:
-    from catopt.casefile.sizing_file import moored_in
+    from catopt.casefile.reading import moored_in
     from catopt.sizing.form import read_form
 
     return read_form(path)[0].moored if is_form(path) else moored_in(path) or "buoy"
@@ -96,7 +96,18 @@ def _size(
     from catopt.sizing.file import read_file
     from catopt.sizing.known import known
 
-    _check_places(asked, save)
+    # Refuse, before anything is computed, what cannot be written or would replace a case.
+    if save is not None and save.exists():
+        raise refused(
+            "--save", str(save), Message("refused_command.there_already_kept_give_another")
+        )
+    if save is not None and not save.parent.is_dir():
+        raise refused(
+            "--save", str(save), Message("refused_command.there_no_directory", parent=save.parent)
+        )
+    asked.check_place()
+    if asked.out is not None:
+        refuse_own_case(asked.out)
     spell = by_option if moored == "buoy" else as_option
     given = typed(moored, options)
     if place is not None and is_form(place):
@@ -124,7 +135,7 @@ def _size_form(
 ) -> None:
     """Size what a form asks for, and write the answer beside it; of a fleet a row each."""
     from catopt.render.workbook import workbook
-    from catopt.report.files import write_files
+    from catopt.report.bundle import write_files
     from catopt.sizing.form import read_form
 
     files, found = read_form(place), []
@@ -151,7 +162,7 @@ def _size_form(
 def _sized(asked: Asked, of: ResolvedInputs) -> tuple[Sizing, Answer]:
     """Size what is known; where no line passes, say what is nearest and what would help."""
     from catopt.answers.size import size_answer
-    from catopt.design.near_miss import NoFeasibleDesignError
+    from catopt.design.neighbours import NoFeasibleDesignError
     from catopt.sizing.requests import size as size_known
 
     try:
@@ -166,21 +177,6 @@ def _sized(asked: Asked, of: ResolvedInputs) -> tuple[Sizing, Answer]:
         asked.leave(error.exit_status, "\n".join(each.text for each in lines))
 
 
-def _check_places(asked: Asked, save: Path | None) -> None:
-    """Refuse, before anything is computed, what cannot be written or would replace a case."""
-    if save is not None and save.exists():
-        raise refused(
-            "--save", str(save), Message("refused_command.there_already_kept_give_another")
-        )
-    if save is not None and not save.parent.is_dir():
-        raise refused(
-            "--save", str(save), Message("refused_command.there_no_directory", parent=save.parent)
-        )
-    asked.check_place()
-    if asked.out is not None:
-        refuse_own_case(asked.out)
-
-
 def _give(asked: Asked, found: Sizing, answer: Answer, save: Path | None, given: Given) -> None:
     """Write the files and the case, then print the document or the answer."""
     if asked.out is not None:
@@ -193,7 +189,7 @@ def _give(asked: Asked, found: Sizing, answer: Answer, save: Path | None, given:
         asked.write(files)
     if save is not None:
         from catopt.casefile import write_case
-        from catopt.report.files import write_files
+        from catopt.report.bundle import write_files
 
         write_files(save.parent, {save.name: write_case(found.whole_case).encode()})
         asked.output.note(f"{save} written; refine it with: catopt design {save}")
@@ -202,8 +198,8 @@ def _give(asked: Asked, found: Sizing, answer: Answer, save: Path | None, given:
 
 def _as_given(place: str | None, options: Mapping[str, object], spell: Spelling) -> Given:
     """Say for the note what was asked for: by a file, and by what was typed or answered."""
+    from catopt.notes.line import Given
     from catopt.notes.origin import read_source
-    from catopt.notes.size import Given
 
     source = None if place is None else read_source(Path(place))
     rows = [

@@ -16,7 +16,7 @@ from catopt.sizing.inputs import Input, inputs_of
 from catopt.words import Message, say
 
 if TYPE_CHECKING:
-    from catopt.casefile.sizing_file import Moored
+    from catopt.casefile.reading import Moored
 
 Command = TypeVar("Command", bound=Callable[..., None])
 

@@ -46,7 +46,7 @@ def study(
     missing = [option for option, given in of_directory.items() if given and asked.out is None]
     refuse(_problems(missing, workers, scheduler, is_both=plan and status))
     if parquet:
-        from catopt.study.table import need_parquet
+        from catopt.study.store import need_parquet
 
         need_parquet()
     asked.check_place()

@@ -9,7 +9,7 @@ from typing import Annotated, Any
 import typer
 
 from catopt.answers.system import network_answer, system_answer
-from catopt.casefile.design_directory import read_mooring_or_design
+from catopt.casefile.reading import read_mooring_or_design
 from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CaseArgument, DesignOption, OutOption
 from catopt.cli.values import in_si, refuse, refused
@@ -87,7 +87,7 @@ def _network(
     with_circle: bool,
 ) -> None:
     """Bring points, lines and bodies to rest, and hold their body where that is asked for."""
-    from catopt.checks.network import check_network
+    from catopt.checks.system import check_network
     from catopt.mooring.circle import network_circle
     from catopt.mooring.held import LinesAtRest, at_rest, hold, network_document
     from catopt.mooring.network_out import each_line_out

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from catopt.errors import InputError, Problem
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.numerals import bare_number
 from catopt.units import Dimension, as_written, to_si
 from catopt.words import Message
@@ -81,7 +81,7 @@ def by_option(
 
 def read_known(path: Path, design: int | None = None) -> Case:
     """Read a case, or a design of a result directory, whose codes all are known and allowed."""
-    from catopt.casefile.design_directory import read_case_or_design
+    from catopt.casefile.reading import read_case_or_design
 
     return with_known_codes(read_case_or_design(path, design))
 

@@ -19,7 +19,7 @@ from catopt.answers.verification import (
     verification_answer,
 )
 from catopt.casefile import read_case
-from catopt.casefile.design_directory import (
+from catopt.casefile.reading import (
     DESIGN_CASE,
     read_design,
     read_design_document,
@@ -40,12 +40,11 @@ from catopt.errors import Problem
 from catopt.model import Case
 from catopt.model.network import Network
 from catopt.verify.motion_words import not_converged_sentence, stopped_sentence
-from catopt.verify.proof import Proof
-from catopt.verify.settings import ELEMENTS, TOLERANCE, check_settings
+from catopt.verify.proof import ELEMENTS, TOLERANCE, Proof, check_settings
 from catopt.words import Message, say
 
 if TYPE_CHECKING:
-    from catopt.notes.front_in_motion import FrontInMotion
+    from catopt.notes.motion import FrontInMotion
     from catopt.verify.case import Design, FrontVerification
     from catopt.verify.dynamic_result import DynamicVerification
     from catopt.verify.result import Verification
@@ -197,7 +196,7 @@ def _case(
     return replace(
         found,
         answers=(*found.answers, answer),
-        pictures=(*found.pictures, partial(bundle.motion_pictures, moved)),
+        pictures=(*found.pictures, partial(bundle.motion_pictures, moved, asked.language)),
         in_motion=lambda: {"dynamic": moved.to_dict() | own},
         stop=partial(stop_in_doubt, asked, moved),
     )
@@ -205,7 +204,7 @@ def _case(
 
 def _ship(asked: Asked, case: Case, load_case: str | None, moving: dict[str, Any]) -> _Found:
     """Run the ship of a case on two time scales; the truss model has no part in it."""
-    from catopt.answers.ship import ship_answer
+    from catopt.answers.motion import ship_answer
     from catopt.verify.result import Verification
     from catopt.verify.two_scales import ship_document, verify_ship
 
@@ -273,7 +272,7 @@ def _front(
     found = _Found(case, front, front_sentence(front), (front_answer(front),), stop=stop)
     if moving is None:
         return found
-    from catopt.notes.front_in_motion import front_in_motion
+    from catopt.notes.motion import front_in_motion
 
     for each in designs:
         _check_for_motion(each.case)

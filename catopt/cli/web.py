@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from catopt.cli.output import Output
+from catopt.cli.output import Printer
 from catopt.cli.values import refused
 from catopt.words import Message
 
@@ -19,11 +19,10 @@ def web(
     taken_from: Annotated[Path | None, typer.Option("--from", metavar="DIR")] = None,
 ) -> None:
     """Write the page that sizes and computes moorings in the browser."""
-    from catopt.report.files import check_directory, write_files
-    from catopt.web.build import fetched, pieces
-    from catopt.web.document import document
+    from catopt.report.bundle import check_directory, write_files
+    from catopt.web.build import document, fetched, pieces
 
-    output: Output = context.obj
+    output: Printer = context.obj
     if (out is None) == (single is None):
         raise refused("--out", "", Message("refused_command.give_either_out_dir_or"))
     folder = out if single is None else single.parent
@@ -49,9 +48,9 @@ def page_app(
     """Open the page with catopt itself behind it; Ctrl-C ends it."""
     import webbrowser
 
-    from catopt.web.server import PageServer
+    from catopt.web.build import PageServer
 
-    output: Output = context.obj
+    output: Printer = context.obj
     try:
         server = PageServer(port)
     except (OSError, OverflowError) as error:

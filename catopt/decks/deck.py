@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from operator import itemgetter
-from typing import Literal, TypedDict, TypeVar, Unpack
+from typing import Any, Literal, TypedDict, TypeVar, Unpack
 
 from catopt.errors import InputError, Problem
 from catopt.words.message import Message
@@ -27,15 +27,15 @@ class Row:
 class LineType:
     """What a line is made of, with its line of the file.
 
-    `diameter`: volume-equivalent, m; `mass`: in air, kg/m; `EA`, `MBL`: N; `friction`: on the bed,
-    where the deck has it by line type; `drag`: Cd across on d, Cd along on pi d, Ca across and
-    along on the displaced water.
+    `diameter`: volume-equivalent, m; `mass`: in air, kg/m; `EA`, `MBL`: N, or
+    the table of strains that a rope follows; `friction`: on the bed, where the deck has it by line
+    type; `drag`: Cd across on d, Cd along on pi d, Ca across and along on the displaced water.
     """
 
     row: int
     diameter: float
     mass: float
-    EA: float
+    EA: Any
     friction: float | None = None
     drag: tuple[float, float, float, float] | None = None
     MBL: float | None = None
@@ -60,7 +60,7 @@ class Point:
 
 
 @dataclass(frozen=True)
-class Piece:
+class DeckPiece:
     """A uniform line between two points."""
 
     row: int
@@ -78,7 +78,7 @@ class Deck:
     depth: float
     types: Mapping[str, LineType]
     points: Mapping[str, Point]
-    pieces: Sequence[Piece]
+    pieces: Sequence[DeckPiece]
     friction: float | None = None
 
     def hung_weight(self, point: Point) -> float:
@@ -155,7 +155,7 @@ class Notes:
                 [Problem(_place(rows), *said) for said, rows in alike.items()], self.source
             )
 
-    def want(self, sections: Mapping[str, Sequence[Row]]) -> None:
+    def require(self, sections: Mapping[str, Sequence[Row]]) -> None:
         """Refuse a deck without line types, points or lines."""
         for name, said in (("types", "line_types"), ("points", "points"), ("lines", "lines")):
             if not sections.get(name):

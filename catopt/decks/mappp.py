@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from catopt.decks.deck import Deck, End, LineType, Notes, Piece, Point, Row
+from catopt.decks.deck import Deck, DeckPiece, End, LineType, Notes, Point, Row
 
 _SECTIONS = ("types", "points", "lines", "options")
 _HEADINGS = 2
@@ -71,7 +71,7 @@ def _sections(text: str, notes: Notes) -> dict[str, list[Row]]:
             notes.say("commented", line=number, text=" ".join(words)[:40])
         elif words:
             found[_SECTIONS[section]].append(Row(number, words))
-    notes.want(found)
+    notes.require(found)
     return found
 
 
@@ -117,7 +117,7 @@ def _coordinate(row: Row, column: int, depth: float, end: End, notes: Notes) -> 
     return notes.value(row.number, word, "XYZ"[column - 2])
 
 
-def _piece(row: Row, notes: Notes) -> Iterator[Piece]:
+def _piece(row: Row, notes: Notes) -> Iterator[DeckPiece]:
     if len(row.words) < 5:
         notes.refuse(row.number, " ".join(row.words), "line_of_five")
         return
@@ -129,7 +129,7 @@ def _piece(row: Row, notes: Notes) -> Iterator[Piece]:
         else:
             notes.refuse(row.number, flag, "flag_not_known")
     length = notes.number(row, 2, "UnstrLen", above=0.0)
-    yield Piece(row.number, row.words[1], (row.words[3], row.words[4]), length)
+    yield DeckPiece(row.number, row.words[1], (row.words[3], row.words[4]), length)
 
 
 def _repeats(rows: list[Row], notes: Notes) -> list[tuple[int, float]]:
@@ -146,8 +146,8 @@ def _repeats(rows: list[Row], notes: Notes) -> list[tuple[int, float]]:
 
 
 def _turned(
-    points: Mapping[str, Point], pieces: list[Piece], angle: float
-) -> tuple[dict[str, Point], list[Piece]]:
+    points: Mapping[str, Point], pieces: list[DeckPiece], angle: float
+) -> tuple[dict[str, Point], list[DeckPiece]]:
     """Copy the first arrangement, turned clockwise as MAP++ does it."""
     c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
     own = {name: point for name, point in points.items() if "@" not in name}

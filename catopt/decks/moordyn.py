@@ -10,9 +10,13 @@ import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
-from catopt.decks.deck import Deck, End, Limits, LineType, Notes, Piece, Point, Row, refusal
+from catopt.decks.deck import Deck, DeckPiece, End, Limits, LineType, Notes, Point, Row, refusal
+from catopt.documents import read_text
+from catopt.errors import InputError
+from catopt.model.strain_table import StrainTable
 
 _SECTIONS = (
     (r"ROD\s+(TYPES|DICTIONARY)", "rod types"),
@@ -103,7 +107,7 @@ def parse_moordyn(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
         notes.say("failures", line=sections["failures"][0].number)
     for row in sections.get("rod types", ()):
         notes.say("rod_type", line=row.number, name=row.words[0])
-    notes.want(sections)
+    notes.require(sections)
     options = _options(sections.get("options", []), notes, given)
     first = sections["types"][0] if sections.get("types") else Row(0, ())
     of_types = _columns("types", first, heads, notes)
@@ -279,15 +283,33 @@ def _type(row: Row, heads: Mapping[str, Row], notes: Notes) -> LineType:
     return LineType(row.number, diameter, mass, EA, None, drag)
 
 
-def _stiffness(row: Row, place: int, notes: Notes) -> float:
+def _stiffness(row: Row, place: int, notes: Notes) -> float | StrainTable:
     word = row.words[place]
     if not re.match(r"[-+.\d]", word):
-        notes.refuse(row.number, f"EA {word}", "a_table_of_strain")
-        return math.nan
+        return _strain_table(row, word, notes)
     first, *others = word.split("|")
     if others:
         notes.say("static_stiffness", line=row.number, value=word, taken=first)
     return notes.value(row.number, first, "EA", above=0.0)
+
+
+def _strain_table(row: Row, word: str, notes: Notes) -> float | StrainTable:
+    """Read the file of strains and tensions, N, that stands beside the deck."""
+    path = Path(notes.source).parent / word
+    if Path(word).name != word or not path.is_file():
+        notes.refuse(row.number, f"EA {word}", "a_table_of_strain")
+        return math.nan
+    rows = [line.split() for line in read_text(path, str(path), kind="table").splitlines()]
+    try:
+        # Two lines of heads come first.
+        strain, tension = zip(
+            *((float(a), float(b)) for a, b in filter(None, rows[2:])), strict=True
+        )
+        return StrainTable(strain, tension)
+    except (ValueError, InputError) as error:
+        said = error.problems[0] if isinstance(error, InputError) else error
+        notes.refuse(row.number, f"EA {word}", "no_table_of_strain", said=f"{said}")
+        return math.nan
 
 
 @dataclass(frozen=True)
@@ -364,16 +386,16 @@ def _point(
     return Point(row.number, name, end or "free", x, y, z, mass, volume, area, added)
 
 
-def _piece(row: Row, heads: Mapping[str, Row], notes: Notes, *, first: bool) -> Piece:
+def _piece(row: Row, heads: Mapping[str, Row], notes: Notes, *, first: bool) -> DeckPiece:
     """Read a line; version 1 has its length before its ends."""
     at = _columns("lines", row, heads, notes, v=1 if first else 2) if len(row.words) > 5 else {}
     if not at:
         notes.refuse(row.number, refusal("columns", count=len(row.words)), "line_columns")
-        return Piece(row.number, "", ("", ""), math.nan)
+        return DeckPiece(row.number, "", ("", ""), math.nan)
     ends = row.words[at["attacha"]], row.words[at["attachb"]]
     for end in ends:
         if re.match(r"[A-Za-z]", end):
             notes.refuse(row.number, end, "rods")
     notes.say("segments")
     length = notes.number(row, at["unstrlen"], "UnstrLen", above=0.0)
-    return Piece(row.number, row.words[at["linetype"]], ends, length)
+    return DeckPiece(row.number, row.words[at["linetype"]], ends, length)

@@ -9,10 +9,10 @@ import cmath
 import math
 from collections.abc import Iterator, Mapping
 
-from catopt.decks.deck import Deck, LineType, Notes, Piece, Point, refusal
+from catopt.decks.deck import Deck, DeckPiece, LineType, Notes, Point, refusal
 from catopt.decks.moordyn import settled
-from catopt.decks.strung import PointMass, Section, from_sections
-from catopt.decks.tree import Table, parse_yaml
+from catopt.decks.reading import YamlTable, parse_yaml
+from catopt.decks.strung import DeckSection, PointMass, from_sections
 
 _UNREAD = {
     "unread_weather": "metocean|resource|RAFT|[Ww]aves|marine_growth|_air$",
@@ -54,7 +54,7 @@ def parse_ontology(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
     configs = dict(top.named("mooring_line_configs"))
     systems = dict(top.named("mooring_systems"))
     points: dict[str, Point] = {}
-    pieces: list[Piece] = []
+    pieces: list[DeckPiece] = []
     for place, turned, fairleads, system in _platforms(top, systems, notes):
         for number, row in enumerate(system.rows(), start=1):
             name = row.text("MooringConfigID")
@@ -73,7 +73,7 @@ def parse_ontology(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
     return Deck(gravity, density, depth, types, points, pieces, friction)
 
 
-def _type(row: Table, notes: Notes) -> LineType:
+def _type(row: YamlTable, notes: Notes) -> LineType:
     """Read a line type; drag is MoorDyn's, on the volume-equivalent diameter."""
     diameter, mass, EA = (row.number(key, above=0.0) for key in ("d_vol", "m", "EA"))
     drag = None
@@ -87,7 +87,7 @@ def _type(row: Table, notes: Notes) -> LineType:
     return LineType(row.row, diameter, mass, EA, None, drag, MBL, nominal)
 
 
-def _of_family(part: Table) -> LineType | None:
+def _of_family(part: YamlTable) -> LineType | None:
     """Return what MoorPy makes of a family and a nominal diameter, which the ontology refers to."""
     name, d = part.text("mooringFamily"), part.number("d_nom", above=0.0)
     if name not in _FAMILIES:
@@ -101,7 +101,7 @@ def _of_family(part: Table) -> LineType | None:
     return LineType(part.row, volume * d, mass * d**2, EA, None, None, MBL, d)
 
 
-def _hung(row: Table) -> PointMass:
+def _hung(row: YamlTable) -> PointMass:
     numbers = (row.number(key, 0.0, at_least=0.0) for key in ("m", "v", "CdA", "Ca"))
     return PointMass(row.row, *numbers)
 
@@ -111,8 +111,8 @@ Fairleads = list[tuple[complex, float]]
 
 
 def _platforms(
-    top: Table, systems: Mapping[str, Table], notes: Notes
-) -> Iterator[tuple[complex, float, Fairleads, Table]]:
+    top: YamlTable, systems: Mapping[str, YamlTable], notes: Notes
+) -> Iterator[tuple[complex, float, Fairleads, YamlTable]]:
     """Yield place, heading (deg), fairleads and mooring system of each platform."""
     kinds = [top.table("platform")] if "platform" in top else list(top.tables("platforms"))
     rows = list(top.table("array").rows())
@@ -141,7 +141,7 @@ def _platforms(
         yield place, row.number("heading_adjust", 0.0), _fairleads(kinds[int(number) - 1]), mooring
 
 
-def _fairleads(platform: Table) -> Fairleads:
+def _fairleads(platform: YamlTable) -> Fairleads:
     """Read the fairleads; headings of one turn it from x to where they point."""
     r, z = platform.number("rFair", 0.0), platform.number("zFair", 0.0)
     found: Fairleads = [(complex(r, 0.0), z)]
@@ -162,7 +162,12 @@ def _ahead(heading: float) -> complex:
 
 
 def _ends(
-    row: Table, config: Table, place: complex, turned: float, fairleads: Fairleads, depth: float
+    row: YamlTable,
+    config: YamlTable,
+    place: complex,
+    turned: float,
+    fairleads: Fairleads,
+    depth: float,
 ) -> tuple[Point, Point]:
     """Place anchor and fairlead of a line."""
     ahead = _ahead(turned + row.number("heading"))
@@ -187,8 +192,8 @@ def _ends(
 
 
 def _parts(
-    config: Table, connectors: Mapping[str, PointMass], types: dict[str, LineType]
-) -> Iterator[Section | PointMass]:
+    config: YamlTable, connectors: Mapping[str, PointMass], types: dict[str, LineType]
+) -> Iterator[DeckSection | PointMass]:
     """Yield sections and connectors from the anchor to the fairlead; families become types."""
     notes = config.notes
     if config.text("symmetric", "false").lower() in ("true", "yes"):
@@ -208,6 +213,6 @@ def _parts(
             if kind is not None:
                 name = f"{part.text('mooringFamily')} {part.text('d_nom')}"
                 types.setdefault(name, kind)
-                yield Section(part.row, name, part.number("length", above=0.0))
+                yield DeckSection(part.row, name, part.number("length", above=0.0))
         elif "type" in part:
-            yield Section(part.row, part.text("type"), part.number("length", above=0.0))
+            yield DeckSection(part.row, part.text("type"), part.number("length", above=0.0))

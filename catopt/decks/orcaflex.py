@@ -11,9 +11,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from catopt.constants import STANDARD_GRAVITY
-from catopt.decks.deck import Deck, LineType, Notes, Piece, Point
-from catopt.decks.strung import PointMass, Section, from_sections
-from catopt.decks.tree import Table, parse_yaml
+from catopt.decks.deck import Deck, DeckPiece, LineType, Notes, Point
+from catopt.decks.reading import YamlTable, parse_yaml
+from catopt.decks.strung import DeckSection, PointMass, from_sections
 
 TONNE, KILO = 1e3, 1e3
 """kg and N of OrcaFlex's units of mass and force."""
@@ -50,12 +50,12 @@ def parse_orcaflex(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
     objects = _by_name(top, "Vessels") | _by_name(top, "6DBuoys")
     types: dict[str, LineType] = {}
     points: dict[str, Point] = {}
-    pieces: list[Piece] = []
+    pieces: list[DeckPiece] = []
     lying: set[float] = set()
     for line in _wanted(top):
         parts = list(_parts(line, clumps))
         ends = [_end(row, objects, depth, surface) for row in line.columns("Connection")]
-        sections = [part for part in parts if isinstance(part, Section)]
+        sections = [part for part in parts if isinstance(part, DeckSection)]
         new = {part.type for part in sections} & kinds.keys() - types.keys()
         types |= {name: _type(kinds[name]) for name in new}
         if len(ends) != 2 or not sections:
@@ -76,11 +76,11 @@ def parse_orcaflex(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
     return Deck(STANDARD_GRAVITY, density, bed, types, points, pieces)
 
 
-def _by_name(top: Table, key: str) -> dict[str, Table]:
+def _by_name(top: YamlTable, key: str) -> dict[str, YamlTable]:
     return {table.text("Name"): table for table in top.tables(key)}
 
 
-def _wanted(top: Table) -> list[Table]:
+def _wanted(top: YamlTable) -> list[YamlTable]:
     """Return the lines, or the one that is wanted; the others need not be readable then."""
     notes, lines = top.notes, list(top.tables("Lines"))
     if notes.only is None or notes.only > len(lines):
@@ -90,7 +90,7 @@ def _wanted(top: Table) -> list[Table]:
     return [wanted]
 
 
-def _check_whole(top: Table) -> None:
+def _check_whole(top: YamlTable) -> None:
     for key in ("BaseFile", "IncludeFile"):
         if key in top:
             top.notes.refuse(top.items[key].row, f"{key} {top.text(key)}", "files_within")
@@ -108,7 +108,7 @@ def _on_bed(point: Point, depth: float, bed: float, notes: Notes) -> Point:
     return replace(point, z=-bed)
 
 
-def _sea(sea: Table) -> tuple[float, float, float]:
+def _sea(sea: YamlTable) -> tuple[float, float, float]:
     """Return z of the water's surface, depth and density."""
     for key, allowed in (("SeabedType", "Flat"), ("VerticalDensityVariation", "Constant")):
         if sea.text(key, allowed) != allowed:
@@ -123,13 +123,13 @@ def _sea(sea: Table) -> tuple[float, float, float]:
     return surface, sea.number(key, above=0.0), density
 
 
-def _contact(kind: Table) -> float:
+def _contact(kind: YamlTable) -> float:
     """Return the contact diameter, by default the outer one."""
     key = "OuterContactDiameter" if "OuterContactDiameter" in kind else "OD"
     return kind.number(key, at_least=0.0)
 
 
-def _type(kind: Table) -> LineType:
+def _type(kind: YamlTable) -> LineType:
     """Read a line type; drag goes from its own diameters to the outer one."""
     notes = kind.notes
     name, category = kind.text("Name"), kind.text("Category", "General")
@@ -153,7 +153,7 @@ def _type(kind: Table) -> LineType:
     return LineType(kind.row, OD, mass, EA, friction, drag)
 
 
-def _each(kind: Table, key: str) -> list[float]:
+def _each(kind: YamlTable, key: str) -> list[float]:
     """Return numbers along x, y, z; none where one names a table, which is said."""
     found = kind.item(key)
     words = [each.value for each in found.value] if isinstance(found.value, list) else []
@@ -167,7 +167,7 @@ def _each(kind: Table, key: str) -> list[float]:
     return numbers
 
 
-def _end(row: Table, objects: Mapping[str, Table], depth: float, surface: float) -> Point:
+def _end(row: YamlTable, objects: Mapping[str, YamlTable], depth: float, surface: float) -> Point:
     """Place an end of a line."""
     to = row.text("Connection")
     x, y, z = (row.number(f"Connection{axis}") for axis in "XYZ")
@@ -189,12 +189,12 @@ def _end(row: Table, objects: Mapping[str, Table], depth: float, surface: float)
     return Point(row.row, to, "coupled", place.real, place.imag, at[2] + z - surface)
 
 
-def _parts(line: Table, clumps: Mapping[str, Table]) -> Iterator[Section | PointMass]:
+def _parts(line: YamlTable, clumps: Mapping[str, YamlTable]) -> Iterator[DeckSection | PointMass]:
     """Yield sections from End A, cut where clumps hang."""
     if line.text("LengthAndEndOrientations", "Explicit") != "Explicit":
         line.notes.refuse(line.row, "LengthAndEndOrientations", "is_wanted", word="Explicit")
     sections = [
-        Section(row.row, row.text("LineType"), row.number("Length", above=0.0))
+        DeckSection(row.row, row.text("LineType"), row.number("Length", above=0.0))
         for row in line.columns("LineType")
     ]
     hung = sorted(_hung(line, clumps, sum(each.length for each in sections)), key=lambda at: at[0])
@@ -213,7 +213,7 @@ def _parts(line: Table, clumps: Mapping[str, Table]) -> Iterator[Section | Point
 
 
 def _hung(
-    line: Table, clumps: Mapping[str, Table], length: float
+    line: YamlTable, clumps: Mapping[str, YamlTable], length: float
 ) -> Iterator[tuple[float, PointMass]]:
     """Yield clumps with their distance from End A."""
     for row in line.columns("AttachmentType"):

@@ -14,8 +14,8 @@ from itertools import groupby
 from operator import attrgetter
 from statistics import fmean
 
-from catopt.decks.chains import Chain
-from catopt.decks.deck import Deck, LineType, Notes, Piece, Point
+from catopt.decks.deck import Deck, DeckPiece, LineType, Notes, Point
+from catopt.decks.strung import Chain
 from catopt.model import Case, Line, Load, PointLoad, Segment, Site, System
 
 ROUNDING = 5e-5
@@ -53,7 +53,7 @@ def site_of_chains(deck: Deck, chains: Sequence[Chain], notes: Notes) -> tuple[S
 
 
 def site_of(
-    deck: Deck, pieces: Sequence[Piece], ends: Sequence[Point], notes: Notes
+    deck: Deck, pieces: Sequence[DeckPiece], ends: Sequence[Point], notes: Notes
 ) -> tuple[Site, str]:
     """Return the site of lines and where they are from; what they are made of is checked and said.
 
@@ -66,7 +66,20 @@ def site_of(
             notes.refuse(point.row, f"Z {point.z:g} m", "below_bed", bed=-deck.depth)
     notes.raise_if_any()
     for name in used:
-        _say_type(deck, name, notes)
+        # Say the weight in water of a line type, and its drag.
+        kind = deck.types[name]
+        notes.say(
+            "weight",
+            line=kind.row,
+            name=name,
+            weight=weight_of(deck, kind),
+            mass=kind.mass,
+            diameter=kind.diameter,
+            density=deck.density,
+            gravity=deck.gravity,
+        )
+        if kind.drag is not None:
+            notes.say("drag", line=kind.row, name=name, normal=kind.drag[0], axial=kind.drag[1])
     source = f"{notes.source}; g = {deck.gravity:g} m/s^2, water {deck.density:g} kg/m^3"
     return Site(deck.depth, friction, deck.density), source
 
@@ -82,23 +95,6 @@ def _friction(deck: Deck, used: Collection[str], notes: Notes) -> float:
         notes.refuse(row, given, "one_friction")
     notes.say("friction", friction=max(found))
     return max(found)
-
-
-def _say_type(deck: Deck, name: str, notes: Notes) -> None:
-    """Say the weight in water of a line type, and its drag."""
-    kind = deck.types[name]
-    notes.say(
-        "weight",
-        line=kind.row,
-        name=name,
-        weight=weight_of(deck, kind),
-        mass=kind.mass,
-        diameter=kind.diameter,
-        density=deck.density,
-        gravity=deck.gravity,
-    )
-    if kind.drag is not None:
-        notes.say("drag", line=kind.row, name=name, normal=kind.drag[0], axial=kind.drag[1])
 
 
 def weight_of(deck: Deck, kind: LineType) -> float:

@@ -1,7 +1,4 @@
-"""The loop over many designs: each built, solved and checked in every load case.
-
-Meant to be compiled; nothing is made anew inside it.
-"""
+"""The loop over many designs: each proved needless, or built, solved and checked."""
 
 from __future__ import annotations
 
@@ -13,19 +10,157 @@ from catopt.catenary.layout import LineIntervals, runs_of
 from catopt.catenary.pieces import LineProblem, Pieces, split
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT, State
 from catopt.checks.criteria import Limits
-from catopt.checks.excess import (
+from catopt.checks.kinds import (
     ROUNDING,
-    grounded_excess,
-    holding_excess,
-    ratio_excess,
-    uplift_angle_excess,
-    uplift_force_excess,
+    grounded_exceedance,
+    holding_exceedance,
+    ratio_exceedance,
+    uplift_angle_exceedance,
+    uplift_force_exceedance,
 )
 from catopt.compiled import inlined
-from catopt.design.bounds import is_too_weak
 from catopt.design.space import AT_END
-from catopt.design.tables import Room, Tables
+from catopt.design.tables import MooringTables, Room, Tables
 from catopt.model.anchor import sinker_needed
+
+BOUNDS: Final = ("reach", "strength", "least_offset", "offset_so_far")
+"""By what a design is excluded."""
+NONE: Final = -1
+REACH: Final = 0
+STRENGTH: Final = 1
+LEAST_OFFSET: Final = 2
+OFFSET_SO_FAR: Final = 3
+
+MARGIN: Final = 1e-9
+"""Part by which a bound is taken less strictly than proved: a thousand times its rounding."""
+
+
+def least_forces(
+    tables: MooringTables, line: Tables, room: Room, segments: int, layout: int, radius: float
+) -> tuple[float, float]:
+    """Horizontal force that the hardest loaded line bears at least, N: all there, and one out.
+
+    Infinite where the lines, stretched as far as their checks allow, do not reach their anchors or
+    do not pull against the force.
+    """
+    whole = damaged = 0.0
+    for state in range(tables.first[layout], tables.first[layout + 1]):
+        missing = tables.missing[state]
+        damage = 1 if missing >= 0 else 0
+        gap, height = tables.gap[layout, missing + 1], tables.height[state]
+        turn = _largest_turn(tables, line, room, segments, radius, gap, height, damage)
+        force = math.inf if turn < 0.0 else _least_force(tables, layout, state, turn)
+        if damage == 1:
+            damaged = max(damaged, force)
+        else:
+            whole = max(whole, force)
+    return whole, damaged
+
+
+@inlined
+def _largest_turn(
+    tables: MooringTables,
+    line: Tables,
+    room: Room,
+    segments: int,
+    radius: float,
+    gap: float,
+    height: float,
+    damage: int,
+) -> float:
+    """Largest angle between a line and its azimuth, rad, wherever the body may rest; -1 nowhere."""
+    stretched = 0.0
+    for s in range(segments):
+        strain = 0.0
+        if room.compliance[s] > 0.0:
+            strain = line.allowed[damage, room.place[s], room.option[s]] * room.compliance[s]
+        stretched += room.length[s] * (1.0 + strain)
+    if math.isinf(stretched):
+        return math.pi
+    stretched *= 1.0 + MARGIN
+    rise = abs(height - line.anchor_height)
+    if stretched <= rise:
+        return -1.0
+    reach = math.sqrt(stretched * stretched - rise * rise) * (1.0 + MARGIN)
+    arm = tables.fairlead_radius
+    far = radius if tables.turns else radius - arm
+    if tables.turns:
+        reach += arm
+    square = far * far * (gap * gap - 1.0) + reach * reach
+    if square < 0.0:
+        return -1.0
+    away = math.sqrt(square) - far * gap
+    if away < 0.0:
+        return -1.0
+    if tables.turns:
+        away += arm
+    return math.asin(away / far) if away < far else math.pi
+
+
+@inlined
+def _least_force(tables: MooringTables, layout: int, state: int, turn: float) -> float:
+    """Force over the largest sum of cosines with which the lines can pull against it, N."""
+    against = 0.0
+    for k in range(tables.lines[layout]):
+        if k != tables.missing[state]:
+            apart = tables.azimuth[layout, k] - tables.direction[state] - math.pi
+            apart -= 2.0 * math.pi * math.floor(apart / (2.0 * math.pi) + 0.5)
+            nearest = max(abs(apart) - turn, 0.0)
+            against += max(math.cos(min(nearest, math.pi)), 0.0)
+    # A cosine of 1e-16 is one of a right angle.
+    return tables.force[state] / against if against > MARGIN else math.inf
+
+
+@inlined
+def is_too_weak(forces: Any, line: Tables, room: Room, segments: int) -> bool:
+    """Whether the segment at the fairlead breaks its check under the least force that it bears.
+
+    `forces` has that of each load case, N.
+    """
+    top = segments - 1
+    for c in range(len(line.force)):
+        allowed = line.allowed[c, room.place[top], room.option[top]]
+        if ratio_exceedance(forces[c], allowed) > ROUNDING:
+            return True
+    return False
+
+
+@inlined
+def least_offset(
+    forces: tuple[float, float], tables: MooringTables, problem: LineProblem, longest: float
+) -> float:
+    """Offset below which no line reaches the least force that one of them bears, m.
+
+    `longest` is the largest span at the zero-load position.
+    """
+    force = max(forces[0], forces[1]) * (1.0 - MARGIN)
+    if not (tables.is_monotone and 0.0 < force < math.inf):
+        return 0.0
+    state = given_force(force, problem)
+    if state.status != CONVERGED:
+        return 0.0
+    least = state.span - longest - MARGIN * state.span
+    if tables.turns:
+        least -= 2.0 * tables.fairlead_radius
+    return max(least, 0.0)
+
+
+@inlined
+def is_beaten(least: Any, best: Any) -> bool:
+    """Whether a known design is as small as the least values of another, and smaller in one."""
+    for row in range(len(best)):
+        is_smaller = False
+        is_beaten_here = True
+        for column in range(len(least)):
+            if best[row, column] > least[column]:
+                is_beaten_here = False
+                break
+            if best[row, column] < least[column]:
+                is_smaller = True
+        if is_beaten_here and is_smaller:
+            return True
+    return False
+
 
 MASS: Final = 0
 OFFSET: Final = 1
@@ -58,18 +193,18 @@ def assess(
     first: int,
     end: int,
     objectives: Any,
-    excess: Any,
+    exceedance: Any,
     sinker: Any,
     unsolved: Any,
 ) -> None:
     """Build, solve and check designs number `first` to `end` (not included) of shape (n, genes).
 
     With `stops_early` a design that has failed one check is left: its objectives are nan then, and
-    its excess is above ROUNDING but not the largest. Written to: `objectives`, shape (n, 5): mass,
-    offset, excursion, cost and length, nan where there is no equilibrium; `excess`, shape (n,): the
-    largest of all checks, -1 where there is none; `sinker`, shape (n,): the lightest that holds, or
-    the heaviest, -1 where there is none; `unsolved`, shape (1,), raised by the number of lines that
-    did not converge.
+    its exceedance is above ROUNDING but not the largest. Written to: `objectives`, shape (n, 5):
+    mass, offset, excursion, cost and length, nan where there is no equilibrium; `exceedance`, shape
+    (n,): the largest of all checks, -1 where there is none; `sinker`, shape (n,): the lightest that
+    holds, or the heaviest, -1 where there is none; `unsolved`, shape (1,), raised by the number of
+    lines that did not converge.
     """
     for i in range(first, end):
         for k in range(5):
@@ -78,16 +213,16 @@ def assess(
         segments = take_segments(genes[i], tables, room)
         weights, beyond = take_weights(genes[i], tables, room, segments)
         if beyond > 0.0:
-            excess[i] = NO_DESIGN + beyond
+            exceedance[i] = NO_DESIGN + beyond
             continue
         # Even the horizontal force alone may be too much.
         if stops_early and is_too_weak(tables.force, tables, room, segments):
-            excess[i] = 1.0
+            exceedance[i] = 1.0
             continue
         found = _in_all_load_cases(tables, room, segments, weights, stops_early)
         unsolved[0] += found.unsolved
         sinker[i] = found.sinker
-        excess[i] = found.worst if found.worst > -math.inf else -1.0
+        exceedance[i] = found.worst if found.worst > -math.inf else -1.0
         if not math.isnan(found.largest):
             weigh(tables, room, segments, genes[i], 1, objectives[i])
             objectives[i, OFFSET] = rounded(found.largest, tables.step[OFFSET])
@@ -130,7 +265,7 @@ def _in_all_load_cases(
             worst = max(worst, _no_equilibrium(state, tables, room, segments, c))
             largest = math.nan
             break
-        worst = max(worst, largest_excess(state, problem, tables, room, segments, c))
+        worst = max(worst, largest_exceedance(state, problem, tables, room, segments, c))
         if len(tables.sinker_weight) > 0:
             pull = sinker_needed(
                 state.H_anchor, state.V_anchor, tables.sinker_friction, tables.limit[c, SLIDING]
@@ -145,7 +280,7 @@ def _in_all_load_cases(
     sinker = -1
     if needed > -math.inf:
         sinker = _lightest(needed, tables.sinker_weight)
-        worst = max(worst, ratio_excess(needed, tables.sinker_weight[sinker]))
+        worst = max(worst, ratio_exceedance(needed, tables.sinker_weight[sinker]))
     return _Found(worst, largest, reference, sinker, unsolved)
 
 
@@ -249,7 +384,7 @@ def _no_equilibrium(state: State, tables: Tables, room: Room, segments: int, c: 
 
 
 @inlined
-def largest_excess(
+def largest_exceedance(
     state: State, problem: LineProblem, tables: Tables, room: Room, segments: int, c: int
 ) -> float:
     """Largest excess of all checks in one load case, save that of a sinker."""
@@ -258,24 +393,24 @@ def largest_excess(
     for s in range(segments):
         allowed = tables.allowed[c, room.place[s], room.option[s]]
         if allowed < math.inf:
-            worst = max(worst, ratio_excess(room.tension[s], allowed))
+            worst = max(worst, ratio_exceedance(room.tension[s], allowed))
     limit = tables.limit[c]
     if limit[UPLIFT_ANGLE] < math.inf:
         lifts = state.V_anchor != 0.0
         angle = math.atan2(state.V_anchor, state.H_anchor) if lifts else 0.0
-        worst = max(worst, uplift_angle_excess(angle, limit[UPLIFT_ANGLE]))
+        worst = max(worst, uplift_angle_exceedance(angle, limit[UPLIFT_ANGLE]))
     if limit[UPLIFT_FORCE] < math.inf:
         V, H = state.V_anchor, state.H_anchor
-        worst = max(worst, uplift_force_excess(V, H, limit[UPLIFT_FORCE]))
+        worst = max(worst, uplift_force_exceedance(V, H, limit[UPLIFT_FORCE]))
     if limit[GROUNDED] > 0.0:
-        worst = max(worst, grounded_excess(state.grounded, limit[GROUNDED]))
+        worst = max(worst, grounded_exceedance(state.grounded, limit[GROUNDED]))
     if limit[SPAN] < math.inf:
-        worst = max(worst, ratio_excess(state.span, limit[SPAN]))
+        worst = max(worst, ratio_exceedance(state.span, limit[SPAN]))
     if limit[RESERVE] < math.inf:
-        worst = max(worst, ratio_excess(state.V, limit[RESERVE]))
+        worst = max(worst, ratio_exceedance(state.V, limit[RESERVE]))
     if limit[HOLDING] > 0.0:
         capacity = tables.holding_capacity
-        worst = max(worst, holding_excess(state.H_anchor, limit[HOLDING], capacity))
+        worst = max(worst, holding_exceedance(state.H_anchor, limit[HOLDING], capacity))
     return worst
 
 
@@ -283,7 +418,7 @@ def largest_excess(
 def _lightest(needed: float, weights: Any) -> int:
     """Index of the lightest sinker that holds, or of the heaviest."""
     for k in range(len(weights)):
-        if ratio_excess(needed, weights[k]) <= ROUNDING:
+        if ratio_exceedance(needed, weights[k]) <= ROUNDING:
             return k
     return len(weights) - 1
 

@@ -12,31 +12,29 @@ from catopt.catenary.equilibrium import given_force, hang_slack
 from catopt.catenary.pieces import LineProblem, Pieces, total_length
 from catopt.catenary.span_or_tension import given_span
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT, failed
-from catopt.checks.excess import ROUNDING, ratio_excess
+from catopt.checks.kinds import ROUNDING, ratio_exceedance
 from catopt.compiled import inlined
 from catopt.design.assess import (
+    LEAST_OFFSET,
+    MARGIN,
     NO_DESIGN,
     NO_EQUILIBRIUM,
+    NONE,
     OFFSET,
+    OFFSET_SO_FAR,
+    REACH,
     SLIDING,
-    largest_excess,
+    STRENGTH,
+    is_beaten,
+    is_too_weak,
+    largest_exceedance,
+    least_forces,
+    least_offset,
     pieces_in,
     rounded,
     take_segments,
     take_weights,
     weigh,
-)
-from catopt.design.bounds import (
-    LEAST_OFFSET,
-    MARGIN,
-    NONE,
-    OFFSET_SO_FAR,
-    REACH,
-    STRENGTH,
-    is_beaten,
-    is_too_weak,
-    least_forces,
-    least_offset,
 )
 from catopt.design.tables import BodyRoom, MooringTables, Room, Tables
 from catopt.model.anchor import sinker_needed
@@ -65,16 +63,16 @@ def assess_moorings(
     first: int,
     end: int,
     objectives: Any,
-    excess: Any,
+    exceedance: Any,
     excluded: Any,
     unsolved: Any,
 ) -> None:
     """Solve and check moorings number `first` to `end` (not included), their layout the last genes.
 
     Written to, as by `catopt.design.assess.assess`: `objectives`, with mass and cost of all lines
-    and the largest offset of the body from its zero-load position with all lines; `excess`, of all
-    lines in all states; `excluded`, shape (n,): the bound that excludes a design, NONE where it was
-    solved; `unsolved`, raised by the number of states that did not converge.
+    and the largest offset of the body from its zero-load position with all lines; `exceedance`, of
+    all lines in all states; `excluded`, shape (n,): the bound that excludes a design, NONE where it
+    was solved; `unsolved`, raised by the number of states that did not converge.
     """
     for i in range(first, end):
         objectives[i, :] = math.nan
@@ -82,13 +80,13 @@ def assess_moorings(
         segments = take_segments(genes[i], line, room)
         weights, beyond = take_weights(genes[i], line, room, segments)
         if beyond > 0.0:
-            excess[i] = NO_DESIGN + beyond
+            exceedance[i] = NO_DESIGN + beyond
             continue
         layout = genes[i, genes.shape[1] - 2]
         pieces = pieces_in(room, segments, weights)
         radius = _radius(genes[i, genes.shape[1] - 1], pieces, tables, line)
         if math.isnan(radius):
-            excess[i] = NO_EQUILIBRIUM
+            exceedance[i] = NO_EQUILIBRIUM
             continue
         weigh(line, room, segments, genes[i], tables.lines[layout], objectives[i])
         forces = 0.0, 0.0
@@ -115,11 +113,11 @@ def assess_moorings(
                 objectives[i],
             )
             excluded[i] = found.excluded
-            excess[i] = found.worst if found.worst > -math.inf else -1.0
+            exceedance[i] = found.worst if found.worst > -math.inf else -1.0
             unsolved[0] += found.unsolved
             objectives[i, OFFSET] = rounded(found.largest, line.step[OFFSET])
         if excluded[i] != NONE:
-            excess[i] = 1.0
+            exceedance[i] = 1.0
         if math.isnan(objectives[i, OFFSET]):
             objectives[i, :] = math.nan
 
@@ -176,13 +174,13 @@ def _in_all_states(
                 origin = unloaded.rest
         damage = 1 if missing >= 0 else 0
         end = _under_load(unloaded, tables, state)
-        status, excess = end.status, NO_EQUILIBRIUM
+        status, exceedance = end.status, NO_EQUILIBRIUM
         if status == CONVERGED:
             reserve = tables.reserve[damage]
-            status, excess = _of_lines(
+            status, exceedance = _of_lines(
                 unloaded.lines, reserve, problem, segments, damage, line, room
             )
-        worst = max(worst, excess)
+        worst = max(worst, exceedance)
         if status != CONVERGED:
             return _Found(NONE, worst, math.nan, 1 if status == NOT_CONVERGED else 0)
         if search.stops_early and worst > ROUNDING:
@@ -260,13 +258,13 @@ def _of_lines(
         if state.status != CONVERGED:
             return NOT_CONVERGED, worst
         pull_down += state.V
-        worst = max(worst, largest_excess(state, problem, line, room, segments, damage))
+        worst = max(worst, largest_exceedance(state, problem, line, room, segments, damage))
         if len(line.sinker_weight) > 0:
             factor = line.limit[damage, SLIDING]
             pull = sinker_needed(state.H_anchor, state.V_anchor, line.sinker_friction, factor)
-            worst = max(worst, ratio_excess(pull, line.sinker_weight[0]))
+            worst = max(worst, ratio_exceedance(pull, line.sinker_weight[0]))
     if reserve < math.inf:
-        worst = max(worst, ratio_excess(pull_down, reserve))
+        worst = max(worst, ratio_exceedance(pull_down, reserve))
     return CONVERGED, worst
 
 

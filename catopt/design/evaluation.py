@@ -11,20 +11,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from catopt.catenary.batch import in_ranges
-from catopt.checks.case import LOAD, check_line
+from catopt.checks.case import LOAD, NO_CHECK, check_line
 from catopt.checks.criteria import criteria_of
-from catopt.checks.remarks import NO_CHECK
 from catopt.compiled import compiled
 from catopt.design.assess import COST, EXCURSION, LENGTH, MASS, OFFSET, assess
-from catopt.design.options import resolve
 from catopt.design.problem import Evaluated, Floats, Genes
 from catopt.design.result import DesignPoint, Neighbour
-from catopt.design.space import DesignSpace
+from catopt.design.space import DesignSpace, resolve
 from catopt.design.tables import Tables, room, tables_of
 from catopt.errors import CatoptError
 from catopt.model import Anchor, Case, Design, Line, LoadCase, SinkerChoice
-from catopt.model.immersion import weight_in_water
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
+from catopt.model.line import weight_in_water
 from catopt.words import Message
 
 OBJECTIVE_KEYS: Final = {
@@ -65,11 +63,11 @@ class Assessed(NamedTuple):
 
     # shape (n, 5): mass (kg), offset, excursion (m), cost (USD), length (m), wanted or not
     objectives: Floats
-    excess: Floats  # shape (n,): as in `Evaluated`
+    exceedance: Floats  # shape (n,): as in `Evaluated`
     # shape (n,): the lightest that holds, or the heaviest; -1: there is none
     sinker: NDArray[np.int64]
     unsolved: int  # lines that did not converge
-    excluded: tuple[int, ...] = ()  # designs by bound (`catopt.design.bounds.BOUNDS`), of moorings
+    excluded: tuple[int, ...] = ()  # designs by bound (`catopt.design.assess.BOUNDS`), of moorings
 
 
 @dataclass(frozen=True)
@@ -149,7 +147,7 @@ class DesignProblem:
     def evaluate(self, genes: Genes) -> Evaluated:
         """Solve and check many designs in all load cases."""
         assessed = self.assess(genes)
-        return Evaluated(assessed.objectives[:, self.columns], assessed.excess)
+        return Evaluated(assessed.objectives[:, self.columns], assessed.exceedance)
 
     def assess(
         self,
@@ -169,17 +167,17 @@ class DesignProblem:
         """
         genes = np.ascontiguousarray(genes, dtype=np.int64)
         count = len(genes)
-        objectives, excess = np.empty((count, len(_COLUMNS))), np.empty(count)
+        objectives, exceedance = np.empty((count, len(_COLUMNS))), np.empty(count)
         chosen = np.empty(count, dtype=np.int64)
         loop, given = self._loop(max(of, count), stops_early, best)
 
         def run(first: int, end: int) -> int:
             unsolved = np.zeros(1, dtype=np.int64)
-            loop(genes, *given(), first, end, objectives, excess, chosen, unsolved)
+            loop(genes, *given(), first, end, objectives, exceedance, chosen, unsolved)
             return int(unsolved[0])
 
         unsolved = sum(in_ranges(run, 0, count, workers, self.least_share))
-        return Assessed(objectives, excess, chosen, unsolved)
+        return Assessed(objectives, exceedance, chosen, unsolved)
 
     def _loop(
         self,
@@ -290,8 +288,8 @@ def design_point(problem: DesignProblem, genes: tuple[int, ...]) -> DesignPoint:
     ]
     size = max(point.line.length, 1.0)
     if point.checks.results:
-        worst = max(result.excess for result in point.checks.results)
-        compared.append(("excess", batch.excess[0], worst, 0.0))
+        worst = max(result.exceedance for result in point.checks.results)
+        compared.append(("excess", batch.exceedance[0], worst, 0.0))
     for name, compiled_one, plain, step in compared:
         room = AGREEMENT * max(abs(plain), size if name in ("offset", "excursion") else 1.0)
         # What is small beside the largest of the space was rounded by more than that.

@@ -1,19 +1,17 @@
-"""The front: the designs that no other design beats in all objectives, what it is worth, its knee.
-
-A design beats (dominates) another when it is as small in every objective and smaller in one. Of
-designs that are equal in all objectives the first is kept. All objectives are made small.
-"""
+"""The front: the designs that no other beats in all objectives, and what a search ends with."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from catopt.checks.kinds import ROUNDING
 from catopt.compiled import compiled
-from catopt.design.problem import Floats, Genes
+from catopt.design.problem import Evaluated, Floats, Genes, Problem
 
 Indices = NDArray[np.int64]
 
@@ -213,3 +211,142 @@ def knee(objectives: Floats) -> Knee:
     equal = np.flatnonzero(total <= total.min() + 1e-12)
     index = int(equal[np.argmin(shares[equal, 0])])
     return Knee(index, tuple(shares[index].tolist()), 1.0 - float(total[index]))
+
+
+Progress = Callable[[int, int], None]
+"""Called with the designs evaluated so far and those that may be at most."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """The front that a search found, and what it took.
+
+    The front is of all designs that were ever evaluated: those that are feasible and that no other
+    feasible one beats, by rising first objective.
+    """
+
+    genes: Genes  # no row where none is feasible
+    objectives: Floats
+    evaluations: int  # each design counts once
+    feasible: int
+    interrupted: bool
+    # the design of the least excess, which explains what stops the others where none is feasible;
+    # None where none was evaluated, its excess is infinite then
+    closest: tuple[int, ...] | None
+    least_exceedance: float
+    unsolved: int = 0  # lines that did not converge, of an enumeration
+    # designs that each of `catopt.design.assess.BOUNDS` has proved needless, and that were not
+    # evaluated; empty where nothing is proved
+    excluded: tuple[int, ...] = ()
+
+
+class Tally:
+    """What is kept of the designs evaluated so far; as of `Outcome`."""
+
+    def __init__(self, problem: Problem, progress: Progress | None = None) -> None:
+        self.problem = problem
+        self.progress = progress
+        self.front = empty_front(len(problem.sizes), problem.objectives)
+        self.evaluations = 0
+        self.feasible = 0
+        self.closest: Genes = self.front.genes  # one row, none as long as there is no such design
+        self.least_exceedance = float("inf")
+        self.unsolved = 0
+        self.excluded: tuple[int, ...] = ()
+
+    def count(
+        self,
+        genes: Genes,
+        objectives: Floats,
+        exceedance: Floats,
+        *,
+        is_whole: bool = True,
+        excluded: tuple[int, ...] = (),
+    ) -> None:
+        """Add designs; an excess that is not of all checks tells nothing of the closest design."""
+        is_feasible = exceedance <= ROUNDING
+        front = merge(self.front, genes[is_feasible], objectives[is_feasible])
+        least = int(np.argmax(exceedance <= exceedance.min() + ROUNDING))
+        # Nothing slow from here on: what Ctrl-C leaves belongs together.
+        self.front = front
+        self.evaluations += len(genes) - sum(excluded)
+        before = self.excluded or (0,) * len(excluded)
+        self.excluded = tuple(map(int.__add__, before, excluded)) or before
+        self.feasible += int(is_feasible.sum())
+        if is_whole and exceedance[least] < self.least_exceedance - ROUNDING:
+            self.closest, self.least_exceedance = genes[[least]], float(exceedance[least])
+
+    def outcome(self, *, interrupted: bool, evaluated: int = 0) -> Outcome:
+        """Sum up; `evaluated` says how many designs an earlier pass over them has evaluated."""
+        return Outcome(
+            *self.front,
+            evaluations=max(self.evaluations, evaluated),
+            feasible=self.feasible,
+            interrupted=interrupted,
+            closest=tuple(self.closest[0].tolist()) if len(self.closest) else None,
+            least_exceedance=self.least_exceedance,
+            unsolved=self.unsolved,
+            excluded=self.excluded,
+        )
+
+
+class BudgetSpentError(Exception):
+    """The search has evaluated as many designs as it may. It never leaves `explore`."""
+
+
+class EvaluationArchive(Tally):
+    """What one search knows of a design space: each design is evaluated once, within a budget."""
+
+    def __init__(self, problem: Problem, budget: int, progress: Progress | None = None) -> None:
+        super().__init__(problem, progress)
+        self._budget = budget
+        self._row: dict[bytes, int] = {}
+        self._objectives: Floats = np.empty((0, problem.objectives))
+        self._exceedance: Floats = np.empty(0)
+
+    @property
+    def share_spent(self) -> float:
+        """Share of the budget that is spent, 0 to 1."""
+        return self.evaluations / self._budget
+
+    def is_known(self, genes: Genes) -> NDArray[np.bool_]:
+        """Say which of the canonical designs were evaluated before, shape (n,)."""
+        known = (each.tobytes() in self._row for each in genes)
+        return np.fromiter(known, dtype=np.bool_, count=len(genes))
+
+    def evaluate(self, genes: Genes) -> Evaluated:
+        """Evaluate those of the canonical designs that are not known yet; return all.
+
+        BudgetSpentError after the designs for which the budget was enough.
+        """
+        keys = [each.tobytes() for each in genes]
+        new = {key: k for k, key in enumerate(keys) if key not in self._row}
+        room = self._budget - self.evaluations
+        chosen = list(new.values())[:room]
+        if chosen:
+            self._record(genes[chosen])
+        if len(new) > room:
+            raise BudgetSpentError
+        rows = [self._row[key] for key in keys]
+        return Evaluated(self._objectives[rows], self._exceedance[rows])
+
+    def _record(self, genes: Genes) -> None:
+        """Evaluate designs of which none is known."""
+        objectives, exceedance = self.problem.evaluate(genes)
+        # What cannot be compared is no answer, whatever its checks say.
+        exceedance = np.where(
+            np.isfinite(objectives).all(axis=1), exceedance, np.maximum(exceedance, 1.0)
+        )
+        first, last = self.evaluations, self.evaluations + len(genes)
+        # Lengthen what is remembered to a number of rows or more; a budget may be any number.
+        more = max(last, 2 * len(self._exceedance)) - len(self._exceedance)
+        if last > len(self._exceedance):
+            room = np.empty((more, self.problem.objectives))
+            self._objectives = np.concatenate((self._objectives, room))
+            self._exceedance = np.concatenate((self._exceedance, np.empty(more)))
+        self._objectives[first:last] = objectives
+        self._exceedance[first:last] = exceedance
+        self._row.update((each.tobytes(), first + k) for k, each in enumerate(genes))
+        self.count(genes, objectives, exceedance)
+        if self.progress is not None:
+            self.progress(last, self._budget)

@@ -10,22 +10,26 @@ import numpy as np
 from numpy.typing import NDArray
 
 from catopt.catenary.solve import solve
+from catopt.checks.case import NO_CHECK
 from catopt.checks.criteria import Criteria, criteria_of
-from catopt.checks.remarks import NO_CHECK
 from catopt.compiled import compiled
-from catopt.design.assess import COST, MASS
+from catopt.design.assess import BOUNDS, COST, MASS
 from catopt.design.assess_mooring import Search, assess_moorings
-from catopt.design.bounds import BOUNDS
 from catopt.design.evaluation import Assessed, DesignProblem
 from catopt.design.mooring_point import mooring_point
-from catopt.design.options import resolve
 from catopt.design.problem import Floats, Genes
 from catopt.design.result import DesignPoint
-from catopt.design.space import ClumpWeightVariable, DesignSpace, LayoutVariable, SegmentVariable
+from catopt.design.space import (
+    ClumpWeightVariable,
+    DesignSpace,
+    LayoutVariable,
+    SegmentVariable,
+    resolve,
+)
 from catopt.design.tables import MooringTables, body_room, mooring_tables, room, tables_of
 from catopt.model import Case, Design, DesignLoad, LoadCase, System
 from catopt.model.design import loads_of
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.words import Message
 
 _A_LINE: Final = 4e-4

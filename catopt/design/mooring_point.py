@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from catopt.checks.criteria import criteria_of
-from catopt.checks.criterion import Place, State
+from catopt.checks.kinds import Place, State
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.checks.system import InState, check_state
 from catopt.design.symmetry import states_of
@@ -131,6 +131,8 @@ def _hardest(results: Iterable[CheckResult]) -> Iterator[CheckResult]:
     for each in results:
         key = (each.place.state, each.kind, each.name, each.source)
         # The first of several that rounding alone tells apart.
-        if key not in worst or each.excess > worst[key].excess + 1e-9 * abs(worst[key].excess):
+        if key not in worst or each.exceedance > worst[key].exceedance + 1e-9 * abs(
+            worst[key].exceedance
+        ):
             worst[key] = each
     return iter(worst.values())

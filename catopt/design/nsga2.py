@@ -22,8 +22,8 @@ from pymoo.core.termination import NoTermination
 from pymoo.operators.crossover.sbx import SBX
 from pymoo.operators.mutation.pm import PM
 
-from catopt.checks.excess import ROUNDING
-from catopt.design.outcome import EvaluationArchive
+from catopt.checks.kinds import ROUNDING
+from catopt.design.front import EvaluationArchive
 from catopt.design.problem import Genes
 from catopt.design.steps import explore, scattered
 
@@ -96,10 +96,10 @@ class _Space(PymooProblem):  # type: ignore[misc]
         self.archive = archive
 
     def _evaluate(self, x: Genes, out: dict[str, Any], *_: Any, **__: Any) -> None:
-        objectives, excess = self.archive.evaluate(x.astype(np.int64))
+        objectives, exceedance = self.archive.evaluate(x.astype(np.int64))
         # Of an infeasible design pymoo compares the constraint alone, but sorts do not like nan.
         out["F"] = np.nan_to_num(objectives)
-        out["G"] = (excess - ROUNDING)[:, np.newaxis]
+        out["G"] = (exceedance - ROUNDING)[:, np.newaxis]
 
 
 class _Rounding(Repair):  # type: ignore[misc]

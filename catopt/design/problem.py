@@ -16,9 +16,9 @@ class Evaluated(NamedTuple):
     """What many designs are worth."""
 
     objectives: Floats  # to be made small; nan where a design has no equilibrium
-    # the largest excess of all checks over all load cases (`catopt.checks.excess`); a design
+    # the largest excess of all checks over all load cases (`catopt.checks.kinds`); a design
     # is feasible when it is at most ROUNDING. Finite also where there is no equilibrium
-    excess: Floats
+    exceedance: Floats
 
 
 class Problem(Protocol):

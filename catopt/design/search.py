@@ -10,7 +10,7 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from catopt.design.bounds import BOUNDS
+from catopt.design.assess import BOUNDS
 from catopt.design.evaluation import (
     OBJECTIVE_KEYS,
     DesignProblem,
@@ -18,11 +18,9 @@ from catopt.design.evaluation import (
     objective_words,
     present_line,
 )
-from catopt.design.front import Knee, hypervolume, knee, reference_point
+from catopt.design.front import Knee, Outcome, Progress, Tally, hypervolume, knee, reference_point
 from catopt.design.mooring import MooringProblem
-from catopt.design.near_miss import no_feasible_design
-from catopt.design.neighbours import ends, neighbours
-from catopt.design.outcome import Outcome, Progress, Tally
+from catopt.design.neighbours import ends, neighbours, no_feasible_design
 from catopt.design.problem import Genes
 from catopt.design.result import DesignPoint, DesignResult
 from catopt.errors import InputError, NotConvergedError, Problem
@@ -68,7 +66,7 @@ def estimate(problem: DesignProblem, *, workers: int = 1) -> Estimate:
         sample = min(sample, designs)
         genes = problem.space.genes_of(np.linspace(0, designs - 1, sample).astype(np.int64))
         found = problem.assess(genes, stops_early=True, workers=workers)
-        tally.count(genes, found.objectives[:, problem.columns], found.excess, is_whole=False)
+        tally.count(genes, found.objectives[:, problem.columns], found.exceedance, is_whole=False)
         best = tally.front.objectives if len(tally.front.genes) else None
         start = time.perf_counter()
         problem.assess(genes, stops_early=True, workers=workers, best=best)
@@ -99,7 +97,7 @@ def enumerate_designs(
             found = problem.assess(genes, stops_early=stops_early, workers=workers, best=best)
             objectives, is_whole = found.objectives[:, problem.columns], not stops_early
             excluded = found.excluded
-            tally.count(genes, objectives, found.excess, is_whole=is_whole, excluded=excluded)
+            tally.count(genes, objectives, found.exceedance, is_whole=is_whole, excluded=excluded)
             tally.unsolved += found.unsolved
             if progress is not None:
                 progress(tally.evaluations + sum(tally.excluded), problem.space.count)

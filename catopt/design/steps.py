@@ -6,8 +6,13 @@ from collections.abc import Callable
 
 import numpy as np
 
-from catopt.design.front import crowding_distance
-from catopt.design.outcome import BudgetSpentError, EvaluationArchive, Outcome, Progress
+from catopt.design.front import (
+    BudgetSpentError,
+    EvaluationArchive,
+    Outcome,
+    Progress,
+    crowding_distance,
+)
 from catopt.design.problem import Genes, Problem
 
 ROAMING = 0.6

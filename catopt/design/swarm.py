@@ -17,10 +17,9 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from catopt.catenary.swarm.optimiser import velocity, without_logging
-from catopt.checks.excess import ROUNDING
-from catopt.design.front import crowding_distance
-from catopt.design.outcome import EvaluationArchive
+from catopt.catenary.swarm.solve import velocity, without_logging
+from catopt.checks.kinds import ROUNDING
+from catopt.design.front import EvaluationArchive, crowding_distance
 from catopt.design.problem import Evaluated, Floats, Genes, Problem
 from catopt.design.steps import explore, scattered
 from catopt.model import SwarmSettings
@@ -154,13 +153,13 @@ def _remember(
     either by chance when neither does.
     """
     new, old = worth.objectives, best.objectives
-    excess = np.maximum(worth.excess, ROUNDING), np.maximum(best.excess, ROUNDING)
-    are_feasible = (excess[0] == ROUNDING) & (excess[1] == ROUNDING)
+    exceedance = np.maximum(worth.exceedance, ROUNDING), np.maximum(best.exceedance, ROUNDING)
+    are_feasible = (exceedance[0] == ROUNDING) & (exceedance[1] == ROUNDING)
     is_beaten = (old <= new).all(axis=1)
     beats = (new <= old).all(axis=1) & ~is_beaten
     by_chance = generator.random(len(genes)) < 0.5
-    takes = np.where(are_feasible, beats | (~is_beaten & by_chance), excess[0] < excess[1])
+    takes = np.where(are_feasible, beats | (~is_beaten & by_chance), exceedance[0] < exceedance[1])
     flock.pbest_pos[takes] = genes[takes]
     return Evaluated(
-        np.where(takes[:, np.newaxis], new, old), np.where(takes, worth.excess, best.excess)
+        np.where(takes[:, np.newaxis], new, old), np.where(takes, worth.exceedance, best.exceedance)
     )

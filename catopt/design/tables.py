@@ -16,7 +16,7 @@ from catopt.design.problem import Floats
 from catopt.design.space import DesignSpace
 from catopt.design.symmetry import states_of, widest_gap
 from catopt.model import Case, DesignLoad, LoadCase, SinkerChoice
-from catopt.model.immersion import weight_in_water
+from catopt.model.line import weight_in_water
 from catopt.model.wear import left_of_section
 from catopt.mooring.arrangement import Arrangement, Lines
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from catopt.constants import STANDARD_GRAVITY
-from catopt.decks.deck import Deck, End, LineType, Piece, Point
+from catopt.decks.deck import Deck, DeckPiece, End, LineType, Point
 from catopt.export.moordyn_model import ROUNDING, Model
 from catopt.export.moordyn_model import LineType as Kind
 from catopt.export.moordyn_remarks import ADDED_MASS, DRAG, has_drag
@@ -15,7 +15,7 @@ def deck_of(model: Model) -> Deck:
     """Turn cut lines into a deck: types, points from 1 on, and the pieces between them."""
     friction = max(line.solution.seabed_friction for line in model.solved.lines)
     points: dict[str, Point] = {}
-    pieces: list[Piece] = []
+    pieces: list[DeckPiece] = []
     for part in model.parts:
         last = len(part.joints) - 1
         for index, joint in enumerate(part.joints):
@@ -28,7 +28,7 @@ def deck_of(model: Model) -> Deck:
         first = len(points) - last
         for number, piece in enumerate(part.pieces, start=first):
             ends = (str(number), str(number + 1))
-            pieces.append(Piece(0, piece.type.name, ends, piece.length))
+            pieces.append(DeckPiece(0, piece.type.name, ends, piece.length))
     types = {each.name: _line_type(each, friction) for each in model.types}
     density = model.solved.case.site.water_density
     return Deck(STANDARD_GRAVITY, density, model.surface, types, points, pieces, friction)

@@ -129,7 +129,7 @@ ROW = 1.6
 
 
 @dataclass(frozen=True)
-class Sheet:
+class Drawing:
     """How a line's points come onto the drawing.
 
     `solved`: what is drawn; `size`: the longest span or length of a line, m.
@@ -178,7 +178,7 @@ class Mark:
 def dxf_drawing(solved: ExportedLines, *, sources: Sequence[Source] = ()) -> Exported:
     """Draw lines where they hang."""
     size = max(max(line.solution.span, line.solution.line.length) for line in solved.lines)
-    sheet = Sheet(solved, size)
+    sheet = Drawing(solved, size)
     remarks = tuple(_remarks(solved))
     groups: list[Group] = [
         *_comments(solved, remarks, sources),
@@ -206,42 +206,34 @@ def _comments(
         yield 999, line.strip()
 
 
-def _entities(sheet: Sheet, remarks: Sequence[str]) -> Iterator[Group]:
+def _entities(sheet: Drawing, remarks: Sequence[str]) -> Iterator[Group]:
     if not sheet.in_space:
-        yield from _surfaces(sheet)
+        # Draw the bed and the still water, both a tenth of the length beyond the line.
+        over, span = 0.1 * sheet.size, sheet.solved.lines[0].solution.span
+        depth = sheet.solved.case.site.water_depth
+        for layer, height, words in (
+            ("BED", 0.0, "bed"),
+            ("WATER", depth, f"still water, {depth:.6g} m above the bed"),
+        ):
+            ends = ((-over, height, 0.0), (span + over, height, 0.0))
+            yield from polyline(layer, ends, in_space=False)
+            beside = (-over, height + 0.5 * sheet.text_height, 0.0)
+            yield from text("TEXT", beside, words, sheet.text_height)
     for line in sheet.solved.lines:
-        yield from _segments(sheet, line)
+        # Draw every segment as a polyline of its own.
+        solution = line.solution
+        profile = solution.profile(POINTS)
+        start = 0.0
+        for segment in solution.line.segments:
+            places = _between(profile, start, start + segment.length, 1e-9 * solution.line.length)
+            start += segment.length
+            points = [sheet.at(line, *place) for place in places]
+            yield from polyline("LINE", points, in_space=sheet.in_space)
         for mark in _marks(line, in_space=sheet.in_space):
             yield from _drawn(sheet, mark, sheet.at(line, mark.distance, mark.height))
     if sheet.solved.system is not None:
         yield from _body(sheet)
     yield from _legend(sheet, remarks)
-
-
-def _surfaces(sheet: Sheet) -> Iterator[Group]:
-    """Draw the bed and the still water, both a tenth of the length beyond the line."""
-    over, span = 0.1 * sheet.size, sheet.solved.lines[0].solution.span
-    depth = sheet.solved.case.site.water_depth
-    for layer, height, words in (
-        ("BED", 0.0, "bed"),
-        ("WATER", depth, f"still water, {depth:.6g} m above the bed"),
-    ):
-        ends = ((-over, height, 0.0), (span + over, height, 0.0))
-        yield from polyline(layer, ends, in_space=False)
-        beside = (-over, height + 0.5 * sheet.text_height, 0.0)
-        yield from text("TEXT", beside, words, sheet.text_height)
-
-
-def _segments(sheet: Sheet, line: ExportedLine) -> Iterator[Group]:
-    """Draw every segment as a polyline of its own."""
-    solution = line.solution
-    profile = solution.profile(POINTS)
-    start = 0.0
-    for segment in solution.line.segments:
-        places = _between(profile, start, start + segment.length, 1e-9 * solution.line.length)
-        start += segment.length
-        points = [sheet.at(line, *place) for place in places]
-        yield from polyline("LINE", points, in_space=sheet.in_space)
 
 
 def _between(
@@ -297,7 +289,7 @@ def _joints(solution: Solution) -> Iterator[tuple[float, str]]:
         yield arc, f"{lower.name} / {upper.name}" if lower.name and upper.name else "joint"
 
 
-def _body(sheet: Sheet) -> Iterator[Group]:
+def _body(sheet: Drawing) -> Iterator[Group]:
     """Mark the body's origin at the height of the first fairlead."""
     system = sheet.solved.system
     assert system is not None
@@ -307,7 +299,7 @@ def _body(sheet: Sheet) -> Iterator[Group]:
     yield from _drawn(sheet, mark, (system.position.x, system.position.y, height))
 
 
-def _legend(sheet: Sheet, remarks: Sequence[str]) -> Iterator[Group]:
+def _legend(sheet: Drawing, remarks: Sequence[str]) -> Iterator[Group]:
     """Write title, units and answers below the drawing."""
     rows = [sheet.solved.case.title, "Drawing units are metres; heights are above the bed."]
     for line in sheet.solved.lines:
@@ -325,7 +317,7 @@ def _legend(sheet: Sheet, remarks: Sequence[str]) -> Iterator[Group]:
         yield from text("TEXT", place, row, sheet.text_height)
 
 
-def _drawn(sheet: Sheet, mark: Mark, place: Point) -> Iterator[Group]:
+def _drawn(sheet: Drawing, mark: Mark, place: Point) -> Iterator[Group]:
     """Draw a circle and a point at its middle, to snap to, with the words beside."""
     yield from point(mark.layer, place)
     yield from circle(mark.layer, place, MARK_SIZE * sheet.size)

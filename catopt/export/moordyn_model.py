@@ -8,9 +8,14 @@ from dataclasses import dataclass, replace
 from itertools import accumulate, pairwise
 
 from catopt.errors import InputError, Problem
-from catopt.export.body_in_water import BodyInWater, of_point_load, of_segment
-from catopt.export.exported_line import ExportedLine, ExportedLines
-from catopt.export.text import word
+from catopt.export.exported import word
+from catopt.export.exported_line import (
+    BodyInWater,
+    ExportedLine,
+    ExportedLines,
+    of_point_load,
+    of_segment,
+)
 from catopt.model import Line, PointLoad, Segment
 from catopt.words import Message
 
@@ -46,7 +51,7 @@ class Joint:
 
 
 @dataclass(frozen=True)
-class Piece:
+class ModelPiece:
     """A uniform part of the line between two joints that follow each other.
 
     `length`: unstretched, m; `elements`: into how many equal parts it is cut.
@@ -58,12 +63,12 @@ class Piece:
 
 
 @dataclass(frozen=True)
-class Part:
+class LinePart:
     """One line cut: its joints, one more than its pieces."""
 
     line: ExportedLine
     joints: Sequence[Joint]
-    pieces: Sequence[Piece]
+    pieces: Sequence[ModelPiece]
 
 
 @dataclass(frozen=True)
@@ -71,11 +76,11 @@ class Model:
     """What is written: all lines cut, and the height of the water surface above the bed, m."""
 
     solved: ExportedLines
-    parts: Sequence[Part]
+    parts: Sequence[LinePart]
     surface: float
 
     @property
-    def pieces(self) -> list[Piece]:
+    def pieces(self) -> list[ModelPiece]:
         """Those of all lines, in order."""
         return [piece for part in self.parts for piece in part.pieces]
 
@@ -110,7 +115,7 @@ def is_above(solved: ExportedLines) -> bool:
     return solved.highest - depth > ROUNDING * depth
 
 
-def _parts(solved: ExportedLines, elements: int, program: str) -> list[Part]:
+def _parts(solved: ExportedLines, elements: int, program: str) -> list[LinePart]:
     """Cut every line, and gather what is wrong with any."""
     density = solved.case.site.water_density
     known: dict[Segment, LineType] = {}
@@ -131,7 +136,7 @@ def _parts(solved: ExportedLines, elements: int, program: str) -> list[Part]:
         except InputError as error:
             problems += error.problems
         if not problems:
-            parts.append(Part(line, joints, _pieces(of, joints, types, elements)))
+            parts.append(LinePart(line, joints, _pieces(of, joints, types, elements)))
     if problems:
         raise InputError(list(dict.fromkeys(problems)), program)
     return parts
@@ -145,7 +150,7 @@ def _line_type(
     program: str,
 ) -> LineType:
     key = f"line.segments[{number}]"
-    if math.isinf(segment.EA):
+    if segment.is_inextensible:
         allowed = Message("refused_command.missing_lets_every_line_stretch", program=program)
         raise InputError([Problem(f"{key}.EA", "", allowed)], program)
     wanted = word(segment.name or segment.component, f"segment_{number + 1}")
@@ -191,7 +196,7 @@ def _hanging(line: Line, loads: Sequence[PointLoad], density: float) -> BodyInWa
 
 def _pieces(
     line: Line, joints: Sequence[Joint], types: Sequence[LineType], elements: int
-) -> list[Piece]:
+) -> list[ModelPiece]:
     """Say what lies between each two joints: of which segment it is, and how finely cut."""
     ends = list(accumulate(segment.length for segment in line.segments))
     pieces = []
@@ -200,11 +205,11 @@ def _pieces(
         number = next((k for k, end in enumerate(ends) if middle < end), len(ends) - 1)
         length = upper.arc - lower.arc
         cuts = max(2, round(elements * length / line.length))
-        pieces.append(Piece(types[number], length, cuts))
+        pieces.append(ModelPiece(types[number], length, cuts))
     return pieces
 
 
-def resting(parts: Sequence[Part]) -> Iterator[tuple[Part, int, float]]:
+def resting(parts: Sequence[LinePart]) -> Iterator[tuple[LinePart, int, float]]:
     """Yield the joints at which the bed carries some of what hangs there, with how much; N."""
     for part in parts:
         states = part.line.solution.point_loads

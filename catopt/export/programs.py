@@ -1,24 +1,300 @@
-"""The programs that take lines at rest, and what each of them takes otherwise than the case."""
+"""The programs that take lines at rest: what each takes otherwise, and its file."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Literal
 
 from catopt.constants import STANDARD_GRAVITY
-from catopt.decks.deck import Deck, Point
+from catopt.decks.deck import Deck, LineType, Notes, Point
+from catopt.decks.strung import Chain, chains_of
+from catopt.decks.to_case import weight_of
+from catopt.errors import InputError, Problem
 from catopt.export.deck import deck_of
-from catopt.export.exported import Exported, Source, exported, heading
+from catopt.export.exported import Exported, Source, exact, exported, heading
 from catopt.export.exported_line import ExportedLines
-from catopt.export.mappp import mappp_lines
 from catopt.export.moordyn_model import Model, is_above, model_of
 from catopt.export.moordyn_remarks import common_remarks
-from catopt.export.moorpy_script import moorpy_lines
-from catopt.export.ontology import ontology_lines
-from catopt.export.orcaflex import orcaflex_lines
-from catopt.words.message import Message
+from catopt.words import Message
+
+_TOLERANCES = ("inner_ftol 1e-12", "inner_gtol 1e-12", "inner_xtol 1e-12", "outer_tol 1e-5")
+"""With its own for the lines, 1e-6, MAP++ does not balance a node below which friction acts."""
+
+_KINDS = {"fixed": "fix", "coupled": "vessel", "free": "connect"}
+
+
+def mappp_lines(deck: Deck, said: Iterable[str]) -> Iterator[str]:
+    """Yield the lines of the file; `said`: what it says of itself.
+
+    A comment begins with a blank for MAP++ itself, and with ``!`` for OpenFAST.
+    """
+    yield "---- LINE DICTIONARY ----"
+    yield "LineType Diam MassDenInAir EA CB CIntDamp Ca Cdn Cdt"
+    yield "(-) (m) (kg/m) (N) (-) (Pa-s) (-) (-) (-)"
+    for name, kind in deck.types.items():
+        across, along, added, _ = kind.drag or (0.0, 0.0, 0.0, 0.0)
+        at_rest = (kind.diameter, kind.mass, kind.EA, kind.friction or 0.0)
+        yield " ".join([name, *map(exact, (*at_rest, 0.0, added, across, along))])
+    yield "---- NODE PROPERTIES ----"
+    yield "Node Type X Y Z M B FX FY FZ"
+    yield "(-) (-) (m) (m) (m) (kg) (m3) (N) (N) (N)"
+    for point in deck.points.values():
+        # Write a node; MAP++ is to find where a free one comes to rest.
+        mark = "#" if point.end == "free" else ""
+        place = [mark + exact(each) for each in (point.x, point.y, point.z)]
+        if point.end == "fixed" and point.z == -deck.depth:
+            place[2] = "depth"
+        forces = "0 0 0" if mark else "# # #"
+        of_body = f"{exact(point.mass)} {exact(point.volume)}"
+        yield " ".join([point.name, _KINDS[point.end], *place, of_body, forces])
+    yield "---- LINE PROPERTIES ----"
+    yield "Line LineType UnstrLen NodeAnch NodeFair Flags"
+    yield "(-) (-) (m) (-) (-) (-)"
+    for number, piece in enumerate(deck.pieces, start=1):
+        ends = " ".join(piece.ends)
+        yield f"{number} {piece.type} {exact(piece.length)} {ends} tension_fair h_fair"
+    yield "---- SOLVER OPTIONS ----"
+    yield "Option"
+    yield "(-)"
+    yield from _TOLERANCES
+    for line in said:
+        yield f" ! {line}".rstrip()
+
+
+_MOORPY_SCRIPT_KINDS = {"fixed": 1, "coupled": -1, "free": 0}
+
+_SOLVED = """\
+for name, d_vol, m, EA, Cd, CdAx, Ca, CaAx in LINE_TYPES:
+    kind = {"name": name, "material": name, "d_vol": d_vol, "m": m, "EA": EA, "cost": 0.0}
+    kind["w"] = (m - np.pi / 4 * d_vol**2 * system.rho) * system.g
+    system.lineTypes[name] = kind | {"Cd": Cd, "CdAx": CdAx, "Ca": Ca, "CaAx": CaAx}
+for kind, place, m, v, CdA, Ca in POINTS:
+    point = system.addPoint(kind, np.array(place), m=m, v=v)
+    point.CdA, point.Ca = CdA, Ca
+    point.zTol = 0.001  # its own 2 m take weight off what hangs near the bed
+for length, name, anchor_side, fairlead_side in LINES:
+    system.addLine(length, name, pointA=anchor_side, pointB=fairlead_side)
+system.initialize()
+system.solveEquilibrium(DOFtype="free", tol=1e-7)
+
+for point in system.pointList:
+    if point.type == -1:
+        fx, fy, fz = point.getForces(xyz=True)
+        print(f"fairlead {point.number}: H {np.hypot(fx, fy):.1f} N, V {-fz:.1f} N")"""
+
+
+def moorpy_lines(deck: Deck, said: Iterable[str]) -> Iterator[str]:
+    """Yield the lines of the script; `said`: what it says of itself."""
+    for line in said:
+        yield f"# {line}".rstrip()
+    yield ""
+    yield "import moorpy"
+    yield "import numpy as np"
+    yield ""
+    place = ", ".join(
+        f"{key}={exact(value)}"
+        for key, value in (("depth", deck.depth), ("rho", deck.density), ("g", deck.gravity))
+    )
+    yield f"system = moorpy.System({place})"
+    yield "LINE_TYPES = [  # name, volume-equivalent diameter (m), kg/m, N, Cd, CdAx, Ca, CaAx"
+    for name, kind in deck.types.items():
+        assert kind.drag is not None
+        numbers = (kind.diameter, kind.mass, kind.EA, *kind.drag)
+        yield f'    ("{name}", {", ".join(map(exact, numbers))}),'
+    yield "]"
+    yield "POINTS = [  # 1 fixed, -1 held on the body, 0 free; place (m), kg, m3, Cd A (m2), Ca"
+    for point in deck.points.values():
+        at = ", ".join(map(exact, (point.x, point.y, point.z)))
+        body = (point.mass, point.volume, point.drag_area, point.added_mass)
+        yield f"    ({_MOORPY_SCRIPT_KINDS[point.end]}, ({at}), {', '.join(map(exact, body))}),"
+    yield "]"
+    yield "LINES = [  # unstretched length (m), type, points at its ends"
+    for piece in deck.pieces:
+        yield f'    ({exact(piece.length)}, "{piece.type}", {", ".join(piece.ends)}),'
+    yield "]"
+    yield _SOLVED
+
+
+def ontology_lines(deck: Deck, said: Iterable[str]) -> Iterator[str]:
+    """Yield the lines of the file; `said`: what it says of itself.
+
+    Raises InputError where an anchor stands above the bed.
+    """
+    chains = chains_of(deck, Notes())
+    raised = max(chain.anchor.z for chain in chains) + deck.depth
+    if raised > 0.0:
+        allowed = Message("refused_command.must_be_0_ontology_anchors")
+        raise InputError([Problem("line.anchor_height", f"{raised:.6g} m", allowed)], "ontology")
+    for line in said:
+        yield f"# {line}".rstrip()
+    yield "site:"
+    yield "  general:"
+    yield f"    water_depth: {exact(deck.depth)}"
+    yield f"    rho_water: {exact(deck.density)}"
+    yield f"    g: {exact(deck.gravity)}"
+    yield f"    seabed_friction: {exact(deck.friction or 0.0)}"
+    yield from _body(chains)
+    yield "mooring_line_configs:"
+    for number, chain in enumerate(chains, start=1):
+        yield from _config(number, chain)
+    yield "mooring_line_types:"
+    for name, kind in deck.types.items():
+        across, along, added, added_along = kind.drag or (0.0, 0.0, 0.0, 0.0)
+        values = {
+            "d_nom": kind.nominal_diameter, "d_vol": kind.diameter, "m": kind.mass, "EA": kind.EA,
+            "MBL": kind.MBL, "Cd": across, "CdAx": along, "Ca": added, "CaAx": added_along,
+        }  # fmt: skip
+        pairs = (f"{key}: {exact(value)}" for key, value in values.items() if value is not None)
+        yield f'  "{name}": {{{", ".join(pairs)}}}'
+    hung = [point for chain in chains for point in chain.points[1:-1] if point.mass or point.volume]
+    if hung:
+        yield "mooring_connector_types:"
+    for point in hung:
+        body = (point.mass, point.volume, point.drag_area, point.added_mass)
+        pairs = (f"{k}: {exact(v)}" for k, v in zip(("m", "v", "CdA", "Ca"), body, strict=True))
+        yield f"  connector_{point.name}: {{{', '.join(pairs)}}}"
+    yield "anchor_types:"
+    yield "  anchor: {type: unspecified}"
+
+
+def _body(chains: list[Chain]) -> Iterator[str]:
+    """Yield the platform at x = y = 0, its fairleads and its mooring system."""
+    yield "array:"
+    keys = "ID, topsideID, platformID, mooringID, x_location, y_location, heading_adjust"
+    yield f"  keys: [{keys}]"
+    yield "  data: [[body, 0, 1, ms1, 0.0, 0.0, 0.0]]"
+    first = chains[0].fairlead
+    yield "platform:"
+    yield "  type: FOWT"
+    yield f"  rFair: {exact(math.hypot(first.x, first.y))}"
+    yield f"  zFair: {exact(first.z)}"
+    yield "  fairleads:"
+    for number, chain in enumerate(chains, start=1):
+        place = ", ".join(map(exact, (chain.fairlead.x, chain.fairlead.y, chain.fairlead.z)))
+        yield f"    - {{name: fairlead{number}, r_rel: [{place}]}}"
+    yield "mooring_systems:"
+    yield "  ms1:"
+    yield "    keys: [MooringConfigID, heading, anchorType, fairlead]"
+    yield "    data:"
+    for number, chain in enumerate(chains, start=1):
+        x, y = chain.anchor.x - chain.fairlead.x, chain.anchor.y - chain.fairlead.y
+        heading = math.degrees(math.atan2(x, y))
+        yield f"      - [line_{number}, {exact(heading)}, anchor, {number}]"
+
+
+def _config(number: int, chain: Chain) -> Iterator[str]:
+    """Yield span and sections of a line, from its anchor."""
+    anchor, fairlead = chain.anchor, chain.fairlead
+    yield f"  line_{number}:"
+    yield f"    span: {exact(math.hypot(fairlead.x - anchor.x, fairlead.y - anchor.y))}"
+    yield "    sections:"
+    for piece, point in zip(chain.pieces, chain.points[1:], strict=True):
+        yield f'      - {{type: "{piece.type}", length: {exact(piece.length)}}}'
+        if point.end == "free" and (point.mass or point.volume):
+            yield f"      - {{connectorType: connector_{point.name}}}"
+
+
+SINKING = 1e-3
+"""How deep the heaviest line sinks into the bed, m."""
+
+_CONNECTION = (
+    "Connection, ConnectionX, ConnectionY, ConnectionZ, ConnectionAzimuth, ConnectionDeclination, "
+    "ConnectionGamma, ConnectionReleaseStage, ConnectionzRelativeTo"
+)
+_ATTACHMENT = "AttachmentType, Attachmentx, Attachmenty, Attachmentz, AttachmentzRelativeTo"
+
+
+def orcaflex_lines(deck: Deck, said: Iterable[str]) -> Iterator[str]:
+    """Yield the lines of the file; `said`: what it says of itself."""
+    contact = max(kind.diameter for kind in deck.types.values())
+    weights = (weight_of(deck, kind) for kind in deck.types.values())
+    stiffness = exact(max(1.0, *weights) / (contact * SINKING) / 1e3)
+    yield "%YAML 1.1"
+    for line in said:
+        yield f"# {line}".rstrip()
+    yield "---"
+    yield "General: {UnitsSystem: SI}"
+    yield "Environment:"
+    yield "  WaterSurfaceZ: 0"
+    yield f"  WaterDepth: {exact(deck.depth + 0.5 * contact)}"
+    yield f"  Density: {exact(deck.density / 1e3)}"
+    yield "  SeabedType: Flat"
+    yield "  SeabedModel: Elastic"
+    yield f"  SeabedNormalStiffness: {stiffness}"
+    yield f"  SeabedShearStiffness: {stiffness}"
+    yield "LineTypes:"
+    for name, kind in deck.types.items():
+        yield from _type(name, kind, contact)
+    chains = chains_of(deck, Notes())
+    hung = [point for chain in chains for point in chain.points[1:-1] if point.mass or point.volume]
+    if hung:
+        yield "ClumpTypes:"
+    for point in hung:
+        body = f"Mass: {exact(point.mass / 1e3)}, Volume: {exact(point.volume)}"
+        yield f"  - {{Name: clump_{point.name}, {body}}}"
+    yield "6DBuoys:"
+    yield "  - Name: body"
+    yield "    BuoyType: Lumped buoy"
+    yield "    Connection: Fixed"
+    yield "    InitialPosition: [0, 0, 0]"
+    yield "    InitialAttitude: [0, 0, 0]"
+    yield "Lines:"
+    for number, chain in enumerate(chains, start=1):
+        yield from _line(number, chain, deck.depth, 0.5 * contact)
+
+
+def _type(name: str, kind: LineType, contact: float) -> Iterator[str]:
+    across, along, added, added_along = map(exact, kind.drag or (0.0, 0.0, 0.0, 0.0))
+    friction = exact(kind.friction or 0.0)
+    yield f'  - Name: "{name}"'
+    yield "    Category: General"
+    yield f"    OD: {exact(kind.diameter)}"
+    yield "    ID: 0"
+    yield f"    MassPerUnitLength: {exact(kind.mass / 1e3)}"
+    yield "    CompressionIsLimited: Yes"
+    yield "    EI: [0, ~]"
+    yield f"    EA: {exact(kind.EA / 1e3)}"
+    yield f"    OuterContactDiameter: {exact(contact)}"
+    yield f"    Ca: [{added}, ~, {added_along}]"
+    yield f"    Cd: [{across}, ~, {along}]"
+    yield f"    SeabedLateralFrictionCoefficient: {friction}"
+    yield "    SeabedAxialFrictionCoefficient: ~"
+
+
+def _line(number: int, chain: Chain, depth: float, lifted: float) -> Iterator[str]:
+    """Yield a line; its fairlead is held by a fixed buoy that stands for the body."""
+    anchor, fairlead = chain.anchor, chain.fairlead
+    laid = math.degrees(math.atan2(fairlead.y - anchor.y, fairlead.x - anchor.x))
+    yield f"  - Name: line {number}"
+    yield "    TopEnd: End A"
+    yield f"    ? {_CONNECTION}"
+    yield f"    : - [body, {_place(fairlead, 0.0)}, 0, 0, 0, ~]"
+    yield f"      - [Anchored, {_place(anchor, depth + lifted)}, 0, 90, 0, ~]"
+    yield "    LineType, Length, TargetSegmentLength:"
+    total = math.fsum(piece.length for piece in chain.pieces)
+    for piece in reversed(chain.pieces):
+        target = exact(min(total / 50.0, piece.length))
+        yield f'      - ["{piece.type}", {exact(piece.length)}, {target}]'
+    arc, clumps = 0.0, []
+    for piece, point in zip(reversed(chain.pieces), chain.points[-2:0:-1], strict=False):
+        arc += piece.length
+        if point.mass or point.volume:
+            clumps.append(f"      - [clump_{point.name}, 0, 0, {exact(arc)}, End A]")
+    if clumps:
+        yield f"    {_ATTACHMENT}:"
+        yield from clumps
+    yield "    StaticsStep1: Catenary"
+    yield "    StaticsStep2: Full statics"
+    yield "    StaticsSeabedFrictionPolicy: As laid"
+    yield f"    LayAzimuth: {exact(laid % 360.0)}"
+
+
+def _place(point: Point, up: float) -> str:
+    return ", ".join(map(exact, (point.x, point.y, point.z + up)))
+
 
 ProgramFormat = Literal["map", "moorpy", "ontology", "orcaflex"]
 

@@ -12,13 +12,19 @@ import math
 from typing import Any, Final, NamedTuple
 
 from catopt.compiled import inlined, packed
-from catopt.fem.block_tridiagonal import back_substitute_blocks, eliminate_blocks, hold, solve_dense
+from catopt.fem.banded import (
+    back_substitute_blocks,
+    copy_rows,
+    copy_values,
+    eliminate_blocks,
+    hold,
+    solve_dense,
+)
+from catopt.fem.morison import fill_water
 from catopt.fem.moving import Blend, BodyNode, Moving, MovingLines
 from catopt.fem.moving_assembly import assemble_moving
 from catopt.fem.newmark import predict
-from catopt.fem.rows import copy_rows, copy_values
 from catopt.fem.sampling import Room, Setting
-from catopt.fem.water_at import fill_water
 from catopt.hydro.hull import (
     PARTS,
     Hull,

@@ -17,6 +17,9 @@ import math
 from typing import Any, Final
 
 from catopt.fem.banded import DIAGONAL
+from catopt.fem.friction import add_friction
+from catopt.fem.loads import axis
+from catopt.fem.resting import Law, Net, kept, row_of_bar
 from catopt.fem.seabed import (
     ABSENT,
     FREE,
@@ -28,9 +31,6 @@ from catopt.fem.seabed import (
     Ground,
     touches,
 )
-from catopt.fem.friction import add_friction
-from catopt.fem.loads import axis
-from catopt.fem.resting import Law, Net, kept, row_of_bar
 from catopt.fem.sloped_rest import hanging_node, own_rest, share_slope, share_weight, shift_slope
 
 _FAR: Final = 0.03

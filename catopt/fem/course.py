@@ -14,8 +14,8 @@ from typing import Any, Final
 import numpy as np
 
 from catopt.arrays import Array
-from catopt.fem.statistics import SeriesStatistics, peaks_above_mean
-from catopt.model.validity import Findings
+from catopt.fem.extremes import SeriesStatistics, peaks_above_mean
+from catopt.model.kinds import Findings
 from catopt.words import Message
 
 FOLLOWED: Final = (

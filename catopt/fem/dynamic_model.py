@@ -11,15 +11,14 @@ import numpy as np
 
 from catopt.arrays import Array, Flags
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
-from catopt.fem.bed import HeldBed
-from catopt.fem.damping import LineDamping
 from catopt.fem.mesh import SAME_PLACE, LineMesh, by_bar, first_bars, heaviest, to_nodes
 from catopt.fem.morison import MorisonSection
 from catopt.fem.moving import MovingLines
+from catopt.fem.newmark import LineDamping
 from catopt.fem.problem import node_friction
-from catopt.fem.seabed import Seabed
+from catopt.fem.seabed import HeldBed, Seabed
 from catopt.model import PointLoad
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.words import Message
 
 MassMatrix = Literal["consistent", "lumped"]
@@ -221,7 +220,7 @@ def _check(
             elif segment.mass * fluid.gravity < segment.submerged_weight * (1.0 - 1e-6):
                 words = f"{segment.mass:g} kg/m in air, {segment.submerged_weight:g} N/m in water"
                 found.add(f"{key}.mass", words, Message("refused_motion.line_weighs_more_air_than"))
-            if math.isinf(segment.EA):
+            if segment.is_inextensible:
                 found.add(
                     f"{key}.EA", "inf", Message("refused_motion.line_motion_needs_axial_stiffness")
                 )

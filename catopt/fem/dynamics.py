@@ -13,23 +13,21 @@ from typing import Any
 import numpy as np
 
 from catopt.arrays import Array
-from catopt.fem.bed import Bed, HeldBed
 from catopt.fem.course import FOLLOWED, course_of
 from catopt.fem.dynamic_model import LineProperties, lay_out_moving
 from catopt.fem.history import STOPPED, History
 from catopt.fem.march import StepCounts
 from catopt.fem.mesh import SAME_PLACE, LineMesh, mesh_line
 from catopt.fem.moving import BodyNode, MovingLines
-from catopt.fem.plausible_step import record_warnings, step_warnings
-from catopt.fem.run_settings import BodyInertia, TimeStepping
+from catopt.fem.run_settings import BodyInertia, TimeStepping, record_warnings, step_warnings
 from catopt.fem.sampling import Record
-from catopt.fem.seabed import Seabed
+from catopt.fem.seabed import Bed, HeldBed, Seabed
 from catopt.fem.series import Harmonic, Sampled, Series, Together, fill_series, series_rows
 from catopt.fem.simulation import Break, Simulation
 from catopt.fem.sloped_rest import settle_on_slope
 from catopt.fem.solve import Leg, solve_line, solve_system
 from catopt.model import Line
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.waves import Sea
 from catopt.words import Measure, Message
 

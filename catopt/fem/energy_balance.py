@@ -18,9 +18,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from catopt.compiled import inlined
+from catopt.fem.banded import clear_blocks
 from catopt.fem.moving import Moving, MovingLines, WaterAt
-from catopt.fem.moving_load import book_loads, load_works
-from catopt.fem.rows import clear_blocks
+from catopt.fem.moving_bar import book_loads, load_works
 from catopt.fem.sampling import Room
 from catopt.fem.seabed import across_bed, along_bed
 

@@ -11,9 +11,9 @@ import math
 from typing import Any
 
 from catopt.fem.banded import DIAGONAL
-from catopt.fem.bed import ON_BED, SPRING, Ground, friction_sense
 from catopt.fem.loads import axis
 from catopt.fem.resting import Net, row_of_bar
+from catopt.fem.seabed import ON_BED, SPRING, Ground, friction_sense
 
 
 def limit(node: int, reaction: float, ground: Ground, contact: Any) -> float:

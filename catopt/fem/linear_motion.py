@@ -1,16 +1,4 @@
-"""Lines in a random sea by linear motion about rest: standard deviations without steps in time.
-
-With d = Re(sum of y exp(-i omega t)) the way of the nodes from rest, each wave asks for
-
-    (-omega^2 M - i omega (C + D) + K + R) y = (-i omega M_w + D) u
-
-K, C and M are the tangents of the model in time at rest: bars, their damping, mass with the added
-mass, and the bed. u is the water's velocity at the nodes at rest, M_w the mass of displaced water
-with the added mass, D the linear drag (`equivalent_drag`), and R = k c/(c + i k/omega) the bed's
-friction along it: its spring k, and behind it a dashpot c that takes on average what friction takes
-when it slips, mu N over the standard deviation of its speed. D and c hang on the velocities that
-they make: they are iterated. The ends go where they are led.
-"""
+"""Lines in motion without steps in time: natural frequencies, and the linear answer to waves."""
 
 from __future__ import annotations
 
@@ -24,15 +12,99 @@ import numpy as np
 from catopt.arrays import Array, Codes
 from catopt.compiled import compiled
 from catopt.errors import NotConvergedError
-from catopt.fem.block_tridiagonal import back_substitute_blocks, eliminate_blocks
-from catopt.fem.equivalent_drag import equivalent_drag
-from catopt.fem.mesh import bar_nodes
+from catopt.fem.banded import back_substitute_blocks, eliminate_blocks
+from catopt.fem.dynamic_model import LineProperties
+from catopt.fem.dynamics import line_at_rest
+from catopt.fem.mesh import LineMesh, bar_nodes, end_nodes
+from catopt.fem.morison import equivalent_drag
 from catopt.fem.moving import Blend, Equations
 from catopt.fem.series import Complex
 from catopt.fem.simulation import Simulation
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.waves import Sea
 from catopt.words import Message
+
+
+def line_frequencies(
+    mesh: LineMesh,
+    count: int = 10,
+    *,
+    height: float,
+    span: float | None = None,
+    horizontal_force: float | None = None,
+    anchor_height: float = 0.0,
+    properties: LineProperties | None = None,
+    sea: Sea | None = None,
+) -> Array:
+    """Lowest natural frequencies of a line with both ends held, rad/s, rising.
+
+    Two of them with one damping ratio give Rayleigh's factors (`rayleigh_factors`), as in S4.
+
+    Parameters
+    ----------
+    count : int
+        How many.
+    height, span, horizontal_force, anchor_height, properties, sea
+        As for `run_dynamics`.
+    """
+    simulation = line_at_rest(
+        mesh,
+        height=height,
+        span=span,
+        horizontal_force=horizontal_force,
+        anchor_height=anchor_height,
+        properties=properties,
+        sea=sea,
+    )
+    return natural_frequencies(simulation, count)
+
+
+def natural_frequencies(simulation: Simulation, count: int = 10) -> Array:
+    """Lowest natural frequencies, rad/s, rising: of K - omega^2 M at the present state at rest.
+
+    K is the tangent of bars, bed and friction springs, M the mass with the water's added mass.
+    Drag and damping do not count, nor does friction that slips.
+
+    Parameters
+    ----------
+    simulation : Simulation
+        Lines at rest (`Simulation.settle`).
+    count : int
+        How many, at most; frequencies of 0 (a line that can swing freely without weight) are 0.
+    """
+    from scipy.linalg import eigh
+
+    K = _matrix(simulation, Blend(0.0, 0.0, 1.0, 0.0, 0.0))
+    M = _matrix(simulation, Blend(0.0, 0.0, 0.0, 0.0, 1.0))
+    lowest = [0, min(count, K.shape[0]) - 1]
+    squares = eigh(0.5 * (K + K.T), 0.5 * (M + M.T), eigvals_only=True, subset_by_index=lowest)
+    frequencies: Array = np.sqrt(np.maximum(squares, 0.0))
+    return frequencies
+
+
+def _matrix(simulation: Simulation, blend: Blend) -> Array:
+    """Whole matrix of the unknowns: inner nodes of all lines, then the body's free directions."""
+    simulation.assemble(blend)
+    blocks, lines, body = simulation.equations, simulation.lines, simulation.body
+    firsts, lasts = end_nodes(lines.start)
+    unknowns = 3 * int((lasts - firsts - 1).sum())
+    full = np.zeros((unknowns + 3, unknowns + 3))
+    body_rows = slice(unknowns, unknowns + 3)
+    full[body_rows, body_rows] = np.diag(blend.by_a * body.mass)
+    row = 0
+    for first, last in zip(firsts, lasts, strict=True):
+        for n in range(first + 1, last):
+            here = slice(row, row + 3)
+            after = slice(row + 3, row + 6) if n + 1 < last else body_rows
+            full[here, here] += blocks.diagonal[n]
+            full[here, after] += blocks.upper[n]
+            full[after, here] += blocks.lower[n + 1]
+            row += 3
+        full[body_rows, body_rows] += blocks.diagonal[last]
+    kept = np.concatenate([np.ones(unknowns, bool), body.free == 1.0])
+    matrix: Array = full[np.ix_(kept, kept)]
+    return matrix
+
 
 _CLOSE: Final = 1e-4
 """Change of the standard deviation of any fairlead's tension from one drag to the next, over the

@@ -17,7 +17,7 @@ from catopt.arrays import Array
 from catopt.compiled import inlined
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.fem.resting import BarLoads, Bars
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 
 
 @dataclass(frozen=True)

@@ -6,10 +6,11 @@ import math
 from typing import Any, Final, NamedTuple
 
 from catopt.fem.afloat import Afloat, accept_hull, attempt_afloat, sample_hull
+from catopt.fem.banded import copy_blocks, copy_rows, copy_values
 from catopt.fem.energy_balance import add_works, fill_forces
+from catopt.fem.morison import fill_water
 from catopt.fem.moving import Moving, MovingLines
 from catopt.fem.newmark import close_step, predict
-from catopt.fem.rows import copy_blocks, copy_rows, copy_values
 from catopt.fem.sampling import (
     Record,
     Room,
@@ -22,7 +23,6 @@ from catopt.fem.sampling import (
 from catopt.fem.seabed import drag_feet
 from catopt.fem.series import fill_series
 from catopt.fem.sliding import slide
-from catopt.fem.water_at import fill_water
 
 _LONGER: Final = 0.2
 """Part of the allowed surprise below which the next step may be twice as long."""

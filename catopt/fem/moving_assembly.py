@@ -6,8 +6,7 @@ import math
 from typing import Any
 
 from catopt.fem.moving import Blend, BodyNode, Equations, Moving, MovingLines
-from catopt.fem.moving_bar import add_bars
-from catopt.fem.moving_load import add_loads
+from catopt.fem.moving_bar import add_bars, add_loads
 from catopt.fem.sampling import Room
 from catopt.fem.seabed import across_bed, push_and_rub
 

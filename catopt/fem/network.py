@@ -8,11 +8,11 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from catopt.arrays import Array, Flags
-from catopt.fem.bed import Bed
 from catopt.fem.mesh import LineMesh, end_nodes
 from catopt.fem.problem import Problem, Water, build, straight
 from catopt.fem.resting import Body
 from catopt.fem.result import TrussSolution, read_line
+from catopt.fem.seabed import Bed
 from catopt.fem.settle import Controls, Rest, follow, settle
 
 Vector = tuple[float, float, float]

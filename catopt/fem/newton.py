@@ -8,10 +8,10 @@ import numpy as np
 
 from catopt.compiled import compiled
 from catopt.fem.banded import WIDTH
-from catopt.fem.seabed import NO_FRICTION, Ground
 from catopt.fem.loads import bar_loads
 from catopt.fem.problem import Problem
 from catopt.fem.resting import BarLoads, Law, Net, State
+from catopt.fem.seabed import NO_FRICTION, Ground
 from catopt.fem.step import StepReport, newton_step, take_step
 
 _DRAG_IN = 1e-9

@@ -12,6 +12,18 @@ import numpy as np
 
 from catopt.arrays import Array, Codes
 from catopt.constants import STANDARD_GRAVITY
+from catopt.fem.loads import Current
+from catopt.fem.mesh import (
+    SAME_PLACE,
+    LineMesh,
+    bar_nodes,
+    by_bar,
+    end_nodes,
+    first_bars,
+    heaviest,
+    to_nodes,
+)
+from catopt.fem.resting import Bars, Body, State
 from catopt.fem.seabed import (
     ABSENT,
     FREE,
@@ -26,18 +38,6 @@ from catopt.fem.seabed import (
     Ground,
     HeldBed,
 )
-from catopt.fem.loads import Current
-from catopt.fem.mesh import (
-    SAME_PLACE,
-    LineMesh,
-    bar_nodes,
-    by_bar,
-    end_nodes,
-    first_bars,
-    heaviest,
-    to_nodes,
-)
-from catopt.fem.resting import Bars, Body, State
 from catopt.words import Message
 
 _LAWS = {"pulled": PULLED, "laid": LAID, "history": SPRING}

@@ -8,11 +8,11 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from catopt.arrays import Array, Flags
-from catopt.fem.bed import ABSENT, HELD, ON_BED, friction_sense
 from catopt.fem.mesh import LineMesh
 from catopt.fem.problem import Problem
+from catopt.fem.seabed import ABSENT, HELD, ON_BED, friction_sense
 from catopt.fem.settle import Rest
-from catopt.fem.touchdown import hanging_part
+from catopt.fem.sloped_rest import hanging_part
 from catopt.model import Line
 
 _NO_TENSION = 1e-9

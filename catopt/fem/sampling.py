@@ -7,11 +7,10 @@ from typing import Any, NamedTuple
 
 from catopt.arrays import Array, Codes, Flags
 from catopt.compiled import inlined, packed
+from catopt.fem.banded import copy_blocks, copy_values
 from catopt.fem.course import follow
 from catopt.fem.moving import BodyNode, Equations, Moving, MovingLines, WaterAt
-from catopt.fem.moving_bar import inertia_of_half
-from catopt.fem.moving_load import immersion
-from catopt.fem.rows import copy_blocks, copy_values
+from catopt.fem.moving_bar import immersion, inertia_of_half
 from catopt.fem.seabed import across_bed
 from catopt.fem.series import SeriesRows
 from catopt.waves.kinematics import Flow

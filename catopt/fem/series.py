@@ -17,9 +17,8 @@ import numpy.typing as npt
 
 from catopt.arrays import Array
 from catopt.compiled import compiled, packed
-from catopt.model.validity import Findings
-from catopt.waves.fast_functions import cos_sin
-from catopt.waves.kinematics import row_at
+from catopt.model.kinds import Findings
+from catopt.waves.kinematics import cos_sin, row_at
 from catopt.words import Message
 
 Complex = npt.NDArray[np.complex128]

@@ -24,6 +24,10 @@ import numpy as np
 
 from catopt.arrays import Array, Flags
 from catopt.errors import NotConvergedError
+from catopt.fem.friction import limit
+from catopt.fem.newton import Newton
+from catopt.fem.problem import Problem, place_of
+from catopt.fem.resting import Body, State
 from catopt.fem.seabed import (
     HALVING,
     NO_FRICTION,
@@ -33,10 +37,6 @@ from catopt.fem.seabed import (
     Ground,
     friction_sense,
 )
-from catopt.fem.friction import limit
-from catopt.fem.newton import Newton
-from catopt.fem.problem import Problem, place_of
-from catopt.fem.resting import Body, State
 from catopt.words import Message
 
 

@@ -16,6 +16,7 @@ from catopt.fem.course import FOLLOWED, STATE
 from catopt.fem.energy_balance import EnergyBalance, fill_forces, own_kinetic_energy
 from catopt.fem.march import StepCounts, march
 from catopt.fem.mesh import bar_nodes, end_nodes
+from catopt.fem.morison import fill_water
 from catopt.fem.moving import Blend, BodyNode, Equations, Moving, MovingLines, WaterAt
 from catopt.fem.moving_assembly import assemble_moving
 from catopt.fem.newmark import solve_moving
@@ -34,7 +35,6 @@ from catopt.fem.sampling import (
 from catopt.fem.seabed import drag_feet
 from catopt.fem.series import SeriesRows, fill_series, series_rows
 from catopt.fem.sliding import SLIDING
-from catopt.fem.water_at import fill_water
 from catopt.interrupt import waiting_interrupt
 from catopt.waves import Sea
 from catopt.words import Message, Several

@@ -10,13 +10,13 @@ import numpy as np
 
 from catopt.arrays import Array
 from catopt.errors import NoEquilibriumError
-from catopt.fem.bed import Bed, HeldBed, friction_sense
 from catopt.fem.mesh import LineMesh, end_nodes, mesh_line
 from catopt.fem.problem import Problem, Water, build, one_point, straight
 from catopt.fem.result import SystemSolution, TrussSolution, read_line
+from catopt.fem.seabed import Bed, HeldBed, friction_sense
 from catopt.fem.settle import Controls, Rest, follow, settle
 from catopt.model import Line
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.words import Message
 
 
@@ -255,7 +255,7 @@ def _check_water(lines: Sequence[Line], water: Water | None) -> None:
 
 def _check_length(line: Line, distance: float, number: int | None = None) -> None:
     """Refuse a line that does not stretch and is no longer than the distance between its ends."""
-    if all(math.isinf(segment.EA) for segment in line.segments) and line.length <= distance:
+    if all(segment.is_inextensible for segment in line.segments) and line.length <= distance:
         missing = distance - line.length
         key = "truss.too_short" if number is None else "truss.line_too_short"
         raise NoEquilibriumError(

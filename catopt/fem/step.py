@@ -13,11 +13,11 @@ from catopt.fem.banded import (
     back_substitute,
     eliminate,
     reach_of_first,
+    solve_dense,
     take_aside,
 )
-from catopt.fem.seabed import FREE, NO_FRICTION, ON_BED, SHARING, touches
-from catopt.fem.banded import solve_dense
 from catopt.fem.resting import Bars, Body, Law, Net, State, kept, row_of_bar
+from catopt.fem.seabed import FREE, NO_FRICTION, ON_BED, SHARING, touches
 
 _SLACK: Final = 1e-11
 """Push, over K, that is rounding: that of a bar which goes slack."""

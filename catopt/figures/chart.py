@@ -178,6 +178,17 @@ class Chart:
         return (self.to_scale or 0.0) * (self.y.high - self.y.low) / (self.x.high - self.x.low)
 
 
+class Film(NamedTuple):
+    """Moments of a scene as numbers to be drawn to scale, m, kN and s, rounded to what is seen."""
+
+    title: str
+    left: float  # least x, m
+    wide: float  # m
+    top: float  # height of the drawing above the bed, m
+    worst: int  # moment that is shown first
+    values: dict[str, list[Any]]
+
+
 def legend(chart: Chart) -> Iterator[tuple[str, str]]:
     """Yield role and label of what is named in a chart, each once."""
     named: Iterable[Series | Level | Area | Mark | Arrow] = chain(

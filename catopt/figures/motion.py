@@ -1,10 +1,10 @@
-"""A line in motion: its tension in time, its spectrum, envelope and peaks, and the body's way."""
+"""The truss model drawn: beside the closed form at rest, and lines in motion."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from catopt.figures.chart import (
     Area,
     Axis,
     Chart,
+    Film,
     Level,
     Mark,
     Point,
@@ -29,7 +30,97 @@ from catopt.words import Measure, Message
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
-    from catopt.verify.dynamic_result import DynamicPart, DynamicRun, DynamicVerification
+    from catopt.floater.scene import Scene
+    from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
+    from catopt.verify.dynamic_run import DynamicRun
+    from catopt.verify.result import LinePair
+
+_MARKERS = 40
+"""How many nodes of a mesh are drawn, so that the line below them stays in sight."""
+_DECADES = 1e-5
+"""Lower end of a logarithmic axis, over the largest value on it."""
+_DISTANCE = Quantity("distance", "Distance", "", "m", "mm", 1e-3, 3, "scientific")
+_FORCE = Quantity("force", "Difference", "", "N", "N", 1.0, 3, "scientific")
+_MESHES = ("third", "first", "second")
+"""Role of each mesh, from the coarsest."""
+
+
+def comparison(pair: LinePair) -> tuple[Chart, Chart, Chart, Chart]:
+    """Draw shape and tension by both models, and the differences of both for each mesh."""
+    gaps = pair.gaps()
+    distances = [(each.arc.tolist(), each.distance.tolist()) for each in gaps]
+    differences = [(each.middles.tolist(), each.tension.tolist()) for each in gaps]
+    return (
+        _shapes(pair),
+        _tensions(pair),
+        _differences("distance", _DISTANCE, distances, pair),
+        _differences("difference", _FORCE, differences, pair),
+    )
+
+
+def _shapes(pair: LinePair) -> Chart:
+    profile = pair.closed.profile(401)
+    nodes = pair.finest_shape()
+    x, z = nodes[:, 0].tolist(), nodes[:, 1].tolist()
+    low, high = span_of([*z, *profile.z])
+    bed = (Area("bed", (low,), (0.0,)),) if low < 0.0 <= high and min(z) <= -low else ()
+    return Chart(
+        "shapes",
+        Message("figures.shapes"),
+        axis("x", span_of([*x, *profile.x], 0.02, 0.02)),
+        axis("z", (low, high)),
+        series=(_closed(profile.x, profile.z), _truss(x, z)),
+        areas=bed,
+    )
+
+
+def _closed(x: Sequence[float], y: Sequence[float]) -> Series:
+    return Series("mooring", x, y, Message("figures.by_closed_form"))
+
+
+def _truss(x: Sequence[float], y: Sequence[float]) -> Series:
+    step = max(1, len(x) // _MARKERS)
+    return Series("nodes", x[::step], y[::step], Message("figures.by_truss"))
+
+
+def _tensions(pair: LinePair) -> Chart:
+    profile, finest = pair.closed.profile(401), pair.finest
+    middles = (0.5 * (finest.arc[1:] + finest.arc[:-1])).tolist()
+    tensions = finest.tension.tolist()
+    return Chart(
+        "tensions",
+        Message("figures.tensions"),
+        axis("s", (0.0, pair.closed.line.length)),
+        axis("tension", span_of([*tensions, *profile.tension])),
+        series=(_closed(profile.s, profile.tension), _truss(middles, tensions)),
+    )
+
+
+def _differences(
+    name: Literal["distance", "difference"],
+    quantity: Quantity,
+    found: Sequence[tuple[Sequence[float], Sequence[float]]],
+    pair: LinePair,
+) -> Chart:
+    """Draw over the arc length how far something is off, for each mesh; an exact 0 is a gap."""
+    top = max(max(values) for _, values in found) or 1.0
+    bars = pair.trusses[0].mesh.elements
+    return Chart(
+        name,
+        Message(f"figures.{name}"),
+        axis("s", (0.0, pair.closed.line.length)),
+        Axis(Message(f"figures.{name}_axis"), quantity, _DECADES * top, 3.0 * top, foot=0.0),
+        series=tuple(
+            Series(
+                _MESHES[number % len(_MESHES)],
+                s,
+                [value if value > _DECADES * top else math.nan for value in values],
+                Message("figures.bars", number=bars * 2**number),
+            )
+            for number, (s, values) in enumerate(found)
+        ),
+    )
+
 
 _TIME = Quantity("time", "Time", "t", "s", "s", 1.0, 2)
 _FREQUENCY = Quantity("frequency", "Frequency", "f", "rad/s", "Hz", 2.0 * math.pi, 4)
@@ -328,3 +419,69 @@ def track(found: DynamicVerification) -> Chart:
         marks=(Mark("reference", x[0], y[0], Message("figures.still")),),
         to_scale=1.0,
     )
+
+
+_LEAST_SHARE = 0.34
+"""Height over breadth of a drawing to scale."""
+_BEFORE = (2.0, 1.0)
+"""s before the worst moment at which the line is drawn, too."""
+
+
+def worst_moment(scene: Scene) -> Chart:
+    """Draw buoy, line and water at the largest tension, to scale, with the line just before."""
+    k = scene.worst
+    t, tension = float(scene.time[k]), float(scene.tension[k])
+    before = (scene.line[int(np.abs(scene.time - (t - ago)).argmin())] for ago in _BEFORE)
+    earlier = [_through("faint", each) for each in before]
+    earlier[0] = earlier[0]._replace(label=Message("figures.line_before", longest=_BEFORE[0]))
+    hull, x, surface = scene.hull(k), scene.x.tolist(), scene.surface[k].tolist()
+    hull = np.concatenate([hull, hull[:1]])
+    now = _through("mooring", scene.line[k], Message("figures.mooring_line"))
+    # High enough for the words beside its axis.
+    top = max(1.1 * max(*surface, float(hull[:, 1].max())), _LEAST_SHARE * (x[-1] - x[0]))
+    foot = -0.06 * top
+    return Chart(
+        "moment",
+        Message("figures.worst_moment", T=Measure("tension", tension), t=t),
+        axis("x", (x[0], x[-1])),
+        axis("z", (foot, top)),
+        series=(
+            *earlier,
+            now,
+            Series("surface", x, surface, Message("figures.surface_then")),
+            _through("first", hull, Message("figures.buoy_then")),
+        ),
+        areas=(
+            Area("water", [0.0] * len(x), surface, x),
+            Area("bed", (foot,), (0.0,)),
+        ),
+        levels=(Level("bed-edge", "y", 0.0, Message("figures.bed")),),
+        to_scale=1.0,
+    )
+
+
+_CLEAR = 1.05
+"""Room above the highest surface and hull, over their height."""
+
+
+def film_of(scene: Scene) -> Film:
+    """Make a film of buoy, line and water around the largest tension."""
+    k, x = scene.worst, scene.x
+    highest = max(float(scene.surface.max()), *(float(scene.hull(j)[:, 1].max()) for j in (0, k)))
+    known = {"T": Measure("tension", float(scene.tension[k])), "t": float(scene.time[k])}
+    title = Message("figures.film", seconds=float(scene.time[-1] - scene.time[0]), **known)
+    values = {
+        "time": scene.time.round(3).tolist(),
+        "line": scene.line.round(3).tolist(),
+        "place": scene.place.round(4).tolist(),
+        "tension": (scene.tension / 1e3).round(3).tolist(),
+        "x": x.round(3).tolist(),
+        "surface": scene.surface.round(3).tolist(),
+        "outline": scene.outline.round(4).tolist(),
+    }
+    return Film(title, float(x[0]), float(x[-1] - x[0]), _CLEAR * highest, k, values)
+
+
+def _through(role: str, places: Array, label: str = "") -> Series:
+    """Draw a line through places, (n, 2)."""
+    return Series(role, places[:, 0].tolist(), places[:, 1].tolist(), label)

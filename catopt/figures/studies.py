@@ -14,7 +14,7 @@ from catopt.words import Message
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
-    from catopt.reproduce.items import MooredLine, Mooring
+    from catopt.reproduce.items import Mooring
 
 _LINES = ("mooring", "second", "first", "third", "fourth")
 _MODELS = (("second", "model-a"), ("first", "model-b"))
@@ -90,7 +90,8 @@ def models_from_the_side(moorings: Sequence[Mooring], number: int) -> Chart:
     series, marks = [], []
     for mooring, (role, body) in zip(moorings, cycle(_MODELS), strict=False):
         line = mooring.lines[number]
-        x = _away(line)
+        # Horizontal distances of a line's points from its anchor, m.
+        x = [math.hypot(a - line.x[0], b - line.y[0]) for a, b in zip(line.x, line.y, strict=True)]
         series.append(Series(role, x, line.z, mooring.name))
         last = max(k for k, lies in enumerate(line.on_bed) if lies)
         marks.append(Mark(body, x[last], line.z[last], Message("figures.last_at_bed")))
@@ -105,8 +106,3 @@ def models_from_the_side(moorings: Sequence[Mooring], number: int) -> Chart:
         levels=(Level("bed-edge", "y", 0.0, Message("figures.bed")),),
         areas=(Area("bed", (-math.inf,), (0.0,)),),
     )
-
-
-def _away(line: MooredLine) -> list[float]:
-    """Horizontal distances of a line's points from its anchor, m."""
-    return [math.hypot(a - line.x[0], b - line.y[0]) for a, b in zip(line.x, line.y, strict=True)]

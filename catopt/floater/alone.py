@@ -14,6 +14,7 @@ from catopt.fem.afloat import Afloat, hull_kinetic_energy, run_hull, start_hull
 from catopt.fem.moving import BodyNode
 from catopt.fem.run_settings import TimeStepping
 from catopt.fem.sampling import Rules
+from catopt.floater.scene import Scene
 from catopt.hydro.build import FloatingHull, record_of, room_of, state_of
 from catopt.hydro.hull import PARTS
 from catopt.waves import Sea
@@ -33,7 +34,8 @@ class HullHistory:
     `extreme` (4, 2): least and largest of place and volume of every step; `works`: of weight and
     pressure, diffraction, the waves that it makes, drag, wind, linear damping and lines, J;
     `numerical_part`: energy that the steps lost or gained, over what was put in; `volume`: of
-    all its slices, m3.
+    all its slices, m3; `scene`: how it looked around the largest tension of its line, of one that
+    has a line.
     """
 
     time: Array
@@ -46,6 +48,7 @@ class HullHistory:
     works: Array
     numerical_part: float
     volume: float
+    scene: Scene | None = None
 
 
 def history_of(body: Afloat, time: Array, depth: float, kinetic_at_first: float) -> HullHistory:

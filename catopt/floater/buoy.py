@@ -15,11 +15,10 @@ from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError, Problem
 from catopt.hydro.build import FloatingHull, Radiation
 from catopt.hydro.cylinder import FloatingCylinder
-from catopt.loads.buoy import AIR_DENSITY
-from catopt.loads.buoy_library import buoy, read_buoys
+from catopt.loads.buoy import AIR_DENSITY, buoy, read_buoys
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.model import Floater
-from catopt.waves.dispersion import fill_wave_numbers
+from catopt.waves.random_surface import fill_wave_numbers
 from catopt.words import Message
 
 _THICK: Final = 0.1

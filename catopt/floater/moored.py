@@ -12,15 +12,14 @@ import numpy as np
 from catopt.arrays import Array
 from catopt.errors import NoEquilibriumError, NotConvergedError
 from catopt.fem.afloat import Afloat, sample_hull
-from catopt.fem.bed import HeldBed
-from catopt.fem.block_tridiagonal import eliminate_blocks
+from catopt.fem.banded import eliminate_blocks
 from catopt.fem.dynamic_model import LineProperties
 from catopt.fem.dynamics import check_run, line_at_rest, ramped, run_from_rest
 from catopt.fem.history import History
 from catopt.fem.mesh import LineMesh
 from catopt.fem.moving import Blend, BodyNode
 from catopt.fem.run_settings import TimeStepping
-from catopt.fem.seabed import Seabed
+from catopt.fem.seabed import HeldBed, Seabed
 from catopt.fem.simulation import Simulation
 from catopt.floater.alone import HullHistory, history_of
 from catopt.hydro.build import FloatingHull, record_of, room_of, state_of

@@ -6,6 +6,7 @@ Axes of the ship: x forwards, y to port, moments counter-clockwise, about the or
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Final
@@ -17,13 +18,12 @@ from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError
 from catopt.hydro.coefficient_files import read_wamit
 from catopt.hydro.coefficients import Coefficients
-from catopt.loads.blendermann import coefficients, pressure_centre, wind_type
-from catopt.loads.drag import drag
+from catopt.loads.environment import drag
 from catopt.loads.ship import Ship
-from catopt.loads.ship_estimate import BLOCK, estimated_tanker
-from catopt.loads.ship_loads import AIR_DENSITY
-from catopt.loads.ufc_current import longitudinal_loads, transverse_load, yaw_moment
-from catopt.loads.wave_drift import depth_factor, share_above, width_across
+from catopt.loads.ship_coefficients import coefficients, pressure_centre, wind_type
+from catopt.loads.ship_dimensions import BLOCK, estimated_tanker
+from catopt.loads.ship_loads import AIR_DENSITY, depth_factor, share_above, width_across
+from catopt.loads.ufc import longitudinal_loads, transverse_load, yaw_moment
 from catopt.loads.weathervane import YAW_TYPES
 from catopt.model import ShipAfloat
 from catopt.waves import Waves
@@ -70,8 +70,8 @@ class ShipInWeather:
                 ship = replace(ship, displacement=of.displacement / self.density)
             ship.check_afloat(self.depth)
         except InputError as error:
-            told = [replace(each, key=f"floater.ship.{each.key}") for each in error.problems]
-            raise InputError(told, "--dynamic") from None
+            reported = [replace(each, key=f"floater.ship.{each.key}") for each in error.problems]
+            raise InputError(reported, "--dynamic") from None
         return ship
 
     @property
@@ -178,7 +178,7 @@ class ShipInWeather:
 
         `headings`: of the ship, from the x axis of the system, rad; N/m2 and N/m, in the ship's
         axes about the origin. Out of the file, about midships; or of a side that reflects of each
-        wave a given part, or what of its energy flows above the keel (`catopt.loads.wave_drift`),
+        wave a given part, or what of its energy flows above the keel (`catopt.loads.ship_loads`),
         along them.
         """
         angle = waves.direction - headings[:, np.newaxis]
@@ -206,12 +206,22 @@ class ShipInWeather:
 
         `drift` (3,): of the waves there.
         """
-        total = np.array(drift, dtype=float)
-        for table, (x, y) in ((self.wind_table, self.wind), (self.current_table, self.current)):
-            if x or y:
-                off = math.remainder(math.atan2(-y, -x) - heading, _TURN)
-                total += (x * x + y * y) * table_at(table, off)
-        return total
+        wind, current = self.blown(heading)
+        return np.asarray(drift + wind + current)
+
+    def blown(self, heading: float) -> tuple[Array, Array]:
+        """Force and moment of the mean wind and of the current at a heading, rad, likewise."""
+        wind = _streamed(lambda: self.wind_table, self.wind, heading)
+        return wind, _streamed(lambda: self.current_table, self.current, heading)
+
+
+def _streamed(table: Callable[[], Array], flow: tuple[float, float], heading: float) -> Array:
+    """Force and moment of a stream that goes along x and y of the system, m/s; none of none."""
+    x, y = flow
+    if not (x or y):
+        return np.zeros(3)
+    off = math.remainder(math.atan2(-y, -x) - heading, _TURN)
+    return (x * x + y * y) * table_at(table(), off)
 
 
 def table_at(table: Array, angle: float) -> Array:

@@ -9,9 +9,9 @@ form at every place of its fairlead: without the line's own inertia and drag.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
-from functools import cached_property
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
 from typing import Any, Final
 
 import numpy as np
@@ -22,15 +22,15 @@ from catopt.errors import NoEquilibriumError, NotConvergedError
 from catopt.floater.ship import ShipInWeather
 from catopt.floater.slow_motion import SlowShip, hang_lines, step_slowly
 from catopt.hydro.coefficients import Coefficients
-from catopt.hydro.monohull import monohull_response
-from catopt.loads.gusts import gust_series
+from catopt.hydro.hull import monohull_response
+from catopt.loads.environment import gust_series
 from catopt.model import System
 from catopt.mooring.arrangement import room_for
 from catopt.mooring.batch import as_arrays
 from catopt.mooring.descent import Rest
 from catopt.mooring.zero_load import ZeroLoadPosition, zero_load_position
 from catopt.waves import Waves
-from catopt.waves.dispersion import fill_wave_numbers
+from catopt.waves.random_surface import fill_wave_numbers
 from catopt.words import Message
 
 SLOW_STEP: Final = 1.0
@@ -40,6 +40,8 @@ _FAST_STEPS: Final = 20
 _HEADINGS: Final = 72
 """Of the ship, all round, between which drift and response are interpolated."""
 _CHUNK: Final = 2000
+_SERIES: Final = 12
+"""Series of slow drift that are kept, some 6 MB an hour each."""
 _ROUNDS: Final = 60
 _OFF: Final = math.radians(1.0)
 """By which a ship that turns freely starts off its heading, so that fishtailing can begin."""
@@ -171,9 +173,7 @@ class MooredShip:
         NoEquilibriumError where it finds no heading, or the lines do not hold it;
         NotConvergedError.
         """
-        headings = np.arange(_HEADINGS, dtype=np.float64) * (_TURN / _HEADINGS)
-        mean = self.ship.drift(waves, self._wave_numbers(waves), headings)
-        mean = np.einsum("khi,h->ki", mean, waves.amplitude**2)
+        mean = np.einsum("khi,h->ki", _drift_all_round(self.ship, waves), waves.amplitude**2)
 
         def drift(heading: float) -> Array:
             place = heading / _TURN % 1.0 * _HEADINGS
@@ -192,9 +192,8 @@ class MooredShip:
         surge = cosine * cosine * pull.xx + sine * sine * pull.yy + both
         sway = sine * sine * pull.xx + cosine * cosine * pull.yy - both
         about = by_weather + (pull.mm if self.system.turns else 0.0)
-        neutral, none = self.zero_load.neutral, np.zeros(3)
-        still = replace(self.ship, current=(0.0, 0.0)), replace(self.ship, wind=(0.0, 0.0))
-        parts = (still[0].steady(yaw, none), still[1].steady(yaw, none), drift(yaw))
+        neutral = self.zero_load.neutral
+        parts = (*self.ship.blown(yaw), drift(yaw))
         place = (rest.x, rest.y, yaw)
         return ShipAtRest(place, (neutral.x, neutral.y), parts, others, (surge, sway, about))
 
@@ -238,11 +237,6 @@ class MooredShip:
         force = (along * cosine - across * sine, along * sine + across * cosine)
         return self.zero_load.under(force, moment if self.system.turns else 0.0)[0]
 
-    def _wave_numbers(self, waves: Waves) -> Array:
-        k = np.empty(waves.omega.size)
-        fill_wave_numbers(np.ascontiguousarray(waves.omega), self.ship.depth, k)
-        return k
-
     # ------------------------------------------------------------------ in time
 
     def run(
@@ -285,9 +279,7 @@ class MooredShip:
         """Step the slow motion: x, y and yaw, a sample every `SLOW_STEP`, (n, 3)."""
         ship, of = self.ship, self.ship.of
         samples = math.ceil(duration / SLOW_STEP) + 1
-        time = SLOW_STEP * np.arange(samples, dtype=np.float64)
-        share = np.ones(samples) if ramp == 0.0 else np.clip(time / ramp, 0.0, 1.0)
-        grown = share * share * (3.0 - 2.0 * share)
+        grown = _grown(samples, ramp)
         speed = math.hypot(*ship.wind)
         gust = np.zeros(samples)
         if of.gusts != "none" and speed > 0.0:
@@ -309,7 +301,7 @@ class MooredShip:
             current_y=float(ship.current[1]),
             turns=bool(self.system.turns),
             wind=np.ascontiguousarray(blown),
-            drift=self._drift(waves, time, grown),
+            drift=_drift_series(ship, waves, samples, ramp),
         )
         path = np.zeros((samples, 6))
         path[0, :3] = rest.place
@@ -329,28 +321,12 @@ class MooredShip:
     def _arrangement(self) -> Any:
         return as_arrays(self.zero_load.arrangement)
 
-    def _drift(self, waves: Waves, time: Array, grown: Array) -> Array:
-        """Slow drift over time and heading, (n, headings, 3): mean, and what varies as it grows."""
-        headings = np.arange(_HEADINGS, dtype=np.float64) * (_TURN / _HEADINGS)
-        of = self.ship.drift(waves, self._wave_numbers(waves), headings)
-        sized = (
-            (of * waves.amplitude[:, np.newaxis]).transpose(1, 0, 2).reshape(waves.omega.size, -1)
-        )
-        mean = np.einsum("khi,h->ki", of, waves.amplitude**2).ravel()
-        out = np.empty((time.size, mean.size))
-        for start in range(0, time.size, _CHUNK):
-            at = slice(start, start + _CHUNK)
-            turn = np.exp(1j * (waves.phase - np.outer(time[at], waves.omega)))
-            both = (turn @ sized) * (turn @ waves.amplitude).conj()[:, np.newaxis]
-            out[at] = mean + grown[at, np.newaxis] * (both.real - mean)
-        return out.reshape(time.size, _HEADINGS, 3)
-
     def _fast(
         self, waves: Waves, time: Array, slow: Array, rest: ShipAtRest
     ) -> tuple[Array, Array, Array]:
         """Motions by the waves: of the origin along x and y, of each fairlead, and in yaw."""
         raos, reference, crest = self.raos
-        k = self._wave_numbers(waves)
+        k = wave_numbers_of(waves, self.ship.depth)
         yaws = slow[:, 2]
         count = max(2, math.ceil((yaws.max() - yaws.min()) / (_TURN / _HEADINGS)) + 1)
         grid = np.linspace(yaws.min(), yaws.max() + _SAME, count)
@@ -364,10 +340,8 @@ class MooredShip:
         place = (yaws - grid[0]) / (grid[1] - grid[0])
         left = np.minimum(place.astype(int), count - 2)
         part = (place - left)[:, np.newaxis]
-        for start in range(0, time.size, _CHUNK):
-            at = slice(start, start + _CHUNK)
-            found = (np.exp(-1j * np.outer(time[at], waves.omega)) @ sized).real
-            found = found.reshape(-1, count, 6)
+        for at, summed in _summed(waves, time, sized):
+            found = summed.reshape(-1, count, 6)
             rows = np.arange(found.shape[0])
             six[at] = (1.0 - part[at]) * found[rows, left[at]] + part[at] * found[
                 rows, left[at] + 1
@@ -408,6 +382,61 @@ class MooredShip:
         if wrong >= 0:
             raise _out_of_reach(wrong, float(time[done]))
         return out
+
+
+def wave_numbers_of(waves: Waves, depth: float) -> Array:
+    """Wave number of each wave in water of a depth, m; 1/m."""
+    k = np.empty(waves.omega.size)
+    fill_wave_numbers(np.ascontiguousarray(waves.omega), depth, k)
+    return k
+
+
+def _summed(waves: Waves, time: Array, sized: Array) -> Iterator[tuple[slice, Array]]:
+    """Yield real parts of sums over waves of exp(-i omega t) times columns, some times at once.
+
+    `sized` (waves, n) is complex. The times are evenly spaced: later ones are the first ones turned
+    on, so that sines and cosines of these alone are taken.
+    """
+    angle = np.outer(time[:_CHUNK] - time[0], waves.omega)
+    turn = np.hstack([np.cos(angle), np.sin(angle)])
+    for start in range(0, time.size, _CHUNK):
+        on = np.exp(-1j * waves.omega * time[start])[:, np.newaxis] * sized
+        at = slice(start, min(start + _CHUNK, time.size))
+        yield at, turn[: at.stop - start] @ np.vstack([on.real, on.imag])
+
+
+@lru_cache(maxsize=16)
+def _drift_all_round(ship: ShipInWeather, waves: Waves) -> Array:
+    """Mean drift of each wave over the square of its amplitude, (headings, waves, 3)."""
+    headings = np.arange(_HEADINGS, dtype=np.float64) * (_TURN / _HEADINGS)
+    return ship.drift(waves, wave_numbers_of(waves, ship.depth), headings)
+
+
+def _grown(samples: int, ramp: float) -> Array:
+    """Part of what varies that has grown at each sample of slow motion; the ramp in s."""
+    time = SLOW_STEP * np.arange(samples, dtype=np.float64)
+    share = np.ones(samples) if ramp == 0.0 else np.clip(time / ramp, 0.0, 1.0)
+    return np.asarray(share * share * (3.0 - 2.0 * share))
+
+
+@lru_cache(maxsize=_SERIES)
+def _drift_series(ship: ShipInWeather, waves: Waves, samples: int, ramp: float) -> Array:
+    """Slow drift over time and heading, (n, headings, 3): mean, and what varies as it grows.
+
+    Whatever holds the ship it is the same: lines of a search share it.
+    """
+    of, grown = _drift_all_round(ship, waves), _grown(samples, ramp)
+    time = SLOW_STEP * np.arange(samples, dtype=np.float64)
+    phased = waves.amplitude * np.exp(1j * waves.phase)
+    sized = (of * phased[:, np.newaxis]).transpose(1, 0, 2).reshape(waves.omega.size, -1)
+    mean = np.einsum("khi,h->ki", of, waves.amplitude**2).ravel()
+    out = np.empty((samples, mean.size))
+    parts = np.column_stack([sized, phased])
+    for at, summed in _summed(waves, time, np.hstack([parts, -1j * parts])):
+        real, imaginary = np.hsplit(summed, 2)
+        both = real[:, :-1] * real[:, -1:] + imaginary[:, :-1] * imaginary[:, -1:]
+        out[at] = mean + grown[at, np.newaxis] * (both - mean)
+    return out.reshape(samples, _HEADINGS, 3)
 
 
 def sample_step(waves: Waves) -> float:

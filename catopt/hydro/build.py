@@ -13,12 +13,12 @@ from scipy.interpolate import CubicSpline
 
 from catopt.arrays import Array
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
+from catopt.hydro.coefficients import Memory
 from catopt.hydro.cylinder import FloatingCylinder
 from catopt.hydro.hull import PARTS, Hull, HullRecord, HullRoom, HullState
-from catopt.hydro.memory import Memory
-from catopt.model.validity import Findings
-from catopt.waves.dispersion import fill_wave_numbers
+from catopt.model.kinds import Findings
 from catopt.waves.kinematics import Flow
+from catopt.waves.random_surface import fill_wave_numbers
 from catopt.words import Message
 
 Complex = npt.NDArray[np.complex128]

@@ -14,7 +14,7 @@ from catopt.arrays import Array
 from catopt.documents import MOST_BYTES_OF_DATA, read_text
 from catopt.errors import InputError, Problem, need_package
 from catopt.hydro.coefficients import FREEDOMS, Coefficients, Complex
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.units import as_written
 from catopt.words import Message
 
@@ -291,7 +291,7 @@ def read_capytaine(path: str | os.PathLike[str]) -> Coefficients:
     """Read a dataset of one body that capytaine wrote, a netCDF file; time goes as there.
 
     Complex values are those of `capytaine.io.xarray.separate_complex_values`. Needs the package
-    xarray, ``pip install "catopt[tables]"``, and for netCDF 4 netCDF4 or h5netcdf.
+    xarray and h5netcdf, ``pip install "catopt[tables]"``.
 
     Raises
     ------

@@ -24,8 +24,8 @@ from scipy.special import h1vp, hankel1, ive, jv, kve
 
 from catopt.arrays import Array
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
-from catopt.model.validity import Findings
-from catopt.waves.dispersion import wave_number
+from catopt.model.kinds import Findings
+from catopt.waves.random_surface import wave_number
 from catopt.words import Message
 
 Complex = npt.NDArray[np.complex128]

@@ -8,32 +8,30 @@ one) or R (recalled, read in none: used only when asked for, or where nothing el
 from typing import Any
 from warnings import warn
 
-from catopt.loads.buoy import buoy_loads, surface_speed
-from catopt.loads.buoy_library import buoy, buoys, read_buoys
+from catopt.loads.buoy import buoy, buoy_loads, buoys, read_buoys, surface_speed
 from catopt.loads.buoy_shape import BuoyShape, BuoySlice, Floating
 from catopt.loads.calmar_file import read_calmar_buoy
-from catopt.loads.component import LoadComponent, Loads, Number
+from catopt.loads.component import LoadComponent, Loads, LoadSource, Number
 from catopt.loads.drag_anchor import (
     DragAnchorSize,
     HoldingCapacity,
+    LayingCheck,
     holding_capacity,
+    laying_check,
     size_drag_anchor,
 )
-from catopt.loads.environment import SeaState, SurfaceCurrent, WaterLevels, Wind
-from catopt.loads.heading import HEAD_ON, Headings
-from catopt.loads.laying import LayingCheck, laying_check
+from catopt.loads.environment import HEAD_ON, Headings, SeaState, SurfaceCurrent, WaterLevels, Wind
 from catopt.loads.ship import Ship
 from catopt.loads.ship_coefficients import (
     ShipCoefficients,
     parse_ship_coefficients,
     read_ship_coefficients,
 )
-from catopt.loads.ship_estimate import estimated_tanker
+from catopt.loads.ship_dimensions import estimated_tanker
 from catopt.loads.ship_loads import METHODS, every_method, governing_loads, ship_loads
 from catopt.loads.sinker import SinkerSize, size_sinker
-from catopt.loads.source import LoadSource
 from catopt.loads.tanker_20m import TankerComparison, compare_tanker
-from catopt.loads.ufc_wind import UfcWind
+from catopt.loads.ufc import UfcWind
 from catopt.loads.weathervane import (
     YAW_TYPES,
     Afloat,

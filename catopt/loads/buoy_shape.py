@@ -10,7 +10,7 @@ from functools import cached_property
 from typing import Final
 
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.words import Message
 
 CAST_IRON: Final = 7320.0

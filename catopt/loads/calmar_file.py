@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 from catopt.documents import read_text, unfit
 from catopt.errors import InputError, Problem
 from catopt.loads.buoy_shape import BuoyShape, BuoySlice
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.words import Message
 
 if TYPE_CHECKING:

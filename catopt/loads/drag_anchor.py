@@ -1,27 +1,85 @@
-"""Drag anchors: ultimate holding capacity, and the next size that holds a pull."""
+"""What drag anchors hold, by printed curves, and how they and their chain are laid."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Final, Literal
+from types import MappingProxyType
+from typing import Final, Literal, cast, get_args
 
+from catopt.catalogue.anchors import AnchorType, Holding, anchor_types
+from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.errors import NoAnswerError
-from catopt.loads.holding_data import (
-    ANCHORS,
-    CURVES,
-    DATA_SETS,
-    SOILS,
-    DataSet,
-    HoldingCurve,
-    masses_sold,
-)
-from catopt.loads.sizes import NextSize, neighbours, next_size
-from catopt.loads.source import UFC, LoadSource, refuse_recalled
-from catopt.model.validity import Findings
+from catopt.loads.buoy_shape import BuoyShape
+from catopt.loads.component import DTOCEAN, MOORPY, UFC, LoadSource, refuse_recalled
+from catopt.loads.ship_dimensions import NextSize, neighbours, next_size
+from catopt.model.kinds import Findings
 from catopt.shown import Tabled
 from catopt.words import Measure, Message, Several, term
+
+Soil = Literal["soft clay", "medium clay", "sand"]
+SOILS: Final = ("soft clay", "medium clay", "sand")
+
+DataSet = Literal["UFC", "DTOcean", "Vryhof"]
+DATA_SETS: Final = ("UFC", "DTOcean", "Vryhof")
+
+
+@dataclass(frozen=True)
+class HoldingCurve:
+    """Ultimate holding capacity H = HR (m/mR)^b of a kind of anchor in a kind of soil.
+
+    The reference capacity HR is in N, the reference mass mR in kg; b is the exponent, and the
+    source that of HR and b. It holds for the masses, kg, and for a horizontal pull.
+    """
+
+    anchor: str
+    soil: Soil
+    data: DataSet
+    reference_capacity: float
+    reference_mass: float
+    exponent: float
+    source: LoadSource
+    masses: tuple[float, float]
+    """Smallest and largest that is sold."""
+
+    def capacity(self, mass: float) -> float:
+        """Give what an anchor of a mass in kg holds, N."""
+        return float(self.reference_capacity * (mass / self.reference_mass) ** self.exponent)
+
+    def mass(self, capacity: float) -> float:
+        """Give the mass that holds a capacity in N, kg."""
+        return float(
+            self.reference_mass * (capacity / self.reference_capacity) ** (1.0 / self.exponent)
+        )
+
+
+_SOURCES: Final = {
+    "UFC": (UFC, "eq. 26, page 105 (read); HR and b of table 5-3 recalled"),
+    "DTOcean": (DTOCEAN, "drag anchors"),
+    "Vryhof": (MOORPY, "Stevpris Mk6"),
+}
+"""Documents and clauses by data set."""
+
+
+def _curve(of: AnchorType, holding: Holding) -> HoldingCurve:
+    source = LoadSource(*_SOURCES[holding.data], holding.confidence)
+    soil, data = cast("Soil", holding.soil), cast("DataSet", holding.data)
+    figures = (holding.capacity, holding.of_mass, holding.exponent)
+    return HoldingCurve(of.name, soil, data, *figures, source, of.range)
+
+
+CURVES: Final = tuple(_curve(each, of) for each in anchor_types() for of in each.holdings)
+"""Every curve."""
+
+ANCHORS: Final = tuple(each.name for each in anchor_types())
+"""Every kind of anchor."""
+
+
+def masses_sold(anchor: str) -> tuple[float, ...]:
+    """List the masses in which a kind of anchor is sold, kg, rising."""
+    return next(each.masses for each in anchor_types() if each.name == anchor)
+
 
 FACTOR_SOURCE: Final = LoadSource(UFC, "table 3-7, page 26", "A")
 """Of the safety factors."""
@@ -220,3 +278,114 @@ def _check(horizontal: float, factor: float, angle: float, limit: float) -> None
         ends = {"angle": angle, "above": angle - limit, "limit": limit}
         degrees = {name: math.degrees(each) for name, each in ends.items()}
         raise NoAnswerError(Message("loads.pulled_up", **degrees))
+
+
+_DDJ = LoadSource(
+    "D. Djokic, Mooring-Line-Properties at 703fd47", "friction.md, starting and sliding", "C"
+)
+_DTO = LoadSource("DTOcean moorings", "sample_data/soilprops.txt, seaflrfriccoef of clays", "C")
+
+
+@dataclass(frozen=True)
+class BedFriction:
+    """Friction of chain on a bed: to start it, and of chain that slides, which counts."""
+
+    bed: str
+    starting: float
+    sliding: float
+    source: LoadSource
+    """Of the sliding one."""
+
+
+CHAIN_ON_BED: Final = MappingProxyType(
+    {
+        each.bed: each
+        for each in (
+            BedFriction("sand", 0.98, 0.74, _DDJ),
+            BedFriction("mud with sand", 0.92, 0.69, _DDJ),
+            BedFriction("firm mud", 1.01, 0.62, _DDJ),
+            BedFriction("soft mud", 0.90, 0.56, _DDJ),
+            # Djokic has 0.81 for clay that slides; DTOcean's 0.5 is the lower.
+            BedFriction("clay", 1.25, 0.50, _DTO),
+        )
+    }
+)
+"""Beds by name; of two sources the lower sliding friction."""
+
+
+def chain_holding(bed: str, submerged_weight: float) -> tuple[float, LoadSource]:
+    """Horizontal pull that chain on a bed holds, N, by its weight in water there, N.
+
+    The sliding friction counts: an anchor that gives takes the chain with it.
+    """
+    found = Findings("chain on the bed")
+    found.word("bed", bed, tuple(CHAIN_ON_BED))
+    found.number("submerged_weight", submerged_weight, "N", at_least=0.0)
+    found.raise_if_any()
+    row = CHAIN_ON_BED[bed]
+    return row.sliding * submerged_weight, row.source
+
+
+Medium = Literal["water", "air"]
+
+LAYING_SOURCE: Final = LoadSource(
+    "worked example of a navigation buoy on 110 m of 32 mm chain (Indonesia)",
+    "it floats with all chain and the sinker hung on it",
+    "C",
+)
+
+
+@dataclass(frozen=True)
+class LayingCheck(Tabled):
+    """Weight of buoy, chain and sinker beside the buoyancy that the buoy has, N."""
+
+    name: str
+    demand: float
+    capacity: float
+    chain_in: Medium
+    """In what the chain is weighed: water, or air as the worked example does, on the safe side."""
+    source: LoadSource = LAYING_SOURCE
+
+    @property
+    def utilisation(self) -> float:
+        """Demand over capacity: it floats at 1 or below."""
+        return self.demand / self.capacity
+
+
+def laying_check(
+    shape: BuoyShape,
+    chain_weight: float,
+    sinker_weight: float,
+    *,
+    chain_in: Medium = "water",
+    freeboard: float = 0.0,
+    water_density: float = SEA_WATER_DENSITY,
+) -> LayingCheck:
+    """Hang the whole chain and the sinker on a buoy.
+
+    Parameters
+    ----------
+    chain_weight : float
+        Of the whole chain, in the medium of `chain_in`, N.
+    sinker_weight : float
+        In water, N.
+    chain_in : {"water", "air"}
+        In what the chain is weighed; the worked example takes it in air.
+    freeboard : float
+        That the buoy is to keep, m.
+    water_density : float
+        kg/m3.
+    """
+    found = Findings("laying check")
+    found.number("chain_weight", chain_weight, "N", at_least=0.0)
+    found.number("sinker_weight", sinker_weight, "N", at_least=0.0)
+    found.word("chain_in", chain_in, get_args(Medium))
+    found.number("freeboard", freeboard, "m", at_least=0.0, at_most=shape.deck)
+    found.number("water_density", water_density, "kg/m3", at_least=900.0, at_most=1100.0)
+    found.raise_if_any()
+    return LayingCheck(
+        Message(f"loads.laying_chain_in_{chain_in}"),
+        STANDARD_GRAVITY * shape.total_mass + chain_weight + sinker_weight,
+        STANDARD_GRAVITY * water_density * shape.displaced_at(freeboard),
+        chain_in,
+    )

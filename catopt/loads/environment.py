@@ -1,14 +1,166 @@
-"""Wind, current, waves and water levels, as one number each: what sizing starts from."""
+"""Wind, current and sea that push, from where they come, and drag."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Final
+from typing import Final, Literal
 
+import numpy as np
+
+from catopt.arrays import Array
 from catopt.constants import STANDARD_GRAVITY
-from catopt.model.validity import Findings
+from catopt.loads.component import Axis, LoadComponent, LoadSource, Number
+from catopt.loads.ship import Ship
+from catopt.model.kinds import Angle, Findings
 from catopt.words import Message
+
+GustSpectrum = Literal["none", "NPD"]
+"""Steady wind, or that of the Norwegian Petroleum Directorate, which API and ISO 19901-1 have."""
+
+_N: Final = 0.468
+_HEIGHT: Final = 10.0
+
+
+def npd_spectrum(frequency: Array, speed: float, height: float = _HEIGHT) -> Array:
+    """Spectral density of the wind's speed along its direction, m2/s (B).
+
+    S = 320 (U/10)^2 (z/10)^0.45 / (1 + F^n)^(5/(3 n)), F = 172 f (z/10)^(2/3) (U/10)^-0.75, n =
+    0.468: f in Hz, U the mean of one hour at 10 m, m/s, z the height, m. Read in two programs that
+    have it.
+    """
+    found = Findings("npd_spectrum")
+    found.number("speed", speed, "m/s", above=0.0)
+    found.number("height", height, "m", above=0.0)
+    found.raise_if_any()
+    over, up = speed / 10.0, height / _HEIGHT
+    F = 172.0 * frequency * up ** (2.0 / 3.0) * over**-0.75
+    return np.asarray(320.0 * over**2 * up**0.45 / (1.0 + F**_N) ** (5.0 / (3.0 * _N)))
+
+
+def gust_series(speed: float, samples: int, step: float, generator: np.random.Generator) -> Array:
+    """Draw the wind's speed beside its mean at 10 m, m/s: so many samples, a step (s) apart.
+
+    The sum of waves of the spectrum's energy at all frequencies that fit into the series, each with
+    a random phase.
+    """
+    frequency = np.arange(1, samples // 2 + 1) / (samples * step)
+    size = np.sqrt(2.0 * npd_spectrum(frequency, speed) / (samples * step))
+    phase = generator.uniform(0.0, 2.0 * math.pi, frequency.size)
+    parts = np.zeros(samples // 2 + 1, dtype=complex)
+    parts[1:] = 0.5 * samples * size * np.exp(1j * phase)
+    return np.fft.irfft(parts, samples)
+
+
+_ALONG: Final = 1e-9
+
+
+@dataclass(frozen=True)
+class Headings:
+    """Angles from the bow to where wind, current and waves come from, rad: 0 from ahead.
+
+    From -pi to pi; positive to one side, negative to the other.
+    """
+
+    wind: Angle = 0.0
+    """That the wind comes from; of a ship that does not weathervane, off the bow."""
+    current: Angle = 0.0
+    """Of the current."""
+    waves: Angle = 0.0
+    """Of the waves."""
+
+    def __post_init__(self) -> None:
+        found = Findings("Headings")
+        for key in ("wind", "current", "waves"):
+            found.number(key, getattr(self, key), "rad", at_least=-math.pi, at_most=math.pi)
+        found.raise_if_any()
+
+    def seen_at(self, heading: float) -> Headings:
+        """Turn directions that are counted from any one line into angles from a bow.
+
+        The heading of the bow counts from the same line, rad.
+
+        Examples
+        --------
+        >>> Headings(wind=0.0, current=0.5).seen_at(0.2).current
+        0.3
+        """
+        every = (self.wind, self.current, self.waves)
+        return Headings(*(math.remainder(each - heading, 2.0 * math.pi) for each in every))
+
+    @property
+    def head_on(self) -> bool:
+        """Whether everything comes from ahead."""
+        return max(abs(self.wind), abs(self.current), abs(self.waves)) < _ALONG
+
+
+HEAD_ON: Final = Headings()
+"""The collinear case of a weathervaning ship."""
+
+
+def drag(density: float, speed: float, area: float, coefficient: float) -> float:
+    """Drag 1/2 rho C A V^2, N, of kg/m3, m/s and m2, which the coefficient is referred to."""
+    return 0.5 * density * speed * speed * coefficient * area
+
+
+def drag_component(
+    name: str,
+    kind: Literal["wind", "current"],
+    stream: tuple[float, float],
+    area: Number,
+    coefficient: Number,
+    source: LoadSource,
+    *,
+    axis: Axis = "along",
+    sign: float = 1.0,
+    note: str = "",
+) -> LoadComponent:
+    """Make the component of a drag.
+
+    The stream is its density, kg/m3, and its speed, m/s; the coefficient is referred to the area,
+    m2; the sign is that of the force along its axis. The rest is as of `LoadComponent`.
+    """
+    density, speed = stream
+    force = sign * drag(density, speed, area.value, coefficient.value)
+    medium = "loads.air_density" if kind == "wind" else "loads.water_density"
+    numbers = (
+        Number("rho", density, "kg/m3", Message(medium)),
+        Number("V", speed, "m/s", Message("loads.speed")),
+        area,
+        coefficient,
+    )
+    factors = ("1/2", "{rho}", "{V:2}", f"{{{area.symbol}}}", f"{{{coefficient.symbol}}}")
+    return LoadComponent(name, kind, axis, factors, numbers, force, source, note)
+
+
+Referred = tuple[str, str, float, LoadSource]
+"""Symbols of an area and of its coefficient, the coefficient itself and where it comes from."""
+
+
+def wind_on_ship(
+    ship: Ship, wind: Wind, air_density: float, along: Referred, across: Referred, note: str
+) -> tuple[LoadComponent, LoadComponent]:
+    """Make the wind along a ship, on its frontal area, and across it, on the lateral one."""
+
+    def component(name: str, axis: Axis, area: float, meaning: str, of: Referred) -> LoadComponent:
+        symbol, letter, coefficient, source = of
+        return drag_component(
+            Message(name),
+            "wind",
+            (air_density, wind.speed),
+            Number(symbol, area, "m2", Message(meaning)),
+            Number(letter, coefficient, "", Message("loads.coefficient_here")),
+            source,
+            axis=axis,
+            note=note,
+        )
+
+    frontal, lateral = ship.frontal_area, ship.lateral_area
+    return (
+        component("loads.wind_along", "surge", frontal, "loads.frontal_area", along),
+        component("loads.wind_across", "sway", lateral, "loads.lateral_area", across),
+    )
+
 
 HMAX_OVER_HS: Final = 1.85
 """Largest wave over significant wave height, as IALA's CALMAR has it."""
@@ -147,7 +299,7 @@ class SeaState:
 
     def wave_number(self, depth: float) -> float:
         """Wave number in water of a depth, rad/m."""
-        from catopt.waves.dispersion import wave_number
+        from catopt.waves.random_surface import wave_number
 
         return wave_number(2.0 * math.pi / self.period, depth)
 

@@ -1,7 +1,4 @@
-"""Coefficients of wind and current on a ship, by angle and depth: a user's own tables.
-
-A file of them is TOML in UTF-8; docs/loads.md has its keys.
-"""
+"""Coefficients of wind and current on ships, by several sources."""
 
 from __future__ import annotations
 
@@ -12,18 +9,99 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
-from typing import Final, Literal, get_args
+from types import MappingProxyType
+from typing import Final, Literal, NamedTuple, get_args
 
-from catopt.catalogue.figure import CONFIDENCES
-from catopt.catalogue.table import Table
+from catopt.catalogue.components import CONFIDENCES
+from catopt.catalogue.table import TomlTable
 from catopt.documents import read_text
-from catopt.loads.component import Axis, LoadComponent, Number
-from catopt.loads.drag import drag, drag_component
+from catopt.loads.component import BLENDERMANN, Axis, LoadComponent, LoadSource, Number
+from catopt.loads.environment import Wind, drag, drag_component, wind_on_ship
 from catopt.loads.ship import Ship
-from catopt.loads.ship_estimate import Condition
-from catopt.loads.source import LoadSource
-from catopt.model.validity import Findings
+from catopt.loads.ship_dimensions import Condition
+from catopt.model.kinds import Findings
 from catopt.words import Cited, Message, term
+
+
+class WindType(NamedTuple):
+    """Coefficients of a kind of ship.
+
+    Of beam wind (CDt, on the lateral area), of wind from ahead and from astern (CDlAF, on the
+    frontal area), and the cross-force parameter delta.
+    """
+
+    transverse: float
+    bow: float
+    stern: float
+    delta: float
+
+
+TYPES = MappingProxyType(
+    {
+        "car carrier": WindType(0.95, 0.55, 0.60, 0.80),
+        "cargo loaded": WindType(0.85, 0.65, 0.55, 0.40),
+        "cargo containers on deck": WindType(0.85, 0.55, 0.50, 0.40),
+        "container ship loaded": WindType(0.90, 0.55, 0.55, 0.40),
+        "destroyer": WindType(0.85, 0.60, 0.65, 0.65),
+        "diving support vessel": WindType(0.90, 0.60, 0.80, 0.55),
+        "ferry": WindType(0.90, 0.45, 0.50, 0.80),
+        "fishing vessel": WindType(0.95, 0.70, 0.70, 0.40),
+        "LNG tanker": WindType(0.70, 0.60, 0.65, 0.50),
+        "offshore supply vessel": WindType(0.90, 0.55, 0.80, 0.55),
+        "passenger liner": WindType(0.90, 0.40, 0.40, 0.80),
+        "research vessel": WindType(0.85, 0.55, 0.65, 0.60),
+        "tanker loaded": WindType(0.70, 0.90, 0.55, 0.40),
+        "tanker ballast": WindType(0.70, 0.75, 0.55, 0.40),
+        "tender": WindType(0.85, 0.55, 0.55, 0.65),
+    }
+)
+"""Kinds of ship, as the MSS toolbox lists them (C)."""
+
+_SOURCE = LoadSource(BLENDERMANN, "CX and CY", "C")
+
+
+def coefficients(kind: WindType, angle: float, frontal_over_lateral: float) -> tuple[float, float]:
+    """CX on the frontal and CY on the lateral area; CX is negative from ahead.
+
+    D = 1 - (delta/2) (1 - CDl/CDt) sin^2(2 gamma) with CDl = CDlAF AF/AL;
+    CX = -CDlAF cos(gamma)/D; CY = CDt sin(gamma)/D. The angle gamma is from the bow to where the
+    wind comes from, rad: 0 from ahead.
+    """
+    along = kind.bow if math.cos(angle) >= 0.0 else kind.stern
+    ratio = along * frontal_over_lateral / kind.transverse
+    divisor = 1.0 - 0.5 * kind.delta * (1.0 - ratio) * math.sin(2.0 * angle) ** 2
+    return -along * math.cos(angle) / divisor, kind.transverse * math.sin(angle) / divisor
+
+
+def pressure_centre(angle: float, length: float, lateral_centre: float) -> float:
+    """Return where the wind across the ship acts, m forward of midships: Loa CN/CY.
+
+    CN = (sL/Loa - 0.18 (gamma - 90 deg)) CY with gamma in rad, from the bow, either side: 0.28 Loa
+    forward of the centre of the lateral area, sL, in a head wind, at that centre on the beam.
+    """
+    return lateral_centre - 0.18 * (abs(angle) - 0.5 * math.pi) * length
+
+
+def wind_type(kind: str) -> WindType:
+    """Look a kind of ship up by its key in `TYPES`; an unknown one is refused."""
+    found = Findings("wind after Blendermann")
+    found.word("kind", kind, tuple(TYPES))
+    found.raise_if_any()
+    return TYPES[kind]
+
+
+def blendermann_loads(
+    ship: Ship, wind: Wind, kind: str, *, angle: float, air_density: float
+) -> tuple[LoadComponent, LoadComponent]:
+    """Wind at 10 m along and across a ship of a kind, a key of `TYPES`; another is refused.
+
+    The angle is from the bow to where the wind comes from, rad; the density in kg/m3.
+    """
+    cx, cy = coefficients(wind_type(kind), angle, ship.frontal_area / ship.lateral_area)
+    note = Message("loads.wind_note", kind=term(kind), angle=math.degrees(angle))
+    along, across = ("AF", "CX", cx, _SOURCE), ("AL", "CY", cy, _SOURCE)
+    return wind_on_ship(ship, wind, air_density, along, across, note)
+
 
 SCHEMA: Final = "catopt.ship-coefficients/1"
 """What a file of coefficients has under its key ``schema``."""
@@ -257,7 +335,7 @@ def read_ship_coefficients(path: str | os.PathLike[str]) -> ShipCoefficients:
 def parse_ship_coefficients(text: str, source: str = "") -> ShipCoefficients:
     """Read the text of a file of coefficients; the source names it in messages."""
     keys = ("name", "source", "confidence", "angles_from", "wind", "current")
-    file, findings = Table.of_file(text, source, SCHEMA, keys)
+    file, findings = TomlTable.of_file(text, source, SCHEMA, keys)
     name, document = file.text("name"), file.text("source")
     confidence = file.word("confidence", CONFIDENCES)
     start = file.word("angles_from", ("bow", "stern"))
@@ -278,7 +356,7 @@ def parse_ship_coefficients(text: str, source: str = "") -> ShipCoefficients:
 
 
 def _read(
-    table: Table, kind: Literal["wind", "current"], start: str | None
+    table: TomlTable, kind: Literal["wind", "current"], start: str | None
 ) -> CoefficientTable | None:
     """Read one table; None where something is wrong with it."""
     own = ("depth_over_draught",) if kind == "current" else ()

@@ -12,9 +12,8 @@ from typing import Final
 from catopt.loads.component import Loads
 from catopt.loads.environment import SeaState, SurfaceCurrent, Wind
 from catopt.loads.ship import Ship
-from catopt.loads.ship_estimate import Condition, estimated_tanker, estimates
-from catopt.loads.ship_loads import METHODS, ship_loads
-from catopt.loads.wave_drift import DriftWave
+from catopt.loads.ship_dimensions import Condition, estimated_tanker, estimates
+from catopt.loads.ship_loads import METHODS, DriftWave, ship_loads
 from catopt.shown import Tabled
 from catopt.words import Message, Sentence
 

@@ -11,12 +11,10 @@ from itertools import pairwise
 from typing import Final, Literal
 
 from catopt.constants import STANDARD_GRAVITY
-from catopt.loads.component import Axis, LoadComponent, Number
-from catopt.loads.environment import SeaState, SurfaceCurrent, Wind
-from catopt.loads.heading import Headings
+from catopt.loads.component import TCN_222_95, Axis, LoadComponent, LoadSource, Number
+from catopt.loads.environment import Headings, SeaState, SurfaceCurrent, Wind
 from catopt.loads.ship import Ship
-from catopt.loads.source import TCN_222_95, LoadSource
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.words import Message
 
 WIND_ACROSS: Final = 0.736

@@ -11,19 +11,20 @@ from typing import Any, Final, NamedTuple, TypeAlias
 
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import NoAnswerError
-from catopt.loads.blendermann import coefficients as coefficients_of
-from catopt.loads.blendermann import pressure_centre, wind_type
 from catopt.loads.component import Loads
-from catopt.loads.drag import drag
-from catopt.loads.environment import SeaState, SurfaceCurrent, Wind
-from catopt.loads.heading import Headings
+from catopt.loads.environment import Headings, SeaState, SurfaceCurrent, Wind, drag
 from catopt.loads.ship import Ship
-from catopt.loads.ship_coefficients import ShipCoefficients
-from catopt.loads.ship_loads import AIR_DENSITY, governing_loads
-from catopt.loads.ufc_current import transverse_load, yaw_moment
-from catopt.loads.wave_drift import DriftWave, flat_side_drift, width_across
-from catopt.model.kinds import Angle, Length
-from catopt.model.validity import Findings
+from catopt.loads.ship_coefficients import ShipCoefficients, pressure_centre, wind_type
+from catopt.loads.ship_coefficients import coefficients as coefficients_of
+from catopt.loads.ship_loads import (
+    AIR_DENSITY,
+    DriftWave,
+    flat_side_drift,
+    governing_loads,
+    width_across,
+)
+from catopt.loads.ufc import transverse_load, yaw_moment
+from catopt.model.kinds import Angle, Findings, Length
 from catopt.records import Record
 from catopt.shown import Tabled
 from catopt.words import Message

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from catopt.compiled import inlined
-from catopt.model.kinds import Factor, Length, Mass, Positive, Source, Strength
-from catopt.model.validity import Checked, Findings
+from catopt.model.kinds import Checked, Factor, Findings, Length, Mass, Positive, Source, Strength
 from catopt.words import Message
 
 AnchorKind = Literal["sinker", "drag"]

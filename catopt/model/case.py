@@ -8,28 +8,22 @@ from typing import Annotated, Literal
 
 from catopt.errors import InputError, Problem
 from catopt.model.anchor import Anchor
-from catopt.model.body import Body, Buoy, Floater
-from catopt.model.checks import Checks
-from catopt.model.current_profile import CurrentProfile
-from catopt.model.design import Design, DesignLoad, body_misfits
+from catopt.model.design import Design, DesignLoad, Find, body_misfits, inconsistencies
 from catopt.model.dynamics import (
     FOR_MOTION,
     Dynamics,
+    Fatigue,
     broken_line_misfits,
     dynamics_misfits,
     of_motion_misfits,
+    sections_misfits,
 )
-from catopt.model.fatigue import Fatigue, sections_misfits
-from catopt.model.find import Find, inconsistencies
-from catopt.model.kinds import File, Height, Measured, Seed, Share, Whole
+from catopt.model.kinds import Checked, File, Findings, Height, Measured, Seed, Share, Whole
 from catopt.model.line import Line
-from catopt.model.load import Load, LoadCase
-from catopt.model.motion import Motion
+from catopt.model.load import Checks, Load, LoadCase, Site
+from catopt.model.sea import CurrentProfile, Motion, WaveState
 from catopt.model.service import Service, wear_misfits
-from catopt.model.site import Site
-from catopt.model.system import System, system_misfits
-from catopt.model.validity import Checked, Findings
-from catopt.model.wave_state import WaveState
+from catopt.model.system import Body, Buoy, Floater, System, system_misfits
 from catopt.model.wear import worn_line
 from catopt.units import Dimension
 from catopt.words import Message

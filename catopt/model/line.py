@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from itertools import pairwise
-from typing import TYPE_CHECKING, Annotated, Any, Final, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Final, Literal, get_args
 
+from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import Problem
 from catopt.model.kinds import (
     Area,
+    Checked,
     Coefficient,
+    Findings,
     Force,
     Given,
     Height,
@@ -27,9 +30,36 @@ from catopt.model.kinds import (
     Weight,
 )
 from catopt.model.service import WEAR_ZONES
-from catopt.model.validity import Checked, Findings
+from catopt.model.strain_table import StrainTable
 from catopt.units import Dimension
 from catopt.words import Message
+
+
+def weight_in_water(mass: float, density: float, water_density: float) -> float:
+    """Submerged weight of a solid body, N, from kg and kg/m3; negative when it floats.
+
+    S2, equation (24), with W = m g0.
+    """
+    return mass * STANDARD_GRAVITY * (1.0 - water_density / density)
+
+
+LineKind = Literal["chain", "wire", "rope"]
+"""Chain, steel wire rope of any make, fibre rope: codes have factors of their own for each."""
+LINE_KINDS: tuple[LineKind, ...] = get_args(LineKind)
+
+_ROPES = "rope polyester nylon polyamide polypropylene polyethylene hmpe aramid"
+_WORDS: dict[LineKind, str] = {"chain": "chain", "wire": "wire spiral", "rope": _ROPES}
+"""Words in a component's name by the kind of line; wire comes before rope, for "wire rope"."""
+
+
+def line_kind(component: str) -> LineKind | None:
+    """Return the kind of line by the name of a component; None when it does not say."""
+    name = component.casefold()
+    for kind, words in _WORDS.items():
+        if any(word in name for word in words.split()):
+            return kind
+    return None
+
 
 INEXTENSIBLE: Final = 1e12
 """Axial stiffness beyond which a line hardly stretches, N; no real one comes near it."""
@@ -100,7 +130,8 @@ class Segment(Checked):
     submerged_weight: Weight
     """Weight in water per unstretched length, N/m; negative when it floats."""
     EA: Annotated[float, Measured(Dimension.FORCE, above=0.0, infinite=True)] = math.inf
-    """Axial stiffness, N; infinite for an inextensible segment."""
+    """Axial stiffness, N; infinite for an inextensible segment. A rope that does not stretch in
+    proportion to its tension has a `StrainTable` here."""
     mass: Annotated[float, Measured(Dimension.MASS_PER_LENGTH, at_least=0.0)] | None = None
     """In air per unstretched length, kg/m; None when not known, as of what follows."""
     MBL: Strength | None = None
@@ -147,7 +178,7 @@ class Segment(Checked):
             self,
             length: Given,
             submerged_weight: Given,
-            EA: Given = math.inf,
+            EA: Given | StrainTable = math.inf,
             mass: Given | None = None,
             MBL: Given | None = None,
             name: str = "",
@@ -171,12 +202,18 @@ class Segment(Checked):
         ) -> None: ...
 
     def _check(self, found: Findings) -> None:
-        found.check()
+        by_table = isinstance(self.EA, StrainTable)
+        found.check(*(each.name for each in fields(self) if not by_table or each.name != "EA"))
         found.problems += break_test_misfits({k for k in TESTS if getattr(self, k) is not None})
         is_rough = self.drag_method != "given" or any(getattr(self, k) is not None for k in _ROUGH)
         if is_rough and not found.problems:
             given = {key: value for key, value in vars(self).items() if value not in (None, "")}
             found.problems += drag_misfits(given)
+
+    @property
+    def is_inextensible(self) -> bool:
+        """Whether it does not stretch at all."""
+        return not isinstance(self.EA, StrainTable) and math.isinf(self.EA)
 
     @property
     def tested_strength(self) -> float | None:

@@ -11,14 +11,23 @@ from typing import Annotated, Literal
 
 from catopt.errors import Problem
 from catopt.model.anchor import Anchor
-from catopt.model.checks import Checks
-from catopt.model.current_profile import CurrentProfile
 from catopt.model.dynamics import of_motion_misfits
-from catopt.model.kinds import Area, Coefficient, Force, Height, Moment, Place, Size, Text
+from catopt.model.kinds import (
+    Area,
+    Checked,
+    Coefficient,
+    Findings,
+    Force,
+    Height,
+    Moment,
+    Place,
+    Size,
+    Text,
+)
 from catopt.model.line import Line, drag_missing, point_drag_misfits, weightless
+from catopt.model.load import Checks, Site
+from catopt.model.sea import CurrentProfile
 from catopt.model.service import Service
-from catopt.model.site import Site
-from catopt.model.validity import Checked, Findings
 from catopt.words import Message
 
 PointKind = Literal["anchor", "fairlead", "joint"]
@@ -188,7 +197,7 @@ class Network(Checked):
                 found.add(f"lines[{k}].segments", *weightless("a line between points"))
             if {each.start, each.end} & {*joints, *itertools.chain(*tied)}:
                 allowed = Message("refused_case.missing_lines_meet_joints_have")
-                for i in (i for i, segment in enumerate(segments) if math.isinf(segment.EA)):
+                for i in (i for i, segment in enumerate(segments) if segment.is_inextensible):
                     found.add(f"lines[{k}].segments[{i}].EA", "", allowed)
         self._check_site(found)
         for key in ("max_span", "max_offset"):

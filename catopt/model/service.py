@@ -12,8 +12,7 @@ from typing import Annotated, Any, Final, NamedTuple
 
 from catopt.constants import YEAR
 from catopt.errors import InputError, Problem
-from catopt.model.kinds import Measured, OneOf, WearRate
-from catopt.model.validity import Checked
+from catopt.model.kinds import Checked, Measured, OneOf, WearRate
 from catopt.units import Dimension
 from catopt.words import Message
 

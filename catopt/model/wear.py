@@ -6,8 +6,7 @@ from dataclasses import replace
 from typing import Literal
 
 from catopt.errors import InputError, Problem
-from catopt.model.line import Line, Segment
-from catopt.model.line_kind import line_kind
+from catopt.model.line import Line, Segment, line_kind
 from catopt.model.service import Service
 from catopt.words import Message
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from catopt.catenary.warnings import above_water, named_line
+from catopt.catenary.solution import above_water, named_line
 from catopt.errors import InputError, Problem
 from catopt.model import Case, System
 from catopt.mooring.circle import WatchCircle, watch_circle

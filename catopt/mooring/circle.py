@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from catopt.errors import InputError, Problem
+from catopt.model.kinds import Findings
 from catopt.model.network import Network
 from catopt.model.system import System
-from catopt.model.validity import Findings
 from catopt.mooring.held import LinesAtRest, without_load
 from catopt.mooring.response import Response, response_of
 from catopt.mooring.zero_load import zero_load_position

@@ -131,7 +131,7 @@ def _reachable(system: System) -> tuple[float, float]:
     """
     discs = []
     for index, leg in enumerate(system.legs):
-        if all(math.isinf(segment.EA) for segment in leg.line.segments):
+        if all(segment.is_inextensible for segment in leg.line.segments):
             rise = leg.fairlead_height - leg.anchor_height
             left = leg.line.length**2 - rise**2
             if left <= 0.0:

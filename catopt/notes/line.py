@@ -1,18 +1,24 @@
-"""What the note of one line is made of: a case with its answers, and where it comes from."""
+"""What the notes of one line, and of a sizing with its line, are made of."""
 
 from __future__ import annotations
 
+import hashlib
+import math
 from collections.abc import Iterator
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from catopt.casefile import write_case
+from catopt.casefile.reading import DESIGN_CASE
 from catopt.catenary.case import solve_case, under_a_load
-from catopt.checks.case import check_case, is_of_load
-from catopt.checks.remarks import NO_CHECK
+from catopt.checks.case import NO_CHECK, check_case, is_of_load
+from catopt.design.result import design_document
 from catopt.errors import CatoptError
-from catopt.notes.directory import Asked, Chosen, asked_in, read_with_sources
+from catopt.loads.component import CALMAR, LoadSource
+from catopt.loads.sinker import DENSITIES, FACTOR_SOURCE, SAFETY_FACTOR
+from catopt.mooring.solve import solve_system
 from catopt.notes.motion import (
     InMotion,
     Progress,
@@ -21,16 +27,28 @@ from catopt.notes.motion import (
     motion_files,
     motion_warnings,
 )
-from catopt.notes.origin import SourceFile, origin_of
+from catopt.notes.origin import (
+    Asked,
+    Chosen,
+    Origin,
+    SourceFile,
+    asked_in,
+    origin_of,
+    read_with_sources,
+)
 from catopt.notes.sheet import AnyNote, both_models, doubts_of_models, sheet_of
-from catopt.words import Message, is_said
+from catopt.sizing.kinds import schema_of
+from catopt.words import Cited, Message, is_said, term
 
 if TYPE_CHECKING:
     from catopt.catenary.case_curve import CaseCurve
     from catopt.catenary.solution import Solution
     from catopt.checks.result import CheckReport
+    from catopt.loads.sinker import SinkerSize
     from catopt.model import Case
+    from catopt.mooring.solution import SystemSolution
     from catopt.notes.sheet import Sheet
+    from catopt.sizing import Sizing
     from catopt.verify.result import Verification
 
 _MOST_FORCE, _LEAST_FORCE = 4.0, 0.01
@@ -189,3 +207,134 @@ def _swarm_doubts(swarm: Solution | None) -> Iterator[str]:
     """Yield that even the best run of the swarm did not converge."""
     if swarm is not None and swarm.swarm is not None and swarm.swarm.converged_runs == 0:
         yield Message("notes.swarm_not_converged", f=swarm.swarm.objective)
+
+
+@dataclass(frozen=True)
+class Given:
+    """What a sizing was asked for: by a file, None where there is none, and by options before it.
+
+    `options` are what was typed, or answered on a terminal.
+    """
+
+    file: SourceFile | None = None
+    options: tuple[tuple[str, str], ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class SizeNote(AnyNote):
+    """Everything that the page of a sizing shows.
+
+    `line` is the note of the recommended line, `options` are what was typed, and `around` is the
+    equilibrium of several lines under the load case that is hardest on one of them.
+    """
+
+    case: Case
+    sheet: Sheet
+    sizing: Sizing
+    line: Note
+    options: tuple[tuple[str, str], ...] = ()
+    around: SystemSolution | None = None
+
+    @property
+    def sources(self) -> dict[str, str]:
+        """Where friction, safety factor and density of what holds the line are from."""
+        sinker, drag = self.sizing.sinker, self.sizing.drag_anchor
+        given = term("this note")
+        if drag is not None:
+            return {"factor": given if drag.factor_source is None else drag.factor_source.text}
+        if sinker is None:
+            return {}
+        is_usual = math.isclose(sinker.safety_factor, SAFETY_FACTOR)
+        friction = sinker.friction_source
+        return {
+            "friction": given if friction is None else Cited(friction.text),
+            "factor": Cited(FACTOR_SOURCE.text) if is_usual else given,
+            "density": _density_source(sinker),
+        }
+
+
+def size_note(sizing: Sizing, given: Given, asked: Asked | None = None) -> SizeNote:
+    """Compute the note of a sizing, by what was asked for, and of its recommended line.
+
+    Raises NoAnswerError and NotConvergedError as `note_of` does.
+    """
+    asked = asked or Asked()
+    # The case of the recommended line, as ``catopt size --save`` writes it.
+    text = write_case(sizing.line_case)
+    file = SourceFile(DESIGN_CASE, text, hashlib.sha256(text.encode()).hexdigest())
+    chosen = Chosen(_front(sizing), sizing.settled.index + 1)
+    line = note_of(sizing.case, (file,), asked, chosen)
+    origin = Origin((), (), asked.date)
+    if given.file is not None:
+        origin = origin_of((given.file,), asked.date, schema_of(sizing.kind))
+    around = None if sizing.pattern is None else solve_system(sizing.pattern.system)
+    fitted, point = _fitted(line), sizing.point
+    return SizeNote(
+        case=sizing.case,
+        sizing=sizing,
+        line=fitted,
+        origin=origin,
+        sheet=sheet_of(sizing.case, point.line, fitted.checks, around, point.anchor),
+        options=given.options,
+        warnings=tuple(_size_warnings(sizing, line)),
+        around=around,
+    )
+
+
+def _density_source(of: SinkerSize) -> str:
+    """Cite where the density of a sinker is from."""
+    if not math.isclose(of.density, DENSITIES[of.material]):
+        return term("this note")
+    if of.material == "steel":
+        return Cited(LoadSource(CALMAR, "7.2", "A").text)
+    return Message("note_size.own_recalled")
+
+
+def _fitted(line: Note) -> Note:
+    """Fit a line's note into that of its sizing.
+
+    Its load cases, which no user named, are said in every language; and a limit that no document
+    has is from this note: of a sizing there is no case file.
+    """
+    of = line.checks
+    names = {state.name: term(state.name) for state in of.load_cases}
+    this_note = term("this note")
+    results = []
+    for each in of.results:
+        source = each.source
+        if source.confidence is None:
+            source = replace(source, document=this_note)
+        results.append(replace(each, load_case=names[each.load_case], source=source))
+    checks = replace(
+        of,
+        results=tuple(results),
+        solutions=tuple((names[name], solution) for name, solution in of.solutions),
+        load_cases=tuple(replace(each, name=names[each.name]) for each in of.load_cases),
+    )
+    return replace(line, checks=checks, load_case=names.get(line.load_case, line.load_case))
+
+
+def _front(sizing: Sizing) -> dict[str, Any]:
+    """Lay out the front that the recommended line is from.
+
+    The line that the search was given is none of an engineer's: it only has the place of one. Where
+    another design than the knee was preferred, the knee's neighbours are none of the line's.
+    """
+    settled = sizing.settled
+    document = design_document(settled.result) | {"present": None}
+    if settled.index != settled.result.recommended - 1:
+        document |= {"recommended": settled.index, "neighbours": []}
+    return document | {"recommendation": sizing.why}
+
+
+def _size_warnings(sizing: Sizing, line: Note) -> Iterator[str]:
+    """Yield what is to be known of the sizing, then what more there is of its line."""
+    yield from sizing.warnings
+    known = {_bare(warning) for warning in sizing.warnings}
+    for warning in line.warnings:
+        if _bare(warning) not in known:
+            yield warning
+
+
+def _bare(warning: str) -> str:
+    return warning.rstrip(".").casefold()

@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from catopt.catenary.case import solve_case
+from catopt.checks.case import LeastDiameter, least_diameters
 from catopt.checks.criteria import Criteria, criteria_of
-from catopt.checks.least_diameter import LeastDiameter, least_diameters
 from catopt.errors import CatoptError
 from catopt.model import Anchor, Load
 from catopt.mooring.solve import solve_system

@@ -1,4 +1,4 @@
-"""What the note of a moored body is made of: its case with the answers, and where it comes from."""
+"""What the notes of a moored body, and of lines between points, are made of."""
 
 from __future__ import annotations
 
@@ -8,21 +8,33 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
-from catopt.checks.remarks import NO_CHECK
-from catopt.checks.system import check_system
+from catopt.casefile.reading import read_mooring
+from catopt.casefile.schema import NetworkTable
+from catopt.checks.case import NO_CHECK
+from catopt.checks.system import check_network, check_system, criteria_of_network
 from catopt.errors import CatoptError, NoEquilibriumError
+from catopt.model.network import Network
 from catopt.mooring.case import CURVE_POINTS, SystemReport, report_system
+from catopt.mooring.held import LinesAtRest, at_rest
+from catopt.mooring.network_out import NetworkOut, each_line_out, largest_tensions
 from catopt.mooring.restoring import RestoringCurve, restoring_curve
-from catopt.notes.directory import Asked, read_with_sources
 from catopt.notes.motion import Progress, motion_files
-from catopt.notes.origin import SourceFile, origin_of
-from catopt.notes.sheet import AnyNote, both_models, doubts_of_models, sheet_of
+from catopt.notes.origin import (
+    Asked,
+    SourceFile,
+    case_path,
+    origin_of,
+    read_source,
+    read_with_sources,
+)
+from catopt.notes.sheet import AnyNote, Stated, both_models, doubts_of_models, sheet_of
 from catopt.quantities import QUANTITIES
 from catopt.ties import first_largest
 from catopt.verify.motion_words import doubts, stopped_sentence
 from catopt.words import Message, is_said
 
 if TYPE_CHECKING:
+    from catopt.catenary.solution import Solution
     from catopt.checks.result import CheckReport
     from catopt.model import Case
     from catopt.mooring.solution import LegState, SystemSolution
@@ -242,3 +254,76 @@ def _of_motion(found: DynamicVerification) -> Iterator[str]:
         yield Message("notes.lines_slack", lines=", ".join(slack))
     for remark in dict.fromkeys(each for part in found.parts for each in part.remarks):
         yield Message("notes.in_motion", what=remark)
+
+
+@dataclass(frozen=True, kw_only=True)
+class NetworkSheet(Stated):
+    """What is stated of lines between points; `rest` has all of them."""
+
+    rest: LinesAtRest
+
+    @property
+    def lines(self) -> int:
+        """How many there are."""
+        return len(self.rest.runs)
+
+    @property
+    def intact(self) -> tuple[Solution, ...]:
+        """Every line with all there."""
+        return self.rest.lines
+
+
+@dataclass(frozen=True, kw_only=True)
+class NetworkNote(AnyNote):
+    """Everything that the page of lines between points shows, the body held.
+
+    `checks` are of every line, intact and with each out, which `line_out` has.
+    """
+
+    case: Network
+    sheet: NetworkSheet
+    rest: LinesAtRest
+    line_out: tuple[NetworkOut, ...]
+    checks: CheckReport
+
+    @property
+    def tensions(self) -> tuple[float, ...]:
+        """Largest of each line, N."""
+        return largest_tensions(self.rest)
+
+    @property
+    def most_loaded(self) -> int:
+        """The line of the largest tension, counted from 0; the first of several."""
+        return first_largest(self.tensions)
+
+
+def read_network_note(path: Path, asked: Asked | None = None) -> NetworkNote:
+    """Read a file of points and lines, or a directory with one, and compute its note.
+
+    Raises InputError, NoAnswerError and NotConvergedError as `read_mooring` and `check_network` do.
+    """
+    asked = asked or Asked()
+    place = case_path(path)
+    network, source = read_mooring(place), read_source(place)
+    assert isinstance(network, Network)
+    rest = at_rest(network)
+    line_out = each_line_out(network) if len(network.lines) > 1 else ()
+    checks = check_network(network, rest, line_out or None)
+    warnings = [each for each in checks.warnings if not is_said(each, NO_CHECK)]
+    if asked.verify:
+        warnings.append(Message("notes.network_not_verified"))
+    return NetworkNote(
+        case=network,
+        rest=rest,
+        line_out=line_out,
+        checks=checks,
+        origin=origin_of((source,), asked.date, NetworkTable),
+        sheet=NetworkSheet(
+            case=network,
+            report=checks,
+            criteria=criteria_of_network(network),
+            anchor=network.anchor,
+            rest=rest,
+        ),
+        warnings=tuple(dict.fromkeys(warnings)),
+    )

@@ -22,8 +22,7 @@ from catopt.answers.blocks import (
     Warnings,
 )
 from catopt.render.terminal import table_lines
-from catopt.render.units import as_wanted
-from catopt.render.values import is_seen, parts_of, shown
+from catopt.render.values import as_wanted, is_seen, parts_of, shown
 from catopt.words import Language, Message, say
 
 LINES, WIDTH = 22, 80

@@ -7,17 +7,16 @@ from collections.abc import Iterable
 from typing import Any
 
 from catopt.figures.chart import Chart, Place
-from catopt.render.looks import COLOURS, LOOKS, SIGNS
 from catopt.render.sheet import Chart as Native
-from catopt.render.sheet import Number, Series, Sheet, Text, number_pattern
-from catopt.render.ticks import axis_title
+from catopt.render.sheet import Number, Series, Text, WorkbookSheet, number_pattern
+from catopt.render.svg import COLOURS, LOOKS, SIGNS, axis_title
 from catopt.words import Message
 
 _SIZE = (680, 420)
 """Pixels."""
 
 
-def draw(chart: Chart, sheet: Sheet, cells: Sheet, row: int) -> int:
+def draw(chart: Chart, sheet: WorkbookSheet, cells: WorkbookSheet, row: int) -> int:
     """Write what a drawing shows as cells, and draw them on another sheet; areas are left out.
 
     It begins in a row of `sheet`; returns the first row below it.
@@ -29,7 +28,12 @@ def draw(chart: Chart, sheet: Sheet, cells: Sheet, row: int) -> int:
         rows = (top + 2, top + 1 + max(len(places), 1))
         cells.write(top + 1, 2 * column, Text(label, "text"))
         for place, values in enumerate(places, start=top + 2):
-            _write(chart, cells, values, (place, 2 * column))
+            # Write a place in the units of the axes.
+            at = (place, 2 * column)
+            for offset, (axis, value) in enumerate(zip((chart.x, chart.y), values, strict=True)):
+                is_there = math.isfinite(value) and (axis.foot is None or value > 0.0)
+                field = axis.quantity.to_field(value) if is_there else math.nan
+                cells.write(at[0], at[1] + offset, Number(field, number_pattern(axis.quantity)))
         made.append(Series(label, rows, 2 * column, 2 * column + 1, _look(role), cells.name))
     cells.row = top + 3 + max(map(len, curves.values()), default=0)
     y, title = chart.y, axis_title(chart.y)
@@ -48,14 +52,6 @@ def draw(chart: Chart, sheet: Sheet, cells: Sheet, row: int) -> int:
         hidden=[index for index, (_, label) in enumerate(curves) if not label],
     )
     return sheet.chart(native, row)
-
-
-def _write(chart: Chart, cells: Sheet, values: Place, at: tuple[int, int]) -> None:
-    """Write a place in the units of the axes."""
-    for offset, (axis, value) in enumerate(zip((chart.x, chart.y), values, strict=True)):
-        is_there = math.isfinite(value) and (axis.foot is None or value > 0.0)
-        field = axis.quantity.to_field(value) if is_there else math.nan
-        cells.write(at[0], at[1] + offset, Number(field, number_pattern(axis.quantity)))
 
 
 def _curves(chart: Chart) -> dict[tuple[str, str], list[Place]]:

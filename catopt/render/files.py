@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from catopt.answers.blocks import Answer, Facts, Table
-from catopt.render.units import as_wanted
+from catopt.render.values import as_wanted
 from catopt.words import Language
 
 if TYPE_CHECKING:

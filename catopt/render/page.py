@@ -1,4 +1,4 @@
-"""An answer as one HTML page that holds all it shows, with a figure's values at the pointer."""
+"""An answer as one HTML page that holds all it shows."""
 
 from __future__ import annotations
 
@@ -33,12 +33,70 @@ from catopt.answers.blocks import (
     exact,
 )
 from catopt.quantities import GREEK, Quantity
-from catopt.render.looks import stylesheet
-from catopt.render.svg import svg
-from catopt.render.trail import put_in
-from catopt.render.units import as_wanted, in_language
-from catopt.render.values import SEEN, cell, is_seen, parts_of, shown
+from catopt.render.svg import stylesheet, svg
+from catopt.render.values import SEEN, as_wanted, cell, in_language, is_seen, parts_of, shown
 from catopt.words import Language, Message, say
+
+_MOST = 12
+"""Terms of a sum that are all written out; of more, its first two and its last are."""
+_POWERS = {"2": "²", "3": "³"}
+_TIMES = "\N{NO-BREAK SPACE}· "
+"""Does not begin a line."""
+
+
+class _Symbol(str):
+    """A symbol, Greek letters as such; of how its number is written its power counts alone."""
+
+    __slots__ = ()
+
+    def __format__(self, spec: str) -> str:
+        return GREEK.get(self, str(self)) + _POWERS.get(spec, "")
+
+
+class _Number(float):
+    """A number as it is put in; one that is multiplied has brackets where it is negative."""
+
+    digits = 9
+    is_factor = False
+
+    def __format__(self, spec: str) -> str:
+        if self.is_factor:
+            spec = spec or "()"
+        shown = _digits(0.0 + self, self.digits)
+        if (spec == "()" or spec in _POWERS) and (self < 0.0 or "e" in shown):
+            shown = f"({shown})"
+        return shown + ("°" if spec == "°" else _POWERS.get(spec, ""))
+
+
+def put_in(step: Step) -> str:
+    """Write the formula, and below it the same with its numbers; empty where there is neither."""
+    return "\n= ".join(each for each in (in_symbols(step), in_numbers(step)) if each)
+
+
+def in_symbols(step: Step) -> str:
+    """Write the formula: ``"a = H / w"``."""
+    formula = step.formula if isinstance(step.formula, str) else " ".join(step.formula)
+    said = formula.format(**{symbol: _Symbol(symbol) for symbol in step.numbers})
+    return " = ".join(each for each in (step.symbol, said) if each)
+
+
+def in_numbers(step: Step) -> str:
+    """Put the numbers in: ``"4000 / 245"``; empty where there are none."""
+    if step.terms:
+        terms = [" · ".join(_digits(each, step.digits) for each in of) for of in step.terms]
+        shown = terms if len(terms) <= _MOST else (*terms[:2], "…", terms[-1])
+        return " + ".join(shown).replace("+ −", "− ")
+    is_product = not isinstance(step.formula, str)
+    numbers = {symbol: _Number(value) for symbol, value in step.numbers.items()}
+    for each in numbers.values():
+        each.digits, each.is_factor = step.digits, is_product
+    formula = _TIMES.join(step.formula) if is_product else str(step.formula)
+    return formula.format(**numbers) if numbers else ""
+
+
+def _digits(value: float, digits: int) -> str:
+    """Write a number with so many digits; with nine it can be put in again."""
+    return replace(exact(""), digits=digits).format(value).replace("-", "−")
 
 
 class _Cell(NamedTuple):
@@ -55,7 +113,7 @@ class _Heading(NamedTuple):
     is_number: bool = False
 
 
-class _Table(NamedTuple):
+class _LaidTable(NamedTuple):
     """A table as plain values."""
 
     kind: str
@@ -82,7 +140,7 @@ def page(answer: Answer, language: Language = "en") -> bytes:
     a name are left out. The page is complete HTML in UTF-8: it refers to no other file and to no
     network.
     """
-    answer, script = as_wanted(answer, language), _file("script.js")
+    answer, script = as_wanted(answer, language), file_text("script.js")
     # The page's own policy runs the script of this hash and no other.
     script_hash = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
     rendered = template("catopt.render", "page.html").render(
@@ -93,7 +151,7 @@ def page(answer: Answer, language: Language = "en") -> bytes:
         sections=_sections(answer, language),
         footer=say(Message("page.footer", version=__version__), language),
         hover=say(Message("page.hover"), language),
-        style=stylesheet() + _file("style.css"),
+        style=stylesheet() + file_text("style.css"),
         script=script,
         script_hash=script_hash,
     )
@@ -146,7 +204,8 @@ def template(package: str, name: str) -> Template:
     return environment.get_template(name)
 
 
-def _file(name: str) -> str:
+def file_text(name: str) -> str:
+    """Read a file that stands beside the renderers."""
     return files("catopt.render").joinpath(name).read_text("utf-8")
 
 
@@ -176,11 +235,11 @@ def _block(block: Block) -> Iterator[Any]:
             yield _Words("points", block.said, style="warnings")
 
 
-def _tables(table: Table) -> Iterator[_Table]:
+def _tables(table: Table) -> Iterator[_LaidTable]:
     columns = [each for each in table.columns if each.only not in {"files", "workbook"}]
     headings = [_Heading(_heading(each), each.is_number) for each in columns]
     for caption, rows in parts_of(table):
-        yield _Table(
+        yield _LaidTable(
             "table",
             table.name,
             caption,
@@ -221,7 +280,7 @@ def _si(value: object) -> float | None:
     return value if isinstance(value, int | float) and math.isfinite(value) else None
 
 
-def _facts(block: Facts) -> _Table:
+def _facts(block: Facts) -> _LaidTable:
     """Lay named values out, those of quantities in SI, too; words alone have no headings."""
     facts = [each for each in block.facts if each.only in SEEN]
     quantities = [each.quantity for each in facts if each.quantity is not None]
@@ -231,7 +290,7 @@ def _facts(block: Facts) -> _Table:
     headings = [_Heading(Message(name), name != "page.what" and not only_words) for name in names]
     rows = [_fact(each)[: len(names)] for each in facts]
     kind = "facts" if only_words and not block.caption else "table"
-    return _Table(kind, block.name, block.caption, headings, rows)
+    return _LaidTable(kind, block.name, block.caption, headings, rows)
 
 
 def _fact(fact: Fact) -> tuple[_Cell, ...]:
@@ -249,7 +308,7 @@ def _in_si(quantity: Quantity, si: float) -> str:
     return exact(quantity.si_unit).format(0.0 if is_zero else si, unit=True)
 
 
-def _trail(block: Trail) -> _Table:
+def _trail(block: Trail) -> _LaidTable:
     """Lay steps out: what comes out, its equation, its numbers put in, and what others have."""
     steps = block.steps
     columns: dict[str, list[_Cell]] = {
@@ -266,7 +325,7 @@ def _trail(block: Trail) -> _Table:
     numbers = {Message("page.value"), block.stated}
     headings = [_Heading(each, each in numbers) for each in columns]
     rows = list(zip(*columns.values(), strict=True))
-    return _Table("table", block.name, block.caption, headings, rows)
+    return _LaidTable("table", block.name, block.caption, headings, rows)
 
 
 def _result(step: Step, value: float | None, unknown: str) -> _Cell:

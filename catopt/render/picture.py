@@ -30,9 +30,17 @@ from catopt.figures.chart import (
     Series,
     legend,
 )
-from catopt.render.looks import COLOURS, LOOKS, SIGNS, Look
-from catopt.render.ticks import Tick, axis_title, scale_ticks, tick_marks
-from catopt.render.units import as_wanted
+from catopt.render.svg import (
+    COLOURS,
+    LOOKS,
+    SIGNS,
+    Look,
+    Tick,
+    axis_title,
+    scale_ticks,
+    tick_marks,
+)
+from catopt.render.values import as_wanted
 from catopt.words import Language
 
 DPI = 200
@@ -153,7 +161,27 @@ def _labels(chart: Chart, wide: float) -> tuple[list[str], int]:
 def _draw(part: SubFigure, chart: Chart, wide: float) -> None:
     axes = part.add_subplot()
     axes.set_title(_title(chart, wide), fontsize=9.5, loc="left", parse_math=False)
-    _axes(axes, chart, wide)
+    x, y = chart.x, chart.y
+    if y.foot is not None:
+        axes.set_yscale("log")
+    axes.set_xlim(*_all(x, (x.low, x.high)))
+    axes.set_ylim(*_all(y, (y.low, y.high)))
+    up = 6 if chart.to_scale is None else max(2, min(6, int(12.0 * chart.share)))
+    most = max(2, round(wide))
+    axes.set_xticks(*_ticked(x, tick_marks(x, most)))
+    axes.set_yticks(*_ticked(y, tick_marks(y, up)))
+    axes.minorticks_off()
+    axes.grid(visible=chart.to_scale is None)
+    axes.set_xlabel(axis_title(x), parse_math=False)
+    axes.set_ylabel(axis_title(y), parse_math=False)
+    if x.second:
+        above = axes.secondary_xaxis("top")
+        above.set_xticks(*_ticked(x, scale_ticks(x, most)))
+        above.set_xlabel(axis_title(x.second))
+    if y.second:
+        right = axes.secondary_yaxis("right")
+        right.set_yticks(*_ticked(y, scale_ticks(y, up)))
+        right.set_ylabel(axis_title(y.second))
     for area in chart.areas:
         _area(axes, area, chart)
     for level in chart.levels:
@@ -210,30 +238,6 @@ def _of_line(look: Look) -> dict[str, Any]:
 
 
 # ------------------------------------------------------------------ the axes
-
-
-def _axes(axes: Axes, chart: Chart, wide: float) -> None:
-    x, y = chart.x, chart.y
-    if y.foot is not None:
-        axes.set_yscale("log")
-    axes.set_xlim(*_all(x, (x.low, x.high)))
-    axes.set_ylim(*_all(y, (y.low, y.high)))
-    up = 6 if chart.to_scale is None else max(2, min(6, int(12.0 * chart.share)))
-    most = max(2, round(wide))
-    axes.set_xticks(*_ticked(x, tick_marks(x, most)))
-    axes.set_yticks(*_ticked(y, tick_marks(y, up)))
-    axes.minorticks_off()
-    axes.grid(visible=chart.to_scale is None)
-    axes.set_xlabel(axis_title(x), parse_math=False)
-    axes.set_ylabel(axis_title(y), parse_math=False)
-    if x.second:
-        above = axes.secondary_xaxis("top")
-        above.set_xticks(*_ticked(x, scale_ticks(x, most)))
-        above.set_xlabel(axis_title(x.second))
-    if y.second:
-        right = axes.secondary_yaxis("right")
-        right.set_yticks(*_ticked(y, scale_ticks(y, up)))
-        right.set_ylabel(axis_title(y.second))
 
 
 def _ticked(axis: Axis, marks: Sequence[Tick]) -> tuple[list[float], list[str]]:

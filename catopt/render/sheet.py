@@ -102,7 +102,7 @@ class Book:
         )
         self.styles = {name: self.workbook.add_format(look) for name, look in _STYLES.items()}
         self._numbers: dict[tuple[str, bool], Any] = {}
-        self._sheets: list[Sheet] = []
+        self._sheets: list[WorkbookSheet] = []
 
     def say(self, said: str) -> str:
         """Say a message in the language of the workbook."""
@@ -117,7 +117,7 @@ class Book:
             self._numbers[key] = self.workbook.add_format(look)
         return self._numbers[key]
 
-    def sheet(self, name: str) -> Sheet:
+    def sheet(self, name: str) -> WorkbookSheet:
         """Add a sheet whose first row stays in sight; its tab has the name, made short and free."""
         worksheet = self.workbook.add_worksheet(self._free(self.say(name)))
         worksheet.freeze_panes(1, 0)
@@ -128,7 +128,7 @@ class Book:
         worksheet.repeat_rows(0)
         title = self.title[:_MOST_FOOTER].replace("&", "&&")
         worksheet.set_footer(f"&L{title}&C&A&Rcatopt {__version__}   &P / &N")
-        self._sheets.append(Sheet(self, worksheet))
+        self._sheets.append(WorkbookSheet(self, worksheet))
         return self._sheets[-1]
 
     def _free(self, name: str) -> str:
@@ -149,7 +149,7 @@ class Book:
 
 
 @dataclass
-class Sheet:
+class WorkbookSheet:
     """A sheet that is filled from the top down."""
 
     book: Book

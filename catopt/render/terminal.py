@@ -19,8 +19,7 @@ from catopt.answers.blocks import (
     Warnings,
 )
 from catopt.quantities import QUANTITIES
-from catopt.render.units import as_wanted
-from catopt.render.values import cell, is_seen, parts_of, shown
+from catopt.render.values import as_wanted, cell, is_seen, parts_of, shown
 from catopt.words import Language, Message, Sentence, Several, say
 
 _WIDTH = 80
@@ -224,7 +223,14 @@ class _Column:
     def __init__(self, of: Column, rows: Sequence[int], language: Language) -> None:
         self.of = of
         self.is_number = of.is_number
-        self.name = _name(of, language)
+        # Name a column; a quantity's own name gives way to its symbol, one that says more does
+        # not.
+        name, quantity = say(of.name, language), of.quantity
+        if quantity is not None and quantity.symbol:
+            own = QUANTITIES.get(quantity.key, quantity).name.lower()
+            says_more = not own.endswith(of.name.lower())
+            name = f"{name} {quantity.symbol}" if says_more else quantity.symbol
+        self.name = re.sub(r"(?<=\d) ", _NO_BREAK, name)
         self.cells = [say(cell(of, row), language) for row in rows]
 
     @property
@@ -283,16 +289,6 @@ def _rooms(columns: Sequence[_Column]) -> list[int]:
 
 def _longest_word(text: str) -> int:
     return max(map(len, re.split(r"[ \n]", text)), default=0)
-
-
-def _name(column: Column, language: Language) -> str:
-    """Name a column; a quantity's own name gives way to its symbol, one that says more does not."""
-    name, quantity = say(column.name, language), column.quantity
-    if quantity is not None and quantity.symbol:
-        own = QUANTITIES.get(quantity.key, quantity).name.lower()
-        says_more = not own.endswith(column.name.lower())
-        name = f"{name} {quantity.symbol}" if says_more else quantity.symbol
-    return re.sub(r"(?<=\d) ", _NO_BREAK, name)
 
 
 def _broken(word: str, room: int) -> Iterator[str]:

@@ -1,13 +1,17 @@
-"""What people see of a block, and one value as they read it."""
+"""What people see of a block, in which units, and one value as they read it."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextvars import ContextVar
+from dataclasses import fields, is_dataclass, replace
+from typing import Any, TypeVar
 
-from catopt.answers.blocks import Block, Column, Facts, Table, Text, Value, Warnings
-from catopt.quantities import Quantity
-from catopt.words import Message
+from catopt.answers.blocks import Block, Column, Fact, Facts, Table, Text, Value, Warnings
+from catopt.figures.chart import Axis
+from catopt.quantities import Quantity, Units
+from catopt.words import Language, Measure, Message, say
 
 SEEN = {"all", "people", "not csv"}
 """For whom things are that people see."""
@@ -42,3 +46,88 @@ def shown(value: Value, quantity: Quantity | None, *, unit: bool = False) -> str
 def cell(column: Column, row: int) -> str:
     """Write a cell of a table; with its unit where that is the row's own."""
     return shown(column.values[row], column.quantity_of(row), unit=bool(column.units))
+
+
+UNITS: ContextVar[Units] = ContextVar("UNITS", default="")
+"""What the reader of this run asks for; empty: each quantity in its own unit."""
+
+_Thing = TypeVar("_Thing")
+
+
+def as_wanted(thing: _Thing, language: Language = "en") -> _Thing:
+    """Return an answer, a block or drawings in the units that the reader asks for, and said."""
+    return in_language(in_units(thing, UNITS.get()), language)
+
+
+def in_language(thing: _Thing, language: Language) -> _Thing:
+    """Say all messages of an answer, a block or drawings; in English they are what they are."""
+
+    def change(each: Any) -> Any:
+        return say(each, language) if isinstance(each, str) else each
+
+    return thing if language == "en" else _changed(thing, change)
+
+
+def in_units(thing: _Thing, units: Units) -> _Thing:
+    """Return an answer, a block or drawings in other units; values stay in SI.
+
+    Columns, facts and axes that showed the same in a second unit, and would now show it twice, are
+    left out.
+
+    Examples
+    --------
+    >>> from catopt.answers.blocks import fact
+    >>> shown = in_units(fact("tension", 98066.5), "tf")
+    >>> shown.quantity.format(shown.value, unit=True)
+    '10.0000 tf'
+    """
+    return _changed(thing, lambda each: _converted(each, units)) if units else thing
+
+
+def _changed(thing: Any, change: Callable[[Any], Any]) -> Any:
+    """Change all that a thing consists of, from the inside out."""
+    if isinstance(thing, tuple | list):
+        if all(type(each) in {float, int, bool} for each in thing):
+            return thing
+        made = [_changed(each, change) for each in thing]
+        return type(thing)(*made) if hasattr(thing, "_fields") else type(thing)(made)
+    if isinstance(thing, dict):
+        return {key: _changed(value, change) for key, value in thing.items()}
+    if is_dataclass(thing) and not isinstance(thing, type | Quantity | Measure):
+        parts = {each.name: _changed(getattr(thing, each.name), change) for each in fields(thing)}
+        return change(replace(thing, **parts))
+    return change(thing)
+
+
+def _converted(thing: Any, units: Units) -> Any:
+    if isinstance(thing, Quantity):
+        return thing.in_units(units)
+    if isinstance(thing, Measure):
+        return replace(thing, units=units)
+    if isinstance(thing, Message):
+        kind: Any = type(thing)
+        made = in_units(vars(thing), units)
+        return kind(made["key"], **made["values"]) if thing.key else kind(**made)
+    if isinstance(thing, Fact):
+        also = [each for each in thing.also if each.field_unit != _unit(thing)]
+        return replace(thing, also=tuple(also))
+    if isinstance(thing, Table):
+        return replace(thing, columns=tuple(_seen_once(thing.columns)))
+    if isinstance(thing, Axis) and thing.second is not None and not thing.second.zero:
+        return replace(thing, second=None) if _unit(thing.second) == _unit(thing) else thing
+    return thing
+
+
+def _seen_once(columns: Iterable[Column]) -> Iterator[Column]:
+    """Leave out what people would see twice; files keep their columns."""
+    seen = []
+    for column in columns:
+        shown = column.values, _unit(column)
+        if column.only != "people" or shown not in seen:
+            yield column
+        if column.only != "files":
+            seen.append(shown)
+
+
+def _unit(of: Any) -> str | None:
+    return None if of.quantity is None else str(of.quantity.field_unit)

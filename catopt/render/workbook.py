@@ -25,11 +25,19 @@ from catopt.answers.blocks import (
 )
 from catopt.quantities import Quantity
 from catopt.render.drawing import draw
-from catopt.render.sheet import Book, Cell, Chart, Number, Series, Sheet, Style, number_pattern
+from catopt.render.page import put_in
+from catopt.render.sheet import (
+    Book,
+    Cell,
+    Chart,
+    Number,
+    Series,
+    Style,
+    WorkbookSheet,
+    number_pattern,
+)
 from catopt.render.sheet import Text as Words
-from catopt.render.trail import put_in
-from catopt.render.units import as_wanted
-from catopt.render.values import shown
+from catopt.render.values import as_wanted, shown
 from catopt.words import Language, Listed, Message
 
 _WIDTHS = (44.0, 24.0)
@@ -52,7 +60,7 @@ def workbook(answer: Answer, language: Language = "en") -> bytes:
     """Lay out all tables of an answer, every digit kept."""
     answer = as_wanted(answer, language)
     book = Book(answer.title, language)
-    drawn: list[tuple[Sheet, list[Figure]]] = []
+    drawn: list[tuple[WorkbookSheet, list[Figure]]] = []
     for section in answer.sections:
         # Notes say on sheets of their own what is said in words alone.
         has_words = bool(answer.kind) and any(map(_words_of, section.blocks))
@@ -75,7 +83,7 @@ def _is_laid(block: Block) -> bool:
     return isinstance(block, Trail | Figure) or (isinstance(block, Points) and bool(block.said))
 
 
-def _sheet(book: Book, section: Section) -> Sheet:
+def _sheet(book: Book, section: Section) -> WorkbookSheet:
     """Lay a section out, but for its drawings."""
     sheet = book.sheet(section.title)
     tops: dict[str, int] = {}
@@ -104,7 +112,7 @@ def _sheet(book: Book, section: Section) -> Sheet:
     return sheet
 
 
-def _block(sheet: Sheet, block: Table | Facts, title: str) -> int:
+def _block(sheet: WorkbookSheet, block: Table | Facts, title: str) -> int:
     """Write a table below what is there; return the row of its headings."""
     language = sheet.book.language
     if isinstance(block, Facts):
@@ -128,7 +136,7 @@ def _block(sheet: Sheet, block: Table | Facts, title: str) -> int:
 
 
 def _computed(
-    sheet: Sheet, columns: Sequence[Column], column: Column, row: int, first: int
+    sheet: WorkbookSheet, columns: Sequence[Column], column: Column, row: int, first: int
 ) -> Cell:
     """Write a cell, as a formula where the spreadsheet can compute it; rows begin at `first`."""
     cell = _cell(sheet, column, row)
@@ -141,7 +149,7 @@ def _computed(
     return cell._replace(formula=f"={demand}{sign}{capacity}")
 
 
-def _trail(sheet: Sheet, block: Trail) -> None:
+def _trail(sheet: WorkbookSheet, block: Trail) -> None:
     """Write steps: what comes out, its equation, its numbers put in, and what others have."""
     say = sheet.book.say
     names = ("page.what", "page.equation", "page.put_in", "page.value", "columns.unit")
@@ -165,7 +173,7 @@ def _of(quantity: Quantity, si: float | None) -> Cell:
     return None if si is None else Number(quantity.in_files(si), number_pattern(quantity))
 
 
-def _graph(sheet: Sheet, table: Table, top: int, block: Graph, row: int) -> int:
+def _graph(sheet: WorkbookSheet, table: Table, top: int, block: Graph, row: int) -> int:
     """Draw columns of a table whose headings are in row `top`; return the first row below."""
     names = [each.said_heading(sheet.book.language) for each in table.for_files()]
     series = [
@@ -198,7 +206,7 @@ def _words_of(block: Block) -> tuple[str, ...]:
     return (block.said,) if isinstance(block, Text) else block.said
 
 
-def _cell(sheet: Sheet, column: Column, row: int, *, is_left: bool = False) -> Cell:
+def _cell(sheet: WorkbookSheet, column: Column, row: int, *, is_left: bool = False) -> Cell:
     value, quantity = column.values[row], column.quantity_of(row)
     number = column.in_files(row)
     if isinstance(value, int | float) and isinstance(number, int | float) and math.isfinite(number):

@@ -1,17 +1,23 @@
-"""What is drawn of each kind of result: the pictures that ``--out`` writes, and ``plot()``."""
+"""Everything that commands write to a directory: what is drawn, and files whole or not at all."""
 
 from __future__ import annotations
 
+import json
+import os
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from pathlib import Path
+from time import time
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from catopt.casefile.design_directory import DESIGN_CASE
-from catopt.render.files import csv_of
-from catopt.report.files import write_files
+from catopt.casefile.reading import DESIGN_CASE
+from catopt.casefile.writing import text_digest
+from catopt.errors import InputError, Problem
+from catopt.interrupt import signals_wait
+from catopt.render.files import csv_of, document_bytes
+from catopt.schemas import CASE_DIGEST
 from catopt.ties import first_largest
-from catopt.words import Message
+from catopt.words import Message, Several, term
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -23,7 +29,7 @@ if TYPE_CHECKING:
     from catopt.model import Case
     from catopt.mooring.case import SystemReport
     from catopt.mooring.solution import SystemSolution
-    from catopt.notes.size import Given
+    from catopt.notes.line import Given
     from catopt.reproduce import Reproduction
     from catopt.reproduce.items import Study
     from catopt.sizing import Sizing
@@ -31,6 +37,116 @@ if TYPE_CHECKING:
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
     from catopt.verify.result import StaticComparison, Verification
     from catopt.words import Language
+
+_TEMPORARY = re.compile(r"\..+\.\d+\.tmp")
+_STALE = 600.0
+"""Seconds after which nobody is still writing a temporary file: all are written within a few."""
+
+
+def check_directory(directory: Path) -> None:
+    """Make sure that files can be written to a directory, or that it can be made; nothing is left.
+
+    Raises InputError where it is a file, or cannot be made or written to.
+    """
+    if directory.exists() and not directory.is_dir():
+        raise _refused(directory, Message("refused_command.is_a_file"))
+    place = directory
+    try:
+        while not place.exists() and place != place.parent:
+            place = place.parent
+        probe = _temporary(place / "probe")
+        probe.touch()
+        probe.unlink()
+    except OSError as error:
+        raise _refused(directory, _reason(error)) from error
+
+
+def write_files(
+    directory: Path,
+    contents: Mapping[str, bytes],
+    keep: Collection[Path] = (),
+    case: bytes | None = None,
+) -> tuple[Path, ...]:
+    """Write files so that none is ever seen half written, and that all are of one answer.
+
+    All are first written under temporary names; only then does each take its place, and with it
+    that of an older file of the same name. A signal waits until the last one has. Every document of
+    catopt among them carries the digest of its case, which goes first, so that a directory in which
+    even a power cut left parts of two answers is recognised. That is `case`, or the case file among
+    them; `keep` are files that were read, in whose place nothing is written.
+
+    Raises InputError where the directory or a file in it cannot be written, or would go in the
+    place of one to keep.
+    """
+    check_directory(directory)
+    try:
+        directory.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise _refused(directory, _reason(error)) from error
+    of = contents.get(DESIGN_CASE) if case is None else case
+    places = {directory / name: _marked(each, of) for name, each in contents.items()}
+    for place in places:
+        if any((place.exists() and read.exists() and place.samefile(read)) for read in keep):
+            raise _refused(place, Message("refused_command.is_read"))
+    try:
+        _sweep(directory)
+        for place, content in places.items():
+            with _temporary(place).open("wb") as stream:
+                stream.write(content)
+                stream.flush()
+                os.fsync(stream.fileno())
+        with signals_wait():
+            for place in sorted(places, key=_rank):
+                _temporary(place).replace(place)
+    except OSError as error:
+        raise _refused(directory, _reason(error)) from error
+    finally:
+        for place in places:
+            _temporary(place).unlink(missing_ok=True)
+    return tuple(places)
+
+
+def _rank(place: Path) -> int:
+    """Order of the files: the case first, documents that carry its digest last."""
+    return 0 if place.name == DESIGN_CASE else 2 if place.suffix == ".json" else 1
+
+
+def _marked(content: bytes, case: bytes | None) -> bytes:
+    """Put the digest of the case into a document of catopt; leave every other file."""
+    if case is None or not content.startswith(b'{\n  "schema": "catopt.'):
+        return content
+    return document_bytes(with_digest(json.loads(content), text_digest(case.decode())))
+
+
+def with_digest(document: dict[str, Any], digest: str) -> dict[str, Any]:
+    """Put the digest of its case into a document, after its schema."""
+    mark = {CASE_DIGEST: digest}
+    return {"schema": document["schema"], **mark} | document | mark
+
+
+def _sweep(directory: Path) -> None:
+    """Remove temporary files that a run which was killed left behind."""
+    for place in directory.glob(".*.tmp"):
+        if _TEMPORARY.fullmatch(place.name) and time() - place.stat().st_mtime > _STALE:
+            place.unlink(missing_ok=True)
+
+
+def _temporary(place: Path) -> Path:
+    """Name a file beside its place, for `replace` is only whole within one file system."""
+    return place.with_name(f".{place.name}.{os.getpid()}.tmp")
+
+
+def _reason(error: OSError) -> Message:
+    name = f"{Path(error.filename2 or error.filename).name}: " if error.filename else ""
+    return Message(
+        "refused_command.not_written",
+        reason=Several((name, term(error.strerror or str(error))), ""),
+    )
+
+
+def _refused(directory: Path, why: Message) -> InputError:
+    return InputError([Problem("--out", str(directory), why)])
+
 
 SYSTEM_CASE = "system.toml"
 """The whole pattern of several lines, for ``catopt system``."""
@@ -103,7 +219,7 @@ def _of_solution(solution: Solution) -> Drawing:
 
 
 def _of_curve(result: CaseCurve) -> Drawing:
-    from catopt.figures.curve import load_curve
+    from catopt.figures.line import load_curve
 
     return Drawing((load_curve(result),), result.case.title)
 
@@ -135,8 +251,8 @@ def system_pictures(report: SystemReport) -> dict[str, bytes]:
 
 def _of_front(result: DesignResult) -> Drawing:
     """Draw a front, and of single lines three of them."""
-    from catopt.design.document import design_document
-    from catopt.figures.front import front, front_lines
+    from catopt.design.result import design_document
+    from catopt.figures.sizing import front, front_lines
 
     document = design_document(result)
     is_line = result.best.mooring is None
@@ -188,7 +304,7 @@ def size_files(
 
 def _size_page(of: Sizing, given: Given, language: Language) -> bytes:
     from catopt.answers.note_size import size_note_answer
-    from catopt.notes.size import size_note
+    from catopt.notes.line import size_note
     from catopt.render.page import page
 
     return page(size_note_answer(size_note(of, given)), language)
@@ -206,8 +322,8 @@ def write_member_note(
 
     `source` is the file that all sizings have in common, `changes` are the member's own values.
     """
+    from catopt.notes.line import Given
     from catopt.notes.origin import read_source
-    from catopt.notes.size import Given
 
     own = tuple(
         (key, f"{value:.10g} (SI)" if isinstance(value, float) else str(value))
@@ -224,7 +340,7 @@ def write_member_note(
 
 def _of_comparison(found: Verification, part: StaticComparison) -> Drawing:
     """Draw a line by both models; of a body the most loaded one."""
-    from catopt.figures.verification import comparison
+    from catopt.figures.motion import comparison
 
     titles = [found.case.title, part.name if found.is_named else ""]
     line = first_largest([pair.finest.fairlead.tension for pair in part.lines])
@@ -255,15 +371,29 @@ def _of_motion(part: DynamicPart, title: str) -> Drawing:
     return Drawing(charts if peaks is None else (*charts, peaks), title)
 
 
-def motion_pictures(found: DynamicVerification) -> dict[str, bytes]:
-    """Draw every load case in motion, or the governing line of a body."""
+def motion_pictures(found: DynamicVerification, language: Language = "en") -> dict[str, bytes]:
+    """Draw every load case in motion, or the governing line of a body; of a buoy afloat a film."""
     title, parts = found.case.title, found.parts
     if found.case.system is not None:
         part = found.governing
         return _pictures({"dynamic": _of_motion(part, f"{title}, {part.where}")})
     titles = [title] if len(parts) == 1 else [f"{title}, {each.name}".strip(", ") for each in parts]
     drawings = map(_of_motion, parts, titles)
-    return _pictures(_on_slope(found) | _numbered("dynamic", drawings, len(parts)))
+    drawn = _pictures(_on_slope(found) | _numbered("dynamic", drawings, len(parts)))
+    return drawn | _afloat(found, language)
+
+
+def _afloat(found: DynamicVerification, language: Language) -> dict[str, bytes]:
+    """Draw a buoy afloat at the largest tension of all runs, and what it does around it."""
+    hull = found.governing.governing.hull
+    if hull is None or hull.scene is None:
+        return {}
+    from catopt.figures.motion import film_of, worst_moment
+    from catopt.render.film import film_page
+
+    title = ", ".join(filter(None, (found.case.title, found.governing.where)))
+    drawn = {"moment": Drawing((worst_moment(hull.scene),), title)}
+    return _pictures(drawn) | {"film.html": film_page(film_of(hull.scene), title, language)}
 
 
 def _on_slope(found: DynamicVerification) -> dict[str, Drawing]:

@@ -7,17 +7,22 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 from catopt.model import Line, Segment, SwarmSettings
-from catopt.reproduce.comparison import (
+from catopt.reproduce.items import (
+    TF,
+    Drawn,
     Interval,
+    Item,
+    Printed,
+    Published,
+    Study,
     by_order,
     compare,
     interval,
     item_of,
     not_reproducible,
+    published,
     study_of,
 )
-from catopt.reproduce.items import Drawn, Item, Printed, Study
-from catopt.reproduce.published import TF, Published, published
 from catopt.units import UNITS, Dimension
 from catopt.words import Message
 
@@ -42,6 +47,11 @@ def study(progress: Progress | None = None) -> Study:
     solution = _solve_by_swarm(source, progress)
     by_swarm = _results(solution)
     in_closed_form = _results(_hang(source.inputs["submerged_weight_kgf_per_m"]))
+    values: dict[str, object] = {"weight": source.inputs["submerged_weight_kgf_per_m"]}
+    for name, key in zip(("angle", "offset", "tension"), _RESULTS, strict=True):
+        printed = source.printed["pso"][key]
+        values[name] = printed.text
+        values[f"{name}_low"], values[f"{name}_high"] = _weights_for(key, printed).ends(3)
     return study_of(
         source,
         items=(
@@ -53,7 +63,7 @@ def study(progress: Progress | None = None) -> Study:
         ),
         findings=(
             Message("reproduce.results_by_finite_elements_analytic"),
-            _about_the_weight(source),
+            Message("reproduce.weight", **values),
             _about_the_tension(source),
             Message("reproduce.printed_objective_3_55e_15", limit=ZERO),
         ),
@@ -162,15 +172,6 @@ def _percent(value: float, reference: float) -> float:
 def _weights_for(key: str, printed: Printed) -> Interval:
     """Find the weights, kgf/m, for which a quantity prints so."""
     return interval(lambda weight: _results(_hang(weight))[key], printed, _WEIGHTS)
-
-
-def _about_the_weight(source: Published) -> str:
-    values: dict[str, object] = {"weight": source.inputs["submerged_weight_kgf_per_m"]}
-    for name, key in zip(("angle", "offset", "tension"), _RESULTS, strict=True):
-        printed = source.printed["pso"][key]
-        values[name] = printed.text
-        values[f"{name}_low"], values[f"{name}_high"] = _weights_for(key, printed).ends(3)
-    return Message("reproduce.weight", **values)
 
 
 def _about_the_tension(source: Published) -> str:

@@ -8,13 +8,19 @@ from typing import Any, Final
 
 from catopt.loads.buoy import AIR_DENSITY, buoy_loads
 from catopt.loads.buoy_shape import DRAG_COEFFICIENT, BuoyShape, BuoySlice, Floating
-from catopt.loads.drag import drag
-from catopt.loads.environment import SeaState, SurfaceCurrent, WaterLevels, Wind
+from catopt.loads.environment import SeaState, SurfaceCurrent, WaterLevels, Wind, drag
 from catopt.loads.sinker import size_sinker, submerged_weight
 from catopt.model import Line, Segment
-from catopt.reproduce.comparison import compare, study_of
-from catopt.reproduce.items import SideBySide, Study, in_unit
-from catopt.reproduce.published import TF, Published, published
+from catopt.reproduce.items import (
+    TF,
+    Published,
+    SideBySide,
+    Study,
+    compare,
+    in_unit,
+    published,
+    study_of,
+)
 from catopt.words import Message
 
 NAME: Final = "calmar"

@@ -10,9 +10,19 @@ from typing import TYPE_CHECKING
 
 from catopt.constants import STANDARD_GRAVITY
 from catopt.model import Line, Segment, System
-from catopt.reproduce.comparison import compare, study_of
-from catopt.reproduce.items import Item, MooredLine, Mooring, SideBySide, Study, in_unit
-from catopt.reproduce.published import KN, Published, published
+from catopt.reproduce.items import (
+    KN,
+    Item,
+    MooredLine,
+    Mooring,
+    Published,
+    SideBySide,
+    Study,
+    compare,
+    in_unit,
+    published,
+    study_of,
+)
 from catopt.words import Message
 
 if TYPE_CHECKING:
@@ -119,7 +129,7 @@ def as_run(
     `force`: on the turret along x, N; the printed one when left out.
     """
     from catopt.fem import solve_system
-    from catopt.verify.system import truss_legs
+    from catopt.verify.line import truss_legs
 
     source = published(NAME)
     system = turret(source, azimuths)
@@ -147,24 +157,9 @@ def held_bed(source: Published, *, stiffened: bool = True) -> HeldBed:
 @cache
 def free_bed() -> StaticComparison:
     """Solve with a bed that only pushes and the printed EA, by closed form and truss model."""
-    from catopt.verify.system import verify_system
+    from catopt.verify.line import verify_system
 
     return verify_system(turret(published(NAME)), elements=BARS, tolerance=TOLERANCE)
-
-
-def _stiff_on_free_bed(source: Published) -> _Answer:
-    """Solve with a bed that only pushes and the stiffened lines, in closed form."""
-    from catopt.mooring.solve import solve_system
-
-    system = turret(source)
-    factor, segments = source.inputs["EA_multiplier"], system.legs[0].line.segments
-    stiff = [replace(each, EA=factor * each.EA) for each in segments]
-    closed = solve_system(with_segments(system, stiff))
-    return _Answer(
-        offset=-closed.offset[0],
-        fairlead=max(line.tension for line in closed.lines) / KN,
-        anchor=max(line.solution.anchor.tension for line in closed.lines) / KN,
-    )
 
 
 def _of_truss(truss: TrussSystem) -> _Answer:
@@ -271,10 +266,21 @@ def _restraints(source: Published) -> SideBySide:
         )
         for name in ("MOORING_2017", "OrcaFlex")
     }
+    # Solve with a bed that only pushes and the stiffened lines, in closed form.
+    from catopt.mooring.solve import solve_system
+
+    system = turret(source)
+    factor, segments = source.inputs["EA_multiplier"], system.legs[0].line.segments
+    stiff = [replace(each, EA=factor * each.EA) for each in segments]
+    closed = solve_system(with_segments(system, stiff))
     answers |= {
         "as run: held both ways, 100 EA": _of_truss(as_run()),
         "held both ways, printed EA": _of_truss(as_run(stiffened=False)),
-        "pushes only, 100 EA": _stiff_on_free_bed(source),
+        "pushes only, 100 EA": _Answer(
+            offset=-closed.offset[0],
+            fairlead=max(line.tension for line in closed.lines) / KN,
+            anchor=max(line.solution.anchor.tension for line in closed.lines) / KN,
+        ),
         "pushes only, printed EA": _on_free_bed(),
     }
     return SideBySide(

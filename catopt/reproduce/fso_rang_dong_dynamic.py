@@ -14,9 +14,17 @@ from itertools import product
 from typing import TYPE_CHECKING, Literal
 
 from catopt.reproduce import fso_rang_dong
-from catopt.reproduce.comparison import set_aside, study_of
-from catopt.reproduce.items import Input, SideBySide, Study, in_unit
-from catopt.reproduce.published import KN, Published, published
+from catopt.reproduce.items import (
+    KN,
+    Input,
+    Published,
+    SideBySide,
+    Study,
+    in_unit,
+    published,
+    set_aside,
+    study_of,
+)
 from catopt.units import UNITS, Dimension
 from catopt.words import Message, term
 
@@ -194,7 +202,7 @@ def _run(of: SeaSpectrum, bed: BedModel, mass: float) -> Maxima:
     import numpy as np
 
     from catopt.fem import BodyInertia, TimeStepping, run_system_dynamics
-    from catopt.verify.system import truss_legs
+    from catopt.verify.line import truss_legs
 
     source, mooring = published(NAME), published(fso_rang_dong.NAME)
     light = fso_rang_dong.turret(mooring)

@@ -1,15 +1,21 @@
-"""The outcome of a reproduction, as values."""
+"""The outcome of a reproduction, as values, and printed numbers beside computed ones."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+import tomllib
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, fields
 from decimal import Decimal
-from typing import Annotated, Literal
+from functools import cache
+from importlib.resources import files
+from typing import Annotated, Any, Final, Literal
 
 from catopt.catenary.solution import Solution
 from catopt.records import Counted, From, Record
 from catopt.shown import Tabled
-from catopt.words import Message, Several, term
+from catopt.units import UNITS, Dimension
+from catopt.words import Cited, Language, Message, Several, Told, term
 
 Verdict = Literal["reproduces", "differs", "not reproducible"]
 
@@ -255,3 +261,239 @@ class Reproduction(Tabled, Record):
             f"{verdicts.count('differs')} differ and {verdicts.count('not reproducible')} cannot "
             "be reproduced."
         )
+
+
+KN: Final = UNITS[Dimension.FORCE]["kN"]
+TF: Final = UNITS[Dimension.FORCE]["tf"]
+
+Given = Mapping[str, float | tuple[float, ...]]
+
+
+@dataclass(frozen=True)
+class Published(Heading):
+    """One table of ``published.toml`` with its source.
+
+    `inputs`, `series`: numbers that went in, and those that were varied, with the unit in the key;
+    `stated`: what is said of them; `printed`: by the source's method, then by quantity with its
+    unit.
+    """
+
+    inputs: dict[str, float]
+    series: dict[str, tuple[float, ...]]
+    stated: tuple[Input, ...]
+    printed: dict[str, dict[str, Printed]]
+
+
+@cache
+def _data() -> dict[str, Any]:
+    text = files("catopt.reproduce").joinpath("published.toml").read_text(encoding="utf-8")
+    return tomllib.loads(text)
+
+
+def _said(text: str | dict[Language, str]) -> str:
+    return text if isinstance(text, str) else Told(text)
+
+
+def published(name: str) -> Published:
+    """Look up a published calculation by the name of its table in ``published.toml``."""
+    table = _data()[name]
+    source = _data()["sources"][table["source"]]
+    inputs = table.get("inputs", {})
+    series = {key: tuple(values) for key, values in table.get("series", {}).items()}
+    return Published(
+        name=name,
+        title=_said(table["title"]),
+        where=_said(table["where"]),
+        source=table["source"],
+        source_title=Cited(source["title"]),
+        source_where=Cited(source["where"]),
+        inputs=inputs,
+        series=series,
+        stated=tuple(_stated(row, series | inputs) for row in table.get("stated", inputs)),
+        printed={
+            method: {quantity: Printed(text) for quantity, text in numbers.items()}
+            for method, numbers in table["printed"].items()
+        },
+    )
+
+
+def _stated(row: str | list[Any], given: Given) -> Input:
+    """Say what went in, by a row of ``stated`` as the head of ``published.toml`` describes it."""
+    if isinstance(row, str):
+        words, unit = _data()["labels"][row]
+        row = [words, row, unit]
+    words, value, unit, *origin = row
+    if isinstance(value, str):
+        value = ", ".join(_written(given.get(key, key)) for key in value.split(", "))
+    return Input(_said(words), _said(value), unit, *map(_said, origin))
+
+
+def _written(value: str | float | tuple[float, ...]) -> str:
+    """Write numbers with the digits that they have; words stay as they are."""
+    if isinstance(value, tuple):
+        return ", ".join(map(_written, value))
+    return value if isinstance(value, str) else f"{value:.9g}"
+
+
+_KNOWN = ("m", "m2", "t", "N", "kN", "MN", "tf", "rad", "deg", "s", "kN/m", "MN/rad", "MN*m/rad")
+_UNITS = {unit: unit for unit in _KNOWN} | {"percent": "%"}
+_PURE_NUMBER = "-"
+
+
+def compare(
+    source: Published,
+    method: str,
+    computed: Mapping[str, float],
+    remarks: Mapping[str, str] | None = None,
+    computed_by: str = "closed-form",
+    printed: Mapping[str, Printed] | None = None,
+) -> tuple[Item, ...]:
+    """Judge every number that a source printed in the table of a method, digit for digit.
+
+    `printed`: in place of that table.
+    """
+    said = remarks or {}
+    items = []
+    for quantity, number in (printed or source.printed[method]).items():
+        value = computed[quantity]
+        judgement = by_digits(number, value, _unit(quantity).strip(_PURE_NUMBER))
+        remark = said.get(quantity, "")
+        items.append(
+            item_of(source, method, quantity, number, judgement, value, computed_by, remark)
+        )
+    return tuple(items)
+
+
+def item_of(
+    source: Published,
+    method: str,
+    quantity: str,
+    printed: Printed,
+    judgement: Judgement,
+    computed: float | None = None,
+    computed_by: str = "",
+    remark: str = "",
+) -> Item:
+    """Put a printed number and its judgement together; its unit is the end of the quantity."""
+    return Item(
+        source.source,
+        source.name,
+        quantity,
+        _unit(quantity),
+        method,
+        computed_by,
+        printed,
+        computed,
+        judgement,
+        term(remark),
+    )
+
+
+def set_aside(source: Published, method: str, reason: str) -> tuple[Item, ...]:
+    """Tell of every number in the table of a method that nothing computed can be compared with."""
+    return tuple(
+        item_of(source, method, quantity, printed, not_reproducible(reason))
+        for quantity, printed in source.printed[method].items()
+    )
+
+
+def study_of(
+    source: Published,
+    items: Iterable[Item],
+    findings: Iterable[str] = (),
+    ours: Iterable[Input] = (),
+    **more: Any,
+) -> Study:
+    """Put a study together.
+
+    `ours`: what went in beside what the source states; `more`: further fields of the study.
+    """
+    return Study(
+        **{each.name: getattr(source, each.name) for each in fields(Heading)},
+        inputs=(*source.stated, *ours),
+        items=tuple(items),
+        findings=tuple(findings),
+        **more,
+    )
+
+
+def _unit(quantity: str) -> str:
+    """Read the unit off the end of a quantity's name; a pure number has none."""
+    return _UNITS.get(quantity.rpartition("_")[2], _PURE_NUMBER)
+
+
+# ------------------------------------------------------------------ verdicts
+
+
+def by_digits(printed: Printed, computed: float, unit: str) -> Judgement:
+    """Judge digit for digit: the computed number, rounded as printed, is the printed one or not."""
+    text = printed.rounding(computed)
+    if text == printed.text:
+        return Judgement("reproduces", text)
+    difference = computed - printed.value
+    relative = f" ({100.0 * difference / printed.value:+.2f} %)" if printed.value else ""
+    decimals = max(1 - math.floor(math.log10(abs(difference))), 0)  # two digits, or whole units
+    amount = f"{difference:+.{decimals}f} {unit}".rstrip()
+    return Judgement("differs", text, Message("reproduce.differs_by", amount=f"{amount}{relative}"))
+
+
+def by_order(printed: Printed, computed: float, limit: float, unit: str) -> Judgement:
+    """Judge a number that is zero but for rounding, so that its digits are chance.
+
+    `computed`: in the same unit, not negative; `limit`: below it a number counts as zero; the
+    printed one must lie below it too.
+    """
+    if max(computed, printed.value) < limit:
+        below = Message("reproduce.below", limit=limit)
+        return Judgement("reproduces", below, Message("reproduce.zero"))
+    value = f"{computed:.2e}"
+    reason = Message("reproduce.not_below", value=f"{value} {unit}", limit=f"{limit:g} {unit}")
+    return Judgement("differs", value, reason)
+
+
+def not_reproducible(reason: str) -> Judgement:
+    """Judge a number that nothing computed here can be compared with."""
+    return Judgement("not reproducible", "", term(reason))
+
+
+# ------------------------------------------------------------------ inputs that are not printed
+
+
+@dataclass(frozen=True)
+class Interval:
+    """All values between two bounds."""
+
+    least: float
+    largest: float
+
+    def ends(self, decimals: int) -> tuple[str, str]:
+        """Write the bounds, each rounded inwards: every value between them belongs to it."""
+        scale = 10.0**decimals
+        least = math.ceil(self.least * scale) / scale
+        largest = math.floor(self.largest * scale) / scale
+        return f"{least:.{decimals}f}", f"{largest:.{decimals}f}"
+
+
+def interval(
+    quantity: Callable[[float], float], printed: Printed, within: tuple[float, float]
+) -> Interval:
+    """Find the values of an input for which a quantity prints as it did.
+
+    `quantity`: the printed quantity as a monotone function of the input; `within`: where to look;
+    the quantity must pass both bounds of the print in between.
+    """
+    return Interval(*sorted(_where(quantity, bound, within) for bound in printed.bounds))
+
+
+def _where(quantity: Callable[[float], float], value: float, within: tuple[float, float]) -> float:
+    """Bisect for the input at which a monotone quantity takes a value, to double precision."""
+    low, high = within
+    rising = quantity(high) > quantity(low)
+    if not min(quantity(low), quantity(high)) < value < max(quantity(low), quantity(high)):
+        raise ValueError(f"the quantity does not pass {value:g} between {low:g} and {high:g}")
+    while low < (middle := 0.5 * (low + high)) < high:
+        if (quantity(middle) < value) == rising:
+            low = middle
+        else:
+            high = middle
+    return low

@@ -12,9 +12,17 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import TYPE_CHECKING, Final, Literal, get_args
 
-from catopt.reproduce.comparison import compare, study_of
-from catopt.reproduce.items import Input, Printed, SideBySide, Study
-from catopt.reproduce.published import KN, Published, published
+from catopt.reproduce.items import (
+    KN,
+    Input,
+    Printed,
+    Published,
+    SideBySide,
+    Study,
+    compare,
+    published,
+    study_of,
+)
 from catopt.reproduce.reference_moorings import segment_of, solve_one_line
 from catopt.words import Message
 

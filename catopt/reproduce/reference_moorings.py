@@ -9,9 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 from catopt.model import Line, Segment, Site, System
 from catopt.model.network import LineBetween, Network, Point
-from catopt.reproduce.comparison import compare, study_of
-from catopt.reproduce.items import Drawn, Item, Study
-from catopt.reproduce.published import Published, published
+from catopt.reproduce.items import Drawn, Item, Published, Study, compare, published, study_of
 from catopt.words import Message
 
 if TYPE_CHECKING:

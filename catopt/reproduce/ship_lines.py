@@ -11,9 +11,19 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from catopt.model import Line, PointLoad, Segment
-from catopt.reproduce.comparison import compare, interval, study_of
-from catopt.reproduce.items import Drawn, Item, Printed, Study
-from catopt.reproduce.published import KN, TF, Published, published
+from catopt.reproduce.items import (
+    KN,
+    TF,
+    Drawn,
+    Item,
+    Printed,
+    Published,
+    Study,
+    compare,
+    interval,
+    published,
+    study_of,
+)
 from catopt.words import Message
 
 if TYPE_CHECKING:
@@ -311,23 +321,19 @@ def tanker_20m_sinker() -> Study:
         tension = found.solution.fairlead.tension / KN
         items += compare(source, method, {_LENGTH: found.value, _TENSION: tension})
         drawn.append(Drawn(method, found.solution))
+    force = source.inputs["horizontal_force_kN"]
+    largest = max((row.printed[_TENSION] for row in rows), key=lambda printed: printed.value)
     return study_of(
         source,
         items,
         findings=(
-            _about_the_load(source, rows),
+            Message("reproduce.by_text_line_carries_h", force=force, tension=largest.text),
             _about_other_forces(source, rows),
             _about_the_lengths(source, rows),
             _about_the_tensions(source, rows),
         ),
         drawn=tuple(drawn),
     )
-
-
-def _about_the_load(source: Published, rows: list[_Row]) -> str:
-    force = source.inputs["horizontal_force_kN"]
-    largest = max((row.printed[_TENSION] for row in rows), key=lambda printed: printed.value)
-    return Message("reproduce.by_text_line_carries_h", force=force, tension=largest.text)
 
 
 def _about_other_forces(source: Published, rows: list[_Row]) -> str:

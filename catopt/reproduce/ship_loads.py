@@ -7,20 +7,26 @@ from collections.abc import Iterator
 from itertools import product
 from typing import Final
 
-from catopt.catalogue.figure import weakest
+from catopt.catalogue.components import weakest
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.loads.component import Loads
-from catopt.loads.environment import SeaState, SurfaceCurrent, Wind
-from catopt.loads.heading import Headings
+from catopt.loads.environment import Headings, SeaState, SurfaceCurrent, Wind
 from catopt.loads.ship import Ship
-from catopt.loads.ship_estimate import BLOCK, MIDSHIP
+from catopt.loads.ship_dimensions import BLOCK, MIDSHIP
 from catopt.loads.ship_loads import METHODS, TCN, ship_loads
 from catopt.loads.tanker_20m import compare_tanker
 from catopt.loads.tcn_222_95 import wave_height
 from catopt.loads.weathervane import YAW_TYPES, Afloat, ShipHeading, Turning, every_lying
-from catopt.reproduce.comparison import compare, study_of
-from catopt.reproduce.items import SideBySide, Study, in_unit
-from catopt.reproduce.published import KN, Published, published
+from catopt.reproduce.items import (
+    KN,
+    Published,
+    SideBySide,
+    Study,
+    compare,
+    in_unit,
+    published,
+    study_of,
+)
 from catopt.ties import largest
 from catopt.words import Message, Several, term
 

@@ -55,7 +55,11 @@ def _misfits(value: Any, schema: Schema, path: Path, whole: Mapping[str, Any]) -
             yield path, _shown(value), Message("refused.leave_out")
         return
     if "$ref" in schema:
-        yield from _misfits(value, _referred(schema["$ref"], whole), path, whole)
+        found: Any = whole
+        for key in schema["$ref"].removeprefix("#/").split("/"):
+            found = found[key]
+        referred: Mapping[str, Any] = found
+        yield from _misfits(value, referred, path, whole)
     if "type" in schema and not _is_of(value, schema["type"]):
         yield path, _shown(value), Message("refused.this_is_wanted", what=_wanted(schema["type"]))
         return
@@ -123,14 +127,6 @@ def _combined(
     if "if" in schema:
         met = not any(_misfits(value, schema["if"], path, whole))
         yield from _misfits(value, schema.get("then" if met else "else", True), path, whole)
-
-
-def _referred(reference: str, whole: Mapping[str, Any]) -> Mapping[str, Any]:
-    found: Any = whole
-    for key in reference.removeprefix("#/").split("/"):
-        found = found[key]
-    referred: Mapping[str, Any] = found
-    return referred
 
 
 def _is_of(value: Any, kinds: str | list[str]) -> bool:

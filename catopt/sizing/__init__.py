@@ -11,8 +11,6 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from catopt.sizing.anchorage import DragGround as DragGround
-    from catopt.sizing.anchorage import SinkerGround as SinkerGround
     from catopt.sizing.buoy_request import BuoyRequest as BuoyRequest
     from catopt.sizing.buoy_request import GivenBuoy as GivenBuoy
     from catopt.sizing.environment import Environment as Environment
@@ -20,17 +18,19 @@ if TYPE_CHECKING:
     from catopt.sizing.keywords import size_buoy as size_buoy
     from catopt.sizing.keywords import size_tanker as size_tanker
     from catopt.sizing.line_choice import LineChoice as LineChoice
+    from catopt.sizing.pattern import DragGround as DragGround
+    from catopt.sizing.pattern import SinkerGround as SinkerGround
     from catopt.sizing.result import Sizing as Sizing
     from catopt.sizing.tanker_request import MooredShip as MooredShip
     from catopt.sizing.tanker_request import TankerRequest as TankerRequest
 
 _HOMES = {
-    "anchorage": ("DragGround", "SinkerGround"),
     "buoy_request": ("BuoyRequest", "GivenBuoy"),
     "environment": ("Environment",),
     "file": ("read_sizing",),
     "keywords": ("size_buoy", "size_tanker"),
     "line_choice": ("LineChoice",),
+    "pattern": ("DragGround", "SinkerGround"),
     "result": ("Sizing",),
     "tanker_request": ("MooredShip", "TankerRequest"),
 }

@@ -8,7 +8,7 @@ from typing import Final
 
 from catopt.catalogue import component, standard
 from catopt.checks.profiles import profiles_of
-from catopt.loads.buoy_library import buoys
+from catopt.loads.buoy import buoys
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.model import Case, CurrentProfile, Dynamics, Floater, LoadCase, Segment, WaveState
 from catopt.sizing.buoy_request import BuoyRequest
@@ -30,7 +30,7 @@ def buoy_afloat(case: Case, request: BuoyRequest) -> Case | None:
     None for a buoy that is not one of the library, or a sea without waves.
     """
     sea, shape = request.environment.sea, request.buoy
-    if not isinstance(shape, BuoyShape) or shape not in buoys() or not sea.hs > 0.0:
+    if not isinstance(shape, BuoyShape) or not _is_in_library(shape) or not sea.hs > 0.0:
         return None
     env, how = request.environment, request.in_motion or RunsAfloat()
     segments = tuple(_stiff(each) for each in case.line.segments)
@@ -47,6 +47,11 @@ def buoy_afloat(case: Case, request: BuoyRequest) -> Case | None:
         floater=Floater(shape.name, wind_speed=env.wind.speed),
         dynamics=Dynamics(how.duration, elements=how.elements),
     )
+
+
+def _is_in_library(shape: BuoyShape) -> bool:
+    """Whether a buoy is one of the library: that of CALMAR's own file is, wherever it lies."""
+    return any(replace(each, origin=shape.origin) == shape for each in buoys())
 
 
 def run_in_still_water(case: Case, request: BuoyRequest) -> Case | None:

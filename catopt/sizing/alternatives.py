@@ -1,23 +1,35 @@
-"""What stands beside the recommended line: other sizes, other preferences, steps that fail."""
+"""What stands beside the recommended line: other sizes, practice, steps that fail."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from types import MappingProxyType
-from typing import Final, Literal
+from typing import Any, Final, Literal
 
-from catopt.casefile.sizing_file import Moored
+from catopt.casefile.reading import Moored
 from catopt.catalogue.choice import chosen
+from catopt.catalogue.fittings import OF_A_CHAIN, fittings_for
+from catopt.catalogue.practice import Practice, practice_of_buoy, practice_of_ship
+from catopt.catalogue.practice import condition as kept_condition
+from catopt.checks.case import check_case
+from catopt.checks.profiles import profiles_of
 from catopt.checks.result import CheckResult
+from catopt.constants import SEA_WATER_DENSITY
 from catopt.design.evaluation import DesignProblem
-from catopt.design.near_miss import NoFeasibleDesignError
-from catopt.design.neighbours import neighbour, steps
+from catopt.design.neighbours import NoFeasibleDesignError, neighbour, steps
 from catopt.errors import CatoptError, InputError, NoAnswerError
+from catopt.loads.buoy_shape import BuoyShape
+from catopt.loads.drag_anchor import laying_check
+from catopt.loads.sinker import friction_of
+from catopt.model import Anchor, Case, Service
+from catopt.model.line import line_kind
 from catopt.quantities import QUANTITIES
+from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.line_choice import Prefer
 from catopt.sizing.settle import ConvergedSizing, point_diameter
-from catopt.words import Measure, Message, Several
+from catopt.sizing.tanker_request import TankerRequest
+from catopt.words import Cited, Measure, Message, Several, term
 
 Role = Literal["smaller", "recommended", "larger"]
 
@@ -189,3 +201,172 @@ def limits(settled: ConvergedSizing) -> tuple[Limit, ...]:
         elif not tried.point.checks.passes:
             found.append(Limit(tried.change, tried.point.checks.governing))
     return tuple(found)
+
+
+_STEPS = 24
+"""Halvings of the diameter: to a ten millionth of it."""
+
+
+def least_diameter(settled: ConvergedSizing) -> float | None:
+    """Find the diameter that the chain may wear to before a check of its worn line fails, m.
+
+    None where nothing wears, or where no check of the worn line fails however thin it gets.
+    """
+    case = settled.case
+    if case.service is None:
+        return None
+    worn = replace(
+        case,
+        design=None,
+        load_cases=tuple(each for each in case.load_cases if each.condition == "worn"),
+    )
+    new = point_diameter(settled.point)
+    low, high = 0.0, new  # high passes: it is the new line's, or nearly
+    for _ in range(_STEPS):
+        middle = 0.5 * (low + high)
+        if _passes(worn, new - middle):
+            high = middle
+        else:
+            low = middle
+    return high if low > 0.0 else None
+
+
+def _passes(case: Case, loss: float) -> bool:
+    """Whether the line with so much less diameter, m, keeps every check."""
+    try:
+        return check_case(replace(case, service=Service(life=1.0, wear_rate=loss))).passes
+    except NoAnswerError:
+        return False
+
+
+def beside(request: BuoyRequest | TankerRequest, settled: ConvergedSizing) -> dict[str, Any]:
+    """Gather it, by the names of the attributes of `catopt.sizing.result.Sizing`."""
+    found = practice(request, settled)
+    life, said = chain_life(settled)
+    advice = [*said]
+    if isinstance(request, BuoyRequest):
+        advice += _laying(request, settled)
+    return {
+        "departures": tuple(departures(request)),
+        "fittings": tuple(_fittings(settled)),
+        "practice": "" if found is None else found.message,
+        "chain_life": life,
+        "advice": tuple(advice),
+    }
+
+
+def departures(request: BuoyRequest | TankerRequest) -> Iterator[Message]:
+    """Say where the request departs from the method of the code that its line is checked by."""
+    line, code = request.line, request.line.code
+    method = profiles_of(line.checks)[0].method
+    if method is None:
+        return
+    if line.allowance != method.dynamic_factor:
+        yield Message("sizing.departs_factor", own=line.allowance, factor=method.dynamic_factor)
+    if not isinstance(request, BuoyRequest):
+        return
+    if request.buoy.name and isinstance(request.buoy, BuoyShape):
+        if not method.loads:
+            yield Message("sizing.departs_loads", code=code)
+        if request.wave_height != "hs":
+            yield Message("sizing.departs_hmax")
+        if request.chain_waves:
+            yield Message("sizing.departs_chain")
+        if request.marine_growth:
+            yield Message("sizing.departs_growth")
+    if method.soil and request.ground.mu != friction_of(method.soil)[0]:
+        yield Message("sizing.departs_friction", own=request.ground.mu)
+
+
+def practice(request: BuoyRequest | TankerRequest, settled: ConvergedSizing) -> Practice | None:
+    """Set the line beside what is laid for such a buoy, or carried by such a ship."""
+    diameter, length = point_diameter(settled.point), settled.point.line.length
+    env = request.environment
+    if isinstance(request, TankerRequest):
+        # The equipment number is that of the loaded ship.
+        loaded = [each.ship for each in request.ships if each.condition == "loaded"]
+        if not loaded:
+            return None
+        (ship, *_) = loaded
+        return practice_of_ship(
+            diameter,
+            length,
+            displacement=ship.displacement * SEA_WATER_DENSITY,
+            front=ship.frontal_area,
+            side=ship.lateral_area,
+        )
+    buoy = request.buoy
+    if not isinstance(buoy, BuoyShape):
+        return None
+    known = buoy.chain_min is not None and buoy.chain_max is not None
+    return practice_of_buoy(
+        diameter,
+        length,
+        buoy_diameter=buoy.widest,
+        depth=env.levels.high,
+        current=env.current.speed,
+        chain_limits=(buoy.chain_min or 0.0, buoy.chain_max or 0.0) if known else None,
+    )
+
+
+def chain_life(settled: ConvergedSizing) -> tuple[float | None, list[Message]]:
+    """Find after which time the chain is to be changed, s, and say why; None where it stays new.
+
+    It is to be changed when a check of its worn line is overrun, or when so much of its diameter is
+    gone that authorities discard it.
+    """
+    service, new = settled.case.service, point_diameter(settled.point)
+    if service is None or service.wear_rate == 0.0:
+        return None, []
+    kept = kept_condition()
+    discard, by_checks = kept.discard * new, least_diameter(settled) or 0.0
+    worn_to = max(discard, by_checks)
+    life = (new - worn_to) / service.wear_rate
+    key = "sizing.worn_to_discard" if discard >= by_checks else "sizing.worn_to_check"
+    values = {"diameter": 1e3 * worn_to, "part": 100.0 * kept.discard}
+    return life, [Message(key, source=kept.origin.text, **values)]
+
+
+def _fittings(settled: ConvergedSizing) -> Iterator[Message]:
+    """Say which shackle, swivel and ring go with the chain, or which is missing."""
+    segment = settled.point.line.segments[0]
+    if line_kind(segment.component) != "chain" or segment.MBL is None:
+        return
+    is_dragged = settled.posed.drag_anchor is not None
+    uses = [use for use in OF_A_CHAIN if not (is_dragged and use == "sinker ring")]
+    found = fittings_for(segment.component, segment.nominal_diameter or 0.0, segment.MBL, uses)
+    if found.weakest is not None:
+        sizes = (
+            Message("sizing.fitting_size", use=term(use), size=1e3 * each.size)
+            for use, each in found.found.items()
+        )
+        weakest = Measure("MBL", found.weakest.MBL)
+        yield Message("sizing.fittings", sizes=Several(sizes, ", "), MBL=weakest)
+    for use, each in found.found.items():
+        mass = Message("sizing.fitting_mass", mass=each.mass) if each.mass else ""
+        yield Message(
+            "sizing.fitting",
+            use=term(use),
+            title=each.title,
+            size=1e3 * each.size,
+            MBL=Measure("MBL", each.MBL),
+            mass=mass,
+            source=Cited(f"{each.sources[0].title} [{each.confidence}]"),
+        )
+    yield from found.missing.values()
+
+
+def _laying(request: BuoyRequest, settled: ConvergedSizing) -> Iterator[Message]:
+    """Say whether the buoy floats while chain and sinker hang on it, when it is laid."""
+    anchor = settled.point.anchor
+    if not isinstance(request.buoy, BuoyShape) or not isinstance(anchor, Anchor):
+        return
+    segment = settled.point.line.segments[0]
+    check = laying_check(
+        request.buoy,
+        segment.length * segment.submerged_weight,
+        anchor.submerged_weight or 0.0,
+        water_density=request.environment.water_density,
+    )
+    key = "sizing.laid_hanging" if check.utilisation <= 1.0 else "sizing.laid_by_crane"
+    yield Message(key, used=check.utilisation, source=check.source.text)

@@ -4,24 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import replace
-from typing import Any, Literal
+from typing import Any, Final, Literal
 
 from catopt.loads.buoy import buoy_loads
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.component import Loads
 from catopt.loads.environment import WaterLevels
+from catopt.loads.sinker import SinkerSize
 from catopt.model import Case, LoadCase, Service, Site
-from catopt.sizing.alternatives import alternatives, candidates, limits
-from catopt.sizing.anchorage import SinkerGround
-from catopt.sizing.beside import beside
+from catopt.sizing.alternatives import alternatives, beside, candidates, limits
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.environment import Environment
+from catopt.sizing.in_motion import InMotion
 from catopt.sizing.line_choice import LineChoice, Prefer, first_line
+from catopt.sizing.pattern import SinkerGround
 from catopt.sizing.posed import Assumed
 from catopt.sizing.result import Sizing, SwingRadius
 from catopt.sizing.settle import ConvergedSizing
 from catopt.sizing.tanker_request import TankerRequest
-from catopt.words import Message, Several, term
+from catopt.words import Message, Several, is_said, term
+
+_LIFE_AT_REST: Final = ("sizing.worn_to_discard", "sizing.worn_to_check")
 
 
 def case_of(
@@ -99,20 +102,17 @@ def sizing_of(
     request: BuoyRequest | TankerRequest,
     settled: ConvergedSizing,
     *,
-    of_size: Callable[[LineChoice, float], ConvergedSizing],
-    of_line: Callable[[LineChoice], ConvergedSizing],
     swing: Callable[[ConvergedSizing], SwingRadius],
+    of_size: Callable[[LineChoice, float], ConvergedSizing] | None = None,
+    of_line: Callable[[LineChoice], ConvergedSizing] | None = None,
     **own: Any,
 ) -> Sizing:
     """Put the recommended line beside others, and its sinker beside that of another rule.
 
-    `of_size` settles the line of one size, m, `of_line` that of another preference.
+    `of_size` settles the line of one size, m, `of_line` that of another preference; left out where
+    the line was run in motion: others at rest say nothing beside it.
     """
     line, density, ground = request.line, request.environment.water_density, request.ground
-
-    def by(prefer: Prefer) -> tuple[ConvergedSizing, float]:
-        other = of_line(line.by(prefer))
-        return other, swing(other).total
 
     if isinstance(ground, SinkerGround):
         ends = [solution.anchor for _, solution in settled.point.checks.solutions]
@@ -120,7 +120,12 @@ def sizing_of(
         own["sinker"] = ground.sized(pull, max(0.0, *(e.vertical_force for e in ends)), density)
         own["other_sinker"] = ground.by_other_rule(own["sinker"], density)
     own = beside(request, settled) | own
-    if isinstance(request, TankerRequest) or request.in_motion is None:
+    if of_size is not None and of_line is not None:
+
+        def by(prefer: Prefer) -> tuple[ConvergedSizing, float]:
+            other = of_line(line.by(prefer))
+            return other, swing(other).total
+
         priced = request.is_priced and len(line.components) > 1
         own |= {
             "candidates": candidates(
@@ -140,3 +145,24 @@ def sizing_of(
         inputs=request.inputs,
         **own,
     )
+
+
+def in_place_of_allowance(
+    of: Sizing, in_motion: InMotion, motion: Message, sinker: SinkerSize | None
+) -> Sizing:
+    """Put what runs in motion say in the place of what an allowance for motion would.
+
+    How long a chain may wear is known at rest alone: nothing is said of it. The sinker is that of
+    the runs.
+    """
+    of = replace(
+        of,
+        in_motion=in_motion,
+        dynamic_factor=1.0,
+        motion=motion,
+        chain_life=None,
+        advice=tuple(
+            each for each in of.advice if not any(is_said(each, key) for key in _LIFE_AT_REST)
+        ),
+    )
+    return of if sinker is None else replace(of, sinker=sinker)

@@ -5,28 +5,33 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any
 
-from catopt.design.near_miss import NoFeasibleDesignError
+from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import DesignPoint
 from catopt.errors import InputError, Problem
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.environment import WaterLevels
 from catopt.model import Buoy, Design, LoadCase
 from catopt.sizing.afloat import buoy_afloat
-from catopt.sizing.answer import case_of, loads_on, new_and_worn, sizing_of, worn_name
+from catopt.sizing.answer import (
+    case_of,
+    in_place_of_allowance,
+    loads_on,
+    new_and_worn,
+    sizing_of,
+    worn_name,
+)
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.line_choice import sold
 from catopt.sizing.posed import Assumed, LoadsAt, SizingCase, Water, rounded_up
 from catopt.sizing.result import Sizing, SwingRadius
 from catopt.sizing.settle import ConvergedSizing, point_diameter, point_pull, settle
 from catopt.ties import largest
-from catopt.words import Measure, Message, is_said
+from catopt.words import Measure, Message
 
 if TYPE_CHECKING:
     from catopt.sizing.motion_search import Moved
-
-_LIFE_AT_REST: Final = ("sizing.worn_to_discard", "sizing.worn_to_check")
 
 
 def sized_buoy(request: BuoyRequest) -> Sizing:
@@ -50,14 +55,17 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
             request, settled, lambda line: _settled(replace(request, line=line))
         )
         settled = moved.settled
+    others: dict[str, Any] = {}
+    if moved is None:
+        others["of_size"] = lambda line, size: _settled(
+            replace(request, line=line), replace(settled.needed, diameter=size)
+        )
+        others["of_line"] = lambda line: _settled(replace(request, line=line))
     found = sizing_of(
         "buoy",
         request,
         settled,
-        of_size=lambda line, size: _settled(
-            replace(request, line=line), replace(settled.needed, diameter=size)
-        ),
-        of_line=lambda line: _settled(replace(request, line=line)),
+        **others,
         swing=_swing,
         assumptions=tuple(_assumptions(request, settled.assumed)),
         afloat=buoy_afloat(settled.case, request),
@@ -69,24 +77,15 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
 
 
 def _moved_sizing(of: Sizing, request: BuoyRequest, moved: Moved) -> Sizing:
-    """Put what the runs say in the place of what an allowance for motion would.
-
-    Lines of other sizes and preferences were not run, and how long a chain may wear is known at
-    rest alone: nothing is said of them.
-    """
+    """Put what the runs say in the place of what an allowance for motion would."""
+    found = in_place_of_allowance(
+        of, moved.in_motion, Message("sizing.motion_by_runs"), moved.sinker
+    )
     return replace(
-        of,
-        in_motion=moved.in_motion,
+        found,
         afloat=moved.in_motion.case,
-        dynamic_factor=1.0,
-        motion=Message("sizing.motion_by_runs"),
         assumptions=(*of.assumptions, *_of_the_sinker(moved)),
-        sinker=moved.sinker,
         other_sinker=request.ground.by_other_rule(moved.sinker, request.environment.water_density),
-        chain_life=None,
-        advice=tuple(
-            each for each in of.advice if not any(is_said(each, key) for key in _LIFE_AT_REST)
-        ),
     )
 
 

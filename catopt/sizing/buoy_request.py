@@ -6,13 +6,13 @@ from dataclasses import dataclass, field
 
 from catopt.loads.buoy import DEEPEST, WaveHeight
 from catopt.loads.buoy_shape import BuoyShape
-from catopt.model.validity import Findings
-from catopt.sizing.anchorage import SinkerGround
+from catopt.model.kinds import Findings
 from catopt.sizing.environment import Environment
 from catopt.sizing.in_motion import RunsAfloat
 from catopt.sizing.kinds import usual
 from catopt.sizing.known import ReadInput
 from catopt.sizing.line_choice import MOST_DEPTHS, LineChoice, unpriced_components
+from catopt.sizing.pattern import SinkerGround
 from catopt.words import Message
 
 

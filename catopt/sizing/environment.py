@@ -1,15 +1,23 @@
-"""Water levels and weather that a mooring is sized for, all from one side."""
+"""Water levels and weather that a mooring is sized for, and what a code asks of them."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import Final
+from functools import partial
+from typing import Final, Literal, NamedTuple, get_args
 
 from catopt.constants import SEA_WATER_DENSITY
-from catopt.loads.environment import SeaState, SurfaceCurrent, WaterLevels, Wind
-from catopt.model.validity import Findings
+from catopt.errors import InputError, Problem
+from catopt.loads.environment import HEAD_ON, Headings, SeaState, SurfaceCurrent, WaterLevels, Wind
+from catopt.loads.ship import Ship
+from catopt.loads.weathervane import YAW_TYPES, CurrentYaw, Turning
+from catopt.model.kinds import Findings
 from catopt.sizing.kinds import usual
+from catopt.sizing.known import ResolvedInputs
+from catopt.units import UNITS, Dimension, as_written
+from catopt.words import Message
 
 _PERIOD_OF_HEIGHT: Final = 3.6
 """s per root of m: 2 pi Hs/(g T^2) is then 1/20, the steepness of a growing sea; catopt's own."""
@@ -80,3 +88,140 @@ def mean_over(speed: float, given: float, wanted: float) -> float:
 
 def _gust(time: float) -> float:
     return -_GUST * _TURBULENCE * math.log(time / LONGEST_MEAN)
+
+
+DIRECTIONS: Final = ("wind_angle", "current_angle", "wave_angle", "scan")
+"""Inputs of which any makes a ship turn until it is at rest."""
+
+_LEAST_STEP: Final = math.radians(1.0)
+
+
+class Weathervaning(NamedTuple):
+    """From where a ship is pushed, and what turns it."""
+
+    directions: tuple[Headings, ...] = (HEAD_ON,)  # each is one case
+    turning: Turning | None = None  # None: all comes from one side, and the ship lies head to it
+
+
+def weathervaning_of(of: ResolvedInputs, *, is_turned: bool = False) -> Weathervaning | None:
+    """Make the directions that are known; None where something is wrong with them.
+
+    `is_turned`: whether the ship's own tables have the moment of the current.
+    """
+    make = of.telling.make
+    if of.given.isdisjoint(DIRECTIONS):
+        if "current_yaw" in of.given:
+            allowed = Message(
+                "refused_sizing.leave_out_or_give_one",
+                spell=", ".join(map(of.telling.spell, DIRECTIONS)),
+            )
+            of.telling.add("current_yaw", as_written(of["current_yaw"]), allowed)
+        return Weathervaning()
+    if of.values.keys().isdisjoint(DIRECTIONS):
+        return None  # what is wrong with them is told
+    turning = make(partial(read_turning, of["current_yaw"] or "", is_known=is_turned))
+    directions = make(partial(directions_of, of))
+    turned = make(turned_round, directions, of["scan"] or math.inf)
+    return make(Weathervaning, turned, turning)
+
+
+def directions_of(of: ResolvedInputs) -> Headings:
+    """Make where wind, current and waves come from: ahead where that is not given."""
+    return Headings(*(of[name] or 0.0 for name in DIRECTIONS[:3]))
+
+
+def read_turning(
+    current_yaw: str, mooring_point: float | None = None, *, is_known: bool = False
+) -> Turning:
+    """Read what turns a ship; anything else is refused.
+
+    `is_known`: whether the moment of the current is in tables of the ship's own.
+
+    `current_yaw` is a key of `catopt.loads.YAW_TYPES`, or "a, b" of UFC's table 4-10, b per degree;
+    the mooring point is in m forward of midships, the bow when left out.
+    """
+    allowed = Message("refused_sizing.one_recalled_r_or_b", yaw_types=", ".join(YAW_TYPES))
+    if is_known:
+        if current_yaw:
+            own = Message("refused_sizing.leave_out_ship_s_own")
+            raise InputError([Problem("current_yaw", f'"{current_yaw}"', own)], "heading")
+        return Turning(None, mooring_point)
+    if not current_yaw:
+        raise InputError(
+            [Problem("current_yaw", "", Message("refused.missing", wanted=allowed))], "heading"
+        )
+    if current_yaw in YAW_TYPES:
+        return Turning(YAW_TYPES[current_yaw], mooring_point)
+    try:
+        intercept, slope = (float(each) for each in current_yaw.split(","))
+    except ValueError:
+        raise InputError([Problem("current_yaw", f'"{current_yaw}"', allowed)], "heading") from None
+    return Turning(CurrentYaw(intercept, slope), mooring_point)
+
+
+def turned_round(directions: Headings, step: float) -> tuple[Headings, ...]:
+    """Turn the current right round from where it is, in steps of 1 to 180 deg, in rad.
+
+    A step of infinity gives the beginning alone; any other is refused.
+    """
+    if step == math.inf:
+        return (directions,)
+    if not _LEAST_STEP <= step <= math.pi:
+        found = f"{math.degrees(step):g} deg"
+        raise InputError(
+            [Problem("scan", found, Message("refused_sizing.step_1_180_deg_wanted"))], "heading"
+        )
+    count = math.ceil(2.0 * math.pi / step - 1e-9)
+    turned = (math.remainder(directions.current + k * step, 2.0 * math.pi) for k in range(count))
+    return tuple(
+        Headings(wind=directions.wind, current=each, waves=directions.waves) for each in turned
+    )
+
+
+def turning_words(turning: Turning, ship: Ship) -> Message:
+    """Say what turns a ship."""
+    held = {"point": turning.lever(ship), "centre": ship.lateral_centre}
+    if turning.yaw is None:
+        return Message("loads.turning_own", **held)
+    return Message(
+        "loads.turning_recalled" if turning.yaw.recalled else "loads.turning",
+        **held,
+        intercept=turning.yaw.intercept,
+        slope=turning.yaw.slope,
+    )
+
+
+ServiceType = Literal["I", "II", "III", "IV"]
+"""I: in mild weather; II: left before a storm; III: up to two years, not left; IV: longer."""
+
+SERVICE_TYPES: Final[tuple[ServiceType, ...]] = get_args(ServiceType)
+
+DYNAMIC: Final = ("III", "IV")
+"""Types that dynamic methods are wanted for."""
+
+_KNOT: Final = UNITS[Dimension.SPEED]["kn"]
+_MILD_WIND: Final = 34.0 * _KNOT
+_MILD_CURRENT: Final = 2.0 * _KNOT
+"""m/s: type I is for less than these."""
+
+_MEAN: Final = 30.0
+_SERVICE_TYPE_GUST: Final = 3.0
+"""s: over which the wind of the loads is a mean, and over which a gust is."""
+
+
+def demands(of: ServiceType, env: Environment) -> Iterator[Message]:
+    """Say what the code asks for: whether a steady calculation is enough."""
+    name = Message(f"sizing.service_{of}")
+    key = "sizing.service_dynamic" if of in DYNAMIC else "sizing.service_steady"
+    yield Message(key, type=of, name=name)
+    is_mild = env.wind.speed < _MILD_WIND and env.current.speed < _MILD_CURRENT
+    if of == "I" and not is_mild:
+        yield Message("sizing.service_beyond", wind=env.wind.speed, current=env.current.speed)
+    yield Message("sizing.fishtailing")
+
+
+def left_out(env: Environment) -> Message:
+    """Say which motions no allowance here stands for, with what a gust adds to the wind's part."""
+    speed = env.wind.speed
+    gust = (mean_over(speed, _MEAN, _SERVICE_TYPE_GUST) / speed) ** 2 - 1.0 if speed else 0.0
+    return Message("sizing.motions_left_out", share=100.0 * gust)

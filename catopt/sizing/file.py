@@ -10,12 +10,17 @@ from pathlib import Path as FilePath
 from types import MappingProxyType
 from typing import Any, Final
 
-from catopt.casefile.document import as_in_file, table
-from catopt.casefile.location import Finding, in_order_of, parts
-from catopt.casefile.names import stands_for
-from catopt.casefile.schema import Table, entries
-from catopt.casefile.sizing_file import Moored, case_key, moored_in
-from catopt.casefile.structure import read_tables
+from catopt.casefile.document import (
+    Finding,
+    as_in_file,
+    in_order_of,
+    parts,
+    read_tables,
+    stands_for,
+    table,
+)
+from catopt.casefile.reading import Moored, case_key, moored_in
+from catopt.casefile.schema import TableSchema, entries
 from catopt.documents import Path, dotted, parse_toml, read_text
 from catopt.errors import InputError, Problem
 from catopt.sizing.buoy_request import BuoyRequest
@@ -63,11 +68,17 @@ class SizingFile:
             return dotted((*inputs[name].path, *(() if index is None else (index,))))
 
         own = {name: each for name, each in inputs.items() if name not in before}
-        told = [name for name, each in own.items() if self._is_told(each.path)]
-        told += [dotted(finding.path) for finding in self.findings]
+        reported = [name for name, each in own.items() if self._is_reported(each.path)]
+        reported += [dotted(finding.path) for finding in self.findings]
         given = self.given(before)
         return known(
-            self.moored, given, spelled, self.source, told=told, defaults=defaults, called=called
+            self.moored,
+            given,
+            spelled,
+            self.source,
+            reported=reported,
+            defaults=defaults,
+            called=called,
         )
 
     def inputs(self, before: Mapping[str, object] = _NOTHING) -> Mapping[str, Input]:
@@ -118,17 +129,17 @@ class SizingFile:
         ordered = in_order_of(self.document, list(dict.fromkeys(found)))
         return InputError([*(each.as_problem() for each in ordered), *others], self.source)
 
-    def _is_told(self, path: Path) -> bool:
+    def _is_reported(self, path: Path) -> bool:
         """Say whether a fault of a key, or of its table, is told already."""
-        told = [*(finding.path for finding in self.findings), *self._misspelt()]
-        return any(path[: len(each)] == each[: len(path)] for each in told)
+        reported = [*(finding.path for finding in self.findings), *self._misspelt()]
+        return any(path[: len(each)] == each[: len(path)] for each in reported)
 
     def _misspelt(self) -> Iterator[Path]:
         """List the keys that were meant by unknown ones."""
         top = schema_of(self.moored)
         for finding in self.findings:
             *above, key = finding.path
-            schema: type[Table] | None = top
+            schema: type[TableSchema] | None = top
             for part in above:
                 entry = None if schema is None else entries(schema).get(str(part))
                 schema = None if entry is None else entry.table

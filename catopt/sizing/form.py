@@ -14,7 +14,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Final
 
-from catopt.casefile.sizing_file import Moored
+from catopt.casefile.reading import Moored
 from catopt.errors import InputError, Problem
 from catopt.sizing.file import SizingFile, file_of
 from catopt.sizing.inputs import Input, inputs_of
@@ -58,18 +58,18 @@ def form(moored: Moored, language: Language = "en") -> bytes:
     sheet = book.active
     assert sheet is not None
     sheet.title = _FORM
-    told = partial(say, language=language)
+    reported = partial(say, language=language)
     grey, bold = Font(color="808080"), Font(bold=True)
-    sheet["A1"], sheet["A2"] = moored, told(Message(f"left_out.form_{moored}"))
+    sheet["A1"], sheet["A2"] = moored, reported(Message(f"left_out.form_{moored}"))
     sheet["A1"].font, sheet["A2"].font = grey, bold
     headings = ("what", "value", "unit", "hint", "key")
     for column, name in enumerate(headings, start=1):
-        cell = sheet.cell(_FIRST - 1, column, told(Message(f"left_out.form_{name}")))
+        cell = sheet.cell(_FIRST - 1, column, reported(Message(f"left_out.form_{name}")))
         cell.font = bold
     for row, each in enumerate(_inputs(moored), start=_FIRST):
-        sheet.cell(row, _WHAT, told(Message(f"inputs.{each.name}")))
+        sheet.cell(row, _WHAT, reported(Message(f"inputs.{each.name}")))
         sheet.cell(row, _VALUE).fill = PatternFill("solid", fgColor="FFF8DC")
-        sheet.cell(row, _HINT, told(_hint(each, language))).font = grey
+        sheet.cell(row, _HINT, reported(_hint(each, language))).font = grey
         sheet.cell(row, _KEY, each.key).font = grey
         units = _units(each)
         if units:
@@ -82,7 +82,7 @@ def form(moored: Moored, language: Language = "en") -> bytes:
         sheet.column_dimensions[letter].width = width
     sheet.freeze_panes = f"B{_FIRST}"
     fleet = book.create_sheet(_FLEET)
-    fleet["A1"] = told(Message("left_out.form_fleet"))
+    fleet["A1"] = reported(Message("left_out.form_fleet"))
     for column, each in enumerate(_inputs(moored), start=1):
         unit = _units(each)[:1]
         name = say(Message(f"inputs.{each.name}"), language)

@@ -1,4 +1,4 @@
-"""A buoy's mooring that was run afloat: how, which lines were looked at, and what came of it."""
+"""A mooring that was run in motion: how, which lines were looked at, and what came of it."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 from catopt.checks.result import CheckReport, CheckResult
-from catopt.design.near_miss import NoFeasibleDesignError
+from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import NearMiss
 from catopt.documents import figures
 from catopt.model import Case
 from catopt.model.dynamics import JudgedBy
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.sizing.kinds import usual
 from catopt.words import Message, Several
 
@@ -21,11 +21,11 @@ LEAST_DURATION = 60.0
 
 @dataclass(frozen=True)
 class RunsAfloat:
-    """How the lines of a sizing are run with their buoy."""
+    """How the lines of a sizing are run with their buoy or ship."""
 
     seeds: int = field(default_factory=lambda: usual("seeds"))  # runs of each load case
     duration: float = field(default_factory=lambda: usual("run_time"))  # of one, with its ramp, s
-    elements: int = 20  # bars of the line
+    elements: int = 20  # bars of the line; a ship's lines are run by closed form
     judged_by: JudgedBy = "upper"  # what the checks are held against
     # How far the sinker may slide in the storm, m; None: `afloat.MOST_SLIDE` where the code has no
     # factors for dynamic analysis, else its factor on sliding holds
@@ -93,15 +93,17 @@ class Counted(NamedTuple):
     """What became of the lines that were looked at: sizes by lengths."""
 
     considered: int
-    at_rest: int  # fail at rest already, without any allowance for motion
-    excluded: int  # needless to run: see `catopt.sizing.motion_search`
+    # fail at rest already, without any allowance for motion; None where that was not counted
+    at_rest: int | None
+    excluded: int  # needless to run: see `catopt.sizing.motion_search` and `ship_search`
     run: int
     runs: int  # that this took, in all
 
     @property
     def words(self) -> Message:
         """Say it."""
-        return Message("sizing.lines_run", **self._asdict())
+        key = "sizing.lines_run" if self.at_rest is not None else "sizing.ship_lines_run"
+        return Message(key, **self._asdict())
 
 
 @dataclass(frozen=True)
@@ -116,6 +118,14 @@ class InMotion:
     counted: Counted
     tried: tuple[LineTried, ...]  # in the order of their runs
     by_length: tuple[LengthRun, ...] = ()  # the shortest first, the recommended one among them
+    load_cases: int = 1  # that every line was run in
+    # the next shorter and the next thinner line, which fail; of a ship
+    less: tuple[LineTried, ...] = ()
+
+    @property
+    def is_of_ship(self) -> bool:
+        """Whether lines were run with a ship, by closed form."""
+        return self.case.system is not None
 
     @property
     def factor(self) -> float:
@@ -127,7 +137,8 @@ class InMotion:
         assert self.case.dynamics is not None
         governing = self.checks.governing
         return {
-            **figures(self.how, "seeds duration_s elements judged_by"),
+            **figures(self.how, "seeds duration_s judged_by"),
+            "elements": None if self.is_of_ship else self.how.elements,
             "duration_of_interest_s": self.case.dynamics.duration_of_interest,
             **_of_storm(self.storm),
             **figures(self, "factor allowance"),

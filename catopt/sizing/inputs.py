@@ -15,7 +15,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Final
 
 if TYPE_CHECKING:
-    from catopt.casefile.sizing_file import Moored
+    from catopt.casefile.reading import Moored
 
 SINKER: Final = "sinker"
 """As the anchor of a tanker: held by its weight."""
@@ -313,14 +313,13 @@ INPUTS: Final = (
         "service_type", "service.type", "WHICH", "III", "II", of=_TANKER,
         words=("I", "II", "III", "IV"), taken="sizing.taken_service_type",
     ),
-    # Of a ship refused in words: it does not float yet.
     Input("in_motion", "motion.run", "FLAG", True),
+    Input("seeds", "motion.seeds", "COUNT", 5, "3", only_with="in_motion"),
+    # Slow motions of a ship have periods of minutes: a run of hers is a storm of three hours.
     Input(
-        "seeds", "motion.seeds", "COUNT", 5, "3", of=_BUOY, only_with="in_motion",
-    ),
-    Input(
-        "run_time", "motion.duration", "TIME", "20 min", "10 min", of=_BUOY, at_least=60.0,
+        "run_time", "motion.duration", "TIME", "20 min", "10 min", at_least=60.0,
         most="10 h", only_with="in_motion", called=("duration",),
+        tanker=(("default", "3 h"), ("example", "6 h")),
     ),
     Input(
         "other_lengths", "motion.other_lengths", "COUNT", 4, "0", of=_BUOY,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TypedDict, Unpack
 
-from catopt.casefile.sizing_file import Moored
+from catopt.casefile.reading import Moored
 from catopt.errors import InputError, Problem
 from catopt.sizing.buoy import sized_buoy
 from catopt.sizing.buoy_request import BuoyRequest
@@ -50,6 +50,8 @@ class _Inputs(TypedDict, total=False):
     wear: float | str
     dynamic_factor: float | str
     in_motion: bool
+    seeds: int
+    run_time: float | str
 
 
 class BuoyInputs(_Inputs, total=False):
@@ -60,8 +62,6 @@ class BuoyInputs(_Inputs, total=False):
     keel_depth: float | str
     wave_height: str
     chain_waves: bool
-    seeds: int
-    run_time: float | str
     other_lengths: int
     max_slide: float | str
     growth: float | str

@@ -9,8 +9,8 @@ from __future__ import annotations
 from functools import cache
 from typing import Annotated, Any
 
-from catopt.casefile.schema import Table
-from catopt.casefile.sizing_file import Moored
+from catopt.casefile.reading import Moored
+from catopt.casefile.schema import TableSchema
 from catopt.model.kinds import Flag, Kind, Measured, OneOf, Text, Whole
 from catopt.numerals import bare_number
 from catopt.sizing.inputs import Input, inputs_of, rows_of
@@ -67,7 +67,7 @@ def usual(name: str, moored: Moored = "buoy") -> Any:
 
 
 @cache
-def schema_of(moored: Moored) -> type[Table]:
+def schema_of(moored: Moored) -> type[TableSchema]:
     """Make the schema of a file."""
     inputs = rows_of(moored)
     sections = dict.fromkeys(each.section for each in inputs)
@@ -78,15 +78,15 @@ def schema_of(moored: Moored) -> type[Table]:
     return _made("SizingTable", tables[""], annotations)
 
 
-def _table(name: str, inputs: list[Input]) -> type[Table]:
+def _table(name: str, inputs: list[Input]) -> type[TableSchema]:
     made = _made(
-        f"{name.title()}Table", Table, {each.path[-1]: _annotation(each) for each in inputs}
+        f"{name.title()}Table", TableSchema, {each.path[-1]: _annotation(each) for each in inputs}
     )
     made.symbols = {alias: each.path[-1] for each in inputs for alias in each.also}
     return made
 
 
-def _made(name: str, base: type[Table], annotations: dict[str, Any]) -> type[Table]:
+def _made(name: str, base: type[TableSchema], annotations: dict[str, Any]) -> type[TableSchema]:
     """Make a schema none of whose keys is required."""
     return type(name, (base,), dict.fromkeys(annotations) | {"__annotations__": annotations})
 

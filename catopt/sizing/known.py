@@ -7,8 +7,8 @@ from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from catopt.casefile.sizing_file import Moored
-from catopt.catalogue.names import nearest
+from catopt.casefile.reading import Moored
+from catopt.catalogue.family import nearest
 from catopt.loads.ship_dimensions import DIMENSIONS_SOURCE, ship_dimensions
 from catopt.sizing.inputs import SINKER, Input, inputs_of
 from catopt.sizing.kinds import default_of, kind_of, usual
@@ -85,7 +85,7 @@ class ResolvedInputs:
         """Return a value; None where it is not known."""
         return self.values.get(name)
 
-    def want(self, *names: str) -> None:
+    def require(self, *names: str) -> None:
         """Tell which of some inputs are missing, each with an example."""
         inputs = inputs_of(self.moored)
         for name in names:
@@ -127,24 +127,24 @@ def known(
     spell: Spelling = as_keyword,
     source: str = "",
     *,
-    told: Collection[str] = (),
+    reported: Collection[str] = (),
     defaults: Mapping[str, object] | None = None,
     called: Mapping[str, str] | None = None,
 ) -> ResolvedInputs:
     """Read what is given, and take what is not.
 
-    `given`: by name: numbers in SI, or texts with units; None: left out. `spell`, `source`, `told`,
-    `called`: as for `ErrorCollector`. `defaults`: what is taken of what is left out, in place
-    of the defaults of the table.
+    `given`: by name: numbers in SI, or texts with units; None: left out. `spell`, `source`,
+    `reported`, `called`: as for `ErrorCollector`. `defaults`: what is taken of what is left out, in
+    place of the defaults of the table.
     """
     given = {name: value for name, value in given.items() if value is not None}
     inputs = inputs_of(moored, held_by=_held_by(moored, given))
-    telling = ErrorCollector(inputs, spell, source, told, called)
+    telling = ErrorCollector(inputs, spell, source, reported, called)
     values: dict[str, Any] = {}
     for name, value in given.items():
         if name not in inputs:
             _refuse(telling, moored, name, value)
-        elif not telling.is_told(name):
+        elif not telling.is_reported(name):
             read = _read(telling, inputs[name], value)
             values |= {} if read is None else {name: read}
     _contradictions(telling, inputs, given)

@@ -8,12 +8,12 @@ from functools import cache
 from typing import Final, Literal, cast, get_args
 
 from catopt.catalogue.choice import chosen
-from catopt.catalogue.figure import within
+from catopt.catalogue.components import within
 from catopt.checks.profiles import Method, profiles_of
 from catopt.constants import SEA_WATER_DENSITY, YEAR
 from catopt.errors import InputError, Problem
 from catopt.model import CatalogueChoice, Checks, Line, Segment, SegmentChoice, Service
-from catopt.model.validity import Findings
+from catopt.model.kinds import Findings
 from catopt.sizing.kinds import usual
 from catopt.words import Message
 
@@ -49,6 +49,7 @@ class LineChoice:
     diameters: tuple[float, ...] = ()
     # step of the length, m; None: a round one near a 25th of the height that the line spans
     length_step: float | None = None
+    length: float | None = None  # only this one, m; None: every step
     # least and largest length, in depths at high water: of a buoy's chain
     scope: tuple[float, float] = (0.0, math.inf)
     # which design of the front is recommended. Practice: the lightest that is no longer than the
@@ -68,6 +69,8 @@ class LineChoice:
     # allowance for motion on the steady forces, which every check sees. None: that of the code's
     # method
     dynamic_factor: float | None = None
+    # that which runs in motion ask for, in its place
+    run_factor: float | None = None
     # whether figures and criteria that were read in no document may be used
     allow_recalled: bool = False
 
@@ -79,7 +82,7 @@ class LineChoice:
                 Message("refused.none"),
                 Message("refused_sizing.one_family_with_grade_wanted"),
             )
-        found.numbers(self, "m", "diameter_min", "diameter_max", "length_step", above=0.0)
+        found.numbers(self, "m", "diameter_min", "diameter_max", "length_step", "length", above=0.0)
         found.numbers(self, "m", "max_swing", above=0.0)
         found.number("swing_price", self.swing_price, "USD/m", at_least=0.0)
         least, most = self.diameter_min, self.diameter_max
@@ -106,6 +109,7 @@ class LineChoice:
                 rate,
                 Message("refused_sizing.must_be_mm_year_or", fastest_wear=_FASTEST_WEAR * 1000.0),
             )
+        found.numbers(self, "", "run_factor", at_least=1.0)
         if self.dynamic_factor is not None:
             found.number("dynamic_factor", self.dynamic_factor, "", at_least=1.0, at_most=10.0)
         try:
@@ -163,7 +167,7 @@ class LineChoice:
     @property
     def allowance(self) -> float:
         """For motion, on the steady forces."""
-        own = self.dynamic_factor
+        own = self.dynamic_factor if self.run_factor is None else self.run_factor
         return self.method.dynamic_factor if own is None else own
 
     @property
@@ -234,9 +238,10 @@ class LineChoice:
         if most < math.inf:
             last = min(last, math.floor(most / step + _ROUNDING))
         last = max(last, first)
+        every = tuple(round(step * k, 9) for k in range(first, last + 1))
         return SegmentChoice(
             name=Message("sizing.chain_part"),
-            lengths=tuple(round(step * k, 9) for k in range(first, last + 1)),
+            lengths=every if self.length is None else (self.length,),
             components=self.components,
             diameters=self.diameters,
             diameter_min=self.diameter_min,

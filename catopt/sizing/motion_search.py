@@ -15,20 +15,19 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Final, NamedTuple
 
-from catopt.catalogue.in_words import chain_words
+from catopt.catalogue.family import chain_words
 from catopt.catenary.solution import Solution
 from catopt.checks.case import check_case
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.evaluation import sinker_of
-from catopt.design.near_miss import NoFeasibleDesignError
+from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import DesignPoint, NearMiss
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
+from catopt.loads.ship_dimensions import neighbours
 from catopt.loads.sinker import SinkerSize
-from catopt.loads.sizes import neighbours
 from catopt.model import Anchor, Case
 from catopt.patience import expect
 from catopt.sizing.afloat import run_in_still_water
-from catopt.sizing.anchorage import HEAVY_SINKERS
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.in_motion import (
     Counted,
@@ -40,15 +39,15 @@ from catopt.sizing.in_motion import (
     Storm,
 )
 from catopt.sizing.line_choice import LineChoice, sold
+from catopt.sizing.pattern import HEAVY_SINKERS
 from catopt.sizing.settle import ConvergedSizing, best_of
 from catopt.ties import largest
 from catopt.verify.case import load_states
 from catopt.verify.dynamic import Wanted, processes_for, run_once
 from catopt.verify.dynamic_result import DynamicPart
 from catopt.verify.dynamic_setup import read_drive
-from catopt.verify.effort import SECONDS_PER_BAR_AND_STEP
 from catopt.verify.judged import check_parts, line_in_motion, solutions_at_rest, way_of
-from catopt.verify.side_by_side import Crew
+from catopt.verify.side_by_side import SECONDS_PER_BAR_AND_STEP, Crew
 from catopt.words import Message
 
 _RUNG: Final = 1.08
@@ -127,6 +126,7 @@ def search_in_motion(
             counted,
             found.tried,
             by_length,
+            len(chosen.case.load_cases),
         ),
         _sinker_size(request, chosen),
     )
@@ -459,7 +459,7 @@ def _least_that_stays(parts: Sequence[DynamicPart]) -> Anchor:
 
 
 def _worst(check: CheckResult) -> float:
-    return -check.excess
+    return -check.exceedance
 
 
 def _line_tried(
@@ -549,7 +549,7 @@ def _nothing_passes(found: _Search, counted: Counted) -> NoLineInMotionError:
     every = [each for each in found.judged.values() if each is not None]
 
     def miss(of: _Judged) -> float:
-        return of.tried.failing[0].excess if of.tried.failing else math.inf
+        return of.tried.failing[0].exceedance if of.tried.failing else math.inf
 
     nearest = min(every, key=miss)
     (first, *_) = nearest.settled.point.line.segments

@@ -11,12 +11,12 @@ from typing import Any, Final
 from catopt.checks.profiles import profiles_of
 from catopt.errors import InputError
 from catopt.loads import BuoyShape, SeaState, SurfaceCurrent, WaterLevels, Wind, buoys, read_buoys
-from catopt.loads.buoy_library import buoy as look_up
+from catopt.loads.buoy import buoy as look_up
 from catopt.loads.calmar_file import SUFFIX, read_calmar_buoy
 from catopt.loads.environment import HMAX_OVER_HS
 from catopt.loads.ship import Ship
 from catopt.loads.ship_coefficients import SQUARE_ENDED, ShipCoefficients, read_ship_coefficients
-from catopt.loads.ship_estimate import (
+from catopt.loads.ship_dimensions import (
     BALLAST_SOURCE,
     MOULDED,
     Condition,
@@ -28,18 +28,25 @@ from catopt.loads.ship_estimate import (
 from catopt.loads.sinker import AS_CLAY, MUD
 from catopt.loads.weathervane import Afloat
 from catopt.model import Checks
-from catopt.sizing.anchorage import CALMAR_SOIL, SAND, DragGround, SinkerGround
 from catopt.sizing.buoy import sized_buoy
 from catopt.sizing.buoy_request import BuoyRequest, GivenBuoy
-from catopt.sizing.environment import WIND_MEAN, Environment, mean_over, usual_period
-from catopt.sizing.headings import Weathervaning, weathervaning_of
+from catopt.sizing.environment import (
+    WIND_MEAN,
+    Environment,
+    Weathervaning,
+    demands,
+    left_out,
+    mean_over,
+    usual_period,
+    weathervaning_of,
+)
 from catopt.sizing.in_motion import RunsAfloat
 from catopt.sizing.inputs import SINKER
 from catopt.sizing.kinds import usual
 from catopt.sizing.known import ResolvedInputs
 from catopt.sizing.line_choice import LineChoice, sold, unpriced_components
+from catopt.sizing.pattern import CALMAR_SOIL, SAND, DragGround, SinkerGround
 from catopt.sizing.result import Sizing
-from catopt.sizing.service_type import demands, left_out
 from catopt.sizing.tanker import sized_tanker
 from catopt.sizing.tanker_request import MooredShip, TankerRequest, note_aground
 from catopt.units import lasting
@@ -64,7 +71,7 @@ def request_of(of: ResolvedInputs) -> BuoyRequest | TankerRequest:
 
 
 def _of_a_buoy(of: ResolvedInputs) -> BuoyRequest | None:
-    of.want("depth")
+    of.require("depth")
     body = _body(of)
     place = _environment(of, is_pushed=of.given.isdisjoint({"force", "reserve_buoyancy"}))
     line = _line(of, *_sizes_for(of, body))
@@ -85,9 +92,7 @@ def _of_a_buoy(of: ResolvedInputs) -> BuoyRequest | None:
 
 
 def _of_a_tanker(of: ResolvedInputs) -> TankerRequest | None:
-    of.want("length", "breadth", "draught", "depth")
-    if of["in_motion"]:
-        of.telling.add("in_motion", "true", Message("refused.no_ship_afloat"))
+    of.require("length", "breadth", "draught", "depth")
     ships = _ships(of)
     place = _environment(of, wind=wind_of_30_s(of))
     shape = None if of["buoy"] is None else shape_of(of)
@@ -111,6 +116,7 @@ def _of_a_tanker(of: ResolvedInputs) -> TankerRequest | None:
         source=of["source"] or "",
         defaults=words,
         service_type=of["service_type"],
+        in_motion=_runs(of) if of["in_motion"] else None,
         estimates=(
             *of_the_hull(of),
             *of_the_ballast(of),
@@ -125,9 +131,11 @@ def _of_a_tanker(of: ResolvedInputs) -> TankerRequest | None:
 
 
 def _runs(of: ResolvedInputs) -> RunsAfloat | None:
-    """Say how lines are run with the buoy."""
-    maker = partial(RunsAfloat, max_slide=of["max_slide"], other_lengths=of["other_lengths"] or 0)
-    return of.telling.make(maker, of["seeds"], of["run_time"])
+    """Say how lines are run with the buoy or the ship."""
+    own: dict[str, Any] = {}
+    if of.moored == "buoy":
+        own = {"max_slide": of["max_slide"], "other_lengths": of["other_lengths"] or 0}
+    return of.telling.make(partial(RunsAfloat, **own), of["seeds"], of["run_time"])
 
 
 # ------------------------------------------------------------------ place and weather
@@ -155,7 +163,8 @@ def of_the_service(of: ResolvedInputs, place: Environment | None) -> tuple[Messa
     """Say what the service type asks for, and which motions are left out."""
     if place is None or of["service_type"] is None:
         return ()
-    return (*demands(of["service_type"], place), left_out(place))
+    asked = tuple(demands(of["service_type"], place))
+    return asked if of["in_motion"] else (*asked, left_out(place))
 
 
 def _environment(
@@ -183,7 +192,7 @@ def _sea(of: ResolvedInputs) -> SeaState:
 def _body(of: ResolvedInputs) -> BuoyShape | GivenBuoy | None:
     """Look the buoy up, or take it by its force and its buoyancy."""
     telling, pair = of.telling, ("force", "reserve_buoyancy")
-    by_force = [name for name in pair if name in of.given or telling.is_told(name)]
+    by_force = [name for name in pair if name in of.given or telling.is_reported(name)]
     if "buoy" in of.given and by_force:
         instead = " and ".join(map(telling.spell, by_force))
         telling.add("buoy", f'"{of["buoy"]}"', Message("refused.leave_out_or", other=instead))
@@ -195,7 +204,7 @@ def _body(of: ResolvedInputs) -> BuoyShape | GivenBuoy | None:
         allowed = Message("refused.buoy_wanted", **keys)
         telling.add("buoy", "", allowed)
         return None
-    of.want(*pair)
+    of.require(*pair)
     return telling.make(GivenBuoy, of["force"], of["reserve_buoyancy"], of["keel_depth"])
 
 

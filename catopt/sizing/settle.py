@@ -11,8 +11,8 @@ from typing import Final
 import numpy as np
 
 from catopt.design.evaluation import OBJECTIVE_KEYS, DesignProblem, design_point
-from catopt.design.near_miss import NoFeasibleDesignError, no_feasible_design
-from catopt.design.outcome import Outcome
+from catopt.design.front import Outcome
+from catopt.design.neighbours import NoFeasibleDesignError, no_feasible_design
 from catopt.design.problem import Floats
 from catopt.design.result import DesignPoint, DesignResult
 from catopt.design.search import design_case, enumerate_designs

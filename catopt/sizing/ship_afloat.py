@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Final
 
 from catopt.checks.profiles import profiles_of
-from catopt.loads.heading import HEAD_ON
+from catopt.loads.environment import HEAD_ON
 from catopt.model import (
     Case,
     CurrentProfile,
@@ -20,6 +20,7 @@ from catopt.model import (
 )
 from catopt.sizing.afloat import MOTION_CODE
 from catopt.sizing.environment import WIND_MEAN, mean_over
+from catopt.sizing.in_motion import RunsAfloat
 from catopt.sizing.pattern import Pattern, system_case
 from catopt.sizing.settle import ConvergedSizing
 from catopt.sizing.tanker_request import MooredShip, TankerRequest
@@ -32,28 +33,42 @@ _RUNS: Final = 3
 _COMPONENTS: Final = 200
 
 
+def runs_afloat(request: TankerRequest) -> bool:
+    """Whether the ship can be run in motion: at her bow, all weather from ahead, in waves.
+
+    Not a ship at a buoy, one whose loads come from several directions, or a sea without waves.
+    """
+    is_head_on = request.weathervaning.directions == (HEAD_ON,)
+    return request.buoy is None and is_head_on and request.environment.sea.hs > 0.0
+
+
 def ship_afloat(
-    request: TankerRequest, settled: ConvergedSizing, around: Pattern | None
+    request: TankerRequest,
+    settled: ConvergedSizing,
+    around: Pattern | None,
+    load_case: str | None = None,
 ) -> Case | None:
-    """Add ship, wind, waves and current to the case of her lines in the hardest load case.
+    """Add ship, wind, waves and current to the case of her lines in a load case, or the hardest.
 
     A single line is a system of one, its anchor where the everyday force has it. The ship turns
-    about the bow, to which her lines go. None for a ship at a buoy, one whose loads come from
-    several directions, and a sea without waves.
+    about the bow, to which her lines go. None where she cannot be run: `runs_afloat`.
     """
     env = request.environment
-    is_head_on = request.weathervaning.directions == (HEAD_ON,)
-    if request.buoy is not None or not is_head_on or not env.sea.hs > 0.0:
+    if not runs_afloat(request):
         return None
-    case = settled.case
+    case, loads = settled.case, settled.posed.loads
+    if load_case is None and around is not None:
+        load_case = around.hardest.load_case
+    if load_case is None:
+        load_case = largest(loads, lambda each: each.horizontal_force).load_case
+    at = next(each for each in loads if each.load_case == load_case)
     if around is None:
-        hardest = largest(settled.posed.loads, lambda each: each.horizontal_force)
-        state = next(each for each in case.load_cases if each.name == hardest.load_case)
+        state = next(each for each in case.load_cases if each.name == load_case)
         held = _one_line(case, state, settled)
     else:
-        hardest = next(e for e in settled.posed.loads if e.load_case == around.hardest.load_case)
-        held = system_case(case, around)
-    moored = next(each for each in request.ships if each.condition == hardest.condition)
+        there = tuple(each for each in around.states if each.load_case == load_case)
+        held = system_case(case, replace(around, states=there))
+    moored = next(each for each in request.ships if each.condition == at.condition)
     wind = mean_over(env.wind.speed, WIND_MEAN, _AN_HOUR) if env.wind.speed > 0.0 else 0.0
     flows = env.current.speed > 0.0
     checks = held.checks
@@ -61,13 +76,20 @@ def ship_afloat(
         checks = replace(checks, motion_code=MOTION_CODE)
     return replace(
         held,
-        site=replace(held.site, water_depth=hardest.depth),
+        site=replace(held.site, water_depth=at.depth),
         checks=checks,
         waves=WaveState("jonswap", env.sea.hs, env.sea.period, components=_COMPONENTS),
         current=CurrentProfile("power", speed=env.current.speed) if flows else None,
         floater=Floater(ship=_ship(moored, env.water_density), wind_speed=wind),
-        dynamics=Dynamics(_RUN, runs=_RUNS),
+        dynamics=_dynamics(request.in_motion),
     )
+
+
+def _dynamics(how: RunsAfloat | None) -> Dynamics:
+    """Set the runs: those of the sizing, judged by what is most probable, or the usual ones."""
+    if how is None:
+        return Dynamics(_RUN, runs=_RUNS)
+    return Dynamics(how.duration, runs=how.seeds, judged_by="most-probable")
 
 
 def _one_line(case: Case, state: LoadCase, settled: ConvergedSizing) -> Case:

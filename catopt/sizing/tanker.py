@@ -14,12 +14,17 @@ from catopt.loads.component import Loads
 from catopt.loads.environment import WaterLevels
 from catopt.loads.weathervane import Afloat, ShipHeading, every_lying
 from catopt.model import Buoy, ClumpWeightChoice, Design, LoadCase
-from catopt.sizing.anchorage import DragGround
-from catopt.sizing.answer import case_of, loads_on, new_and_worn, sizing_of, worn_name
-from catopt.sizing.environment import Environment
-from catopt.sizing.headings import Weathervaning, turning_words
+from catopt.sizing.answer import (
+    case_of,
+    in_place_of_allowance,
+    loads_on,
+    new_and_worn,
+    sizing_of,
+    worn_name,
+)
+from catopt.sizing.environment import Environment, Weathervaning, turning_words
 from catopt.sizing.line_choice import longest_useful
-from catopt.sizing.pattern import BodyState, Pattern, pattern, shared_force
+from catopt.sizing.pattern import BodyState, DragGround, Pattern, pattern, shared_force
 from catopt.sizing.posed import Assumed, LoadsAt, SizingCase, Water, rounded_up
 from catopt.sizing.result import Sizing, SwingRadius
 from catopt.sizing.settle import ConvergedSizing, point_diameter, point_pull, settle
@@ -71,6 +76,8 @@ def sized_tanker(request: TankerRequest) -> Sizing:
     line = replace(request.line, rest=rest, aim=aim)
     request = replace(request, line=line)
     settled = _settled(request)
+    if request.in_motion is not None:
+        return _sized_in_motion(request, settled)
     around = _around(request, settled)
     masses = (load.mass for load in settled.point.line.point_loads)
     narrowed = replace(request, clump_masses=tuple(each for each in masses if each is not None))
@@ -87,6 +94,34 @@ def sized_tanker(request: TankerRequest) -> Sizing:
         pattern=around,
         ship_case=ship_afloat(request, settled, around),
         assumptions=tuple(_assumptions(request, settled)),
+    )
+
+
+def _sized_in_motion(request: TankerRequest, at_rest: ConvergedSizing) -> Sizing:
+    """Recommend a line that passes in motion, and put what its runs say in place of an allowance.
+
+    Lines of other sizes and preferences were not run, and how long a chain may wear is known at
+    rest alone: nothing is said of them.
+    """
+    from catopt.sizing.ship_search import search_ship_in_motion
+
+    moved = search_ship_in_motion(request, at_rest, _settled, _around)
+    name, span = moved.span
+    first = _swing(request, moved.settled, moved.around).parts
+    if moved.around is None:
+        first = ((Message("sizing.line_in_motion"), span), *first[1:])
+    found = sizing_of(
+        "tanker",
+        request,
+        moved.settled,
+        swing=lambda _: SwingRadius(name, first),
+        drag_anchor=moved.drag_anchor,
+        pattern=moved.around,
+        ship_case=moved.in_motion.case,
+        assumptions=tuple(_assumptions(request, moved.settled)),
+    )
+    return in_place_of_allowance(
+        found, moved.in_motion, Message("sizing.motion_by_ship_runs"), moved.sinker
     )
 
 
@@ -254,7 +289,9 @@ def _design(request: TankerRequest, height: float) -> Design:
     line = request.line
     weights: tuple[ClumpWeightChoice, ...] = ()
     if request.clump_masses:
-        places = tuple(float(round(share * height) or 1) for share in _CLUMP_PLACES)
+        places = request.clump_places or tuple(
+            float(round(share * height) or 1) for share in _CLUMP_PLACES
+        )
         weights = (
             ClumpWeightChoice(
                 masses=tuple(sorted(request.clump_masses)),
@@ -325,7 +362,8 @@ def _lies(request: TankerRequest, settled: ConvergedSizing) -> Iterator[str]:
     """Say how the ship lies: head to everything, or how under the force that governs."""
     directions, turning = request.weathervaning
     if turning is None:
-        yield Message("sizing.weathervanes")
+        said = "sizing.weathervanes" if request.in_motion is None else "sizing.weathervanes_in_runs"
+        yield Message(said)
         return
     worst = largest(settled.posed.loads, lambda each: each.horizontal_force)
     lying = worst.lying

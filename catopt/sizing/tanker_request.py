@@ -9,16 +9,15 @@ from typing import Final, get_args
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.ship import Ship
 from catopt.loads.ship_coefficients import ShipCoefficients
-from catopt.loads.ship_estimate import Condition
+from catopt.loads.ship_dimensions import Condition
 from catopt.loads.ship_loads import METHODS, TCN
-from catopt.model.validity import Findings
-from catopt.sizing.anchorage import DragGround, SinkerGround
-from catopt.sizing.environment import Environment
-from catopt.sizing.headings import Weathervaning
+from catopt.model.kinds import Findings
+from catopt.sizing.environment import SERVICE_TYPES, Environment, ServiceType, Weathervaning
+from catopt.sizing.in_motion import RunsAfloat
 from catopt.sizing.kinds import usual
 from catopt.sizing.known import ReadInput
 from catopt.sizing.line_choice import LineChoice, unpriced_components
-from catopt.sizing.service_type import SERVICE_TYPES, ServiceType
+from catopt.sizing.pattern import DragGround, SinkerGround
 from catopt.words import Message
 
 _LEAST_CARGO: Final = 0.4
@@ -103,6 +102,8 @@ class TankerRequest:
     pretension: float = field(default_factory=lambda: usual("pretension", "tanker"))
     # clump weights of which the line has one, in air, kg; none when empty
     clump_masses: tuple[float, ...] = ()
+    # where it may hang, from the anchor, m; empty: in parts of the height that the line spans
+    clump_places: tuple[float, ...] = ()
     clump_density: float = 2400.0  # kg/m3
     # of the loads on the ship; of several the largest force governs
     load_methods: tuple[str, ...] = (METHODS[0],)
@@ -112,6 +113,8 @@ class TankerRequest:
     weathervaning: Weathervaning = field(default_factory=Weathervaning)
     # of UFC 4-159-03: III and IV want dynamic methods
     service_type: ServiceType = field(default_factory=lambda: usual("service_type", "tanker"))
+    # how lines are run with the ship before one is recommended; None: at rest alone
+    in_motion: RunsAfloat | None = None
     title: str = ""  # of the case; made of the ship and the depth when left out
     source: str = ""  # of the case: where its figures come from; the command when left out
     defaults: tuple[str, ...] = ()  # what was not given and was taken, in words; for the answer

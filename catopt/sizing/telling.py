@@ -28,8 +28,8 @@ class ErrorCollector:
     """Makes values out of inputs and keeps what is wrong with them until all have been tried.
 
     `spell` writes a name as the caller does, `source` is who is told, for the error; of inputs in
-    `told` a fault is known, and no more is said. `called` has further names by what the model calls
-    them: a key, or ``source.key``.
+    `reported` a fault is known, and no more is said. `called` has further names by what the model
+    calls them: a key, or ``source.key``.
     """
 
     def __init__(
@@ -37,27 +37,27 @@ class ErrorCollector:
         inputs: Mapping[str, Input],
         spell: Spelling = as_keyword,
         source: str = "",
-        told: Collection[str] = (),
+        reported: Collection[str] = (),
         called: Mapping[str, str] | None = None,
     ) -> None:
         self.spell, self.source = spell, source
-        self._told = set(told)
+        self._reported = set(reported)
         self._names = {name: name for name in inputs}
         self._names |= {each: row.name for row in inputs.values() for each in row.called}
         self._names |= called or {}
         self._problems: list[Problem] = []
 
-    def is_told(self, name: str) -> bool:
+    def is_reported(self, name: str) -> bool:
         """Say whether something is wrong with an input."""
-        return name in self._told
+        return name in self._reported
 
     def no_more_of(self, name: str) -> None:
         """Keep no further problem of an input."""
-        self._told.add(name)
+        self._reported.add(name)
 
     def add(self, name: str, found: str, allowed: str, index: int | None = None) -> None:
         """Keep a problem of an input."""
-        if name not in self._told:
+        if name not in self._reported:
             self._problems.append(Problem(self.spell(name, index), found, allowed))
 
     def read(
@@ -82,7 +82,14 @@ class ErrorCollector:
             return maker(*parts)
         except InputError as error:
             for each in error.problems:
-                self._keep(error.source, each)
+                key, index = each.key, None
+                if one_of_several := re.fullmatch(r"(.+)\[(\d+)\]", key):
+                    key, index = one_of_several[1], int(one_of_several[2])
+                name = self._names.get(f"{error.source}.{key}", self._names.get(key))
+                if name is None:
+                    self._problems.append(each)
+                else:
+                    self.add(name, each.found, each.allowed, index)
         return None
 
     def made(self, maker: Callable[..., Made], *parts: Any) -> Made:
@@ -94,15 +101,5 @@ class ErrorCollector:
 
     def raise_if_any(self) -> None:
         """Raise InputError with all that was kept, each once; with nothing, if all is told."""
-        if self._problems or self._told:
+        if self._problems or self._reported:
             raise InputError(tuple(dict.fromkeys(self._problems)), self.source)
-
-    def _keep(self, source: str, problem: Problem) -> None:
-        key, index = problem.key, None
-        if one_of_several := re.fullmatch(r"(.+)\[(\d+)\]", key):
-            key, index = one_of_several[1], int(one_of_several[2])
-        name = self._names.get(f"{source}.{key}", self._names.get(key))
-        if name is None:
-            self._problems.append(problem)
-        else:
-            self.add(name, problem.found, problem.allowed, index)

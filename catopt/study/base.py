@@ -8,7 +8,7 @@ from types import MappingProxyType
 from typing import Any, Final, Literal
 
 from catopt.arrays import Array, Flags
-from catopt.casefile.sizing_file import Moored
+from catopt.casefile.reading import Moored
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.words import Message
 

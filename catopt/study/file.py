@@ -12,20 +12,18 @@ from typing import Annotated, Any, ClassVar, Final
 import numpy as np
 
 from catopt.arrays import Array
-from catopt.casefile.location import refuse
-from catopt.casefile.schema import Table, entries
-from catopt.casefile.sizing_file import moored_of
-from catopt.casefile.structure import read_tables
+from catopt.casefile.document import read_tables, refuse
+from catopt.casefile.reading import moored_of
+from catopt.casefile.schema import TableSchema, entries
 from catopt.checks.criteria import criteria_of
 from catopt.documents import parse_toml, read_text
 from catopt.errors import InputError, Problem
 from catopt.model import Case
 from catopt.model.kinds import Kind, Measured, Seed, Size, Text, Whole
-from catopt.study.axis import Axis, Distribution, DistributionKind
 from catopt.study.base import Base, Computed, Proof
 from catopt.study.member import kind_of_key, read_member
-from catopt.study.study import Study
-from catopt.study.table import read_table
+from catopt.study.store import read_table
+from catopt.study.study import Axis, Distribution, DistributionKind, Study
 from catopt.units import Dimension, to_si
 from catopt.words import Listed, Message, Several
 
@@ -73,7 +71,7 @@ Columns = Annotated[Any, ByName('{ Fx = "system.force[0]" }')]
 Limits = Annotated[Any, ByName('{ fairlead_tension = "50 kN" }')]
 
 
-class VaryTable(Table):
+class VaryTable(TableSchema):
     """One thing that varies, or several that go together."""
 
     symbols: ClassVar[Mapping[str, str]] = {"from": "min", "to": "max", "file": "table"}
@@ -91,7 +89,7 @@ class VaryTable(Table):
     weight: Annotated[str, Text(filled=True, example='"hours"')] | None = None
 
 
-class StudyTable(Table):
+class StudyTable(TableSchema):
     """A whole study file."""
 
     title: str = ""

@@ -6,10 +6,9 @@ import copy
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from catopt.casefile.location import parts
-from catopt.casefile.names import hint
+from catopt.casefile.document import hint, parts
 from catopt.casefile.reading import case_of
-from catopt.casefile.schema import CaseTable, Table, entries
+from catopt.casefile.schema import CaseTable, TableSchema, entries
 from catopt.checks.case import check_case
 from catopt.errors import CatoptError, InputError, Problem
 from catopt.model import Case
@@ -37,7 +36,7 @@ def kind_of_key(base: Base, key: str) -> Kind:
     that counts into an array of tables which the file does not have.
     """
     top = CaseTable if base.moored is None else schema_of(base.moored)
-    table: type[Table] | None = top
+    table: type[TableSchema] | None = top
     place: Any = base.document
     entry = None
     for at, part in enumerate(parts(key)):
@@ -117,7 +116,20 @@ def compute_member(
     if base.compute == "motion":
         return _in_motion(base, read)
     if base.compute == "linear":
-        return _linear(read)
+        from catopt.verify.linear import linear_lines
+
+        lines = linear_lines(read)
+        assert read.dynamics is not None
+        storm = read.dynamics.duration_of_interest
+        worst = largest(lines, lambda line: line.most_probable(storm))
+        return {
+            "fairlead_probable": worst.most_probable(storm),
+            "fairlead_mean": worst.mean,
+            "fairlead_deviation": worst.deviation,
+            "zero_crossing_period": worst.period,
+            "reserve": min(line.reserve for line in lines),
+            "taut": "yes" if all(line.holds for line in lines) else "no",
+        }
     report = check_case(read)
     failing = sum(not each.passes for each in report.results)
     return {**_of_checks(report), "failing": float(failing)}
@@ -165,23 +177,6 @@ def _in_motion(base: Base, case: Case) -> Values:
         used = [each.utilisation for each in checks_in_motion(found).results]
         values["utilisation"] = max(each for each in used if each is not None)
     return values
-
-
-def _linear(case: Case) -> Values:
-    from catopt.verify.linear import linear_lines
-
-    lines = linear_lines(case)
-    assert case.dynamics is not None
-    storm = case.dynamics.duration_of_interest
-    worst = largest(lines, lambda line: line.most_probable(storm))
-    return {
-        "fairlead_probable": worst.most_probable(storm),
-        "fairlead_mean": worst.mean,
-        "fairlead_deviation": worst.deviation,
-        "zero_crossing_period": worst.period,
-        "reserve": min(line.reserve for line in lines),
-        "taut": "yes" if all(line.holds for line in lines) else "no",
-    }
 
 
 def _of_sizing(found: Sizing) -> Values:

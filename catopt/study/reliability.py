@@ -22,7 +22,7 @@ from catopt.errors import InputError, NoAnswerError, NotConvergedError
 from catopt.study.base import Output
 from catopt.study.member import compute_member
 from catopt.study.statics import at_rest
-from catopt.study.study import Piece, Study
+from catopt.study.study import Study, StudyPiece
 from catopt.words import Message
 
 COVERAGE: Final = 0.95
@@ -236,7 +236,7 @@ def _values(study: Study, kept: Output, points: Array) -> Array:
     }
     columns = _columns(study, points)
     every = {key: [value] * len(points) for key, value in fixed.items()}
-    piece = Piece(0, 0, {**every, **columns})
+    piece = StudyPiece(0, 0, {**every, **columns})
     if study.base.compute == "statics":
         return at_rest(study.base, piece).values[kept.name]
     found = np.full(len(points), math.nan)

@@ -12,19 +12,20 @@ from itertools import islice
 from multiprocessing import get_context
 from pathlib import Path
 from time import perf_counter
-from typing import Any
 
 import numpy as np
 
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
+from catopt.model.kinds import Duration
 from catopt.patience import paced
+from catopt.records import Counted, Record
 from catopt.study.base import Base
 from catopt.study.file import read_study
 from catopt.study.member import OfSizing, compute_member, reason_of
 from catopt.study.result import StudyResult
 from catopt.study.statics import at_rest
 from catopt.study.store import Computed, Store
-from catopt.study.study import Piece, Study
+from catopt.study.study import Study, StudyPiece
 from catopt.verify.side_by_side import begin_process, no_script
 from catopt.words import Message
 
@@ -120,7 +121,7 @@ def run_into(
             progress(reached, len(study))
 
 
-def compute_piece(base: Base, piece: Piece, *, of_sizing: OfSizing | None = None) -> Computed:
+def compute_piece(base: Base, piece: StudyPiece, *, of_sizing: OfSizing | None = None) -> Computed:
     """Compute the members of a piece."""
     measured = [each.name for each in base.kept if each.quantity]
     texts = [each.name for each in base.kept if not each.quantity]
@@ -144,7 +145,10 @@ def compute_piece(base: Base, piece: Piece, *, of_sizing: OfSizing | None = None
 
 
 def _at_once(
-    task: Callable[[Piece], Computed], pieces: Iterator[Piece], executor: Executor, count: int
+    task: Callable[[StudyPiece], Computed],
+    pieces: Iterator[StudyPiece],
+    executor: Executor,
+    count: int,
 ) -> Iterator[Computed]:
     """Keep an executor busy with a few pieces at a time; what waits costs memory."""
     running: set[Future[Computed]] = {executor.submit(task, each) for each in islice(pieces, count)}
@@ -208,28 +212,29 @@ def cluster(address: str) -> Iterator[tuple[Executor, int]]:
 
 
 @dataclass(frozen=True, eq=False)
-class Plan:
-    """What a study asks for.
+class Plan(Record):
+    """What a study asks for, from a few members that were timed."""
 
-    `timed`: members that were computed to know it; `seconds`: processor time that all members take,
-    by those; `size`: bytes that they take on disk.
-    """
+    SCHEMA = "catopt.study_plan/1"
+    DOCUMENT = "title members timed seconds=processor_time_s size=disk_bytes"
 
     study: Study
-    timed: int
-    seconds: float
+    timed: Counted
+    """How many were computed to know it."""
+    seconds: Duration
+    """Processor time that all take, on one core."""
     size: float
+    """Bytes that they take in the directory, about."""
 
-    def to_dict(self) -> dict[str, Any]:
-        """Build the document that ``catopt study --plan --json`` prints."""
-        return {
-            "schema": "catopt.study_plan/1",
-            "title": self.study.title,
-            "members": len(self.study),
-            "timed": self.timed,
-            "processor_time_s": self.seconds,
-            "disk_bytes": self.size,
-        }
+    @property
+    def title(self) -> str:
+        """Title of the study."""
+        return self.study.title
+
+    @property
+    def members(self) -> Counted:
+        """How many there are."""
+        return len(self.study)
 
 
 def plan_study(study: Study) -> Plan:
@@ -253,5 +258,5 @@ def plan_study(study: Study) -> Plan:
     return Plan(study, timed, seconds, width * len(study))
 
 
-def _alone(study: Study, member: int) -> Piece:
-    return Piece(0, member, study.values(member, member + 1))
+def _alone(study: Study, member: int) -> StudyPiece:
+    return StudyPiece(0, member, study.values(member, member + 1))

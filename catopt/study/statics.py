@@ -9,7 +9,7 @@ from typing import Any, Final, NamedTuple
 
 import numpy as np
 
-from catopt.arrays import Array, Codes, Flags
+from catopt.arrays import Array, Codes
 from catopt.catenary.batch import Solutions, solve_many
 from catopt.catenary.case import solve_case
 from catopt.catenary.solution import Solution
@@ -21,7 +21,7 @@ from catopt.mooring.batch import SystemSolutions, solve_system_many
 from catopt.mooring.case import report_system
 from catopt.study.base import Base
 from catopt.study.member import kind_of_key, read_member, reason_of
-from catopt.study.study import Piece
+from catopt.study.study import StudyPiece
 from catopt.words import Message
 
 LOADS: Final = frozenset(
@@ -47,7 +47,7 @@ class AtRest(NamedTuple):
     reasons: dict[int, str]
 
 
-def at_rest(base: Base, piece: Piece) -> AtRest:
+def at_rest(base: Base, piece: StudyPiece) -> AtRest:
     """Solve the members of a piece."""
     names = [each.name for each in base.kept]
     found = AtRest({name: np.full(len(piece), np.nan) for name in names}, {})
@@ -59,7 +59,7 @@ def at_rest(base: Base, piece: Piece) -> AtRest:
     return found
 
 
-def _groups(piece: Piece) -> Iterator[Group]:
+def _groups(piece: StudyPiece) -> Iterator[Group]:
     """Part a piece by all but the loads."""
     slow = {key: column for key, column in piece.columns.items() if key not in LOADS}
     if not slow:
@@ -74,11 +74,13 @@ def _groups(piece: Piece) -> Iterator[Group]:
         yield Group(at, piece.changes(int(at[0])))
 
 
-def _solve(base: Base, piece: Piece, group: Group, found: AtRest) -> None:
+def _solve(base: Base, piece: StudyPiece, group: Group, found: AtRest) -> None:
     loads = {key: np.asarray(piece.columns[key])[group.at] for key in piece.columns if key in LOADS}
     within = np.ones(len(group.at), dtype=bool)
     for key, values in loads.items():
-        wrong = _beyond(base, key, values)
+        kind = kind_of_key(base, key)
+        assert isinstance(kind, Measured)
+        wrong = np.zeros(values.shape, dtype=bool) if kind.above is None else values <= kind.above
         within &= ~wrong
         for member in np.flatnonzero(wrong).tolist():
             found.reasons[int(group.at[member])] = _refusal(base, key, values[member])
@@ -100,13 +102,6 @@ def _solve(base: Base, piece: Piece, group: Group, found: AtRest) -> None:
     for name, column in solved[0].items():
         found.values[name][at] = column
     found.reasons.update({int(at[member]): reason for member, reason in solved[1].items()})
-
-
-def _beyond(base: Base, key: str, values: Array) -> Flags:
-    """Which loads the key does not take."""
-    kind = kind_of_key(base, key)
-    assert isinstance(kind, Measured)
-    return np.zeros(values.shape, dtype=bool) if kind.above is None else values <= kind.above
 
 
 def _refusal(base: Base, key: str, value: float) -> str:

@@ -1,22 +1,33 @@
-"""What a study has computed, piece by piece, in a file that survives being killed at any moment."""
+"""What a study reads and keeps: tables of values, and its work on disk."""
 
 from __future__ import annotations
 
 import json
+import re
 import sqlite3
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from io import StringIO
 from pathlib import Path
-from typing import Final
+from typing import TYPE_CHECKING, Any, Final
 from weakref import finalize
 
 import numpy as np
 
 from catopt.arrays import Array
-from catopt.errors import InputError, Problem
-from catopt.study.study import Study
-from catopt.words import Message
+from catopt.documents import MOST_BYTES_OF_DATA, read_text
+from catopt.errors import InputError, Problem, need_package
+from catopt.model.kinds import Kind, Measured, Whole
+from catopt.study.base import Base
+from catopt.study.member import in_file, kind_of_key
+from catopt.study.study import Axis, Study
+from catopt.units import as_written, to_si
+from catopt.verify.motion_file import few
+from catopt.words import Message, Several
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 STORE: Final = "study.sqlite"
 """Name of the file within the directory of a study."""
@@ -55,7 +66,7 @@ class Store:
     def __init__(self, study: Study, directory: Path | None = None) -> None:
         self._study = study
         self._file = ":memory:" if directory is None else str(directory / STORE)
-        with self._told():
+        with self._reported():
             if directory is not None:
                 directory.mkdir(parents=True, exist_ok=True)
             self._database = sqlite3.connect(self._file, check_same_thread=False)
@@ -68,7 +79,7 @@ class Store:
                 raise
 
     @contextmanager
-    def _told(self) -> Iterator[None]:
+    def _reported(self) -> Iterator[None]:
         """Refuse in words what the file or its disk does not do: full, held, damaged, gone."""
         try:
             yield
@@ -92,7 +103,7 @@ class Store:
 
     def done(self) -> set[int]:
         """Return the numbers of the pieces that are there."""
-        with self._told():
+        with self._reported():
             return {number for (number,) in self._database.execute("SELECT number FROM pieces")}
 
     def put(self, found: Computed) -> None:
@@ -103,12 +114,12 @@ class Store:
             json.dumps(found.words, ensure_ascii=False),
             json.dumps({str(k): v for k, v in sorted(found.reasons.items())}, ensure_ascii=False),
         )
-        with self._told(), self._database:
+        with self._reported(), self._database:
             self._database.execute("INSERT OR REPLACE INTO pieces VALUES (?, ?, ?, ?)", row)
 
     def pieces(self) -> Iterator[Computed]:
         """Yield the pieces that are there, by number; a damaged one is taken out and told."""
-        with self._told():
+        with self._reported():
             rows = self._database.execute("SELECT * FROM pieces ORDER BY number")
             for number, *row in rows:
                 try:
@@ -154,3 +165,198 @@ class Store:
         for first, piece in self._placed():
             wanted |= {first + k: words for k, words in enumerate(piece.words)}
         return [wanted.get(member, ()) for member in members]
+
+
+_HEADING = re.compile(r"\s*(?P<name>[^()]*?)\s*(\((?P<unit>.*)\))?\s*")
+
+
+def read_table(base: Base, path: Path, columns: Mapping[str, str], weight: str | None) -> Axis:
+    """Read a table as an axis.
+
+    `base`: whose keys vary; `path`: CSV with a row of headings, such as ``load.horizontal_force
+    (kN)``; where the headings are parted by semicolons, numbers have a decimal comma; or a Parquet
+    file of such columns; `columns`: key by heading, for headings that are no keys; `weight`:
+    heading of the column that says what each row counts, such as hours. Raises InputError with
+    every heading, and the first cells of each column, that are wrong.
+    """
+    frame = _read(path)
+    problems: list[Problem] = []
+    found: dict[str, Any] = {}
+    weights: Array | None = None
+    for at, head in enumerate(frame.columns):
+        match = _HEADING.fullmatch(str(head))
+        name, unit = (match["name"], match["unit"] or "") if match else (str(head), "")
+        cells = frame.iloc[:, at]
+        try:
+            if name == weight:
+                weights = _weights(cells, name)
+                continue
+            key = columns.get(name, name)
+            if key in found:
+                raise InputError([Problem("headings", f'"{key}"', Message("refused_study.twice"))])
+            found[key] = _values(_kind(base, key, columns), cells, name, unit)
+        except InputError as error:
+            problems += error.problems
+    known = [str(head).split("(")[0].strip() for head in frame.columns]
+    for name in columns:
+        if name not in known:
+            problems.append(
+                Problem("columns", f'"{name}"', Message("refused_study.table_has_no_such_heading"))
+            )
+    if weight is not None and weight not in known:
+        problems.append(
+            Problem("weight", f'"{weight}"', Message("refused_study.table_has_no_such_heading"))
+        )
+    if not problems and not found:
+        problems.append(Problem("headings", "", Message("refused_study.none_them_key_varies")))
+    if problems:
+        raise InputError(problems, str(path))
+    return Axis(found, weights)
+
+
+def _read(path: Path) -> pd.DataFrame:
+    frame = _of_parquet(path) if path.suffix.lower() == ".parquet" else _of_csv(path)
+    if frame.empty:
+        raise InputError(
+            [
+                Problem(
+                    "table",
+                    Message("refused_file.no_rows"),
+                    Message("refused_study.one_row_member_wanted"),
+                )
+            ],
+            str(path),
+        )
+    return frame
+
+
+def need_parquet() -> None:
+    """Refuse Parquet where the package pyarrow is missing; InputError says how to install it."""
+    need_package("pyarrow", "tables", "Parquet")
+
+
+def _of_parquet(path: Path) -> pd.DataFrame:
+    import pandas as pd
+
+    need_parquet()
+    try:
+        return pd.read_parquet(path)
+    except (OSError, ValueError) as error:
+        raise InputError(
+            [Problem("table", "", Message("refused_study.no_table", error=error))], str(path)
+        ) from None
+
+
+def _of_csv(path: Path) -> pd.DataFrame:
+    import pandas as pd
+
+    text = read_text(path, str(path), kind="table of values", most=MOST_BYTES_OF_DATA)
+    is_parted = ";" in text.split("\n", 1)[0]
+    try:
+        frame: pd.DataFrame = pd.read_csv(
+            StringIO(text),
+            sep=";" if is_parted else ",",
+            decimal="," if is_parted else ".",
+            comment="#",
+            skipinitialspace=True,
+            keep_default_na=False,
+        )
+    except (pd.errors.ParserError, pd.errors.EmptyDataError) as error:
+        raise InputError(
+            [Problem("table", "", Message("refused_study.no_table", error=error))], str(path)
+        ) from None
+    return frame
+
+
+def _kind(base: Base, key: str, columns: Mapping[str, str]) -> Kind:
+    try:
+        return kind_of_key(base, key)
+    except InputError as error:
+        (problem,) = error.problems
+        wanted = problem.allowed
+        if key not in columns.values():
+            further = Message("refused_study.name_key_under_columns_or")
+            wanted = Several((wanted, further), "")
+        raise InputError([Problem("headings", f'"{key}"', wanted)]) from None
+
+
+def _values(kind: Kind, cells: pd.Series[Any], name: str, unit: str) -> Sequence[Any] | Array:
+    if isinstance(kind, Measured):
+        return in_range(kind, _numbers(cells, name) * _size(kind, name, unit), name)
+    if unit:
+        raise InputError(
+            [Problem("headings", f'"{name} ({unit})"', Message("refused_study.has_no_unit"))]
+        )
+    as_they_are = isinstance(kind, Whole)
+    written = (c if as_they_are or isinstance(c, bool) else str(c) for c in cells.tolist())
+    return _read_each(kind, written, name)
+
+
+def _size(kind: Measured, name: str, unit: str) -> float:
+    """SI units in one of the unit that a heading names."""
+    dimension = kind.dimension
+    if not unit and dimension.si_unit:
+        wanted = Message(
+            "refused_study.unit_brackets_wanted_such", name=name, si_unit=dimension.si_unit
+        )
+        raise InputError([Problem("headings", f'"{name}"', wanted)])
+    if unit in ("", "-"):
+        return 1.0
+    try:
+        return to_si(f"1 {unit}", dimension)
+    except InputError as error:
+        found = f'"{name} ({unit})"'
+        raise InputError([Problem("headings", found, error.problems[0].allowed)]) from None
+
+
+def _numbers(cells: pd.Series[Any], name: str) -> Array:
+    import pandas as pd
+
+    numbers = pd.to_numeric(cells, errors="coerce").to_numpy(dtype=np.float64)
+    wrong = np.flatnonzero(~np.isfinite(numbers))
+    _refuse(name, wrong.tolist(), cells, "a number is wanted")
+    return numbers
+
+
+def _weights(cells: pd.Series[Any], name: str) -> Array:
+    weights = _numbers(cells, name)
+    _refuse(name, np.flatnonzero(weights < 0.0).tolist(), cells, "must be 0 or more")
+    if not weights.sum() > 0.0:
+        raise InputError(
+            [Problem(name, "all 0", Message("refused_study.what_each_row_counts_wanted"))]
+        )
+    return weights
+
+
+def in_range(kind: Measured, values: Array, name: str) -> Array:
+    """Return values in SI that a key takes; all that are out of its range are told."""
+    sizes = np.abs(values[values != 0.0])
+    ends = [values.min(), values.max(), *([sizes.min()] if sizes.size else [])]
+    try:
+        for end in ends:
+            kind.read(in_file(kind, float(end)))
+    except InputError:
+        _read_each(kind, (in_file(kind, value) for value in values.tolist()), name)
+    return values
+
+
+def _read_each(kind: Kind, cells: Iterable[Any], name: str) -> list[Any]:
+    """Read cells as the key takes them; the first that it does not take are told."""
+    found, problems = [], []
+    for row, cell in enumerate(cells):
+        try:
+            found.append(kind.read(cell))
+        except InputError as error:
+            problems += [replace(p, key=f"{name}, value {row + 1}") for p in error.problems]
+    if problems:
+        raise InputError(few(problems, "table"))
+    return found
+
+
+def _refuse(name: str, rows: Sequence[int], cells: pd.Series[Any], allowed: str) -> None:
+    if rows:
+        found = [
+            Problem(f"{name}, value {row + 1}", as_written(cells.iloc[row]), allowed)
+            for row in rows
+        ]
+        raise InputError(few(found, "table"))

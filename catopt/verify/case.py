@@ -7,17 +7,16 @@ from dataclasses import dataclass
 from typing import Any
 
 from catopt.catenary.case import as_found, solve_case
-from catopt.catenary.warnings import check_buoys, named_line
+from catopt.catenary.solution import check_buoys, named_line
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.model import Case
 from catopt.model.network import Network
 from catopt.patience import paced
 from catopt.units import as_written
-from catopt.verify.line import verify_line
+from catopt.verify.line import verify_line, verify_system
 from catopt.verify.network import verify_network
+from catopt.verify.proof import ELEMENTS, TOLERANCE, check_settings
 from catopt.verify.result import VERDICTS, StaticComparison, Verification, least_agreeing
-from catopt.verify.settings import ELEMENTS, TOLERANCE, check_settings
-from catopt.verify.system import verify_system
 from catopt.words import Message
 
 LOAD = "load"
@@ -133,20 +132,16 @@ def _verified(name: str, case: Case, elements: int, tolerance: float) -> StaticC
         case = as_found(case)
         closed = solve_case(case)
         part = verify_line(case, closed, elements=elements, tolerance=tolerance, name=name)
-    _check_buoys(part, case.site.water_depth)
-    return part
-
-
-def _check_buoys(part: StaticComparison, water_depth: float) -> None:
-    """Refuse buoys above the water surface by the truss model, which has every line."""
+    # Refuse buoys above the water surface by the truss model, which has every line.
     for number, pair in enumerate(part.lines, start=1):
         mesh = pair.finest.mesh
         heights = pair.finest.nodes[mesh.load_node, 2].tolist()
         if part.kind == "line":
-            check_buoys(mesh.line, heights, water_depth)
+            check_buoys(mesh.line, heights, case.site.water_depth)
             continue
         with named_line(number):
-            check_buoys(mesh.line, heights, water_depth)
+            check_buoys(mesh.line, heights, case.site.water_depth)
+    return part
 
 
 # ------------------------------------------------------------------ a front

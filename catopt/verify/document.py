@@ -14,12 +14,8 @@ if TYPE_CHECKING:
     from catopt.fem.extremes import Extreme
     from catopt.verify.case import DesignVerification, FrontVerification
     from catopt.verify.compared import Compared
-    from catopt.verify.dynamic_result import (
-        DynamicPart,
-        DynamicRun,
-        DynamicVerification,
-        OverRuns,
-    )
+    from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
+    from catopt.verify.dynamic_run import DynamicRun, OverRuns
     from catopt.verify.result import StaticComparison, Verification
 
 _SCHEMA = "catopt.verify/1"
@@ -133,7 +129,8 @@ def _part(part: DynamicPart) -> dict[str, Any]:
         "quantities": [_quantity(each) for each in part.quantities],
         "max_tension_N": part.max_tension,
         "quasi_static_max_tension_N": part.quasi_static_max,
-        **figures(part, "amplification slack_time_s longest_slack_s verdict proof"),
+        "amplification": part.dynamic_amplification,
+        **figures(part, "slack_time_s longest_slack_s verdict proof"),
         "changes": [figures(each, "quantity way") | {"change": each.size} for each in part.changes],
         "anchor_at_rest": {f"{key}_N": value for key, value in part.anchor_at_rest.items()} or None,
         "numerical_part": part.numerical_part,

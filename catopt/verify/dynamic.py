@@ -19,13 +19,13 @@ from catopt.interrupt import waiting_interrupt
 from catopt.model import Case
 from catopt.verify.case import load_states
 from catopt.verify.dynamic_lines import LinesAtRest, lines_at_rest, quasi_static
-from catopt.verify.dynamic_result import DynamicPart, DynamicRun, DynamicVerification
+from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
+from catopt.verify.dynamic_run import DynamicRun
 from catopt.verify.dynamic_setup import Excitation, check_for_motion, read_drive
-from catopt.verify.effort import effort_of
 from catopt.verify.judged import with_verdicts
 from catopt.verify.motion_file import energy_beyond
 from catopt.verify.proof import DAMPINGS, FINER, Again, Damped, Proof, Way, work_of_proof
-from catopt.verify.side_by_side import Crew, Progress, share_of, side_by_side
+from catopt.verify.side_by_side import Crew, Progress, effort_of, share_of, side_by_side
 from catopt.waves import Sea
 from catopt.words import Message, is_said
 

@@ -13,7 +13,13 @@ from catopt.arrays import Array
 from catopt.catenary.batch import solve_many
 from catopt.catenary.case import solve_case
 from catopt.errors import InputError, Problem
-from catopt.fem.dynamics import body_at_rest, line_at_rest, run_dynamics, run_system_dynamics
+from catopt.fem.dynamics import (
+    body_at_rest,
+    line_at_rest,
+    ramped,
+    run_dynamics,
+    run_system_dynamics,
+)
 from catopt.fem.history import History
 from catopt.fem.mesh import mesh_line
 from catopt.fem.run_settings import BodyInertia, TimeStepping
@@ -24,12 +30,13 @@ from catopt.fem.solve import Leg
 from catopt.floater.alone import HullHistory
 from catopt.floater.buoy import buoy_hull, floating_buoy
 from catopt.floater.moored import run_moored
+from catopt.floater.scene import kept_nodes, scene_of
 from catopt.hydro.build import FloatingHull
 from catopt.model import Load
 from catopt.model.dynamics import InitialFriction
 from catopt.mooring.solve import solve_system
 from catopt.verify.dynamic_setup import Excitation
-from catopt.verify.system import truss_legs
+from catopt.verify.line import truss_legs
 from catopt.waves import Sea, Waves, wavelength
 from catopt.words import Message
 
@@ -346,17 +353,22 @@ class LineOfAFloater:
     def run(
         self, sea: Sea, stepping: TimeStepping, elements: int, progress: Progress
     ) -> tuple[History, HullHistory]:
-        """Run both."""
+        """Run both; of the nodes' places what the scene takes is kept."""
         case = self.drive.case
-        return run_moored(
+        mesh = mesh_line(case.line, elements)
+        history, hull = run_moored(
             self.hull,
-            mesh_line(case.line, elements),
-            stepping,
+            mesh,
+            replace(stepping, nodes=kept_nodes(mesh)),
             sea=sea,
             properties=self.drive.properties,
             anchor_height=case.anchor_height,
             progress=progress,
         )
+        in_sea = ramped(sea, stepping)
+        assert in_sea is not None
+        scene = scene_of(history, hull.place, self.hull, in_sea)
+        return replace(history, nodes=history.nodes[:, :0]), replace(hull, scene=scene)
 
     def anchor_at_rest(self) -> Mapping[InitialFriction, float]:
         """Return nothing: the past of the line is that of its case."""

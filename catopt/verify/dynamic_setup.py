@@ -10,30 +10,30 @@ from functools import cached_property, lru_cache
 import numpy as np
 
 from catopt.errors import InputError, Problem
-from catopt.fem.cylinder_coefficients import (
+from catopt.fem.dynamic_model import Fluid, LineProperties
+from catopt.fem.morison import (
     OBLIQUE,
+    MorisonSection,
     added_mass,
     steady_drag,
     wake_amplification,
 )
-from catopt.fem.damping import LineDamping
-from catopt.fem.dynamic_model import Fluid, LineProperties
-from catopt.fem.morison import MorisonSection
-from catopt.fem.newmark import Scheme
+from catopt.fem.newmark import LineDamping, Scheme
 from catopt.fem.run_settings import StepControls, TimeStepping
 from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, Sampled, Series
 from catopt.model import Anchor, Case, Dynamics, Motion, Segment, WaveState, WaveTrain
-from catopt.model.current_profile import CurrentProfile
+from catopt.model.sea import CurrentProfile
 from catopt.verify.motion_file import (
     Raos,
+    VesselRaos,
     read_current,
     read_elevation,
     read_force,
     read_motion,
     read_raos,
+    read_vessel_raos,
 )
-from catopt.verify.vessel import VesselRaos, read_vessel_raos
 from catopt.waves import (
     CosineSpreading,
     CurrentSeries,
@@ -299,7 +299,12 @@ def read_drive(case: Case) -> Excitation:
         drive = replace(drive, elevation=read_elevation(waves.elevation_file, duration))
         drive.recorded_waves  # noqa: B018 - refuses a shortest period that no wave has
     if current is not None and current.series_file:
-        drive = replace(drive, current=_current_series(current, duration))
+        series = read_current(current.series_file, duration)
+        if series.directions is not None and current.direction != 0.0:
+            allowed = Message("refused_motion.stands_series_file_too_leave")
+            found = f"{math.degrees(current.direction):g} deg"
+            raise InputError([Problem("current.direction", found, allowed)], "--dynamic")
+        drive = replace(drive, current=series)
     if lower is not None and lower.file:
         drive = replace(drive, anchor_record=read_motion(lower.file, duration))
     if case.anchor is not None and case.anchor.max_slide is not None:
@@ -372,7 +377,7 @@ def _of_segment(index: int, segment: Segment) -> list[Problem]:
     path, lacks = f"line.segments[{index}]", []
     if not segment.mass:
         lacks.append(("mass", "missing_line_motion_needs"))
-    if math.isinf(segment.EA):
+    if segment.is_inextensible:
         lacks.append(("EA", "missing_motion_EA"))
     if segment.drag_method == "roughness":
         if segment.drag_diameter is None:
@@ -386,28 +391,24 @@ def _of_segment(index: int, segment: Segment) -> list[Problem]:
 
 def _section(segment: Segment) -> MorisonSection:
     if segment.drag_method == "roughness":
-        return _rough_section(segment)
+        D, k, KC = segment.drag_diameter, segment.roughness, segment.keulegan_carpenter
+        assert D is not None
+        assert k is not None
+        assert KC is not None
+        steady, psi = steady_drag(k, D), segment.wake_amplification
+        return MorisonSection(
+            diameter=D,
+            drag_normal=steady * (wake_amplification(steady, KC) if psi is None else psi),
+            added_mass_normal=added_mass(steady, KC),
+            added_mass_tangential=_or_else(segment.added_mass_axial, 0.0),
+            oblique=OBLIQUE,
+        )
     return MorisonSection(
         diameter=segment.drag_diameter or 1.0,  # without drag any will do
         drag_normal=segment.drag_normal or 0.0,
         drag_tangential=segment.drag_axial or 0.0,
         added_mass_normal=_or_else(segment.added_mass_normal, 1.0),
         added_mass_tangential=_or_else(segment.added_mass_axial, 0.0),
-    )
-
-
-def _rough_section(segment: Segment) -> MorisonSection:
-    D, k, KC = segment.drag_diameter, segment.roughness, segment.keulegan_carpenter
-    assert D is not None
-    assert k is not None
-    assert KC is not None
-    steady, psi = steady_drag(k, D), segment.wake_amplification
-    return MorisonSection(
-        diameter=D,
-        drag_normal=steady * (wake_amplification(steady, KC) if psi is None else psi),
-        added_mass_normal=added_mass(steady, KC),
-        added_mass_tangential=_or_else(segment.added_mass_axial, 0.0),
-        oblique=OBLIQUE,
     )
 
 
@@ -425,7 +426,7 @@ def _fast_frequency(waves: Waves) -> float:
     return float(np.interp(_FAST, place, waves.omega[order]))
 
 
-@lru_cache(maxsize=4)
+@lru_cache(maxsize=16)
 def _waves(given: WaveState, run: int) -> Waves:
     generator = np.random.default_rng([given.seed, run])
     first, *others = (_train(train, generator) for train in given.all_trains)
@@ -445,15 +446,6 @@ def _train(train: WaveTrain, generator: np.random.Generator) -> Waves:
     return random_waves(
         spectrum, train.components, generator, direction=train.direction, spreading=spreading
     )
-
-
-def _current_series(given: CurrentProfile, duration: float) -> CurrentSeries:
-    series = read_current(given.series_file, duration)
-    if series.directions is not None and given.direction != 0.0:
-        allowed = Message("refused_motion.stands_series_file_too_leave")
-        found = f"{math.degrees(given.direction):g} deg"
-        raise InputError([Problem("current.direction", found, allowed)], "--dynamic")
-    return series
 
 
 def _current(given: CurrentProfile) -> PowerLawCurrent | WindCurrent | TableCurrent:

@@ -9,17 +9,17 @@ from typing import Annotated
 
 import numpy as np
 
-from catopt.checks.criterion import CheckSource
 from catopt.checks.fatigue import (
     FatigueStrength,
     design_factor,
     fatigue_strengths,
     need_rainflow,
 )
+from catopt.checks.kinds import CheckSource
 from catopt.constants import YEAR
 from catopt.errors import InputError, Problem
 from catopt.model import Case, FatigueSeaState, Segment
-from catopt.model.fatigue import share_misfits
+from catopt.model.dynamics import share_misfits
 from catopt.model.kinds import Force, NotNegative, Place, Positive, Share
 from catopt.records import Counted, From, Record
 from catopt.ties import largest
@@ -29,10 +29,9 @@ from catopt.verify.dynamic import LONG, verify_dynamic
 from catopt.verify.dynamic_lines import lines_at_rest
 from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, Verdict, worst_verdict
 from catopt.verify.dynamic_setup import check_for_motion, read_drive
-from catopt.verify.effort import effort_of
 from catopt.verify.motion_file import OF_TOTAL, lines_of, read_columns
 from catopt.verify.proof import LIMIT, Proof
-from catopt.verify.side_by_side import Progress, share_of
+from catopt.verify.side_by_side import Progress, effort_of, share_of
 from catopt.words import Message
 
 _WHOLE = 1e-6

@@ -18,7 +18,8 @@ from catopt.fem.course import taken_together
 from catopt.model import Anchor, Case, Line
 from catopt.mooring.solve import solve_system
 from catopt.ties import first_largest, largest
-from catopt.verify.dynamic_result import BeyondMBL, DynamicPart, DynamicRun
+from catopt.verify.dynamic_result import BeyondMBL, DynamicPart
+from catopt.verify.dynamic_run import DynamicRun
 
 _ONE_SIDED: Final = 0.95
 _NORMAL: Final = 1.645

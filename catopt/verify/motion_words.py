@@ -1,20 +1,131 @@
-"""What is said of a line in motion."""
+"""What is said of the two models at rest, and of a line in motion."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from catopt.quantities import Quantity
+from catopt.quantities import QUANTITIES, Quantity
 from catopt.units import lasting
+from catopt.verify.compared import ORDER, ROUNDING
 from catopt.verify.proof import LIMIT, OF_MBL
-from catopt.verify.truss_words import QUANTITY_OF, named
 from catopt.words import Listed, Measure, Message, Several
 
 if TYPE_CHECKING:
     from catopt.fem import Extreme
+    from catopt.verify.compared import Compared
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
+    from catopt.verify.result import StaticComparison
+
+
+def named(key: str, name: str, symbol: str | None = None) -> Quantity:
+    """Return a quantity under another name, and symbol where one is given."""
+    of = QUANTITIES[key]
+    return replace(of, name=name, symbol=of.symbol if symbol is None else symbol)
+
+
+QUANTITY_OF: Mapping[str, Quantity] = MappingProxyType(
+    {
+        "span": QUANTITIES["span"],
+        "horizontal_force": QUANTITIES["horizontal_force"],
+        "fairlead_tension": named("tension", "Fairlead tension"),
+        "fairlead_vertical_force": named("vertical_force", "Fairlead vertical force"),
+        "fairlead_angle": named("angle", "Fairlead inclination", ""),
+        "anchor_tension": named("tension", "Anchor tension", "TA"),
+        "anchor_vertical_force": named("vertical_force", "Anchor vertical force", "VA"),
+        "anchor_angle": named("angle", "Anchor inclination", ""),
+        "grounded_length": QUANTITIES["grounded_length"],
+        "shape": named("length", "Distance of the shapes", ""),
+        "position_x": named("offset", "Position of the body", "x"),
+        "position_y": named("offset", "Position of the body", "y"),
+        "moment_of_lines": named("moment", "Moment of the lines", ""),
+        "place_x": named("offset", "Position of the joint", "x"),
+        "place_y": named("offset", "Position of the joint", "y"),
+        "place_z": named("height", "Position of the joint", "z"),
+        "from_tension": named("tension", "Tension, from", "T1"),
+        "to_tension": named("tension", "Tension, to", "T2"),
+    }
+)
+"""What each compared quantity is in tables."""
+
+_SCALE_WORDS = {
+    "N": "truss.of_the_tension",
+    "m": "truss.of_the_length",
+    "rad": "truss.of_a_rad",
+    "Nm": "truss.of_moment",
+}
+
+_MOST_NAMED = 4
+"""Quantities that a sentence names."""
+
+
+def in_parts(value: float) -> str:
+    """Write a difference over its scale; below the truss's own tolerance even a 0 is chance."""
+    return f"{value:.1e}" if value >= ROUNDING else f"<{ROUNDING:.0e}"
+
+
+def name_of(each: Compared, part: StaticComparison | None = None) -> Message:
+    """Name a quantity, with its line in a system: ``"fairlead tension of line 2"``.
+
+    `part`: of which it is, where lines may have names.
+    """
+    name = Message(f"truss.{each.quantity}")
+    if each.point:
+        return Message("truss.quantity_of_point", quantity=name, name=each.point)
+    if each.line is None or each.quantity.startswith("position"):
+        return name
+    number = f"{each.line + 1}" if part is None else part.name_of_line(each.line)
+    return Message("truss.quantity_of_line", quantity=name, number=number)
+
+
+def gap_words(each: Compared) -> Message:
+    """Say how large a gap is: ``"3.1e-09 of the tension"``."""
+    gap = in_parts(each.gap)
+    if each.theory != ORDER:
+        # Of a slack line the scale may be that of a bar, over the tolerance.
+        return Message("truss.of_its_scale", gap=gap)
+    if each.quantity.startswith("position"):
+        return Message("truss.of_the_offset", gap=gap)
+    return Message(_SCALE_WORDS[each.unit], gap=gap)
+
+
+def part_sentence(part: StaticComparison) -> Message:
+    """Say what came of one load case."""
+    worst = part.worst
+    allowed = f"{part.tolerance:.0e}"
+    if part.verdict == "agrees":
+        reported = Message("truss.largest", quantity=name_of(worst, part), gap=gap_words(worst))
+        if worst.gap < ROUNDING:
+            reported = Message("truss.below_scale", limit=f"{ROUNDING:.0e}")
+        return Message("truss.agree", largest=reported, allowed=allowed)
+    others = [each for each in part.quantities if not each.agrees]
+    differences = []
+    for each in others[:_MOST_NAMED]:
+        of = QUANTITY_OF[each.quantity]
+        amount = Measure(of.key, each.difference, digits=of.digits + 1)
+        values = {"quantity": name_of(each, part), "amount": amount, "gap": gap_words(each)}
+        differences.append(Message("truss.differs_by", **values))
+    if len(others) > _MOST_NAMED:
+        differences.append(Message("truss.and_more", more=len(others) - _MOST_NAMED))
+    key = "truss.not_resolved" if part.verdict == "not resolved" else "truss.differ"
+    return Message(key, differences=Several(differences), allowed=allowed)
+
+
+def rough_sentence(part: StaticComparison) -> str:
+    """Name what does not close up smoothly; empty where everything does."""
+    if not part.rough:
+        return ""
+    rough = (
+        Message("truss.rough_quantity", quantity=name_of(each, part), order=each.order)
+        for each in part.rough[:_MOST_NAMED]
+    )
+    reported: Message = Several(rough, ", ")
+    if len(part.rough) > _MOST_NAMED:
+        more = len(part.rough) - _MOST_NAMED
+        reported = Message("truss.rough_more", quantities=reported, more=more)
+    return Message("truss.rough", quantities=reported)
 
 
 DYNAMIC_QUANTITY_OF: Mapping[str, Quantity] = MappingProxyType(
@@ -52,15 +163,15 @@ def motion_sentences(part: DynamicPart) -> list[str]:
     """Say what the motion does to the line: amplification, most probable maximum, slack."""
     largest = part.of("fairlead_tension").maximum
     reached = Measure("tension", largest)
-    told = Message("motion.reaches", tension=reached)
-    if part.amplification is not None and part.quasi_static_max is not None:
+    reported = Message("motion.reaches", tension=reached)
+    if part.dynamic_amplification is not None and part.quasi_static_max is not None:
         still = Measure("tension", part.quasi_static_max)
-        values = {"tension": reached, "times": part.amplification, "still": still}
-        told = Message("motion.reaches_times", **values)
+        values = {"tension": reached, "times": part.dynamic_amplification, "still": still}
+        reported = Message("motion.reaches_times", **values)
     slack = Message("motion.no_slack")
     if part.slack_time > 0.0:
         slack = Message("motion.goes_slack", time=part.slack_time, longest=part.longest_slack)
-    sentences = [told, *_extremes(part), slack, *_by_damping(part)]
+    sentences = [reported, *_extremes(part), slack, *_by_damping(part)]
     if part.anchor_at_rest:
         at_rest = {state: Measure("tension", N) for state, N in part.anchor_at_rest.items()}
         sentences.append(Message("motion.friction_at_rest", **at_rest))

@@ -1,9 +1,4 @@
-"""A line in motion run again, at half the step and then with twice the bars, too.
-
-So the last run is finer in both. Snaps may differ by nothing at half the step, and by nothing with
-twice the bars, and still by half their size with both (benchmarks/results/slack.md). A line that
-snaps is run with half and with twice its damping, too: no mesh says what that is.
-"""
+"""A line in motion run again, at half the step and then with twice the bars, too."""
 
 from __future__ import annotations
 
@@ -12,9 +7,11 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Final, Literal
 
+from catopt.model.kinds import Findings
+
 if TYPE_CHECKING:
     from catopt.checks.fatigue import Cycles
-    from catopt.verify.dynamic_result import DynamicRun
+    from catopt.verify.dynamic_run import DynamicRun
 
 LIMIT: Final = 0.05
 """Change of a maximum over itself, or part of the work lost, beyond which nothing is converged."""
@@ -135,3 +132,26 @@ def largest_changes(changes: Iterable[Change]) -> list[Change]:
         if key not in largest or each.size > largest[key].size:
             largest[key] = each
     return list(largest.values())
+
+
+ELEMENTS = 200
+"""Bars of a line on the coarsest mesh."""
+
+TOLERANCE = 1e-4
+"""Of the fairlead tension, of the line's length, in rad."""
+
+_FEWEST, _MOST = 4, 20000
+_LOOSEST = 0.1
+
+
+def check_settings(elements: int, tolerance: float, *, source: str, prefix: str = "") -> None:
+    """Refuse settings that are out of range, all at once.
+
+    `tolerance`: largest difference that counts as agreement; `source`, `prefix`: who was given
+    them, and what stands before their names there, such as ``"--"``. Raises InputError with every
+    one that is wrong.
+    """
+    found = Findings(source)
+    found.number(f"{prefix}elements", elements, "", at_least=_FEWEST, at_most=_MOST)
+    found.number(f"{prefix}tolerance", tolerance, "", above=0.0, at_most=_LOOSEST)
+    found.raise_if_any()

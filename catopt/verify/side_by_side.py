@@ -1,4 +1,4 @@
-"""Runs of a case side by side: each in a process of its own, as many at a time as asked for."""
+"""Runs of a case side by side, and what they will take."""
 
 from __future__ import annotations
 
@@ -10,13 +10,117 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager, suppress
+from dataclasses import dataclass
 from multiprocessing import connection, get_context, parent_process
 from time import monotonic
 from types import ModuleType
 from typing import Any, TypeVar
 
-from catopt.errors import CatoptError
+from catopt.errors import CatoptError, InputError, Problem
+from catopt.verify.dynamic_lines import LinesAtRest
+from catopt.verify.proof import Proof, work_of_proof
 from catopt.words import Message
+
+SECONDS_PER_BAR_AND_STEP = 6e-6
+"""On one core: 4 million bars times steps take 15 to 30 s."""
+
+BYTES_PER_SAMPLE = 160.0
+"""Of one line: time, forces and tensions at both ends, the fairlead's place and what lies down."""
+
+MOST_SECONDS, MOST_BYTES = 30.0 * 86400.0, 8e9
+
+
+@dataclass(frozen=True)
+class Effort:
+    """Time and memory of a load case.
+
+    `steps`, `bars`, `runs`: of one run, of all lines together, and how many runs; `proof`: how
+    often the work of a run its proof takes at most: where a line goes slack; `samples`: that are
+    kept of each line in each run.
+    """
+
+    steps: float
+    bars: int
+    runs: int
+    proof: int
+    samples: float
+    lines: int
+
+    @property
+    def work(self) -> float:
+        """Bars times steps of all runs, with the most that proves them."""
+        return self.steps * self.bars * self.runs * (1 + self.proof)
+
+    @property
+    def seconds(self) -> float:
+        """Roughly, on one core."""
+        return self.work * SECONDS_PER_BAR_AND_STEP
+
+    @property
+    def bytes(self) -> float:
+        """Of the samples."""
+        return self.samples * self.lines * self.runs * BYTES_PER_SAMPLE
+
+    def __str__(self) -> str:
+        return self.words
+
+    @property
+    def words(self) -> Message:
+        """What is to be run, how long it takes and what it keeps."""
+        minutes = self.seconds / 60.0
+        key, divisor = ("in_minutes", 1.0) if minutes < 120.0 else ("in_hours", 60.0)
+        if minutes > 100.0 * 60.0:
+            key, divisor = "in_days", 1440.0
+        time = Message(f"refused_motion.{key}", time=minutes / divisor)
+        proof = "effort_with_proof" if self.proof else "effort"
+        return Message(
+            f"refused_motion.{proof}",
+            steps=self.steps,
+            bars=self.bars,
+            often=Message("refused_motion.times", count=self.runs),
+            proof=self.proof,
+            time=time,
+            size=self.bytes / 1e9,
+        )
+
+    def check(self, duration: float) -> None:
+        """Refuse what would not end or not fit.
+
+        Raises InputError by the keys of ``[dynamics]`` that it hangs on.
+        """
+        problems = []
+        if self.seconds > MOST_SECONDS:
+            allowed = Message(
+                "refused_motion.days_are_most_shorter_duration",
+                effort=self.words,
+                most_seconds=MOST_SECONDS / 86400.0,
+            )
+            problems.append(Problem("dynamics.duration", f"{duration:g} s", allowed))
+        if self.bytes > MOST_BYTES:
+            allowed = Message(
+                "refused_motion.gb_are_most_keep_fewer",
+                effort=self.words,
+                most_bytes=MOST_BYTES / 1000000000.0,
+            )
+            problems.append(Problem("dynamics.output_interval", "", allowed))
+        if problems:
+            raise InputError(problems)
+
+
+def effort_of(lines: LinesAtRest, proof: Proof) -> Effort:
+    """Estimate what the runs of a load case take, with those that prove them."""
+    drive = lines.drive
+    dynamics, sea = drive.dynamics, drive.sea(0)
+    stepping = drive.stepping(sea, lines.driven_by(sea))
+    return Effort(
+        steps=dynamics.duration / stepping.step,
+        bars=dynamics.bars * len(lines.legs),
+        runs=dynamics.runs,
+        proof=work_of_proof(proof),
+        samples=dynamics.duration / (stepping.output_interval or stepping.step),
+        lines=len(lines.legs),
+    )
+
 
 T = TypeVar("T")
 Progress = Callable[[int, int], None]
@@ -28,7 +132,7 @@ _THREADS = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "OMP_NUM_THREADS")
 _WHOLE = 1000
 """Progress of one run is told in so many parts."""
 
-_told: Any = None
+_reported: Any = None
 _stop: Any = None
 
 
@@ -52,8 +156,8 @@ class Crew:
         self._pool: ProcessPoolExecutor | None = None
         if workers > 1:
             context = get_context("spawn")
-            self._told, self._stop = context.SimpleQueue(), context.Event()
-            shared = self._told, self._stop
+            self._reported, self._stop = context.SimpleQueue(), context.Event()
+            shared = self._reported, self._stop
             self._pool = ProcessPoolExecutor(workers, context, _begin, shared)
 
     def __enter__(self) -> Crew:
@@ -66,7 +170,7 @@ class Crew:
             # The traceback of an error keeps frames, and these the error: what processes share is
             # not to wait for a collection of such circles.
             self._pool = None
-            del self._told, self._stop
+            del self._reported, self._stop
 
     def each(self, task: Callable[[int, Progress], T], count: int, progress: Progress) -> list[T]:
         """Do a task for each number from 0 on.
@@ -88,8 +192,8 @@ class Crew:
             waiting = set(futures)
             while waiting:
                 done, waiting = wait(waiting, _LOOK, FIRST_COMPLETED)
-                while not self._told.empty():
-                    number, part = self._told.get()
+                while not self._reported.empty():
+                    number, part = self._reported.get()
                     reached[number] = part
                 for each in done:
                     each.result()
@@ -123,10 +227,10 @@ def share_of(progress: Progress | None, done: int, total: int, part: int = 1) ->
     return lambda at, end: progress(done * end + part * at, total * end)
 
 
-def _begin(told: Any, stop: Any) -> None:
-    global _told, _stop
+def _begin(reported: Any, stop: Any) -> None:
+    global _reported, _stop
     begin_process()
-    _told, _stop = told, stop
+    _reported, _stop = reported, stop
 
 
 def begin_process() -> None:
@@ -152,7 +256,7 @@ def _do(task: Callable[[int, Progress], T], number: int) -> T:
         now = monotonic()
         if now - last >= _LOOK or at >= end:
             last = now
-            _told.put((number, at / end))
+            _reported.put((number, at / end))
 
     return task(number, tell)
 

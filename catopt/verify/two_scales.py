@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Final
@@ -11,14 +13,15 @@ from typing import Any, Final
 import numpy as np
 
 from catopt.arrays import Array
+from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
+from catopt.checks.case import evaluate, of_criteria
 from catopt.checks.criteria import Criteria, criteria_of, motion_profile
-from catopt.checks.criterion import Place
-from catopt.checks.evaluation import evaluate
+from catopt.checks.kinds import Place
 from catopt.checks.profiles import profiles_of
-from catopt.checks.remarks import of_criteria
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.errors import InputError, Problem
+from catopt.fem.extremes import Extreme, weibull_tail
 from catopt.floater.ship import ShipInWeather
 from catopt.floater.two_scales import (
     MooredShip,
@@ -29,12 +32,14 @@ from catopt.floater.two_scales import (
     scales_of,
 )
 from catopt.model import Case
-from catopt.ties import first_largest
+from catopt.model.dynamics import Dynamics, JudgedBy
+from catopt.ties import first_largest, largest
+from catopt.units import lasting
 from catopt.verify.dynamic_setup import Excitation, read_drive
 from catopt.verify.motion_file import energy_beyond
 from catopt.verify.side_by_side import Progress
 from catopt.waves import Waves, breaking_warning
-from catopt.waves.dispersion import wave_number
+from catopt.waves.random_surface import wave_number
 from catopt.words import Message
 
 _LEVELS: Final = 20
@@ -49,12 +54,27 @@ _LEFT_OUT: Final = 0.01
 
 @dataclass(frozen=True)
 class LineOfShip:
-    """What a line carries: from 1, its scales of tension at both ends, and its MBL, N, if known."""
+    """What a line carries: from 1, its scales of tension at both ends, and its MBL, N, if known.
+
+    `storm`: the largest tension at the fairlead in the storm, by the tail of its peaks; None where
+    the runs have too few of them.
+    """
 
     number: int
     fairlead: Scales
     anchor: Scales
     MBL: float | None
+    storm: Extreme | None = None
+
+    def judged(self, by: JudgedBy) -> float:
+        """Tension at the fairlead that the checks are held against, N.
+
+        What is most probable in the storm, or the upper end of its interval; by the largest values,
+        and where the runs have no tail, `Scales.judged`.
+        """
+        if by == "largest" or self.storm is None:
+            return self.fairlead.judged
+        return self.storm.high if by == "upper" else self.storm.most_probable
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,6 +86,10 @@ class ShipVerification:
     rest: ShipAtRest
     """Of the first run's waves."""
     runs: tuple[ShipHistory, ...]
+    lines: tuple[LineOfShip, ...]
+    """What every line carries."""
+    hanging: tuple[Solution, ...]
+    """Each line under the tension that it is judged by."""
     checks: CheckReport
     remarks: tuple[Message, ...]
     directions: Array
@@ -106,11 +130,6 @@ class ShipVerification:
         ]
         return max(both, key=lambda each: each.combined)
 
-    @cached_property
-    def lines(self) -> tuple[LineOfShip, ...]:
-        """What every line carries."""
-        return tuple(_lines(self.moored, self.runs, self._storm))
-
     @property
     def most_loaded(self) -> int:
         """Line with the largest combined tension, from 0; the first of several alike."""
@@ -129,10 +148,15 @@ def _lines(moored: MooredShip, runs: tuple[ShipHistory, ...], storm: float) -> I
             for end in (0, 1)
         )
         known = [each.MBL for each in leg.line.segments if each.MBL is not None]
-        yield LineOfShip(k + 1, fairlead, anchor, min(known, default=None))
+        time = math.fsum(float(each.time[-1] - each.time[0]) for each in runs)
+        tail = weibull_tail([each.tension[:, k, 0] for each in runs], time, storm)
+        extreme = None if tail is None else tail.extreme
+        yield LineOfShip(k + 1, fairlead, anchor, min(known, default=None), extreme)
 
 
-def verify_ship(case: Case, *, progress: Progress | None = None) -> ShipVerification:
+def verify_ship(
+    case: Case, *, ship: ShipInWeather | None = None, progress: Progress | None = None
+) -> ShipVerification:
     """Run the ship of a case on its lines, on two time scales.
 
     Parameters
@@ -140,6 +164,8 @@ def verify_ship(case: Case, *, progress: Progress | None = None) -> ShipVerifica
     case : Case
         With `floater.ship`, `system`, `waves` and `dynamics`, whose duration, ramp, runs and
         duration of interest count; with `motion` for RAOs of its own.
+    ship : ShipInWeather, optional
+        That of an earlier answer (`moored.ship`) in the same weather, whose tables it shares.
     progress : callable, optional
         Told how many runs are done, of how many.
 
@@ -166,32 +192,42 @@ def verify_ship(case: Case, *, progress: Progress | None = None) -> ShipVerifica
     >>> round(found.rest.force[0] / 1e3)
     -1433
     """
-    moored, drive = moored_ship(case)
+    moored, drive = moored_ship(case, ship)
     dynamics = drive.dynamics
     criteria = _criteria(case)
     for line in {leg.line for leg in moored.system.legs}:
         criteria.strengths(line, {"extreme"})
-    runs, rests = [], []
     step = sample_step(_waves(drive, 0))
-    for run in range(dynamics.runs):
-        waves = _waves(drive, run)
-        rests.append(moored.at_rest(waves))
+
+    def run(number: int) -> tuple[ShipHistory, ShipAtRest]:
+        waves = _waves(drive, number)
+        rest = moored.at_rest(waves)
         seed = 0 if case.waves is None else case.waves.seed
-        generator = np.random.default_rng([seed, run, 1])
-        how = (dynamics.duration, drive.ramp, generator, rests[-1])
-        runs.append(moored.run(waves, *how, step=step))
-        if progress is not None:
-            progress(run + 1, dynamics.runs)
-    histories = tuple(runs)
+        generator = np.random.default_rng([seed, number, 1])
+        return moored.run(waves, dynamics.duration, drive.ramp, generator, rest, step=step), rest
+
+    # The first run by itself: whatever has to be compiled then is.
+    found = [run(0)]
+    if progress is not None:
+        progress(1, dynamics.runs)
+    with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+        later = pool.map if dynamics.runs > 2 else map
+        for number, each in enumerate(later(run, range(1, dynamics.runs)), start=2):
+            found.append(each)
+            if progress is not None:
+                progress(number, dynamics.runs)
+    histories, rest = tuple(each for each, _ in found), found[0][1]
     lines = tuple(_lines(moored, histories, dynamics.duration_of_interest))
     remarks = (
-        *_seen(lines),
-        *_few_cycles(histories, rests[0]),
-        *_remarks(case, moored, drive, rests[0]),
+        *_judged_by(lines, dynamics),
+        *_few_cycles(histories, rest),
+        *_remarks(case, moored, drive, rest),
     )
-    checks = _checked(case, lines, moored)
-    directions = _waves(drive, 0).direction
-    return ShipVerification(case, moored, rests[0], histories, checks, remarks, directions)
+    hanging = hang_judged(case, lines, moored)
+    checks, directions = check_hanging(case, hanging), _waves(drive, 0).direction
+    return ShipVerification(
+        case, moored, rest, histories, lines, hanging, checks, remarks, directions
+    )
 
 
 def _waves(drive: Excitation, run: int) -> Waves:
@@ -200,8 +236,8 @@ def _waves(drive: Excitation, run: int) -> Waves:
     return waves
 
 
-def moored_ship(case: Case) -> tuple[MooredShip, Excitation]:
-    """Make the ship of a case on its lines, and what drives it; InputError as `verify_ship`."""
+def moored_ship(case: Case, ship: ShipInWeather | None = None) -> tuple[MooredShip, Excitation]:
+    """Make the ship of a case on its lines, and what drives it; as `verify_ship`."""
     if case.floater is None or case.floater.ship is None or case.system is None:
         allowed = Message("refused_case.ship_wanted")
         raise InputError([Problem("floater.ship", "", allowed)], "--dynamic")
@@ -212,6 +248,8 @@ def moored_ship(case: Case) -> tuple[MooredShip, Excitation]:
             [Problem("current.series_file", current.series_file, allowed)], "--dynamic"
         )
     drive = read_drive(case)
+    if ship is not None and drive.vessel is None:
+        return MooredShip(case.system, ship), drive
     depth, flow = case.site.water_depth, (0.0, 0.0)
     if current is not None and of.draught < depth:
         at = current.flow(depth)
@@ -244,21 +282,32 @@ def _criteria(case: Case) -> Criteria:
     return criteria_of(replace(case, checks=replace(own, motion_code=None)))
 
 
-def _checked(case: Case, lines: tuple[LineOfShip, ...], moored: MooredShip) -> CheckReport:
-    """Check each line as it hangs under its largest tension, by quasi-static factors."""
-    criteria = _criteria(case)
-    results: list[CheckResult] = []
-    told: list[str] = []
-    for each, leg in zip(lines, moored.system.legs, strict=True):
-        strengths = criteria.strengths(leg.line, {"extreme"})
-        solution = solve(
+def hang_judged(
+    case: Case, lines: tuple[LineOfShip, ...], moored: MooredShip
+) -> tuple[Solution, ...]:
+    """Hang each line under the tension at its fairlead that it is judged by."""
+    assert case.dynamics is not None
+    by = case.dynamics.judged_by
+    return tuple(
+        solve(
             leg.line,
             height=leg.fairlead_height,
-            fairlead_tension=each.fairlead.judged,
+            fairlead_tension=each.judged(by),
             seabed_friction=moored.system.seabed_friction,
             anchor_height=leg.anchor_height,
         )
-        place = Place(line=each.number)
+        for each, leg in zip(lines, moored.system.legs, strict=True)
+    )
+
+
+def check_hanging(case: Case, hanging: tuple[Solution, ...]) -> CheckReport:
+    """Check each line as it hangs under its largest tension, by quasi-static factors."""
+    assert case.system is not None
+    criteria = _criteria(case)
+    results: list[CheckResult] = []
+    reported: list[str] = []
+    for number, (solution, leg) in enumerate(zip(hanging, case.system.legs, strict=True), start=1):
+        strengths = criteria.strengths(leg.line, {"extreme"})
         of_line = evaluate(
             solution,
             criteria,
@@ -266,11 +315,11 @@ def _checked(case: Case, lines: tuple[LineOfShip, ...], moored: MooredShip) -> C
             case.anchor,
             load_case=Message("checks.intact"),
             kind="extreme",
-            place=place,
+            place=Place(line=number),
         )
         results += of_line
-        told += of_criteria(criteria, leg.line, strengths)
-    return CheckReport(case.title, tuple(results), (), tuple(dict.fromkeys(told)))
+        reported += of_criteria(criteria, leg.line, strengths)
+    return CheckReport(case.title, tuple(results), (), tuple(dict.fromkeys(reported)))
 
 
 def _remarks(
@@ -293,13 +342,21 @@ def _remarks(
     yield Message("floater.intact_only")
 
 
-def _seen(lines: tuple[LineOfShip, ...]) -> Iterator[Message]:
-    """Yield what a run reached beyond the combined largest tensions."""
-    over = [each for each in lines if each.fairlead.seen > each.fairlead.combined]
-    if over:
-        most = max(over, key=lambda each: each.fairlead.seen - each.fairlead.combined)
-        seen = most.fairlead.seen / 1e3
-        yield Message("floater.seen_more", number=most.number, seen=seen, count=len(over))
+def _judged_by(lines: tuple[LineOfShip, ...], dynamics: Dynamics) -> Iterator[Message]:
+    """Yield by what the most loaded line is judged, where that is not the combined largest."""
+    by = dynamics.judged_by
+    most = largest(lines, lambda each: each.judged(by))
+    seen, judged = most.fairlead.seen / 1e3, most.judged(by) / 1e3
+    if by == "largest" or most.storm is None:
+        over = [each for each in lines if each.fairlead.seen > each.fairlead.combined]
+        if over:
+            most = largest(over, lambda each: each.fairlead.seen - each.fairlead.combined)
+            seen = most.fairlead.seen / 1e3
+            yield Message("floater.seen_more", number=most.number, seen=seen, count=len(over))
+        return
+    storm = lasting(dynamics.duration_of_interest)
+    said = {"number": most.number, "judged": judged, "seen": seen, "storm": storm}
+    yield Message(f"floater.judged_{by.replace('-', '_')}", **said)
 
 
 def _few_cycles(runs: tuple[ShipHistory, ...], rest: ShipAtRest) -> Iterator[Message]:
@@ -393,6 +450,13 @@ def ship_document(found: ShipVerification) -> dict[str, Any]:
                 "fairlead_tension_N": _document(each.fairlead),
                 "anchor_tension_N": _document(each.anchor),
                 "MBL_N": each.MBL,
+                "storm": None
+                if each.storm is None
+                else {
+                    "most_probable_tension_N": each.storm.most_probable,
+                    "interval_N": [each.storm.low, each.storm.high],
+                },
+                "judged_tension_N": each.judged(dynamics.judged_by),
             }
             for each in found.lines
         ],

@@ -3,34 +3,43 @@
 A `Sea` holds what moves; `Sea.flow` with `kinematics.fill_kinematics` is for loops over time steps.
 """
 
-from catopt.waves.components import Waves, regular_wave
-from catopt.waves.current import (
-    Current,
-    CurrentSeries,
-    PowerLawCurrent,
-    TableCurrent,
-    WindCurrent,
-    wind_driven_speed,
+from catopt.waves.components import (
+    ElevationRecord,
+    Waves,
+    regular_wave,
+    repetition_warning,
+    strongest_return,
+    waves_needed,
 )
-from catopt.waves.dispersion import wave_number, wavelength
-from catopt.waves.elevation_record import ElevationRecord
 from catopt.waves.kinematics import Flow, fill_elevation, fill_kinematics
-from catopt.waves.periods import (
-    peak_from_mean,
-    peak_from_zero_crossing,
-    zero_crossing_from_mean,
-)
-from catopt.waves.plausibility import breaking_height, breaking_warning
 from catopt.waves.random_surface import (
     CosineSpreading,
+    Spectrum,
     frequency_range,
+    jonswap,
+    peak_enhancement,
+    peak_from_mean,
+    peak_from_zero_crossing,
+    pierson_moskowitz,
     random_waves,
     s4_range_jonswap,
     s4_range_pierson_moskowitz,
+    wave_number,
+    wavelength,
+    zero_crossing_from_mean,
 )
-from catopt.waves.repetition import repetition_warning, strongest_return, waves_needed
-from catopt.waves.sea import Kinematics, Sea
-from catopt.waves.spectrum import Spectrum, jonswap, peak_enhancement, pierson_moskowitz
+from catopt.waves.sea import (
+    Current,
+    CurrentSeries,
+    Kinematics,
+    PowerLawCurrent,
+    Sea,
+    TableCurrent,
+    WindCurrent,
+    breaking_height,
+    breaking_warning,
+    wind_driven_speed,
+)
 
 __all__ = [
     "CosineSpreading",

@@ -46,7 +46,7 @@ const boot = async (pieces) => {
   return pyodide.runPython(`
 import json, sys
 sys.path.insert(0, "/site")
-from catopt.desk import ask
+from catopt.page_api import ask
 lambda call, question: json.dumps(ask(call, json.loads(question)))
 `);
 };

@@ -8,7 +8,7 @@ Kinds of messages:
 - `Message("GROUP.NAME", **values)`: a text of ``texts/GROUP.toml``; ``count`` chooses one or many.
 - `Several` and `Listed` join others, `Sentence` ends one with a full stop.
 - `Told` is a text of a data file, ``{ en = "...", vi = "..." }``: notes of codes and families,
-  titles of published studies (`catopt.catalogue.table.Table.said`).
+  titles of published studies (`catopt.catalogue.table.TomlTable.said`).
 - `Measure` is a value with its unit, `Cited` what is the same in every language.
 
 An error has its message as ``error.message``; ``str(error)`` is English. `catopt.words.saved` keeps
@@ -34,8 +34,18 @@ reproduction, texts of plots.
 """
 
 from catopt.words.labels import heading, is_term, quantity_name, term
-from catopt.words.measure import Measure, Unit
-from catopt.words.message import Cited, Listed, Message, Sentence, Several, Told, is_said, say
+from catopt.words.message import (
+    Cited,
+    Listed,
+    Measure,
+    Message,
+    Sentence,
+    Several,
+    Told,
+    Unit,
+    is_said,
+    say,
+)
 from catopt.words.texts import LANGUAGES, Language
 
 __all__ = [

@@ -6,8 +6,7 @@ from collections.abc import Mapping
 from functools import cache
 
 from catopt.quantities import Quantity
-from catopt.words.message import Message, say
-from catopt.words.names import shown_name
+from catopt.words.message import Message, say, shown_name
 from catopt.words.texts import Language, group
 
 

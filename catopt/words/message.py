@@ -2,14 +2,46 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from functools import cache
 from string import Formatter
 from types import MappingProxyType
 from typing import Any, Literal, Self
 
-from catopt.words.measure import number
-from catopt.words.names import shown_name
-from catopt.words.texts import LANGUAGES, Language, text
+from catopt.quantities import QUANTITIES, Quantity, Units
+from catopt.words.texts import LANGUAGES, Language, group, text
+
+_SIZE = re.compile(r"(?P<grade>.*?) ?\b(?P<size>[\d.]+ mm)")
+
+
+def shown_name(name: str, language: Language) -> str:
+    """Say a buoy of the library, or a component with its size; any other text stays as it is.
+
+    A family without a size stays, too: so it is typed.
+
+    Examples
+    --------
+    >>> shown_name("chain studless R3 76 mm", "vi"), shown_name("chain studless R3", "vi")
+    ('xích không ngáng R3 76 mm', 'chain studless R3')
+    """
+    names = _names(language)
+    if name in names and name[-1:] == "m":
+        return names[name]
+    if not name.endswith(" mm"):
+        return name
+    for english in names:
+        if name.startswith(f"{english} ") and _SIZE.fullmatch(name[len(english) + 1 :]):
+            return names[english] + name[len(english) :]
+    return name
+
+
+@cache
+def _names(language: Language) -> Mapping[str, str]:
+    """Names by their English, the longer ones first."""
+    found = {str(each["en"]): str(each[language]) for each in group("names").values()}
+    return dict(sorted(found.items(), key=lambda each: -len(each[0])))
 
 
 class _Filled(Formatter):
@@ -181,3 +213,63 @@ def _said(value: object, language: Language, is_typed: bool) -> object:
     if not isinstance(value, str) or (is_typed and not isinstance(value, Message)):
         return value
     return say(value, language)
+
+
+_LARGE = 1e6
+"""From here on numbers have an exponent."""
+
+
+def number(value: float, spec: str) -> str:
+    """Write a number by a format; of significant digits without an exponent for what is large.
+
+    Examples
+    --------
+    >>> number(1000.0, ".3g"), number(123456.0, ".3g"), number(2.5e6, ".3g"), number(-1e-9, ".3f")
+    ('1000', '123000', '2.5e+06', '0.000')
+    """
+    text = format(value, spec)
+    if text.startswith("-") and not text.strip("-0."):  # rounded to zero, which has no sign
+        return text[1:]
+    return (
+        f"{float(text):.0f}" if "e+" in text and spec[-1:] == "g" and abs(value) < _LARGE else text
+    )
+
+
+@dataclass(frozen=True)
+class Measure:
+    """A value of a quantity, said in the field's unit: ``7300 kN``.
+
+    Examples
+    --------
+    >>> from catopt.words import Measure
+    >>> f"{Measure('tension', 7.3e6):.4g}"
+    '7300 kN'
+    """
+
+    quantity: str  # key of `catopt.quantities.QUANTITIES`
+    value: float  # SI
+    units: Units = ""  # in which it is said, in place of the field's
+    digits: int | None = None  # behind the decimal point there, in place of the quantity's own
+
+    def __format__(self, spec: str) -> str:
+        """Say the value with its unit, by the format of a number; ``bare`` is without the unit."""
+        own = QUANTITIES[self.quantity]
+        if self.digits is not None:
+            own = replace(own, digits=self.digits)
+        quantity = own.in_units(self.units)
+        if spec in {"", "bare"}:
+            return quantity.format(self.value, unit=not spec)
+        return f"{number(quantity.to_field(self.value), spec)} {quantity.field_unit}"
+
+    def __str__(self) -> str:
+        return f"{self}"
+
+
+@dataclass(frozen=True)
+class Unit:
+    """The unit of a quantity, said where its values stand without: ``kN``."""
+
+    quantity: Quantity
+
+    def __str__(self) -> str:
+        return self.quantity.field_unit

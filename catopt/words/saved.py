@@ -6,8 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from catopt.words.labels import Term
-from catopt.words.measure import Measure
-from catopt.words.message import Listed, Message, Sentence, Several, Told
+from catopt.words.message import Listed, Measure, Message, Sentence, Several, Told
 
 
 def messages_in(document: object) -> dict[str, Any]:

@@ -14,9 +14,8 @@ import catopt
 from catopt.answers.check import check_answer
 from catopt.answers.design import clump_weight_words, design_answer, segment_words, shown_designs
 from catopt.checks.kinds import CHECK_KINDS
-from catopt.design.document import design_document
-from catopt.design.result import DesignResult
-from catopt.figures.front import ends, front, front_lines
+from catopt.design.result import DesignResult, design_document
+from catopt.figures.sizing import ends, front, front_lines
 from catopt.render.workbook import workbook
 from catopt.words import Message
 from tests.cli.conftest import CASES

@@ -36,10 +36,10 @@ from catopt.answers.verification import front_answer
 from catopt.casefile import parse_case
 from catopt.cli.answering import STOPPED
 from catopt.model import Case
-from catopt.notes.front_in_motion import front_in_motion
+from catopt.notes.motion import front_in_motion
 from catopt.render.files import csv_files
+from catopt.render.page import in_numbers, in_symbols
 from catopt.render.terminal import show
-from catopt.render.trail import in_numbers, in_symbols
 from catopt.render.workbook import workbook
 from catopt.verify.case import Design, verify_front
 from catopt.words import LANGUAGES, Cited, Language, Message, say

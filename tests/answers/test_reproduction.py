@@ -9,7 +9,7 @@ import pytest
 
 from catopt.answers.blocks import Table
 from catopt.answers.reproduction import notes_of, reproduction_answer
-from catopt.cli.output import Output
+from catopt.cli.output import Printer
 from catopt.render.terminal import show
 from catopt.reproduce import Reproduction, fso_rang_dong_dynamic, names, reproduce
 from catopt.reproduce.fso_rang_dong_dynamic import Maxima
@@ -47,7 +47,7 @@ def shown(
     monkeypatch.setenv("COLUMNS", "80")
 
     def printed(language: Language) -> str:
-        show(Output(), reproduction_answer(everything), language)
+        show(Printer(), reproduction_answer(everything), language)
         return capsys.readouterr().out
 
     return printed

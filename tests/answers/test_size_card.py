@@ -17,16 +17,16 @@ from catopt.answers.note_size import size_note_answer
 from catopt.answers.size import size_answer
 from catopt.answers.size_card import size_card, verdict
 from catopt.answers.size_miss import miss_answer
-from catopt.casefile.sizing_file import Moored
+from catopt.casefile.reading import Moored
 from catopt.cli.size import size as size_commands
 from catopt.cli.size_options import as_option, by_option
 from catopt.constants import YEAR
-from catopt.design.near_miss import NoFeasibleDesignError
-from catopt.notes.directory import Asked
-from catopt.notes.size import Given, size_note
+from catopt.design.neighbours import NoFeasibleDesignError
+from catopt.notes.line import Given, size_note
+from catopt.notes.origin import Asked
 from catopt.quantities import Units
 from catopt.render.card import LINES, WIDTH, card_lines
-from catopt.render.units import UNITS
+from catopt.render.values import UNITS
 from catopt.sizing import Sizing
 from catopt.sizing.known import ResolvedInputs, known
 from catopt.sizing.requests import size
@@ -140,7 +140,7 @@ def test_no_box_has_both_words(name: str) -> None:
     assert not re.search(r"\bfail", text)
     assert "không đạt" not in " ".join(screen(of, "vi")).lower()
     broken = replace(of.point.checks, results=tuple(
-        replace(each, excess=1.0) for each in of.point.checks.results
+        replace(each, exceedance=1.0) for each in of.point.checks.results
     ))  # fmt: skip
     point = replace(of.point, checks=broken)
     failing = verdict(replace(of, settled=replace(of.settled, point=point)))

@@ -14,12 +14,13 @@ import pytest
 
 from catopt.answers.blocks import Answer, named
 from catopt.answers.check import check_answer
-from catopt.answers.curve import marks_table, points_table
 from catopt.answers.loads import loads_answer
 from catopt.answers.size import size_answer
 from catopt.answers.solution import (
     given_facts,
     given_tables,
+    marks_table,
+    points_table,
     result_facts,
     solution_answer,
     swarm_tables,

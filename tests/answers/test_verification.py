@@ -14,12 +14,12 @@ from catopt.answers.verification import (
     verdict_sentence,
     verification_answer,
 )
-from catopt.figures.verification import comparison
+from catopt.figures.motion import comparison
 from catopt.report.bundle import verification_pictures
 from catopt.verify.case import Design, verify_case, verify_front
 from catopt.verify.compared import ROUNDING
+from catopt.verify.motion_words import QUANTITY_OF, in_parts, name_of, part_sentence, rough_sentence
 from catopt.verify.result import StaticComparison, Verification
-from catopt.verify.truss_words import QUANTITY_OF, in_parts, name_of, part_sentence, rough_sentence
 from tests.cli.conftest import FSO
 from tests.verify.cases import CASES
 

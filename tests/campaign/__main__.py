@@ -31,6 +31,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument(
         "--trusses", type=int, default=0, help="how many by both models, from --first"
     )
+    parser.add_argument("--in-motion", type=int, default=0, help="sizings in motion, from --first")
     parser.add_argument("--seed", type=int, default=1, help="seed of all of them")
     parser.add_argument("--workers", type=int, default=1, help="processes")
     parser.add_argument("--out", type=Path, default=Path(), help="where a failing case goes")
@@ -54,6 +55,10 @@ def main(arguments: list[str] | None = None) -> int:
         trusses = import_module("tests.campaign.truss_check")
         say(f"\n{given.trusses:,} networks from {given.first} by both models")
         failures += trusses.run(given.trusses, given.first, say)
+    if given.in_motion > 0:
+        in_motion = import_module("tests.campaign.in_motion")
+        say(f"\n{given.in_motion:,} sizings in motion from {given.first}")
+        failures += in_motion.run(given.in_motion, given.first, say)
     return 1 if failures else 0
 
 
@@ -88,6 +93,7 @@ def write_simplest(tally: Tally, folder: Path) -> Path | None:
 
 def say(text: str) -> None:
     sys.stdout.write(text + "\n")
+    sys.stdout.flush()
 
 
 if __name__ == "__main__":

@@ -24,7 +24,7 @@ from catopt.__main__ import main
 from catopt.catenary import batch
 from catopt.design import search
 from catopt.mooring import zero_load
-from catopt.report import files
+from catopt.report import bundle as files
 from catopt.study import run as study_run
 
 pytestmark = pytest.mark.slow

@@ -122,7 +122,7 @@ def worth(case: Case, line: Line, place: int) -> tuple[float, float]:
             loaded = around.under(load.towards(angle))
             height = loaded.legs[0].fairlead_height
             it = replace(case, line=line, fairlead_height=height, system=loaded, design=None)
-            worst = max(worst, *(each.excess for each in check_system(it).results))
+            worst = max(worst, *(each.exceedance for each in check_system(it).results))
             places = [solve_system(loaded).position]
             if load.line_out:
                 for out in one_line_out(loaded):
@@ -136,7 +136,7 @@ def worth(case: Case, line: Line, place: int) -> tuple[float, float]:
 def assessed(case: Case, genes: np.ndarray) -> np.ndarray:
     """Offsets and excesses by the compiled search."""
     found = MooringProblem.of(case).assess(genes)
-    return np.column_stack([found.objectives[:, 1], found.excess])
+    return np.column_stack([found.objectives[:, 1], found.exceedance])
 
 
 def turned(case: Case, angle: float, mirror: float = 1.0) -> Case:
@@ -186,18 +186,20 @@ def faults(seed: int) -> list[str]:
     genes = some(problem, seed, 3)
     due = assessed(case, genes)
     found = []
-    for each, (far, excess) in zip(genes, due, strict=True):
+    for each, (far, exceedance) in zip(genes, due, strict=True):
         line = problem.space.line(tuple(each))
         try:
             own = worth(case, line, int(each[-1]))
         except NoAnswerError as error:
-            if not (math.isnan(far) or excess > 0.0):
-                found.append(f"{each}: {error}, but the search has {far}, {excess}")
+            if not (math.isnan(far) or exceedance > 0.0):
+                found.append(f"{each}: {error}, but the search has {far}, {exceedance}")
             continue
         if math.isnan(own[0]) and not math.isfinite(far):
             continue
-        if not same(np.array([far, excess]), np.array(own)):
-            found.append(f"{each}: {far!r}, {excess!r} by the search, {own} by checking the body")
+        if not same(np.array([far, exceedance]), np.array(own)):
+            found.append(
+                f"{each}: {far!r}, {exceedance!r} by the search, {own} by checking the body"
+            )
     loads = case.design.loads
     legs = case.system.legs[1:] + case.system.legs[:1]
     permuted = replace(case, system=replace(case.system, legs=legs))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from catopt.casefile import parse_case
-from catopt.casefile.ranges import MOST_VALUES, values_of
+from catopt.casefile.building import MOST_VALUES, values_of
 from catopt.casefile.schema import LENGTHS
 from catopt.errors import InputError
 from catopt.model import Case, ClumpWeightChoice, Design, SegmentChoice, SinkerChoice

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from catopt.casefile import parse_case, read_case, write_case
-from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT, read_design
+from catopt.casefile.reading import DESIGN_CASE, DESIGN_DOCUMENT, read_design
 from catopt.checks.case import check_case
 from catopt.design.search import design_case
 from catopt.errors import InputError

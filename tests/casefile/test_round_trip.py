@@ -39,12 +39,11 @@ from catopt.model import (
     WaveTrain,
 )
 from catopt.model.case import Boundary
-from catopt.model.design import OBJECTIVES, SearchMethod
+from catopt.model.design import FIND_QUANTITIES, OBJECTIVES, SearchMethod
 from catopt.model.dynamics import INITIAL_FRICTION, JudgedBy, TimeScheme
-from catopt.model.find import FIND_QUANTITIES
 from catopt.model.kinds import COUNTS
 from catopt.model.load import LoadCaseKind
-from catopt.model.wave_state import WAVE_SPECTRA, Stretching
+from catopt.model.sea import WAVE_SPECTRA, Stretching
 
 POSITIVE = st.floats(min_value=1e-3, max_value=100.0)
 """Plausible of every quantity."""

@@ -22,8 +22,11 @@ def test_the_buoy_is_the_case_of_the_project() -> None:
     assert parse_case(template("buoy")) == read_case(CASES / "buoy-9.5m" / "case.toml")
 
 
-NOT_OF_A_BUOY = ("safety_factor_line_out", "max_offset", "motion_code", "max_slide")
-"""Of several lines, the older name of max_span, and of lines in motion."""
+NOT_OF_A_BUOY = (
+    *("safety_factor_line_out", "max_offset", "motion_code", "max_slide"),
+    *("strain", "strain_tension"),
+)
+"""Of several lines, the older name of max_span, of lines in motion, and of synthetic ropes."""
 
 
 def test_every_key_is_in_that_of_the_buoy() -> None:

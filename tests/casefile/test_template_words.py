@@ -10,15 +10,15 @@ from typing import NamedTuple
 import pytest
 
 from catopt.casefile import TEMPLATES, parse_case, template
-from catopt.casefile.schema import CaseTable, Table, entries
-from catopt.casefile.sizing_file import Moored
+from catopt.casefile.reading import Moored
+from catopt.casefile.schema import CaseTable, TableSchema, entries
 from catopt.model.kinds import OneOf
 from catopt.sizing.file import read_file
 from catopt.sizing.kinds import schema_of
 from catopt.study.file import StudyTable
 
 SIZED: dict[str, Moored] = {"size-buoy": "buoy", "size-tanker": "tanker"}
-TOPS: dict[str, type[Table]] = {
+TOPS: dict[str, type[TableSchema]] = {
     "study": StudyTable,
     **{name: schema_of(moored) for name, moored in SIZED.items()},
 }
@@ -120,7 +120,7 @@ def test_a_named_alternative_is_read(each: Named, tmp_path: Path) -> None:
         parse_case(text)
 
 
-def kind_of(top: type[Table], section: str, key: str) -> object:
+def kind_of(top: type[TableSchema], section: str, key: str) -> object:
     """Look up what a key of a section holds."""
     table = top
     for part in section.split(".") if section else []:

@@ -12,8 +12,8 @@ from pathlib import Path
 
 from catopt import catalogue
 from catopt.catalogue.anchors import anchor_types
+from catopt.catalogue.components import SPECS
 from catopt.catalogue.document import Answer
-from catopt.catalogue.figure import SPECS
 from catopt.catalogue.fittings import fittings
 from catopt.loads.sinker import ADHESION, SOIL_FRICTION
 

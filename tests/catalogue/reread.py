@@ -27,7 +27,7 @@ from typing import Any
 
 from catopt import catalogue
 from catopt.catalogue.anchors import anchor_types
-from catopt.catalogue.figure import Figure
+from catopt.catalogue.components import Figure
 from catopt.catalogue.fittings import fittings
 from catopt.catalogue.formula import (
     ChainLoad,

@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 
 from catopt import catalogue
-from catopt.catalogue.figure import Figure, Source
+from catopt.catalogue.components import Figure, Source
 from catopt.catalogue.reading import parse_families
 
 STRENGTHS = ("MBL", "proof_load")

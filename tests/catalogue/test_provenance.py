@@ -7,7 +7,7 @@ from itertools import pairwise
 import pytest
 
 from catopt import catalogue
-from catopt.catalogue.figure import CONFIDENCES, SPECS, weakest
+from catopt.catalogue.components import CONFIDENCES, SPECS, weakest
 from catopt.errors import InputError
 
 FAMILIES = catalogue.families()

@@ -18,7 +18,7 @@ from catopt.casefile import parse_case, write_case
 from catopt.catenary.in_current import SolutionInCurrent
 from catopt.fem.problem import Water
 from catopt.model import Case, Load, Site
-from catopt.model.current_profile import CurrentProfile
+from catopt.model.sea import CurrentProfile
 from catopt.waves import PowerLawCurrent, Sea, TableCurrent, WindCurrent
 
 DEPTH, DENSITY = 100.0, 1025.0

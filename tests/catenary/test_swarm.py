@@ -31,7 +31,7 @@ from catopt.catenary.swarm.objective import (
     SuspendedObjective,
     objective_of,
 )
-from catopt.catenary.swarm.optimiser import PATIENCE, optimiser, without_logging
+from catopt.catenary.swarm.solve import PATIENCE, optimiser, without_logging
 from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError, NoEquilibriumError, NotConvergedError
 from catopt.model import Line, Segment, SwarmSettings

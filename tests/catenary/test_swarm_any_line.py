@@ -22,8 +22,7 @@ from catopt.catenary.swarm.objective import (
     SuspendedObjective,
     objective_of,
 )
-from catopt.catenary.swarm.optimiser import optimiser
-from catopt.catenary.swarm.solve import solve_case_by_swarm
+from catopt.catenary.swarm.solve import optimiser, solve_case_by_swarm
 from catopt.errors import NoAnswerError, NoEquilibriumError, NotConvergedError
 from catopt.model import Case, Line, Load, PointLoad, Segment, Site, SwarmSettings
 from tests.campaign.oracle import misfit, misses

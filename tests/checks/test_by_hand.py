@@ -15,19 +15,19 @@ from .lines import CLOSE, GROUNDED, LIFTED, PLAIN, SPAN, asking, only
 
 
 def agrees(
-    result: CheckResult, *, demand: float, capacity: float, utilisation: float, excess: float
+    result: CheckResult, *, demand: float, capacity: float, utilisation: float, exceedance: float
 ) -> None:
     assert result.demand == pytest.approx(demand, rel=CLOSE)
     assert result.capacity == pytest.approx(capacity, rel=CLOSE)
     assert result.utilisation == pytest.approx(utilisation, rel=CLOSE)
-    assert result.excess == pytest.approx(excess, rel=CLOSE, abs=CLOSE)
-    assert result.passes == (excess <= 0.0)
+    assert result.exceedance == pytest.approx(exceedance, rel=CLOSE, abs=CLOSE)
+    assert result.passes == (exceedance <= 0.0)
 
 
 def test_tension_against_the_breaking_load() -> None:
     """T = 50 kN; MBL 200 kN / 5 = 40 kN; 50 / 40 = 1.25, 0.25 too much."""
     result = only(asking(checks=Checks(safety_factor=5.0)))
-    agrees(result, demand=50e3, capacity=40e3, utilisation=1.25, excess=0.25)
+    agrees(result, demand=50e3, capacity=40e3, utilisation=1.25, exceedance=0.25)
     assert (result.kind, result.name, result.unit) == (
         "tension",
         "tension, segment 1 (100 mm)",
@@ -39,13 +39,13 @@ def test_tension_against_the_breaking_load() -> None:
 def test_tension_just_at_its_limit_passes() -> None:
     """T = 50 kN; MBL 200 kN / 4 = 50 kN: utilisation 1, and rounding does not fail it."""
     result = only(asking(checks=Checks(safety_factor=4.0)))
-    agrees(result, demand=50e3, capacity=50e3, utilisation=1.0, excess=0.0)
+    agrees(result, demand=50e3, capacity=50e3, utilisation=1.0, exceedance=0.0)
 
 
 def test_tension_against_the_proof_load() -> None:
     """T = 50 kN; proof load 100 kN / 1.6 = 62.5 kN; 50 / 62.5 = 0.8."""
     result = only(asking(checks=Checks(proof_load_factor=1.6)))
-    agrees(result, demand=50e3, capacity=62.5e3, utilisation=0.8, excess=-0.2)
+    agrees(result, demand=50e3, capacity=62.5e3, utilisation=0.8, exceedance=-0.2)
     assert result.note == "proof load 100 kN / 1.6"
 
 
@@ -57,8 +57,8 @@ def test_tension_by_segment() -> None:
     line = Line([Segment(50.0, 1000.0, MBL=120e3, name="old"), replace(PLAIN, length=10.0)])
     below, above = check_case(asking(line=line, checks=Checks(safety_factor=2.0))).results
     root = math.sqrt(0.5)
-    agrees(below, demand=60e3 * root, capacity=60e3, utilisation=root, excess=root - 1.0)
-    agrees(above, demand=50e3, capacity=100e3, utilisation=0.5, excess=-0.5)
+    agrees(below, demand=60e3 * root, capacity=60e3, utilisation=root, exceedance=root - 1.0)
+    agrees(above, demand=50e3, capacity=100e3, utilisation=0.5, exceedance=-0.5)
     assert (below.name, above.name) == (
         "tension, segment 1 (old)",
         "tension, segment 2 (100 mm)",
@@ -70,7 +70,7 @@ def test_uplift_angle() -> None:
     result = only(asking(LIFTED, Checks(max_anchor_uplift_angle=0.5)))
     angle = math.atan(0.75)
     assert round(angle, 6) == 0.643501
-    agrees(result, demand=angle, capacity=0.5, utilisation=angle / 0.5, excess=angle - 0.5)
+    agrees(result, demand=angle, capacity=0.5, utilisation=angle / 0.5, exceedance=angle - 0.5)
     assert result.unit == "rad"
 
 
@@ -78,40 +78,44 @@ def test_no_uplift_has_no_utilisation() -> None:
     """A limit of 0: what lies on the bed keeps it, what is lifted does not."""
     checks = Checks(max_anchor_uplift_angle=0.0)
     lies, lifted = only(asking(GROUNDED, checks)), only(asking(LIFTED, checks))
-    assert (lies.demand, lies.utilisation, lies.excess, lies.passes) == (0.0, None, 0.0, True)
+    assert (lies.demand, lies.utilisation, lies.exceedance, lies.passes) == (0.0, None, 0.0, True)
     assert (lifted.utilisation, lifted.passes) == (None, False)
-    assert lifted.excess == pytest.approx(math.atan(0.75), rel=CLOSE)
+    assert lifted.exceedance == pytest.approx(math.atan(0.75), rel=CLOSE)
 
 
 def test_uplift_force() -> None:
     """V = 22.5 kN of 25 kN allowed: 0.9. The excess is measured by H: (22.5 - 25) / 30."""
     result = only(asking(LIFTED, Checks(max_anchor_uplift_force=25e3)))
-    agrees(result, demand=22.5e3, capacity=25e3, utilisation=0.9, excess=-2.5 / 30.0)
+    agrees(result, demand=22.5e3, capacity=25e3, utilisation=0.9, exceedance=-2.5 / 30.0)
 
 
 def test_grounded_length() -> None:
     """20 m lie on the bed; of 25 m wanted a fifth is missing, and 25 / 20 = 1.25."""
     result = only(asking(checks=Checks(min_grounded_length=25.0)))
-    agrees(result, demand=25.0, capacity=20.0, utilisation=1.25, excess=0.2)
+    agrees(result, demand=25.0, capacity=20.0, utilisation=1.25, exceedance=0.2)
 
 
 def test_span() -> None:
     """Span 52.9584 m of 60 m allowed: 0.88264."""
     result = only(asking(checks=Checks(max_span=60.0)))
     assert round(SPAN, 4) == 52.9584
-    agrees(result, demand=SPAN, capacity=60.0, utilisation=SPAN / 60.0, excess=SPAN / 60.0 - 1.0)
+    agrees(
+        result, demand=SPAN, capacity=60.0, utilisation=SPAN / 60.0, exceedance=SPAN / 60.0 - 1.0
+    )
 
 
 def test_buoyancy() -> None:
     """The line pulls down with V = 40 kN; reserve 50 kN: 0.8."""
     result = only(asking(buoy=Buoy(50e3)))
-    agrees(result, demand=40e3, capacity=50e3, utilisation=0.8, excess=-0.2)
+    agrees(result, demand=40e3, capacity=50e3, utilisation=0.8, exceedance=-0.2)
 
 
 def test_sliding_of_a_sinker() -> None:
     """No uplift, mu 0.5, SF 1.5: W >= 1.5 * 30 / 0.5 = 90 kN; it weighs 100 kN: 0.9."""
     anchor = Anchor("sinker", submerged_weight=100e3, friction=0.5, safety_factor=1.5)
-    agrees(only(asking(anchor=anchor)), demand=90e3, capacity=100e3, utilisation=0.9, excess=-0.1)
+    agrees(
+        only(asking(anchor=anchor)), demand=90e3, capacity=100e3, utilisation=0.9, exceedance=-0.1
+    )
 
 
 def test_uplift_takes_weight_off_a_sinker() -> None:
@@ -121,14 +125,14 @@ def test_uplift_takes_weight_off_a_sinker() -> None:
     """
     anchor = Anchor("sinker", submerged_weight=100e3, friction=0.5, safety_factor=1.5)
     result = only(asking(LIFTED, anchor=anchor))
-    agrees(result, demand=112.5e3, capacity=100e3, utilisation=1.125, excess=0.125)
+    agrees(result, demand=112.5e3, capacity=100e3, utilisation=1.125, exceedance=0.125)
 
 
 def test_holding_of_a_drag_anchor() -> None:
     """H = 30 kN; 75 kN / 2 = 37.5 kN: 0.8. Its uplift is kept at 0 though nobody asked."""
     anchor = Anchor("drag", holding_capacity=75e3, safety_factor=2.0)
     uplift, holding = check_case(asking(anchor=anchor)).results
-    agrees(holding, demand=30e3, capacity=37.5e3, utilisation=0.8, excess=-0.2)
+    agrees(holding, demand=30e3, capacity=37.5e3, utilisation=0.8, exceedance=-0.2)
     assert (uplift.kind, uplift.capacity, uplift.passes) == ("uplift_angle", 0.0, True)
     assert uplift.source.clause == "Table 3-18"
 
@@ -147,7 +151,7 @@ def test_friction_of_the_line_helps_the_anchor() -> None:
     anchor = Anchor("drag", holding_capacity=75e3, safety_factor=2.0)
     case = asking(anchor=anchor, site=Site(20.0, seabed_friction=0.3))
     _, holding = check_case(case).results
-    agrees(holding, demand=24e3, capacity=37.5e3, utilisation=0.64, excess=-0.36)
+    agrees(holding, demand=24e3, capacity=37.5e3, utilisation=0.64, exceedance=-0.36)
 
 
 def test_load_cases_move_the_fairlead() -> None:
@@ -155,8 +159,8 @@ def test_load_cases_move_the_fairlead() -> None:
     states = (LoadCase("storm", 30e3), LoadCase("tide", 10e3, 5.0, "reference"))
     report = check_case(asking(checks=Checks(safety_factor=2.0), load_cases=states, load=None))
     storm, tide = report.results
-    agrees(storm, demand=50e3, capacity=100e3, utilisation=0.5, excess=-0.5)
-    agrees(tide, demand=35e3, capacity=100e3, utilisation=0.35, excess=-0.65)
+    agrees(storm, demand=50e3, capacity=100e3, utilisation=0.5, exceedance=-0.5)
+    agrees(tide, demand=35e3, capacity=100e3, utilisation=0.35, exceedance=-0.65)
     assert (storm.load_case, tide.load_case) == ("storm", "tide")
     assert report.governing == storm
     assert report.passes

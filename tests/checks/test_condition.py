@@ -114,15 +114,15 @@ def test_the_search_sees_what_the_report_prints() -> None:
     both = problem.assess(genes)
     for row in range(2):
         point = problem.point((0, row))
-        assert both.excess[row] == pytest.approx(
-            max(each.excess for each in point.checks.results), abs=1e-9
+        assert both.exceedance[row] == pytest.approx(
+            max(each.exceedance for each in point.checks.results), abs=1e-9
         )
         assert point.objectives["length_m"] == pytest.approx((40.0, 46.0)[row], rel=1e-12)
         assert both.objectives[row, 4] == pytest.approx((40.0, 46.0)[row], rel=1e-9)
     new = replace(case, load_cases=tuple(e for e in case.load_cases if e.name == "new"))
     alone = DesignProblem.of(new).assess(genes)
-    assert (both.excess >= alone.excess).all()
-    assert both.excess[0] > alone.excess[0]  # worn is harder
+    assert (both.exceedance >= alone.exceedance).all()
+    assert both.exceedance[0] > alone.exceedance[0]  # worn is harder
 
 
 def test_the_condition_is_written_and_read_again() -> None:

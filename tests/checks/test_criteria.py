@@ -7,12 +7,9 @@ from dataclasses import replace
 import pytest
 
 from catopt import solve_case
-from catopt.checks.case import check_case, is_of_load
+from catopt.checks.case import Lifted, check_case, evaluate, in_load_case, is_of_load, of_uplift
 from catopt.checks.criteria import SEARCHED, Criteria, Limits, allowed_by, criteria_of
-from catopt.checks.criterion import CheckSource, Criterion, Place
-from catopt.checks.evaluation import evaluate
-from catopt.checks.kinds import CheckKind
-from catopt.checks.remarks import Lifted, in_load_case, of_uplift
+from catopt.checks.kinds import CheckKind, CheckSource, Criterion, Place
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.errors import FloatsUpError, InputError
 from catopt.model import Anchor, CatalogueChoice, Checks, Line, LoadCase, PointLoad
@@ -172,7 +169,7 @@ def test_no_result_has_no_place_among_the_results() -> None:
     verdict = CheckReport("", (result,), ()).verdict_document()
     assert (verdict["checks"], verdict["failed"], verdict["passes"]) == (1, 1, False)
     assert verdict["governing"]["excess"] == 0.25
-    moved = CheckReport("", (replace(result, excess=-0.1), result), ()).motion_document()
+    moved = CheckReport("", (replace(result, exceedance=-0.1), result), ()).motion_document()
     assert (moved["passes"], moved["governing"]) == (False, 1)
 
 
@@ -184,18 +181,18 @@ def test_a_case_without_load_cases_is_at_its_own_water_level() -> None:
     assert (other["water_level_m"], other["kind"]) == (5.0, "reference")
 
 
-@pytest.mark.parametrize(("excess", "passes"), [(1e-9, True), (1.001e-9, False), (0.0, True)])
-def test_what_rounding_may_add_passes_and_no_more(excess: float, passes: bool) -> None:
+@pytest.mark.parametrize(("exceedance", "passes"), [(1e-9, True), (1.001e-9, False), (0.0, True)])
+def test_what_rounding_may_add_passes_and_no_more(exceedance: float, passes: bool) -> None:
     """At most 1e-9 of the limit."""
-    result = CheckResult("span", "span", "load", 1.0 + excess, 1.0, "m", excess, SOURCE)
+    result = CheckResult("span", "span", "load", 1.0 + exceedance, 1.0, "m", exceedance, SOURCE)
     assert result.passes is passes
 
 
 def test_of_failures_alike_but_for_rounding_the_first_is_the_worst() -> None:
     """Half of the limit over it, and 2e-10 more."""
     made = [
-        CheckResult("span", "span", f"case {k}", 1.5, 1.0, "m", excess, SOURCE)
-        for k, excess in enumerate((0.5, 0.5 + 2e-10, 0.6))
+        CheckResult("span", "span", f"case {k}", 1.5, 1.0, "m", exceedance, SOURCE)
+        for k, exceedance in enumerate((0.5, 0.5 + 2e-10, 0.6))
     ]
     failed = CheckReport("", tuple(made), ()).failed
     assert [each.load_case for each in failed] == ["case 2", "case 0", "case 1"]
@@ -220,15 +217,18 @@ def test_a_line_of_a_body_is_told_by_its_number() -> None:
 @pytest.mark.parametrize("kind", ["span", "tension"])
 def test_the_tightest_of_a_kind_is_of_that_kind(kind: CheckKind) -> None:
     """Span 0.2 and 0.3 beyond, tension 0.9 and 0.8 within: each kind has its own."""
-    excesses: dict[CheckKind, tuple[float, float]] = {"span": (0.2, 0.3), "tension": (-0.9, -0.8)}
+    exceedances: dict[CheckKind, tuple[float, float]] = {
+        "span": (0.2, 0.3),
+        "tension": (-0.9, -0.8),
+    }
     results = tuple(
-        CheckResult(name, name, f"case {k}", 1.0, 1.0, "", excess, SOURCE)
-        for name, pair in excesses.items()
-        for k, excess in enumerate(pair)
+        CheckResult(name, name, f"case {k}", 1.0, 1.0, "", exceedance, SOURCE)
+        for name, pair in exceedances.items()
+        for k, exceedance in enumerate(pair)
     )
     found = CheckReport("", results, ()).tightest(kind)
     assert found is not None
-    assert (found.kind, found.excess) == (kind, excesses[kind][1])
+    assert (found.kind, found.exceedance) == (kind, exceedances[kind][1])
     assert CheckReport("", results, ()).tightest("sliding") is None
 
 

@@ -167,7 +167,7 @@ def test_the_curves_are_those_of_the_sheet(
 
 
 def test_every_curve_that_a_file_may_name_is_there() -> None:
-    from catopt.model.fatigue import CURVE_NAMES
+    from catopt.model.dynamics import CURVE_NAMES
 
     assert set(CURVES) == set(CURVE_NAMES)
 

@@ -7,10 +7,9 @@ from dataclasses import replace
 
 import pytest
 
-from catopt.checks.case import check_case
+from catopt.checks.case import check_case, least_diameters
 from catopt.checks.criteria import criteria_of
-from catopt.checks.criterion import USER, Place
-from catopt.checks.least_diameter import least_diameters
+from catopt.checks.kinds import USER, Place
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.model import Case, Checks, Line, Load, Segment, Site
 
@@ -63,8 +62,10 @@ def test_nothing_limits_a_tension_without_a_criterion() -> None:
 
 def _tension(pull: float, load_case: str = "a", segment: int = 1) -> CheckResult:
     """Make a check of a tension that is allowed 2,000 kN."""
-    excess, place = pull / 2e6 - 1.0, Place(segment=segment)
-    return CheckResult("tension", "tension", load_case, pull, 2e6, "N", excess, USER, place=place)
+    exceedance, place = pull / 2e6 - 1.0, Place(segment=segment)
+    return CheckResult(
+        "tension", "tension", load_case, pull, 2e6, "N", exceedance, USER, place=place
+    )
 
 
 def _found(*results: CheckResult) -> float | None:

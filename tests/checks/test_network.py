@@ -10,8 +10,8 @@ import pytest
 from catopt import InputError, Line, Segment
 from catopt.casefile.reading import parse_network
 from catopt.casefile.writing import write_case
-from catopt.checks.system import check_network
 from catopt.checks.result import CheckReport, CheckResult
+from catopt.checks.system import check_network
 from catopt.errors import NotConvergedError
 from catopt.model import Anchor, Checks, Service, Site
 from catopt.model.network import LineBetween, Network, Point

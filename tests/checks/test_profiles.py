@@ -9,7 +9,7 @@ import pytest
 from catopt import catalogue
 from catopt.checks.case import check_case
 from catopt.checks.criteria import criteria_of
-from catopt.checks.criterion import Criterion
+from catopt.checks.kinds import Criterion
 from catopt.checks.profiles import parse_profiles, profiles
 from catopt.errors import InputError
 from catopt.model import Anchor, Checks, LoadCase, Segment

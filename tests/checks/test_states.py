@@ -238,7 +238,7 @@ def test_a_body_that_cannot_do_without_its_line_fails_by_the_codes_for_that() ->
     assert tension.utilisation == pytest.approx(80.0 * 1.7 / 190.0, rel=SOLVED)
     assert (lost.kind, lost.passes, lost.load_case) == ("equilibrium", False, "line 1 out")
     assert lost.note == "no line is left"
-    assert (lost.demand, lost.capacity, lost.excess, lost.utilisation) == (1.0, 0.0, 1.0, None)
+    assert (lost.demand, lost.capacity, lost.exceedance, lost.utilisation) == (1.0, 0.0, 1.0, None)
     assert (lost.place.state, lost.place.missing) == ("one_line_out", 1)
     assert report.governing == lost
     assert not any("has nothing for one line out" in each for each in report.warnings)

@@ -8,13 +8,13 @@ import pytest
 
 from catopt import catalogue
 from catopt.checks.case import check_case
-from catopt.checks.criterion import CheckSource
+from catopt.checks.kinds import CheckSource
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.checks.strength import strength_of
 from catopt.constants import YEAR
 from catopt.errors import InputError
 from catopt.model import CatalogueChoice, Checks, Line, Segment, Service
-from catopt.model.line_kind import line_kind
+from catopt.model.line import line_kind
 
 from .lines import CLOSE, GROUNDED, PLAIN, asking
 
@@ -229,7 +229,7 @@ def test_a_criterion_says_why_a_proof_load_is_not_known() -> None:
 def test_of_checks_that_rounding_tells_apart_the_first_is_shown(second: float, shown: int) -> None:
     source = CheckSource("code")
     first, other = (
-        CheckResult("tension", "tension", f"case {k}", 1.0, 2.0, "N", excess, source)
-        for k, excess in enumerate((0.5, second))
+        CheckResult("tension", "tension", f"case {k}", 1.0, 2.0, "N", exceedance, source)
+        for k, exceedance in enumerate((0.5, second))
     )
     assert CheckReport("", (first, other), ()).tightest_by_state == (shown,)

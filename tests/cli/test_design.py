@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 import catopt
-from catopt.cli.output import Output
-from catopt.design.document import design_document
+from catopt.cli.output import Printer
+from catopt.design.result import design_document
 from catopt.design.search import enumerate_designs
 
 from .conftest import DESIGN, Run, changed, read_document, words
@@ -32,7 +32,7 @@ def test_an_interrupted_search_keeps_its_front(
         if len(calls) == 5:
             raise KeyboardInterrupt
 
-    monkeypatch.setattr(Output, "progress", lambda _self, _what: nullcontext(tell))
+    monkeypatch.setattr(Printer, "progress", lambda _self, _what: nullcontext(tell))
     swarm = ("--method", "swarm", "--evaluations", "6000")
     ran = run("design", DESIGN, *swarm, "--json", "--out", tmp_path)
     assert ran.status == 130

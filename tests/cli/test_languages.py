@@ -16,19 +16,19 @@ import pytest
 
 from catopt import catalogue, read_case, verify_case
 from catopt.catenary.pieces import LineProblem, cut
+from catopt.catenary.solution import check_buoys, named_line
 from catopt.catenary.solve import refusal
 from catopt.catenary.state import NOT_CONVERGED, TOO_HEAVY, TOO_SHORT
-from catopt.catenary.warnings import check_buoys, named_line
 from catopt.errors import FloatsUpError, NoEquilibriumError
-from catopt.fem.plausible_step import record_warnings, step_warnings
-from catopt.loads.blendermann import TYPES
-from catopt.loads.holding_data import SOILS
+from catopt.fem.run_settings import record_warnings, step_warnings
+from catopt.loads.drag_anchor import SOILS
 from catopt.loads.ship import PROPELLER_AREA_RATIOS
+from catopt.loads.ship_coefficients import TYPES
 from catopt.loads.sinker import SOIL_FRICTION
 from catopt.model import Line, Load, PointLoad, Segment
 from catopt.mooring.case import report_system
 from catopt.verify.compared import Compared, Unit
-from catopt.verify.truss_words import part_sentence, rough_sentence
+from catopt.verify.motion_words import part_sentence, rough_sentence
 from catopt.waves import Sea, jonswap, random_waves
 from catopt.words import Message, is_term, say, term
 

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from catopt.loads import METHODS, compare_tanker
-from catopt.sizing.headings import DIRECTIONS
+from catopt.sizing.environment import DIRECTIONS
 from catopt.sizing.inputs import Input, rows_of
 
 from .conftest import OWN, Run, document_of, typed

@@ -8,10 +8,10 @@ import pytest
 
 from catopt.casefile import write_case
 from catopt.casefile.reading import parse_network
-from catopt.figures.network import network_plan, network_side
+from catopt.figures.mooring import network_plan, network_side
 from catopt.model import Checks
 from catopt.mooring.held import at_rest
-from catopt.notes.network import read_network_note
+from catopt.notes.system import read_network_note
 from tests.checks.test_network import CHECKS, FILE, leg
 from tests.mooring.test_bodies import barge
 from tests.mooring.test_floats_in_current import moored

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from catopt.answers.blocks import Answer
-from catopt.cli.output import Output
+from catopt.cli.output import Printer
 from catopt.render.card import show_card
 from catopt.words import Language
 
@@ -97,14 +97,14 @@ def walk(
     """Answer once, and see both languages' screens of it."""
     kept: list[tuple[Answer, str]] = []
 
-    def keep(output: Output, answer: Answer, language: Language, further: str) -> None:
+    def keep(output: Printer, answer: Answer, language: Language, further: str) -> None:
         kept.append((answer, further))
         show_card(output, answer, language, further)
 
     monkeypatch.setattr("catopt.render.card.show_card", keep)
     said = is_a_screen(run, monkeypatch, *command.split()[:1], str(path), *command.split()[1:])
     ((answer, further),) = kept
-    show_card(Output(), answer, "vi", further)
+    show_card(Printer(), answer, "vi", further)
     other = fit(capsys.readouterr().out)
     assert said != other
     assert all(any("--full" in each for each in lines[-2:]) for lines in (said, other))

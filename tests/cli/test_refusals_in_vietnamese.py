@@ -9,14 +9,14 @@ from typing import get_args
 
 import pytest
 
-from catopt.casefile.new_case import TEMPLATES
+from catopt.casefile.reading import Moored
 from catopt.casefile.schema import entries
-from catopt.casefile.sizing_file import Moored
+from catopt.casefile.writing import TEMPLATES
 from catopt.catalogue import standard
 from catopt.cli.app import _PLACES
-from catopt.loads.blendermann import TYPES
-from catopt.loads.buoy_library import buoys
-from catopt.loads.holding_data import SOILS
+from catopt.loads.buoy import buoys
+from catopt.loads.drag_anchor import SOILS
+from catopt.loads.ship_coefficients import TYPES
 from catopt.loads.sinker import SOIL_FRICTION
 from catopt.model.case import Boundary
 from catopt.reproduce import names as studies

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from catopt.casefile.sizing_file import moored_in
+from catopt.casefile.reading import moored_in
 from catopt.documents import parse_toml
 from catopt.sizing.file import read_file, sized
 

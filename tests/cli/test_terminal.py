@@ -15,7 +15,7 @@ import pytest
 from rich.console import Console
 from rich.progress import Progress
 
-from catopt.cli.output import PATIENCE, Output
+from catopt.cli.output import PATIENCE, Printer
 from catopt.cli.progress_bar import progress_bar
 
 from .conftest import BUOY, DESIGN, Run, changed
@@ -156,7 +156,7 @@ def worked(monkeypatch: pytest.MonkeyPatch, stream: StringIO, patience: float) -
     monkeypatch.setattr("catopt.cli.output.PATIENCE", patience)
     monkeypatch.setattr(sys, "stderr", stream)
     meanwhile = ""
-    with Output().working("Sizing the line"):
+    with Printer().working("Sizing the line"):
         ends = monotonic() + (5.0 if stream.isatty() and patience < 1.0 else 0.3)
         while "Sizing the line" not in meanwhile and monotonic() < ends:
             sleep(0.01)

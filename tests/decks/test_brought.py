@@ -15,6 +15,7 @@ import pytest
 from catopt import (
     InputError,
     NoEquilibriumError,
+    StrainTable,
     read_case,
     solve_case,
     solve_many,
@@ -107,13 +108,24 @@ def test_the_drag_of_an_early_deck_is_that_of_its_heads() -> None:
     ("name", "asked", "words"),
     [
         ("11_free_body.txt", None, "a body that moves by itself"),
-        ("17_rope_table.txt", None, "a table of strain and tension"),
     ],
 )
 def test_what_has_no_case_is_one_error(name: str, asked: Asked | None, words: str) -> None:
     with pytest.raises(InputError, match=words) as caught:
         brought(name, asked)
     assert len(caught.value.problems) == 1
+
+
+def test_a_table_of_strains_is_read_from_beside_the_deck() -> None:
+    """What it solves to: tests/catenary/test_by_table.py, beside MoorDyn."""
+    deck = BROUGHT / "17_rope_table.txt"
+    found, _ = read_any_deck(deck.read_text("utf-8"), str(deck))
+    EA = found.line.segments[0].EA  # type: ignore[union-attr]
+    assert EA == StrainTable([0.0, 0.05, 0.1, 0.2], [0.0, 20e3, 60e3, 220e3])
+    with pytest.raises(InputError, match="not beside the deck"):
+        read_any_deck(deck.read_text("utf-8"), "elsewhere.txt")
+    with pytest.raises(InputError, match="not beside the deck"):
+        read_any_deck(deck.read_text("utf-8").replace("stiff.dat", "/etc/hosts"), str(deck))
 
 
 def test_a_float_on_one_line_stands_over_its_anchor() -> None:

@@ -151,7 +151,7 @@ REFUSED = {
         ("320 WtrDpth", "300 WtrDpth", 9, "below the bed"),
         ("1 main 1 4 902.2", "1 main 1 4 -902.2", 18, "above 0"),
         (" 1.6 1.0 0.1 0.0", " 1.6 1.0 0.1 0.0 0 0", 5, "12 columns"),
-        ("384.243e6", "polyester.txt", 5, "table of strain"),
+        ("384.243e6", "polyester.txt", 5, "not beside the deck"),
         ("--- OPTIONS ---", "--- SYROPE ---\n1 2 3\n--- OPTIONS ---", 22, "not known"),
     ],
     ONTOLOGY: [

@@ -15,7 +15,7 @@ from math import prod
 import numpy as np
 
 from catopt import Line, PointLoad, Segment, solve_many
-from catopt.checks.excess import ROUNDING
+from catopt.checks.kinds import ROUNDING
 from catopt.design.front import Front, non_dominated
 from catopt.design.problem import Evaluated, Floats, Genes
 
@@ -38,7 +38,7 @@ class KnownSpace:
     # shape (designs, objectives), in the order of `numpy.ravel_multi_index`; nan without
     # equilibrium
     table: Floats
-    excess: Floats  # shape (designs,): the largest of all checks under both load cases
+    exceedance: Floats  # shape (designs,): the largest of all checks under both load cases
 
     @property
     def objectives(self) -> int:
@@ -56,12 +56,12 @@ class KnownSpace:
 
     def evaluate(self, genes: Genes) -> Evaluated:
         rows = np.ravel_multi_index(tuple(genes.T), self.sizes)
-        return Evaluated(self.table[rows], self.excess[rows])
+        return Evaluated(self.table[rows], self.exceedance[rows])
 
     @cached_property
     def front(self) -> Front:
         """The exact front."""
-        feasible = np.flatnonzero(self.excess <= ROUNDING)
+        feasible = np.flatnonzero(self.exceedance <= ROUNDING)
         best = feasible[non_dominated(self.table[feasible])]
         return Front(np.stack(np.unravel_index(best, self.sizes), axis=1), self.table[best])
 
@@ -103,7 +103,7 @@ def tanker() -> KnownSpace:
         positions=np.minimum(position, length - 1.0)[:, np.newaxis],
         loads=(clump * GRAVITY * CLUMP_BUOYANT)[:, np.newaxis],
     )
-    excess = np.max(
+    exceedance = np.max(
         [
             np.maximum(
                 case.tension / (chain_strength(d, strength) / SAFETY_FACTOR) - 1.0,
@@ -115,7 +115,7 @@ def tanker() -> KnownSpace:
     )
     objectives = np.stack((mass * length + clump, solved[0].span), axis=1)
     objectives[~is_design] = np.nan
-    return known("tanker, 20 m", sizes, 3, 4, objectives, np.where(is_design, excess, 10.0))
+    return known("tanker, 20 m", sizes, 3, 4, objectives, np.where(is_design, exceedance, 10.0))
 
 
 @cache
@@ -146,7 +146,7 @@ def leg() -> KnownSpace:
         positions=chain[:, np.newaxis],
         loads=(clump * GRAVITY * CLUMP_BUOYANT)[:, np.newaxis],
     )
-    excess = np.full(len(d), -np.inf)
+    exceedance = np.full(len(d), -np.inf)
     for case in solved:
         below = np.hypot(case.force, np.maximum(case.vertical - wire_weight * wire, 0.0))
         for each in (
@@ -154,12 +154,12 @@ def leg() -> KnownSpace:
             below / (strength / 3.0) - 1.0,
             1.0 - case.grounded / 50.0,
         ):
-            excess = np.maximum(excess, each)
+            exceedance = np.maximum(exceedance, each)
     cost = mass * chain * (2.2 + 0.5 * grade) + 5.0 * wire_mass * wire + 0.4 * clump
     objectives = np.stack(
         (mass * chain + wire_mass * wire + clump, solved[0].span - solved[1].span, cost), axis=1
     )
-    return known("leg, 56 m", sizes, -1, -1, objectives, excess)
+    return known("leg, 56 m", sizes, -1, -1, objectives, exceedance)
 
 
 @cache
@@ -192,7 +192,7 @@ def buoy() -> KnownSpace:
         positions=lower_length[:, np.newaxis],
         loads=np.zeros((len(sinker), 1)),
     )
-    excess = np.full(len(sinker), -np.inf)
+    exceedance = np.full(len(sinker), -np.inf)
     for case in solved:
         needed = case.lift + 1.2 * case.force / 0.8
         below = np.hypot(case.force, case.vertical - mass[:, 1] * GRAVITY * BUOYANT * upper_length)
@@ -202,9 +202,9 @@ def buoy() -> KnownSpace:
             below / (breaking[first] / 3.0) - 1.0,
             case.vertical / 2200.0 - 1.0,
         ):
-            excess = np.maximum(excess, each)
+            exceedance = np.maximum(exceedance, each)
     objectives = np.stack(((mass * lengths).sum(axis=1) + sinker, solved[0].span), axis=1)
-    return known("buoy, 9.5 m", sizes, -1, -1, objectives, excess)
+    return known("buoy, 9.5 m", sizes, -1, -1, objectives, exceedance)
 
 
 @dataclass(frozen=True)
@@ -265,13 +265,13 @@ def known(
     clump: int,
     position: int,
     objectives: Floats,
-    excess: Floats,
+    exceedance: Floats,
 ) -> KnownSpace:
     """Space with nan for objectives and a finite excess where there is no equilibrium."""
     assert len(objectives) == prod(sizes)
-    fails = np.isnan(excess) | np.isnan(objectives).any(axis=1)
+    fails = np.isnan(exceedance) | np.isnan(objectives).any(axis=1)
     table = np.where(fails[:, np.newaxis], np.nan, objectives)
-    return KnownSpace(name, sizes, clump, position, table, np.where(fails, 10.0, excess))
+    return KnownSpace(name, sizes, clump, position, table, np.where(fails, 10.0, exceedance))
 
 
 def scrambled(
@@ -282,9 +282,9 @@ def scrambled(
     count = prod(sizes)
     table = generator.random((count, objectives))
     # 0.1 from the limit, so that feasible or not is no matter of rounding.
-    excess = np.where(generator.random(count) < feasible, -0.1, 0.1 + generator.random(count))
-    table[excess > 1.0] = np.nan
-    return KnownSpace("scrambled", sizes, -1, -1, table, excess)
+    exceedance = np.where(generator.random(count) < feasible, -0.1, 0.1 + generator.random(count))
+    table[exceedance > 1.0] = np.nan
+    return KnownSpace("scrambled", sizes, -1, -1, table, exceedance)
 
 
 def funnel(sizes: tuple[int, ...], target: tuple[int, ...]) -> KnownSpace:

@@ -85,6 +85,6 @@ def plain_value(
         "excursion": max(spans.values()) - spans.get("everyday", 0.0),
         "cost": sum(s.length * (s.price or 0.0) for s in line.segments),
     }
-    excess = max((result.excess for result in report.results), default=-1.0)
+    exceedance = max((result.exceedance for result in report.results), default=-1.0)
     assert problem.case.design is not None
-    return [values[name] or 0.0 for name in problem.case.design.objectives], excess, report
+    return [values[name] or 0.0 for name in problem.case.design.objectives], exceedance, report

@@ -14,8 +14,7 @@ import pytest
 from catopt import Line, PointLoad, Segment, schemas, solve
 from catopt.checks.case import check_line
 from catopt.design.evaluation import DesignProblem, design_point
-from catopt.design.near_miss import NoFeasibleDesignError
-from catopt.design.neighbours import Step, neighbour, steps
+from catopt.design.neighbours import NoFeasibleDesignError, Step, neighbour, steps
 from catopt.design.result import DesignPoint
 from catopt.design.search import Found, answer, design_case, enumerate_designs
 from catopt.errors import CatoptError, InputError, NotConvergedError
@@ -204,7 +203,7 @@ def test_no_feasible_design_names_the_check_and_by_how_much() -> None:
     miss = error.near_miss
     assert miss is not None
     report = check_line(miss.line, case)
-    assert [result.excess for result in miss.failing] == [r.excess for r in report.failed]
+    assert [result.exceedance for result in miss.failing] == [r.exceedance for r in report.failed]
     worst = miss.failing[0]
     message = str(error)
     assert "none of the 300 designs passes every check" in message

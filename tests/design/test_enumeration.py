@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from catopt.casefile import read_case
-from catopt.checks.excess import ROUNDING
+from catopt.checks.kinds import ROUNDING
 from catopt.design.evaluation import LEAST_SHARE, DesignProblem
 from catopt.design.mooring import MooringProblem
 from catopt.design.search import Estimate, enumerate_designs, estimate
@@ -104,8 +104,8 @@ def test_an_interrupted_enumeration_keeps_the_front_so_far() -> None:
     assert outcome.interrupted
     assert outcome.evaluations == 200
     genes = problem.space.genes_between(0, 200)
-    objectives, excess = problem.evaluate(genes)
-    feasible = objectives[excess <= ROUNDING]
+    objectives, exceedance = problem.evaluate(genes)
+    feasible = objectives[exceedance <= ROUNDING]
     assert outcome.feasible == len(feasible) > 0
     for own in outcome.objectives:
         assert (feasible == own).all(axis=1).any()
@@ -117,15 +117,15 @@ def test_without_a_feasible_design_the_one_that_fails_by_the_least_is_known() ->
     problem = DesignProblem.of(case)
     outcome = enumerate_designs(problem, chunk=50)
     assert len(outcome.genes) == outcome.feasible == 0
-    excesses = {}
+    exceedances = {}
     for row in problem.space.genes_between(0, problem.space.count).tolist():
         plain = plain_value(problem, tuple(row))
         if plain is not None:
-            excesses[tuple(row)] = plain[1]
-    least = min(excesses.values())
-    assert outcome.least_excess == pytest.approx(least, rel=SAME)
+            exceedances[tuple(row)] = plain[1]
+    least = min(exceedances.values())
+    assert outcome.least_exceedance == pytest.approx(least, rel=SAME)
     assert outcome.closest is not None
-    assert excesses[outcome.closest] == pytest.approx(least, rel=SAME)
+    assert exceedances[outcome.closest] == pytest.approx(least, rel=SAME)
 
 
 def test_what_is_known_of_all_designs_is_kept_when_the_measuring_is_interrupted() -> None:

@@ -14,7 +14,7 @@ from catopt.catenary.batch import room_for_runs
 from catopt.catenary.equilibrium import given_force
 from catopt.catenary.pieces import LineProblem, cut
 from catopt.checks.case import check_line
-from catopt.checks.excess import ROUNDING
+from catopt.checks.kinds import ROUNDING
 from catopt.design.assess import NO_DESIGN, NO_EQUILIBRIUM, segment_tensions
 from catopt.design.evaluation import DesignProblem
 from catopt.model import (
@@ -131,12 +131,12 @@ def test_every_design_is_worth_what_its_report_says(name: str) -> None:
     for row, design in enumerate(genes):
         plain = plain_value(problem, design)
         if plain is None:
-            assert evaluated.excess[row] >= NO_EQUILIBRIUM
+            assert evaluated.exceedance[row] >= NO_EQUILIBRIUM
             assert np.isnan(evaluated.objectives[row]).all()
             continue
-        objectives, excess, _ = plain
+        objectives, exceedance, _ = plain
         assert evaluated.objectives[row] == pytest.approx(objectives, rel=AGREES, abs=AGREES * 500)
-        assert evaluated.excess[row] == pytest.approx(excess, rel=AGREES, abs=AGREES)
+        assert evaluated.exceedance[row] == pytest.approx(exceedance, rel=AGREES, abs=AGREES)
         seen += 1
     assert seen > 10
 
@@ -165,7 +165,7 @@ def test_absent_parts_are_absent() -> None:
     short = np.array([[2, 1], [1, 2]])
     long = np.array([[2, 1, 0, 1, 0, 1], [1, 2, 0, 0, 0, 0]])
     ours, theirs = large.evaluate(long), small.evaluate(short)
-    assert np.array_equal(ours.excess, theirs.excess)
+    assert np.array_equal(ours.exceedance, theirs.exceedance)
     # Only the rounding, which goes by the largest value of the space, differs.
     assert ours.objectives == pytest.approx(theirs.objectives, rel=AGREES)
 
@@ -180,7 +180,7 @@ def test_weights_are_taken_in_the_order_of_their_places() -> None:
         assert plain is not None
         found = problem.evaluate(np.array([genes]))
         assert found.objectives[0] == pytest.approx(plain[0], rel=AGREES)
-        assert found.excess[0] == pytest.approx(plain[1], rel=AGREES, abs=AGREES)
+        assert found.exceedance[0] == pytest.approx(plain[1], rel=AGREES, abs=AGREES)
 
 
 def test_a_weight_lies_on_the_bed_with_its_own_friction() -> None:
@@ -195,29 +195,29 @@ def test_a_weight_lies_on_the_bed_with_its_own_friction() -> None:
         plain = plain_value(problem, genes)
         assert plain is not None
         found = problem.evaluate(np.array([genes]))
-        assert found.excess[0] == pytest.approx(plain[1], rel=AGREES, abs=AGREES)
+        assert found.exceedance[0] == pytest.approx(plain[1], rel=AGREES, abs=AGREES)
         line = problem.space.line(genes)
         assert [load.friction for load in line.point_loads] == [0.0, friction]
         values.append(plain[1])
     assert values[1] < values[0] - 1e-3
 
 
-def test_a_weight_beyond_the_line_is_no_design_and_the_excess_says_how_far() -> None:
+def test_a_weight_beyond_the_line_is_no_design_and_the_exceedance_says_how_far() -> None:
     weight = ClumpWeightChoice((5e3,), 7850.0, positions=(100.0, 120.0, 200.0))
     problem = DesignProblem.of(small_case(clump_weights=(weight,)))
     found = problem.evaluate(np.array([(0, 0, 0, 0, 0, place) for place in range(3)]))
-    assert found.excess[0] < NO_EQUILIBRIUM
-    assert NO_DESIGN < found.excess[1] < found.excess[2] < 2 * NO_DESIGN
+    assert found.exceedance[0] < NO_EQUILIBRIUM
+    assert NO_DESIGN < found.exceedance[1] < found.exceedance[2] < 2 * NO_DESIGN
     assert np.isnan(found.objectives[1:]).all()
 
 
-def test_a_line_that_is_too_short_has_a_finite_excess_that_falls_with_its_length() -> None:
+def test_a_line_that_is_too_short_has_a_finite_exceedance_that_falls_with_its_length() -> None:
     choice = SegmentChoice((30.0, 40.0, 60.0))
     problem = DesignProblem.of(small_case(segments=(choice,), clump_weights=()))
     found = problem.evaluate(np.array([[0, 0], [0, 1], [0, 2]]))
     assert np.isnan(found.objectives[:2]).all()
-    assert np.isfinite(found.excess).all()
-    assert found.excess[0] > found.excess[1] > NO_EQUILIBRIUM > found.excess[2]
+    assert np.isfinite(found.exceedance).all()
+    assert found.exceedance[0] > found.exceedance[1] > NO_EQUILIBRIUM > found.exceedance[2]
 
 
 def test_the_sinker_is_the_lightest_that_holds() -> None:
@@ -249,9 +249,9 @@ def test_stopping_early_changes_nothing_of_what_is_feasible(name: str) -> None:
     problem = DesignProblem.of(VARIANTS[name])
     genes = problem.space.genes_between(0, problem.space.count)
     whole, early = problem.assess(genes), problem.assess(genes, stops_early=True)
-    is_feasible = whole.excess <= ROUNDING
+    is_feasible = whole.exceedance <= ROUNDING
     assert 0 < is_feasible.sum() < len(genes)
-    assert np.array_equal(early.excess <= ROUNDING, is_feasible)
+    assert np.array_equal(early.exceedance <= ROUNDING, is_feasible)
     same = (early.objectives[is_feasible], early.sinker[is_feasible])
     assert np.array_equal(same[0], whole.objectives[is_feasible], equal_nan=True)
     assert np.array_equal(same[1], whole.sinker[is_feasible])

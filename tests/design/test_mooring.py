@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from catopt.checks.excess import ROUNDING
+from catopt.checks.kinds import ROUNDING
 from catopt.checks.system import check_system
-from catopt.design.bounds import BOUNDS, least_forces
+from catopt.design.assess import BOUNDS, least_forces
+from catopt.design.front import Outcome
 from catopt.design.mooring import MooringProblem
-from catopt.design.outcome import Outcome
 from catopt.design.search import design_case, enumerate_designs
 from catopt.design.symmetry import distinct_states, widest_gap
 from catopt.design.tables import room
@@ -105,13 +105,13 @@ def test_a_design_is_worth_what_checking_the_body_says(fairlead_radius: float) -
         for angle in DesignLoad("", 1.5e6, headings=12).directions:
             loaded = system.under((1.5e6 * math.cos(angle), 1.5e6 * math.sin(angle)))
             report = check_system(replace(problem.case, line=line, system=loaded, design=None))
-            worst = max(worst, *(each.excess for each in report.results))
+            worst = max(worst, *(each.exceedance for each in report.results))
             offset = max(offset, math.hypot(*solve_system(loaded).offset))
             for out in one_line_out(loaded):
                 assert out.response is not None
                 offset = max(offset, out.response.offset)
         assessed = problem.assess(np.array([genes]))
-        assert assessed.excess[0] == pytest.approx(worst, rel=1e-8, abs=1e-9)
+        assert assessed.exceedance[0] == pytest.approx(worst, rel=1e-8, abs=1e-9)
         assert assessed.objectives[0, 1] == pytest.approx(offset, rel=1e-8)
         segment = line.segments[0]
         assert segment.mass is not None
@@ -154,7 +154,7 @@ def test_several_loads_at_several_levels_are_worth_what_checking_says(
                 )
                 whole = [each for each in report.results if each.place.state == "intact"]
                 used = report.results if load.line_out else whole
-                worst = max(worst, *(each.excess for each in used))
+                worst = max(worst, *(each.exceedance for each in used))
                 there = [solve_system(loaded).position]
                 if load.line_out:
                     there += [
@@ -166,7 +166,7 @@ def test_several_loads_at_several_levels_are_worth_what_checking_says(
                     offset, *(math.hypot(each.x - rest.x, each.y - rest.y) for each in there)
                 )
         assessed = problem.assess(np.array([genes]))
-        assert assessed.excess[0] == pytest.approx(worst, rel=1e-8, abs=1e-9)
+        assert assessed.exceedance[0] == pytest.approx(worst, rel=1e-8, abs=1e-9)
         assert assessed.objectives[0, 1] == pytest.approx(offset, rel=1e-8)
 
 
@@ -199,7 +199,7 @@ def test_a_pretension_places_the_anchors(fairlead_radius: float) -> None:
         one = problem.assess(np.array([genes]))
         other = MooringProblem.of(by_radius).assess(np.array([(*genes[:-1], 0)]))
         assert one.objectives == pytest.approx(other.objectives, rel=1e-9, nan_ok=True)
-        assert one.excess == pytest.approx(other.excess, rel=1e-9)
+        assert one.exceedance == pytest.approx(other.exceedance, rel=1e-9)
 
 
 @pytest.mark.slow
@@ -241,7 +241,7 @@ def test_lines_that_do_not_reach_have_no_least_force() -> None:
     case = mooring_case(segments=(SegmentChoice((300.0,), ("chain studless R4",), (0.1,)),))
     outcome = enumerate_designs(MooringProblem.of(case), bounds=True)
     assert outcome.feasible == 0
-    assert outcome.least_excess > ROUNDING
+    assert outcome.least_exceedance > ROUNDING
 
 
 # ------------------------------------------------------------------ bounds
@@ -369,7 +369,7 @@ def compare(seed: int, designs: int) -> int:
     outcome = enumerate_designs(problem, workers=2)
     wanted = by_hand(case)
     assert len(wanted) == problem.space.count
-    feasible = {genes: (m, x) for genes, (m, x, excess) in wanted.items() if excess <= SAME}
+    feasible = {genes: (m, x) for genes, (m, x, exceedance) in wanted.items() if exceedance <= SAME}
     certain = {genes: feasible[genes] for genes in feasible if wanted[genes][2] <= -SAME}
     on_front = np.array(sorted(outcome.objectives.tolist())).reshape(-1, 2)
     for genes, values in zip(outcome.genes.tolist(), outcome.objectives.tolist(), strict=True):
@@ -421,7 +421,7 @@ def test_the_answer_says_what_governs_and_what_was_excluded() -> None:
 
 
 def test_when_no_mooring_passes_the_nearest_one_is_named() -> None:
-    from catopt.design.near_miss import NoFeasibleDesignError
+    from catopt.design.neighbours import NoFeasibleDesignError
 
     case = mooring_case(checks=Checks(safety_factor=40.0), headings=2)
     with pytest.raises(NoFeasibleDesignError) as caught:

@@ -9,10 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from catopt.checks.excess import ROUNDING
-from catopt.design.front import hypervolume, non_dominated, reference_point
+from catopt.checks.kinds import ROUNDING
+from catopt.design.front import Outcome, hypervolume, non_dominated, reference_point
 from catopt.design.nsga2 import nsga2
-from catopt.design.outcome import Outcome
 from catopt.design.swarm import swarm
 
 from .known_space import KnownSpace, Recorded, buoy, funnel, leg, scrambled, tanker
@@ -38,12 +37,12 @@ def test_returns_the_front_of_all_that_it_evaluated(
     outcome = search(space, evaluations=700, population=40, seed=2)
     designs = space.designs
     worth = space.space.evaluate(designs)
-    passes = np.flatnonzero(worth.excess <= ROUNDING)
+    passes = np.flatnonzero(worth.exceedance <= ROUNDING)
     best = passes[non_dominated(worth.objectives[passes])]
     np.testing.assert_array_equal(outcome.genes, designs[best])
     np.testing.assert_array_equal(outcome.objectives, worth.objectives[best])
     assert outcome.feasible == len(passes)
-    assert outcome.least_excess == worth.excess.min()
+    assert outcome.least_exceedance == worth.exceedance.min()
     assert not outcome.interrupted
 
 
@@ -99,13 +98,13 @@ def test_leaves_the_process_as_it_was(
 def test_no_feasible_design_gives_no_front_and_the_best_miss(search: Search) -> None:
     """The excess falls towards one design, where 0.5 of it is left; both searches go there."""
     space = funnel((30, 30, 30), (21, 4, 13))
-    space = KnownSpace("hopeless", space.sizes, -1, -1, space.table, space.excess + 0.5)
+    space = KnownSpace("hopeless", space.sizes, -1, -1, space.table, space.exceedance + 0.5)
     outcome = search(space, evaluations=1500, population=40, seed=3)
     assert outcome.genes.shape == (0, 3)
     assert outcome.objectives.shape == (0, 2)
     assert outcome.feasible == 0
     assert outcome.closest == (21, 4, 13)
-    assert outcome.least_excess == 0.5
+    assert outcome.least_exceedance == 0.5
 
 
 @both
@@ -120,10 +119,10 @@ def test_finds_the_only_feasible_design(search: Search, seed: int) -> None:
 @both
 def test_no_equilibrium_anywhere(search: Search) -> None:
     space = scrambled((6, 5, 4), 2, 0.0)
-    space = KnownSpace("nothing", space.sizes, -1, -1, space.table * np.nan, space.excess)
+    space = KnownSpace("nothing", space.sizes, -1, -1, space.table * np.nan, space.exceedance)
     outcome = search(space, evaluations=100, population=20, seed=1)
     assert len(outcome.genes) == 0
-    assert np.isfinite(outcome.least_excess)
+    assert np.isfinite(outcome.least_exceedance)
 
 
 @both
@@ -210,7 +209,7 @@ def test_fronts_of_eight_seeds(search: Search, known: Callable[[], KnownSpace]) 
     for seed in range(1, 9):
         outcome = search(space, evaluations=10_000, seed=seed)
         assert outcome.evaluations <= 10_000
-        assert (space.evaluate(outcome.genes).excess <= ROUNDING).all()
+        assert (space.evaluate(outcome.genes).exceedance <= ROUNDING).all()
         volumes.append(relative_hypervolume(space, outcome))
     assert np.median(volumes) >= 0.99
     assert min(volumes) >= 0.97

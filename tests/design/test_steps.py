@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from catopt.checks.excess import ROUNDING
-from catopt.design.front import crowding_distance
-from catopt.design.outcome import EvaluationArchive
+from catopt.checks.kinds import ROUNDING
+from catopt.design.front import EvaluationArchive, crowding_distance
 from catopt.design.steps import double_steps, improve, reached, scattered, single_steps
 
 from .known_space import KnownSpace, grid, scrambled, tanker
@@ -57,8 +56,8 @@ def test_improving_ends_where_nothing_next_to_the_front_is_unknown() -> None:
 
 def test_improving_goes_towards_feasibility_first() -> None:
     _, (x, y) = grid(np.arange(20.0), np.arange(20.0))
-    excess = (10.0 - np.minimum(x, 10.0)) * 0.1 - ROUNDING
-    space = KnownSpace("slope", (20, 20), -1, -1, np.stack((x, y), axis=1), excess)
+    exceedance = (10.0 - np.minimum(x, 10.0)) * 0.1 - ROUNDING
+    space = KnownSpace("slope", (20, 20), -1, -1, np.stack((x, y), axis=1), exceedance)
     archive = EvaluationArchive(space, 400)
     archive.evaluate(np.array([[0, 5]]))
     improve(archive, 10)

@@ -235,7 +235,7 @@ def test_a_given_EA_is_said_and_the_closed_form_is_solved_with_it() -> None:
     exported = moordyn_input(exported_lines(case, EA=2e6))
     assert rows(exported.text, "LINE TYPES")[0][3] == "2000000"
     of_its_own = moordyn_input(exported_lines(suspended(2e6)))
-    given, own = exported.expected[0], of_its_own.expected[0]
+    given, own = (each.expected[0].to_dict() for each in (exported, of_its_own))
     assert given["fairlead_tension_N"] == own["fairlead_tension_N"]
     rigid = exported_lines(case).lines[0].solution.fairlead.tension
     change = 100.0 * (given["fairlead_tension_N"] / rigid - 1.0)
@@ -260,7 +260,7 @@ def test_a_found_line_is_exported_as_found() -> None:
 def test_friction_at_rest_is_told_with_what_to_expect_without() -> None:
     solved = exported_lines(chain_and_wire(friction=0.5))
     exported = moordyn_input(solved)
-    (line,) = exported.expected
+    line = exported.expected[0].to_dict()
     assert options(exported.text)["FrictionCoefficient"] == 0.5
     assert "bed friction 0.5: MoorDyn's friction acts on what moves" in remarks(exported)
     assert "on a bed without friction: span" in exported.text
@@ -270,7 +270,7 @@ def test_friction_at_rest_is_told_with_what_to_expect_without() -> None:
     assert free["anchor_tension_N"] == pytest.approx(free["horizontal_force_N"], rel=1e-12)
     held = 0.5 * 1470.0 * line["grounded_length_m"]
     assert line["anchor_tension_N"] == pytest.approx(line["horizontal_force_N"] - held, rel=1e-9)
-    assert moordyn_input(exported_lines(chain_and_wire())).expected[0]["without_friction"] is None
+    assert moordyn_input(exported_lines(chain_and_wire())).expected[0].without_friction is None
 
 
 def test_a_sinker_near_the_bed_and_one_on_it_are_told() -> None:
@@ -381,4 +381,4 @@ def test_legs_of_their_own_keep_their_names() -> None:
         legs, legs=tuple(replace(leg, name=f"leg {k}") for k, leg in enumerate(legs.legs))
     )
     solved = exported_lines(replace(tanker(), load=None, system=named))
-    assert [each["name"] for each in moordyn_input(solved).expected] == ["leg 0", "leg 1"]
+    assert [each.name for each in moordyn_input(solved).expected] == ["leg 0", "leg 1"]

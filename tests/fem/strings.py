@@ -8,10 +8,9 @@ import numpy as np
 import numpy.typing as npt
 
 from catopt.fem import mesh_line
-from catopt.fem.damping import LineDamping
 from catopt.fem.dynamic_model import Fluid, LineProperties, MassMatrix, lay_out_moving
 from catopt.fem.moving import BodyNode
-from catopt.fem.newmark import Scheme
+from catopt.fem.newmark import LineDamping, Scheme
 from catopt.fem.run_settings import TimeStepping
 from catopt.fem.sampling import Record
 from catopt.fem.simulation import Simulation

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from catopt.fem.cylinder_coefficients import added_mass, steady_drag, wake_amplification
+from catopt.fem.morison import added_mass, steady_drag, wake_amplification
 
 
 @pytest.mark.parametrize(

@@ -10,12 +10,11 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from catopt.fem import mesh_line
-from catopt.fem.damping import LineDamping
 from catopt.fem.dynamic_model import Fluid, LineProperties, lay_out_moving
-from catopt.fem.frequencies import natural_frequencies
+from catopt.fem.linear_motion import natural_frequencies
 from catopt.fem.morison import MorisonSection
 from catopt.fem.moving import Blend
-from catopt.fem.newmark import Scheme
+from catopt.fem.newmark import LineDamping, Scheme
 from catopt.fem.run_settings import StepControls
 from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, series_rows

@@ -17,6 +17,7 @@ import pytest
 
 from catopt.fem import solve_line
 from catopt.model import Line, Segment
+from catopt.reproduce.items import published
 from catopt.reproduce.lines_in_motion import (
     CableCase,
     Depth,
@@ -25,7 +26,6 @@ from catopt.reproduce.lines_in_motion import (
     run_cable,
     run_chain,
 )
-from catopt.reproduce.published import published
 
 Array = npt.NDArray[np.float64]
 

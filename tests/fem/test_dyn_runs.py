@@ -383,7 +383,7 @@ def test_thinned_samples_are_those_of_every_step() -> None:
     assert np.array_equal(every.max_tension, thinned.max_tension)
     assert every.line_max_tension() >= every.bar_tension[every.counted].max()
     peak = every.tension_statistics().maximum
-    assert every.amplification(0.5 * peak) == pytest.approx(2.0)
+    assert every.dynamic_amplification(0.5 * peak) == pytest.approx(2.0)
 
 
 @pytest.mark.slow

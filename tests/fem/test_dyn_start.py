@@ -20,8 +20,8 @@ from catopt.fem import (
     run_dynamics,
 )
 from catopt.model import Line, Segment
+from catopt.reproduce.items import published
 from catopt.reproduce.lines_in_motion import CHAIN, Depth, chain_of
-from catopt.reproduce.published import published
 from catopt.reproduce.reference_moorings import segment_of
 from catopt.words import Message, is_said
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from catopt.errors import InputError
-from catopt.fem.statistics import peaks_above_mean, power_spectrum, series_statistics
+from catopt.fem.extremes import peaks_above_mean, power_spectrum, series_statistics
 
 
 def test_sine() -> None:

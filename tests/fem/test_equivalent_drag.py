@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from catopt.fem.equivalent_drag import equivalent_drag
+from catopt.fem.morison import equivalent_drag
 
 ROUGH = {1: 1e-3, 2: 6e-3, 3: 6e-3}
 """By axes: 96 parts leave some 2e-4 of the kink of |r|; across the largest, 12 nodes of Gauss."""

@@ -9,7 +9,7 @@ from catopt.fem.mesh import mesh_line
 from catopt.fem.network import LineEnd, MeetingPoint, solve_network
 from catopt.model import Line, Segment
 from catopt.mooring.held import NetworkAtRest, hold
-from catopt.reproduce.published import published
+from catopt.reproduce.items import published
 from catopt.reproduce.reference_moorings import SURGE, network_of
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from catopt.fem import TrussSolution, solve_line
-from catopt.fem.touchdown import shift_slope
+from catopt.fem.sloped_rest import shift_slope
 from catopt.model import Line, PointLoad, Segment
 
 BARS, LYING = 120, 47

@@ -10,7 +10,9 @@ from functools import cache, partial
 from catopt.catenary.case_curve import curve_case
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
-from catopt.figures import curve, front, line, mooring, studies, swarm
+from catopt.figures import line, mooring, studies, swarm
+from catopt.figures import line as curve
+from catopt.figures import sizing as front
 from catopt.figures.chart import Chart
 from catopt.model import Case, Line, Load, PointLoad, Segment, Site
 from catopt.mooring.circle import WatchCircle

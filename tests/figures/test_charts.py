@@ -14,13 +14,19 @@ from catopt.catenary.case import solve_case
 from catopt.catenary.case_curve import CaseCurve, curve_case
 from catopt.checks.case import check_case
 from catopt.figures.chart import Chart, legend
-from catopt.figures.curve import load_curve
-from catopt.figures.line import grounded_ends, line_in_water, magnified, tension_along, touchdowns
+from catopt.figures.line import (
+    grounded_ends,
+    line_in_water,
+    load_curve,
+    magnified,
+    tension_along,
+    touchdowns,
+)
 from catopt.figures.mooring import near, plan, restoring, spread, watch_round, watch_track
 from catopt.figures.swarm import fitness
 from catopt.model import Case, Checks, Line, Load, Segment, Site
 from catopt.quantities import QUANTITIES
-from catopt.render.looks import LOOKS
+from catopt.render.svg import LOOKS
 from catopt.words import Message
 from tests.answers.results import CURVED, report_with
 from tests.report.notes import BODIES, TURRET, body_note

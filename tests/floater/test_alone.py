@@ -14,8 +14,8 @@ from catopt.fem.newmark import Scheme
 from catopt.fem.run_settings import TimeStepping
 from catopt.floater.alone import HullHistory, run_alone
 from catopt.hydro.build import FloatingHull, Radiation
+from catopt.hydro.coefficients import Memory
 from catopt.hydro.cylinder import FloatingCylinder
-from catopt.hydro.memory import Memory
 from catopt.waves import Sea, regular_wave
 
 DATA = Path(__file__).parents[1] / "hydro"

@@ -13,7 +13,13 @@ from catopt.errors import InputError
 from catopt.floater import two_scales
 from catopt.floater.ship import ShipInWeather
 from catopt.floater.slow_motion import SlowShip, rates
-from catopt.floater.two_scales import MooredShip, Scales, scales_of
+from catopt.floater.two_scales import (
+    MooredShip,
+    Scales,
+    _drift_series,
+    scales_of,
+    wave_numbers_of,
+)
 from catopt.loads import (
     SeaState,
     SurfaceCurrent,
@@ -22,14 +28,14 @@ from catopt.loads import (
     equilibrium_headings,
     ship_loads,
 )
-from catopt.loads.heading import Headings
-from catopt.loads.ufc_current import transverse_load
+from catopt.loads.environment import Headings
+from catopt.loads.ufc import transverse_load
 from catopt.loads.weathervane import YAW_TYPES
 from catopt.model import ShipAfloat
 from catopt.mooring.arrangement import room_for
 from catopt.mooring.batch import as_arrays
 from catopt.waves import Waves, jonswap, random_waves, regular_wave
-from catopt.waves.dispersion import fill_wave_numbers
+from catopt.waves.random_surface import fill_wave_numbers
 
 DEPTH, DENSITY = 60.0, 1025.0
 OF = ShipAfloat(190.0, 32.0, 12.0, 18.0, gusts="none", reflection=1.0)
@@ -145,10 +151,10 @@ def test_newman_of_two_waves_by_hand() -> None:
         np.array([1.5, 0.8]), np.array([0.7, 0.9]), np.array([0.3, 1.1]), np.full(2, math.pi)
     )
     moored = MooredShip(spread(), ship())
-    k = moored._wave_numbers(waves)
+    k = wave_numbers_of(waves, DEPTH)
     first, second = moored.ship.drift(waves, k, np.zeros(1))[0, :, 0].tolist()
-    time = np.linspace(0.0, 60.0, 13)
-    found = moored._drift(waves, time, np.ones(13))[:, 0, 0]
+    time = np.arange(0.0, 4001.0)
+    found = _drift_series(moored.ship, waves, time.size, 0.0)[:, 0, 0]
     expected = 1.5**2 * first + 0.8**2 * second
     expected = expected + 1.2 * (first + second) * np.cos(-0.2 * time + 0.8)
     assert found == pytest.approx(expected, rel=1e-9)
@@ -203,7 +209,7 @@ def test_waves_move_the_fairleads() -> None:
     swell = regular_wave(2.0, 20.0, direction=0.5 * math.pi)
     history = moored.run(swell, 80.0, 0.0, np.random.default_rng(1))
     sway = history.whole[:, 1] - history.slow[:, 1]
-    k = float(moored._wave_numbers(swell)[0])
+    k = float(wave_numbers_of(swell, DEPTH)[0])
     over = (math.sinh(k * DEPTH) - math.sinh(k * (DEPTH - 12.0))) / (
         k * 12.0 * math.sinh(k * DEPTH)
     )

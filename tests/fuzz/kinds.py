@@ -276,8 +276,8 @@ def _deck(path: Path) -> object:
 
 def _result(path: Path) -> object:
     """Read what a result directory says, as ``catopt report`` does before it computes anything."""
-    from catopt.casefile.design_directory import read_case_or_design
-    from catopt.notes.directory import asked_in, case_path
+    from catopt.casefile.reading import read_case_or_design
+    from catopt.notes.origin import asked_in, case_path
 
     has_front = (path.parent / "design.json").is_file()
     return asked_in(path.parent), read_case_or_design(
@@ -290,9 +290,9 @@ def _results() -> tuple[dict[str, str], dict[str, str]]:
     """Make the documents of two result directories: of a line, and of a design search."""
     from catopt.casefile import case_digest
     from catopt.catenary.case import solve_case
-    from catopt.design.document import design_document
+    from catopt.design.result import design_document
     from catopt.design.search import design_case
-    from catopt.report.files import with_digest
+    from catopt.report.bundle import with_digest
 
     line = parse_case(_case("buoy-9.5m/case.toml"))
     searched = parse_case(SMALL_DESIGN)

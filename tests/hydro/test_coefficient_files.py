@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import pytest
@@ -165,9 +165,10 @@ def dataset() -> Any:
     )
 
 
-def test_capytaine_by_hand(tmp_path: Path) -> None:
+@pytest.mark.parametrize("engine", ["scipy", "h5netcdf"])
+def test_capytaine_by_hand(tmp_path: Path, engine: Literal["scipy", "h5netcdf"]) -> None:
     path = tmp_path / "ship.nc"
-    dataset().to_netcdf(path, engine="scipy")
+    dataset().to_netcdf(path, engine=engine)
     found = read_capytaine(path)
     assert found.omega.tolist() == [1.0, 2.0]
     assert found.heading == pytest.approx([0.0, math.pi])

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from catopt.errors import InputError
+from catopt.hydro.coefficients import Memory, infinite_added_mass, retardation
 from catopt.hydro.cylinder import HEAVE, PITCH, SURGE, FloatingCylinder
-from catopt.hydro.memory import Memory, infinite_added_mass, retardation
 
 
 def test_retardation_of_a_closed_form() -> None:

@@ -10,7 +10,7 @@ from scipy.integrate import quad
 
 from catopt.errors import InputError
 from catopt.hydro.coefficients import Coefficients
-from catopt.hydro.monohull import monohull_response
+from catopt.hydro.hull import monohull_response
 
 HULL = {"length": 180.0, "breadth": 30.0, "draught": 12.0, "block": 0.8}
 DEEP = 50_000.0

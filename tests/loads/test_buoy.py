@@ -25,7 +25,7 @@ from catopt.loads import (
     laying_check,
     read_buoys,
 )
-from catopt.loads.buoy_library import parse_buoys
+from catopt.loads.buoy import parse_buoys
 
 from . import ROUNDING
 

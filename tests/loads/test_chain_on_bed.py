@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from catopt.errors import InputError
-from catopt.loads.laying import CHAIN_ON_BED, chain_holding
+from catopt.loads.drag_anchor import CHAIN_ON_BED, chain_holding
 
 PRINTED = {
     "sand": (0.98, 0.74),

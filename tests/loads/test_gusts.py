@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from catopt.errors import InputError
-from catopt.loads.gusts import gust_series, npd_spectrum
+from catopt.loads.environment import gust_series, npd_spectrum
 
 
 def test_spectrum_by_hand() -> None:

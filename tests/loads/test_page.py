@@ -25,10 +25,10 @@ from catopt.loads import (
     size_sinker,
     surface_speed,
 )
-from catopt.loads.ship_estimate import Condition
+from catopt.loads.ship_dimensions import Condition
+from catopt.loads.ship_loads import depth_factor
 from catopt.loads.tanker_20m import CURRENT, SEA, WATER_DEPTH, WIND, tanker
-from catopt.loads.ufc_current import propeller_area, wetted_surface
-from catopt.loads.wave_drift import depth_factor
+from catopt.loads.ufc import propeller_area, wetted_surface
 
 PAGE = Path(__file__).parents[2] / "docs" / "loads.md"
 UNITS = {"m": 1.0, "m2": 1.0, "m3": 1.0, "m/s": 1.0, "1/m": 1.0, "N": 1.0, "kN": 1e3, "kg": 1.0}

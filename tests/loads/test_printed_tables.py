@@ -8,11 +8,11 @@ import math
 import pytest
 
 from catopt.errors import NoAnswerError
-from catopt.loads.blendermann import TYPES, coefficients
-from catopt.loads.holding_data import CURVES, HoldingCurve
+from catopt.loads.drag_anchor import CURVES, HoldingCurve
 from catopt.loads.ship import PROPELLER_AREA_RATIOS
+from catopt.loads.ship_coefficients import TYPES, coefficients
+from catopt.loads.ship_dimensions import SINKER_MASSES, next_size
 from catopt.loads.sinker import DENSITIES
-from catopt.loads.sizes import SINKER_MASSES, next_size
 from catopt.loads.weathervane import YAW_TYPES
 
 TF, KIP = 9806.65, 4448.2216152605

@@ -9,7 +9,7 @@ import pytest
 
 from catopt.errors import InputError
 from catopt.loads import Ship
-from catopt.loads.ufc_current import (
+from catopt.loads.ufc import (
     deep_coefficient,
     friction_coefficient,
     longitudinal_loads,

@@ -8,8 +8,8 @@ import pytest
 
 from catopt.errors import InputError
 from catopt.loads import Ship, UfcWind, Wind
-from catopt.loads.blendermann import TYPES, blendermann_loads, coefficients
-from catopt.loads.ufc_wind import (
+from catopt.loads.ship_coefficients import TYPES, blendermann_loads, coefficients
+from catopt.loads.ufc import (
     Superstructure,
     longitudinal_shape,
     transverse_shape,

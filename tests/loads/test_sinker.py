@@ -6,16 +6,16 @@ import pytest
 
 from catopt.errors import InputError, NoAnswerError
 from catopt.loads import size_sinker
-from catopt.loads.held import sinkers_held
+from catopt.loads.component import LoadSource
 from catopt.loads.sinker import (
     ADHESION,
     SOIL_FRICTION,
     adhesion_holding,
     friction_of,
     holding_force,
+    sinkers_held,
     submerged_weight,
 )
-from catopt.loads.source import LoadSource
 from catopt.model.anchor import sinker_needed
 
 from . import ROUNDING

@@ -8,7 +8,7 @@ import pytest
 
 from catopt.errors import InputError
 from catopt.loads import SeaState
-from catopt.loads.wave_drift import depth_factor, flat_side_drift, ship_drift
+from catopt.loads.ship_loads import depth_factor, flat_side_drift, ship_drift
 
 from . import ROUNDING
 

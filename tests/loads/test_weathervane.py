@@ -21,9 +21,9 @@ from catopt.loads import (
     equilibrium_headings,
     every_lying,
 )
-from catopt.loads.blendermann import pressure_centre
+from catopt.loads.ship_coefficients import pressure_centre
 from catopt.loads.tanker_20m import CURRENT, SEA, WATER_DEPTH, WIND, tanker
-from catopt.loads.ufc_current import transverse_coefficient
+from catopt.loads.ufc import transverse_coefficient
 
 from . import ROUNDING
 

@@ -12,7 +12,7 @@ from catopt import InputError, Line, NoEquilibriumError, Segment, System, read_c
 from catopt import solve as solve_line
 from catopt.casefile.reading import parse_network
 from catopt.casefile.writing import write_case
-from catopt.checks.network import check_network
+from catopt.checks.system import check_network
 from catopt.model import Checks, Site
 from catopt.model.network import LineBetween, MooredBody, Network, Point
 from catopt.mooring.circle import network_circle, watch_circle

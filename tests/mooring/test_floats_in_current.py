@@ -14,11 +14,11 @@ from scipy.optimize import brentq
 from catopt import InputError, Line, PointLoad, Segment
 from catopt.casefile.reading import parse_network
 from catopt.casefile.writing import write_case
-from catopt.checks.network import check_network
+from catopt.checks.system import check_network
 from catopt.errors import FloatsUpError
 from catopt.model import Checks, Site
-from catopt.model.current_profile import CurrentProfile
 from catopt.model.network import LineBetween, Network, Point
+from catopt.model.sea import CurrentProfile
 from catopt.mooring.held import FloatsInCurrent, at_rest, hold
 from catopt.mooring.network_out import each_line_out
 

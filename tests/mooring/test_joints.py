@@ -13,7 +13,7 @@ from catopt.model import Site
 from catopt.model.network import LineBetween, Network, Point
 from catopt.mooring.held import NetworkAtRest, hold
 from catopt.mooring.joints import TOLERANCE
-from catopt.reproduce.published import published
+from catopt.reproduce.items import published
 from catopt.reproduce.reference_moorings import network_of
 
 

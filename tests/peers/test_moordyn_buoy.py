@@ -17,10 +17,10 @@ import numpy as np
 import pytest
 
 from catopt.compiled import compiled
-from catopt.fem.damping import LineDamping
 from catopt.fem.dynamic_model import LineProperties
 from catopt.fem.mesh import mesh_line
 from catopt.fem.morison import MorisonSection
+from catopt.fem.newmark import LineDamping
 from catopt.fem.run_settings import TimeStepping
 from catopt.fem.seabed import Seabed
 from catopt.floater.moored import AtRest, moored_at_rest, run_moored

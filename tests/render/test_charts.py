@@ -13,12 +13,20 @@ from matplotlib.transforms import Bbox
 
 from catopt.figures.chart import Axis, Chart, Series, legend
 from catopt.quantities import QUANTITIES
-from catopt.render.looks import COLOURS, LOOKS, stylesheet
 from catopt.render.picture import image, picture, pictures
-from catopt.render.svg import WIDTH, Shape, breadth, svg
+from catopt.render.svg import (
+    COLOURS,
+    LOOKS,
+    WIDTH,
+    Shape,
+    breadth,
+    stylesheet,
+    svg,
+    tick_words,
+    ticks,
+)
 from catopt.render.svg import Figure as Drawn
-from catopt.render.ticks import tick_words, ticks
-from catopt.render.units import in_language
+from catopt.render.values import in_language
 from catopt.words import LANGUAGES
 from tests.figures.kinds import KINDS, LONG, made
 

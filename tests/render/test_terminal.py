@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from catopt.answers.blocks import Answer, Column, Section, Table, measured, texts
-from catopt.cli.output import Output
+from catopt.cli.output import Printer
 from catopt.render.terminal import show
 from catopt.words import Message
 
@@ -13,7 +13,7 @@ from catopt.words import Message
 def printed(capsys: pytest.CaptureFixture[str], *columns: Column) -> list[str]:
     """Lines of a table, those of its heading first."""
     title = Message("captions.results")
-    show(Output(), Answer("any", title, (Section(title, (Table("any", columns),)),)))
+    show(Printer(), Answer("any", title, (Section(title, (Table("any", columns),)),)))
     return capsys.readouterr().out.splitlines()[2:]
 
 

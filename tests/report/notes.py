@@ -10,11 +10,10 @@ from typing import Any
 import pytest
 
 from catopt.answers.blocks import Answer
-from catopt.casefile.sizing_file import moored_in
+from catopt.casefile.reading import moored_in
 from catopt.cli.note_kind import answer_of, has_table, note_of_sizing
 from catopt.errors import NotConvergedError
-from catopt.notes.line import Note, read_note
-from catopt.notes.size import SizeNote
+from catopt.notes.line import Note, SizeNote, read_note
 from catopt.notes.system import SystemNote, read_system_note
 from catopt.render.page import page
 from catopt.render.workbook import workbook

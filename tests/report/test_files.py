@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from catopt.errors import InputError
-from catopt.report.files import check_directory, write_files
+from catopt.report.bundle import check_directory, write_files
 
 OLD = {"a.csv": b"old a", "b.csv": b"old b"}
 NEW = {"a.csv": b"new a", "b.csv": b"new b"}

@@ -10,9 +10,8 @@ from pathlib import Path
 import pytest
 
 from catopt.casefile.schema import CaseTable
-from catopt.notes.directory import Asked
 from catopt.notes.line import read_note
-from catopt.notes.origin import file_name, inputs_of
+from catopt.notes.origin import Asked, file_name, inputs_of
 from catopt.notes.system import read_system_note
 from tests.answers.results import report_with
 

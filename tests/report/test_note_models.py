@@ -20,13 +20,13 @@ from catopt.figures import motion as figures
 from catopt.figures.chart import legend
 from catopt.figures.motion import around_the_largest
 from catopt.model import Case
-from catopt.notes.directory import Asked
 from catopt.notes.line import note_of, read_note
 from catopt.notes.motion import motion_warnings
+from catopt.notes.origin import Asked
 from catopt.notes.system import read_system_note
 from catopt.quantities import QUANTITIES
 from catopt.verify.case import verify_case
-from catopt.verify.truss_words import part_sentence, rough_sentence
+from catopt.verify.motion_words import part_sentence, rough_sentence
 from catopt.words import LANGUAGES, Language, Message, say, term
 from tests.cli.conftest import OWN as FILES
 from tests.cli.conftest import Run, document_of, inside, read_document, run

@@ -13,10 +13,10 @@ import pytest
 import catopt
 from catopt.answers.note_size import size_note_answer
 from catopt.answers.size import size_answer
-from catopt.notes.directory import Asked
-from catopt.notes.size import Given, size_note
+from catopt.notes.line import Given, size_note
+from catopt.notes.origin import Asked
 from catopt.render.page import page
-from catopt.render.units import in_units
+from catopt.render.values import in_units
 from catopt.render.workbook import workbook
 from catopt.sizing import Sizing
 from catopt.words import LANGUAGES, Language, Message, say

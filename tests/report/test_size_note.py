@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from catopt.notes.directory import Asked
-from catopt.notes.size import Given, size_note
+from catopt.notes.line import Given, size_note
+from catopt.notes.origin import Asked
 from catopt.words import LANGUAGES, Message, say, term
 
 from .notes import SIZINGS, note_named, page_named, shown

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from catopt.notes.directory import Asked
+from catopt.notes.origin import Asked
 from catopt.notes.system import directions_of, heading_of, read_system_note
 
 from .notes import BODIES, TURRET, case_path, note_named, page_named, shown, stop

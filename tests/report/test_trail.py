@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from catopt.answers.blocks import Step
-from catopt.answers.trail import Piece, is_uniform, pieces_of, steps_of
+from catopt.answers.trail import TrailPiece, is_uniform, pieces_of, steps_of
 from catopt.catenary.solve import solve
 from catopt.model import Line, PointLoad, Segment
 from catopt.words import Message
@@ -33,7 +33,7 @@ def steps(name: str) -> tuple[Step, ...]:
 
 
 @pytest.fixture
-def pieces(name: str) -> tuple[Piece, ...]:
+def pieces(name: str) -> tuple[TrailPiece, ...]:
     return pieces_of(note_named(name).solution)
 
 
@@ -119,7 +119,7 @@ def test_a_wrong_solution_does_not_pass() -> None:
 
 
 def test_every_equation_is_in_the_theory(
-    steps: tuple[Step, ...], pieces: tuple[Piece, ...]
+    steps: tuple[Step, ...], pieces: tuple[TrailPiece, ...]
 ) -> None:
     cited = {step.equation for step in steps}
     cited |= {each for piece in pieces for each in piece.equation.split(", ")}
@@ -135,7 +135,7 @@ def test_the_words_about_pieces_cite_equations_of_the_theory() -> None:
 
 
 def test_one_plain_line_is_followed_by_the_sources_own_equations(
-    name: str, steps: tuple[Step, ...], pieces: tuple[Piece, ...]
+    name: str, steps: tuple[Step, ...], pieces: tuple[TrailPiece, ...]
 ) -> None:
     """A line of one segment without point loads, with or without friction on a flat bed."""
     uniform = name in ("buoy-9.5m", "buoy-9.5m-slack", "tanker-20m", "friction")
@@ -153,7 +153,7 @@ def test_s1s_own_numbers_stand_in_the_trail_of_its_example() -> None:
     assert round(values["fairlead_tension"] / 9806.65, 3) == 0.446
 
 
-def test_pieces_follow_each_other(pieces: tuple[Piece, ...], name: str) -> None:
+def test_pieces_follow_each_other(pieces: tuple[TrailPiece, ...], name: str) -> None:
     """V goes on from piece to piece, but for the point loads; T and lengths add up."""
     if not pieces:
         return
@@ -172,7 +172,7 @@ def test_pieces_follow_each_other(pieces: tuple[Piece, ...], name: str) -> None:
     assert hung == pytest.approx(carried, rel=1e-9)
 
 
-def test_the_table_of_pieces_has_their_numbers(name: str, pieces: tuple[Piece, ...]) -> None:
+def test_the_table_of_pieces_has_their_numbers(name: str, pieces: tuple[TrailPiece, ...]) -> None:
     tables = page_named(name).all("pieces")
     assert bool(tables) == bool(pieces)
     for table in tables:

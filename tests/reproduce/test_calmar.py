@@ -9,7 +9,7 @@ import pytest
 
 from catopt.reproduce import reproduce
 from catopt.reproduce.calmar import buoy_of, moored, releases
-from catopt.reproduce.published import published
+from catopt.reproduce.items import published
 
 G = 9.80665
 RHO = 1025.0

@@ -11,7 +11,7 @@ import catopt
 from catopt.figures.studies import models_from_above, models_from_the_side, models_near
 from catopt.reproduce import Study, book, reproduce
 from catopt.reproduce.fso_rang_dong import as_run, free_bed, turret
-from catopt.reproduce.published import published
+from catopt.reproduce.items import published
 
 ROOT = Path(__file__).parents[2]
 BY_SOURCE = ("MOORING_2017", "MOORING_2017, line 1", "MOORING_2017, line 2")

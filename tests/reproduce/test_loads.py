@@ -7,7 +7,7 @@ import math
 import pytest
 
 from catopt.reproduce import reproduce
-from catopt.reproduce.published import published
+from catopt.reproduce.items import published
 from catopt.reproduce.ship_loads import fso, fso_loads, fso_lyings
 
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from catopt.reproduce.comparison import by_digits, by_order, interval
-from catopt.reproduce.items import Printed
+from catopt.reproduce.items import Printed, by_digits, by_order, interval
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,7 @@ from catopt.checks.case import check_case
 from catopt.checks.profiles import profiles
 from catopt.errors import CatoptError, InputError, NoAnswerError
 from catopt.loads import buoys
-from catopt.loads.holding_data import masses_sold
+from catopt.loads.drag_anchor import masses_sold
 from catopt.loads.ship_dimensions import ship_dimensions
 from catopt.loads.sinker import SOIL_FRICTION
 from catopt.model import Case

@@ -24,8 +24,7 @@ from catopt.sizing import (
     TankerRequest,
 )
 from catopt.sizing.alternatives import Alternative
-from catopt.sizing.environment import mean_over, usual_period
-from catopt.sizing.headings import turned_round
+from catopt.sizing.environment import mean_over, turned_round, usual_period
 from catopt.sizing.line_choice import longest_useful, round_step, sold
 from tests.sizing.test_consistency import LOADED, SHIP, deep
 

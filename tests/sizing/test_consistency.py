@@ -9,7 +9,7 @@ import pytest
 import catopt
 from catopt.casefile import parse_case, write_case
 from catopt.checks.case import check_case
-from catopt.design.near_miss import NoFeasibleDesignError
+from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.search import design_case
 from catopt.errors import InputError, NoAnswerError
 from catopt.loads import (

@@ -10,8 +10,8 @@ from catopt.answers.note_size import size_note_answer
 from catopt.casefile import parse_case, write_case
 from catopt.errors import InputError
 from catopt.model import LoadCase
-from catopt.notes.directory import Asked
-from catopt.notes.size import Given, size_note
+from catopt.notes.line import Given, size_note
+from catopt.notes.origin import Asked
 from catopt.sizing.result import Sizing
 
 

@@ -12,7 +12,7 @@ from typing import Any
 import openpyxl
 import pytest
 
-from catopt.casefile.sizing_file import Moored
+from catopt.casefile.reading import Moored
 from catopt.errors import InputError
 from catopt.sizing.form import UNITS, form, read_form
 from catopt.sizing.inputs import inputs_of

@@ -12,8 +12,8 @@ from catopt.answers.blocks import Trail
 from catopt.answers.note_size import size_note_answer
 from catopt.errors import InputError
 from catopt.loads import YAW_TYPES, Afloat, Headings, Turning, every_lying
-from catopt.notes.directory import Asked
-from catopt.notes.size import Given, size_note
+from catopt.notes.line import Given, size_note
+from catopt.notes.origin import Asked
 from catopt.sizing.known import known
 from catopt.sizing.requests import request_of
 from catopt.sizing.result import Sizing

@@ -14,20 +14,20 @@ import numpy as np
 import pytest
 
 import catopt.sizing.motion_search as searching
-from catopt import size_buoy, size_tanker
+from catopt import size_buoy
 from catopt.answers.size import size_answer
 from catopt.casefile import parse_case, write_case
 from catopt.checks.case import check_case
-from catopt.checks.criterion import CheckSource
+from catopt.checks.kinds import CheckSource
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.evaluation import sinker_of
 from catopt.errors import InputError
+from catopt.notes.line import Given
 from catopt.notes.motion import checks_in_motion
-from catopt.notes.size import Given
 from catopt.render.card import card_lines
 from catopt.render.files import csv_files
 from catopt.report.bundle import size_files
-from catopt.sizing.afloat import MOST_SLIDE, run_in_still_water
+from catopt.sizing.afloat import MOST_SLIDE, buoy_afloat, run_in_still_water
 from catopt.sizing.in_motion import (
     Counted,
     InMotion,
@@ -189,15 +189,17 @@ def test_runs_want_to_be_in_motion() -> None:
         size_buoy(**PLACE, seeds=2)
 
 
-def test_a_ship_is_not_afloat_yet() -> None:
-    ship: dict[str, Any] = {
-        "length": "234 m",
-        "breadth": "31.3 m",
-        "draught": "12.4 m",
-        "depth": "22 m",
-    }
-    with pytest.raises(InputError, match=r"in_motion: found true; .*a ship afloat"):
-        size_tanker(**ship, in_motion=True)
+def test_a_buoy_of_the_library_is_one_wherever_its_file_lies() -> None:
+    """CALMAR's own file names another origin; another mass is another buoy."""
+    place: dict[str, Any] = {"buoy": "T-5000l-2.4m", "depth": "12 m"}
+    request: Any = request_of(known("buoy", place))
+    with alone():
+        case = size_buoy(**place).case
+    read = replace(request.buoy, origin="T-5000l-2.4m.xmlMB")
+    afloat = buoy_afloat(case, replace(request, buoy=read))
+    assert afloat is not None
+    assert afloat == buoy_afloat(case, request)
+    assert buoy_afloat(case, replace(request, buoy=replace(read, mass=read.mass + 1.0))) is None
 
 
 # ------------------------------------------------------------------ run in time

@@ -10,25 +10,24 @@ import pytest
 import typer.main
 
 import catopt
+from catopt.casefile.reading import Moored
 from catopt.casefile.schema import entries
-from catopt.casefile.sizing_file import Moored
 from catopt.cli.size import size as size_commands
 from catopt.cli.size_options import as_option, by_option, typed
 from catopt.errors import InputError
 from catopt.loads import METHODS, WaterLevels
 from catopt.loads.buoy import WaveHeight
-from catopt.loads.ship_dimensions import ShipKind
-from catopt.loads.ship_estimate import Condition
+from catopt.loads.ship_dimensions import Condition, ShipKind
 from catopt.loads.sinker import DENSITIES
 from catopt.model.kinds import Measured
 from catopt.sizing import Environment, SinkerGround, TankerRequest
+from catopt.sizing.environment import SERVICE_TYPES
 from catopt.sizing.file import read_file, read_sizing
 from catopt.sizing.inputs import INPUTS, Input, inputs_of, rows_of
 from catopt.sizing.kinds import from_text, kind_of, schema_of, usual
 from catopt.sizing.known import ReadInput, ResolvedInputs, known
 from catopt.sizing.line_choice import PREFERENCES
 from catopt.sizing.requests import request_of, size
-from catopt.sizing.service_type import SERVICE_TYPES
 from catopt.units import as_written
 from catopt.words.texts import group
 from tests.sizing_page import PAGE, up_to_date
@@ -52,7 +51,7 @@ BASE: dict[Moored, dict[str, object]] = {
 STILL: dict[str, object] = dict.fromkeys(
     ("in_motion", "seeds", "run_time", "other_lengths", "max_slide")
 )
-"""Of what is run in time there are tests of their own: it takes minutes, and no ship floats."""
+"""Of what is run in time there are tests of their own: it takes minutes."""
 SEVERAL: dict[str, object] = {"low_water": "20 m", "max_swing": None, "swing_price": None}
 SEVERAL |= {"in_motion": None}
 ONE_LINE: dict[str, object] = {"low_water": "20 m", "prefer": "cheapest", "in_motion": None}

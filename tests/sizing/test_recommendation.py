@@ -9,7 +9,7 @@ import pytest
 
 import catopt
 from catopt.catalogue.choice import chosen
-from catopt.design.near_miss import NoFeasibleDesignError
+from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.errors import InputError
 from catopt.model import CatalogueChoice
 from catopt.sizing import LineChoice

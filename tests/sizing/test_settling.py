@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from catopt.design.near_miss import NoFeasibleDesignError
+from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.errors import NotConvergedError
 from catopt.sizing import LineChoice
 from catopt.sizing.posed import Assumed

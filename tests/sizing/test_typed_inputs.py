@@ -7,7 +7,7 @@ from typing import get_type_hints
 
 import pytest
 
-from catopt.casefile.sizing_file import Moored
+from catopt.casefile.reading import Moored
 from catopt.sizing.inputs import Input, inputs_of
 from catopt.sizing.keywords import BuoyInputs, TankerInputs
 

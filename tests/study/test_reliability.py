@@ -11,10 +11,10 @@ from scipy.optimize import brentq
 from scipy.stats import binom, gumbel_r, lognorm, norm, uniform
 
 from catopt import Line, PointLoad, Segment, solve
-from catopt.study.axis import Distribution
 from catopt.study.reliability import _nearest, _sampled, counted_interval
 from catopt.study.result import StudyResult
 from catopt.study.run import run_study
+from catopt.study.study import Distribution
 
 # A chain without stretch that lies on the bed: its tension at the fairlead is H + w h.
 CASE = """

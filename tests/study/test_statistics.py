@@ -8,11 +8,10 @@ import numpy as np
 import pytest
 
 from catopt.figures.study import exceedance
-from catopt.study.axis import Axis, Distribution
 from catopt.study.base import Base
 from catopt.study.result import StudyResult
 from catopt.study.store import Computed, Store
-from catopt.study.study import Study
+from catopt.study.study import Axis, Distribution, Study
 
 DOCUMENT = {"site": {"water_depth": 9.5}, "line": {"segments": [{"length": 20.0}]}, "load": {}}
 DRAWN = {

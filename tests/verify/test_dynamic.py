@@ -142,7 +142,7 @@ def test_a_slow_motion_is_quasi_static() -> None:
     history = part.runs[0].history
     still = part.runs[0].quasi_static
     assert np.abs(history.fairlead_tension[:, 0] / still - 1.0).max() < 2e-3
-    assert part.amplification == pytest.approx(1.0, abs=1e-3)
+    assert part.dynamic_amplification == pytest.approx(1.0, abs=1e-3)
     assert part.slack_time == 0.0
 
 
@@ -165,10 +165,10 @@ def test_a_fast_motion_of_a_deep_line_is_amplified() -> None:
         load=Load(horizontal_force=500e3),
         fairlead_height=56.0,
     )
-    assert (run(deep).amplification or 0.0) > 1.05
+    assert (run(deep).dynamic_amplification or 0.0) > 1.05
     without = replace(deep, line=Line([replace(CHAIN, length=300.0, drag_normal=0.0,
                                                drag_axial=0.0)]))  # fmt: skip
-    assert run(without).amplification != run(deep).amplification
+    assert run(without).dynamic_amplification != run(deep).dynamic_amplification
 
 
 def test_statistics_are_those_of_the_series() -> None:
@@ -522,7 +522,7 @@ def test_a_line_whose_lower_end_is_led_or_lost() -> None:
     led = chain(Motion(period=6.0), anchor_motion=Motion(period=6.0, heave=0.3))
     (part,) = verify_dynamic(led, proof="none").parts
     assert np.ptp(part.runs[0].history.anchor_tension) > 0.0
-    assert part.amplification is None
+    assert part.dynamic_amplification is None
     assert any(each.startswith("the lower end is led") for each in part.remarks)
 
     lost = chain(Motion(period=6.0, surge=0.2), broken_line=1, broken_at=10.0, broken_end="anchor")
@@ -563,9 +563,15 @@ def test_what_a_line_at_rest_would_do_is_left_out_where_it_is_not_asked() -> Non
     (whole,) = verify_dynamic(case, proof="none").parts
     (lean,) = verify_dynamic(case, proof="none", compares_at_rest=False).parts
     assert lean.runs[0].maxima == whole.runs[0].maxima
-    assert whole.amplification is not None
+    assert whole.dynamic_amplification is not None
     assert whole.quasi_static_max is not None
     assert whole.anchor_at_rest
-    assert lean.amplification is None
+    assert lean.dynamic_amplification is None
     assert lean.quasi_static_max is None
     assert not lean.anchor_at_rest
+
+
+def test_the_old_name_of_the_amplification_warns_for_one_version() -> None:
+    part = slow()
+    with pytest.warns(DeprecationWarning, match="dynamic_amplification"):
+        assert part.amplification == pytest.approx(1.0, abs=1e-3)

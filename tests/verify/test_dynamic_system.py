@@ -30,7 +30,7 @@ from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_lines import LinesOfABody, lines_at_rest
 from catopt.verify.dynamic_result import DynamicVerification
 from catopt.verify.dynamic_setup import read_drive
-from catopt.verify.vessel import read_vessel_raos
+from catopt.verify.motion_file import read_vessel_raos
 
 CHAIN = Line([Segment(120.0, 1110.0, EA=5e8, mass=130.0, drag_normal=1.0, drag_diameter=0.1)])
 DEPTH, RADIUS = 20.0, 117.0
@@ -84,7 +84,7 @@ def test_a_line_of_a_led_body_is_that_line_by_itself() -> None:
     size = float(of_line.fairlead_tension.max())
     assert np.allclose(of_body.fairlead_tension, of_line.fairlead_tension, atol=1e-7 * size)
     assert np.allclose(first.runs[0].quasi_static, single.runs[0].quasi_static, rtol=1e-9)
-    assert first.amplification == pytest.approx(single.amplification, rel=1e-6)
+    assert first.dynamic_amplification == pytest.approx(single.dynamic_amplification, rel=1e-6)
 
 
 def test_a_drift_moves_the_place_about_which_a_body_is_led() -> None:

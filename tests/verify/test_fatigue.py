@@ -16,7 +16,7 @@ import pytest
 
 from catopt import schemas
 from catopt.answers.blocks import Verdict
-from catopt.answers.fatigue import fatigue_answer, fatigue_sentence
+from catopt.answers.verification import fatigue_answer, fatigue_sentence
 from catopt.casefile import parse_case, read_case, write_case
 from catopt.errors import InputError
 from catopt.model import Case, FatigueSeaState, LoadCase

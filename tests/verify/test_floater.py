@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+import json
 import math
+import re
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from catopt.answers.motion import motion_answer
 from catopt.casefile import parse_case, write_case
 from catopt.errors import InputError
+from catopt.floater.buoy import buoy_hull
 from catopt.model.dynamics import JudgedBy
 from catopt.notes.motion import checks_in_motion
 from catopt.render.files import csv_files
+from catopt.report.bundle import motion_pictures
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicVerification
 from catopt.words import is_said
@@ -193,3 +198,36 @@ def test_waves_that_are_not_random_have_no_storm() -> None:
     case = parse_case(CASE + 'judged_by = "upper"\n')
     with pytest.raises(InputError, match=r'dynamics.judged_by: found "upper"; only a random sea'):
         verify_dynamic(case)
+
+
+def test_the_scene_holds_together() -> None:
+    """The line ends at the buoy's eye at every moment; the worst one has the largest tension."""
+    found = verify_dynamic(parse_case(CASE), proof="none")
+    run = found.governing.governing
+    assert run.hull is not None
+    scene = run.hull.scene
+    assert scene is not None
+    hull = buoy_hull(found.case.floater, 12.0, 1025.0, 0.0)  # type: ignore[arg-type]
+    across, height = hull.eyes[0]
+    for k in range(scene.time.size):
+        x, z, pitch = scene.place[k]
+        arm = height - hull.centre
+        eye = (
+            x + across * math.cos(pitch) + arm * math.sin(pitch),
+            z + arm * math.cos(pitch) - across * math.sin(pitch),
+        )
+        assert scene.line[k, -1] == pytest.approx(eye, abs=1e-9)
+        assert scene.line[k, 0] == pytest.approx((0.0, 0.0), abs=1e-9)
+    counted = run.history.fairlead_tension[run.counted, 0]
+    assert scene.tension[scene.worst] == counted.max()
+    # A wave of 0.6 m about still water, after the ramp.
+    assert np.abs(scene.surface[scene.worst] - 12.0).max() == pytest.approx(0.3, rel=0.02)
+
+    files = motion_pictures(found, "vi")
+    assert {"moment.png", "moment.svg", "film.html"} <= set(files)
+    text = files["film.html"].decode()
+    data = json.loads(re.search(r'id="scene">(.*?)</script>', text).group(1))  # type: ignore[union-attr]
+    assert max(data["tension"]) == pytest.approx(scene.tension.max() / 1e3, abs=1e-3)
+    assert len(data["line"]) == len(data["surface"]) == len(data["time"])
+    assert "Chạy" in text
+    assert not re.search(r"(src|href)=", text)

@@ -12,7 +12,7 @@ import pytest
 from catopt.casefile import read_case
 from catopt.mooring.solve import solve_system
 from catopt.reproduce.fso_rang_dong_dynamic import NAME
-from catopt.reproduce.published import published
+from catopt.reproduce.items import published
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.motion_file import read_force
 from tests.fso_force import SPECTRA, series_of

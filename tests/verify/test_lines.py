@@ -16,8 +16,8 @@ from catopt.fem import mesh_line, solve_line
 from catopt.model import Case, Line, Load, Segment
 from catopt.verify import line as line_module
 from catopt.verify.line import compare_line, on_meshes, verify_line
-from catopt.verify.result import StaticComparison, closed_form_at, largest_distances
 from catopt.verify.motion_words import part_sentence
+from catopt.verify.result import StaticComparison, closed_form_at, largest_distances
 from catopt.words import say
 
 from .cases import CASES, EA, TOUCHES_TWICE, force, moored

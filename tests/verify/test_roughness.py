@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from catopt.answers.note_drive import segments_table
+from catopt.answers.note_motion import segments_table
 from catopt.casefile import parse_case
 from catopt.errors import InputError
 from catopt.fem.energy_balance import EnergyBalance

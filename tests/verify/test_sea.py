@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from catopt.answers.note_drive import drive_facts
+from catopt.answers.note_motion import drive_facts
 from catopt.errors import InputError
 from catopt.model import CurrentProfile, Motion, WaveState, WaveTrain
 from catopt.notes.motion import InMotion

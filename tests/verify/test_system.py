@@ -13,8 +13,8 @@ import catopt
 from catopt.model import Leg, Line, PointLoad, Segment, System
 from catopt.mooring.solve import solve_system
 from catopt.schemas import schema
+from catopt.verify.line import verify_system
 from catopt.verify.result import StaticComparison
-from catopt.verify.system import verify_system
 
 FSO = Path(__file__).parents[2] / "cases" / "fso-rang-dong" / "case.toml"
 CHAIN = Line([Segment(600.0, 1000.0, EA=8e8)])
@@ -85,7 +85,7 @@ def test_a_different_force_in_the_closed_form_is_caught(monkeypatch: pytest.Monk
     """One part in a thousand."""
     system = ring(4)
     other = solve_system(system.under((8.008e5, 2e5)))
-    monkeypatch.setattr("catopt.verify.system.solve_system", lambda _: other)
+    monkeypatch.setattr("catopt.verify.line.solve_system", lambda _: other)
     part = verified(system)
     assert part.verdict == "differs"
     assert not part.of("position_x").agrees

@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 from catopt import read_case, solve_system
-from catopt.answers.ship import ship_answer
+from catopt.answers.motion import ship_answer
 from catopt.casefile import parse_case, write_case
 from catopt.errors import InputError
-from catopt.loads.wave_drift import share_above
+from catopt.loads.ship_loads import share_above
 from catopt.model import Case, Motion
 from catopt.render.files import csv_files
 from catopt.schemas import schema

@@ -12,7 +12,7 @@ import pytest
 
 from catopt.errors import InputError
 from catopt.model import Motion
-from catopt.verify.vessel import read_vessel_raos
+from catopt.verify.motion_file import read_vessel_raos
 
 GIVEN = Motion(
     rao_file="ship.4",

@@ -11,7 +11,7 @@ from catopt.compiled import compiled
 from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError
 from catopt.waves import wave_number, wavelength
-from catopt.waves.dispersion import fill_wave_numbers
+from catopt.waves.random_surface import fill_wave_numbers
 
 g = STANDARD_GRAVITY
 DEPTH = 56.0

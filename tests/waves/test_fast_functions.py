@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from catopt.waves.fast_functions import cos_sin, exp_below_zero
+from catopt.waves.kinematics import cos_sin, exp_below_zero
 
 
 def test_exp() -> None:

@@ -13,10 +13,9 @@ import pytest
 import catopt
 from catopt.errors import InputError
 from catopt.web import build
-from catopt.web.build import Part, fetched, parts, site
-from catopt.web.document import document
+from catopt.web.build import PinnedPart, document, fetched, parts, site
 
-PART = Part(
+PART = PinnedPart(
     "a.whl",
     "https://example.org/a.whl",
     "ba7816bf" + "8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad",
@@ -67,7 +66,7 @@ def test_catopt_goes_in_without_its_command_line_and_the_same_bytes_come_again(
     assert made == site([archive])
     with zipfile.ZipFile(io.BytesIO(made)) as packed:
         names = set(packed.namelist())
-    assert {"tool/a.py", "catopt/desk/calls.py", "catopt/words/texts/desk.toml"} <= names
+    assert {"tool/a.py", "catopt/page_api/calls.py", "catopt/words/texts/desk.toml"} <= names
     assert "tool/notes" not in names
     assert not any(each.startswith(("catopt/cli/", "catopt/web/")) for each in names)
     assert not any("__pycache__" in each for each in names)

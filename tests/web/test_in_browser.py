@@ -18,11 +18,10 @@ from typing import Any, Literal
 
 import pytest
 
-from catopt.desk import ask
-from catopt.desk.fields import DOORS, START, Door
 from catopt.errors import InputError
-from catopt.web.build import Part, fetched, parts, pieces
-from catopt.web.document import document
+from catopt.page_api import ask
+from catopt.page_api.fields import DOORS, START, Door
+from catopt.web.build import PinnedPart, document, fetched, parts, pieces
 from catopt.words import LANGUAGES, Language
 from tests.report.browser import CHROMIUM, Tab, chromium
 from tests.report.page_reader import read_page
@@ -154,7 +153,7 @@ def words_in(html: str) -> list[str]:
     return [re.sub(f"[()]|{nothing}", "", each) for each in words]
 
 
-AXE = Part(
+AXE = PinnedPart(
     "axe-core-4.14.1.tgz",
     "https://registry.npmjs.org/axe-core/-/axe-core-4.14.1.tgz",
     "e6b0ce02b84d892e2e33e403485e7f3d6c29e2be6df65daf44d89ba564139745",

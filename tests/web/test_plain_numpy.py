@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from catopt.desk import ask
-from catopt.desk.fields import START
+from catopt.page_api import ask
+from catopt.page_api.fields import START
 from catopt.web import plain_numpy
 
 ROW = [3.0, -1.0, 2.5, -1.0, math.pi, 0.1, 7.0, 1e9, 0.3]
@@ -155,7 +155,7 @@ for name in ("matplotlib", "numba", "pandas", "pint", "pymoo", "pyswarms", "scip
 spec = spec_from_file_location("numpy", sys.argv[1])
 sys.modules["numpy"] = sys.modules["numpy.typing"] = module_from_spec(spec)
 spec.loader.exec_module(sys.modules["numpy"])
-from catopt.desk import ask
+from catopt.page_api import ask
 print(json.dumps([ask(call, question) for call, question in json.loads(sys.argv[2])]))
 """
 

@@ -14,9 +14,9 @@ from typing import Any
 
 import pytest
 
-from catopt.desk import ask
-from catopt.desk.fields import START
-from catopt.web.server import PageServer
+from catopt.page_api import ask
+from catopt.page_api.fields import START
+from catopt.web.build import PageServer
 
 QUESTION: dict[str, Any] = {"door": "line", "values": START["line"]}
 

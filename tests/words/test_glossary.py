@@ -32,7 +32,7 @@ def vietnamese() -> Iterator[tuple[str, str]]:
         *PACKAGE.glob("*/data/*.toml"),
         *DOCS.glob("cach-lam/*.md"),
         DOCS / "bat-dau-nhanh.md",
-        PACKAGE / "desk/shell.html",
+        PACKAGE / "page_api/shell.html",
     ):
         yield str(path), path.read_text("utf-8")
 

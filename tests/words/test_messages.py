@@ -157,7 +157,7 @@ def composed_in_code() -> list[re.Pattern[str]]:
 
 @pytest.mark.slow
 def test_every_text_is_used() -> None:
-    shell = (PACKAGE / "desk" / "shell.html").read_text("utf-8")
+    shell = (PACKAGE / "page_api" / "shell.html").read_text("utf-8")
     asked = {f"desk.{name}" for name in re.findall(r'say\("(\w+)"\)', shell)}
     code = {*QUANTITIES, *texts_in_code()[0], *asked, *(each.name for each in Dimension)}
     code |= {os.strerror(each) for each in errno.errorcode}

@@ -16,8 +16,8 @@ from typing import Any
 import pytest
 
 import catopt
-from catopt.casefile.schema import CaseTable, NetworkTable, Table, entries
-from catopt.model.find import FIND_QUANTITIES
+from catopt.casefile.schema import CaseTable, NetworkTable, TableSchema, entries
+from catopt.model.design import FIND_QUANTITIES
 from catopt.reproduce import names
 from catopt.sizing.kinds import schema_of
 from catopt.study.file import StudyTable
@@ -133,8 +133,8 @@ def test_every_option_and_command_that_is_named_exists() -> None:
 def keys() -> Mapping[str, set[str]]:
     """All keys of files, each with those of the tables that it opens anywhere."""
     found: dict[str, set[str]] = {}
-    seen: set[type[Table]] = set()
-    left: list[type[Table]] = list(ROOTS)
+    seen: set[type[TableSchema]] = set()
+    left: list[type[TableSchema]] = list(ROOTS)
     while left:
         table = left.pop()
         if table in seen:

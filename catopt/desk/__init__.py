@@ -1,9 +1,0 @@
-"""What the page asks and is answered: dictionaries in, dictionaries out.
-
-Nothing here knows of a browser or of a command line; `ask` answers the same in both.
-"""
-
-from catopt.desk.calls import CALLS, ask
-from catopt.desk.shell import shell
-
-__all__ = ["CALLS", "ask", "shell"]

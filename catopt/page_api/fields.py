@@ -1,0 +1,337 @@
+"""The fields of the page's forms, and the way between them and the text of a file."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache
+from itertools import pairwise
+from typing import Any, Final, Literal
+
+from catopt.casefile.document import parts
+from catopt.catalogue import families
+from catopt.documents import parse_toml
+from catopt.numerals import bare_number
+from catopt.sizing.inputs import INPUTS, Input, rows_of
+from catopt.sizing.kinds import choices_of
+from catopt.words import Message, term
+
+__all__ = ["DOORS", "START", "Door", "Field", "door_of", "fields_of", "text_of", "values_of"]
+
+Door = Literal["line", "body", "buoy", "tanker"]
+
+DOORS: Final[tuple[Door, ...]] = ("buoy", "tanker", "line", "body")
+
+
+@dataclass(frozen=True)
+class Field:
+    """One field of a form."""
+
+    key: str
+    """In the file, as errors name it."""
+    label: str
+    hint: str = ""
+    """What is taken when it is left empty; of what has to be given, an example."""
+    example: str = ""
+    """As it is written."""
+    units: tuple[str, ...] = ()
+    """That are offered."""
+    choices: tuple[str, ...] = ()
+    """That are offered; a text of one's own may stand there, too."""
+    is_first: bool = False
+    """Whether it is shown at once, or among the further ones."""
+    slides: bool = False
+    """Whether a slider changes it."""
+    several: bool = False
+    """Whether it has several values, with ``;`` between them."""
+    is_text: bool = False
+
+
+START: Final[dict[Door, dict[str, str]]] = {
+    "line": {
+        "title": "Chain in 20 m",
+        "site.water_depth": "20 m",
+        "line.segments[0].component": "chain studless R3",
+        "line.segments[0].diameter": "46 mm",
+        "line.segments[0].length": "150 m",
+        "load.horizontal_force": "150 kN",
+        "checks.safety_factor": "3",
+        "checks.max_anchor_uplift_angle": "0 deg",
+    },
+    "body": {
+        "title": "Buoy on six lines",
+        "site.water_depth": "30 m",
+        "line.segments[0].component": "chain studless R3",
+        "line.segments[0].diameter": "76 mm",
+        "line.segments[0].length": "200 m",
+        "system.anchor_radius": "200 m",
+        "system.fairlead_radius": "5 m",
+        "system.azimuths": "0 deg; 60 deg; 120 deg; 180 deg; 240 deg; 300 deg",
+        "system.force": "400 kN; 0 kN",
+        "checks.safety_factor": "2",
+    },
+    "buoy": {"buoy.name": "pillar 1.8 m", "site.water_depth": "12 m"},
+    "tanker": {
+        "ship.deadweight": "50000 t",
+        "site.water_depth": "22 m",
+        "environment.wind": "25 m/s",
+        "environment.current": "1 m/s",
+    },
+}
+"""What the form of each door begins with."""
+
+_FIRST: Final[dict[Door, tuple[str, ...]]] = {
+    "buoy": (
+        *("buoy.name", "site.water_depth", "environment.wind"),
+        *("environment.current", "environment.hs"),
+    ),
+    "tanker": (
+        *("ship.deadweight", "site.water_depth", "environment.wind"),
+        *("environment.current", "environment.hs"),
+    ),
+}
+"""What is asked for at once of a sizing."""
+_UNITS: Final = {
+    "LENGTH": ("m", "ft", "fathom", "mm"),
+    "SPEED": ("m/s", "knots", "km/h"),
+    "MASS": ("t", "kg", "lb"),
+    "FORCE": ("kN", "tf", "kgf", "kip"),
+    "TIME": ("s", "min", "years"),
+}
+"""Units that are offered for a dimension; any other may be written."""
+_OF_KEY: Final = {
+    **dict.fromkeys(("water_depth", "length", "anchor_radius", "fairlead_radius"), "LENGTH"),
+    "horizontal_force": "FORCE",
+}
+_LINE: Final = {
+    "title": "text",
+    "site.water_depth": "first slides",
+    "line.segments[0].component": "first",
+    "line.segments[0].diameter": "first slides",
+    "line.segments[0].length": "first slides",
+}
+_LOAD: Final = {
+    "load.horizontal_force": "first slides",
+    "load.span": "",
+    "load.fairlead_tension": "",
+}
+_AROUND: Final = {
+    "system.anchor_radius": "first slides",
+    "system.fairlead_radius": "first",
+    "system.azimuths": "first several",
+    "system.force": "first several",
+}
+_EXAMPLES: Final = {
+    "load.span": "110 m",
+    "load.fairlead_tension": "180 kN",
+    "checks.max_anchor_uplift_angle": "0 deg",
+    "checks.code": "IALA-CALMAR",
+    "site.seabed_friction": "0",
+    "line.fairlead_height": "18 m",
+    "line.segments[0].submerged_weight": "400 N/m",
+    "line.segments[0].mass": "46 kg/m",
+    "line.segments[0].EA": "190 MN",
+    "line.segments[0].MBL": "2000 kN",
+}
+_REST: Final = {
+    "checks.safety_factor": "first",
+    **{key: "" for key in _EXAMPLES if not key.startswith("load.")},
+}
+
+
+@cache
+def fields_of(door: Door) -> tuple[Field, ...]:
+    """List the fields of a door's form, in their order."""
+    if door in ("buoy", "tanker"):
+        first = _FIRST[door]
+        found = [_of_input(each, door) for each in rows_of(door) if each.takes != "FILE"]
+        return tuple(sorted(found, key=lambda each: (*first, each.key).index(each.key)))
+    own = _LOAD if door == "line" else _AROUND
+    return tuple(_of_case(key, how) for key, how in (_LINE | own | _REST).items())
+
+
+def _of_case(key: str, how: str) -> Field:
+    return Field(
+        key,
+        Message("inputs.title" if key == "title" else f"desk.{key}"),
+        _such_as(_EXAMPLES.get(key, "")),
+        _EXAMPLES.get(key, ""),
+        _UNITS.get(_OF_KEY.get(key.rpartition(".")[2], ""), ()),
+        _components() if key.endswith("component") else (),
+        "first" in how,
+        "slides" in how,
+        "several" in how,
+        how == "text",
+    )
+
+
+def _components() -> tuple[str, ...]:
+    return tuple(
+        f"{each.name} {grade or ''}".rstrip()
+        for each in families()
+        for grade in each.grades or (None,)
+    )
+
+
+def _such_as(example: str) -> str:
+    return Message("desk.such_as", example=example) if example else ""
+
+
+def _of_input(each: Input, door: Door) -> Field:
+    shown = each.example if isinstance(each.example, tuple) else (each.example,)
+    example = "; ".join(map(str, shown))
+    return Field(
+        each.key,
+        Message(f"inputs.{each.name}"),
+        _taken(each) or _such_as(example),
+        each.default or example,
+        _UNITS.get(each.takes, ()),
+        choices_of(each),
+        each.key in _FIRST[door],
+        several=each.several,
+        is_text=each.takes in ("TEXT", "NAME", "WHICH"),
+    )
+
+
+def _taken(each: Input) -> str:
+    """Say what is taken in its place when it is left out."""
+    if each.left_out:
+        return Message(each.left_out, **{row.name: Message(f"inputs.{row.name}") for row in INPUTS})
+    return Message("desk.taken", value=term(each.default)) if each.default else ""
+
+
+def door_of(document: Mapping[str, Any]) -> Door:
+    """Say which door a document is for."""
+    from catopt.casefile.reading import moored_of
+
+    return moored_of(dict(document)) or ("body" if "system" in document else "line")
+
+
+def text_of(door: Door, values: Mapping[str, str], base: str = "") -> str:
+    """Write the TOML file that the fields of a form come to.
+
+    `values` are by key, as they stand in the fields; what is empty is left out. `base` is the file
+    that was opened: what no field has is kept of it, but for comments.
+
+    Examples
+    --------
+    >>> print(text_of("line", {"site.water_depth": "9,5", "line.segments[0].length": "20 m"}))
+    [site]
+    water_depth = "9.5 m"
+    <BLANKLINE>
+    [line]
+    <BLANKLINE>
+    [[line.segments]]
+    length = "20 m"
+    <BLANKLINE>
+    """
+    document = parse_toml(base, "")
+    for field in fields_of(door):
+        _put(document, parts(field.key), _value(field, values.get(field.key, ""), door))
+    return "".join(_tables(document, ())).lstrip("\n")
+
+
+def values_of(door: Door, text: str) -> dict[str, str]:
+    """Read the fields of a form out of a file; those that it leaves out are not there."""
+    document = parse_toml(text, "")
+    found = ((field.key, _at(document, parts(field.key))) for field in fields_of(door))
+    return {key: _shown(value) for key, value in found if value is not None}
+
+
+def _value(field: Field, text: str, door: Door) -> object:
+    """Take what stands in a field as a file has it; a bare number gets the unit of the field."""
+    one = [each.strip() for each in text.split(";")] if field.several else [text.strip()]
+    taken = [_one(field, each, door) for each in one if each]
+    if not taken:
+        return None
+    return taken if field.several else taken[0]
+
+
+def _one(field: Field, text: str, door: Door) -> object:
+    if field.is_text:
+        return text
+    if text in ("true", "false"):
+        return text == "true"
+    number = bare_number(text)
+    example = (START[door].get(field.key) or field.example).partition(";")[0]
+    _, _, unit = example.partition(" ")
+    is_measure = unit and isinstance(bare_number(example.split(" ")[0]), int | float)
+    return f"{number} {unit}" if is_measure and not isinstance(number, str) else number
+
+
+def _put(document: dict[str, Any], path: tuple[str | int, ...], value: object) -> None:
+    """Put a value into its table, which is made where there is none; None takes it out."""
+    place: Any = document
+    for part, below in pairwise(path):
+        is_there = part < len(place) if isinstance(part, int) else part in place
+        if not is_there:
+            if value is None:
+                return
+            if isinstance(part, int):
+                place.append({})
+            else:
+                place[part] = [] if isinstance(below, int) else {}
+        place = place[part]
+        if not isinstance(place, dict | list):
+            return
+    if value is None:
+        place.pop(path[-1], None)
+    else:
+        place[path[-1]] = value
+
+
+def _at(document: Any, path: tuple[str | int, ...]) -> Any:
+    for part in path:
+        try:
+            document = document[part]
+        except (KeyError, IndexError, TypeError):
+            return None
+    return document
+
+
+def _shown(value: object) -> str:
+    if isinstance(value, list):
+        return "; ".join(map(_shown, value))
+    return str(value).lower() if isinstance(value, bool) else str(value)
+
+
+def _tables(table: Mapping[str, Any], path: tuple[str, ...]) -> Iterator[str]:
+    """Write a table: its own keys, then the tables below it."""
+    for key, value in table.items():
+        if not _is_below(value):
+            yield f"{_key(key)} = {_written(value)}\n"
+    for key, value in table.items():
+        if isinstance(value, dict):
+            if not value:
+                continue
+            yield f"\n[{'.'.join(map(_key, (*path, key)))}]\n"
+            yield from _tables(value, (*path, key))
+        elif _is_below(value):
+            for each in value:
+                yield f"\n[[{'.'.join(map(_key, (*path, key)))}]]\n"
+                yield from _tables(each, (*path, key))
+
+
+def _is_below(value: Any) -> bool:
+    if isinstance(value, list):
+        return bool(value) and all(isinstance(each, dict) for each in value)
+    return isinstance(value, dict)
+
+
+def _key(key: str) -> str:
+    return key if key.replace("_", "").replace("-", "").isalnum() and key.isascii() else _text(key)
+
+
+def _written(value: object) -> str:
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, list):
+        return f"[{', '.join(map(_written, value))}]"
+    if isinstance(value, dict):
+        return f"{{{', '.join(f'{_key(k)} = {_written(v)}' for k, v in value.items())}}}"
+    return _text(value) if isinstance(value, str) else str(value)
+
+
+def _text(text: str) -> str:
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")

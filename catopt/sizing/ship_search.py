@@ -1,0 +1,492 @@
+"""Which line holds its ship in motion: sized for what the runs of lines say, until one passes.
+
+A line is sized at rest, run with the ship in every load case, and sized anew for an allowance for
+motion that is the runs' own, by the factors of the code that judges lines in motion, until what is
+sized passes its runs. From there shorter lines and thinner ones are run as long as they pass and
+are preferred, and lines that are both thinner and longer, or thicker and shorter: what is
+recommended is the last that passes, and the next shorter and the next thinner line were run, too.
+What holds the line is sized for its runs.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from typing import Any, Final, NamedTuple
+
+from catopt.catalogue.family import chain_words
+from catopt.catenary.solution import Solution
+from catopt.checks.case import check_case
+from catopt.checks.profiles import profiles_of
+from catopt.checks.result import CheckReport, CheckResult
+from catopt.design.neighbours import NoFeasibleDesignError
+from catopt.design.result import NearMiss
+from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
+from catopt.loads.drag_anchor import DragAnchorSize
+from catopt.loads.sinker import SinkerSize
+from catopt.model import Anchor, Case, Line, Segment
+from catopt.patience import expect
+from catopt.sizing.afloat import MOTION_CODE
+from catopt.sizing.in_motion import (
+    Counted,
+    InMotion,
+    LineTried,
+    NoLineInMotionError,
+    RunsAfloat,
+    Storm,
+)
+from catopt.sizing.line_choice import sold
+from catopt.sizing.pattern import DragGround, Pattern
+from catopt.sizing.settle import ConvergedSizing, best_of
+from catopt.sizing.ship_afloat import runs_afloat, ship_afloat
+from catopt.sizing.tanker_request import TankerRequest
+from catopt.ties import largest
+from catopt.verify.two_scales import LineOfShip, check_hanging, verify_ship
+from catopt.words import Message
+
+_MOST_FACTOR: Final = 100.0
+"""Allowance for motion beyond which no line is sized."""
+_RISE: Final = 1.05
+"""By which the allowance rises at least where the line that it gives fails."""
+_LEAP: Final = 4.0
+"""By which it rises at most: a line that is nearly taut moves harder than the next one will."""
+_HOUR: Final = 0.25
+"""s, about, that an hour of a ship on a line takes to run."""
+_LINES: Final = 8
+"""Lines that a search runs, about: for its announcement."""
+
+Settle = Callable[[TankerRequest], ConvergedSizing]
+Around = Callable[[TankerRequest, ConvergedSizing], Pattern | None]
+
+
+class ShipMoved(NamedTuple):
+    """The line that a sizing recommends in motion, with what holds it."""
+
+    settled: ConvergedSizing
+    around: Pattern | None
+    in_motion: InMotion
+    drag_anchor: DragAnchorSize | None
+    sinker: SinkerSize | None
+    span: tuple[str, float]  # load case of the largest in motion, and that, m
+
+
+class _Run(NamedTuple):
+    """A load case of a line that was run."""
+
+    load_case: str
+    case: Case
+    lines: tuple[LineOfShip, ...]
+    every: tuple[Solution, ...]  # line under the tension that it is judged by
+    most_loaded: int
+    at_rest: Solution  # the most loaded line under the steady load of that load case
+
+    @property
+    def line(self) -> LineOfShip:
+        """What the most loaded line carries."""
+        return self.lines[self.most_loaded]
+
+    @property
+    def hanging(self) -> Solution:
+        """The most loaded line under the tension that it is judged by."""
+        return self.every[self.most_loaded]
+
+    @property
+    def factor(self) -> float:
+        """What an allowance for motion would have to be.
+
+        By what the runs reached, or what is most probable, where an interval of few peaks is wide.
+        """
+        reached = max(self.line.fairlead.seen, self.line.judged("most-probable"))
+        share = min(1.0, reached / self.hanging.fairlead.tension)
+        return share * self.hanging.horizontal_force / self.at_rest.horizontal_force
+
+
+@dataclass(frozen=True)
+class _Judged:
+    """What the runs of a line came to."""
+
+    tried: LineTried
+    line: Line
+    settled: ConvergedSizing | None = None  # None: it fails at rest
+    around: Pattern | None = None
+    runs: tuple[_Run, ...] = ()
+    anchor: Anchor | None = None
+    drag_anchor: DragAnchorSize | None = None
+    checks: CheckReport | None = None
+
+    @property
+    def factor(self) -> float:
+        """The largest allowance for motion of its load cases; infinite where it has no run."""
+        return max((each.factor for each in self.runs), default=math.inf)
+
+
+def search_ship_in_motion(
+    request: TankerRequest, start: ConvergedSizing, settle: Settle, around: Around
+) -> ShipMoved:
+    """Find a line that passes in motion, the next shorter and thinner of which do not.
+
+    `start` is what is recommended at rest; `settle` sizes for a request, and `around` solves the
+    equilibrium of its lines. InputError: the ship cannot be run. NoLineInMotionError: no line that
+    was sized for its runs passes them.
+    """
+    how = request.in_motion
+    assert how is not None
+    if not runs_afloat(request):
+        problem = Problem("in_motion", "true", Message("refused.no_ship_afloat"))
+        raise InputError([problem], "TankerRequest")
+    hours = _LINES * how.seeds * how.duration / 3600.0 * len(start.posed.loads) * request.lines
+    expect(Message("sizing.running_ship"), _HOUR * hours)
+    found = _Search(request, how, start, settle, around)
+    passing = found.passing(start.point.line)
+    if passing is None:
+        raise _nothing_passes(found)
+    return _moved(request, how, found, found.best(passing))
+
+
+class _Search:
+    """Lines that were tried."""
+
+    def __init__(
+        self,
+        request: TankerRequest,
+        how: RunsAfloat,
+        start: ConvergedSizing,
+        settle: Settle,
+        around: Around,
+    ) -> None:
+        self.request, self.how, self.start = request, how, start
+        self._settle, self._around = settle, around
+        self.judged: dict[Line, _Judged] = {}
+        self._settled: dict[Line, ConvergedSizing] = {}
+        self._ships: dict[str, Any] = {}  # by load case, with tables that their lines share
+        # Load cases, the one that stopped the last line first.
+        self._order = [each.load_case for each in start.posed.loads]
+        design = start.posed.case.design
+        assert design is not None
+        self.lengths = design.segments[0].lengths
+        self._sizes = sold(request.line, request.environment.water_density)
+        own = request.line
+        is_for_motion = all(each.is_for_motion for each in profiles_of(own.checks))
+        code = own.code if is_for_motion else MOTION_CODE
+        self._line = replace(own, code=code, prefer=own.looks_for)
+
+    # ------------------------------------------------------------------ lines
+
+    def passing(self, line: Line) -> _Judged | None:
+        """Size lines for what the runs of the one before ask for, until one passes its own."""
+        factor = 1.0
+        while True:
+            judged = self.tried(line)
+            if judged.tried.passes or factor >= _MOST_FACTOR:
+                return judged if judged.tried.passes else None
+            needed = judged.factor if judged.runs else 0.0
+            low, factor = factor, min(max(needed, _RISE * factor), _LEAP * factor, _MOST_FACTOR)
+            sized = self._sized(factor)
+            while sized in self.judged and factor < _MOST_FACTOR:
+                factor = min(_RISE * factor, _MOST_FACTOR)
+                sized = self._sized(factor)
+            # Another line than the one before may move less: what can be sized for is tried.
+            while sized is None and factor > _RISE * low:
+                factor = 0.5 * (low + factor)
+                sized = self._sized(factor)
+            if sized is None or sized in self.judged:
+                return None
+            line = sized
+
+    def best(self, passing: _Judged) -> _Judged:
+        """Run less, then thinner lines that are longer and thicker ones that are shorter.
+
+        Until none of these that passes is preferred.
+        """
+        passing = self.lessened(passing)
+        while True:
+            before = passing
+            for lines in self._exchanged(before.line):
+                better = tuple(each for each in lines if self._is_better(each, passing))
+                passing = self._last_of(better, passing)
+                if passing is not before:
+                    passing = self.lessened(passing)
+                    break
+            if passing is before:
+                return passing
+
+    def lessened(self, passing: _Judged) -> _Judged:
+        """Run shorter and thinner lines as long as they pass and are preferred.
+
+        In the end the next shorter and the next thinner one were both run, and are no better.
+        """
+        while True:
+            before = passing
+            for less in (self._shorter, self._thinner):
+                passing = self._last_of(tuple(less(passing.line)), passing)
+            if passing is before:
+                return passing
+
+    def _last_of(self, lines: tuple[Line, ...], passing: _Judged) -> _Judged:
+        """Find the last of lines, each less than the one before, that passes and is preferred.
+
+        Steps double as long as they do, and are halved from the first that does not: taken that a
+        line fails between two that fail. The one after the last was run.
+        """
+        at, leap, end = -1, 1, len(lines)
+        while at + 1 < end:
+            place = min(at + leap, end - 1)
+            judged = self.tried(lines[place])
+            if judged.tried.passes and self._is_better(judged.line, passing):
+                passing, at, leap = judged, place, 2 * leap
+            else:
+                end, leap = place, max(1, (place - at) // 2)
+        return passing
+
+    def _sized(self, factor: float) -> Line | None:
+        """Size a line at rest for an allowance for motion; None where none passes."""
+        line = replace(self._line, run_factor=factor)
+        try:
+            return self._settle(replace(self.request, line=line)).point.line
+        except NoAnswerError:
+            return None
+
+    def _shorter(self, line: Line) -> Iterator[Line]:
+        """Yield shorter lines of its size, the longest first."""
+        (segment,) = line.segments
+        for each in reversed(self.lengths):
+            if each < segment.length * (1.0 - 1e-9):
+                yield replace(line, segments=(replace(segment, length=each),))
+
+    def _thinner(self, line: Line) -> Iterator[Line]:
+        """Yield thinner lines of its length, the thickest first."""
+        (segment,) = line.segments
+
+        def size(of: Segment) -> float:
+            return of.nominal_diameter or 0.0
+
+        for each in sorted(self._sizes, key=size, reverse=True):
+            if each.component == segment.component and size(each) < size(segment):
+                yield replace(line, segments=(replace(each, length=segment.length),))
+
+    def _exchanged(self, line: Line) -> Iterator[tuple[Line, ...]]:
+        """Yield lines a step or two longer, from the thickest of the thinner ones on; then shorter.
+
+        Of those the thickest alone: it is the likeliest to pass.
+        """
+        (segment,) = line.segments
+        lengths = [round(each, 9) for each in self.lengths]
+        at = lengths.index(round(segment.length, 9))
+        for place in (at + 1, at + 2, at - 1, at - 2):
+            if not 0 <= place < len(lengths):
+                continue
+            of_length = replace(line, segments=(replace(segment, length=self.lengths[place]),))
+            if place > at:
+                yield tuple(self._thinner(of_length))
+                continue
+            thick = [each for each in self._sizes if each.component == segment.component]
+            thickest = max(thick, key=lambda each: each.nominal_diameter or 0.0)
+            if (thickest.nominal_diameter or 0.0) > (segment.nominal_diameter or 0.0):
+                cut = replace(thickest, length=self.lengths[place])
+                yield (replace(line, segments=(cut,)),)
+
+    def failing_below(self, line: Line) -> Iterator[LineTried]:
+        """Yield the next shorter and the next thinner line, where they fail."""
+        for less in (self._shorter, self._thinner):
+            judged = self.judged.get(next(less(line), line))
+            if judged is not None and not judged.tried.passes:
+                yield judged.tried
+
+    def _is_better(self, line: Line, than: _Judged) -> bool:
+        """Whether a line passes at rest and is preferred."""
+        assert than.settled is not None
+        try:
+            own = self._at_rest(line).point
+        except NoAnswerError:
+            return False
+        return best_of([own, than.settled.point], self.request.line) is own
+
+    # ------------------------------------------------------------------ one line
+
+    def tried(self, line: Line) -> _Judged:
+        """Run a line in every load case; those after one that fails are left out."""
+        if line not in self.judged:
+            self.judged[line] = self._run(line)
+        return self.judged[line]
+
+    def _at_rest(self, line: Line) -> ConvergedSizing:
+        """Settle a line as `_settle_one`, once."""
+        if line not in self._settled:
+            self._settled[line] = self._settle_one(line)
+        return self._settled[line]
+
+    def _settle_one(self, line: Line) -> ConvergedSizing:
+        """Settle the one line, without an allowance for motion; NoAnswerError where it fails."""
+        (segment,), weights = line.segments, line.point_loads
+        assert segment.nominal_diameter is not None
+        only = replace(
+            self.request.line.only(segment.component, segment.nominal_diameter),
+            dynamic_factor=1.0,
+            length=segment.length,
+        )
+        own = replace(
+            self.request,
+            line=only,
+            clump_masses=tuple(each.mass for each in weights if each.mass is not None),
+            clump_places=tuple(each.position for each in weights),
+        )
+        return self._settle(own)
+
+    def _run(self, line: Line) -> _Judged:
+        try:
+            settled = self._at_rest(line)
+            around = self._around(self.request_of_one, settled)
+        except NoFeasibleDesignError as error:
+            failing = () if error.near_miss is None else error.near_miss.failing
+            return _Judged(_tried(line, 0, failing, "" if failing else error.message), line)
+        except NoAnswerError as error:
+            return _Judged(_tried(line, 0, (), error.message), line)
+        judged = _Judged(_tried(line, 0, ()), line, settled, around)
+        runs: tuple[_Run, ...] = ()
+        for name in tuple(self._order):
+            try:
+                runs = (*runs, self._in_load_case(name, settled, around))
+                judged = self._held(replace(judged, runs=runs))
+            except (NoAnswerError, NotConvergedError) as error:
+                count = (len(runs) + 1) * self.how.seeds
+                judged = replace(judged, tried=_tried(line, count, (), error.message), runs=runs)
+            if not judged.tried.passes:
+                self._order.remove(name)
+                self._order.insert(0, name)
+                break
+        return judged
+
+    @property
+    def request_of_one(self) -> TankerRequest:
+        """The request without an allowance for motion."""
+        return replace(self.request, line=replace(self.request.line, dynamic_factor=1.0))
+
+    def _in_load_case(self, name: str, settled: ConvergedSizing, around: Pattern | None) -> _Run:
+        case = ship_afloat(self.request, settled, around, name)
+        assert case is not None
+        assert case.dynamics is not None
+        judged = replace(case, dynamics=replace(case.dynamics, judged_by=self.how.judged_by))
+        found = verify_ship(judged, ship=self._ships.get(name))
+        self._ships[name] = found.moored.ship
+        if around is None:
+            at_rest = dict(settled.point.checks.solutions)[name]
+        else:
+            (state,) = (each for each in around.states if each.load_case == name)
+            lines = (each.solution for each in state.solution.lines)
+            at_rest = largest(list(lines), lambda each: each.fairlead.tension)
+        return _Run(name, case, found.lines, found.hanging, found.most_loaded, at_rest)
+
+    def _held(self, judged: _Judged) -> _Judged:
+        """Size what holds the line for its runs, and check it; NoAnswerError: nothing does."""
+        settled, ground = judged.settled, self.request.ground
+        assert settled is not None
+        anchor, size = settled.point.anchor, None
+        pulls = [solution.anchor for each in judged.runs for solution in each.every]
+        pull = max(each.horizontal_force for each in pulls)
+        if isinstance(ground, DragGround):
+            least = max(each.horizontal_force for each in settled.posed.loads)
+            size = ground.sized(max(pull, self.request.line.allowance * least / self.request.lines))
+            anchor = ground.held(size)
+        elif anchor is not None:
+            lift = max(0.0, *(each.vertical_force for each in pulls))
+            sinker = ground.sized(pull, lift, self.request.environment.water_density)
+            if sinker.mass > (anchor.mass or 0.0):
+                weight = sinker.submerged_weight
+                anchor = replace(anchor, mass=sinker.mass, submerged_weight=weight)
+        results: list[CheckResult] = []
+        warnings: dict[str, None] = {}
+        for each in judged.runs:
+            report = check_hanging(replace(each.case, anchor=anchor), each.every)
+            results += (replace(one, load_case=each.load_case) for one in report.results)
+            warnings |= dict.fromkeys(report.warnings)
+        failing = sorted((e for e in results if not e.passes), key=lambda check: -check.exceedance)
+        tried = _tried(judged.line, len(judged.runs) * self.how.seeds, tuple(failing))
+        checks = CheckReport(settled.case.title, tuple(results), (), tuple(warnings))
+        return replace(judged, tried=tried, anchor=anchor, drag_anchor=size, checks=checks)
+
+
+def _tried(line: Line, runs: int, failing: tuple[CheckResult, ...], reason: str = "") -> LineTried:
+    (segment,) = line.segments
+    size = segment.nominal_diameter or 0.0
+    return LineTried(segment.component, size, line.length, line.mass or 0.0, runs, failing, reason)
+
+
+# ------------------------------------------------------------------ the answer
+
+
+def _counted(found: _Search) -> Counted:
+    run = [each.tried for each in found.judged.values() if each.tried.runs]
+    considered = len(found._sizes) * len(found.lengths)
+    return Counted(
+        considered, None, considered - len(run), len(run), sum(each.runs for each in run)
+    )
+
+
+def _moved(request: TankerRequest, how: RunsAfloat, found: _Search, chosen: _Judged) -> ShipMoved:
+    assert chosen.settled is not None
+    assert chosen.checks is not None
+    hardest = largest(chosen.runs, lambda each: each.hanging.fairlead.tension)
+    case = replace(hardest.case, anchor=chosen.anchor)
+    settled = chosen.settled
+    still = check_case(replace(settled.case, anchor=chosen.anchor, design=None))
+    point = replace(settled.point, anchor=chosen.anchor, checks=still)
+    sinker = None
+    if not isinstance(request.ground, DragGround):
+        pulls = [solution.anchor for each in chosen.runs for solution in each.every]
+        sinker = request.ground.sized(
+            max(each.horizontal_force for each in pulls),
+            max(0.0, *(each.vertical_force for each in pulls)),
+            request.environment.water_density,
+        )
+    widest = largest(chosen.runs, lambda each: each.hanging.span)
+    return ShipMoved(
+        replace(settled, point=point, choice=request.line),
+        chosen.around,
+        InMotion(
+            how,
+            case,
+            chosen.checks,
+            _storm(chosen),
+            request.line.allowance,
+            _counted(found),
+            tuple(each.tried for each in found.judged.values()),
+            load_cases=len(chosen.runs),
+            less=tuple(found.failing_below(chosen.line)),
+        ),
+        chosen.drag_anchor,
+        sinker,
+        (widest.load_case, widest.hanging.span),
+    )
+
+
+def _storm(of: _Judged) -> Storm:
+    """Find the load case of the largest tension at the fairlead, and what the storm comes to."""
+
+    def tension(each: _Run) -> float:
+        return each.line.judged("most-probable")
+
+    hardest = largest(of.runs, tension)
+    extreme = hardest.line.storm
+    return Storm(
+        hardest.load_case,
+        max(one.fairlead.seen for each in of.runs for one in each.lines),
+        None if extreme is None else extreme.most_probable,
+        None if extreme is None else extreme.low,
+        None if extreme is None else extreme.high,
+        hardest.at_rest.fairlead.tension,
+    )
+
+
+def _nothing_passes(found: _Search) -> NoLineInMotionError:
+    """Say which line fails by the least."""
+
+    def miss(of: _Judged) -> float:
+        return of.tried.failing[0].exceedance if of.tried.failing else math.inf
+
+    every = [each for each in found.judged.values() if each.tried.runs]
+    nearest = min(every or list(found.judged.values()), key=miss)
+    (segment,) = nearest.line.segments
+    chain = chain_words(segment.component, segment.nominal_diameter)
+    near = NearMiss(nearest.line, nearest.tried.failing, nearest.tried.reason)
+    return NoLineInMotionError(near, chain, _counted(found))

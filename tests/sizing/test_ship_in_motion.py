@@ -1,0 +1,212 @@
+"""A ship's line chosen among those that hold in motion: the search, what holds it, the answer."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache
+from types import SimpleNamespace
+from typing import Any
+
+import jsonschema
+import pytest
+
+import catopt.sizing.ship_search as searching
+from catopt import size_tanker
+from catopt.answers.size import size_answer
+from catopt.casefile import parse_case, write_case
+from catopt.checks.kinds import CheckSource
+from catopt.checks.result import CheckResult
+from catopt.design.neighbours import NoFeasibleDesignError
+from catopt.errors import InputError
+from catopt.model import Case, Line
+from catopt.render.card import card_lines
+from catopt.report.bundle import size_files
+from catopt.schemas import schema
+from catopt.sizing.in_motion import LineTried, NoLineInMotionError
+from catopt.sizing.result import Sizing
+from catopt.verify.two_scales import verify_ship
+from tests.sizing.alone import alone
+
+SHIP: dict[str, Any] = {"dwt": "50000 t", "depth": "20 m"}
+FAILS = CheckResult("uplift", "uplift_angle", "storm", 0.1, 0.0, "rad", 0.1, CheckSource("user"))
+
+# ------------------------------------------------------------------ the search, on made-up runs
+
+
+def searched(
+    holds: Callable[[float, float], bool], patched: pytest.MonkeyPatch, **inputs: Any
+) -> tuple[tuple[float, float], list[tuple[float, float]]]:
+    """Search with runs that are made up: by diameter, mm, and length, m; list what was run."""
+    run: list[tuple[float, float]] = []
+
+    def made_up(self: Any, line: Line) -> Any:
+        (segment,) = line.segments
+        size = round(1e3 * (segment.nominal_diameter or 0.0), 6)
+        run.append((size, line.length))
+        settled, passes = None, holds(size, line.length)
+        try:
+            settled = self._at_rest(line)
+        except NoFeasibleDesignError:
+            passes = False
+        failing = () if passes else (FAILS,)
+        tried = LineTried(segment.component, size * 1e-3, line.length, line.mass or 0.0, 3, failing)
+        return SimpleNamespace(tried=tried, line=line, settled=settled, runs=(1,), factor=3.0)
+
+    kept: list[Any] = []
+
+    def keep(*of: Any) -> Any:
+        kept.append(of[3])
+        raise KeyboardInterrupt
+
+    patched.setattr(searching._Search, "_run", made_up)
+    patched.setattr(searching, "_moved", keep)
+    with pytest.raises(KeyboardInterrupt):
+        size_tanker(**SHIP, in_motion=True, **inputs)
+    (segment,) = kept[0].line.segments
+    return (round(1e3 * segment.nominal_diameter, 6), kept[0].line.length), run
+
+
+@pytest.mark.parametrize("prefer", ["balanced", "lightest"])
+def test_the_next_shorter_and_the_next_thinner_line_fail(
+    prefer: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of what holds from 12 m2 on, diameter by length, none is run that is less and holds."""
+
+    def holds(size: float, length: float) -> bool:
+        return size * length >= 20e3 and length >= 200.0
+
+    (size, length), run = searched(holds, monkeypatch, prefer=prefer)
+    assert holds(size, length)
+    assert len(run) == len(set(run)) < 40
+    # Lengths are 13.75 m apart, and thinner sizes 2 to 5 mm.
+    assert (size, length - 13.75) in run
+    assert not holds(size, length - 13.75)
+    thinner = max(each for each, at in run if each < size and at == length)
+    assert size - thinner <= 5.0
+    assert not holds(thinner, length)
+
+
+def test_a_line_that_holds_at_once_is_lessened_by_leaps(monkeypatch: pytest.MonkeyPatch) -> None:
+    """All hold: down to what passes at rest without an allowance, in far fewer runs than steps."""
+    (_, length), run = searched(lambda *_: True, monkeypatch, prefer="least-swing")
+    assert length < 206.25
+    assert len(run) < 30
+
+
+def test_where_nothing_holds_the_nearest_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fails(_: Any, line: Line) -> Any:
+        tried = LineTried("", 0.02, 1.0, 1.0, 2, (FAILS,))
+        return SimpleNamespace(tried=tried, line=line, settled=None, runs=(1,), factor=4.0)
+
+    monkeypatch.setattr(searching._Search, "_run", fails)
+    with pytest.raises(NoLineInMotionError) as caught:
+        size_tanker(**SHIP, in_motion=True)
+    assert caught.value.exit_status == 3
+    assert caught.value.counted.runs == 2 * caught.value.counted.run
+    assert "none passes in motion" in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        {"hs": "0 m"},
+        {"current_angle": "90 deg", "current_yaw": "series-60", "recalled": True},
+        {"buoy": "mooring buoy 5.0 m", "hawser": "40 m"},
+    ],
+)
+def test_a_ship_that_cannot_be_run_is_refused(other: dict[str, Any]) -> None:
+    with alone(), pytest.raises(InputError, match="in_motion: found true; leave it out"):
+        size_tanker(**(SHIP | other), in_motion=True)
+
+
+def screen(of: Sizing) -> list[str]:
+    return [each.text for each in card_lines(size_answer(of), "en")]
+
+
+def test_at_rest_the_first_screen_says_that_it_was_not_run() -> None:
+    with alone():
+        every = (size_tanker(**SHIP), size_tanker(**SHIP, buoy="mooring buoy 5.0 m", hawser="40 m"))
+    at_bow, at_buoy = map(screen, every)
+    (said,) = (each for each in at_bow if each.startswith("In motion:"))
+    assert "not judged" in said
+    assert "--in-motion" in said
+    (said,) = (each for each in at_buoy if each.startswith("In motion:"))
+    assert "--in-motion" not in said
+
+
+# ------------------------------------------------------------------ README's ship, run
+
+
+@cache
+def sized() -> Sizing:
+    with alone():
+        return size_tanker(**SHIP, in_motion=True)
+
+
+def written(of: Sizing, **changed: Any) -> Case:
+    """Read what is written, as another judgement or seed has it."""
+    assert of.ship_case is not None
+    case = parse_case(write_case(of.ship_case))
+    assert case.dynamics is not None
+    assert case.waves is not None
+    by = changed.get("judged_by", case.dynamics.judged_by)
+    waves = replace(case.waves, seed=changed.get("seed", case.waves.seed))
+    return replace(case, dynamics=replace(case.dynamics, judged_by=by), waves=waves)
+
+
+@pytest.mark.slow
+def test_what_is_recommended_passes_its_own_run_and_less_fails() -> None:
+    """By the case that is written, by the upper end of the interval and what is most probable."""
+    of = sized()
+    assert of.in_motion is not None
+    for by in ("upper", "most-probable"):
+        found = verify_ship(written(of, judged_by=by))
+        assert found.checks.passes
+        assert {"tension", "holding", "uplift_angle"} <= {e.kind for e in found.checks.results}
+    line = of.point.line
+    shorter, thinner = of.in_motion.less
+    assert (shorter.diameter, thinner.length) == (line.segments[0].nominal_diameter, line.length)
+    assert line.length - shorter.length == pytest.approx(13.75)
+    assert not shorter.passes
+    assert not thinner.passes
+    case = written(of, judged_by="upper")
+    assert case.system is not None
+    cut = replace(line, segments=(replace(line.segments[0], length=shorter.length),))
+    (leg,) = case.system.legs
+    # The anchor where the same everyday force has it: that of the longer line, 13.75 m nearer.
+    nearer = replace(leg, line=cut, anchor_radius=leg.anchor_radius - 13.75)
+    less = replace(case, line=cut, system=replace(case.system, legs=(nearer,)))
+    assert not verify_ship(less).checks.passes
+
+
+@pytest.mark.slow
+def test_it_passes_with_nine_of_ten_other_seeds() -> None:
+    found = [verify_ship(written(sized(), seed=seed)).checks.passes for seed in range(2, 12)]
+    assert sum(found) >= 9
+
+
+@pytest.mark.slow
+def test_both_allowances_are_printed_and_the_document_fits_its_schema() -> None:
+    of = sized()
+    assert of.in_motion is not None
+    factor = of.in_motion.factor
+    with alone():
+        card = " ".join(screen(of))
+        document = of.to_dict()
+        files = size_files(of, "en", None)
+    assert f"{factor:.2f} in place of 1.2" in card
+    assert "Less fails:" in card
+    jsonschema.validate(document, schema("catopt.size/1"))
+    assert document["in_motion"]["elements"] is None
+    assert document["drag_anchor"]["mass_kg"] == of.point.anchor.mass  # type: ignore[union-attr]
+    assert files["system.toml"].decode() == write_case(written(of))
+
+
+@pytest.mark.slow
+def test_several_lines_are_sized_in_motion_too() -> None:
+    with alone():
+        of = size_tanker(**SHIP, lines=4, in_motion=True, seeds=2)
+    found = verify_ship(written(of, judged_by="upper"))
+    assert found.checks.passes
+    assert len(found.lines) == 4
