@@ -55,8 +55,6 @@ from catopt.words import Measure, Message, Sentence, Several
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
-    from catopt.mooring.line_out import LineOut
-    from catopt.mooring.network_out import NetworkOut
     from catopt.mooring.response import Response
     from catopt.mooring.solution import LegState, SystemSolution
     from catopt.notes.system import NetworkNote, SystemNote
@@ -298,11 +296,6 @@ def _line_out(note: SystemNote) -> Iterator[Block]:
     columns = (*table.columns[:-1], blocks.measured("utilisation", note.left), table.columns[-1])
     further = _further(each.response for each in gone)
     yield replace(table, columns=(*columns, *further), caption="", marked=hardest)
-    yield from _lost(gone)
-
-
-def _lost(gone: Iterable[LineOut | NetworkOut]) -> Iterator[Verdict]:
-    """Say without which lines there is no rest, and why."""
     for each in gone:
         if each.refusal:
             lost = Message("mooring.lost", number=each.missing + 1, refusal=each.refusal)
@@ -538,7 +531,7 @@ def _network_line_out(note: NetworkNote) -> Iterator[Block]:
         return
     yield Text(Message("note_system.network_line_out_about"))
     yield network_out_table(gone, note.checks)
-    yield from _lost(gone)
+    yield from (Verdict(each.why_lost, passes=False) for each in gone if each.rest is None)
 
 
 def _components(note: NetworkNote) -> Iterator[Block]:

@@ -371,11 +371,7 @@ def network_answer(
 
 def _network_out(gone: Sequence[NetworkOut], checks: CheckReport) -> Iterator[blocks.Section]:
     if gone:
-        lost = (
-            blocks.Text(Message("mooring.lost", number=each.missing + 1, refusal=each.refusal))
-            for each in gone
-            if each.rest is None
-        )
+        lost = (blocks.Text(each.why_lost) for each in gone if each.rest is None)
         yield section("captions.one_line_out", network_out_table(gone, checks), *lost)
 
 

@@ -327,6 +327,8 @@ def _of_states(network: Network, gone: Sequence[NetworkOut]) -> Iterator[Message
         if each.loose:
             loose = ", ".join(f"{number + 1}" for number in each.loose)
             yield Message("checks.loose", number=each.missing + 1, lines=loose)
+        if each.stopped_short:
+            yield each.why_lost
 
 
 def _of_anchors(criteria: Criteria, rest: LinesAtRest) -> Iterator[Message]:

@@ -6,8 +6,9 @@ Tension is an unknown of its own beside the displacements, so that a line which 
     strain   l - l*(T) = 0, l*(T) = l0 (1 - e) (1 + T/EA) + l0 e T/K     or T = 0 where it is slack
     balance  T_j t_j - T_(j-1) t_(j-1) + loads + bed = 0                 at each node
 
-e is 0 in the end. With e = 1 bars are springs without a length of their own, and the balance is
-linear in the coordinates: that is where the solution starts (`settle`).
+e is 0 in the end. A bar too long by d l0 may keep a little tension, T = K keep / d (`kept`), which
+makes l*(T) shorter by that d. With e = 1 bars are springs without a length of their own, and the
+balance is linear in the coordinates: that is where the solution starts (`settle`).
 """
 
 from __future__ import annotations
@@ -18,20 +19,33 @@ from typing import Any, Final
 from catopt.fem.banded import DIAGONAL
 from catopt.fem.friction import add_friction
 from catopt.fem.loads import axis
-from catopt.fem.resting import Law, Net, row_of_bar
-from catopt.fem.seabed import ABSENT, FREE, HELD, ON_BED, PULLED, Ground, touches
+from catopt.fem.resting import Law, Net, kept, row_of_bar
+from catopt.fem.seabed import (
+    ABSENT,
+    FREE,
+    HELD,
+    ON_BED,
+    PULLED,
+    SHARING,
+    SLACK,
+    Ground,
+    touches,
+)
 from catopt.fem.sloped_rest import hanging_node, own_rest, share_slope, share_weight, shift_slope
 
-_BARRIER: Final = 1e-4
-"""On the way (e between 0 and 1) a bar that is too long by d l0 keeps the tension e K 1e-4 / d, so
-that a bight, too, follows smoothly to where it lies slack."""
+_FAR: Final = 0.03
+"""Above this e a bar is as stiff as the d that its tension asks for makes it: nets of springs that
+are still soft come to rest sooner so."""
+_SPARE: Final = 1e-3
+"""Part of the d asked for by its tension that a bar is taken to have at least when its stiffness is
+sought: one that is longer than its length is all but as stiff as a taut one."""
 _SLACK: Final = 1e-6
 """A slack bar is taut again where it is longer than its length; small, so that a bar with tension
 is not taken for slack before its length has followed."""
 _ROUNDING: Final = 1e-11
-_BIGHT: Final = 1e-3
-"""On a bed with friction a bar goes slack only where it lies in a bight, shorter by this part.
-Where friction has used up the tension of a line that was pulled straight, it stays straight."""
+_BIGHT: Final = 0.9
+"""On a bed with friction a bar goes slack only where it is folded up, shorter by this part. Where
+friction has used up the tension of a line that was pulled straight, it stays straight."""
 
 
 def assemble(line: int, net: Net) -> tuple[int, float]:
@@ -50,7 +64,7 @@ def assemble(line: int, net: Net) -> tuple[int, float]:
         for i in range(3):
             state.balance[node, i] = nodal[node, i]
     strain = _add_bars(line, first, end, net)
-    if law.ease == 0.0:
+    if law.ease == 0.0 and state.laid[line] == SHARING:
         _touch_down(line, first, end, net)
     changed = _lay_on_bed(line, first, end, net)
     for node in range(first + line, end + line + 1):
@@ -66,18 +80,18 @@ def _add_bars(line: int, first: int, end: int, net: Net) -> float:
     Arrays are taken out of their tuples before the loop: numba counts references within it.
     """
     bars, state, loads, _, ground, law, band, rhs, _ = net
-    x, tension, contact, _, balance = state
+    x, tension, contact, _, balance, _ = state
     force, first_by, second_by = loads
     length, compliance = bars.length, bars.compliance
-    varies, strain = first_by.shape[0] > 0, 0.0
+    varies, strain, keep = first_by.shape[0] > 0, 0.0, kept(line, state, law)
     for e in range(first, end):
         a = e + line
         size, tx, ty, tz = axis(x, a)
         t = (tx, ty, tz)
         T = tension[e]
         l0 = length[e]
-        misfit, slope = _misfit(size, l0, T, compliance[e], law)
-        slack = _is_slack(a, T / law.soft, misfit / l0, contact, ground, law)
+        misfit, slope = _misfit(size, l0, T, compliance[e], law, keep)
+        slack = keep == 0.0 and _is_slack(a, T / law.soft, misfit / l0, contact, ground, law)
         across = (T if law.carries_compression else max(T, 0.0)) / (size * law.soft)
         row = row_of_bar(e, line)
         if slack:
@@ -106,7 +120,8 @@ def _add_bars(line: int, first: int, end: int, net: Net) -> float:
                 band[up, DIAGONAL + j - i] += by_first - g
                 band[up, DIAGONAL + 4 + j - i] += by_second + g
                 band[down, DIAGONAL - 4 + j - i] += by_first + g
-        strain = max(strain, 0.0 if slack else abs(misfit) / l0)
+        counts = 0.0 if slack else _counts(T / law.soft, size / l0, keep)
+        strain = max(strain, counts * abs(misfit) / l0)
     return strain
 
 
@@ -134,15 +149,32 @@ def _touch_down(line: int, first: int, end: int, net: Net) -> None:
             share_slope(row_of_bar(e, line), slope, (tx, ty, tz), across, band)
 
 
-def _misfit(size: float, l0: float, T: float, compliance: float, law: Law) -> tuple[float, float]:
-    """By how much a bar is longer than its tension makes it, m, and how that length grows, 1/N."""
+def _misfit(
+    size: float, l0: float, T: float, compliance: float, law: Law, keep: float
+) -> tuple[float, float]:
+    """By how much a bar is longer than its tension makes it, m, and how that length grows, 1/N.
+
+    Where it keeps T = K keep / d, it is near the end as stiff as T and the d that it has make it,
+    not as the d that T asks for: so both close up on the way (a primal-dual interior point).
+    """
     slope = (1.0 - law.ease) * compliance + law.ease / law.soft
     wanted = 1.0 - law.ease + slope * T
-    if 0.0 < law.ease < 1.0 and not law.carries_compression:
-        keep = law.ease * _BARRIER * law.soft / T
-        wanted -= keep
-        slope += keep / T
+    if keep > 0.0:
+        short = keep * law.soft / T
+        if law.ease > _FAR:
+            slope += short / T
+        else:
+            slope += max(wanted - size / l0, _SPARE * min(short, 1.0)) / T
+        wanted -= short
     return size - l0 * wanted, slope
+
+
+def _counts(tension: float, size: float, keep: float) -> float:
+    """Give the part of a misfit that counts; `tension` over K, `size` over the bar's length.
+
+    Where a bar keeps T by being too short, a misfit of length is only one of T, by T^2/keep.
+    """
+    return min(1.0, tension * tension / keep) if keep > 0.0 and size < 1.0 else 1.0
 
 
 def _is_slack(
@@ -159,7 +191,7 @@ def _is_slack(
 def _lay_on_bed(line: int, first: int, end: int, net: Net) -> int:
     """Let the bed act on the inner nodes; returns how many changed their state."""
     bars, state, loads, _, ground, law, band, rhs, _ = net
-    x, _, contact, reaction, balance = state
+    x, _, contact, reaction, balance, laid = state
     force, length, stiffness, changed = loads.force, bars.length, ground.stiffness, 0
     for e in range(first + 1, end):
         node, row = e + line, row_of_bar(e, line) - 3
@@ -173,7 +205,7 @@ def _lay_on_bed(line: int, first: int, end: int, net: Net) -> int:
         z = x[node, 2]
         pushed = -balance[node, 2] if rigid or was == HELD else -stiffness[node] * z
         rest = 0.0
-        if rigid and law.ease == 0.0:
+        if rigid and law.ease == 0.0 and laid[line] == SHARING:
             rest = own_rest(node, -2.0 * force[e - 1, 2], -2.0 * force[e, 2], contact)
         now = touches(was, z, pushed - rest, 1e-12 * length[e])
         contact[node] = now
@@ -183,7 +215,7 @@ def _lay_on_bed(line: int, first: int, end: int, net: Net) -> int:
         if was == FREE:
             pushed = max(pushed, 0.0)
         reaction[node] = pushed
-        if now == ON_BED and pushed > 0.0:
+        if now == ON_BED and pushed > 0.0 and laid[line] != SLACK:
             add_friction(e, node, pushed, rigid, net)
         if rigid or now == HELD:
             balance[node, 2] = 0.0

@@ -11,11 +11,13 @@ from catopt.fem.banded import WIDTH
 from catopt.fem.loads import bar_loads
 from catopt.fem.problem import Problem
 from catopt.fem.resting import BarLoads, Law, Net, State
-from catopt.fem.seabed import Ground
+from catopt.fem.seabed import NO_FRICTION, Ground
 from catopt.fem.step import StepReport, newton_step, take_step
 
 _DRAG_IN = 1e-9
 """Stiffness that holds a loose node during one step, over what line and loads weigh per length."""
+_ASTRAY = 1e4
+"""Turn of a bar, rad, after which nothing is to be hoped for with friction: it has no energy."""
 _MOVING, _LOADING, _SOLVING = 2e-6, 1e-6, 2e-4
 """Time that a bar takes in each iteration as plain Python, s."""
 _USUAL = 25
@@ -46,14 +48,17 @@ class Newton:
         """Whether all iterations are used up."""
         return self.iterations >= self._most
 
-    def run(self, ease: float, ground: Ground, limit: int, tolerance: float) -> bool:
+    def run(
+        self, ease: float, ground: Ground, limit: int, tolerance: float, *, keep: float
+    ) -> bool:
         """Iterate until the forces balance; say whether they do.
 
-        `ease`: e of `assembly`; `limit`: iterations, at most; `tolerance`: largest force left over
-        at a node over the largest tension.
+        `ease`, `keep`: e of `assembly`, and what a bar may keep there; `limit`: iterations, at
+        most; `tolerance`: largest force left over at a node over the largest tension.
         """
         problem = self.problem
-        law = Law(ease, problem.soft, problem.carries_compression, self._drag_in)
+        keep = 0.0 if problem.carries_compression else keep
+        law = Law(ease, problem.soft, keep, problem.carries_compression, self._drag_in)
         net = Net(problem.bars, self.state, self.loads, problem.nodal, ground, law, *self._room)
         move = compiled(take_step, _MOVING * self._visits)
         if ease == 1.0:
@@ -69,7 +74,8 @@ class Newton:
                 # Where a node touches down or lifts off within the tolerance, there is more to do.
                 if _is_settled(report, tolerance):
                     return True
-            if report.singular or self.is_spent:
+            is_astray = report.turn > _ASTRAY and ground.law != NO_FRICTION
+            if report.singular or self.is_spent or is_astray:
                 return False
             # A step that turns a bar by more than a radian is not to be followed all the way.
             part = 1.0 if ease == 1.0 or report.turn <= 1.0 else 1.0 / math.sqrt(report.turn)

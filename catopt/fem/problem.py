@@ -32,6 +32,7 @@ from catopt.fem.seabed import (
     NO_FRICTION,
     ON_BED,
     PULLED,
+    SHARING,
     SPRING,
     Bed,
     Ground,
@@ -132,7 +133,8 @@ def straight(problem: Problem, anchors: Array, fairleads: Array) -> State:
     ends = np.concatenate(end_nodes(bars.start))
     contact[ends[(contact[ends] == FREE) & (x[ends, 2] <= 0.0)]] = ON_BED
     tension = np.zeros(bars.length.size)
-    return State(x, tension, contact, np.zeros(nodes), np.zeros((nodes, 3)))
+    laid = np.full(bars.start.size - 1, SHARING, dtype=np.int64)
+    return State(x, tension, contact, np.zeros(nodes), np.zeros((nodes, 3)), laid)
 
 
 def place_of(node: int, start: Codes, x: Array, points: int = 1) -> Message:

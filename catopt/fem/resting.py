@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from catopt.arrays import Array, Codes
-from catopt.fem.seabed import Ground
+from catopt.fem.seabed import SLACK, Ground
 
 
 def row_of_bar(e: int, line: int) -> int:
@@ -47,6 +47,7 @@ class State(NamedTuple):
     reaction: Array  # (nodes,): upward force of the bed on each node, N
     balance: Array  # (nodes, 3): force on each node from bars, loads and bed, N: 0 at the inner
     # nodes in equilibrium, the force on the support at the ends
+    laid: Codes  # (lines,): how each line touches down: SHARING, HALVING or SLACK (`bed`)
 
 
 class Law(NamedTuple):
@@ -54,9 +55,19 @@ class Law(NamedTuple):
 
     ease: float  # e: 1 for springs without length, 0 for the bars as they are
     soft: float  # K, N: stiffness of those springs; also the unit of force of the equations
+    keep: float  # part of K that a bar too long by all its length keeps as tension; see `kept`
     carries_compression: bool  # whether a bar pushes when it is shorter than its length
     drag_in: float  # stiffness, N/m, that holds each node to where it is in one step; it speaks
     # only where nothing else holds a node, and not in the answer
+
+
+def kept(line: int, state: State, law: Law) -> float:
+    """Part of K that bars of a line keep as tension where they are too long by all their length.
+
+    On the way those of every line do, for a bight to follow smoothly to where it lies; at the end
+    those of slack lines alone, which nothing else holds along a smooth bed.
+    """
+    return law.keep if law.ease > 0.0 or state.laid[line] == SLACK else 0.0
 
 
 class Body(NamedTuple):

@@ -18,6 +18,10 @@ ON_BED: Final = 1  # one that the bed pushes
 HELD: Final = 2  # one that the bed holds in height both ways
 ABSENT: Final = 3  # one under which there is no bed
 
+SHARING: Final = 0  # a line whose bars share their weight where they touch down (`touchdown`)
+HALVING: Final = 1  # one of which half of each bar's weight stays at either end
+SLACK: Final = 2  # the same, and it hangs slack: its bars keep next to no tension, and do not rub
+
 NO_FRICTION: Final = 0
 PULLED: Final = 1
 SPRING: Final = 2

@@ -6,8 +6,11 @@ e = 1) over a soft bed: the energy of such a net is quadratic on either side of 
 equilibrium is found in a few linear steps from anywhere. Then e is lowered to 0, and the bed
 hardens with it. For every e the energy of bars that do not push, over a bed that only pushes, is
 convex, so that there is one equilibrium to follow; on the way a bar that is too long keeps a little
-tension, for a bight to keep its shape. A step of e that Newton's method does not close
-in a few iterations is taken again, half as far. Friction comes in with the last one.
+tension, for a bight to keep its shape. Where lines hang slack the end of that way may not be
+found: along a smooth bed nothing holds their bars, and how a bar that touches down shares its
+weight (`touchdown`) depends on a tension that is none. Then e is lowered further, and they keep
+that little tension, with half of each bar's weight at either end. A step of e that Newton's method
+does not close in a few iterations is taken again, half as far. Friction comes in with the last one.
 """
 
 from __future__ import annotations
@@ -19,13 +22,21 @@ from typing import Any
 
 import numpy as np
 
-from catopt.arrays import Array
+from catopt.arrays import Array, Flags
 from catopt.errors import NotConvergedError
 from catopt.fem.friction import limit
 from catopt.fem.newton import Newton
 from catopt.fem.problem import Problem, place_of
 from catopt.fem.resting import Body, State
-from catopt.fem.seabed import NO_FRICTION, SPRING, Ground, friction_sense
+from catopt.fem.seabed import (
+    HALVING,
+    NO_FRICTION,
+    SHARING,
+    SLACK,
+    SPRING,
+    Ground,
+    friction_sense,
+)
 from catopt.words import Message
 
 
@@ -35,7 +46,7 @@ class Controls:
 
     tolerance: float = 1e-10  # largest force left over at a node, over the largest tension, and
     # largest misfit of a bar's length, over the length
-    max_iterations: int = 500  # of Newton's method in all
+    max_iterations: int = 2000  # of Newton's method in all
 
 
 @dataclass(frozen=True)
@@ -53,7 +64,14 @@ class Rest:
 
 _SOFTNESS = 0.05
 """Depth, over the line's length, to which the whole weight presses the soft bed at e = 1."""
+_KEPT_BY_EASE, _KEPT_FIRST, _KEPT = 1e-4, 1e-12, 1e-14
+"""Part of e K on the way that a bar too long by all its length keeps as tension; of K that it has
+when its line is first told to hang slack, and that it keeps at the end."""
+_NO_PULL, _LEAST_PULL = 1e-3, 1e-8
+"""Tension, over what a bar weighs and over K, below which its line is taken to hang slack."""
 _STAGE_TOLERANCE = 1e-4
+_PART_TOLERANCE = 1e-7
+"""Of steps on the way, of e and of friction."""
 _STAGE_LIMIT = 25
 _LAST_LIMIT = 40
 _LEAST_PART = 1e-3
@@ -68,7 +86,9 @@ def settle(problem: Problem, start: State, controls: Controls) -> Rest:
     Raises NotConvergedError with the node and the force left over there.
     """
     newton = Newton(problem, _copied(start), controls.max_iterations)
-    if not newton.run(1.0, _soft_bed(problem, 1.0), controls.max_iterations, _STAGE_TOLERANCE):
+    newton.state.laid[:] = SHARING
+    soft_bed, most = _soft_bed(problem, 1.0), controls.max_iterations
+    if not newton.run(1.0, soft_bed, most, _STAGE_TOLERANCE, keep=0.0):
         raise _stuck(newton, 1.0)
     smooth = problem.ground._replace(law=NO_FRICTION)
     ease, ratio = 1.0, 0.1
@@ -81,11 +101,17 @@ def settle(problem: Problem, start: State, controls: Controls) -> Rest:
             kept = _copied(newton.state)
             continue
         _restore(newton.state, kept)
+        if target == 0.0 and not problem.carries_compression:
+            _let_hang_slack(newton, ease, smooth, controls)
+            break
         ratio = math.sqrt(ratio)
         if newton.is_spent or ratio > 0.97:
             raise _stuck(newton, target)
     if friction_sense(problem.ground.law) != 0.0:
+        if not problem.carries_compression:
+            _tell_slack(newton, smooth, controls)
         _rub_in(newton, problem.ground, controls)
+        _let_rub(newton, controls)
     return _rest(newton, problem, problem.ground)
 
 
@@ -105,7 +131,7 @@ def follow(problem: Problem, start: Rest, controls: Controls) -> Rest:
     def go_to(part: float) -> bool:
         nonlocal ground
         newton.problem = replace(problem, body=_between(start.body, problem.body, part))
-        closed = newton.run(0.0, ground, _LAST_LIMIT, controls.tolerance)
+        closed = _stage(newton, 0.0, ground, controls)
         if closed:
             ground = _dragged_feet(newton.state, ground)
         return closed
@@ -115,14 +141,63 @@ def follow(problem: Problem, start: Rest, controls: Controls) -> Rest:
     return _rest(newton, problem, ground)
 
 
+def _let_hang_slack(newton: Newton, ease: float, smooth: Ground, controls: Controls) -> None:
+    """Go from a small e to the end where lines hang slack: as if all did, then as those that do."""
+    while ease > _KEPT / _KEPT_BY_EASE:
+        ease *= 0.1
+        if not _stage(newton, ease, smooth, controls):
+            raise _stuck(newton, ease)
+    newton.state.laid[:] = SLACK
+    if not _stage(newton, 0.0, smooth, controls):
+        raise _stuck(newton, 0.0)
+    _tell_slack(newton, smooth, controls)
+
+
+def _tell_slack(newton: Newton, smooth: Ground, controls: Controls) -> None:
+    """Tell lines that hang slack from the others, and bring them to rest as such.
+
+    The others share their weight where they touch down, or where that leads nowhere halve it.
+    """
+    bars, state = newton.problem.bars, newton.state
+    is_slack = _hangs_slack(newton)
+    if not is_slack.any() and not state.laid.any():
+        return
+    some = np.repeat(is_slack, np.diff(bars.start)) * _KEPT_FIRST * newton.problem.soft
+    state.tension[:] = np.maximum(state.tension, some)
+    kept = _copied(state)
+    for others in (SHARING, HALVING):
+        newton.state.laid[:] = np.where(is_slack, SLACK, others)
+        if _stage(newton, 0.0, smooth, controls):
+            return
+        _restore(newton.state, kept)
+    raise _stuck(newton, 0.0)
+
+
+def _hangs_slack(newton: Newton) -> Flags:
+    """Say of each line whether a bar of it has next to no tension."""
+    bars = newton.problem.bars
+    least = np.maximum(_NO_PULL * np.abs(bars.submerged), _LEAST_PULL * newton.problem.soft)
+    return np.logical_or.reduceat(newton.state.tension <= least, bars.start[:-1])
+
+
 def _rub_in(newton: Newton, ground: Ground, controls: Controls) -> None:
     """Let friction grow to its full coefficient: at once, or in steps where that is too much."""
 
     def go_to(part: float) -> bool:
         rough = ground._replace(friction=part * ground.friction, beside=part * ground.beside)
-        return newton.run(0.0, rough, _LAST_LIMIT, controls.tolerance)
+        tolerance = controls.tolerance if part == 1.0 else _PART_TOLERANCE
+        return newton.run(0.0, rough, _LAST_LIMIT, tolerance, keep=_KEPT)
 
     _in_steps(newton, go_to)
+
+
+def _let_rub(newton: Newton, controls: Controls) -> None:
+    """Let lines rub, too, that hung slack without friction, where with it they pull."""
+    pulls = (newton.state.laid == SLACK) & ~_hangs_slack(newton)
+    if pulls.any():
+        newton.state.laid[pulls] = SHARING
+        if not _stage(newton, 0.0, newton.problem.ground, controls):
+            raise _stuck(newton, 0.0)
 
 
 def _in_steps(newton: Newton, go_to: Callable[[float], bool], vain: float = 0.0) -> bool:
@@ -135,7 +210,7 @@ def _in_steps(newton: Newton, go_to: Callable[[float], bool], vain: float = 0.0)
         to = min(1.0, done + part)
         kept = _copied(newton.state)
         if go_to(to):
-            done = to
+            done, part = to, 2.0 * part
             continue
         _restore(newton.state, kept)
         part *= 0.5
@@ -148,8 +223,9 @@ def _in_steps(newton: Newton, go_to: Callable[[float], bool], vain: float = 0.0)
 
 def _stage(newton: Newton, ease: float, at_rest: Ground, controls: Controls) -> bool:
     if ease == 0.0:
-        return newton.run(0.0, at_rest, _LAST_LIMIT, controls.tolerance)
-    return newton.run(ease, _soft_bed(newton.problem, ease), _STAGE_LIMIT, _STAGE_TOLERANCE)
+        return newton.run(0.0, at_rest, _LAST_LIMIT, controls.tolerance, keep=_KEPT)
+    bed, keep = _soft_bed(newton.problem, ease), ease * _KEPT_BY_EASE
+    return newton.run(ease, bed, _STAGE_LIMIT, _STAGE_TOLERANCE, keep=keep)
 
 
 def _soft_bed(problem: Problem, ease: float) -> Ground:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
@@ -16,8 +16,11 @@ from catopt.fem.banded import (
     solve_dense,
     take_aside,
 )
-from catopt.fem.resting import Bars, Body, Law, Net, State, row_of_bar
-from catopt.fem.seabed import FREE, ON_BED, touches
+from catopt.fem.resting import Bars, Body, Law, Net, State, kept, row_of_bar
+from catopt.fem.seabed import FREE, NO_FRICTION, ON_BED, SHARING, touches
+
+_SLACK: Final = 1e-11
+"""Push, over K, that is rounding: that of a bar which goes slack."""
 
 
 class StepReport(NamedTuple):
@@ -173,7 +176,8 @@ def _bed_of_joint(p: int, net: Net, body: Body) -> tuple[float, float]:
             if body.of_end[k, side] == p:
                 node, bar = bars.start[k + side] + k, bars.start[k + side] - side
                 stiffness += net.ground.stiffness[node]
-                if net.law.ease == 0.0 and contact[node + 1 - 2 * side] == ON_BED:
+                shares = net.law.ease == 0.0 and net.state.laid[k] == SHARING
+                if shares and contact[node + 1 - 2 * side] == ON_BED:
                     rest -= min(net.loads.force[bar, 2], 0.0)
     return stiffness, rest
 
@@ -181,15 +185,19 @@ def _bed_of_joint(p: int, net: Net, body: Body) -> tuple[float, float]:
 def take_step(net: Net, part: float) -> None:
     """Move the state by a part of the step that `newton_step` left.
 
-    On the way (e above 0) a tension falls to a tenth at most: it gives the bar its stiffness across
-    itself, and a step too far would take that away.
+    A tension falls to a tenth at most on the way (e above 0), where bars keep some, and off a rough
+    bed: it gives the bar its stiffness across itself, and a step too far would take that away.
     """
     bars, state, law, rhs = net.bars, net.state, net.law, net.rhs
+    rubs = net.ground.law != NO_FRICTION
     for k in range(bars.start.shape[0] - 1):
+        keeps = law.ease > 0.0 or kept(k, state, law) > 0.0
         for e in range(bars.start[k], bars.start[k + 1]):
             row = row_of_bar(e, k)
             T = state.tension[e] + part * law.soft * rhs[row]
-            if law.ease > 0.0 and not law.carries_compression:
+            lies = state.contact[e + k] == ON_BED and state.contact[e + k + 1] == ON_BED
+            falls = keeps or (rubs and T < -_SLACK * law.soft and not lies)
+            if falls and not law.carries_compression and state.tension[e] > 0.0:
                 T = max(T, 0.1 * state.tension[e])
             state.tension[e] = T
             for i in range(3):

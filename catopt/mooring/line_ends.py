@@ -140,22 +140,20 @@ def _lift_slope(state: State, pieces: Pieces) -> float:
     """Derive the tension of a slack line at its end b by that end's height, N/m.
 
     It takes up what lies at the touchdown, and stretches above it; where a point load there is
-    being lifted, it stretches alone.
+    being lifted, it stretches alone. What hangs there is what that tension carries: the other end
+    may be off the bed, too.
     """
-    whole = math.fsum(pieces.length)
-    left, hung, stretch = whole - state.grounded, 0.0, 0.0
+    carried, stretch, rounding = state.V, 0.0, SHORTEST * state.V
     for k in range(len(pieces.length) - 1, -1, -1):
-        part, w = min(left, pieces.length[k]), pieces.weight[k]
-        stretch += part * pieces.compliance[k]
-        hung += part * w
-        left -= part
-        if left <= SHORTEST * whole:
-            below = part >= pieces.length[k] - SHORTEST * whole
-            if below and state.V - hung > SHORTEST * state.V and stretch > 0.0:
-                return float(1.0 / stretch)
-            w = max(pieces.weight[k - 1] if below and k else w, 0.0)
+        w, length = pieces.weight[k], pieces.length[k]
+        if carried < w * length - rounding:
+            stretch += carried / w * pieces.compliance[k]
             return float(w / (1.0 + w * stretch))
-        hung += pieces.load[k]
+        carried -= w * length
+        stretch += length * pieces.compliance[k]
+        if rounding < carried < pieces.load[k] - rounding and stretch > 0.0:
+            return float(1.0 / stretch)
+        carried = max(carried - pieces.load[k], 0.0)
     return float(max(pieces.weight[0], 0.0))
 
 

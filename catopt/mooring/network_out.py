@@ -23,7 +23,8 @@ class NetworkOut:
 
     `left` are those that carry, `loose` those that hang or lie from one end alone since then: their
     weight in water, and what hangs on them, stands at the joint where they hang. `rest` is None
-    where the joints find no rest, for the reason of `refusal`.
+    where the joints find no rest, for the reason of `refusal`; or where `stopped_short` says that
+    their solver did not: then nothing is known of that state, and its checks fail.
     """
 
     missing: int
@@ -31,6 +32,13 @@ class NetworkOut:
     loose: tuple[int, ...] = ()
     rest: LinesAtRest | None = None
     refusal: str = ""
+    stopped_short: bool = False
+
+    @property
+    def why_lost(self) -> Message:
+        """Say that there is no equilibrium without this line, or that none was found, and why."""
+        key = "mooring.out_not_converged" if self.stopped_short else "mooring.lost"
+        return Message(key, number=self.missing + 1, refusal=self.refusal)
 
     @property
     def hardest(self) -> tuple[float, int] | None:
@@ -62,8 +70,9 @@ def largest_tensions(rest: LinesAtRest) -> tuple[float, ...]:
 def each_line_out(network: Network) -> tuple[NetworkOut, ...]:
     """Take each line away in turn; a body that is held stays, and the joints rest anew.
 
-    Free bodies come to rest anew, too. NotConvergedError: a solver stopped short. What happens on
-    the way there, when the line parts, is dynamics and not looked at.
+    Free bodies come to rest anew, too. Where a solver stops short, that is said of this line, and
+    the others are looked at all the same. What happens on the way there, when the line parts, is
+    dynamics and not looked at.
     """
     count = len(network.lines)
     return tuple(
@@ -100,8 +109,7 @@ def _without(network: Network, missing: int) -> NetworkOut:
     except NoAnswerError as error:
         return replace(made, left=(), refusal=error.args[0])
     except NotConvergedError as error:
-        said = Message("mooring.out_not_converged", number=missing + 1, why=error.args[0])
-        raise NotConvergedError(said) from error
+        return replace(made, left=(), refusal=error.args[0], stopped_short=True)
 
 
 _NOTHING_LEFT = Message("mooring.no_line_left")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import accumulate
+from itertools import accumulate, pairwise
 from operator import attrgetter
 from typing import Any, TypeVar
 
@@ -41,7 +41,9 @@ SLACK = "truss.slack"
 _SAME_TENSION = 1e-11
 """Change of a bar's tension, over the largest, at which the law of its table is found."""
 _NO_PULL = 1e-9
-"""Horizontal force, over the tension, that is rounding."""
+"""Horizontal force, over the tension or the line's weight, that is rounding."""
+_STRAIGHT = 2e-3
+"""Radius, over the line's length, of the bend where it hangs straight down to a rough bed."""
 _AT_END = 1e-9
 """How far beyond its end, over its length, a stretch may be level."""
 
@@ -68,16 +70,26 @@ def bends(closed: Solution) -> list[tuple[float, float]]:
     truss model takes from the closed form.
     """
     found: list[tuple[float, float]] = []
-    if closed.regime == "slack":
+    if hangs_slack(closed):
         return found  # a slack line has no radius, and is known to a bar
     for stretch in closed.stretches:
         w = stretch.submerged_weight
-        if stretch.on_bed or w == 0.0 or stretch.length == 0.0 or stretch.horizontal_force == 0.0:
+        if stretch.on_bed or w == 0.0 or stretch.length == 0.0:
+            continue
+        if stretch.horizontal_force == 0.0:
+            # friction has used up its pull, and it hangs straight down to where it lies
+            found.append((stretch.start + stretch.length, _STRAIGHT * closed.line.length))
             continue
         level = -stretch.vertical_force / w
         if -_AT_END <= level / stretch.length <= 1.0 + _AT_END:
             found.append((stretch.start + level, stretch.horizontal_force / abs(w)))
     return found
+
+
+def hangs_slack(closed: Solution) -> bool:
+    """Whether a line hangs straight down to bights on the bed, or lies there unpulled."""
+    least = _NO_PULL * max(closed.fairlead.tension, abs(closed.line.submerged_weight))
+    return closed.regime == "slack" or closed.horizontal_force <= least
 
 
 def on_meshes(
@@ -122,7 +134,8 @@ class Comparing:
     """One line by both models, whose figures are compared.
 
     `trusses`: on each mesh, from the coarsest; `line`: of a system: which of its lines, from 0.
-    A slack line is known to a bar, which is the least that its forces and lengths are measured by;
+    A slack line is known to a bar, which is the least that its forces and lengths are measured by,
+    its part on the bed to one at each touchdown;
     `beside`: those of slack lines that move with this one, N and m.
     """
 
@@ -135,8 +148,13 @@ class Comparing:
     @property
     def is_slack(self) -> bool:
         """Whether the line hangs straight down to bights on the bed."""
-        pull, tension = self.closed.horizontal_force, self.closed.fairlead.tension
-        return self.closed.regime == "slack" or pull <= _NO_PULL * tension
+        return hangs_slack(self.closed)
+
+    @property
+    def touchdowns(self) -> int:
+        """Where it comes down to the bed or leaves it; at least 1."""
+        lies = [stretch.on_bed for stretch in self.closed.stretches if stretch.length > 0.0]
+        return max(sum(a != b for a, b in pairwise(lies)), 1)
 
     @property
     def scales(self) -> tuple[float, float]:
@@ -157,7 +175,7 @@ class Comparing:
         """Compare what is compared of every line of several beside its tensions."""
         yield self.of("horizontal_force", "N", force)
         yield self.of("span", "m", length)
-        yield self.of("grounded_length", "m", length)
+        yield self.of("grounded_length", "m", length * (self.touchdowns if self.is_slack else 1))
 
     def of(self, quantity: str, unit: Unit, scale: float, path: str = "") -> Compared:
         """Compare a figure of both models, by its path where that is not its name."""

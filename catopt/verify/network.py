@@ -27,9 +27,6 @@ from catopt.words import Message
 _LEAST_OFFSET = 0.01
 """Offset by which positions are measured at least, over the length of the longest line."""
 
-_ON_BED = 1e-9
-"""Height of a joint, over the length of the longest line, that is rounding."""
-
 
 @dataclass(frozen=True)
 class _Within:
@@ -176,9 +173,9 @@ def _beside_slack(closed: LinesAtRest, compared: Sequence[Comparing]) -> list[Co
 
 
 def _open_places(closed: LinesAtRest, compared: Sequence[Comparing]) -> set[int]:
-    """Gather joints on the bed, and fairleads of free bodies, that slack lines alone hold.
+    """Gather joints, and fairleads of free bodies, that slack lines alone hold.
 
-    Nothing says where on a smooth bed they are.
+    Nothing says where in plan they are.
     """
     pulled = {
         point
@@ -187,13 +184,11 @@ def _open_places(closed: LinesAtRest, compared: Sequence[Comparing]) -> set[int]
         for point in (run.first, run.second)
     }
     points = closed.network.points
-    lowest = _ON_BED * max(run.line.length for run in closed.runs)
     afloat = {points[k].body for k in pulled}
     return {
         k
-        for k, (point, place) in enumerate(zip(points, closed.joints.places, strict=True))
-        if (point.kind == "joint" and place[2] <= lowest and k not in pulled)
-        or (point.body and point.body not in afloat)
+        for k, point in enumerate(points)
+        if (point.kind == "joint" and k not in pulled) or (point.body and point.body not in afloat)
     }
 
 
@@ -221,7 +216,7 @@ def _joints(
     """Compare where joints lie: those that lines share, and those within rows."""
     shared = [point.name for point in whole.points if point.kind == "joint"]
     for number, point in enumerate(closed.network.points):
-        if point.kind != "joint" or number in loose:
+        if point.kind != "joint":
             continue
         meeting = [
             (run, both)
@@ -232,7 +227,7 @@ def _joints(
         end = 0 if run.first == number else -1
         scale = max(each.scales[1] for _, each in meeting)
         theory = SLACK_ORDER if any(each.is_slack for _, each in meeting) else ORDER
-        for axis in range(3):
+        for axis in (2,) if number in loose else range(3):
             if point.name in shared:
                 p = shared.index(point.name)
                 values = tuple(truss.places[p][axis] for truss in trusses)

@@ -28,6 +28,9 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--first", type=int, default=0, help="index of the first line")
     parser.add_argument("--systems", type=int, default=0, help="how many moored bodies")
     parser.add_argument("--networks", type=int, default=0, help="how many networks, from --first")
+    parser.add_argument(
+        "--trusses", type=int, default=0, help="how many by both models, from --first"
+    )
     parser.add_argument("--in-motion", type=int, default=0, help="sizings in motion, from --first")
     parser.add_argument("--seed", type=int, default=1, help="seed of all of them")
     parser.add_argument("--workers", type=int, default=1, help="processes")
@@ -48,6 +51,10 @@ def main(arguments: list[str] | None = None) -> int:
         networks = import_module("tests.campaign.network_check")
         say(f"\n{given.networks:,} networks from {given.first}")
         failures += networks.run(given.networks, given.first, say)
+    if given.trusses > 0:
+        trusses = import_module("tests.campaign.truss_check")
+        say(f"\n{given.trusses:,} networks from {given.first} by both models")
+        failures += trusses.run(given.trusses, given.first, say)
     if given.in_motion > 0:
         in_motion = import_module("tests.campaign.in_motion")
         say(f"\n{given.in_motion:,} sizings in motion from {given.first}")

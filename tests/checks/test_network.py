@@ -12,8 +12,11 @@ from catopt.casefile.reading import parse_network
 from catopt.casefile.writing import write_case
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.checks.system import check_network
+from catopt.errors import NotConvergedError
 from catopt.model import Anchor, Checks, Service, Site
 from catopt.model.network import LineBetween, Network, Point
+from catopt.mooring import network_out
+from catopt.mooring.held import LinesAtRest
 from catopt.mooring.network_out import each_line_out
 
 
@@ -69,6 +72,27 @@ def test_what_is_left_carries_all_when_a_line_is_lost() -> None:
         assert (found.demand, found.capacity) == pytest.approx((6e3, 32e3), rel=1e-5)
     assert "the body stays where it is held" in "\n".join(report.warnings)
     assert not of(report, "equilibrium", missing=1)
+
+
+def test_a_line_out_that_does_not_converge_fails_and_the_others_are_answered(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    checks = Checks(safety_factor=2.0, safety_factor_line_out=1.25)
+    converged = network_out.at_rest
+
+    def stops_without_the_left_line(network: Network) -> LinesAtRest:
+        if [line.start for line in network.lines] == ["right"]:
+            raise NotConvergedError("stopped short")
+        return converged(network)
+
+    monkeypatch.setattr(network_out, "at_rest", stops_without_the_left_line)
+    report = check_network(hung(checks))
+    assert not report.passes
+    (lost,) = of(report, "equilibrium", missing=1)
+    assert lost.note == "stopped short"
+    (found,) = of(report, "tension", line=1, missing=2)
+    assert found.demand == pytest.approx(6e3, rel=1e-5)
+    assert "Without line 1 no equilibrium was found" in "\n".join(report.warnings)
 
 
 def leg(**own: object) -> Network:

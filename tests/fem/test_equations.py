@@ -102,7 +102,7 @@ def test_matrix_is_the_derivative_of_the_residual(
         ground = ground._replace(spring_foot=feet)
     if name == "touching down":
         state.x[5:, 2] *= 0.02 / state.x[5, 2]  # so that the bar before it hangs in part
-    law = Law(0.0, problem.soft, False, 0.0)
+    law = Law(0.0, problem.soft, 0.0, False, 0.0)
     if name == "touching down":
         # Where the hanging node is in balance, the bar's secant (`shift_slope`) is the derivative.
         left = -law.soft * equations(problem, state, ground, law)[1][4 * 4 + 6]

@@ -65,16 +65,20 @@ def test_a_taut_line_on_the_bed_is_as_stiff_as_it_stretches() -> None:
     assert ends.stiffness[4][4] == pytest.approx(5e3 / 100.5, rel=1e-9)
 
 
+@pytest.mark.parametrize("other", [0.0, 3.0])
 @pytest.mark.parametrize("height", [10.0, 22.0, 24.9, 25.1, 25.2, 27.0])
-def test_a_slack_line_is_as_stiff_upwards_as_what_it_lifts(height: float) -> None:
-    """By differences: of rope, of rope and chain, while a clump is lifted (1 / sum of L / EA)."""
+def test_a_slack_line_is_as_stiff_upwards_as_what_it_lifts(height: float, other: float) -> None:
+    """By differences: of rope, of rope and chain, while a clump is lifted (1 / sum of L / EA).
+
+    So it is where the other end hangs off the bed, too.
+    """
     line = Line(
         [Segment(100.0, 500.0, EA=1e7), Segment(20.0, 100.0, EA=1e6)], [PointLoad(95.0, 5e3)]
     )
     pieces, _ = cut(line)
     step = 1e-6
     low, at, high = (
-        ends_of(pieces, (0.0, 0.0, 0.0), (40.0, 0.0, height + d), 0.0, None)
+        ends_of(pieces, (0.0, 0.0, other), (40.0, 0.0, height + d), 0.0, None)
         for d in (-step, 0.0, step)
     )
     assert at.state.H == 0.0

@@ -12,7 +12,6 @@ import pytest
 import catopt
 from catopt import InputError, Line, Segment
 from catopt.casefile import read_mooring
-from catopt.errors import FloatsUpError, NotConvergedError
 from catopt.model import CurrentProfile, Site
 from catopt.model.network import LineBetween, MooredBody, Network, Point
 from catopt.mooring.held import at_rest
@@ -21,6 +20,7 @@ from catopt.verify import network as by_both
 from catopt.verify.network import verify_network
 from catopt.verify.result import StaticComparison
 from tests.campaign.networks import drawn
+from tests.campaign.truss_check import judge
 
 HARD = Path(__file__).parents[1] / "hard_cases"
 
@@ -111,7 +111,7 @@ def test_where_slack_lines_leave_a_joint_is_open() -> None:
     part = verified(network, 100)
     assert part.verdict == "agrees"
     assert [remark for remark in part.remarks if remark.startswith("j0 is held by slack lines")]
-    assert not any(each.point == "j0" for each in part.quantities)
+    assert not any(each.point == "j0" and each.quantity != "place_z" for each in part.quantities)
 
 
 def test_all_at_once_as_verify_case_and_as_a_document() -> None:
@@ -154,35 +154,35 @@ def test_no_current_and_no_load_case() -> None:
         verify_network(float_alone, elements=40, tolerance=1e-4)
 
 
-def fault(seed: int, elements: int) -> str:
-    """Say what is wrong with a random network by both models; empty for nothing."""
-    try:
-        at_rest(network := drawn(seed))
-    except (catopt.NoEquilibriumError, FloatsUpError):
-        return ""  # of the closed form, which tests/campaign looks at
-    try:
-        parts = (verified(network, elements * finer) for finer in (1, 3))
-        found = next((part for part in parts if part.verdict == "agrees"), None)
-    except NotConvergedError as error:
-        return str(error)
-    return "" if found is not None else "the models differ"
-
-
-@pytest.mark.parametrize("seed", [13, 14, 18, 19, 80])
+@pytest.mark.parametrize("seed", [13, 14, 18, 19, 80, 24, 97, 99])
 def test_random_networks(seed: int) -> None:
     """Floats, joints in a row, all of its lines slack; friction that uses up all of a line's pull.
 
-    The last was off by 3e-4 as long as such a line stayed where it lay without friction.
+    The fifth was off by 3e-4 as long as such a line stayed where it lay without friction. The last
+    three did not come to rest: bars of slack lines on a smooth bed; a line that friction holds and
+    that hangs straight down from a raised anchor.
     """
-    assert fault(seed, 40) == ""
+    assert judge(seed) == ("agrees", "")
 
 
-MOST_UNSOLVED = 60
-"""Of 200: slack lines on a smooth bed, where nothing holds their bars, may not come to rest."""
+def test_a_float_on_slack_lines_is_compared_in_height_alone() -> None:
+    """It stands on their weight, above the bed; in plan it may be anywhere."""
+    network = drawn(27)
+    part = verified(network, 40)
+    assert part.verdict == "agrees"
+    assert at_rest(network).place_of("j0")[2] > 30.0
+    compared = {each.quantity for each in part.quantities if each.point == "j0"}
+    assert compared == {"place_z"}
+    assert [remark for remark in part.remarks if remark.startswith("j0 is held by slack lines")]
+
+
+MOST_UNSOLVED = 2
+"""Of those 50: rough beds on which the truss may not come to rest."""
 
 
 @pytest.mark.slow
-def test_two_hundred_random_networks() -> None:
-    faults = [said for seed in range(200) if (said := fault(seed, 40))]
-    assert [said for said in faults if "did not come to rest" not in said] == []
+def test_fifty_random_networks() -> None:
+    """Every fourth of the 200 that `python -m tests.campaign --lines 0 --trusses 200` looks at."""
+    faults = [(seed, *found) for seed in range(0, 200, 4) if (found := judge(seed))[1]]
+    assert [each for each in faults if each[1] != "not at rest"] == []
     assert len(faults) <= MOST_UNSOLVED

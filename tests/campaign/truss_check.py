@@ -1,0 +1,57 @@
+"""A campaign over networks by both models: the truss model beside the closed form.
+
+    python -m tests.campaign --lines 0 --trusses 200
+
+Networks that the closed form refuses are looked at by `network_check`.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable
+
+from catopt.errors import FloatsUpError, NoEquilibriumError, NotConvergedError
+from catopt.mooring.held import at_rest
+from catopt.verify.network import verify_network
+from tests.campaign.networks import KINDS, drawn
+
+ELEMENTS = 40
+"""Bars of the coarsest mesh of each line."""
+
+TOLERANCE = 1e-4
+"""Part of tensions and lengths within which the models agree."""
+
+FINER = 3
+"""How many times as many bars are tried where the first meshes show no agreement."""
+
+
+def judge(seed: int) -> tuple[str, str]:
+    """Solve one network by both models; what became of it, and what is wrong."""
+    network = drawn(seed)
+    try:
+        at_rest(network)
+    except (NoEquilibriumError, FloatsUpError):
+        return "refused", ""
+    try:
+        for finer in (1, FINER):
+            part = verify_network(network, elements=ELEMENTS * finer, tolerance=TOLERANCE)
+            if part.verdict == "agrees":
+                return "agrees", ""
+    except NotConvergedError as error:
+        return "not at rest", str(error)
+    return part.verdict, f"{part.worst.quantity} by {part.worst.gap:.1e}"
+
+
+def run(count: int, first: int, tell: Callable[[str], object]) -> int:
+    """Judge networks; tell of each that failed, and how many came to what. How many failed."""
+    counts: Counter[str] = Counter()
+    failures = 0
+    for seed in range(first, first + count):
+        came, fault = judge(seed)
+        counts[f"{KINDS[seed % len(KINDS)]}: {came}"] += 1
+        failures += bool(fault)
+        if fault:
+            tell(f"network {seed}: {came}: {fault}")
+    for name, value in sorted(counts.items()):
+        tell(f"{name:>30}{value:>10,}")
+    return failures
