@@ -33,9 +33,6 @@ from catopt.fem.seabed import (
 )
 from catopt.fem.sloped_rest import hanging_node, own_rest, share_slope, share_weight, shift_slope
 
-_FAR: Final = 0.03
-"""Above this e a bar is as stiff as the d that its tension asks for makes it: nets of springs that
-are still soft come to rest sooner so."""
 _SPARE: Final = 1e-3
 """Part of the d asked for by its tension that a bar is taken to have at least when its stiffness is
 sought: one that is longer than its length is all but as stiff as a taut one."""
@@ -154,14 +151,14 @@ def _misfit(
 ) -> tuple[float, float]:
     """By how much a bar is longer than its tension makes it, m, and how that length grows, 1/N.
 
-    Where it keeps T = K keep / d, it is near the end as stiff as T and the d that it has make it,
-    not as the d that T asks for: so both close up on the way (a primal-dual interior point).
+    Where it keeps T = K keep / d at the end, it is as stiff as T and the d that it has make it, not
+    as the d that T asks for: so both close up (a primal-dual interior point).
     """
     slope = (1.0 - law.ease) * compliance + law.ease / law.soft
     wanted = 1.0 - law.ease + slope * T
     if keep > 0.0:
         short = keep * law.soft / T
-        if law.ease > _FAR:
+        if law.ease > 0.0:
             slope += short / T
         else:
             slope += max(wanted - size / l0, _SPARE * min(short, 1.0)) / T
