@@ -119,10 +119,10 @@ span = "440 m"
 
 def test_the_truss_model_has_the_same() -> None:
     """Bars with the law of their own tension, second order."""
-    found = verify_case(parse_case(CASE))
+    found = verify_case(parse_case(CASE), elements=40)
     assert found.is_settled
     for each in found.parts[0].quantities:
-        assert abs(each.difference) < 1e-7, each.quantity
+        assert abs(each.difference) < 1e-6, each.quantity
 
 
 def test_a_file_says_it_and_reads_it_back() -> None:

@@ -16,7 +16,7 @@ from catopt.errors import NotConvergedError
 from catopt.model import Anchor, Checks, Service, Site
 from catopt.model.network import LineBetween, Network, Point
 from catopt.mooring import network_out
-from catopt.mooring.held import LinesAtRest
+from catopt.mooring.held import LinesAtRest, at_rest
 from catopt.mooring.network_out import each_line_out
 
 
@@ -78,7 +78,7 @@ def test_a_line_out_that_does_not_converge_fails_and_the_others_are_answered(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     checks = Checks(safety_factor=2.0, safety_factor_line_out=1.25)
-    converged = network_out.at_rest
+    converged = at_rest
 
     def stops_without_the_left_line(network: Network) -> LinesAtRest:
         if [line.start for line in network.lines] == ["right"]:
