@@ -10,7 +10,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 
-from catopt.catalogue.collection import ALL, NO_VARIANTS, Catalogue, standard
+from catopt.catalogue.collection import ALL, NO_VARIANTS, Catalogue
 from catopt.catalogue.components import (
     Alternative,
     Component,
@@ -21,6 +21,7 @@ from catopt.catalogue.components import (
 )
 from catopt.catalogue.family import ComponentName, Family, Sizes
 from catopt.catalogue.finding import search
+from catopt.catalogue.standard import standard
 from catopt.constants import SEA_WATER_DENSITY
 
 __all__ = [

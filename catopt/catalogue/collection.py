@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from functools import cache
 from types import MappingProxyType
 
 from catopt.catalogue.components import RECALLED, SPECS, Component, Figure, within
@@ -209,11 +208,3 @@ def _bar_recalled(check: Findings, figure: Figure, allow_recalled: bool) -> None
     if figure.confidence == RECALLED and not allow_recalled:
         why = Message("catalogue.only_recalled")
         check.add(f"variants.{figure.quantity}", as_written(figure.variant), why)
-
-
-@cache
-def standard() -> Catalogue:
-    """Return the catalogue that comes with catopt; it is read once."""
-    from catopt.catalogue.reading import read_standard
-
-    return read_standard()

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from catopt.checks.case import check_buoyancy, check_tensions, result_of
 from catopt.checks.criteria import Criteria, criteria_of, motion_profile
+from catopt.checks.evaluation import check_buoyancy, check_tensions, result_of
 from catopt.checks.kinds import OF_LINE, USER, Demand, Place, State, ratio_exceedance
 from catopt.checks.profiles import profiles_of
 from catopt.checks.result import CheckReport, CheckResult

@@ -7,7 +7,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from catopt.catenary.solution import Solution
-from catopt.checks.case import (
+from catopt.checks.criteria import HORIZONTAL_PULL, Criteria, criteria_of
+from catopt.checks.evaluation import (
     Lifted,
     check_buoyancy,
     evaluate,
@@ -15,7 +16,6 @@ from catopt.checks.case import (
     of_transient,
     of_uplift,
 )
-from catopt.checks.criteria import HORIZONTAL_PULL, Criteria, criteria_of
 from catopt.checks.kinds import Criterion, Place, State
 from catopt.checks.result import CheckReport, CheckResult, line_in_state
 from catopt.checks.strength import Strength

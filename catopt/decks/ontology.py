@@ -11,8 +11,8 @@ from collections.abc import Iterator, Mapping
 
 from catopt.decks.deck import Deck, DeckPiece, LineType, Notes, Point, refusal
 from catopt.decks.moordyn import settled
-from catopt.decks.reading import YamlTable, parse_yaml
 from catopt.decks.strung import DeckSection, PointMass, from_sections
+from catopt.decks.tree import YamlTable, parse_yaml
 
 _UNREAD = {
     "unread_weather": "metocean|resource|RAFT|[Ww]aves|marine_growth|_air$",

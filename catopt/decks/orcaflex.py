@@ -12,8 +12,8 @@ from dataclasses import replace
 
 from catopt.constants import STANDARD_GRAVITY
 from catopt.decks.deck import Deck, DeckPiece, LineType, Notes, Point
-from catopt.decks.reading import YamlTable, parse_yaml
 from catopt.decks.strung import DeckSection, PointMass, from_sections
+from catopt.decks.tree import YamlTable, parse_yaml
 
 TONNE, KILO = 1e3, 1e3
 """kg and N of OrcaFlex's units of mass and force."""

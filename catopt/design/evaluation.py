@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from catopt.catenary.batch import in_ranges
-from catopt.checks.case import LOAD, NO_CHECK, check_line
+from catopt.checks.case import LOAD, check_line
 from catopt.checks.criteria import criteria_of
+from catopt.checks.evaluation import NO_CHECK
 from catopt.compiled import compiled
 from catopt.design.assess import COST, EXCURSION, LENGTH, MASS, OFFSET, assess
 from catopt.design.problem import Evaluated, Floats, Genes

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from catopt.catenary.solve import solve
-from catopt.checks.case import NO_CHECK
 from catopt.checks.criteria import Criteria, criteria_of
+from catopt.checks.evaluation import NO_CHECK
 from catopt.compiled import compiled
 from catopt.design.assess import BOUNDS, COST, MASS
 from catopt.design.assess_mooring import Search, assess_moorings

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Any
 from catopt.casefile import write_case
 from catopt.casefile.reading import DESIGN_CASE
 from catopt.catenary.case import solve_case, under_a_load
-from catopt.checks.case import NO_CHECK, check_case, is_of_load
+from catopt.checks.case import check_case, is_of_load
+from catopt.checks.evaluation import NO_CHECK
 from catopt.design.result import design_document
 from catopt.errors import CatoptError
 from catopt.loads.component import CALMAR, LoadSource

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Literal
 
 from catopt.casefile.reading import read_mooring
 from catopt.casefile.schema import NetworkTable
-from catopt.checks.case import NO_CHECK
+from catopt.checks.evaluation import NO_CHECK
 from catopt.checks.system import check_network, check_system, criteria_of_network
 from catopt.errors import CatoptError, NoEquilibriumError
 from catopt.model.network import Network

@@ -44,6 +44,7 @@ from catopt.sizing.settle import ConvergedSizing, best_of
 from catopt.ties import largest
 from catopt.verify.case import load_states
 from catopt.verify.dynamic import Wanted, processes_for, run_once
+from catopt.verify.dynamic_lines import hull_of
 from catopt.verify.dynamic_result import DynamicPart
 from catopt.verify.dynamic_setup import read_drive
 from catopt.verify.judged import check_parts, line_in_motion, solutions_at_rest, way_of
@@ -133,9 +134,13 @@ def search_in_motion(
 
 
 def _check_afloat(settled: ConvergedSizing, request: BuoyRequest) -> None:
-    if run_in_still_water(settled.case, request) is not None:
-        return
-    allowed = Message("refused.not_afloat")
+    case, allowed = run_in_still_water(settled.case, request), Message("refused.not_afloat")
+    if case is not None:
+        try:
+            hull_of(case)
+            return
+        except InputError:
+            allowed = Message("refused.not_upright")
     raise InputError([Problem("in_motion", "true", allowed)], "BuoyRequest")
 
 

@@ -32,7 +32,7 @@ from catopt.floater.buoy import buoy_hull, floating_buoy
 from catopt.floater.moored import run_moored
 from catopt.floater.scene import kept_nodes, scene_of
 from catopt.hydro.build import FloatingHull
-from catopt.model import Load
+from catopt.model import Case, Load
 from catopt.model.dynamics import InitialFriction
 from catopt.mooring.solve import solve_system
 from catopt.verify.dynamic_setup import Excitation
@@ -332,13 +332,8 @@ class LineOfAFloater:
     @classmethod
     def at_rest(cls, drive: Excitation) -> LineOfAFloater:
         """Make the buoy; hull and line find their rest in the current of each run."""
-        case, of = drive.case, drive.case.floater
-        assert of is not None
         _check_in_plane(drive)
-        heavy = sum(each.submerged_weight * each.length for each in case.line.segments)
-        pull = heavy / case.line.length * min(case.site.water_depth, case.line.length)
-        site = case.site
-        return cls(drive, buoy_hull(of, site.water_depth, site.water_density, pull))
+        return cls(drive, hull_of(drive.case))
 
     @property
     def legs(self) -> Sequence[Leg]:
@@ -391,6 +386,15 @@ class LineOfAFloater:
             if shape.widest > _SMALL * length:
                 yield Message("floater.wide", width=shape.widest, length=length)
         yield Message("floater.linear_radiation")
+
+
+def hull_of(case: Case) -> FloatingHull:
+    """Make the hull of a case's buoy; InputError where it would not float upright on its line."""
+    of, site = case.floater, case.site
+    assert of is not None
+    heavy = sum(each.submerged_weight * each.length for each in case.line.segments)
+    pull = heavy / case.line.length * min(site.water_depth, case.line.length)
+    return buoy_hull(of, site.water_depth, site.water_density, pull)
 
 
 def _check_in_plane(drive: Excitation) -> None:

@@ -15,8 +15,8 @@ import numpy as np
 from catopt.arrays import Array
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
-from catopt.checks.case import evaluate, of_criteria
 from catopt.checks.criteria import Criteria, criteria_of, motion_profile
+from catopt.checks.evaluation import evaluate, of_criteria
 from catopt.checks.kinds import Place
 from catopt.checks.profiles import profiles_of
 from catopt.checks.result import CheckReport, CheckResult

@@ -53,7 +53,8 @@ def judge(number: int) -> tuple[str, list[str]]:
     except NotConvergedError as error:
         return "not converged", [str(error)]
     except InputError as error:
-        return "refused", [] if _is_no_motion(sizer, given) else [str(error)]
+        fine = "would not float upright" in str(error) or _is_no_motion(sizer, given)
+        return "refused", [] if fine else [str(error)]
     return "recommended", faults_of(found)
 
 

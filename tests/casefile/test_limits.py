@@ -8,7 +8,7 @@ import pytest
 
 from catopt.casefile.reading import parse_case
 from catopt.decks.deck import Notes
-from catopt.decks.reading import parse_yaml
+from catopt.decks.tree import parse_yaml
 from catopt.documents import MOST_BYTES, MOST_ENTRIES, parse_toml
 from catopt.errors import InputError
 

@@ -7,8 +7,9 @@ from dataclasses import replace
 import pytest
 
 from catopt import solve_case
-from catopt.checks.case import Lifted, check_case, evaluate, in_load_case, is_of_load, of_uplift
+from catopt.checks.case import check_case, is_of_load
 from catopt.checks.criteria import SEARCHED, Criteria, Limits, allowed_by, criteria_of
+from catopt.checks.evaluation import Lifted, evaluate, in_load_case, of_uplift
 from catopt.checks.kinds import CheckKind, CheckSource, Criterion, Place
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.errors import FloatsUpError, InputError

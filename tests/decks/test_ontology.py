@@ -11,7 +11,8 @@ import yaml
 
 from catopt import InputError
 from catopt.decks.deck import Notes
-from catopt.decks.reading import Asked, is_deck, parse_yaml, read_deck
+from catopt.decks.reading import Asked, is_deck, read_deck
+from catopt.decks.tree import parse_yaml
 from catopt.export.exported_line import exported_lines
 from catopt.export.programs import program_input
 from catopt.words import say

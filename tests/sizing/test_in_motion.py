@@ -184,6 +184,13 @@ def test_what_cannot_be_run_is_refused(inputs: dict[str, Any], said: str) -> Non
         size_buoy(**given, in_motion=True)
 
 
+def test_a_buoy_without_its_ballast_is_not_run() -> None:
+    """The spar's mass, spread over its hull, lies above what rights it."""
+    with pytest.raises(InputError, match="would not float upright") as caught:
+        size_buoy("spar 0.8 m", depth=36.0, hs=2.5, in_motion=True)
+    assert [each.key for each in caught.value.problems] == ["in_motion"]
+
+
 def test_runs_want_to_be_in_motion() -> None:
     with pytest.raises(InputError, match="in_motion"):
         size_buoy(**PLACE, seeds=2)
@@ -368,6 +375,7 @@ def made_up_answer() -> Sizing:
             1.2,
             Counted(70, 30, 28, 12, 40),
             (tried,),
+            load_cases=2,
         ),
     )
 
