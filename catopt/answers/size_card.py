@@ -165,7 +165,7 @@ def runs_words(of: InMotion) -> Message:
     assert of.case.dynamics is not None
     storm = lasting(of.case.dynamics.duration_of_interest)
     return Message(
-        "sizing.runs_of",
+        "sizing.runs_of" if of.load_cases > 1 else "sizing.runs_of_one",
         seeds=of.how.seeds,
         time=lasting(of.how.duration),
         states=of.load_cases,
