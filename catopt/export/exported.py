@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from hashlib import sha256
 from textwrap import wrap
 from typing import Annotated, Any, Literal
+from warnings import warn
 
 from catopt._version import __version__
 from catopt.catenary.solution import Solution
@@ -89,6 +90,11 @@ class FoundForces(Record):
     )
 
     solution: Solution
+
+    def __getitem__(self, key: str) -> Any:
+        """Read it as the document has it: what was a dictionary up to 1.0.0."""
+        warn("what is expected is read as solution.fairlead.tension", DeprecationWarning, 2)
+        return self.to_dict()[key]
 
 
 @dataclass(frozen=True)

@@ -53,9 +53,9 @@ STILL: dict[str, object] = dict.fromkeys(
 )
 """Of what is run in time there are tests of their own: it takes minutes."""
 SEVERAL: dict[str, object] = {"low_water": "20 m", "max_swing": None, "swing_price": None}
-SEVERAL |= {"in_motion": None}
-ONE_LINE: dict[str, object] = {"low_water": "20 m", "prefer": "cheapest", "in_motion": None}
-ONE_LINE |= dict.fromkeys(("lines", "pretension", "clump_weight"))
+SEVERAL |= dict.fromkeys(("in_motion", "seeds", "run_time"))
+ONE_LINE: dict[str, object] = {"low_water": "20 m", "prefer": "cheapest"}
+ONE_LINE |= dict.fromkeys(("lines", "pretension", "clump_weight", "in_motion", "seeds", "run_time"))
 FULL: dict[str, tuple[Moored, dict[str, object]]] = {
     "a buoy of the library": ("buoy", {"hs": "1.5 m", "swing_price": None, **STILL}),
     "a buoy by its force": (
@@ -130,7 +130,7 @@ def test_keywords_options_and_a_file_come_to_the_same(name: str, tmp_path: Path)
 def test_the_examples_are_all_inputs_but_files() -> None:
     given = {
         "buoy": {"buoys", "swing_price", *STILL},
-        "tanker": {"buoys", "coefficients", "in_motion"},
+        "tanker": {"buoys", "coefficients", "in_motion", "seeds", "run_time"},
     }  # no buoy chain has a price
     for name in FULL:
         moored, examples_of_it = examples(name)

@@ -75,7 +75,7 @@ def test_one_stopped_run_is_kept_when_none_is_whole() -> None:
         if at / end > 0.2:  # one of the two at least is beyond its ramp, a tenth of the run
             raise KeyboardInterrupt
 
-    found = verify_dynamic(sea(2, 3000.0), proof="none", workers=2, progress=stop)
+    found = verify_dynamic(sea(2, 12000.0), proof="none", workers=2, progress=stop)
     (run,) = found.parts[0].runs
     assert not run.history.is_complete
     assert "stopped in run 1 of 2" in found.parts[0].remarks
