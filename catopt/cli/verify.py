@@ -195,7 +195,7 @@ def _case(
     answer = motion_answer(moved, checks, with_series=asked.out is not None)
     return replace(
         found,
-        answers=(*found.answers, answer),
+        answers=(answer, *found.answers),  # what was asked for stands first
         pictures=(*found.pictures, partial(bundle.motion_pictures, moved, asked.language)),
         in_motion=lambda: {"dynamic": moved.to_dict() | own},
         stop=partial(stop_in_doubt, asked, moved),
@@ -288,7 +288,7 @@ def _front(
         )
     return replace(
         found,
-        answers=(*found.answers, front_in_motion_answer(moved)),
+        answers=(front_in_motion_answer(moved), *found.answers),
         in_motion=lambda: {"dynamic": moved.to_dict()},
         stop=partial(_stop_front, asked, front, moved),
     )
