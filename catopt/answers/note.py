@@ -161,7 +161,7 @@ def _signed() -> Table:
     """Leave room for who answers for it."""
     names = ("revision", "date", "prepared", "checked", "approved")
     keys = [f"note_first.{name}" for name in names]
-    return from_rows("signed", keys, [[Cited("\N{NO-BREAK SPACE}")] * len(keys)])
+    return from_rows("signed", keys, [[Cited("\u00a0")] * len(keys)])
 
 
 def _title_block(facts: Sequence[tuple[str, str]], note: AnyNote) -> blocks.Facts:

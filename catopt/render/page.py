@@ -40,7 +40,7 @@ from catopt.words import Language, Message, say
 _MOST = 12
 """Terms of a sum that are all written out; of more, its first two and its last are."""
 _POWERS = {"2": "²", "3": "³"}
-_TIMES = "\N{NO-BREAK SPACE}· "
+_TIMES = "\u00a0· "
 """Does not begin a line."""
 
 

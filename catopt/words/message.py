@@ -60,7 +60,7 @@ class _Filled(Formatter):
 
 
 _FILLED: Mapping[Language, _Filled] = MappingProxyType(
-    {each: _Filled("," if each == "en" else "\N{NO-BREAK SPACE}") for each in LANGUAGES}
+    {each: _Filled("," if each == "en" else "\u00a0") for each in LANGUAGES}
 )
 """A comma is the decimal sign of many other languages: beside a point it would mislead."""
 
