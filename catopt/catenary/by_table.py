@@ -4,7 +4,7 @@ Between two rows of its table a rope has strain e + c T, which is a rope of (1 +
 with a compliance c / (1 + e): the closed form holds for it. So a rope is cut into parts, each with
 the e and c of its own tensions, which are found by solving again with those of the last answer;
 this is Newton's method. Only a part whose tension passes a row is not exact: with `PARTS` parts
-what is left of a rope's reach beside the quadrature over its length is 1e-9 of it.
+what is left of a rope's reach beside the quadrature over its length is below 1e-8 of it.
 """
 
 from __future__ import annotations
@@ -60,6 +60,13 @@ def by_first_rows(line: Line) -> Line:
     )
 
 
+def grown(segment: Segment, length: float, e: float, c: float) -> Segment:
+    """Make the part of a segment, of a length, m, whose strain e + c T is in proportion to T."""
+    EA = (1.0 + e) / c if c else math.inf
+    weight = segment.submerged_weight / (1.0 + e)
+    return replace(segment, length=(1.0 + e) * length, submerged_weight=weight, EA=EA)
+
+
 def _count(segment: Segment) -> int:
     return PARTS if isinstance(segment.EA, StrainTable) else 1
 
@@ -71,23 +78,22 @@ def _stiffness(segment: Segment) -> float:
 
 def _in_parts(line: Line, owner: Sequence[int], laws: Sequence[tuple[float, float]]) -> Line:
     """Cut a line into its parts with their natural lengths, each by its strain e + c T."""
-    segments, places, grown = [], [0.0], [0.0]
+    segments, places, ends = [], [0.0], [0.0]
     for k, (e, c) in zip(owner, laws, strict=True):
         own = line.segments[k]
         length = own.length / _count(own)
-        weight, EA = own.submerged_weight / (1.0 + e), (1.0 + e) / c if c else math.inf
-        segments.append(replace(own, length=(1.0 + e) * length, submerged_weight=weight, EA=EA))
+        segments.append(grown(own, length, e, c))
         places.append(places[-1] + length)
-        grown.append(grown[-1] + segments[-1].length)
-    loads = [replace(each, position=_grown(each, places, grown)) for each in line.point_loads]
+        ends.append(ends[-1] + segments[-1].length)
+    loads = [replace(each, position=_moved(each, places, ends)) for each in line.point_loads]
     return Line(segments, loads)
 
 
-def _grown(load: PointLoad, places: Sequence[float], grown: Sequence[float]) -> float:
+def _moved(load: PointLoad, places: Sequence[float], ends: Sequence[float]) -> float:
     """Where a point load is along the parts with their natural lengths."""
     k = max(1, next((k for k, s in enumerate(places) if s >= load.position), len(places) - 1))
     part = (load.position - places[k - 1]) / (places[k] - places[k - 1])
-    return grown[k] if part >= 1.0 else grown[k - 1] + part * (grown[k] - grown[k - 1])
+    return ends[k] if part >= 1.0 else ends[k - 1] + part * (ends[k] - ends[k - 1])
 
 
 def _part_of(stretches: Sequence[Stretch], ends: Sequence[float]) -> Iterator[tuple[int, Stretch]]:

@@ -202,8 +202,10 @@ class Segment(Checked):
         ) -> None: ...
 
     def _check(self, found: Findings) -> None:
-        by_table = isinstance(self.EA, StrainTable)
-        found.check(*(each.name for each in fields(self) if not by_table or each.name != "EA"))
+        if isinstance(self.EA, StrainTable):
+            found.check(*(each.name for each in fields(self) if each.name != "EA"))
+        else:
+            found.check()
         found.problems += break_test_misfits({k for k in TESTS if getattr(self, k) is not None})
         is_rough = self.drag_method != "given" or any(getattr(self, k) is not None for k in _ROUGH)
         if is_rough and not found.problems:

@@ -113,6 +113,7 @@ class _Judged:
     runs: tuple[_Run, ...] = ()
     anchor: Anchor | None = None
     drag_anchor: DragAnchorSize | None = None
+    sinker: SinkerSize | None = None
     checks: CheckReport | None = None
 
     @property
@@ -381,17 +382,17 @@ class _Search:
         """Size what holds the line for its runs, and check it; NoAnswerError: nothing does."""
         settled, ground = judged.settled, self.request.ground
         assert settled is not None
-        anchor, size = settled.point.anchor, None
+        anchor, size, sinker = settled.point.anchor, None, None
         pulls = [solution.anchor for each in judged.runs for solution in each.every]
         pull = max(each.horizontal_force for each in pulls)
         if isinstance(ground, DragGround):
             least = max(each.horizontal_force for each in settled.posed.loads)
             size = ground.sized(max(pull, self.request.line.allowance * least / self.request.lines))
             anchor = ground.held(size)
-        elif anchor is not None:
+        else:
             lift = max(0.0, *(each.vertical_force for each in pulls))
             sinker = ground.sized(pull, lift, self.request.environment.water_density)
-            if sinker.mass > (anchor.mass or 0.0):
+            if anchor is not None and sinker.mass > (anchor.mass or 0.0):
                 weight = sinker.submerged_weight
                 anchor = replace(anchor, mass=sinker.mass, submerged_weight=weight)
         results: list[CheckResult] = []
@@ -403,7 +404,9 @@ class _Search:
         failing = sorted((e for e in results if not e.passes), key=lambda check: -check.exceedance)
         tried = _tried(judged.line, len(judged.runs) * self.how.seeds, tuple(failing))
         checks = CheckReport(settled.case.title, tuple(results), (), tuple(warnings))
-        return replace(judged, tried=tried, anchor=anchor, drag_anchor=size, checks=checks)
+        return replace(
+            judged, tried=tried, anchor=anchor, drag_anchor=size, sinker=sinker, checks=checks
+        )
 
 
 def _tried(line: Line, runs: int, failing: tuple[CheckResult, ...], reason: str = "") -> LineTried:
@@ -431,14 +434,6 @@ def _moved(request: TankerRequest, how: RunsAfloat, found: _Search, chosen: _Jud
     settled = chosen.settled
     still = check_case(replace(settled.case, anchor=chosen.anchor, design=None))
     point = replace(settled.point, anchor=chosen.anchor, checks=still)
-    sinker = None
-    if not isinstance(request.ground, DragGround):
-        pulls = [solution.anchor for each in chosen.runs for solution in each.every]
-        sinker = request.ground.sized(
-            max(each.horizontal_force for each in pulls),
-            max(0.0, *(each.vertical_force for each in pulls)),
-            request.environment.water_density,
-        )
     widest = largest(chosen.runs, lambda each: each.hanging.span)
     return ShipMoved(
         replace(settled, point=point, choice=request.line),
@@ -455,7 +450,7 @@ def _moved(request: TankerRequest, how: RunsAfloat, found: _Search, chosen: _Jud
             less=tuple(found.failing_below(chosen.line)),
         ),
         chosen.drag_anchor,
-        sinker,
+        chosen.sinker,
         (widest.load_case, widest.hanging.span),
     )
 

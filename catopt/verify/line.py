@@ -12,7 +12,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from catopt.arrays import Array
-from catopt.catenary.by_table import ROUNDS, has_table
+from catopt.catenary.by_table import ROUNDS, grown, has_table
 from catopt.catenary.solution import Solution
 from catopt.errors import NotConvergedError
 from catopt.fem import Leg as TrussLeg
@@ -271,12 +271,11 @@ def _grown(mesh: LineMesh, tension: Array) -> LineMesh:
     bars = []
     for k, length, T in zip(mesh.segment, mesh.length.tolist(), tension.tolist(), strict=True):
         own = mesh.line.segments[k]
-        table, e, EA = own.EA, 0.0, own.EA
-        if isinstance(table, StrainTable):
-            e, c = table.law(T, T)
-            EA = (1.0 + e) / c
-        weight = own.submerged_weight / (1.0 + e)
-        bars.append(replace(own, length=(1.0 + e) * length, submerged_weight=weight, EA=EA))
+        table = own.EA
+        by_table = isinstance(table, StrainTable)
+        bars.append(
+            grown(own, length, *table.law(T, T)) if by_table else replace(own, length=length)
+        )
     arc = [0.0, *accumulate(bar.length for bar in bars)]
     loads = [replace(load, position=arc[node]) for load, node in mesh.loads]
     return LineMesh(Line(bars, loads), tuple(arc), (1,) * len(bars))

@@ -12,7 +12,6 @@ refused is wrong.
 from __future__ import annotations
 
 import math
-from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import Any
@@ -27,7 +26,7 @@ from catopt.mooring.chains import rows_of
 from catopt.mooring.held import LinesAtRest, at_rest
 from catopt.mooring.joints import turned_line
 from catopt.mooring.line_ends import Vector
-from tests.campaign.networks import KINDS, drawn
+from tests.campaign.networks import counted, drawn
 
 BALANCE = 1e-8
 """Part of the largest tension that may be left: ten times what the solver itself lets stand."""
@@ -227,14 +226,9 @@ def judge(seed: int) -> tuple[str, list[str]]:
 
 def run(count: int, first: int, tell: Callable[[str], object]) -> int:
     """Judge networks; tell of each that failed, and how many came to what. How many failed."""
-    counts: Counter[str] = Counter()
-    failures = 0
-    for seed in range(first, first + count):
+
+    def judged(seed: int) -> tuple[str, str]:
         came, faults = judge(seed)
-        counts[f"{KINDS[seed % len(KINDS)]}: {'FAILED' if faults else came}"] += 1
-        failures += bool(faults)
-        if faults:
-            tell(f"network {seed}: {came}: {'; '.join(faults)}")
-    for name, value in sorted(counts.items()):
-        tell(f"{name:>30}{value:>10,}")
-    return failures
+        return ("FAILED", f"{came}: {'; '.join(faults)}") if faults else (came, "")
+
+    return counted(count, first, tell, judged)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import itertools
 import math
 import random
+from collections import Counter
+from collections.abc import Callable
 
 from catopt.model import Line, PointLoad, Segment, Site
 from catopt.model.network import LineBetween, MooredBody, Network, Point
@@ -192,3 +194,26 @@ class _Drawing:
                 self.tie(self.anchor(place[0], side), joint, (1.0, 1.2))
             before = joint
         self.tie(before, self.fairlead(0.0, 0.0, self.depth), (1.0, 1.1))
+
+
+def counted(
+    count: int,
+    first: int,
+    tell: Callable[[str], object],
+    judged: Callable[[int], tuple[str, str]],
+) -> int:
+    """Judge networks by their seeds; `judged` says what came of one, and what is wrong with it.
+
+    Tells of each with something wrong, and how many came to what. Returns how many had.
+    """
+    counts: Counter[str] = Counter()
+    failures = 0
+    for seed in range(first, first + count):
+        came, fault = judged(seed)
+        counts[f"{KINDS[seed % len(KINDS)]}: {came}"] += 1
+        failures += bool(fault)
+        if fault:
+            tell(f"network {seed}: {fault}")
+    for name, value in sorted(counts.items()):
+        tell(f"{name:>30}{value:>10,}")
+    return failures

@@ -7,13 +7,12 @@ Networks that the closed form refuses are looked at by `network_check`.
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable
 
 from catopt.errors import FloatsUpError, NoEquilibriumError, NotConvergedError
 from catopt.mooring.held import at_rest
 from catopt.verify.network import verify_network
-from tests.campaign.networks import KINDS, drawn
+from tests.campaign.networks import counted, drawn
 
 ELEMENTS = 40
 """Bars of the coarsest mesh of each line."""
@@ -44,14 +43,9 @@ def judge(seed: int) -> tuple[str, str]:
 
 def run(count: int, first: int, tell: Callable[[str], object]) -> int:
     """Judge networks; tell of each that failed, and how many came to what. How many failed."""
-    counts: Counter[str] = Counter()
-    failures = 0
-    for seed in range(first, first + count):
+
+    def judged(seed: int) -> tuple[str, str]:
         came, fault = judge(seed)
-        counts[f"{KINDS[seed % len(KINDS)]}: {came}"] += 1
-        failures += bool(fault)
-        if fault:
-            tell(f"network {seed}: {came}: {fault}")
-    for name, value in sorted(counts.items()):
-        tell(f"{name:>30}{value:>10,}")
-    return failures
+        return came, fault and f"{came}: {fault}"
+
+    return counted(count, first, tell, judged)

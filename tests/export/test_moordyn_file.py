@@ -382,3 +382,10 @@ def test_legs_of_their_own_keep_their_names() -> None:
     )
     solved = exported_lines(replace(tanker(), load=None, system=named))
     assert [each.name for each in moordyn_input(solved).expected] == ["leg 0", "leg 1"]
+
+
+def test_expected_forces_are_read_by_their_old_keys_for_one_version() -> None:
+    found = moordyn_input(exported_lines(read_case(CASES / "buoy-9.5m/case.toml"), EA=1e8))
+    (expected,) = found.expected
+    with pytest.warns(DeprecationWarning, match=r"solution.fairlead.tension"):
+        assert expected["fairlead_tension_N"] == expected.solution.fairlead.tension
