@@ -360,13 +360,14 @@ def _gathered(state: State, stretches: list[Stretch], span: float) -> tuple[Stre
 
 def end_of(stretch: Stretch, length: float) -> tuple[float, float]:
     """Place of the point `length` (m, unstretched) above the lower end of a stretch."""
+    natural = stretch.natural
     dx, dz = run_reach(
         stretch.horizontal_force,
         stretch.vertical_force,
-        length * stretch.natural,
-        stretch.submerged_weight / stretch.natural,
-        stretch.compliance / stretch.natural,
-        stretch.friction / stretch.natural,
+        length * natural,
+        stretch.submerged_weight / natural,
+        stretch.compliance / natural,
+        stretch.friction / natural,
         stretch.slope,
         stretch.on_bed,
     )
