@@ -23,7 +23,6 @@ from typing import Annotated, Any, Literal, NotRequired, Union, get_args, get_or
 import numpy as np
 import numpy.typing as npt
 
-from catopt.casefile.reading import Moored
 from catopt.catalogue.components import CONFIDENCES
 from catopt.catalogue.document import Answer
 from catopt.catenary.case_curve import CaseCurve
@@ -33,21 +32,15 @@ from catopt.checks.kinds import LOAD_KINDS
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.evaluation import OBJECTIVE_KEYS
 from catopt.export.exported import Exported
-from catopt.loads.component import LoadComponent
 from catopt.loads.document import ComparedLoads
-from catopt.loads.weathervane import ShipHeading
 from catopt.model.design import SearchMethod
-from catopt.model.dynamics import InitialFriction, JudgedBy
+from catopt.model.dynamics import InitialFriction
 from catopt.model.kinds import OneOf
-from catopt.model.load import LoadCaseState
 from catopt.model.network import PointKind
 from catopt.model.sea import CURRENT_PROFILES
 from catopt.records import From, Key, Matching, OrNull, Record, parts, unit_of
 from catopt.reproduce.items import Reproduction
-from catopt.sizing.alternatives import Role
-from catopt.sizing.inputs import INPUTS
-from catopt.sizing.known import Origin
-from catopt.sizing.line_choice import PREFERENCES
+from catopt.sizing.result import Sizing
 from catopt.study.base import Computed
 from catopt.study.run import Plan
 from catopt.verify.compared import Unit
@@ -58,6 +51,7 @@ from catopt.verify.motion_words import DYNAMIC_QUANTITY_OF as QUANTITY_OF
 from catopt.verify.proof import Proof, Way
 from catopt.verify.result import StaticComparison
 from catopt.verify.result import Verdict as VerdictAtRest
+from catopt.words import Message
 from catopt.words.texts import LANGUAGES
 
 FOLDER = Path(str(files("catopt.schemas")))
@@ -68,20 +62,18 @@ RECORDS: Mapping[str, tuple[type[Record], ...]] = {
     "fatigue": (FatigueReport,),
     "loads": (ComparedLoads,),
     "reproduction": (Reproduction,),
+    "size": (Sizing,),
     "solution": (Solution, SolutionInCurrent),
     "study_plan": (Plan,),
 }
 """Which records lay a document out; what only some of them have may be missing."""
-OF_A_CASE = ("check", "curve", "fatigue", "solution")
+OF_A_CASE = ("check", "curve", "fatigue", "size", "solution")
 """Documents that a result directory may have."""
 Asked = Literal["may", "must", "never"]
+ASKED: Mapping[str, Asked] = {"size": "never"}
+"""Of documents whose parts have what is put in on asking never, or always."""
 DEFINITIONS: Mapping[str, Mapping[str, tuple[type[Record], Asked]]] = {
     "design": {"check": (CheckResult, "never")},
-    "size": {
-        "check": (CheckResult, "never"),
-        "component": (LoadComponent, "may"),
-        "heading": (ShipHeading, "may"),
-    },
     "verify": {"check": (CheckResult, "must")},
 }
 """Parts of other documents that records lay out; whether they have what is put in on asking."""
@@ -107,16 +99,6 @@ WORDS: Mapping[str, Mapping[str, tuple[Any, ...]]] = {
         "language": LANGUAGES,
         "verification/verdict": (*(each for each in AT_REST if each != "not compared"), NO_ANSWER),
         "verification/worst/unit": _of(Unit),
-    },
-    "size": {
-        "kind": _of(Moored),
-        "load_case/kind": LOAD_KINDS,
-        "load_case/state": _of(LoadCaseState),
-        "alternative/prefer": PREFERENCES,
-        "input/origin": _of(Origin),
-        "sinker/material": next(each.words for each in INPUTS if each.name == "sinker"),
-        "in_motion/judged_by": _of(JudgedBy),
-        "candidate/role": _of(Role),
     },
     "study": {"compute": _of(Computed)},
     "verify": {
@@ -158,7 +140,7 @@ Schema = dict[str, Any]
 def schema(name: str) -> Schema:
     """Write the schema of a document."""
     records = RECORDS[name]
-    of = _Written({}, whole=records[0])
+    of = _Written({}, records[0], ASKED.get(name, "may"))
     whole = [of.object_of(each) for each in records]
     common = set.intersection(*(set(each["required"]) for each in whole))
     properties: Schema = {"schema": {"const": records[0].SCHEMA}}
@@ -166,6 +148,8 @@ def schema(name: str) -> Schema:
         properties["case_sha256"] = DIGEST
     for each in whole:
         properties |= each["properties"]
+    if name in OLDER:
+        of.definitions["check_result"]["properties"]["kind"]["enum"] += OLDER[name]
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "$id": "urn:" + records[0].SCHEMA.replace(".", ":").replace("/", ":"),
@@ -183,50 +167,57 @@ def schema(name: str) -> Schema:
 class _Written:
     """Schemas of types; those of records stand among `definitions`."""
 
-    def __init__(self, definitions: dict[str, Schema], whole: type[Record] | None = None) -> None:
+    def __init__(
+        self,
+        definitions: dict[str, Schema],
+        whole: type[Record] | None = None,
+        asked: Asked = "may",
+    ) -> None:
         self.definitions = definitions
         self._whole = whole
+        self._asked = asked
 
-    def object_of(self, record: type[Record], *, asked: Asked = "may") -> Schema:
+    def object_of(self, record: type[Record]) -> Schema:
         """Write the schema of a record, by its own document."""
         found = parts(record, record.DOCUMENT)
-        found = tuple(part for part in found if asked != "never" or part.mark != "*")
-        needed = ("", "*") if asked == "must" else ("",)
+        found = tuple(part for part in found if self._asked != "never" or part.mark != "*")
+        written = self._object(record, found, ("", "*") if self._asked == "must" else ("",))
+        if record.SCHEMA and record is not self._whole:
+            written["required"].insert(0, "schema")
+            written["properties"] = {"schema": {"const": record.SCHEMA}} | written["properties"]
+        return written
+
+    def _object(self, of: type, found: tuple[Key, ...], needed: tuple[str, ...]) -> Schema:
         return {
             "type": "object",
             "additionalProperties": False,
             "required": [part.key for part in found if part.mark in needed],
-            "properties": {part.key: self._described(part) for part in found},
+            "properties": {part.key: self._described(of, part) for part in found},
         }
 
-    def _described(self, part: Key) -> Schema:
-        unit = unit_of(part.hint)
+    def _described(self, of: type, part: Key) -> Schema:
+        unit = "" if part.inner else unit_of(part.hint)
         if isinstance(getattr(part.owner, part.path[-1], None), types.FunctionType) and (
             isinstance(part.hint, type) and issubclass(part.hint, Record)
         ):
             said = _flat(inspect.getdoc(part.hint) or "")
+        elif part.key == part.path[0] and part.key in _docstrings(of):
+            said = meaning(of, part.key)
         else:
             said = meaning(part.owner, part.path[-1])
         plain = unit.replace("_per_", "/")
+        said = re.sub(rf", {plain}(?=[.;])", "", said, count=1) if plain else said
         # What is left out is never null.
         hint = _without_none(part.hint) if part.mark == "?" else part.hint
-        return self.of(hint) | {"description": f"{plain}: {lower(said)}" if plain else said}
+        found = self.of(hint, part.inner) | ({"minimum": 1} if part.is_counted else {})
+        return found | {"description": f"{plain}: {lower(said)}" if plain else said}
 
-    def of(self, hint: Any) -> Schema:
-        """Write the schema of a type."""
+    def of(self, hint: Any, document: str = "") -> Schema:
+        """Write the schema of a type; of one that is laid out by a document, by that."""
         origin, inner = get_origin(hint), get_args(hint)
-        if origin is Annotated:
-            return self._bounded(inner[0], inner[1:])
-        if origin in (Union, types.UnionType):
-            return _any_of([self.of(each) for each in inner])
-        if origin is Literal:
-            return {"const": inner[0]} if len(inner) == 1 else {"enum": list(inner)}
-        if origin in (tuple, list):
-            sized = {} if inner[-1] is ... or origin is list else _items(len(inner), len(inner))
-            return {"type": "array", **sized, "items": self.of(inner[0])}
-        if origin in (np.ndarray, npt.NDArray):  # numpy 2.5 has an alias of its own
-            return {"type": "array", "items": {"type": "number"}}
-        if isinstance(hint, type) and issubclass(hint, Record):
+        if origin is not None:
+            return self._made(origin, inner, document)
+        if isinstance(hint, type) and issubclass(hint, Record) and not document:
             if hint is self._whole:
                 return {"$ref": "#"}
             name = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", hint.__name__).lower()
@@ -234,12 +225,28 @@ class _Written:
                 self.definitions[name] = {}
                 self.definitions[name] = self.object_of(hint)
             return {"$ref": f"#/$defs/{name}"}
-        if origin in (dict, Mapping):
-            return {"type": "object", "additionalProperties": self.of(inner[1])}
-        return {"type": _PLAIN[hint]}
+        if document and hint is not type(None):
+            return self._object(hint, parts(hint, document), ("",))
+        return {"type": _PLAIN[str if hint is Message else hint]}
 
-    def _bounded(self, hint: Any, kinds: tuple[Any, ...]) -> Schema:
-        found = self.of(hint)
+    def _made(self, origin: Any, inner: tuple[Any, ...], document: str) -> Schema:
+        """Write the schema of a type that is made of others."""
+        if origin is Annotated:
+            return self._bounded(inner[0], inner[1:], document)
+        if origin in (Union, types.UnionType):
+            return _any_of([self.of(each, document) for each in inner])
+        if origin is Literal:
+            return {"const": inner[0]} if len(inner) == 1 else {"enum": list(inner)}
+        if origin in (tuple, list):
+            sized = {} if inner[-1] is ... or origin is list else _items(len(inner), len(inner))
+            return {"type": "array", **sized, "items": self.of(inner[0], document)}
+        if origin in (np.ndarray, npt.NDArray):  # numpy 2.5 has an alias of its own
+            return {"type": "array", "items": {"type": "number"}}
+        assert issubclass(origin, Mapping), origin
+        return {"type": "object", "additionalProperties": self.of(inner[1], document)}
+
+    def _bounded(self, hint: Any, kinds: tuple[Any, ...], document: str = "") -> Schema:
+        found = self.of(hint, document)
         for kind in kinds:
             if isinstance(kind, From):
                 found |= {"minItems" if found["type"] == "array" else "minimum": kind.least}
@@ -371,8 +378,8 @@ def up_to_date() -> Iterator[tuple[Path, str]]:
         document = json.loads(path.read_text("utf-8"))
         tied: list[Schema] = []
         for key, (record, asked) in DEFINITIONS.get(name, {}).items():
-            of = _Written({})
-            document["$defs"][key] = of.object_of(record, asked=asked)
+            of = _Written({}, asked=asked)
+            document["$defs"][key] = of.object_of(record)
             document["$defs"] |= of.definitions
             tied += [node for _, node in worded([document["$defs"][key], of.definitions])]
         for place, node in worded(document):

@@ -169,6 +169,11 @@ class CheckReport(Displayable, Record):
         return largest(self.results, lambda result: result.utilisation or 0.0, ROUNDING)
 
     @property
+    def nearest(self) -> str:
+        """The check nearest to its limit, with its load case; empty without checks."""
+        return "" if self.governing is None else self.governing.in_case
+
+    @property
     def failed(self) -> tuple[CheckResult, ...]:
         """The checks that are failed, the worst first; those alike as they come."""
         failed = [result for result in self.results if not result.passes]

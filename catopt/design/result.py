@@ -12,6 +12,8 @@ from catopt.design.mooring_point import MooringPoint, under
 from catopt.documents import figures
 from catopt.model import Anchor, Case, Line
 from catopt.model.design import loads_of
+from catopt.model.kinds import Height, SomeForce
+from catopt.records import Counted, FromZero
 from catopt.shown import Displayable
 from catopt.words.saved import messages_in
 
@@ -39,6 +41,21 @@ class DesignPoint(Displayable):
     def governing(self) -> CheckResult | None:
         """The check that is nearest to its limit."""
         return self.checks.governing
+
+    @property
+    def cost(self) -> float | None:
+        """USD, of the line's material; None where a price is not known."""
+        return self.objectives.get("cost_USD")
+
+    @property
+    def largest_span(self) -> Height:
+        """Of all load cases."""
+        return self.objectives["offset_m"]
+
+    @property
+    def largest_force(self) -> SomeForce:
+        """Horizontal, on the line in any load case."""
+        return max(solution.horizontal_force for _, solution in self.checks.solutions)
 
 
 @dataclass(frozen=True)
@@ -72,9 +89,12 @@ class DesignResult(Displayable):
     recommendation: str  # why, in words
     method: str  # ``"enumeration"``, ``"nsga2"`` or ``"swarm"``
     is_exact: bool  # whether every design of the space was evaluated, or proved needless
-    designs: int  # designs that the space holds
-    evaluations: int  # designs that were evaluated, each under all load cases
-    feasible: int  # how many of those passed every check
+    designs: Counted
+    """Designs that the space holds."""
+    evaluations: Counted
+    """Designs that were evaluated, each in all load cases."""
+    feasible: FromZero
+    """How many of these passed every check."""
     # of the front, in the units of the objectives multiplied, up to `reference_point`
     hypervolume: float
     reference_point: tuple[float, ...]  # the worst corner that the hypervolume is measured from

@@ -16,7 +16,8 @@ from catopt.loads.component import CALMAR, NAVFAC, LoadSource
 from catopt.loads.drag_anchor import CURVES, default_factor, holding_capacity
 from catopt.loads.ship_dimensions import SINKER_MASSES, NextSize, neighbours, next_size
 from catopt.model.anchor import sinker_needed
-from catopt.model.kinds import Findings
+from catopt.model.kinds import Density, Findings, NotNegative, SomeForce
+from catopt.records import Record
 from catopt.units import as_written
 from catopt.words import Message, term
 
@@ -129,21 +130,34 @@ MUD: Final = (*AS_CLAY, "soft clay")
 
 
 @dataclass(frozen=True, kw_only=True)
-class SinkerSize(NextSize):
-    """A sinker that does not slide; masses in air, densities in kg/m3."""
+class SinkerSize(NextSize, Record):
+    """A sinker that does not slide."""
+
+    DOCUMENT = (
+        "mass needed_mass smaller=smaller_mass_kg larger=larger_mass_kg material density "
+        "submerged_weight friction friction_source.text=friction_source "
+        "safety_factor=wanted_factor factor"
+    )
 
     material: Material
-    density: float
-    friction: float
-    """tan(delta) on the soil."""
+    """Of what."""
+    density: Density
+    """Of its material."""
+    friction: NotNegative
+    """tan(delta) on the soil, a pure number."""
     friction_source: LoadSource | None
-    """Of it; None for the user's own."""
-    submerged_weight: float
-    """N."""
+    """Where the friction is from; None for the user's own."""
+    submerged_weight: SomeForce
+    """In water."""
     vertical_force: float
     """Of the line on it, upwards, N."""
     notes: tuple[str, ...] = ()
     """What an engineer should know."""
+
+    @property
+    def rule(self) -> str:
+        """Document of the rule that its friction is by; CALMAR's where that is the user's own."""
+        return CALMAR if self.friction_source is None else self.friction_source.document
 
     @property
     def held(self) -> float:

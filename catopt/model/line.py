@@ -143,7 +143,7 @@ class Segment(Checked):
     nominal_diameter: Length | None = None
     """Of the bar of a chain's links, or of the rope as sold, m."""
     proof_load: Strength | None = None
-    """N."""
+    """Proof load, N."""
     price: Annotated[float, Measured(Dimension.PRICE_PER_LENGTH, at_least=0.0)] | None = None
     """Material only, USD/m."""
     wear_rate: WearRate | None = None
@@ -348,8 +348,8 @@ class Line:
         found.raise_if_any()
 
     @property
-    def length(self) -> float:
-        """Unstretched length, m."""
+    def length(self) -> Length:
+        """Unstretched, m."""
         return math.fsum(segment.length for segment in self.segments)
 
     @property
@@ -360,7 +360,7 @@ class Line:
 
     @property
     def mass(self) -> SomeMass | None:
-        """Mass in air of all segments and point loads; None when one of them is not known."""
+        """In air, of all segments and point loads; None when one of them is not known."""
         masses = [
             *(None if s.mass is None else s.length * s.mass for s in self.segments),
             *(load.mass for load in self.point_loads),

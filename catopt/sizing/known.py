@@ -10,6 +10,7 @@ from typing import Any, Literal
 from catopt.casefile.reading import Moored
 from catopt.catalogue.family import nearest
 from catopt.loads.ship_dimensions import DIMENSIONS_SOURCE, ship_dimensions
+from catopt.records import Record
 from catopt.sizing.inputs import SINKER, Input, inputs_of
 from catopt.sizing.kinds import default_of, kind_of, usual
 from catopt.sizing.telling import ErrorCollector, Spelling, as_keyword
@@ -23,18 +24,32 @@ _FIELD = {"LENGTH": "m", "MASS": "t", "AREA": "m^2", "DENSITY": "kg/m^3", "NUMBE
 
 
 @dataclass(frozen=True)
-class ReadInput:
+class ReadInput(Record):
     """An input as it was read, for the beginning of the answer."""
 
+    DOCUMENT = "keyword=name value unit origin"
+
     of: Input  # its row in the table
-    value: Any  # in SI; a tuple of several
-    origin: Origin  # by the user, by default, or by an estimate from what was given
+    value: float | str | bool | tuple[float | str, ...]
+    """In SI; an array of several."""
+    origin: Origin
+    """By the user, by default, or estimated from what was given."""
     source: str = ""  # of an estimate
+
+    @property
+    def keyword(self) -> str:
+        """Keyword in Python; the option is the same with dashes."""
+        return self.of.name
 
     @property
     def name(self) -> Message:
         """What it is."""
         return Message(f"inputs.{self.of.name}")
+
+    @property
+    def unit(self) -> str:
+        """SI; empty where there is none."""
+        return Dimension[self.of.takes].si_unit if self.of.is_measure else ""
 
     @property
     def said(self) -> str:
