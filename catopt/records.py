@@ -4,9 +4,9 @@ A record says in `DOCUMENT` what its document has, in its order: attributes, eac
 its unit behind it, so that ``tension``, a force, is ``tension_N``. A dotted name is an attribute of
 an attribute, None where that is; ``swarm=pso`` has another key; ``line+1`` counts from 1 what
 Python counts from 0; ``parts(name length)`` has these attributes of each part, which needs no
-document of its own then. Behind a name, ``?`` leaves the key out where the value is None, ``*``
-where nobody asks for it, and ``~`` is for a key that older documents lack. What is a method is put
-in by whoever lays the record out. The JSON schemas are written from the same lines
+document of its own then. Behind a name, ``?`` leaves the key out where the value is None or empty,
+``*`` where nobody asks for it, and ``~`` is for a key that older documents lack. What is a method
+is put in by whoever lays the record out. The JSON schemas are written from the same lines
 (`python -m tests.schemas`): type and bounds from the annotation, meaning from the docstring.
 """
 
@@ -83,9 +83,13 @@ def laid_out(of: object, document: str = "") -> dict[str, Any]:
             value = None if value is None else getattr(value, name)
         if part.is_counted and value is not None:
             value += 1
-        if not callable(value) and part.mark != "*" and (part.mark != "?" or value is not None):
+        if not callable(value) and part.mark != "*" and not (part.mark == "?" and _is_none(value)):
             found[part.key] = _plain(value, part.inner)
     return found
+
+
+def _is_none(value: Any) -> bool:
+    return value is None or (isinstance(value, tuple | Mapping) and not value)
 
 
 def within(path: str, document: str) -> str:

@@ -29,15 +29,17 @@ from catopt.catenary.case_curve import CaseCurve
 from catopt.catenary.in_current import SolutionInCurrent
 from catopt.catenary.solution import Solution
 from catopt.checks.kinds import LOAD_KINDS
-from catopt.checks.result import CheckReport, CheckResult
+from catopt.checks.result import CheckReport, CheckResult, ChecksInBrief
 from catopt.design.evaluation import OBJECTIVE_KEYS
 from catopt.export.exported import Exported
 from catopt.loads.document import ComparedLoads
 from catopt.model.design import SearchMethod
 from catopt.model.dynamics import InitialFriction
-from catopt.model.kinds import OneOf
-from catopt.model.network import PointKind
-from catopt.model.sea import CURRENT_PROFILES
+from catopt.model.kinds import OneOf, Size
+from catopt.mooring.case import SystemReport
+from catopt.mooring.circle import WatchCircle
+from catopt.mooring.held import NetworkReport
+from catopt.mooring.network_out import NetworkOut
 from catopt.records import From, Key, Matching, OrNull, Record, parts, unit_of
 from catopt.reproduce.items import Reproduction
 from catopt.sizing.result import Sizing
@@ -61,14 +63,31 @@ RECORDS: Mapping[str, tuple[type[Record], ...]] = {
     "export": (Exported,),
     "fatigue": (FatigueReport,),
     "loads": (ComparedLoads,),
+    "network": (NetworkReport,),
     "reproduction": (Reproduction,),
     "size": (Sizing,),
+    "system": (SystemReport,),
     "solution": (Solution, SolutionInCurrent),
     "study_plan": (Plan,),
 }
 """Which records lay a document out; what only some of them have may be missing."""
-OF_A_CASE = ("check", "curve", "fatigue", "size", "solution")
+OF_A_CASE = ("check", "curve", "fatigue", "size", "solution", "system")
 """Documents that a result directory may have."""
+PUT_IN: Mapping[str, Mapping[str, tuple[Any, str]]] = {
+    "system": {"checks": (ChecksInBrief, "")},
+    "network": {
+        "checks": (ChecksInBrief, ""),
+        "one_line_out": (
+            tuple[NetworkOut, ...],
+            "Only when asked for: each line gone in turn, a body that is held in its place.",
+        ),
+        "watch_circle": (
+            WatchCircle,
+            "Only when asked for: a force of the size of that on the one body, from all sides.",
+        ),
+    },
+}
+"""What a command puts into a document, by its key: its type and its meaning."""
 Asked = Literal["may", "must", "never"]
 ASKED: Mapping[str, Asked] = {"size": "never"}
 """Of documents whose parts have what is put in on asking never, or always."""
@@ -94,7 +113,6 @@ WORDS: Mapping[str, Mapping[str, tuple[Any, ...]]] = {
         "load_case/kind": LOAD_KINDS,
         "method": tuple(each for each in _of(SearchMethod) if each != "auto"),
     },
-    "network": {"states/points/kind": _of(PointKind), "states/current/profile": CURRENT_PROFILES},
     "report": {
         "language": LANGUAGES,
         "verification/verdict": (*(each for each in AT_REST if each != "not compared"), NO_ANSWER),
@@ -148,6 +166,8 @@ def schema(name: str) -> Schema:
         properties["case_sha256"] = DIGEST
     for each in whole:
         properties |= each["properties"]
+    for key, (hint, said) in PUT_IN.get(name, {}).items():
+        properties[key] = of.of(hint) | {"description": said or _flat(inspect.getdoc(hint) or "")}
     if name in OLDER:
         of.definitions["check_result"]["properties"]["kind"]["enum"] += OLDER[name]
     return {
@@ -205,7 +225,7 @@ class _Written:
             said = meaning(of, part.key)
         else:
             said = meaning(part.owner, part.path[-1])
-        plain = unit.replace("_per_", "/")
+        plain = unit.replace("_per_", "/").replace("Nm", "N m")
         said = re.sub(rf", {plain}(?=[.;])", "", said, count=1) if plain else said
         # What is left out is never null.
         hint = _without_none(part.hint) if part.mark == "?" else part.hint
@@ -250,6 +270,8 @@ class _Written:
         for kind in kinds:
             if isinstance(kind, From):
                 found |= {"minItems" if found["type"] == "array" else "minimum": kind.least}
+            elif isinstance(kind, Size):
+                found |= _items(kind.fewest, kind.most)
             elif isinstance(kind, Matching):
                 found |= {"pattern": kind.pattern}
             elif kind is OrNull:
