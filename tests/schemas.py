@@ -28,12 +28,10 @@ from catopt.catalogue.document import Answer
 from catopt.catenary.case_curve import CaseCurve
 from catopt.catenary.in_current import SolutionInCurrent
 from catopt.catenary.solution import Solution
-from catopt.checks.kinds import LOAD_KINDS
 from catopt.checks.result import CheckReport, CheckResult, ChecksInBrief
-from catopt.design.evaluation import OBJECTIVE_KEYS
+from catopt.design.result import DesignResult
 from catopt.export.exported import Exported
 from catopt.loads.document import ComparedLoads
-from catopt.model.design import SearchMethod
 from catopt.model.dynamics import InitialFriction
 from catopt.model.kinds import OneOf, Size
 from catopt.mooring.case import SystemReport
@@ -60,6 +58,7 @@ FOLDER = Path(str(files("catopt.schemas")))
 RECORDS: Mapping[str, tuple[type[Record], ...]] = {
     "check": (CheckReport,),
     "curve": (CaseCurve,),
+    "design": (DesignResult,),
     "export": (Exported,),
     "fatigue": (FatigueReport,),
     "loads": (ComparedLoads,),
@@ -71,9 +70,16 @@ RECORDS: Mapping[str, tuple[type[Record], ...]] = {
     "study_plan": (Plan,),
 }
 """Which records lay a document out; what only some of them have may be missing."""
-OF_A_CASE = ("check", "curve", "fatigue", "size", "solution", "system")
+OF_A_CASE = ("check", "curve", "design", "fatigue", "size", "solution", "system")
 """Documents that a result directory may have."""
 PUT_IN: Mapping[str, Mapping[str, tuple[Any, str]]] = {
+    "design": {
+        "messages": (
+            Mapping[str, Any],
+            "By which key and values texts of the document are said in another language, by their "
+            "English; those of the checks are not among them.",
+        )
+    },
     "system": {"checks": (ChecksInBrief, "")},
     "network": {
         "checks": (ChecksInBrief, ""),
@@ -89,10 +95,9 @@ PUT_IN: Mapping[str, Mapping[str, tuple[Any, str]]] = {
 }
 """What a command puts into a document, by its key: its type and its meaning."""
 Asked = Literal["may", "must", "never"]
-ASKED: Mapping[str, Asked] = {"size": "never"}
+ASKED: Mapping[str, Asked] = {"design": "never", "size": "never"}
 """Of documents whose parts have what is put in on asking never, or always."""
 DEFINITIONS: Mapping[str, Mapping[str, tuple[type[Record], Asked]]] = {
-    "design": {"check": (CheckResult, "never")},
     "verify": {"check": (CheckResult, "must")},
 }
 """Parts of other documents that records lay out; whether they have what is put in on asking."""
@@ -108,11 +113,6 @@ NO_ANSWER = "no answer"
 """What a document says for a verdict that there is none of."""
 WORDS: Mapping[str, Mapping[str, tuple[Any, ...]]] = {
     "catalog": {"question": _of(Answer, "question"), "confidence": CONFIDENCES},
-    "design": {
-        "objectives": tuple(OBJECTIVE_KEYS.values()),
-        "load_case/kind": LOAD_KINDS,
-        "method": tuple(each for each in _of(SearchMethod) if each != "auto"),
-    },
     "report": {
         "language": LANGUAGES,
         "verification/verdict": (*(each for each in AT_REST if each != "not compared"), NO_ANSWER),
@@ -235,19 +235,26 @@ class _Written:
     def of(self, hint: Any, document: str = "") -> Schema:
         """Write the schema of a type; of one that is laid out by a document, by that."""
         origin, inner = get_origin(hint), get_args(hint)
+        if hint is Any:
+            return {}
         if origin is not None:
             return self._made(origin, inner, document)
         if isinstance(hint, type) and issubclass(hint, Record) and not document:
             if hint is self._whole:
                 return {"$ref": "#"}
-            name = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", hint.__name__).lower()
-            if name not in self.definitions:
-                self.definitions[name] = {}
-                self.definitions[name] = self.object_of(hint)
-            return {"$ref": f"#/$defs/{name}"}
+            if _snake(hint) not in self.definitions:
+                self.definitions[_snake(hint)] = {}
+                self.definitions[_snake(hint)] = self.object_of(hint)
+            return {"$ref": f"#/$defs/{_snake(hint)}"}
         if document and hint is not type(None):
-            return self._object(hint, parts(hint, document), ("",))
+            return self._defined(hint, self._object(hint, parts(hint, document), ("",)))
         return {"type": _PLAIN[str if hint is Message else hint]}
+
+    def _defined(self, hint: type, found: Schema) -> Schema:
+        """Put it among the definitions, where no other one has its name."""
+        if self.definitions.setdefault(_snake(hint), found) != found:
+            return found
+        return {"$ref": f"#/$defs/{_snake(hint)}"}
 
     def _made(self, origin: Any, inner: tuple[Any, ...], document: str) -> Schema:
         """Write the schema of a type that is made of others."""
@@ -301,6 +308,10 @@ class _Written:
                 for key, hint in (hints | kept).items()
             },
         }
+
+
+def _snake(of: type) -> str:
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", of.__name__).lower()
 
 
 def _items(fewest: int, most: int) -> Schema:

@@ -213,6 +213,11 @@ class Segment(Checked):
             found.problems += drag_misfits(given)
 
     @property
+    def catalogued(self) -> str | None:
+        """Family and grade in the catalogue; None for figures of the case's own."""
+        return self.component or None
+
+    @property
     def is_inextensible(self) -> bool:
         """Whether it does not stretch at all."""
         return not isinstance(self.EA, StrainTable) and math.isinf(self.EA)

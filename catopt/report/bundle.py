@@ -251,10 +251,9 @@ def system_pictures(report: SystemReport) -> dict[str, bytes]:
 
 def _of_front(result: DesignResult) -> Drawing:
     """Draw a front, and of single lines three of them."""
-    from catopt.design.result import design_document
     from catopt.figures.sizing import front, front_lines
 
-    document = design_document(result)
+    document = result.to_dict()
     is_line = result.best.mooring is None
     lines = (front_lines(result, document),) if is_line else ()
     return Drawing((front(document), *lines), result.case.title)
