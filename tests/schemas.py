@@ -41,7 +41,7 @@ from catopt.mooring.network_out import NetworkOut
 from catopt.records import From, Key, Matching, OrNull, Record, parts, unit_of
 from catopt.reproduce.items import Reproduction
 from catopt.sizing.result import Sizing
-from catopt.study.base import Computed
+from catopt.study.result import StudyResult
 from catopt.study.run import Plan
 from catopt.verify.compared import Unit
 from catopt.verify.dynamic_result import Verdict
@@ -67,6 +67,7 @@ RECORDS: Mapping[str, tuple[type[Record], ...]] = {
     "size": (Sizing,),
     "system": (SystemReport,),
     "solution": (Solution, SolutionInCurrent),
+    "study": (StudyResult,),
     "study_plan": (Plan,),
 }
 """Which records lay a document out; what only some of them have may be missing."""
@@ -118,7 +119,6 @@ WORDS: Mapping[str, Mapping[str, tuple[Any, ...]]] = {
         "verification/verdict": (*(each for each in AT_REST if each != "not compared"), NO_ANSWER),
         "verification/worst/unit": _of(Unit),
     },
-    "study": {"compute": _of(Computed)},
     "verify": {
         "verdict": (*AT_REST, NO_ANSWER),
         "motion_verdict": _of(Verdict),
