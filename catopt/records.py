@@ -15,7 +15,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Mapping
-from functools import cache, cached_property
+from functools import cached_property
 from types import FunctionType
 from typing import Annotated, Any, ClassVar, NamedTuple, get_args, get_type_hints
 
@@ -89,7 +89,7 @@ def laid_out(of: object, document: str = "") -> dict[str, Any]:
 
 
 def _is_none(value: Any) -> bool:
-    return value is None or (isinstance(value, tuple | Mapping) and not value)
+    return value is None or (isinstance(value, tuple | list | Mapping) and not value)
 
 
 def within(path: str, document: str) -> str:
@@ -129,12 +129,10 @@ def _hint(of: type, name: str) -> Any:
         found = found.func
     if isinstance(found, FunctionType):
         return get_type_hints(found, include_extras=True)["return"]
-    return _hints(of)[name]
-
-
-@cache
-def _hints(of: type) -> Mapping[str, Any]:
-    return get_type_hints(of, include_extras=True)
+    owner = next(each for each in of.__mro__ if name in vars(each).get("__annotations__", {}))
+    # Of this attribute alone: others may be of types that are not there at run time.
+    alone = {"__annotations__": {name: owner.__annotations__[name]}, "__module__": owner.__module__}
+    return get_type_hints(type("_", (), alone), include_extras=True)[name]
 
 
 def _types(hint: Any) -> Iterator[Any]:

@@ -14,7 +14,7 @@ import re
 import sys
 import textwrap
 import types
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cache, cached_property
 from importlib.resources import files
 from pathlib import Path
@@ -23,7 +23,6 @@ from typing import Annotated, Any, Literal, NotRequired, Union, get_args, get_or
 import numpy as np
 import numpy.typing as npt
 
-from catopt.catalogue.components import CONFIDENCES
 from catopt.catalogue.document import Answer
 from catopt.catenary.case_curve import CaseCurve
 from catopt.catenary.in_current import SolutionInCurrent
@@ -32,6 +31,7 @@ from catopt.checks.result import CheckReport, CheckResult, ChecksInBrief
 from catopt.design.result import DesignResult
 from catopt.export.exported import Exported
 from catopt.loads.document import ComparedLoads
+from catopt.loads.sinker import AnchorHeld, SinkerHeld
 from catopt.model.dynamics import InitialFriction
 from catopt.model.kinds import OneOf, Size
 from catopt.mooring.case import SystemReport
@@ -56,6 +56,7 @@ from catopt.words.texts import LANGUAGES
 
 FOLDER = Path(str(files("catopt.schemas")))
 RECORDS: Mapping[str, tuple[type[Record], ...]] = {
+    "catalog": (Answer,),
     "check": (CheckReport,),
     "curve": (CaseCurve,),
     "design": (DesignResult,),
@@ -74,6 +75,16 @@ RECORDS: Mapping[str, tuple[type[Record], ...]] = {
 OF_A_CASE = ("check", "curve", "design", "fatigue", "size", "solution", "system")
 """Documents that a result directory may have."""
 PUT_IN: Mapping[str, Mapping[str, tuple[Any, str]]] = {
+    "catalog": {
+        "anchors": (
+            tuple[AnchorHeld, ...],
+            "What drag anchors hold; left out where none was asked for.",
+        ),
+        "sinkers": (
+            tuple[SinkerHeld, ...],
+            "What a sinker holds, by soil; left out where none was asked for.",
+        ),
+    },
     "design": {
         "messages": (
             Mapping[str, Any],
@@ -94,7 +105,7 @@ PUT_IN: Mapping[str, Mapping[str, tuple[Any, str]]] = {
         ),
     },
 }
-"""What a command puts into a document, by its key: its type and its meaning."""
+"""What a command puts into a document, or a class cannot name, by its key: type and meaning."""
 Asked = Literal["may", "must", "never"]
 ASKED: Mapping[str, Asked] = {"design": "never", "size": "never"}
 """Of documents whose parts have what is put in on asking never, or always."""
@@ -113,7 +124,6 @@ AT_REST = get_args(VerdictAtRest)
 NO_ANSWER = "no answer"
 """What a document says for a verdict that there is none of."""
 WORDS: Mapping[str, Mapping[str, tuple[Any, ...]]] = {
-    "catalog": {"question": _of(Answer, "question"), "confidence": CONFIDENCES},
     "report": {
         "language": LANGUAGES,
         "verification/verdict": (*(each for each in AT_REST if each != "not compared"), NO_ANSWER),
@@ -264,8 +274,10 @@ class _Written:
             return _any_of([self.of(each, document) for each in inner])
         if origin is Literal:
             return {"const": inner[0]} if len(inner) == 1 else {"enum": list(inner)}
-        if origin in (tuple, list):
-            sized = {} if inner[-1] is ... or origin is list else _items(len(inner), len(inner))
+        if origin in (tuple, list, Sequence):
+            sized = (
+                {} if inner[-1] is ... or origin is not tuple else _items(len(inner), len(inner))
+            )
             return {"type": "array", **sized, "items": self.of(inner[0], document)}
         if origin in (np.ndarray, npt.NDArray):  # numpy 2.5 has an alias of its own
             return {"type": "array", "items": {"type": "number"}}

@@ -19,10 +19,12 @@ from catopt.model.kinds import (
     Given,
     Height,
     Length,
+    MassPerLength,
     Measured,
     NotNegative,
     OneOf,
     Positive,
+    Price,
     SomeMass,
     Strength,
     Text,
@@ -132,7 +134,7 @@ class Segment(Checked):
     EA: Annotated[float, Measured(Dimension.FORCE, above=0.0, infinite=True)] = math.inf
     """Axial stiffness, N; infinite for an inextensible segment. A rope that does not stretch in
     proportion to its tension has a `StrainTable` here."""
-    mass: Annotated[float, Measured(Dimension.MASS_PER_LENGTH, at_least=0.0)] | None = None
+    mass: MassPerLength | None = None
     """In air per unstretched length, kg/m; None when not known, as of what follows."""
     MBL: Strength | None = None
     """Minimum breaking load, N."""
@@ -144,7 +146,7 @@ class Segment(Checked):
     """Of the bar of a chain's links, or of the rope as sold, m."""
     proof_load: Strength | None = None
     """Proof load, N."""
-    price: Annotated[float, Measured(Dimension.PRICE_PER_LENGTH, at_least=0.0)] | None = None
+    price: Price | None = None
     """Material only, USD/m."""
     wear_rate: WearRate | None = None
     """Loss of nominal diameter, m/s; None: that of the case's service."""
