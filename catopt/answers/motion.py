@@ -71,7 +71,7 @@ def motion_answer(
     `checks` are of its tensions; nothing is said of them when left out. Files have every sample
     `with_series`.
     """
-    said = _of_body(found) if found.case.system is not None else _of_load_cases(found)
+    said = _of_lines(found) if found.case.several_lines else _of_load_cases(found)
     judged = () if checks is None else tuple(checks_in_motion(checks))
     return answered(
         "dynamic",
@@ -153,11 +153,12 @@ def _over_runs(found: Sequence[OverRuns]) -> Iterator[blocks.Column]:
     yield of.texts("max", "maximum", units=units)
 
 
-def _of_body(found: DynamicVerification) -> Iterator[blocks.Block]:
-    """Say what all lines of a body carry, where the body goes, and how it was proven."""
+def _of_lines(found: DynamicVerification) -> Iterator[blocks.Block]:
+    """Say what all lines carry, where their body goes, if they have one, and how it was proven."""
     yield lines_of_body(found.parts)
-    caption = Message("motion.the_body")
-    yield tabulate("motion_body", *_over_runs(found.body), caption=caption, only="people")
+    if found.body:
+        caption = Message("motion.the_body")
+        yield tabulate("motion_body", *_over_runs(found.body), caption=caption, only="people")
     remarked = dict.fromkeys(each for part in found.parts for each in part.remarks)
     yield from _said(found.governing, found.least_proven, remarked)
     yield from _beyond_MBL(found.beyond_MBL)

@@ -316,8 +316,8 @@ def network_answer(
     joints = sum(point.kind == "joint" for point in network.points)
     counts = {"lines": len(network.lines), "joints": joints, "bodies": len(rest.bodies)}
     solved = Message(f"mooring.{'network' if rest.bodies else 'joints'}_solved", **counts)
-    if network.current is not None:
-        said = current_in_words(network.current, network.site.water_depth)
+    if network.current_at_rest is not None:
+        said = current_in_words(network.current_at_rest, network.site.water_depth)
         solved = Message("mooring.floats_solved", lines=len(network.lines), current=said)
     tables = (
         (
@@ -411,7 +411,7 @@ def bodies_table(rest: LinesAtRest) -> blocks.Table:
 
 def floats_tables(rest: LinesAtRest) -> Iterator[blocks.Table]:
     """Tabulate how far a current knocks floats down; nothing without one."""
-    if rest.network.current is None:
+    if rest.network.current_at_rest is None:
         return
     heights = cast("FloatsInCurrent", rest).heights
     of = Rows(zip(rest.runs, rest.lines, heights, strict=True))

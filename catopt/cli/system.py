@@ -92,10 +92,10 @@ def _network(
     from catopt.mooring.held import LinesAtRest, at_rest, hold, network_document
     from catopt.mooring.network_out import each_line_out
 
-    if network.bodies or network.current is not None:
+    if network.bodies or network.current_at_rest is not None:
         free = at_rest(network)
         here = [each.moved for each in free.bodies if with_stiffness]
-        if with_stiffness and network.current is not None:
+        if with_stiffness and network.current_at_rest is not None:
             here = [(0.0,) * 6]  # which is refused
     else:
         free, here = None, [(0.0,) * 6]

@@ -341,7 +341,7 @@ def hold(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> Netw
 
 def _with_its_body_held(network: Network) -> tuple[Network, tuple[float, float]]:
     """Hold the one body that a network has, and say where its origin is; InputError for several."""
-    if network.current is not None:
+    if network.current_at_rest is not None:
         allowed = Message("refused_motion.nothing_is_held_in_a_current")
         raise InputError([Problem("current", "", allowed)], "held body")
     if not network.bodies:
@@ -381,8 +381,8 @@ def at_rest(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> L
     >>> round(body.offset[0], 3)
     0.0
     """
-    if network.current is not None:
-        return _in_current(network, network.current)
+    if (current := network.current_at_rest) is not None:
+        return _in_current(network, current)
     return without_load(network, displacement).under(network.bodies)
 
 

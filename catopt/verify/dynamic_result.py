@@ -25,6 +25,7 @@ from catopt.fem.extremes import (
 from catopt.fem.extremes import gumbel as gumbel_of
 from catopt.model import Case, Line
 from catopt.model.dynamics import InitialFriction
+from catopt.model.network import Network
 from catopt.shown import Displayable
 from catopt.ties import largest
 from catopt.verify.dynamic_run import (
@@ -99,18 +100,18 @@ class BeyondMBL(NamedTuple):
 class DynamicPart:
     """A line in motion under one load.
 
-    `name`: of the load case; `drive`: what drove it; `runs`: one a seed; `line_length`:
-    unstretched, m; `proof`: how the runs were to be proven; `remarks`: what to know before the
+    `name`: of the load case; `drive`: what drove it; `runs`: one a seed; `own_line`:
+    which line; `proof`: how the runs were to be proven; `remarks`: what to know before the
     figures are used; `line`: of a body with several lines, which one, from 1; `anchor_at_rest`:
     tension at the anchor at rest, N, by the initial friction; empty where nothing rubs;
     `undecided`: checks whose verdict is another when it is run again; `governs`: whether it is the
-    line of a body that is used furthest.
+    line of a body that is used furthest; `is_anchored`: whether its lower end is at an anchor.
     """
 
     name: str
     drive: Excitation
     runs: tuple[DynamicRun, ...]
-    line_length: float
+    own_line: Line
     proof: Proof
     remarks: tuple[str, ...] = ()
     line: int | None = None
@@ -118,6 +119,7 @@ class DynamicPart:
     undecided: tuple[str, ...] = ()
     governs: bool = False
     beyond_MBL: BeyondMBL | None = None
+    is_anchored: bool = True
 
     @property
     def is_complete(self) -> bool:
@@ -185,7 +187,7 @@ class DynamicPart:
                     largest = max(run.maxima["largest_tension"] for run in runs)
                     over = max(over, LEAST_TENSION * largest)
                 elif quantity == "grounded_length":
-                    over = self.line_length
+                    over = self.own_line.length
                 if over > 0.0 and way is not None:
                     amount = abs(new - old)
                     found.append(Change(quantity, way, amount / over, amount, chance))
@@ -205,14 +207,6 @@ class DynamicPart:
     def added_changes(self) -> tuple[Change, ...]:
         """Largest change of each judged value, by all ways in which it was run again."""
         return tuple(largest_changes(change for each in self._moved for change in added(each)))
-
-    @property
-    def own_line(self) -> Line:
-        """The line that it is of: the case's, or one of its body's."""
-        system = self.drive.case.system
-        if system is None or self.line is None:
-            return self.drive.case.line
-        return system.legs[self.line - 1].line
 
     @property
     def MBL(self) -> float | None:
@@ -435,7 +429,7 @@ class DynamicVerification(Displayable):
     missing.
     """
 
-    case: Case
+    case: Case | Network
     parts: tuple[DynamicPart, ...]
     is_complete: bool
 
