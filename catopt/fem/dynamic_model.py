@@ -83,7 +83,7 @@ def lay_out_moving(
     sections = of.of_lines
     if sections is None and of.sections is not None:
         sections = [of.sections] * len(meshes)
-    _check(meshes, sections, fluid)
+    _check(meshes, sections, joints, fluid)
     start = first_bars(meshes)
     length = np.concatenate([mesh.length for mesh in meshes])
     EA, mass, weight = (by_bar(meshes, name) for name in ("EA", "mass", "submerged_weight"))
@@ -227,7 +227,10 @@ def _pressing_loads(mesh: LineMesh) -> Array:
 
 
 def _check(
-    meshes: Sequence[LineMesh], sections: Sequence[Sequence[MorisonSection]] | None, fluid: Fluid
+    meshes: Sequence[LineMesh],
+    sections: Sequence[Sequence[MorisonSection]] | None,
+    joints: Sequence[Point],
+    fluid: Fluid,
 ) -> None:
     found = Findings("dynamics")
     found.number("fluid.density", fluid.density, "kg/m3", at_least=0.0)
@@ -245,14 +248,21 @@ def _check(
                     f"{key}.EA", "inf", Message("refused_motion.line_motion_needs_axial_stiffness")
                 )
         for j, load in enumerate(mesh.line.point_loads):
-            key = f"lines[{i}].point_loads[{j}].mass"
-            if load.mass is None:
-                found.add(key, "", Message("refused_motion.needed_inertia"))
-            elif load.mass * fluid.gravity < load.submerged_weight * (1.0 - 1e-6):
-                words = f"{load.mass:g} kg in air, {load.submerged_weight:g} N in water"
-                found.add(key, words, Message("refused_motion.body_weighs_more_air_than"))
+            _check_mass(f"lines[{i}].point_loads[{j}].mass", load, fluid, found)
         if sections is not None and len(sections[i]) != len(mesh.line.segments):
             count = len(mesh.line.segments)
             wanted = Message("refused_motion.one_for_each_segment", count=count, line=i + 1)
             found.add("sections", str(len(sections[i])), wanted)
+    for i, joint in enumerate(joints):
+        if joint.mass is not None or joint.submerged_weight:
+            _check_mass(f"joints[{i}].mass", joint, fluid, found)
     found.raise_if_any()
+
+
+def _check_mass(key: str, load: PointLoad | Point, fluid: Fluid, found: Findings) -> None:
+    """Find a body without mass, or lighter in air than in water."""
+    if load.mass is None:
+        found.add(key, "", Message("refused_motion.needed_inertia"))
+    elif load.mass * fluid.gravity < load.submerged_weight * (1.0 - 1e-6):
+        words = f"{load.mass:g} kg in air, {load.submerged_weight:g} N in water"
+        found.add(key, words, Message("refused_motion.body_weighs_more_air_than"))
