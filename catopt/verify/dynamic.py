@@ -262,7 +262,7 @@ def _parts(
             (*remarks, *lines.remarks(), *_remarks(drive, of_line)),
             k if drive.case.several_lines else None,
             lines.anchor_at_rest() if drive.compares_at_rest else {},
-            is_anchored=lines.is_anchored(k) if isinstance(lines, LinesOfPoints) else True,
+            between=lines.between(k) if isinstance(lines, LinesOfPoints) else None,
         )
         for k, (leg, of_line) in enumerate(
             zip(lines.legs, zip(*(each.runs for each in seeds), strict=True), strict=True), start=1

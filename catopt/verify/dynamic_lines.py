@@ -39,6 +39,7 @@ from catopt.model.dynamics import InitialFriction
 from catopt.model.network import Network
 from catopt.mooring import held
 from catopt.mooring.solve import solve_system
+from catopt.verify.dynamic_result import Between
 from catopt.verify.dynamic_setup import Excitation, section_of
 from catopt.verify.line import truss_legs
 from catopt.waves import Sea, Waves, wavelength
@@ -335,9 +336,11 @@ class LinesOfPoints:
         places = self.rest.joints.places
         return [Leg(run.line, places[run.first]) for run in self.rest.runs]
 
-    def is_anchored(self, number: int) -> bool:
-        """Whether a line, from 1, ends at an anchor."""
-        return self.rest.is_anchored(number - 1)
+    def between(self, number: int) -> Between:
+        """Say which line one is, from 1."""
+        run, points = self.rest.runs[number - 1], self.rest.network.points
+        ends = points[run.first].name, points[run.second].name
+        return Between(run.name, *ends, self.rest.is_anchored(number - 1))
 
     def driven_by(self, sea: Sea) -> list[Series]:
         """Motion of the fairleads."""

@@ -96,6 +96,15 @@ class BeyondMBL(NamedTuple):
         return self.tension / self.MBL
 
 
+class Between(NamedTuple):
+    """A line between points: its name, those of the points, and whether the first is an anchor."""
+
+    name: str
+    start: str
+    end: str
+    is_anchored: bool
+
+
 @dataclass(frozen=True)
 class DynamicPart:
     """A line in motion under one load.
@@ -105,7 +114,7 @@ class DynamicPart:
     figures are used; `line`: of a body with several lines, which one, from 1; `anchor_at_rest`:
     tension at the anchor at rest, N, by the initial friction; empty where nothing rubs;
     `undecided`: checks whose verdict is another when it is run again; `governs`: whether it is the
-    line of a body that is used furthest; `is_anchored`: whether its lower end is at an anchor.
+    line of a body that is used furthest; `between`: of a line between points, which.
     """
 
     name: str
@@ -119,7 +128,17 @@ class DynamicPart:
     undecided: tuple[str, ...] = ()
     governs: bool = False
     beyond_MBL: BeyondMBL | None = None
-    is_anchored: bool = True
+    between: Between | None = None
+
+    @property
+    def is_anchored(self) -> bool:
+        """Whether its lower end, or first one, is at an anchor."""
+        return self.between is None or self.between.is_anchored
+
+    @property
+    def shown(self) -> str:
+        """Number of the line, or its name where it is one between points."""
+        return f"{self.line or ''}" if self.between is None else self.between.name
 
     @property
     def is_complete(self) -> bool:
@@ -131,7 +150,7 @@ class DynamicPart:
         """What it is of, for sentences: a load case, or a line of a body."""
         if self.line is None:
             return Message("motion.of_load_case", name=self.name)
-        return Message("motion.of_line", number=self.line)
+        return Message("motion.of_line", number=self.shown)
 
     @cached_property
     def levels(self) -> list[tuple[Way | None, tuple[DynamicRun, ...]]]:
@@ -420,6 +439,17 @@ class DynamicPart:
         return gumbel_of(maxima, whole[0].duration, self.duration_of_interest)
 
 
+class JointInMotion(NamedTuple):
+    """Where a joint was in all runs, m: at rest; least and largest x, y, height; farthest way."""
+
+    name: str
+    rest: tuple[float, ...]
+    least: tuple[float, ...]
+    largest: tuple[float, ...]
+    way: float
+    """From where it rests, in any direction."""
+
+
 @dataclass(frozen=True, repr=False)
 class DynamicVerification(Displayable):
     """A case in motion.
@@ -440,7 +470,12 @@ class DynamicVerification(Displayable):
 
     @property
     def governing(self) -> DynamicPart:
-        """The part with the largest tension at the fairlead; of those alike the first."""
+        """The part with the largest tension at the fairlead; of those alike the first.
+
+        Of lines between points at either end.
+        """
+        if isinstance(self.case, Network):
+            return largest(self.parts, lambda part: part.max_tension)
         return largest(self.parts, lambda part: part.of("fairlead_tension").maximum)
 
     @property
@@ -454,6 +489,21 @@ class DynamicVerification(Displayable):
         """The part that says most against the answer: not converged, or changed most."""
         bad = [part for part in self.parts if part.verdict == "not converged"]
         return largest(bad or self.parts, lambda p: p.worst_change.size if p.worst_change else 0.0)
+
+    @cached_property
+    def joints(self) -> tuple[JointInMotion, ...]:
+        """Where joints were, by the samples after the ramp; empty where there are none."""
+        if not isinstance(self.case, Network):
+            return ()
+        names, runs = [p.name for p in self.case.points if p.kind == "joint"], self.parts[0].runs
+        places = np.concatenate([run.history.nodes[run.counted] for run in runs])
+        rest = runs[0].history.nodes[0]
+        ways = np.linalg.norm(places - rest, axis=2).max(axis=0)
+        where = zip(*(each.tolist() for each in (rest, places.min(0), places.max(0))), strict=True)
+        return tuple(
+            JointInMotion(name, tuple(at), tuple(least), tuple(most), way)
+            for name, (at, least, most), way in zip(names, where, ways.tolist(), strict=True)
+        )
 
     @cached_property
     def body(self) -> tuple[OverRuns, ...]:

@@ -15,6 +15,7 @@ from catopt.notes.system import read_network_note
 from tests.checks.test_network import CHECKS, FILE, leg
 from tests.mooring.test_bodies import barge
 from tests.mooring.test_floats_in_current import moored
+from tests.verify.test_network_in_motion import FILE as MOVING
 
 from .conftest import Run, document_of, refused, validate
 
@@ -158,3 +159,21 @@ def test_drawings_are_where_the_lines_are() -> None:
     assert max(lying.x) == pytest.approx(250.0)
     assert side.x.low < 10.0
     assert side.x.high > 250.0
+
+
+def test_lines_in_motion_are_answered_line_by_line(run: Run, tmp_path: Path) -> None:
+    place = tmp_path / "bridle.toml"
+    place.write_text(MOVING, encoding="utf-8")
+    found = document_of(run, "verify", place, "--dynamic", "--once", "--elements", "10")
+    validate(found)
+    moved = found["dynamic"]
+    lines = [(each["name"], each["from"], each["to"]) for each in moved["load_cases"]]
+    assert lines[0] == ("leg", "port", "buoy")
+    assert [each["name"] for each in moved["joints"]] == ["buoy"]
+    ran = run("verify", place, "--dynamic", "--once", "--elements", "10", "--out", tmp_path / "out")
+    assert ran.status == 0, ran.err
+    assert "farthest from where they rest" in run(
+        "verify", place, "--dynamic", "--once", "--elements", "10", "--full"
+    ).out.replace("\n", " ")
+    series = (tmp_path / "out" / "dynamic_series.csv").read_text("utf-8").splitlines()
+    assert {each.split(",")[0] for each in series[1:]} == {"leg", "2", "pennant"}
