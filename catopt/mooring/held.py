@@ -402,9 +402,21 @@ class WithoutLoad:
     def under(self, loaded: tuple[MooredBody, ...]) -> LinesAtRest:
         """Bring bodies to rest under their loads."""
         network, whole = (replace(each, bodies=loaded) for each in (self.network, self.whole))
-        found, neutral = self.found, self.found.poses
+        found = self.found
         if any(any(body.force) or body.moment for body in loaded):
             found = joints_at_rest(whole, self.runs, self.held, found)
+        return self._apart(network, whole, found)
+
+    def held_at(self, x: float, y: float) -> LinesAtRest:
+        """Hold its one body off where it rests without load, m; it turns where it is free to."""
+        ((along, across, yaw),) = self.found.poses
+        there = self.found._replace(poses=((along + x, across + y, yaw),))
+        whole = self.whole.unloaded()
+        found = joints_at_rest(whole, self.runs, self.held, there, pinned=True)
+        return self._apart(self.network.unloaded(), whole, found)
+
+    def _apart(self, network: Network, whole: Network, found: JointsAtRest) -> LinesAtRest:
+        neutral = self.found.poses
         bodies = tuple(
             BodyAtRest(
                 body.body,

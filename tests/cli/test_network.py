@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
@@ -159,6 +160,22 @@ def test_drawings_are_where_the_lines_are() -> None:
     assert max(lying.x) == pytest.approx(250.0)
     assert side.x.low < 10.0
     assert side.x.high > 250.0
+
+
+def test_force_over_offset_is_tabulated(run: Run, tmp_path: Path) -> None:
+    place = tmp_path / "barge.toml"
+    place.write_text(write_case(barge()), encoding="utf-8")
+    found = document_of(run, "system", place, "--curve", "0 deg", "--curve", "90 deg")
+    validate(found)
+    curve = found["restoring_curves"][0]
+    (body,) = found["states"][0]["bodies"]
+    # It goes half as far again as the load takes the body.
+    assert curve["offset_m"][-1] == pytest.approx(1.5 * math.hypot(*body["offset_m"]))
+    assert curve["force_N"] == sorted(curve["force_N"])
+    said = run("system", place, "--curve", "90 deg", "--out", tmp_path / "out")
+    assert said.status == 0, said.err
+    rows = (tmp_path / "out" / "restoring_1.csv").read_text("utf-8").splitlines()
+    assert len(rows) == 1 + len(curve["offset_m"])
 
 
 def test_lines_in_motion_are_answered_line_by_line(run: Run, tmp_path: Path) -> None:
