@@ -83,7 +83,11 @@ def parse_network(text: str, source: str = "", *, folder: str = "") -> Network:
     InputError: with every problem of its keys; where those are in order, of how its parts fit
     together.
     """
-    document = parse_toml(text, source)
+    return network_of(parse_toml(text, source), source, folder=folder)
+
+
+def network_of(document: dict[str, Any], source: str = "", *, folder: str = "") -> Network:
+    """Make the points and lines of a document, as the TOML reader returns it."""
     table, findings = read_tables(document, NetworkTable)
     case = FileSection(document, schema=NetworkTable)
     findings += [*judged_findings(case, []), *network_motion_findings(case)]
