@@ -29,6 +29,7 @@ from catopt.fem.sampling import (
     Setting,
     fill_end_forces,
     fill_energy,
+    first_joint,
     follow_all,
     take_sample,
 )
@@ -111,6 +112,7 @@ class Simulation:
         self.body = body
         self.sea = sea
         self._held, self._ends = end_nodes(lines.start)
+        joints = 3 * (x.shape[0] - first_joint(lines))
         stays, unloaded = self._undriven(x)
         self.led, self.load = led or stays, load or unloaded
         self.afloat: Afloat | None = None  # what floats at the last nodes, to which `body` is free
@@ -137,6 +139,9 @@ class Simulation:
             ends=np.zeros((self._ends.size, 2, 3)),
             ends_before=np.zeros((self._ends.size, 2, 3)),
             wet_before=np.ones((bars, 2)),
+            side=np.zeros((nodes if joints else 0, 3, 3)),
+            joints=np.zeros((joints, joints)),
+            at_joints=np.zeros(joints),
         )
 
     def _undriven(self, x: Array) -> tuple[SeriesRows, SeriesRows]:
@@ -474,7 +479,10 @@ class Simulation:
         """Put the ends to where they are led in the first moment, with speed and acceleration."""
         at, out, led = self.state, np.zeros((3, 3)), self.body.free == 0.0
         nodes = np.concatenate([self._ends, self._held])[: self.led.base.shape[0]]
+        joint = self.lines.of_end[:, ::-1].T.ravel()
         for row, node in enumerate(nodes):
+            if joint[row] >= 0:
+                continue
             fill_series(0.0, self.led, row, out)
             which = led if row < self._ends.size else slice(None)
             at.x[node, which], at.v[node, which], at.a[node, which] = out[:, which]
@@ -508,7 +516,9 @@ class Simulation:
     def _not_closed(
         self, words: str, worst: float, node: int, step: float | None = None
     ) -> NotConvergedError:
-        where = place_of(node, self.lines.start, self.state.x)
+        joint = node - first_joint(self.lines)
+        at = -1 - joint if joint >= 0 else node
+        where = place_of(at, self.lines.start, self.state.x, 2 if joint >= 0 else 1)
         said = [Message("truss.left_over", what=words, worst=worst, where=where)]
         if step is not None:
             said.append(Message("truss.halved", step=step))
