@@ -19,7 +19,7 @@ PACKAGE = Path(catopt.__file__).parent
 BASE = {
     "errors", "constants", "documents", "numerals", "dimensions", "unit_words", "units",
     "quantities", "words",
-    "arrays", "compiled", "interrupt", "patience", "ties", "shown", "records",
+    "arrays", "compiled", "interrupt", "patience", "ties", "shown", "records", "old_names",
 }  # fmt: skip
 SOLVING = BASE | {"model", "catenary"}
 READING = {"catalogue", "casefile", "decks"}
@@ -57,6 +57,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "ties": set(),
     "shown": set(),
     "records": set(),
+    "old_names": set(),
     "schemas": {"errors", "documents", "words"},
     "model": BASE,
     "catalogue": BASE | {"model"},
