@@ -42,3 +42,14 @@ def renamed(**new: str) -> Callable[[Callable[P, R]], Callable[P, R]]:
         return called
 
     return taking_both
+
+
+def old_function(old: str, function: Callable[P, R]) -> Callable[P, R]:
+    """Make a function that has an old name: ``held_body = old_function("held_body", ...)``."""
+
+    @wraps(function)
+    def called(*args: P.args, **given: P.kwargs) -> R:
+        warn(f"{old} is {function.__name__} now", DeprecationWarning, stacklevel=2)
+        return function(*args, **given)
+
+    return called

@@ -8,8 +8,11 @@ import pytest
 
 import catopt
 from catopt.errors import InputError
+from catopt.mooring.held import held_body
 from catopt.old_names import OldName, renamed
 from catopt.verify.dynamic import verify_dynamic
+
+CHAIN = catopt.Line([catopt.Segment(length=110.0, submerged_weight=1000.0)])
 
 
 def test_an_old_keyword_is_the_new_one_with_a_warning() -> None:
@@ -36,3 +39,14 @@ def test_the_proof_of_a_run_is_its_convergence_check_now() -> None:
     still, run = catopt.read_case("cases/buoy-9.5m/case.toml"), cast("Any", verify_dynamic)
     with pytest.warns(DeprecationWarning, match="convergence_check"), pytest.raises(InputError):
         run(still, proof="none")  # it has no motion
+
+
+def test_an_old_function_is_the_new_one_with_a_warning() -> None:
+    with pytest.warns(DeprecationWarning, match="held_body is at_displacement now"):
+        body = held_body(
+            catopt.System.around(
+                CHAIN, azimuths=[0.0, 3.0], anchor_radius=100.0, fairlead_height=20.0
+            ),
+            origin_height=20.0,
+        )
+    assert len(body.lines) == 2
