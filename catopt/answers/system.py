@@ -69,10 +69,7 @@ def system_answer(report: SystemReport, checks: CheckReport) -> blocks.Answer:
         *([section("captions.watch_circle", circle_table(circle))] if circle else []),
         *(_curve(number, each) for number, each in enumerate(report.curves, start=1)),
         *_levels(report),
-        *(
-            held_section(number, each)
-            for number, each in enumerate(report.at_displacement, start=1)
-        ),
+        *(held_section(*each) for each in enumerate(report.at_displacement, start=1)),
         section("captions.residuals", *_closing(report, checks)),
     )
     return replace(whole, card=tuple(_card(report, checks, solved)))

@@ -36,7 +36,8 @@ class SystemReport(Displayable, Record):
     SCHEMA = SystemSolution.SCHEMA
     DOCUMENT = (
         f"{within('solution', SystemSolution.DOCUMENT)} rule=sharing_rule line_out=one_line_out? "
-        "circle=watch_circle? curves=restoring_curves? levels=water_levels? at_displacement=held_body?"
+        "circle=watch_circle? curves=restoring_curves? levels=water_levels? "
+        "at_displacement=held_body?"
     )
 
     case: Case
@@ -74,8 +75,8 @@ def report_system(
 
     Directions of restoring curves in rad, water levels above that of the case in m. The stiffness
     in six freedoms is of where the body rests, and of each displacement: surge, sway, heave (m),
-    roll, pitch, yaw (rad). Errors as for `solve_system` and `at_displacement`; FloatsUpError for a buoy
-    that would float above the water surface.
+    roll, pitch, yaw (rad). Errors as for `solve_system` and `at_displacement`; FloatsUpError for a
+    buoy that would float above the water surface.
     """
     system = case.system
     if system is None:
