@@ -20,11 +20,11 @@ from catopt.fem.banded import (
     hold,
     solve_dense,
 )
-from catopt.fem.morison import fill_water
 from catopt.fem.moving import Blend, BodyNode, Moving, MovingLines
 from catopt.fem.moving_assembly import assemble_moving
 from catopt.fem.newmark import predict
 from catopt.fem.sampling import Room, Setting
+from catopt.fem.water_in_step import take_water
 from catopt.hydro.hull import (
     PARTS,
     Hull,
@@ -34,6 +34,7 @@ from catopt.hydro.hull import (
     carry_memory,
     fill_forces_on_hull,
     fill_sea,
+    fill_sea_between,
     hull_inertia,
 )
 from catopt.waves.kinematics import Flow
@@ -55,25 +56,36 @@ class Afloat(NamedTuple):
 
 
 def attempt_afloat(
-    t: float, h: float, setting: Setting, before: Moving, room: Room, body: Afloat
+    start: float,
+    done: float,
+    part: float,
+    setting: Setting,
+    before: Moving,
+    room: Room,
+    body: Afloat,
 ) -> tuple[bool, int, float, int]:
     """Take one step of hull and lines into their `now`, as `march.attempt`."""
-    now, lines = room.now, setting.lines
-    predict(t, h, setting, before, room)
+    now, lines, step = room.now, setting.lines, setting.rules.step
+    h = part * step
+    predict(start + done * step, h, setting, before, room)
     _predict_hull(h, body)
     _place_ends(lines, now, body)
     copy_rows(before.foot, now.foot)
-    if setting.has_sea:
-        early, water_0 = setting.rules.alpha_f, room.water_before
-        fill_water(t + h, now.x, lines.start, setting.flow, early, water_0, room.water)
-    _prepare(t, h, setting.flow, body)
+    take_water(start, done, part, setting, before, room)
+    if part == 1.0:
+        fill_sea(start + step, body.hull, body.now.q, setting.flow, body.room)
+    else:
+        at, ahead = body.before, (1.0 - done) * step
+        fill_sea_between(start + step, done + part, ahead, at, body.hull, setting.flow, body.room)
+    carry_memory(h, body.hull, body.before, body.room)
     return _close(h, setting, before, room, body)
 
 
 def step_hull(t: float, h: float, rules: Any, flow: Flow, body: Afloat) -> tuple[bool, int]:
     """Take one step of a hull without lines; `rules` has the scheme, limit and tolerance."""
     _predict_hull(h, body)
-    _prepare(t, h, flow, body)
+    fill_sea(t + h, body.hull, body.now.q, flow, body.room)
+    carry_memory(h, body.hull, body.before, body.room)
     blend = _blend(h, rules)
     for iteration in range(rules.limit + 1):
         _start_hull(flow.depth, blend, body)
@@ -131,12 +143,6 @@ def _predict_hull(h: float, body: Afloat) -> None:
         now.a[i] = before.a[i]
         now.v[i] = before.v[i] + h * before.a[i]
         now.q[i] = before.q[i] + h * (before.v[i] + 0.5 * h * before.a[i])
-
-
-def _prepare(t: float, h: float, flow: Flow, body: Afloat) -> None:
-    """Take the sea where the hull is expected, and its memory of what was."""
-    fill_sea(t + h, body.hull, body.now.q, flow, body.room)
-    carry_memory(h, body.hull, body.before, body.room)
 
 
 def _place_ends(lines: MovingLines, now: Moving, body: Afloat) -> None:
