@@ -63,6 +63,7 @@ def attempt_afloat(
     before: Moving,
     room: Room,
     body: Afloat,
+    expected: int,
 ) -> tuple[bool, int, float, int]:
     """Take one step of hull and lines into their `now`, as `march.attempt`."""
     now, lines, step = room.now, setting.lines, setting.rules.step
@@ -78,7 +79,7 @@ def attempt_afloat(
         at, ahead = body.before, (1.0 - done) * step
         fill_sea_between(start + step, done + part, ahead, at, body.hull, setting.flow, body.room)
     carry_memory(h, body.hull, body.before, body.room)
-    return _close(h, setting, before, room, body)
+    return _close(h, setting, before, room, body, expected)
 
 
 def step_hull(t: float, h: float, rules: Any, flow: Flow, body: Afloat) -> tuple[bool, int]:
@@ -176,7 +177,7 @@ def _blended_arm(body: Afloat, early: float, k: int) -> tuple[float, float]:
 
 
 def _close(
-    h: float, setting: Setting, before: Moving, room: Room, body: Afloat
+    h: float, setting: Setting, before: Moving, room: Room, body: Afloat, expected: int
 ) -> tuple[bool, int, float, int]:
     """Iterate on hull and lines until all forces balance; as `newmark.close_step`."""
     rules, lines, now = setting.rules, setting.lines, room.now
@@ -187,7 +188,8 @@ def _close(
     worst, node, part = math.inf, 0, 1.0
     for iteration in range(rules.limit + 1):
         last = worst
-        worst, node = assemble_moving(lines, body.held, now, before, blend, room)
+        may_be_last = 0 < expected <= iteration
+        worst, node = assemble_moving(lines, body.held, now, before, blend, room, not may_be_last)
         _start_hull(setting.flow.depth, blend, body)
         _take_lines(lines, rest, blend, body)
         own = _left_over(body)
@@ -195,6 +197,8 @@ def _close(
             worst, node = own, -1
         if worst <= rules.tolerance and iteration > 0:
             return True, iteration, worst, node
+        if may_be_last:
+            assemble_moving(lines, body.held, now, before, blend, room)
         if iteration == rules.limit or not worst < 1e3 * max(last, 1.0):
             break
         if not _solve_all(lines, blend, room, body):

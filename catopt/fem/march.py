@@ -85,6 +85,7 @@ def march(
     turning points. `before`: state there, and then where the steps have come to; `body`: what
     floats at the lines' last nodes; None where these are led or pushed.
     """
+    used = 0
     steps = iterations = halvings = refinements = unresolved = tried = 0
     ringing = strain = worst = 0.0
     node = 0
@@ -99,7 +100,9 @@ def march(
             tried += 1
             part = 0.5**level
             h = part * rules.step
-            closed, used, worst, node = attempt(start, done, part, setting, before, room, body)
+            closed, used, worst, node = attempt(
+                start, done, part, setting, before, room, body, used
+            )
             iterations += used
             if not closed:
                 level += 1
@@ -243,13 +246,15 @@ def attempt(
     before: Moving,
     room: Room,
     body: Afloat | None,
+    expected: int,
 ) -> tuple[bool, int, float, int]:
     """Take one step into `room.now`, as `close_step`; the state at its start stays as it is.
 
-    It is a part of a whole step that begins at `start`, s, of which some is done.
+    It is a part of a whole step that begins at `start`, s, of which some is done; `expected`:
+    solutions that it takes, as the step before did.
     """
     if body is not None:
-        return attempt_afloat(start, done, part, setting, before, room, body)
+        return attempt_afloat(start, done, part, setting, before, room, body, expected)
     now = room.now
     t, h = start + done * setting.rules.step, part * setting.rules.step
     predict(t, h, setting, before, room)
@@ -258,7 +263,7 @@ def attempt(
     fill_series(t + h, setting.load, 0, room.small[0])
     for i in range(3):
         room.force[i] = room.small[0, 0, i]
-    return close_step(h, setting, before, room)
+    return close_step(h, setting, before, room, expected)
 
 
 def accept(
