@@ -47,7 +47,7 @@ class Quantity:
     symbol: str
     """Empty where there is none."""
     si_unit: str
-    """Unit that catopt computes in; ``"-"`` for a pure number, as is the field's."""
+    """SI unit, in which catopt computes; ``"-"`` for a pure number, as is the field's."""
     field_unit: str
     factor: float
     """SI units in one field unit: 1000 for kN."""

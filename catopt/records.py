@@ -2,21 +2,22 @@
 
 A record says in `DOCUMENT` what its document has, in its order: attributes, each by its name with
 its unit behind it, so that ``tension``, a force, is ``tension_N``. A dotted name is an attribute of
-an attribute; ``swarm=pso`` has another key. Behind a name, ``?`` leaves the key out where the value
-is None, ``*`` where nobody asks for it, and ``~`` is for a key that older documents lack. What is a
-method is put in by whoever lays the record out. The JSON schemas are written from the same lines
+an attribute, None where that is; ``swarm=pso`` has another key; ``line+1`` counts from 1 what
+Python counts from 0; ``parts(name length)`` has these attributes of each part, which needs no
+document of its own then. Behind a name, ``?`` leaves the key out where the value is None or empty,
+``*`` where nobody asks for it, and ``~`` is for a key that older documents lack. What is a method
+is put in by whoever lays the record out. The JSON schemas are written from the same lines
 (`python -m tests.schemas`): type and bounds from the annotation, meaning from the docstring.
 """
 
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Mapping
-from functools import cache, cached_property
+from functools import cached_property
 from types import FunctionType
 from typing import Annotated, Any, ClassVar, NamedTuple, get_args, get_type_hints
-
-MARKS = "?*~"
 
 
 class From(NamedTuple):
@@ -61,40 +62,63 @@ class Key(NamedTuple):
     hint: Any
     owner: type
     """Class of the last attribute."""
+    inner: str = ""
+    """What is laid out of it, where that is not its own document."""
+    is_counted: bool = False
+    """Whether it counts from 1 what the attribute counts from 0."""
 
 
-def laid_out(of: Record, document: str = "") -> dict[str, Any]:
-    """Lay a record out by its `DOCUMENT`, or another one; numbers that are not finite are null."""
-    found: dict[str, Any] = {"schema": of.SCHEMA} if of.SCHEMA and not document else {}
-    for part in parts(type(of), document or of.DOCUMENT):
+def laid_out(of: object, document: str = "") -> dict[str, Any]:
+    """Lay a record out by its `DOCUMENT`, or anything by another one.
+
+    Numbers that are not finite are null.
+    """
+    found: dict[str, Any] = {}
+    if isinstance(of, Record) and not document:
+        document = of.DOCUMENT
+        found |= {"schema": of.SCHEMA} if of.SCHEMA else {}
+    for part in parts(type(of), document):
         value: Any = of
         for name in part.path:
             value = None if value is None else getattr(value, name)
-        if not callable(value) and part.mark != "*" and (part.mark != "?" or value is not None):
-            found[part.key] = _plain(value)
+        if part.is_counted and value is not None:
+            value += 1
+        if not callable(value) and part.mark != "*" and not (part.mark == "?" and _is_none(value)):
+            found[part.key] = _plain(value, part.inner)
     return found
 
 
+def _is_none(value: Any) -> bool:
+    return value is None or (isinstance(value, tuple | list | Mapping) and not value)
+
+
+def within(path: str, document: str) -> str:
+    """Name the attributes of a document by the path of attributes that leads to what has them."""
+    return " ".join(f"{path}.{word}" for word in document.split())
+
+
 _READ: dict[tuple[type, str], tuple[Key, ...]] = {}
+_WORD = re.compile(r"([\w.]+)(\+1)?(?:=(\w+))?(?:\(([^()]*)\))?([?*~]?)(?:\s+|$)")
 
 
 def parts(of: type, document: str) -> tuple[Key, ...]:
     """Read what a document of a class has; once."""
     if (of, document) not in _READ:
-        _READ[of, document] = tuple(_part(of, word) for word in document.split())
+        assert not _WORD.sub("", document), f"{of.__name__}: {document}"
+        _READ[of, document] = tuple(_part(of, *each) for each in _WORD.findall(document))
     return _READ[of, document]
 
 
-def _part(of: type, word: str) -> Key:
-    mark = word[-1] if word[-1] in MARKS else ""
-    name, _, key = word.removesuffix(mark).partition("=")
+def _part(of: type, name: str, counted: str, key: str, inner: str, mark: str) -> Key:
     path = tuple(name.split("."))
-    owner, hint = of, _hint(of, path[0])
+    owner, hint, may_lack = of, _hint(of, path[0]), False
     for each in path[1:]:
+        may_lack = may_lack or type(None) in get_args(hint)
         owner = next(kind for kind in _types(hint) if hasattr(kind, "__annotations__"))
         hint = _hint(owner, each)
-    unit = unit_of(hint)
-    return Key(path, key or path[-1] + (f"_{unit}" if unit else ""), mark, hint, owner)
+    unit = unit_of(hint) if not inner else ""
+    key = key or path[-1] + (f"_{unit}" if unit else "")
+    return Key(path, key, mark, hint | None if may_lack else hint, owner, inner, bool(counted))
 
 
 def _hint(of: type, name: str) -> Any:
@@ -105,12 +129,10 @@ def _hint(of: type, name: str) -> Any:
         found = found.func
     if isinstance(found, FunctionType):
         return get_type_hints(found, include_extras=True)["return"]
-    return _hints(of)[name]
-
-
-@cache
-def _hints(of: type) -> Mapping[str, Any]:
-    return get_type_hints(of, include_extras=True)
+    owner = next(each for each in of.__mro__ if name in vars(each).get("__annotations__", {}))
+    # Of this attribute alone: others may be of types that are not there at run time.
+    alone = {"__annotations__": {name: owner.__annotations__[name]}, "__module__": owner.__module__}
+    return get_type_hints(type("_", (), alone), include_extras=True)[name]
 
 
 def _types(hint: Any) -> Iterator[Any]:
@@ -127,13 +149,15 @@ def unit_of(hint: Any) -> str:
     return next(units, "").replace("/", "_per_").replace("^", "").replace("*", "")
 
 
-def _plain(value: Any) -> Any:
-    if isinstance(value, Record):
+def _plain(value: Any, inner: str = "") -> Any:
+    if isinstance(value, Record) and not inner:
         return value.to_dict()
     if isinstance(value, float):
         return value if math.isfinite(value) else None
     if isinstance(value, Mapping):
-        return {key: _plain(each) for key, each in value.items()}
-    if isinstance(value, tuple | list):
-        return [_plain(each) for each in value]
+        return {key: _plain(each, inner) for key, each in value.items()}
+    if isinstance(value, tuple | list) and not (inner and hasattr(value, "_fields")):
+        return [_plain(each, inner) for each in value]
+    if inner and value is not None:
+        return laid_out(value, inner)
     return _plain(value.tolist()) if hasattr(value, "tolist") else value

@@ -5,7 +5,6 @@ from __future__ import annotations
 from pathlib import Path
 
 import catopt
-from catopt.design.result import design_document
 from catopt.figures.line import line_in_water
 from catopt.figures.sizing import elevation, front, front_lines, swing_circle
 from catopt.render.picture import pictures
@@ -19,7 +18,7 @@ def main() -> None:
     case = catopt.read_case(CASES / "tanker-20m" / "case.toml")
     line = line_in_water(catopt.solve_case(case), case.site.water_depth)
     found = catopt.design_case(catopt.read_case(CASES / "design-tanker-20m" / "case.toml"))
-    document = design_document(found)
+    document = found.to_dict()
     charts = (front(document), front_lines(found, document))
     files = pictures("picture-line", line, case.title)
     files |= pictures("picture-front", charts, found.case.title)

@@ -14,7 +14,7 @@ import re
 import sys
 import textwrap
 import types
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cache, cached_property
 from importlib.resources import files
 from pathlib import Path
@@ -23,32 +23,25 @@ from typing import Annotated, Any, Literal, NotRequired, Union, get_args, get_or
 import numpy as np
 import numpy.typing as npt
 
-from catopt.casefile.reading import Moored
-from catopt.catalogue.components import CONFIDENCES
 from catopt.catalogue.document import Answer
 from catopt.catenary.case_curve import CaseCurve
 from catopt.catenary.in_current import SolutionInCurrent
 from catopt.catenary.solution import Solution
-from catopt.checks.kinds import LOAD_KINDS
-from catopt.checks.result import CheckReport, CheckResult
-from catopt.design.evaluation import OBJECTIVE_KEYS
+from catopt.checks.result import CheckReport, CheckResult, ChecksInBrief
+from catopt.design.result import DesignResult
 from catopt.export.exported import Exported
-from catopt.loads.component import LoadComponent
 from catopt.loads.document import ComparedLoads
-from catopt.loads.weathervane import ShipHeading
-from catopt.model.design import SearchMethod
-from catopt.model.dynamics import InitialFriction, JudgedBy
-from catopt.model.kinds import OneOf
-from catopt.model.load import LoadCaseState
-from catopt.model.network import PointKind
-from catopt.model.sea import CURRENT_PROFILES
+from catopt.loads.sinker import AnchorHeld, SinkerHeld
+from catopt.model.dynamics import InitialFriction
+from catopt.model.kinds import OneOf, Size
+from catopt.mooring.case import SystemReport
+from catopt.mooring.circle import WatchCircle
+from catopt.mooring.held import NetworkReport
+from catopt.mooring.network_out import NetworkOut
 from catopt.records import From, Key, Matching, OrNull, Record, parts, unit_of
 from catopt.reproduce.items import Reproduction
-from catopt.sizing.alternatives import Role
-from catopt.sizing.inputs import INPUTS
-from catopt.sizing.known import Origin
-from catopt.sizing.line_choice import PREFERENCES
-from catopt.study.base import Computed
+from catopt.sizing.result import Sizing
+from catopt.study.result import StudyResult
 from catopt.study.run import Plan
 from catopt.verify.compared import Unit
 from catopt.verify.dynamic_result import Verdict
@@ -58,30 +51,65 @@ from catopt.verify.motion_words import DYNAMIC_QUANTITY_OF as QUANTITY_OF
 from catopt.verify.proof import Proof, Way
 from catopt.verify.result import StaticComparison
 from catopt.verify.result import Verdict as VerdictAtRest
+from catopt.words import Message
 from catopt.words.texts import LANGUAGES
 
 FOLDER = Path(str(files("catopt.schemas")))
 RECORDS: Mapping[str, tuple[type[Record], ...]] = {
+    "catalog": (Answer,),
     "check": (CheckReport,),
     "curve": (CaseCurve,),
+    "design": (DesignResult,),
     "export": (Exported,),
     "fatigue": (FatigueReport,),
     "loads": (ComparedLoads,),
+    "network": (NetworkReport,),
     "reproduction": (Reproduction,),
+    "size": (Sizing,),
+    "system": (SystemReport,),
     "solution": (Solution, SolutionInCurrent),
+    "study": (StudyResult,),
     "study_plan": (Plan,),
 }
 """Which records lay a document out; what only some of them have may be missing."""
-OF_A_CASE = ("check", "curve", "fatigue", "solution")
+OF_A_CASE = ("check", "curve", "design", "fatigue", "size", "solution", "system")
 """Documents that a result directory may have."""
-Asked = Literal["may", "must", "never"]
-DEFINITIONS: Mapping[str, Mapping[str, tuple[type[Record], Asked]]] = {
-    "design": {"check": (CheckResult, "never")},
-    "size": {
-        "check": (CheckResult, "never"),
-        "component": (LoadComponent, "may"),
-        "heading": (ShipHeading, "may"),
+PUT_IN: Mapping[str, Mapping[str, tuple[Any, str]]] = {
+    "catalog": {
+        "anchors": (
+            tuple[AnchorHeld, ...],
+            "What drag anchors hold; left out where none was asked for.",
+        ),
+        "sinkers": (
+            tuple[SinkerHeld, ...],
+            "What a sinker holds, by soil; left out where none was asked for.",
+        ),
     },
+    "design": {
+        "messages": (
+            Mapping[str, Any],
+            "By which key and values texts of the document are said in another language, by their "
+            "English; those of the checks are not among them.",
+        )
+    },
+    "system": {"checks": (ChecksInBrief, "")},
+    "network": {
+        "checks": (ChecksInBrief, ""),
+        "one_line_out": (
+            tuple[NetworkOut, ...],
+            "Only when asked for: each line gone in turn, a body that is held in its place.",
+        ),
+        "watch_circle": (
+            WatchCircle,
+            "Only when asked for: a force of the size of that on the one body, from all sides.",
+        ),
+    },
+}
+"""What a command puts into a document, or a class cannot name, by its key: type and meaning."""
+Asked = Literal["may", "must", "never"]
+ASKED: Mapping[str, Asked] = {"design": "never", "size": "never"}
+"""Of documents whose parts have what is put in on asking never, or always."""
+DEFINITIONS: Mapping[str, Mapping[str, tuple[type[Record], Asked]]] = {
     "verify": {"check": (CheckResult, "must")},
 }
 """Parts of other documents that records lay out; whether they have what is put in on asking."""
@@ -96,29 +124,11 @@ AT_REST = get_args(VerdictAtRest)
 NO_ANSWER = "no answer"
 """What a document says for a verdict that there is none of."""
 WORDS: Mapping[str, Mapping[str, tuple[Any, ...]]] = {
-    "catalog": {"question": _of(Answer, "question"), "confidence": CONFIDENCES},
-    "design": {
-        "objectives": tuple(OBJECTIVE_KEYS.values()),
-        "load_case/kind": LOAD_KINDS,
-        "method": tuple(each for each in _of(SearchMethod) if each != "auto"),
-    },
-    "network": {"states/points/kind": _of(PointKind), "states/current/profile": CURRENT_PROFILES},
     "report": {
         "language": LANGUAGES,
         "verification/verdict": (*(each for each in AT_REST if each != "not compared"), NO_ANSWER),
         "verification/worst/unit": _of(Unit),
     },
-    "size": {
-        "kind": _of(Moored),
-        "load_case/kind": LOAD_KINDS,
-        "load_case/state": _of(LoadCaseState),
-        "alternative/prefer": PREFERENCES,
-        "input/origin": _of(Origin),
-        "sinker/material": next(each.words for each in INPUTS if each.name == "sinker"),
-        "in_motion/judged_by": _of(JudgedBy),
-        "candidate/role": _of(Role),
-    },
-    "study": {"compute": _of(Computed)},
     "verify": {
         "verdict": (*AT_REST, NO_ANSWER),
         "motion_verdict": _of(Verdict),
@@ -158,7 +168,7 @@ Schema = dict[str, Any]
 def schema(name: str) -> Schema:
     """Write the schema of a document."""
     records = RECORDS[name]
-    of = _Written({}, whole=records[0])
+    of = _Written({}, records[0], ASKED.get(name, "may"))
     whole = [of.object_of(each) for each in records]
     common = set.intersection(*(set(each["required"]) for each in whole))
     properties: Schema = {"schema": {"const": records[0].SCHEMA}}
@@ -166,6 +176,10 @@ def schema(name: str) -> Schema:
         properties["case_sha256"] = DIGEST
     for each in whole:
         properties |= each["properties"]
+    for key, (hint, said) in PUT_IN.get(name, {}).items():
+        properties[key] = of.of(hint) | {"description": said or _flat(inspect.getdoc(hint) or "")}
+    if name in OLDER:
+        of.definitions["check_result"]["properties"]["kind"]["enum"] += OLDER[name]
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "$id": "urn:" + records[0].SCHEMA.replace(".", ":").replace("/", ":"),
@@ -183,66 +197,100 @@ def schema(name: str) -> Schema:
 class _Written:
     """Schemas of types; those of records stand among `definitions`."""
 
-    def __init__(self, definitions: dict[str, Schema], whole: type[Record] | None = None) -> None:
+    def __init__(
+        self,
+        definitions: dict[str, Schema],
+        whole: type[Record] | None = None,
+        asked: Asked = "may",
+    ) -> None:
         self.definitions = definitions
         self._whole = whole
+        self._asked = asked
 
-    def object_of(self, record: type[Record], *, asked: Asked = "may") -> Schema:
+    def object_of(self, record: type[Record]) -> Schema:
         """Write the schema of a record, by its own document."""
         found = parts(record, record.DOCUMENT)
-        found = tuple(part for part in found if asked != "never" or part.mark != "*")
-        needed = ("", "*") if asked == "must" else ("",)
+        found = tuple(part for part in found if self._asked != "never" or part.mark != "*")
+        written = self._object(record, found, ("", "*") if self._asked == "must" else ("",))
+        if record.SCHEMA and record is not self._whole:
+            written["required"].insert(0, "schema")
+            written["properties"] = {"schema": {"const": record.SCHEMA}} | written["properties"]
+        return written
+
+    def _object(self, of: type, found: tuple[Key, ...], needed: tuple[str, ...]) -> Schema:
         return {
             "type": "object",
             "additionalProperties": False,
             "required": [part.key for part in found if part.mark in needed],
-            "properties": {part.key: self._described(part) for part in found},
+            "properties": {part.key: self._described(of, part) for part in found},
         }
 
-    def _described(self, part: Key) -> Schema:
-        unit = unit_of(part.hint)
+    def _described(self, of: type, part: Key) -> Schema:
+        unit = "" if part.inner else unit_of(part.hint)
         if isinstance(getattr(part.owner, part.path[-1], None), types.FunctionType) and (
             isinstance(part.hint, type) and issubclass(part.hint, Record)
         ):
             said = _flat(inspect.getdoc(part.hint) or "")
+        elif part.key == part.path[0] and part.key in _docstrings(of):
+            said = meaning(of, part.key)
         else:
             said = meaning(part.owner, part.path[-1])
-        plain = unit.replace("_per_", "/")
+        plain = unit.replace("_per_", "/").replace("Nm", "N m")
+        said = re.sub(rf", {plain}(?=[.;])", "", said, count=1) if plain else said
         # What is left out is never null.
         hint = _without_none(part.hint) if part.mark == "?" else part.hint
-        return self.of(hint) | {"description": f"{plain}: {lower(said)}" if plain else said}
+        found = self.of(hint, part.inner) | ({"minimum": 1} if part.is_counted else {})
+        return found | {"description": f"{plain}: {lower(said)}" if plain else said}
 
-    def of(self, hint: Any) -> Schema:
-        """Write the schema of a type."""
+    def of(self, hint: Any, document: str = "") -> Schema:
+        """Write the schema of a type; of one that is laid out by a document, by that."""
         origin, inner = get_origin(hint), get_args(hint)
-        if origin is Annotated:
-            return self._bounded(inner[0], inner[1:])
-        if origin in (Union, types.UnionType):
-            return _any_of([self.of(each) for each in inner])
-        if origin is Literal:
-            return {"const": inner[0]} if len(inner) == 1 else {"enum": list(inner)}
-        if origin in (tuple, list):
-            sized = {} if inner[-1] is ... or origin is list else _items(len(inner), len(inner))
-            return {"type": "array", **sized, "items": self.of(inner[0])}
-        if origin in (np.ndarray, npt.NDArray):  # numpy 2.5 has an alias of its own
-            return {"type": "array", "items": {"type": "number"}}
-        if isinstance(hint, type) and issubclass(hint, Record):
+        if hint is Any:
+            return {}
+        if origin is not None:
+            return self._made(origin, inner, document)
+        if isinstance(hint, type) and issubclass(hint, Record) and not document:
             if hint is self._whole:
                 return {"$ref": "#"}
-            name = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", hint.__name__).lower()
-            if name not in self.definitions:
-                self.definitions[name] = {}
-                self.definitions[name] = self.object_of(hint)
-            return {"$ref": f"#/$defs/{name}"}
-        if origin in (dict, Mapping):
-            return {"type": "object", "additionalProperties": self.of(inner[1])}
-        return {"type": _PLAIN[hint]}
+            if _snake(hint) not in self.definitions:
+                self.definitions[_snake(hint)] = {}
+                self.definitions[_snake(hint)] = self.object_of(hint)
+            return {"$ref": f"#/$defs/{_snake(hint)}"}
+        if document and hint is not type(None):
+            return self._defined(hint, self._object(hint, parts(hint, document), ("",)))
+        return {"type": _PLAIN[str if hint is Message else hint]}
 
-    def _bounded(self, hint: Any, kinds: tuple[Any, ...]) -> Schema:
-        found = self.of(hint)
+    def _defined(self, hint: type, found: Schema) -> Schema:
+        """Put it among the definitions, where no other one has its name."""
+        if self.definitions.setdefault(_snake(hint), found) != found:
+            return found
+        return {"$ref": f"#/$defs/{_snake(hint)}"}
+
+    def _made(self, origin: Any, inner: tuple[Any, ...], document: str) -> Schema:
+        """Write the schema of a type that is made of others."""
+        if origin is Annotated:
+            return self._bounded(inner[0], inner[1:], document)
+        if origin in (Union, types.UnionType):
+            return _any_of([self.of(each, document) for each in inner])
+        if origin is Literal:
+            return {"const": inner[0]} if len(inner) == 1 else {"enum": list(inner)}
+        if origin in (tuple, list, Sequence):
+            sized = (
+                {} if inner[-1] is ... or origin is not tuple else _items(len(inner), len(inner))
+            )
+            return {"type": "array", **sized, "items": self.of(inner[0], document)}
+        if origin in (np.ndarray, npt.NDArray):  # numpy 2.5 has an alias of its own
+            return {"type": "array", "items": {"type": "number"}}
+        assert issubclass(origin, Mapping), origin
+        return {"type": "object", "additionalProperties": self.of(inner[1], document)}
+
+    def _bounded(self, hint: Any, kinds: tuple[Any, ...], document: str = "") -> Schema:
+        found = self.of(hint, document)
         for kind in kinds:
             if isinstance(kind, From):
                 found |= {"minItems" if found["type"] == "array" else "minimum": kind.least}
+            elif isinstance(kind, Size):
+                found |= _items(kind.fewest, kind.most)
             elif isinstance(kind, Matching):
                 found |= {"pattern": kind.pattern}
             elif kind is OrNull:
@@ -272,6 +320,10 @@ class _Written:
                 for key, hint in (hints | kept).items()
             },
         }
+
+
+def _snake(of: type) -> str:
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", of.__name__).lower()
 
 
 def _items(fewest: int, most: int) -> Schema:
@@ -371,8 +423,8 @@ def up_to_date() -> Iterator[tuple[Path, str]]:
         document = json.loads(path.read_text("utf-8"))
         tied: list[Schema] = []
         for key, (record, asked) in DEFINITIONS.get(name, {}).items():
-            of = _Written({})
-            document["$defs"][key] = of.object_of(record, asked=asked)
+            of = _Written({}, asked=asked)
+            document["$defs"][key] = of.object_of(record)
             document["$defs"] |= of.definitions
             tied += [node for _, node in worded([document["$defs"][key], of.definitions])]
         for place, node in worded(document):

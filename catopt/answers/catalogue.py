@@ -551,13 +551,11 @@ def _anchors(found: Found) -> Iterator[blocks.Block]:
 
 
 def _fittings(found: Found) -> Iterator[blocks.Block]:
-    pairs = found.used_fittings()
-    if pairs:
-        of = Rows(each for each, _ in pairs)
-        uses = [term(use) for _, use in pairs]
+    if found.fittings:
+        of = Rows(found.fittings)
         yield tabulate(
             "fittings",
-            *([blocks.texts("use", uses)] if found.uses else []),
+            *([blocks.texts("use", map(term, found.uses))] if found.uses else []),
             of.texts("fitting", lambda each: term(each.name)),
             of.measured(replace(blocks.named("nominal_diameter"), symbol=""), "size", "size"),
             of.measured("MBL", "MBL", symbol="MBL"),
@@ -567,7 +565,7 @@ def _fittings(found: Found) -> Iterator[blocks.Block]:
             *if_known(of.measured("cost", "price", "price_material_only", symbol="")),
             of.texts("sources", lambda each: f"{each.confidence}: {keys(each.sources)}"),
         )
-        for note in dict.fromkeys(each.note for each, _ in pairs if each.note):
+        for note in dict.fromkeys(each.note for each in found.fittings if each.note):
             yield blocks.Text(note, only="people")
     if found.missing:
         yield blocks.Warnings(tuple(found.missing))

@@ -200,9 +200,7 @@ def _of_files(of: Rows) -> Iterator[blocks.Column]:
     for kind in (kind for kind in QUANTITY_OF if any(kind in each for each in tightest.rows)):
         checks = Rows(tightest.read(methodcaller("get", kind)))
         yield checks.measured("utilisation", "utilisation", f"{kind}_utilisation", **only)
-    yield of.texts(
-        "governing_check", lambda at: at.governing.in_case if at.governing else "", **only
-    )
+    yield of.texts("governing_check", "checks.nearest", **only)
 
 
 def segment_words(line: Line) -> list[str]:

@@ -27,7 +27,7 @@ from catopt.answers.blocks import (
 from catopt.answers.motion import ENERGIES
 from catopt.answers.note import small
 from catopt.answers.verification import quantity_in_note
-from catopt.figures.motion import envelope_chart, exceedance, history, track
+from catopt.figures.motion import envelope_chart, history, peaks_above, track
 from catopt.quantities import Quantity
 from catopt.units import lasting
 from catopt.verify.motion_words import (
@@ -339,7 +339,7 @@ def motion_blocks(note: Note) -> Iterator[Block]:
     facts = tuple(blocks.stated(*each[:2], quantity=each[2]) for each in listed)
     yield blocks.Facts("motion_outcome", facts, Message("note_motion.outcome"))
     yield from _extremes(part)
-    peaks = exceedance(part)
+    peaks = peaks_above(part)
     if peaks is not None:
         yield Figure(peaks, Message("note_motion.exceedance"))
     drawn = history(part, solution.fairlead.tension)

@@ -121,7 +121,7 @@ def _combined(note: SizeNote) -> tuple[str, str]:
     has_parts = any(each.parts for each in note.sizing.settled.posed.loads)
     years = {each.of.name: each.value for each in note.sizing.inputs}.get("return_period")
     combined = Message("note_sheet.combined_at_once") if has_parts else ""
-    if years is None:
+    if not isinstance(years, float):
         return combined, ""
     return combined, Message("note_sheet.return_period_is", years=years / YEAR)
 

@@ -157,7 +157,7 @@ def _holding(of: Sizing) -> Iterator[_Row]:
     if other is not None:  # by the other rule: they differ by a factor of two and more
         said = Message(
             "sizing.other_sinker",
-            rule=Cited(of.other_rule),
+            rule=Cited(other.rule),
             mass=other.mass / 1e3,
             friction=other.friction,
         )
@@ -238,9 +238,7 @@ def alternatives_table(of: Sizing) -> blocks.Table:
         points.measured("length", "line.length"),
         points.measured("mass", "line.mass", "mass_in_air", symbol=""),
         *(every.own("cost") if of.cost is not None else ()),
-        every.texts(
-            "verdict", lambda each: each.reason if each.settled is None else of.trade(each)
-        ),
+        every.texts("verdict", lambda each: each.trade or each.reason),
         caption=Message("sizing.alternatives"),
     )
 
@@ -254,9 +252,7 @@ def candidates_table(of: Sizing) -> blocks.Table:
         every.texts("chain", lambda each: f"{each.component} {each.diameter * 1e3:g} mm"),
         points.measured("length", "line.length"),
         points.measured("mass", "line.mass", "mass_in_air", symbol=""),
-        points.measured(
-            "offset", lambda point: point.objectives["offset_m"], "largest_span", symbol="S"
-        ),
+        points.measured("offset", "largest_span", "largest_span", symbol="S"),
         points.measured("mass", "anchor.mass", "anchor_mass_in_air", symbol=""),
         every.texts("verdict", _verdict),
         caption=Message("captions.candidates"),
@@ -266,8 +262,7 @@ def candidates_table(of: Sizing) -> blocks.Table:
 def _verdict(of: Candidate) -> str:
     if of.settled is None:
         return of.reason
-    governing = of.settled.point.governing
-    return Message("sizing.passes", check="" if governing is None else governing.in_case)
+    return Message("sizing.passes", check=of.settled.point.checks.nearest)
 
 
 def _run_afloat(of: InMotion) -> blocks.Section:

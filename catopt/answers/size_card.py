@@ -235,7 +235,7 @@ def _others(of: Sizing) -> Iterator[Brief]:
 
 def other_words(of: Sizing, each: Alternative) -> str:
     """Say in a line what another preference would recommend."""
-    if each.settled is None:
+    if each.settled is None or each.swing is None:
         return Message("sizing.card_none")
     point, own = each.settled.point, of.point
     if (each.swing, point.line.mass) == (of.swing.total, own.line.mass):

@@ -35,10 +35,10 @@ def miss_answer(error: NoFeasibleDesignError, of: ResolvedInputs) -> Answer:
         card += [Brief((said,), name, 2) for name, said in _worst(miss)]
         helping = [said for kind in _kinds(miss) for said in _helps(kind, of)]
         if error.in_motion is not None and of.moored == "tanker":
-            options = {name: of.telling.spell(name) for name in ("lines", "seeds")}
+            options = {name: of.errors.spell(name) for name in ("lines", "seeds")}
             helping.append(Message("sizing.miss_helps_ship", **options))
         elif error.in_motion is not None:
-            options = {"scope": of.telling.spell("scope_max"), "code": of.telling.spell("code")}
+            options = {"scope": of.errors.spell("scope_max"), "code": of.errors.spell("code")}
             helping.append(Message("sizing.miss_helps_motion", **options))
         advice = dict.fromkeys(helping)
         if advice:
@@ -80,7 +80,7 @@ def _helps(kind: str, of: ResolvedInputs) -> Iterator[Message]:
     }
     for name in ways.get(kind, ()):
         if _is_open(name, of):
-            yield Message(f"sizing.try_{name}", option=of.telling.spell(name))
+            yield Message(f"sizing.try_{name}", option=of.errors.spell(name))
 
 
 def _is_open(name: str, of: ResolvedInputs) -> bool:

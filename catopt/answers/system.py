@@ -377,16 +377,16 @@ def _network_out(gone: Sequence[NetworkOut], checks: CheckReport) -> Iterator[bl
 
 def network_out_table(gone: Sequence[NetworkOut], checks: CheckReport) -> blocks.Table:
     """Tabulate what each line gone leaves to the others, by the strictest check where there is."""
-    of, hardest = Rows(gone), [each.hardest for each in gone]
+    of = Rows(gone)
     return tabulate(
         "line_out",
         of.texts("line_out", lambda each: each.missing + 1),
-        measured("tension", [each and each[0] for each in hardest], "largest_tension", symbol=""),
-        texts("in_line", [each and each[1] + 1 for each in hardest]),
+        of.measured("tension", "largest_tension", "largest_tension", symbol=""),
+        of.texts("in_line", "most_loaded_line"),
         *if_known(
             measured("utilisation", [checks.used(missing=each.missing + 1) for each in gone])
         ),
-        of.texts("loose", lambda each: ", ".join(f"{number + 1}" for number in each.loose)),
+        of.texts("loose", lambda each: ", ".join(map(str, each.loose_lines))),
         of.texts("refusal", only="files"),
         caption=Message("captions.one_line_out"),
     )

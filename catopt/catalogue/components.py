@@ -5,11 +5,22 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, get_args
 
 from catopt.catalogue.formula import Formula
 from catopt.errors import InputError, Problem
 from catopt.model import Segment
+from catopt.model.kinds import (
+    Density,
+    Length,
+    MassPerLength,
+    NotNegative,
+    Price,
+    Strength,
+    Weight,
+)
+from catopt.records import Record
+from catopt.records import within as within_part
 from catopt.shown import Tabled
 from catopt.words import Message
 
@@ -72,32 +83,43 @@ SPECS: dict[str, Spec] = {
 
 @dataclass(frozen=True)
 class Source:
-    """A document: its short name, what it is, and where it is found."""
+    """A document that figures rest on."""
 
     key: str
+    """Short name, by which figures name it."""
     title: str
+    """What it is."""
     place: str
+    """Where it is found."""
     origin: str = ""
     """What it was copied from; sources of one origin count once for confidence B."""
 
 
 @dataclass(frozen=True)
-class Figure:
+class Figure(Record):
     """One quantity, of `SPECS`, of one or more families, by the nominal diameter."""
 
+    DOCUMENT = (
+        "quantity grades variant default text=formula confidence source_keys=sources place range "
+        "reason note"
+    )
+
     quantity: str
+    """What it is of."""
     variant: str
     """Name among several figures of the same quantity; may be empty when there is one."""
     families: tuple[str, ...]
     grades: tuple[str, ...]
     """Grades that it holds for; all when empty."""
     formula: Formula
-    range: tuple[float, float]
-    """Smallest and largest nominal diameter, m. It is never evaluated outside."""
+    range: tuple[Length, Length]
+    """Smallest and largest nominal diameter that it holds for; it is never evaluated outside."""
     sources: tuple[Source, ...]
     """Documents that have it, at `place`."""
     place: str
+    """Where in its sources."""
     confidence: Confidence
+    """Of the figure itself."""
     default: bool = True
     """Whether it is used when no variant is named."""
     reason: str = ""
@@ -115,8 +137,13 @@ class Figure:
         return frozenset(source.origin or source.key for source in self.sources)
 
     @property
+    def source_keys(self) -> tuple[str, ...]:
+        """Keys of the sources that have it."""
+        return tuple(source.key for source in self.sources)
+
+    @property
     def text(self) -> str:
-        """The formula in words."""
+        """By the nominal diameter d, with unit."""
         return self.formula.text(SPECS[self.quantity].unit)
 
     def holds_for(self, grade: str | None) -> bool:
@@ -143,28 +170,35 @@ NO_FIGURE = "catalogue.no_figure"
 
 
 @dataclass(frozen=True)
-class Hydrodynamic:
-    """A coefficient of drag or added mass, with the diameter that it is referred to, m."""
+class Hydrodynamic(Record):
+    """A coefficient of drag or added mass, with the diameter that it is referred to."""
 
-    coefficient: float
-    diameter: float
+    DOCUMENT = "coefficient diameter name=diameter_name"
+
+    coefficient: NotNegative
+    """A pure number."""
+    diameter: Length
+    """That the coefficient is referred to."""
     name: str
     """Which diameter that is: ``"d"`` for the nominal one, ``"2.65 d"``, ``"d/pi"``, or
     ``"volume"`` for the volume-equivalent one."""
 
 
 @dataclass(frozen=True)
-class Provenance:
+class Provenance(Record):
     """Where one figure of a component comes from: documents that have it, and where in them."""
+
+    DOCUMENT = "variant formula confidence source_keys=sources place range reason note"
 
     sources: tuple[Source, ...]
     place: str
+    """Where in its sources."""
     confidence: Confidence
     """Of the figure and of all that it rests on: the weakest."""
     formula: str
-    """In words, with unit."""
-    range: tuple[float, float]
-    """Nominal diameters that it holds for, m."""
+    """By the nominal diameter d, with unit."""
+    range: tuple[Length, Length]
+    """Smallest and largest nominal diameter that it holds for."""
     variant: str = ""
     """Name among the alternatives; may be empty when there is none."""
     alternatives: tuple[str, ...] = ()
@@ -175,62 +209,120 @@ class Provenance:
     """What else to know."""
 
     @property
+    def source_keys(self) -> tuple[str, ...]:
+        """Keys of the sources that have it."""
+        return tuple(source.key for source in self.sources)
+
+    @property
     def is_recalled(self) -> bool:
         """Whether it was read in no document."""
         return self.confidence == RECALLED
 
 
 @dataclass(frozen=True)
-class Alternative:
-    """Another figure that a source has for a quantity of a component."""
+class OriginOf(Record):
+    """Where the figure of a quantity comes from."""
+
+    DOCUMENT = f"quantity {within_part('origin', Provenance.DOCUMENT)}"
 
     quantity: str
-    variant: str
-    value: float | None
-    """SI, at the component's diameter; None where it does not reach."""
-    reference: float | None
-    """Of a coefficient: the diameter that it is referred to, m."""
-    provenance: Provenance
+    """What it is of."""
+    origin: Provenance
+
+
+class Unknown(NamedTuple):
+    """A quantity that is not known."""
+
+    quantity: str
+    """What it is."""
+    reason: str
+    """Why it is not known."""
+
+
+class MeanLoadTerms(NamedTuple):
+    """Dynamic stiffness of fibre rope: (constant + slope Lm) MBL, Lm = mean tension over MBL."""
+
+    constant: float
+    """A pure number."""
+    slope: float
+    """A pure number; Lm is a fraction."""
 
 
 @dataclass(frozen=True)
-class Component(Tabled):
+class Alternative(Record):
+    """Another figure that a source has for a quantity of a component."""
+
+    DOCUMENT = (
+        "quantity value unit reference=reference_diameter_m "
+        f"{within_part('provenance', Provenance.DOCUMENT)}"
+    )
+
+    quantity: str
+    """What it is of."""
+    variant: str
+    value: float | None
+    """SI, at the component's diameter; None where it does not reach."""
+    reference: Length | None
+    """Of a coefficient: the diameter that it is referred to."""
+    provenance: Provenance
+
+    @property
+    def unit(self) -> str:
+        """SI; empty for a pure number."""
+        return SPECS[self.quantity].unit
+
+
+@dataclass(frozen=True)
+class Component(Tabled, Record):
     """Chain, wire or rope of one family, grade and nominal diameter, in SI.
 
-    Densities in kg/m3. A quantity that is not known is None, and `missing` says why.
+    A quantity that is not known is None, and `missing` says why.
     """
+
+    DOCUMENT = (
+        "name family grade nominal_diameter mass submerged_weight water_density volume_diameter "
+        "MBL MBL_in_water proof_load EA EA_dynamic_terms=EA_dynamic(constant slope) drag_normal "
+        "drag_axial added_mass_normal added_mass_axial price recalled origins=provenance "
+        "unknown=missing(quantity reason) alternatives"
+    )
 
     name: str
     """Family, grade and diameter: ``"chain studless R3 76 mm"``."""
     family: str
+    """Name of its family."""
     grade: str | None
-    nominal_diameter: float
-    """Of the bar of a chain's links, or of the rope as sold, m."""
-    mass: float
-    """In air, per length, kg/m."""
-    submerged_weight: float
-    """Per length, N/m; negative when it floats. Mass less displaced water, by the volume-equivalent
-    diameter, times g0."""
-    volume_diameter: float
-    """Volume-equivalent diameter: of a cylinder that displaces as much water, m."""
-    water_density: float
-    MBL: float | None
-    """Minimum breaking load, new; of fibre rope, dry; N."""
-    proof_load: float | None
-    """Proof load, new, N."""
+    """None in a family without grades."""
+    nominal_diameter: Length
+    """Of the bar of a chain's links, or of the rope as sold."""
+    mass: MassPerLength
+    """In air, per length."""
+    submerged_weight: Weight
+    """Per length, in water; negative when it floats. Mass less displaced water, by the
+    volume-equivalent diameter, times g0."""
+    volume_diameter: Length
+    """Volume-equivalent diameter: of a cylinder that displaces as much water."""
+    water_density: Density
+    """For the submerged weight."""
+    MBL: Strength | None
+    """Minimum breaking load, new; of fibre rope, dry."""
+    proof_load: Strength | None
+    """Proof load, new."""
     wet_strength_factor: float | None
     """Share of the MBL that is left in water; None where water takes nothing."""
-    EA: float | None
-    """Axial stiffness; of fibre rope the quasi-static one, N."""
-    EA_dynamic_terms: tuple[float, float] | None
-    """a and b of the dynamic stiffness (a + b Lm) MBL, Lm = mean tension over MBL."""
+    EA: Strength | None
+    """Axial stiffness; of fibre rope the quasi-static one."""
+    EA_dynamic_terms: MeanLoadTerms | None
+    """Dynamic stiffness of fibre rope: (constant + slope Lm) MBL, Lm = mean tension over MBL."""
     drag_normal: Hydrodynamic | None
-    """Across the line, as that of added mass is; axial ones are along it."""
+    """Drag across the line."""
     drag_axial: Hydrodynamic | None
+    """Drag along the line."""
     added_mass_normal: Hydrodynamic | None
+    """Added mass across the line."""
     added_mass_axial: Hydrodynamic | None
-    price: float | None
-    """Material only, USD/m; `provenance` names the year."""
+    """Added mass along the line."""
+    price: Price | None
+    """Material only; `provenance` names the year."""
     provenance: Mapping[str, Provenance] = field(repr=False, compare=False)
     """By quantity, of everything that is known."""
     missing: Mapping[str, str] = field(repr=False, compare=False)
@@ -238,8 +330,18 @@ class Component(Tabled):
     _evaluation: Evaluation = field(repr=False, compare=False)
 
     @property
-    def MBL_in_water(self) -> float | None:
-        """MBL of the new component as it hangs in water: of nylon less than the dry one; N."""
+    def origins(self) -> tuple[OriginOf, ...]:
+        """Where each figure comes from."""
+        return tuple(OriginOf(*each) for each in self.provenance.items())
+
+    @property
+    def unknown(self) -> tuple[Unknown, ...]:
+        """What is not known, and why."""
+        return tuple(Unknown(*each) for each in self.missing.items())
+
+    @property
+    def MBL_in_water(self) -> Strength | None:
+        """MBL of the new component as it hangs in water: of nylon less than the dry one."""
         if self.MBL is None or self.wet_strength_factor is None:
             return self.MBL
         return self.MBL * self.wet_strength_factor
@@ -268,7 +370,7 @@ class Component(Tabled):
 
     @property
     def alternatives(self) -> tuple[Alternative, ...]:
-        """What the variants that were not chosen give here, recalled ones included."""
+        """What the variants that were not chosen give, recalled ones included."""
         return self._evaluation.alternatives()
 
     def segment(self, length: float | str, name: str | None = None) -> Segment:

@@ -16,6 +16,7 @@ from catopt.catalogue.components import (
     Component,
     Figure,
     Hydrodynamic,
+    MeanLoadTerms,
     Provenance,
     Source,
     weakest,
@@ -196,12 +197,12 @@ class Evaluation:
         reference = formula.reference(self.diameter, self.value)
         return Hydrodynamic(formula.coefficient, reference, formula.name)
 
-    def _dynamic_terms(self) -> tuple[float, float] | None:
+    def _dynamic_terms(self) -> MeanLoadTerms | None:
         if self.why_not("EA_dynamic"):
             return None
         formula = self.chosen["EA_dynamic"].formula
         assert isinstance(formula, MeanLoad)
-        return formula.constant, formula.slope
+        return MeanLoadTerms(formula.constant, formula.slope)
 
     def _chain_of(self, quantity: str) -> tuple[Figure, ...]:
         """List a figure and all that it rests on."""

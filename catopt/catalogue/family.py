@@ -12,6 +12,8 @@ from typing import Final, NamedTuple
 
 from catopt.catalogue.components import RECALLED, Confidence, Figure, Source
 from catopt.errors import InputError, Problem
+from catopt.model.kinds import Length
+from catopt.records import Record
 from catopt.units import as_written
 from catopt.words import Message
 
@@ -28,12 +30,18 @@ class Sizes:
     A list of sizes is no figure of strength, so that a recalled one is used, and says so.
     """
 
-    diameters: tuple[float, ...] = ()
-    """m, rising; none when the list is not known."""
+    diameters: tuple[Length, ...] = ()
+    """Nominal diameters that are sold, rising; none when the list is not known."""
     sources: tuple[Source, ...] = ()
     """Documents that list them, at `place`."""
     place: str = ""
     confidence: Confidence = RECALLED
+    """Of the list of sizes."""
+
+    @property
+    def source_keys(self) -> tuple[str, ...]:
+        """Keys of the sources that list them."""
+        return tuple(source.key for source in self.sources)
 
     @property
     def is_recalled(self) -> bool:
@@ -42,22 +50,29 @@ class Sizes:
 
 
 @dataclass(frozen=True)
-class Family:
-    """One kind of chain or rope: the name by which it is looked up, and its title in words."""
+class Family(Record):
+    """One kind of chain or rope."""
+
+    DOCUMENT = (
+        "name title also grades range sizes.diameters=sizes_m sizes.confidence=sizes_confidence "
+        "sizes.source_keys=sizes_sources note figures"
+    )
 
     name: str
+    """By which it is looked up."""
     title: str
+    """In words."""
     also: tuple[str, ...]
     """Other names for it."""
     grades: tuple[str, ...]
     """From the weakest to the strongest; empty when there are none."""
-    range: tuple[float, float]
-    """Smallest and largest nominal diameter, m."""
+    range: tuple[Length, Length]
+    """Smallest and largest nominal diameter."""
     sizes: Sizes
     figures: tuple[Figure, ...]
     """All figures, in the order of the file."""
     note: str = ""
-    """What else to know."""
+    """What else to know; may be empty."""
     _by_quantity: dict[str, list[Figure]] = field(
         default_factory=dict, init=False, repr=False, compare=False
     )

@@ -13,7 +13,8 @@ from catopt.catalogue.components import CONFIDENCES, Confidence, Source
 from catopt.catalogue.family import in_mm
 from catopt.catalogue.reading import own_sources
 from catopt.catalogue.table import TomlTable
-from catopt.model.kinds import Findings
+from catopt.model.kinds import Findings, Length, Mass, Positive, Strength
+from catopt.records import Record
 from catopt.words import Measure, Message, term
 
 
@@ -57,22 +58,51 @@ class Fitting:
     """One size of a fitting, in SI; what the source does not give is None."""
 
     name: str
+    """By which it is looked up."""
     kind: str
+    """Shackle, link, ring, swivel, plate."""
     title: str
-    size: float
-    """Of its pin, or of the chain that it is made for, m; the title or the note says which."""
-    MBL: float
-    proof_load: float | None
-    mass: float | None
-    WLL: float | None
-    """Working load limit, kg."""
-    price: float | None
+    """What it is."""
+    size: Length
+    """Of its pin, or of the chain that it is made for; the title or the note says which."""
+    MBL: Strength
+    """Minimum breaking load."""
+    proof_load: Strength | None
+    """Proof load."""
+    mass: Mass | None
+    """In air."""
+    WLL: Mass | None
+    """Working load limit."""
+    price: Positive | None
     """Material only, USD of 2024."""
     sources: tuple[Source, ...]
     place: str
+    """Where in the sources."""
     confidence: Confidence
+    """How well it was read."""
     also: tuple[str, ...] = ()
     note: str = ""
+    """What else to know."""
+
+    @property
+    def source_keys(self) -> tuple[str, ...]:
+        """Keys of the sources."""
+        return tuple(source.key for source in self.sources)
+
+
+@dataclass(frozen=True)
+class UsedFitting(Record):
+    """A fitting, and what it is for."""
+
+    DOCUMENT = (
+        "use fitting.name fitting.kind fitting.title fitting.size fitting.MBL fitting.proof_load "
+        "fitting.mass fitting.WLL fitting.price=price_USD fitting.confidence "
+        "fitting.source_keys=sources fitting.place fitting.note"
+    )
+
+    fitting: Fitting
+    use: str
+    """What it is for; empty where it was looked up by name."""
 
 
 @dataclass(frozen=True)

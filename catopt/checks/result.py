@@ -12,7 +12,7 @@ from catopt.model import LoadCase
 from catopt.model.kinds import OneOf
 from catopt.model.kinds import Place as Along
 from catopt.model.load import LoadCaseKind
-from catopt.records import From, FromZero, Record
+from catopt.records import From, FromZero, Record, within
 from catopt.shown import Displayable
 from catopt.ties import largest
 from catopt.words import Message
@@ -169,6 +169,11 @@ class CheckReport(Displayable, Record):
         return largest(self.results, lambda result: result.utilisation or 0.0, ROUNDING)
 
     @property
+    def nearest(self) -> str:
+        """The check nearest to its limit, with its load case; empty without checks."""
+        return "" if self.governing is None else self.governing.in_case
+
+    @property
     def failed(self) -> tuple[CheckResult, ...]:
         """The checks that are failed, the worst first; those alike as they come."""
         failed = [result for result in self.results if not result.passes]
@@ -247,13 +252,44 @@ class CheckReport(Displayable, Record):
             "warnings": list(self.warnings),
         }
 
-    def verdict_document(self) -> dict[str, Any]:
-        """Build the verdict of a body as ``catopt system --json`` has it."""
-        found = self.governing
-        return {
-            "checks": len(self.results),
-            "failed": len(self.failed),
-            "passes": self.passes,
-            "governing": None if found is None else found.to_dict_of_body(),
-            "warnings": list(self.warnings),
-        }
+    @property
+    def brief(self) -> ChecksInBrief:
+        """The verdict of a body, as ``catopt system`` has it."""
+        return ChecksInBrief(self)
+
+
+@dataclass(frozen=True)
+class CheckOfBody(Record):
+    """A check of a moored body or of one of its lines, as in catopt.check/1."""
+
+    DOCUMENT = within("result", CheckResult.DOCUMENT).replace("*", "")
+
+    result: CheckResult
+
+
+@dataclass(frozen=True)
+class ChecksInBrief(Record):
+    """Only of the command: what the checks of the case come to, intact and with each line out.
+
+    The command catopt check has them all.
+    """
+
+    DOCUMENT = "checks failed report.passes governing report.warnings"
+
+    report: CheckReport
+
+    @property
+    def checks(self) -> FromZero:
+        """How many were made."""
+        return len(self.report.results)
+
+    @property
+    def failed(self) -> FromZero:
+        """How many of them fail."""
+        return len(self.report.failed)
+
+    @property
+    def governing(self) -> CheckOfBody | None:
+        """The one that governs; None without checks."""
+        found = self.report.governing
+        return None if found is None else CheckOfBody(found)

@@ -26,8 +26,8 @@ if TYPE_CHECKING:
     from catopt.casefile.reading import Moored
     from catopt.loads import Afloat, Loads, SeaState, ShipHeading, Turning
     from catopt.loads.ship_dimensions import Condition
+    from catopt.sizing.error_collector import Spelling
     from catopt.sizing.known import ResolvedInputs
-    from catopt.sizing.telling import Spelling
 
 loads = group("loads")
 
@@ -92,18 +92,18 @@ def buoy(
     place = name if is_file(name) else None
     options = {"buoy": None if place else name, **inputs}
     with _known("buoy", place, options, by_option, _OF_BUOYS) as of:
-        make = of.telling.make
+        make = of.errors.make
         of.require("buoy", "depth")
         for each in ("force", "reserve_buoyancy"):
             if each in of.given:
-                of.telling.add(
+                of.errors.add(
                     each, f"{of[each]:g} N", Message("refused_command.leave_out_these_loads_are")
                 )
         own = make(in_si, {"--chain": (chain, Dimension.LENGTH), "--pull": (pull, Dimension.FORCE)})
         body = shape_of(of)
         weather = _weather(of, of["wind"])
         levels = make(WaterLevels, of["low_water"] or of["depth"], of["depth"])
-        every = of.telling.made(
+        every = of.errors.made(
             lambda own, levels, body, wind, current, sea: tuple(
                 buoy_loads(
                     body,
@@ -172,7 +172,7 @@ def ship(
         "--wind-centre": wind_centre,
     }
     with _known("tanker", file, inputs, as_option, _OF_SHIPS) as of:
-        make = of.telling.make
+        make = of.errors.make
         of.require("length", "breadth", "draught", "depth")
         own = make(in_si, {name: (text, Dimension.LENGTH) for name, text in lengths.items()})
         turns = weathervane or any(inputs[name] is None for name in of.given & {*DIRECTIONS})
@@ -181,10 +181,10 @@ def ship(
             needless = {name: text for name, text in needless.items() if name in of.given}
             needless |= given_ones(mooring_point=mooring_point, wind_centre=wind_centre)
             for name, text in needless.items():
-                of.telling.add(
+                of.errors.add(
                     name, str(text), Message("refused_command.leave_out_or_give_weathervane")
                 )
-        of.telling.raise_if_any()
+        of.errors.raise_if_any()
         assert own is not None
         if file is not None:
             propeller = propeller or TAKEN_FOR[of["ship"] or "tanker"][1]
@@ -201,7 +201,7 @@ def ship(
         is_known = turns_by_itself(ships)
         point, yaw = own.get("--mooring-point"), of["current_yaw"] or ""
         turned = partial(read_turning, yaw, point, is_known=is_known)
-        turning = of.telling.made(turned) if turns else None
+        turning = of.errors.made(turned) if turns else None
         how = {
             "reflection": reflection,
             "drift": drift.replace("-", " "),
@@ -210,7 +210,7 @@ def ship(
         }
         weather = _weather(of, wind_of_30_s(of))
         levels = make(WaterLevels, of["low_water"] or of["depth"], of["depth"])
-        lyings = of.telling.made(
+        lyings = of.errors.made(
             lambda levels, turned, wind, current, sea: every_lying(
                 ships,
                 wind,
@@ -227,7 +227,7 @@ def ship(
             *weather,
         )
         worst = largest(lyings, lambda each: each.loads.horizontal_force)
-        every = of.telling.made(
+        every = of.errors.made(
             lambda: every_method(
                 worst.afloat.ship,
                 *weather,
@@ -275,7 +275,7 @@ def _known(
         yield known(moored, given, spell, "options", defaults=_TAKEN, called=called)
         return
     file = read_file(place, moored)
-    with file.telling():
+    with file.reporting():
         yield file.known(given, spell, defaults=_TAKEN, called=called)
 
 
@@ -292,7 +292,7 @@ def _no_part(of: ResolvedInputs, counted: Collection[str]) -> Iterator[Message]:
     from catopt.sizing.inputs import inputs_of
 
     names = [
-        of.telling.spell(name) if name in (*_BUOY, *_SHIP) else each.key
+        of.errors.spell(name) if name in (*_BUOY, *_SHIP) else each.key
         for name, each in inputs_of(of.moored).items()
         if name in of.given - set(counted)
     ]
@@ -304,7 +304,7 @@ def _weather(of: ResolvedInputs, wind: float | None) -> tuple[Any, ...]:
     """Make wind, in m/s, current and waves; None of what is wrong."""
     from catopt.loads import SurfaceCurrent, Wind
 
-    make = of.telling.make
+    make = of.errors.make
     return make(Wind, wind), make(SurfaceCurrent, of["current"]), make(_sea, of)
 
 
@@ -344,10 +344,10 @@ def _ships_afloat(of: ResolvedInputs, form: _Form) -> Iterator[Afloat]:
     draughts: dict[Condition, float] = {"loaded": of["draught"]}
     if is_named:
         draughts = draughts_of(of)
-    of.telling.raise_if_any()
+    of.errors.raise_if_any()
     key = "loads.ship_in_condition" if "ballast" in draughts else "loads.ship_of"
     for condition, draught in draughts.items():
-        windage = of.telling.made(partial(ship_at, of, condition, "tanker"))
+        windage = of.errors.made(partial(ship_at, of, condition, "tanker"))
         section = of["breadth"] * draught
         block = BLOCK[condition] if form.block is None else form.block
         centre = windage.lateral_centre if form.wind_centre is None else form.wind_centre
@@ -365,15 +365,15 @@ def _ships_afloat(of: ResolvedInputs, form: _Form) -> Iterator[Afloat]:
             propeller=form.propeller,
             lateral_centre=centre,
         )
-        body = of.telling.made(make_ship)
+        body = of.errors.made(make_ship)
         if condition == "loaded" and of["dwt"] is not None:
-            of.telling.make(check_deadweight, of["dwt"], body)
-            of.telling.raise_if_any()
+            of.errors.make(check_deadweight, of["dwt"], body)
+            of.errors.raise_if_any()
         own = own_tables(of, condition)
         if form.kind and own is not None:
             allowed = Message("refused_command.leave_out_this_ship_has")
-            of.telling.add("kind", form.kind, allowed)
-        of.telling.raise_if_any()
+            of.errors.add("kind", form.kind, allowed)
+        of.errors.raise_if_any()
         yield Afloat(condition, body, form.kind or wind_on.format(condition), own)
 
 

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from catopt.casefile.reading import Moored
     from catopt.notes.line import Given
     from catopt.sizing import Sizing
+    from catopt.sizing.error_collector import Spelling
     from catopt.sizing.known import ResolvedInputs
-    from catopt.sizing.telling import Spelling
 
 
 class _OfAFile(GroupWithWords):
@@ -118,7 +118,7 @@ def _size(
         found, answer = _sized(asked, known(moored, given, spell, "options"))
     else:
         file = read_file(place, moored)
-        with file.telling():
+        with file.reporting():
             if not file.findings:
                 given = answered(moored, given, file.given(given), spell, asked.language)
             found, answer = _sized(asked, file.known(given, spell))
@@ -142,7 +142,7 @@ def _size_form(
     if save is not None and len(files) > 1:
         raise refused("--save", str(save), Message("refused_command.goes_with_form_one_mooring"))
     for file in files:
-        with file.telling():
+        with file.reporting():
             found.append(_sized(asked, file.known(given, spell)))
     if len(files) > 1:
         from catopt.answers.size_card import fleet_answer

@@ -72,7 +72,7 @@ def system(
         asked.output.note(say(Message("mooring.no_circle"), asked.language))
 
     def document() -> dict[str, Any]:
-        return report.to_dict() | {"checks": checks.verdict_document()}
+        return report.to_dict() | {"checks": checks.brief.to_dict()}
 
     asked.give(system_answer(report, checks), document, read, partial(system_pictures, report))
 
@@ -89,7 +89,7 @@ def _network(
     """Bring points, lines and bodies to rest, and hold their body where that is asked for."""
     from catopt.checks.system import check_network
     from catopt.mooring.circle import network_circle
-    from catopt.mooring.held import LinesAtRest, at_rest, hold, network_document
+    from catopt.mooring.held import LinesAtRest, NetworkReport, at_rest, hold
     from catopt.mooring.network_out import each_line_out
 
     if network.bodies or network.current is not None:
@@ -114,13 +114,13 @@ def _network(
     elif with_circle:
         circle = network_circle(network, force=force or 1.0)
     answer = network_answer(rest, away, judged, bodies, line_out=gone, circle=circle)
-    more: dict[str, Any] = {"checks": judged.verdict_document()}
+    more: dict[str, Any] = {"checks": judged.brief.to_dict()}
     if with_line_out:
         more["one_line_out"] = [each.to_dict() for each in gone]
     if circle is not None:
         more["watch_circle"] = circle.to_dict()
-    states = [rest, *(held if free else away)]
-    asked.give(answer, lambda: network_document(states) | more, network)
+    states = (rest, *(held if free else away))
+    asked.give(answer, lambda: NetworkReport(states).to_dict() | more, network)
 
 
 def _in_si(option: str, texts: list[str] | None, dimension: Dimension) -> list[float]:

@@ -17,7 +17,7 @@ from catopt.checks.evaluation import NO_CHECK
 from catopt.compiled import compiled
 from catopt.design.assess import COST, EXCURSION, LENGTH, MASS, OFFSET, assess
 from catopt.design.problem import Evaluated, Floats, Genes
-from catopt.design.result import DesignPoint, Neighbour
+from catopt.design.result import OBJECTIVES_MADE, DesignPoint, Neighbour
 from catopt.design.space import DesignSpace, resolve
 from catopt.design.tables import Tables, room, tables_of
 from catopt.errors import CatoptError
@@ -26,13 +26,7 @@ from catopt.model.kinds import Findings
 from catopt.model.line import weight_in_water
 from catopt.words import Message
 
-OBJECTIVE_KEYS: Final = {
-    "mass": "mass_kg",
-    "offset": "offset_m",
-    "excursion": "excursion_m",
-    "cost": "cost_USD",
-    "length": "length_m",
-}
+OBJECTIVE_KEYS: Final = {key.partition("_")[0]: key for key in OBJECTIVES_MADE}
 """Key of each objective in results and documents."""
 
 _A_PIECE = 4e-5

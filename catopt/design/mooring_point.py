@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
 
 from catopt.checks.criteria import criteria_of
 from catopt.checks.kinds import Place, State
@@ -13,9 +13,11 @@ from catopt.checks.result import CheckReport, CheckResult
 from catopt.checks.system import InState, check_state
 from catopt.design.symmetry import states_of
 from catopt.model import DesignLoad, System
+from catopt.model.kinds import Angle, Length, Strength
 from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import solution_at
 from catopt.mooring.zero_load import ZeroLoadPosition, zero_load_position
+from catopt.records import From
 from catopt.ties import first_largest
 from catopt.words import Message
 
@@ -33,10 +35,21 @@ class MooringPoint:
     )
     offset: float  # the largest, from the zero-load position with all lines, m
     farthest: SystemSolution  # the body with all lines under the force of that heading
-    state: Message  # which state and heading that is
+    state: Message
+    """State and heading, in words."""
     load: DesignLoad  # of which load
-    # horizontal force in each line with the body at its origin, N, where that is chosen
-    pretension: float | None = None
+    pretension: Strength | None = None
+    """Horizontal force in each line with the body at its origin, where the search chose it."""
+
+    @property
+    def azimuths(self) -> Annotated[tuple[Angle, ...], From(1)]:
+        """Of each line, counter-clockwise from x."""
+        return tuple(leg.azimuth for leg in self.system.legs)
+
+    @property
+    def anchor_radius(self) -> Length:
+        """From the body's origin to the anchors."""
+        return self.system.legs[0].anchor_radius
 
 
 @dataclass(frozen=True)

@@ -1,53 +1,154 @@
-"""The answer of a design search, as a value and as the JSON document catopt.design/1."""
+"""The answer of a design search."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Annotated, Any, TypedDict
 
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.mooring_point import MooringPoint, under
-from catopt.documents import figures
 from catopt.model import Anchor, Case, Line
-from catopt.model.design import loads_of
+from catopt.model.design import FoundBy, loads_of
+from catopt.model.kinds import (
+    Angle,
+    Height,
+    Length,
+    NotNegative,
+    OneOf,
+    Place,
+    Size,
+    SomeForce,
+    SomeMass,
+)
+from catopt.model.load import LoadCaseKind
+from catopt.records import Counted, From, FromZero, Record
 from catopt.shown import Displayable
 from catopt.words.saved import messages_in
 
 __all__ = ["DesignPoint", "DesignResult", "NearMiss", "Neighbour"]
 
+OBJECTIVES_MADE = ("mass_kg", "offset_m", "excursion_m", "cost_USD", "length_m")
+"""Keys of what is made small."""
+
 
 @dataclass(frozen=True, repr=False)
-class DesignPoint(Displayable):
+class DesignPoint(Displayable, Record):
     """One line of the front."""
 
-    # its segments and clump weights, with component and nominal diameter in each segment
-    line: Line
+    DOCUMENT = (
+        "mass largest_span=offset_m excursion? cost=cost_USD? length? "
+        "line.segments(name catalogued=component nominal_diameter length "
+        "submerged_weight mass EA MBL proof_load price wear_rate wear_zone~) "
+        "line.point_loads(name position submerged_weight mass) "
+        "sinker(mass submerged_weight friction safety_factor) checks.results=checks "
+        "checks.nearest=governing checks.passes=feasible spans genes "
+        "mooring=system(azimuths anchor_radius pretension? state=farthest_state "
+        "farthest.system.force=farthest_force_N load.water_level=farthest_water_level_m~ "
+        "load.fairlead_rise=farthest_fairlead_rise_m~ load.line_out=farthest_line_out~)?"
+    )
+
+    line: Line  # with component and nominal diameter in each segment
     anchor: Anchor | None  # the sinker that was chosen for it, or the anchor of the case
-    genes: tuple[int, ...]  # its place in the design space
+    genes: tuple[FromZero, ...]
+    """Its place in the design space."""
     # ``mass_kg``, ``offset_m``, ``excursion_m``, ``cost_USD``: all that are known, wanted as
     # objective or not
     objectives: Mapping[str, float]
-    # the same report that ``catopt check`` gives for this line; of a whole mooring the
-    # hardest of each check over all lines, headings and states
     checks: CheckReport
-    # of a whole mooring: the state that takes the body farthest
+    """As catopt check gives them, by load case; of a whole mooring the hardest of each over all
+    lines, headings and states."""
     mooring: MooringPoint | None = None
+    """Only of whole moorings: the layout of its equal lines, and what takes the body farthest."""
 
     @property
     def governing(self) -> CheckResult | None:
         """The check that is nearest to its limit."""
         return self.checks.governing
 
+    @property
+    def mass(self) -> SomeMass | None:
+        """In air, of segments and clump weights, of a whole mooring those of all lines.
+
+        None when one of them is not known.
+        """
+        return self.objectives.get("mass_kg", self.line.mass)
+
+    @property
+    def largest_span(self) -> Height:
+        """The largest span over the load cases.
+
+        Of a whole mooring the largest offset of the body from where it rests without a load.
+        """
+        return self.objectives["offset_m"]
+
+    @property
+    def excursion(self) -> Place | None:
+        """The largest span less the span in the reference load case."""
+        return self.objectives.get("excursion_m")
+
+    @property
+    def cost(self) -> float | None:
+        """USD, of the line's material; None where a price is not known."""
+        return self.objectives.get("cost_USD")
+
+    @property
+    def length(self) -> Length | None:
+        """Unstretched, of the line, of a whole mooring of all lines; where it is made small."""
+        return self.objectives.get("length_m")
+
+    @property
+    def sinker(self) -> Anchor | None:
+        """The sinker at the anchor; None when there is none."""
+        is_sinker = self.anchor is not None and self.anchor.kind == "sinker"
+        return self.anchor if is_sinker else None
+
+    @property
+    def spans(self) -> tuple[Place, ...]:
+        """The span in each load case, in the order of load_cases; empty of a whole mooring."""
+        solutions = () if self.mooring else self.checks.solutions
+        return tuple(solution.span for _, solution in solutions)
+
+    @property
+    def largest_force(self) -> SomeForce:
+        """Horizontal, on the line in any load case."""
+        return max(solution.horizontal_force for _, solution in self.checks.solutions)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Lay it out with the objectives first, as they were made small."""
+        return {"mass_kg": self.mass, **self.objectives} | super().to_dict()
+
 
 @dataclass(frozen=True)
-class Neighbour:
+class Neighbour(Record):
     """What one step of one variable would do to a design."""
 
-    change: str  # in words: ``"segment 1: chain studless R3 81 mm for 76 mm"``
+    DOCUMENT = (
+        "change point.mass~ point.largest_span=offset_m~ point.excursion~ point.cost=cost_USD~ "
+        "point.length~ feasible governing utilisation reason"
+    )
+
+    change: str
+    """In words: ``"segment 1: chain studless R3 81 mm for 76 mm"``."""
     point: DesignPoint | None  # the changed design; None where it has no equilibrium
-    reason: str = ""  # why there is none; else empty
+    reason: str = ""
+    """Why it has no equilibrium; else empty."""
+
+    @property
+    def feasible(self) -> bool:
+        """Whether the changed design passes every check."""
+        return self.point is not None and self.point.checks.passes
+
+    @property
+    def governing(self) -> str:
+        """The check that is nearest to its limit or furthest beyond it, with its load case."""
+        return "" if self.point is None else self.point.checks.nearest
+
+    @property
+    def utilisation(self) -> NotNegative | None:
+        """Of that check, a pure number; None without one, or where its capacity is 0 or less."""
+        found = None if self.point is None else self.point.governing
+        return None if found is None else found.utilisation
 
 
 @dataclass(frozen=True)
@@ -60,155 +161,150 @@ class NearMiss:
     reason: str = ""  # why there is no equilibrium; else empty
 
 
+@dataclass(frozen=True)
+class DesignLoadCase(Record):
+    """A load case that every design is checked in."""
+
+    DOCUMENT = "name kind water_level horizontal_force direction? fairlead_height line_out?"
+
+    name: str
+    """As the case has it."""
+    kind: LoadCaseKind
+    """Which factors of the codes are taken."""
+    water_level: Place
+    """Above the level of the site's water depth."""
+    horizontal_force: SomeForce
+    """At the fairlead; of a whole mooring on the body."""
+    fairlead_height: Height
+    """Above the seabed, at this water level."""
+    direction: Angle | None = None
+    """Only of whole moorings: towards which the force acts, counter-clockwise from x."""
+    line_out: bool | None = None
+    """Only of whole moorings: whether each line is gone in turn under it, too."""
+
+
+class Excluded(TypedDict):
+    """How many designs each bound proves needless."""
+
+    reach: FromZero
+    """Whose lines do not reach their anchors, or do not pull against the force."""
+    strength: FromZero
+    """Whose hardest loaded line bears more than it is allowed at the least share of the force."""
+    least_offset: FromZero
+    """Whose least possible offset is beaten by a lighter design that passes."""
+    offset_so_far: FromZero
+    """Whose offset in the states solved so far is beaten by a lighter design that passes."""
+
+
 @dataclass(frozen=True, repr=False)
-class DesignResult(Displayable):
-    """The front and how it was found."""
+class DesignResult(Displayable, Record):
+    """The front of a design search, and how it was found.
+
+    Lines that pass every check in every load case, of which none is beaten in all objectives.
+    Heights are above the seabed.
+    """
+
+    SCHEMA = "catopt.design/1"
+    DOCUMENT = (
+        "case.title objectives load_cases front recommended_index=recommended recommendation ends "
+        "neighbours present method is_exact designs evaluations feasible hypervolume "
+        "reference_point seed interrupted warnings excluded?"
+    )
 
     case: Case  # what was asked
-    objectives: tuple[str, ...]  # keys of `DesignPoint.objectives` that were made small
-    # by rising first objective; every one is feasible, none is beaten in all objectives
-    front: tuple[DesignPoint, ...]
+    objectives: Annotated[tuple[Annotated[str, OneOf(OBJECTIVES_MADE)], ...], Size(2, 3)]
+    """Keys of each design that were made small."""
+    front: Annotated[tuple[DesignPoint, ...], From(1)]
+    """By rising first objective; every one is feasible, none is beaten in all objectives. Tables
+    and --design count it from 1."""
     recommended: int  # number of the recommended design, from 1 as everywhere: see `best`
-    recommendation: str  # why, in words
-    method: str  # ``"enumeration"``, ``"nsga2"`` or ``"swarm"``
-    is_exact: bool  # whether every design of the space was evaluated, or proved needless
-    designs: int  # designs that the space holds
-    evaluations: int  # designs that were evaluated, each under all load cases
-    feasible: int  # how many of those passed every check
-    # of the front, in the units of the objectives multiplied, up to `reference_point`
-    hypervolume: float
-    reference_point: tuple[float, ...]  # the worst corner that the hypervolume is measured from
-    seed: int  # of the random numbers
-    interrupted: bool  # whether the search was stopped before its end
-    # for each objective: which check the end of the front runs into there, in words
+    recommendation: str
+    """Why, in words."""
+    method: FoundBy
+    """How the designs were searched."""
+    is_exact: bool
+    """Whether every design of the space was evaluated, or proved needless."""
+    designs: Counted
+    """Designs that the space holds."""
+    evaluations: Counted
+    """Designs that were evaluated, each in all load cases."""
+    feasible: FromZero
+    """How many of these passed every check."""
+    hypervolume: NotNegative
+    """Of the front up to reference_point, in the units of the objectives multiplied."""
+    reference_point: tuple[float, ...]
+    """For each objective in its unit: the worst corner, that the hypervolume is measured from."""
+    seed: FromZero
+    """Of the random numbers."""
+    interrupted: bool
+    """Whether the search was stopped before its end."""
     ends: tuple[str, ...]
-    # what one size or one step up or down would do to the recommended design
+    """For each objective which check the end of the front runs into there, in words."""
     neighbours: tuple[Neighbour, ...]
-    # the line that stands in the case file, by the same checks; no part of the front
+    """What one size or one step up or down of each variable would do to the recommended design."""
     present: Neighbour
+    """The line that stands in the case file, by the same checks; no part of the front."""
     seconds: float  # wall time of the search
-    # what an engineer should know, such as figures that were read in no document
     warnings: tuple[str, ...] = ()
-    # of whole moorings: how many designs were not evaluated because a bound proves them
-    # needless, by bound (`catopt.design.assess.BOUNDS`)
-    excluded: Mapping[str, int] = field(default_factory=dict)
+    """What an engineer should know before using the answer."""
+    excluded: Annotated[Mapping[str, int], Excluded] = field(default_factory=dict)
+    """Only of whole moorings: how many designs each bound proves needless
+    (`catopt.design.assess.BOUNDS`); these were not evaluated."""
 
     @property
     def best(self) -> DesignPoint:
         """The recommended design: the knee of the front."""
         return self.front[self.recommended - 1]
 
+    @property
+    def recommended_index(self) -> FromZero:
+        """Index into front, counted from 0: the knee."""
+        return self.recommended - 1
+
+    @property
+    def load_cases(self) -> Annotated[tuple[DesignLoadCase, ...], From(1)]:
+        """Every design is checked in each."""
+        system, design, height = self.case.system, self.case.design, self.case.fairlead_height
+        if system is not None and design is not None:
+            return tuple(
+                DesignLoadCase(
+                    under(load, angle),
+                    "extreme",
+                    load.water_level,
+                    load.force,
+                    height + load.lift,
+                    angle,
+                    load.line_out,
+                )
+                for load in loads_of(design, system)
+                for angle in load.directions
+            )
+        states = {each.name: each for each in self.case.load_cases}
+        return tuple(
+            DesignLoadCase(
+                name,
+                states[name].kind if name in states else "extreme",
+                states[name].water_level if name in states else 0.0,
+                solution.horizontal_force,
+                solution.fairlead_height,
+            )
+            for name, solution in self.front[0].checks.solutions
+        )
+
     def to_dict(self) -> dict[str, Any]:
         """Build the document that ``catopt design --json`` prints (schema catopt.design/1)."""
-        return design_document(self)
+        document = super().to_dict()
+        document["neighbours"] = [self._beside(each) for each in self.neighbours]
+        document["present"] = self._beside(self.present)
+        front = [{"governing": point["governing"]} for point in document["front"]]
+        return document | {"messages": messages_in(document | {"front": front})}
 
-
-def design_document(result: DesignResult) -> dict[str, Any]:
-    """Build the document that ``catopt design --json`` prints."""
-    document: dict[str, Any] = {
-        "schema": "catopt.design/1",
-        "title": result.case.title,
-        "objectives": list(result.objectives),
-        "load_cases": _load_cases(result),
-        "front": [_point(point) for point in result.front],
-        "recommended": result.recommended - 1,  # an index, as documents have it
-        "recommendation": result.recommendation,
-        "ends": list(result.ends),
-        "neighbours": [_neighbour(each, result) for each in result.neighbours],
-        "present": _neighbour(result.present, result),
-        **figures(result, "method is_exact designs evaluations feasible hypervolume"),
-        "reference_point": list(result.reference_point),
-        **figures(result, "seed interrupted"),
-        "warnings": list(result.warnings),
-    }
-    if result.excluded:
-        document["excluded"] = dict(result.excluded)
-    front = [{"governing": point["governing"]} for point in document["front"]]
-    return document | {"messages": messages_in(document | {"front": front})}
-
-
-def _load_cases(result: DesignResult) -> list[dict[str, Any]]:
-    system, design = result.case.system, result.case.design
-    if system is not None and design is not None:
-        return [
-            {
-                "name": under(load, angle),
-                "kind": "extreme",
-                "water_level_m": load.water_level,
-                "horizontal_force_N": load.force,
-                "direction_rad": angle,
-                "fairlead_height_m": result.case.fairlead_height + load.lift,
-                "line_out": load.line_out,
-            }
-            for load in loads_of(design, system)
-            for angle in load.directions
-        ]
-    kinds = {state.name: (state.kind, state.water_level) for state in result.case.load_cases}
-    documents = []
-    for name, solution in result.front[0].checks.solutions:
-        kind, level = kinds.get(name, ("extreme", 0.0))
-        document = {"name": name, "kind": kind, "water_level_m": level}
-        documents.append(document | figures(solution, "horizontal_force_N fairlead_height_m"))
-    return documents
-
-
-def _point(point: DesignPoint) -> dict[str, Any]:
-    governing, mooring = point.governing, point.mooring
-    solutions = () if mooring else point.checks.solutions
-    document: dict[str, Any] = {
-        "mass_kg": point.line.mass,
-        **point.objectives,
-        "segments": [
-            {
-                "name": segment.name,
-                "component": segment.component or None,
-                **figures(segment, "nominal_diameter_m length_m submerged_weight_N_per_m"),
-                **figures(segment, "mass_kg_per_m"),
-                "EA_N": segment.EA if math.isfinite(segment.EA) else None,
-                **figures(
-                    segment, "MBL_N proof_load_N price_USD_per_m wear_rate_m_per_s wear_zone"
-                ),
-            }
-            for segment in point.line.segments
-        ],
-        "point_loads": [
-            figures(load, "name position_m submerged_weight_N mass_kg")
-            for load in point.line.point_loads
-        ],
-        "sinker": None,
-        "checks": [check.to_dict() for check in point.checks.results],
-        "governing": "" if governing is None else governing.in_case,
-        "feasible": point.checks.passes,
-        "spans_m": [solution.span for _, solution in solutions],
-        "genes": list(point.genes),
-    }
-    if point.anchor is not None and point.anchor.kind == "sinker":
-        keys = "mass_kg submerged_weight_N friction safety_factor"
-        document["sinker"] = figures(point.anchor, keys)
-    if mooring is not None:
-        legs = mooring.system.legs
-        document["system"] = {
-            "azimuths_rad": [leg.azimuth for leg in legs],
-            "anchor_radius_m": legs[0].anchor_radius,
-            **({} if mooring.pretension is None else {"pretension_N": mooring.pretension}),
-            "farthest_state": mooring.state,
-            "farthest_force_N": list(mooring.farthest.system.force),
-            "farthest_water_level_m": mooring.load.water_level,
-            "farthest_fairlead_rise_m": mooring.load.fairlead_rise,
-            "farthest_line_out": mooring.load.line_out,
+    def _beside(self, each: Neighbour) -> dict[str, Any]:
+        """Lay a neighbour out by the objectives of the front, in their order."""
+        found = each.to_dict()
+        values = {key: found.pop(key, None) for key in OBJECTIVES_MADE}
+        return {
+            "change": each.change,
+            **{key: values[key] for key in self.front[0].objectives},
+            **found,
         }
-    return document
-
-
-def _neighbour(each: Neighbour, result: DesignResult) -> dict[str, Any]:
-    point = each.point
-    governing = None if point is None else point.governing
-    values = {} if point is None else point.objectives
-    return {
-        "change": each.change,
-        **{key: values.get(key) for key in result.front[0].objectives},
-        "feasible": point is not None and point.checks.passes,
-        "governing": "" if governing is None else governing.in_case,
-        "utilisation": None if governing is None else governing.utilisation,
-        "reason": each.reason,
-    }

@@ -25,7 +25,7 @@ from catopt.design.problem import Genes
 from catopt.design.result import DesignPoint, DesignResult
 from catopt.errors import InputError, NotConvergedError, Problem
 from catopt.model import Case, Design
-from catopt.model.design import SearchMethod
+from catopt.model.design import FoundBy, SearchMethod
 from catopt.words import Listed, Message
 
 CHUNK = 50_000
@@ -128,7 +128,7 @@ class Found(NamedTuple):
     """What a search came to."""
 
     outcome: Outcome
-    method: str  # "enumeration", "nsga2" or "swarm"
+    method: FoundBy
     seconds: float
 
 
@@ -320,7 +320,7 @@ def _search(problem: DesignProblem, progress: Progress | None, announce: Announc
     return Found(outcome, method, time.perf_counter() - start)
 
 
-def _method(design: Design, designs: int) -> SearchMethod:
+def _method(design: Design, designs: int) -> FoundBy:
     """Return the method to use: a search that may evaluate every design enumerates them."""
     if design.method == "auto":
         return "enumeration" if designs <= design.max_enumerated else LARGE_SPACES

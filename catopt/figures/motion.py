@@ -309,7 +309,7 @@ def envelope_chart(
     )
 
 
-def exceedance(part: DynamicPart) -> Chart | None:
+def peaks_above(part: DynamicPart) -> Chart | None:
     """Draw how many peaks of the fairlead tension are above each value, counted and by the tail.
 
     None where the tension has no tail.

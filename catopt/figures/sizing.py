@@ -231,7 +231,7 @@ def choices(of: Sizing) -> tuple[Chart, tuple[dict[str, str], ...]]:
         *((each.prefer, each.settled, each.swing) for each in of.alternatives),
         (of.settled.choice.looks_for, of.settled, of.swing.total),
     ):
-        if settled is None:
+        if settled is None or swing is None:
             continue
         is_own = settled.point is own
         mass = settled.point.line.mass or 0.0

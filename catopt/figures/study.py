@@ -19,7 +19,7 @@ _MOST = 400
 """Places of a curve, at equal shares and closer at its rare end."""
 
 
-def exceedance(result: StudyResult, of: Statistic) -> Chart:
+def share_worse(result: StudyResult, of: Statistic) -> Chart:
     """Draw the share of the members that are worse than each value of a quantity."""
     values, shares = result.values(of.kept.name), result.study.shares()
     there = np.isfinite(values) & (shares > 0.0)

@@ -14,7 +14,8 @@ from catopt.errors import NoAnswerError
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.component import DTOCEAN, MOORPY, UFC, LoadSource, refuse_recalled
 from catopt.loads.ship_dimensions import NextSize, neighbours, next_size
-from catopt.model.kinds import Findings
+from catopt.model.kinds import Findings, SomeForce
+from catopt.records import Record
 from catopt.shown import Tabled
 from catopt.words import Measure, Message, Several, term
 
@@ -89,16 +90,17 @@ _STEEPEST_LIMIT: Final = math.radians(10.0)
 
 @dataclass(frozen=True)
 class HoldingCapacity(Tabled):
-    """What an anchor holds at the most, pulled horizontally, N, by a curve."""
+    """What an anchor holds at the most, by a curve."""
 
-    capacity: float
+    capacity: SomeForce
+    """Ultimate, pulled horizontally."""
     curve: HoldingCurve
     others: tuple[tuple[str, float], ...] = ()
     """What the other data sets say, N."""
 
     @property
     def note(self) -> Message:
-        """Which figures were used, and which not."""
+        """Which figures the capacity is from, and what others say."""
         source = self.curve.source
         notes = [Message("loads.capacity_note", data=self.curve.data, source=source.text)]
         if source.recalled:
@@ -110,11 +112,19 @@ class HoldingCapacity(Tabled):
 
 
 @dataclass(frozen=True, kw_only=True)
-class DragAnchorSize(NextSize):
+class DragAnchorSize(NextSize, Record):
     """An anchor that holds a pull."""
 
+    DOCUMENT = (
+        "anchor soil mass needed_mass smaller=smaller_mass_kg larger=larger_mass_kg "
+        "capacity.capacity=holding_capacity_N capacity.note=capacity_note "
+        "safety_factor=wanted_factor factor"
+    )
+
     anchor: str
+    """Kind."""
     soil: str
+    """Kind."""
     capacity: HoldingCapacity
     """Of the size sold."""
     factor_source: LoadSource | None

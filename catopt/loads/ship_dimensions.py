@@ -12,7 +12,7 @@ from typing import Final, Literal, NamedTuple, TypeAlias, get_args
 from catopt.errors import NoAnswerError
 from catopt.loads.component import MARPOL, LoadSource
 from catopt.loads.ship import Ship
-from catopt.model.kinds import Findings
+from catopt.model.kinds import Findings, NotNegative, Positive, SomeMass
 from catopt.shown import Tabled
 from catopt.words import Message
 
@@ -134,14 +134,17 @@ _ROUNDING = 1e-9
 class NextSize(Tabled):
     """The next size sold that holds a pull: masses in kg, forces in N."""
 
-    needed_mass: float
-    mass: float
-    smaller: float | None
-    larger: float | None
-    """Its neighbours in the series."""
+    needed_mass: SomeMass
+    """In air: the least that holds."""
+    mass: SomeMass
+    """In air: the size that is taken."""
+    smaller: SomeMass | None
+    """The next smaller size; None when there is none."""
+    larger: SomeMass | None
+    """The next larger size; None when there is none."""
     horizontal_force: float
-    safety_factor: float
-    """That was wanted."""
+    safety_factor: Positive
+    """That was wanted, a pure number."""
 
     @property
     def held(self) -> float:
@@ -149,8 +152,8 @@ class NextSize(Tabled):
         raise NotImplementedError
 
     @property
-    def factor(self) -> float | None:
-        """What it holds over the pull; None without a pull."""
+    def factor(self) -> NotNegative | None:
+        """What it holds over the horizontal pull, a pure number; None without a pull."""
         return None if self.horizontal_force == 0.0 else self.held / self.horizontal_force
 
 

@@ -5,19 +5,30 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import Final, Literal, TypeAlias, cast
+from typing import Annotated, Final, Literal, NamedTuple, TypeAlias, cast
 
 from catopt.catalogue.anchors import AnchorType, anchor_types
 from catopt.catalogue.components import Confidence, Source
 from catopt.catalogue.family import meant, words_of
-from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
+from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import InputError, Problem
 from catopt.loads.component import CALMAR, NAVFAC, LoadSource
 from catopt.loads.drag_anchor import CURVES, default_factor, holding_capacity
 from catopt.loads.ship_dimensions import SINKER_MASSES, NextSize, neighbours, next_size
 from catopt.model.anchor import sinker_needed
-from catopt.model.kinds import Findings
-from catopt.units import as_written
+from catopt.model.kinds import (
+    Density,
+    Findings,
+    Mass,
+    Measured,
+    NotNegative,
+    Positive,
+    SomeForce,
+    Strength,
+)
+from catopt.model.line import weight_in_water
+from catopt.records import Record
+from catopt.units import Dimension, as_written
 from catopt.words import Message, term
 
 Material = Literal["concrete", "concrete cast in place", "steel", "cast iron"]
@@ -42,6 +53,7 @@ _MASONRY = LoadSource(NAVFAC, f"dressed hard rock on dressed hard rock; {_LAND}"
 _MASS_FOR_FORMED = LoadSource(NAVFAC, f"mass concrete, for want of formed concrete; {_LAND}", "A")
 _CALMAR = LoadSource(CALMAR, "7.2, phi = 45 deg", "A")
 
+Adhered = Annotated[float, Measured(Dimension.PRESSURE, above=0.0)]
 _Range: TypeAlias = tuple[float, float]
 
 
@@ -129,31 +141,39 @@ MUD: Final = (*AS_CLAY, "soft clay")
 
 
 @dataclass(frozen=True, kw_only=True)
-class SinkerSize(NextSize):
-    """A sinker that does not slide; masses in air, densities in kg/m3."""
+class SinkerSize(NextSize, Record):
+    """A sinker that does not slide."""
+
+    DOCUMENT = (
+        "mass needed_mass smaller=smaller_mass_kg larger=larger_mass_kg material density "
+        "submerged_weight friction friction_source.text=friction_source "
+        "safety_factor=wanted_factor factor"
+    )
 
     material: Material
-    density: float
-    friction: float
-    """tan(delta) on the soil."""
+    """Of what."""
+    density: Density
+    """Of its material."""
+    friction: NotNegative
+    """tan(delta) on the soil, a pure number."""
     friction_source: LoadSource | None
-    """Of it; None for the user's own."""
-    submerged_weight: float
-    """N."""
+    """Where the friction is from; None for the user's own."""
+    submerged_weight: SomeForce
+    """In water."""
     vertical_force: float
     """Of the line on it, upwards, N."""
     notes: tuple[str, ...] = ()
     """What an engineer should know."""
 
     @property
+    def rule(self) -> str:
+        """Document of the rule that its friction is by; CALMAR's where that is the user's own."""
+        return CALMAR if self.friction_source is None else self.friction_source.document
+
+    @property
     def held(self) -> float:
         """Horizontal pull at which it slides, N."""
         return holding_force(self.submerged_weight, self.vertical_force, self.friction)
-
-
-def submerged_weight(mass: float, density: float, water_density: float) -> float:
-    """Weight in water g m (1 - rho_w/rho), N, of a mass in air, kg, and densities in kg/m3."""
-    return STANDARD_GRAVITY * mass * (1.0 - water_density / density)
 
 
 def holding_force(weight: float, vertical_force: float, friction: float) -> float:
@@ -248,7 +268,7 @@ def size_sinker(
     rho = DENSITIES[material] if density is None else density
     _check_density(rho, water_density)
     weight = sinker_needed(horizontal_force, vertical_force, mu, safety_factor)
-    needed = weight / submerged_weight(1.0, rho, water_density)
+    needed = weight / weight_in_water(1.0, rho, water_density)
     mass = next_size(needed, series, Message(_SINKERS[material]))
     smaller, larger = neighbours(mass, series)
     return SinkerSize(
@@ -260,7 +280,7 @@ def size_sinker(
         mass=mass,
         smaller=smaller,
         larger=larger,
-        submerged_weight=submerged_weight(mass, rho, water_density),
+        submerged_weight=weight_in_water(mass, rho, water_density),
         horizontal_force=horizontal_force,
         vertical_force=vertical_force,
         safety_factor=safety_factor,
@@ -323,53 +343,93 @@ def _check_density(density: float, water_density: float) -> None:
     found.raise_if_any()
 
 
+class HeldBy(NamedTuple):
+    """What a data set has of an anchor."""
+
+    data: str
+    """Data set."""
+    holding: Strength
+    """Ultimate."""
+
+
 @dataclass(frozen=True)
-class AnchorHeld:
-    """What a drag anchor of a mass holds in a soil, pulled horizontally; N and kg."""
+class AnchorHeld(Record):
+    """What a drag anchor of a mass holds in a soil, pulled horizontally."""
+
+    DOCUMENT = (
+        "anchor soil mass holding data others(data holding) safety_factor pull price=price_USD "
+        "sold confidence source_keys=sources place note"
+    )
 
     anchor: str
+    """Kind of drag anchor."""
     soil: str
-    mass: float
-    holding: float
-    """Ultimate, by the lowest data set."""
+    """Soil."""
+    mass: Mass
+    """In air."""
+    holding: Strength
+    """Ultimate, of a horizontal pull, by the lowest data set."""
     data: str
-    others: tuple[tuple[str, float], ...]
-    safety_factor: float
-    """Of UFC table 3-7."""
-    price: float
+    """Data set."""
+    others: tuple[HeldBy, ...]
+    """What the other data sets have."""
+    safety_factor: Positive
+    """On the ultimate holding, of UFC table 3-7."""
+    price: Positive
     """Material only, USD of 2024."""
-    sold: tuple[float, float]
+    sold: tuple[Mass, Mass]
+    """Smallest and largest mass that is sold."""
     confidence: Confidence
-    """Of the holding."""
+    """How well it was read."""
     sources: tuple[Source, ...]
     place: str
+    """Where in the sources."""
     note: str
+    """What else to know."""
 
     @property
-    def pull(self) -> float:
+    def source_keys(self) -> tuple[str, ...]:
+        """Keys of the sources."""
+        return tuple(source.key for source in self.sources)
+
+    @property
+    def pull(self) -> Strength:
         """Largest pull that keeps the factor."""
         return self.holding / self.safety_factor
 
 
 @dataclass(frozen=True)
-class SinkerHeld:
-    """What a sinker of a mass holds on a soil before it slides; N and kg."""
+class SinkerHeld(Record):
+    """What a sinker of a mass holds on a soil before it slides."""
+
+    DOCUMENT = (
+        "material soil mass submerged_weight friction adhesion holding safety_factor pull source "
+        "confidence"
+    )
 
     material: Material
+    """Of the sinker."""
     soil: str
-    mass: float
-    submerged_weight: float
-    friction: float | None
-    adhesion: float | None
-    """Pa, of clays; None where friction holds."""
-    holding: float | None
-    """None where the area of the base is not known."""
+    """Soil."""
+    mass: Mass
+    """In air."""
+    submerged_weight: Strength
+    """In water."""
+    friction: Positive | None
+    """tan(delta) on the weight in water; None where adhesion holds."""
+    adhesion: Adhered | None
+    """Of a clay, per area of the base; None where friction holds."""
+    holding: SomeForce | None
+    """Pull at which it slides; None where the area of the base is not known."""
     source: str
+    """Of friction or adhesion."""
     confidence: Confidence
-    safety_factor: float = SAFETY_FACTOR
+    """How well it was read."""
+    safety_factor: Positive = SAFETY_FACTOR
+    """On sliding."""
 
     @property
-    def pull(self) -> float | None:
+    def pull(self) -> SomeForce | None:
         """Largest pull that keeps the factor."""
         return None if self.holding is None else self.holding / self.safety_factor
 
@@ -418,7 +478,7 @@ def _held(kind: AnchorType, soil: str, mass: float, *, allow_recalled: bool) -> 
         mass=mass,
         holding=capacity.capacity,
         data=curve.data,
-        others=capacity.others,
+        others=tuple(HeldBy(*each) for each in capacity.others),
         safety_factor=default_factor(kind.name),
         price=kind.price_per_mass * mass,
         sold=kind.range,
@@ -445,7 +505,7 @@ def sinkers_held(
         found.number("base_area", base_area, "m^2", above=0.0)
     check_material(found, material)
     material = cast("Material", material)
-    weight = submerged_weight(mass, DENSITIES[material], water_density)
+    weight = weight_in_water(mass, DENSITIES[material], water_density)
     rows = []
     for soil, row in SOIL_FRICTION.items():
         of = row.of(material)

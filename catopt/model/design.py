@@ -147,7 +147,8 @@ def _strength(found: Findings, segment: int | None, MBL_known: Sequence[bool]) -
 Objective = Literal["mass", "offset", "excursion", "cost", "length"]
 OBJECTIVES: tuple[str, ...] = get_args(Objective)
 
-SearchMethod = Literal["auto", "enumeration", "nsga2", "swarm"]
+FoundBy = Literal["enumeration", "nsga2", "swarm"]
+SearchMethod = Literal["auto", FoundBy]
 
 Component = Annotated[str, Text(filled=True, example='"chain studless R3"')]
 StateName = Annotated[str, Text(filled=True, example='"storm"')]
@@ -254,8 +255,9 @@ class DesignLoad(Checked):
     headings: Headings = 1
     """From how many sides it comes, evenly, `direction` the first."""
     water_level: Place = 0.0
-    """As of `LoadCase`, m."""
+    """Above the level of the site's water depth, m; the fairleads go up and down with it."""
     fairlead_rise: Place = 0.0
+    """Of the fairleads above their place on the case's body, m."""
     line_out: bool = False
     """Whether each line is gone in turn under it, beside all being there."""
 

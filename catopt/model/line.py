@@ -19,10 +19,12 @@ from catopt.model.kinds import (
     Given,
     Height,
     Length,
+    MassPerLength,
     Measured,
     NotNegative,
     OneOf,
     Positive,
+    Price,
     SomeMass,
     Strength,
     Text,
@@ -132,7 +134,7 @@ class Segment(Checked):
     EA: Annotated[float, Measured(Dimension.FORCE, above=0.0, infinite=True)] = math.inf
     """Axial stiffness, N; infinite for an inextensible segment. A rope that does not stretch in
     proportion to its tension has a `StrainTable` here."""
-    mass: Annotated[float, Measured(Dimension.MASS_PER_LENGTH, at_least=0.0)] | None = None
+    mass: MassPerLength | None = None
     """In air per unstretched length, kg/m; None when not known, as of what follows."""
     MBL: Strength | None = None
     """Minimum breaking load, N."""
@@ -143,8 +145,8 @@ class Segment(Checked):
     nominal_diameter: Length | None = None
     """Of the bar of a chain's links, or of the rope as sold, m."""
     proof_load: Strength | None = None
-    """N."""
-    price: Annotated[float, Measured(Dimension.PRICE_PER_LENGTH, at_least=0.0)] | None = None
+    """Proof load, N."""
+    price: Price | None = None
     """Material only, USD/m."""
     wear_rate: WearRate | None = None
     """Loss of nominal diameter, m/s; None: that of the case's service."""
@@ -211,6 +213,11 @@ class Segment(Checked):
         if is_rough and not found.problems:
             given = {key: value for key, value in vars(self).items() if value not in (None, "")}
             found.problems += drag_misfits(given)
+
+    @property
+    def catalogued(self) -> str | None:
+        """Family and grade in the catalogue; None for figures of the case's own."""
+        return self.component or None
 
     @property
     def is_inextensible(self) -> bool:
@@ -348,8 +355,8 @@ class Line:
         found.raise_if_any()
 
     @property
-    def length(self) -> float:
-        """Unstretched length, m."""
+    def length(self) -> Length:
+        """Unstretched, m."""
         return math.fsum(segment.length for segment in self.segments)
 
     @property
@@ -360,7 +367,7 @@ class Line:
 
     @property
     def mass(self) -> SomeMass | None:
-        """Mass in air of all segments and point loads; None when one of them is not known."""
+        """In air, of all segments and point loads; None when one of them is not known."""
         masses = [
             *(None if s.mass is None else s.length * s.mass for s in self.segments),
             *(load.mass for load in self.point_loads),

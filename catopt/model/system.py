@@ -365,7 +365,7 @@ class System(Checked):
 
     @property
     def turns(self) -> bool:
-        """Whether the body is free in yaw."""
+        """Whether the body turns: is free in yaw."""
         return self.has_arms if self.yaw_free is None else self.yaw_free
 
     def under(self, force: tuple[float, float], moment: float = 0.0) -> System:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 from catopt.catenary.solution import above_water, named_line
 from catopt.errors import InputError, Problem
@@ -19,6 +18,7 @@ from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import of_line, solve_system
 from catopt.mooring.water_level import AtLevel, at_levels
 from catopt.patience import paced
+from catopt.records import Record, within
 from catopt.shown import Displayable
 from catopt.words import Message
 
@@ -26,57 +26,35 @@ CURVE_POINTS = 41
 
 
 @dataclass(frozen=True, repr=False)
-class SystemReport(Displayable):
-    """What was asked of a moored body: empty or None where it was not asked for.
+class SystemReport(Displayable, Record):
+    """A body moored by several lines, at rest, by closed form, and what else was asked of it.
 
-    The circle is for a force of the size of the case's (None where it has none), the curves one for
-    each direction, `held` the linearised stiffness in six freedoms, about the waterline.
+    Directions are counter-clockwise from x; lines count from 1, in the order of the case.
     """
+
+    SCHEMA = SystemSolution.SCHEMA
+    DOCUMENT = (
+        f"{within('solution', SystemSolution.DOCUMENT)} rule=sharing_rule line_out=one_line_out? "
+        "circle=watch_circle? curves=restoring_curves? levels=water_levels? held=held_body?"
+    )
 
     case: Case
     solution: SystemSolution
     rule: SharingRule
+    """What the rule of practice for load sharing says of the most loaded line."""
     line_out: tuple[LineOut, ...] = ()
+    """Only when asked for: the system without each of its lines, under the same load. Offsets count
+    from the intact system's zero-load position."""
     circle: WatchCircle | None = None
+    """Only when asked for: a force of the size of the case's, from all sides; None where it has
+    none."""
     curves: tuple[RestoringCurve, ...] = ()
+    """Only when asked for: the body held at offsets along a direction."""
     levels: tuple[AtLevel, ...] = ()
+    """Only when asked for: the same load at other water levels."""
     held: tuple[HeldBody, ...] = ()
-
-    def to_dict(self) -> dict[str, Any]:
-        """Build the document that ``catopt system --json`` prints (schema catopt.system/1)."""
-        rule = self.rule
-        document = self.solution.to_dict()
-        document["sharing_rule"] = {
-            "applies": rule.horizontal_force is not None,
-            "line": None if rule.line is None else rule.line + 1,
-            "horizontal_force_N": rule.horizontal_force,
-            "why_not": rule.why_not,
-        }
-        if self.line_out:
-            document["one_line_out"] = [
-                {
-                    "missing_line": each.missing + 1,
-                    "response": None if each.response is None else each.response.to_dict(),
-                    "refusal": each.refusal,
-                }
-                for each in self.line_out
-            ]
-        if self.circle is not None:
-            document["watch_circle"] = self.circle.to_dict()
-        if self.curves:
-            document["restoring_curves"] = [curve.to_dict() for curve in self.curves]
-        if self.levels:
-            document["water_levels"] = [
-                {
-                    "level_m": each.level,
-                    "response": each.response.to_dict(),
-                    "stiffness_N_per_m": [list(row) for row in each.stiffness],
-                }
-                for each in self.levels
-            ]
-        if self.held:
-            document["held_body"] = [each.to_dict() for each in self.held]
-        return document
+    """Only when asked for: load and linearised stiffness of the lines in six freedoms. Surge, sway,
+    heave along x, y, z (up); roll, pitch, yaw about them."""
 
 
 def report_system(

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import Any
 
 from catopt.errors import InputError, Problem
-from catopt.model.kinds import Findings
+from catopt.model.kinds import Angle, Findings, Place, Strength
 from catopt.model.network import Network
 from catopt.model.system import System
 from catopt.mooring.held import LinesAtRest, without_load
 from catopt.mooring.response import Response, response_of
 from catopt.mooring.zero_load import zero_load_position
 from catopt.patience import paced
+from catopt.records import Record
 from catopt.shown import Tabled
 from catopt.ties import first_largest
 from catopt.words import Message
@@ -22,28 +22,21 @@ __all__ = ["WatchCircle", "watch_circle"]
 
 
 @dataclass(frozen=True)
-class WatchCircle(Tabled):
-    """Offsets of a body under a force that goes round.
+class WatchCircle(Tabled, Record):
+    """Offsets of a body under a force that goes round."""
 
-    Attributes
-    ----------
-    system : System or Network
-        The lines; the load on the body plays no part.
-    force : float
-        Size, N.
-    directions : tuple of float
-        Towards which the force acts, counter-clockwise from x, rad.
-    responses : tuple of Response
-        The body and its lines at each.
-    neutral : (float, float)
-        Zero-load position, m.
-    """
+    DOCUMENT = "force directions responses"
 
     system: System | Network
-    force: float
-    directions: tuple[float, ...]
+    """The lines; the load on the body plays no part."""
+    force: Strength
+    """Its size."""
+    directions: tuple[Angle, ...]
+    """Towards which the force acts, counter-clockwise from x."""
     responses: tuple[Response, ...]
-    neutral: tuple[float, float]
+    """The body and its lines at each direction."""
+    neutral: tuple[Place, Place]
+    """Zero-load position."""
 
     @property
     def farthest(self) -> int:
@@ -54,14 +47,6 @@ class WatchCircle(Tabled):
     def hardest(self) -> int:
         """Index of the direction of the largest tension in any line."""
         return first_largest([each.largest_tension for each in self.responses])
-
-    def to_dict(self) -> dict[str, Any]:
-        """Lay it out as the documents have it."""
-        return {
-            "force_N": self.force,
-            "directions_rad": list(self.directions),
-            "responses": [each.to_dict() for each in self.responses],
-        }
 
 
 def watch_circle(system: System, *, force: float, directions: int = 120) -> WatchCircle:

@@ -5,14 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Annotated, Literal, NamedTuple
 
-from catopt.catenary.in_current import SolutionInCurrent, hung_on_float
+from catopt.catenary.in_current import CurrentEffect, SolutionInCurrent, hung_on_float
 from catopt.catenary.root_search import BY_SPAN
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solution_of
 from catopt.errors import InputError, NoEquilibriumError, Problem
 from catopt.model import CurrentProfile, Site, System
+from catopt.model.kinds import Force, Height, Place, Size, SomeForce
 from catopt.model.network import LineBetween, MooredBody, Network, Point
 from catopt.mooring.chains import apart, in_rows, rows_of
 from catopt.mooring.joints import (
@@ -32,6 +33,7 @@ from catopt.mooring.joints import (
 )
 from catopt.mooring.line_ends import Matrix, Vector
 from catopt.mooring.position import Position
+from catopt.records import From, FromZero, Record
 from catopt.words import Message
 
 _ROUNDING = 1e-9
@@ -39,22 +41,27 @@ _ROUNDING = 1e-9
 _LOOSE = 1e-12
 """Of the largest stiffness: what a joint of slack lines is given of its own."""
 
+Six = Annotated[tuple[float, ...], Size(6, 6)]
+Three = Annotated[tuple[float, ...], Size(3, 3)]
+
 FREEDOMS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 """Along x, y and z (up), and about them in the sense of the right hand."""
 
 
 @dataclass(frozen=True)
 class HeldLine:
-    """One line at that place: fairlead x, y, height above the bed (m), span, length on the bed (m).
+    """One line at that place."""
 
-    It pulls on the body with horizontal_force towards its anchor and vertical_force down, N.
-    """
-
-    fairlead: Vector
-    span: float
-    horizontal_force: float
-    vertical_force: float
-    grounded: float
+    fairlead: tuple[Place, Place, Place]
+    """x, y, and height above the bed."""
+    span: Height
+    """From the anchor, in plan."""
+    horizontal_force: SomeForce
+    """On the body, towards the anchor."""
+    vertical_force: Force
+    """On the body, downwards."""
+    grounded: Height
+    """Unstretched, on the bed."""
 
     @property
     def tension(self) -> float:
@@ -63,61 +70,57 @@ class HeldLine:
 
 
 @dataclass(frozen=True)
-class HeldBody:
-    """What the lines do to a body that is held at a displacement: m and rad, by FREEDOMS.
+class HeldBody(Record):
+    """What the lines do to a body that is held at a displacement, by FREEDOMS.
 
-    `origin_height`: of the body's origin above the bed when nothing is displaced, m; `lines`: in
-    the order of `System.legs`; `load`: of the lines on the body, three forces (N) and three moments
-    about its origin (N m), its own weight and buoyancy no part of it; `stiffness`: minus the
-    derivatives of the load by a small further displacement, N/m, N, N m/rad. Rotations are about
-    axes through the origin that stay parallel to x, y and z. It is symmetric where the moment of
-    the lines about the origin is zero and no line lies on a bed with friction.
+    Rotations are about axes through the origin that stay parallel to x, y and z. The stiffness is
+    symmetric where the moment of the lines about the origin is zero and no line lies on a bed with
+    friction.
     """
 
-    displacement: tuple[float, ...]
-    origin_height: float
+    DOCUMENT = (
+        "displacement origin_height load stiffness "
+        "lines(fairlead span horizontal_force vertical_force grounded=grounded_length_m)"
+    )
+
+    displacement: Six
+    """m, m, m, rad, rad, rad: surge, sway, heave, roll, pitch, yaw of the body."""
+    origin_height: Place
+    """Of the body's origin above the bed when nothing is displaced, the waterline."""
     lines: tuple[HeldLine, ...]
-    load: tuple[float, ...]
-    stiffness: Matrix
+    """Each line there, in the order of the case."""
+    load: Six
+    """N, N, N, N m, N m, N m: of the lines on the body, about its origin; its own weight and
+    buoyancy are no part of it."""
+    stiffness: Annotated[tuple[Six, ...], Size(6, 6)]
+    """N/m, N/rad, N m/m, N m/rad: minus the derivatives of the load by a small further
+    displacement, joints free to follow."""
 
     @property
     def by_freedom(self) -> dict[str, float]:
         """The displacement by the name of the freedom; m, rad."""
         return dict(zip(FREEDOMS, self.displacement, strict=True))
 
-    def to_dict(self) -> dict[str, Any]:
-        """Lay it out as the documents have it."""
-        return {
-            "displacement": list(self.displacement),
-            "origin_height_m": self.origin_height,
-            "load": list(self.load),
-            "stiffness": [list(row) for row in self.stiffness],
-            "lines": [
-                {
-                    "fairlead_m": list(line.fairlead),
-                    "span_m": line.span,
-                    "horizontal_force_N": line.horizontal_force,
-                    "vertical_force_N": line.vertical_force,
-                    "grounded_length_m": line.grounded,
-                }
-                for line in self.lines
-            ],
-        }
-
 
 @dataclass(frozen=True)
-class BodyAtRest:
-    """A free body at rest under its load, and under no load on any body (`neutral`).
+class BodyAtRest(Record):
+    """A free body at rest under its load."""
 
-    `stiffness`: minus the derivatives of what the lines do to it (N, N, N m) by a small further x,
-    y (m) and yaw (rad), the joints and the other bodies free to follow.
-    """
+    DOCUMENT = (
+        "body.name body.force body.moment turns=yaw_is_free position neutral=zero_load_position "
+        "offset stiffness"
+    )
 
     body: MooredBody
     turns: bool
+    """Whether it turns."""
     position: Position
+    """Of its origin at rest."""
     neutral: Position
-    stiffness: Matrix
+    """Without load on any body."""
+    stiffness: Annotated[tuple[Three, ...], Size(3, 3)]
+    """N/m, N, N m/rad: minus the derivatives of the pull of its lines by x, y and yaw, joints and
+    other bodies free to follow."""
 
     @property
     def is_held(self) -> bool:
@@ -136,32 +139,49 @@ class BodyAtRest:
         return (x, y, 0.0, 0.0, 0.0, self.position.yaw)
 
     @property
-    def offset(self) -> tuple[float, float]:
-        """Way of the body's origin from where it is without load, m."""
+    def offset(self) -> tuple[Place, Place]:
+        """Way of the body's origin from where it is without load."""
         return self.position.x - self.neutral.x, self.position.y - self.neutral.y
 
-    def to_dict(self) -> dict[str, Any]:
-        """Lay it out as the documents have it."""
-        return {
-            "name": self.body.name,
-            "force_N": list(self.body.force),
-            "moment_Nm": self.body.moment,
-            "yaw_is_free": self.turns,
-            "position": self.position.to_dict(),
-            "zero_load_position": self.neutral.to_dict(),
-            "offset_m": list(self.offset),
-            "stiffness": [list(row) for row in self.stiffness],
-        }
+
+class PointAtRest(NamedTuple):
+    """A point of a network, with all that is free at rest."""
+
+    of: Point
+    place: tuple[Place, Place, Place]
+    """x, y, and height above the bed."""
+    bed_reaction: Force
+    """With which the bed carries it."""
+
+
+class LineAtRest(NamedTuple):
+    """A line of a network, from its first end: an anchor where it has one."""
+
+    name: str
+    """As the file has it, or its number."""
+    first: str
+    """Point at its first end: an anchor where it has one."""
+    second: str
+    """Point at its other end."""
+    solution: Solution
 
 
 @dataclass(frozen=True)
-class LinesAtRest:
+class LinesAtRest(Record):
     """Lines between points with all that is free at rest; `runs` from their anchors."""
+
+    DOCUMENT = (
+        "points(of.name of.kind place bed_reaction) named_lines=lines(name first=from second=to "
+        "solution.span solution.horizontal_force solution.anchor.tension=from_tension_N "
+        "solution.fairlead.tension=to_tension_N solution.grounded_length) bodies "
+        "residual steps"
+    )
 
     network: Network
     runs: tuple[Run, ...]
     joints: JointsAtRest
     bodies: tuple[BodyAtRest, ...] = ()
+    """Each body that is free, in the order of the file."""
 
     def place_of(self, name: str) -> Vector:
         """X, y and height of a point, m."""
@@ -186,61 +206,60 @@ class LinesAtRest:
         """Whether a line, counted from 0, ends at an anchor: its first end then."""
         return is_anchored(self.network, self.runs[line])
 
-    def to_dict(self) -> dict[str, Any]:
-        """Lay it out as the documents have it."""
-        points, found = self.network.points, self.joints
-        return {
-            "points": [
-                {
-                    "name": point.name,
-                    "kind": point.kind,
-                    "place_m": list(place),
-                    "bed_reaction_N": up,
-                }
-                for point, place, up in zip(points, found.places, found.reactions, strict=True)
-            ],
-            "lines": [
-                {
-                    "name": run.name,
-                    "from": points[run.first].name,
-                    "to": points[run.second].name,
-                    "span_m": line.span,
-                    "horizontal_force_N": line.horizontal_force,
-                    "from_tension_N": line.anchor.tension,
-                    "to_tension_N": line.fairlead.tension,
-                    "grounded_length_m": line.grounded_length,
-                }
-                for run, line in zip(self.runs, self.lines, strict=True)
-            ],
-            "bodies": [each.to_dict() for each in self.bodies],
-            "residual_N": found.residual,
-            "steps": found.steps,
-        }
+    @property
+    def residual(self) -> SomeForce:
+        """Largest force left over at a joint or a body."""
+        return self.joints.residual
+
+    @property
+    def steps(self) -> FromZero:
+        """Of Newton's method."""
+        return self.joints.steps
+
+    @property
+    def points(self) -> tuple[PointAtRest, ...]:
+        """Each point, in the order of the file."""
+        found = self.joints
+        return tuple(map(PointAtRest, self.network.points, found.places, found.reactions))
+
+    @property
+    def named_lines(self) -> tuple[LineAtRest, ...]:
+        """Each line, in the order of the file."""
+        points = self.network.points
+        return tuple(
+            LineAtRest(run.name, points[run.first].name, points[run.second].name, line)
+            for run, line in zip(self.runs, self.lines, strict=True)
+        )
 
 
 @dataclass(frozen=True, kw_only=True)
 class NetworkAtRest(LinesAtRest):
     """The same, with what the lines do to the body that is held."""
 
+    DOCUMENT = LinesAtRest.DOCUMENT + " body.displacement body.load body.stiffness"
+
     body: HeldBody
 
-    def to_dict(self) -> dict[str, Any]:
-        """Lay it out as the documents have it."""
-        return super().to_dict() | {
-            "displacement": list(self.body.displacement),
-            "load": list(self.body.load),
-            "stiffness": [list(row) for row in self.body.stiffness],
-        }
 
+@dataclass(frozen=True)
+class NetworkReport(Record):
+    """Points, lines between them and bodies, at rest."""
 
-def network_document(states: Sequence[LinesAtRest]) -> dict[str, Any]:
-    """Build the document of lines that meet in joints, schema catopt.network/1; all in SI."""
-    return {
-        "schema": "catopt.network/1",
-        "title": states[0].network.title,
-        "status": "converged",
-        "states": [each.to_dict() for each in states],
-    }
+    SCHEMA = "catopt.network/1"
+    DOCUMENT = "title status states"
+
+    states: Annotated[tuple[LinesAtRest | NetworkAtRest | FloatsInCurrent, ...], From(1)]
+    """At rest, then where the body was asked to be held."""
+
+    @property
+    def title(self) -> str:
+        """Of the file; empty when it has none."""
+        return self.states[0].network.title
+
+    @property
+    def status(self) -> Literal["converged"]:
+        """What did not converge is never written."""
+        return "converged"
 
 
 def held_body(
@@ -439,19 +458,21 @@ def without_load(network: Network, displacement: tuple[float, ...] = (0.0,) * 6)
 class FloatsInCurrent(LinesAtRest):
     """Floats, each at the end of its own line, knocked down by a current."""
 
+    DOCUMENT = LinesAtRest.DOCUMENT + " current heights=still_height_m"
+
     solutions: tuple[SolutionInCurrent, ...]
-    heights: tuple[float, ...]
-    """Of the float of each line in still water, m."""
+    heights: tuple[Height, ...]
+    """Of the float of each line in still water."""
 
     @property
     def lines(self) -> tuple[Solution, ...]:
         """Every line from its anchor up."""
         return self.solutions
 
-    def to_dict(self) -> dict[str, Any]:
-        """Lay it out as the documents have it."""
-        current = [each.to_dict()["current"] for each in self.solutions]
-        return super().to_dict() | {"current": current, "still_height_m": list(self.heights)}
+    @property
+    def current(self) -> tuple[CurrentEffect, ...]:
+        """What it does to each line, x being the direction from its anchor to its float."""
+        return tuple(each.effect for each in self.solutions)
 
 
 def _in_current(network: Network, current: CurrentProfile) -> FloatsInCurrent:

@@ -11,32 +11,27 @@ from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import solution_at
 from catopt.mooring.zero_load import zero_load_position
 from catopt.patience import paced
+from catopt.records import Record
 from catopt.words import Message
 
 __all__ = ["LineOut", "one_line_out"]
 
 
 @dataclass(frozen=True)
-class LineOut:
-    """The system without one of its lines, under its own load.
+class LineOut(Record):
+    """The system without one of its lines, under its own load; in Python lines count from 0."""
 
-    Attributes
-    ----------
-    missing : int
-        The line that is gone, counted from 0.
-    response : Response or None
-        Its offset counts from the intact system's zero-load position, its lines as the intact
-        system's; None where there is no equilibrium.
-    refusal : str
-        Why there is none.
-    solution : SystemSolution or None
-        The lines that are left, in their order; None where there is no equilibrium.
-    """
+    DOCUMENT = "missing+1=missing_line response refusal"
 
     missing: int
+    """The line that is gone."""
     response: Response | None
+    """The body and its lines at rest: the offset counts from the intact system's zero-load
+    position, lines as the intact system's; None where there is no equilibrium."""
     refusal: str = ""
+    """Why there is no equilibrium; empty where there is one."""
     solution: SystemSolution | None = None
+    """The lines that are left, in their order; None where there is no equilibrium."""
 
     def intact_number(self, index: int) -> int:
         """Turn the number of a line among those left into that of the intact system, from 0."""

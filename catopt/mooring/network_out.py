@@ -6,33 +6,36 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import Any
 
 from catopt.errors import NoAnswerError, NoEquilibriumError, NotConvergedError
+from catopt.model.kinds import SomeForce
 from catopt.model.load import Checks
 from catopt.model.network import LineBetween, Network, Point, joined
 from catopt.mooring.held import LinesAtRest, at_rest
 from catopt.patience import paced
+from catopt.records import Counted, Record
 from catopt.ties import first_largest
 from catopt.words import Message
 
 
 @dataclass(frozen=True)
-class NetworkOut:
-    """Lines between points without one of them; all lines are counted from 0.
+class NetworkOut(Record):
+    """Lines between points without one of them; in Python lines count from 0."""
 
-    `left` are those that carry, `loose` those that hang or lie from one end alone since then: their
-    weight in water, and what hangs on them, stands at the joint where they hang. `rest` is None
-    where the joints find no rest, for the reason of `refusal`; or where `stopped_short` says that
-    their solver did not: then nothing is known of that state, and its checks fail.
-    """
+    DOCUMENT = (
+        "missing+1=missing_line lines_left loose_lines largest_tension most_loaded_line refusal"
+    )
 
     missing: int
-    left: tuple[int, ...] = ()
+    """Which is gone."""
+    left: tuple[int, ...] = ()  # those that carry
+    # those that hang or lie from one end alone since then: their weight in water, and what hangs on
+    # them, stands at the joint where they hang
     loose: tuple[int, ...] = ()
-    rest: LinesAtRest | None = None
+    rest: LinesAtRest | None = None  # None where the joints find no rest, or their solver none
     refusal: str = ""
-    stopped_short: bool = False
+    """Why the joints find no rest; empty where they do."""
+    stopped_short: bool = False  # their solver: nothing is known of that state, its checks fail
 
     @property
     def why_lost(self) -> Message:
@@ -41,25 +44,29 @@ class NetworkOut:
         return Message(key, number=self.missing + 1, refusal=self.refusal)
 
     @property
-    def hardest(self) -> tuple[float, int] | None:
-        """The largest tension that is left, N, and in which line, from 0; the first of several."""
-        if self.rest is None:
-            return None
-        tensions = largest_tensions(self.rest)
-        first = first_largest(tensions)
-        return tensions[first], self.left[first]
+    def lines_left(self) -> tuple[Counted, ...]:
+        """Which carry then; none where the joints find no rest."""
+        return tuple(number + 1 for number in self.left)
 
-    def to_dict(self) -> dict[str, Any]:
-        """Lay it out as the documents have it; lines are counted from 1."""
-        tension, line = self.hardest or (None, None)
-        return {
-            "missing_line": self.missing + 1,
-            "lines_left": [number + 1 for number in self.left],
-            "loose_lines": [number + 1 for number in self.loose],
-            "largest_tension_N": tension,
-            "most_loaded_line": None if line is None else line + 1,
-            "refusal": self.refusal,
-        }
+    @property
+    def loose_lines(self) -> tuple[Counted, ...]:
+        """Which hang or lie from one end alone then, and are not judged."""
+        return tuple(number + 1 for number in self.loose)
+
+    @property
+    def largest_tension(self) -> SomeForce | None:
+        """Of the lines that are left; None where the joints find no rest."""
+        return None if self.rest is None else largest_tensions(self.rest)[self._hardest]
+
+    @property
+    def most_loaded_line(self) -> Counted | None:
+        """The line that has it, the first of several, from 1."""
+        return None if self.rest is None else self.left[self._hardest] + 1
+
+    @property
+    def _hardest(self) -> int:
+        assert self.rest is not None
+        return first_largest(largest_tensions(self.rest))
 
 
 def largest_tensions(rest: LinesAtRest) -> tuple[float, ...]:

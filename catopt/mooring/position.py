@@ -4,15 +4,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from catopt.model.kinds import Angle, Place
+from catopt.records import Record
+
 
 @dataclass(frozen=True)
-class Position:
-    """Where the body is: x and y of its origin (m), yaw counter-clockwise (rad)."""
+class Position(Record):
+    """Where the body is."""
 
-    x: float
-    y: float
-    yaw: float = 0.0
+    DOCUMENT = "x y yaw"
 
-    def to_dict(self) -> dict[str, float]:
-        """Lay it out as the documents have it."""
-        return {"x_m": self.x, "y_m": self.y, "yaw_rad": self.yaw}
+    x: Place
+    """Of its origin."""
+    y: Place
+    """Of its origin."""
+    yaw: Angle = 0.0
+    """Counter-clockwise."""

@@ -4,47 +4,42 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
+from catopt.model.kinds import Angle, Force, Height, Place, SomeForce
 from catopt.mooring.arrangement import Lines
 from catopt.mooring.descent import Rest
 from catopt.mooring.zero_load import ZeroLoadPosition
+from catopt.records import Record
 from catopt.ties import first_largest
 
 
 @dataclass(frozen=True)
-class Response:
-    """One place of rest of the body: m, m, rad.
+class Response(Record):
+    """One place of rest of the body; in Python lines count from 0."""
 
-    offset counts from the zero-load position (m); tensions in N, at a fairlead for the largest.
-    most_loaded is the line that carries it, the first of several alike, counted from 0 in the
-    system as given. largest_uplift is the largest vertical force on an anchor (N; 0 or less where
-    none is lifted), least_grounded the shortest length on the bed of any line (m).
-    """
+    DOCUMENT = (
+        "x y yaw offset largest_tension most_loaded+1=most_loaded_line largest_anchor_tension "
+        "largest_uplift=largest_anchor_vertical_force_N least_grounded=least_grounded_length_m"
+    )
 
-    x: float
-    y: float
-    yaw: float
-    offset: float
-    largest_tension: float
+    x: Place
+    """Position of the body."""
+    y: Place
+    """Position of the body."""
+    yaw: Angle
+    """Counter-clockwise."""
+    offset: Height
+    """Distance from the zero-load position."""
+    largest_tension: SomeForce
+    """At a fairlead."""
     most_loaded: int
-    largest_anchor_tension: float
-    largest_uplift: float
-    least_grounded: float
-
-    def to_dict(self) -> dict[str, Any]:
-        """Lay it out as the documents have it, lines from 1."""
-        return {
-            "x_m": self.x,
-            "y_m": self.y,
-            "yaw_rad": self.yaw,
-            "offset_m": self.offset,
-            "largest_tension_N": self.largest_tension,
-            "most_loaded_line": self.most_loaded + 1,
-            "largest_anchor_tension_N": self.largest_anchor_tension,
-            "largest_anchor_vertical_force_N": self.largest_uplift,
-            "least_grounded_length_m": self.least_grounded,
-        }
+    """The line that carries it, the first of several alike, in the system as given."""
+    largest_anchor_tension: SomeForce
+    """Of any line."""
+    largest_uplift: Force
+    """Largest on an anchor; 0 or less where none is pulled up."""
+    least_grounded: Height
+    """Shortest on the bed of any line, unstretched."""
 
 
 def response_of(

@@ -5,62 +5,51 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
-from catopt.model.kinds import Findings
+from catopt.model.kinds import Angle, Findings, Force, Place, SomeForce
 from catopt.model.system import System
 from catopt.mooring.response import Response, response_of
 from catopt.mooring.zero_load import zero_load_position
 from catopt.patience import paced
+from catopt.records import Counted, Record
 from catopt.words import Message
 
 __all__ = ["RestoringCurve", "offset_curve", "restoring_curve"]
 
 
 @dataclass(frozen=True)
-class RestoringCurve:
-    """Force and offset of a body along one direction.
+class RestoringCurve(Record):
+    """Force and offset of a body along one direction."""
 
-    Attributes
-    ----------
-    system : System
-        The lines; its own load plays no part.
-    direction : float
-        Counter-clockwise from x, rad.
-    is_held : bool
-        Whether the body is held on the line along the direction (`restoring_curve`), or free and
-        pushed along it (`offset_curve`).
-    offset : tuple of float
-        Of the body along the direction, from the zero-load position, m.
-    across : tuple of float
-        Across it, a quarter turn counter-clockwise, m; all 0 where it is held.
-    force : tuple of float
-        On the body along the direction, N.
-    force_across : tuple of float
-        That it takes across to hold it, N; all 0 where it is free.
-    responses : tuple of Response
-        The body and its lines at each point.
-    """
+    DOCUMENT = "direction offset force force_across largest_tension most_loaded_line"
 
     system: System
-    direction: float
+    """The lines; its own load plays no part."""
+    direction: Angle
+    """Counter-clockwise from x."""
     is_held: bool
-    offset: tuple[float, ...]
-    across: tuple[float, ...]
-    force: tuple[float, ...]
-    force_across: tuple[float, ...]
+    """Whether the body is held on the line along the direction (`restoring_curve`), or free and
+    pushed along it (`offset_curve`)."""
+    offset: tuple[Place, ...]
+    """Of the body along the direction, from the zero-load position."""
+    across: tuple[Place, ...]
+    """Across it, a quarter turn counter-clockwise; all 0 where it is held."""
+    force: tuple[Force, ...]
+    """On the body along the direction."""
+    force_across: tuple[Force, ...]
+    """That it takes across to hold it, a quarter turn counter-clockwise; all 0 where it is free."""
     responses: tuple[Response, ...]
+    """The body and its lines at each point."""
 
-    def to_dict(self) -> dict[str, Any]:
-        """Lay it out as the documents have it, lines from 1."""
-        return {
-            "direction_rad": self.direction,
-            "offset_m": list(self.offset),
-            "force_N": list(self.force),
-            "force_across_N": list(self.force_across),
-            "largest_tension_N": [each.largest_tension for each in self.responses],
-            "most_loaded_line": [each.most_loaded + 1 for each in self.responses],
-        }
+    @property
+    def largest_tension(self) -> tuple[SomeForce, ...]:
+        """At a fairlead, at each point."""
+        return tuple(each.largest_tension for each in self.responses)
+
+    @property
+    def most_loaded_line(self) -> tuple[Counted, ...]:
+        """The line that carries it."""
+        return tuple(each.most_loaded + 1 for each in self.responses)
 
 
 def restoring_curve(

@@ -6,7 +6,9 @@ import math
 from dataclasses import dataclass
 
 from catopt.errors import InputError, Problem
+from catopt.model.kinds import SomeForce
 from catopt.model.system import System
+from catopt.records import Record
 from catopt.words import Message
 
 __all__ = ["SharingRule", "sharing_rule"]
@@ -44,22 +46,25 @@ SAME_ANGLE = 1e-6
 
 
 @dataclass(frozen=True)
-class SharingRule:
-    """What the rule says of the most loaded line.
+class SharingRule(Record):
+    """What the rule of practice for load sharing says of the most loaded line.
 
-    Attributes
-    ----------
-    horizontal_force : float or None
-        Its horizontal force, N; None where the rule does not apply.
-    line : int or None
-        That line, counted from 0.
-    why_not : str
-        What bars the rule.
+    In Python lines count from 0.
     """
 
-    horizontal_force: float | None
+    DOCUMENT = "applies line+1=line horizontal_force why_not"
+
+    horizontal_force: SomeForce | None
+    """Of that line; None where the rule does not apply."""
     line: int | None = None
+    """The line that lies against the force; None where the rule does not apply."""
     why_not: str = ""
+    """What bars the rule; empty where it applies."""
+
+    @property
+    def applies(self) -> bool:
+        """Whether the system is one that the rule is made for."""
+        return self.horizontal_force is not None
 
 
 def sharing_rule(system: System) -> SharingRule:

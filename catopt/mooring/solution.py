@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from catopt.catenary.layout import end_of
 from catopt.catenary.solution import Solution
+from catopt.model.kinds import Angle, Moment, NotNegative, Place, SomeForce, Stiffness
 from catopt.model.system import Leg, System
 from catopt.mooring.position import Position
+from catopt.records import Counted, From, Record
 from catopt.shown import Displayable
 from catopt.ties import first_largest
 
@@ -21,32 +23,26 @@ __all__ = ["LegState", "Position", "SystemResidual", "SystemSolution"]
 
 @dataclass(frozen=True)
 class SystemResidual:
-    """What is left unbalanced on the body: force (N) and, where it is free to turn, moment."""
+    """What is left unbalanced on the body."""
 
-    force: float
+    force: SomeForce
+    """Force left unbalanced."""
     moment: float
+    """Where it is free to turn, N m."""
 
 
 @dataclass(frozen=True)
 class LegState:
-    """One line of the system under load.
-
-    Attributes
-    ----------
-    leg : Leg
-        The line and where it is moored.
-    solution : Solution
-        Its equilibrium in its own vertical plane, from the anchor to the fairlead.
-    fairlead : (float, float)
-        x and y of the fairlead, m.
-    direction : float
-        From the fairlead to the anchor, counter-clockwise from x, rad: that of its pull.
-    """
+    """One line of the system under load."""
 
     leg: Leg
+    """The line and where it is moored."""
     solution: Solution
-    fairlead: tuple[float, float]
-    direction: float
+    """Its equilibrium in its own vertical plane, from the anchor to the fairlead."""
+    fairlead: tuple[Place, Place]
+    """x and y of the fairlead."""
+    direction: Angle
+    """From the fairlead to the anchor, counter-clockwise from x: that of its pull."""
 
     @property
     def horizontal_force(self) -> float:
@@ -84,65 +80,86 @@ class LegState:
         known = [value for value in found if value is not None]
         return max(known) if known else None
 
-    def to_dict(self, safety_factor: float = 1.0) -> dict[str, Any]:
-        """Lay it out as the documents have it."""
-        own = self.solution
-        return {
-            "name": self.leg.name,
-            "azimuth_rad": self.leg.azimuth,
-            "direction_rad": self.direction,
-            "horizontal_force_N": self.horizontal_force,
-            "fairlead_tension_N": self.tension,
-            "fairlead_vertical_force_N": own.fairlead.vertical_force,
-            "anchor_tension_N": own.anchor.tension,
-            "anchor_horizontal_force_N": own.anchor.horizontal_force,
-            "anchor_vertical_force_N": own.anchor.vertical_force,
-            "span_m": own.span,
-            "grounded_length_m": own.grounded_length,
-            "utilisation": self.utilisation(safety_factor),
-        }
+
+@dataclass(frozen=True)
+class NumberedLine(Record):
+    """What a line carries."""
+
+    DOCUMENT = (
+        "number=line state.leg.name state.leg.azimuth state.direction "
+        "state.solution.horizontal_force state.solution.fairlead.tension=fairlead_tension_N "
+        "state.solution.fairlead.vertical_force=fairlead_vertical_force_N "
+        "state.solution.anchor.tension=anchor_tension_N "
+        "state.solution.anchor.horizontal_force=anchor_horizontal_force_N "
+        "state.solution.anchor.vertical_force=anchor_vertical_force_N state.solution.span "
+        "state.solution.grounded_length utilisation"
+    )
+
+    number: Counted
+    """Its number."""
+    state: LegState
+    utilisation: NotNegative | None
+    """Largest over the segments of tension times safety factor over MBL, a pure number; None where
+    no MBL is known."""
 
 
 @dataclass(frozen=True, repr=False)
-class SystemSolution(Displayable):
-    """Equilibrium of a moored body.
+class SystemSolution(Displayable, Record):
+    """A body moored by several lines, at rest, by closed form.
 
-    Attributes
-    ----------
-    system : System
-        What was solved.
-    position, neutral : Position
-        Under the load, and under no load.
-    lines : tuple of LegState
-        In the order of `system.legs`.
-    full_stiffness : tuple of 3 tuples of 3 float
-        -d(Fx, Fy, M)/d(x, y, yaw) of the lines there: N/m, N/rad, N m/rad.
-    residual : SystemResidual
-        How exactly the balance is met.
-    steps : int
-        Newton steps from the zero-load position.
-    warnings : tuple of str
-        What an engineer should know before using the answer.
-    safety_factor : float
-        For utilisations; 1 when none was asked for.
-    title : str
-        Of the case.
+    Directions are counter-clockwise from x. In documents lines count from 1, in Python from 0, in
+    the order of the case.
     """
 
+    SCHEMA = "catopt.system/1"
+    DOCUMENT = (
+        "title method status system.force system.moment system.turns=yaw_is_free position "
+        "neutral=zero_load_position offset numbered=lines most_loaded+1=most_loaded_line stiffness "
+        "stiffness_with_yaw residual.force=residual_N residual_moment warnings"
+    )
+
     system: System
+    """What was solved."""
     position: Position
+    """The body under the load."""
     neutral: Position
+    """The body under no load."""
     lines: tuple[LegState, ...]
+    """In the order of `system.legs`."""
     full_stiffness: tuple[tuple[float, float, float], ...]
+    """-d(Fx, Fy, M)/d(x, y, yaw) of the lines there: N/m, N/rad, N m/rad."""
     residual: SystemResidual
+    """How exactly the balance is met."""
     steps: int
+    """Newton steps from the zero-load position."""
     warnings: tuple[str, ...] = ()
+    """What an engineer should know before using the answer."""
     safety_factor: float = 1.0
+    """For utilisations; 1 when none was asked for."""
     title: str = ""
+    """Title of the case; empty when it has none."""
 
     @property
-    def offset(self) -> tuple[float, float]:
-        """Way of the body's origin from the zero-load position, m."""
+    def method(self) -> Literal["closed-form"]:
+        """How it was solved."""
+        return "closed-form"
+
+    @property
+    def status(self) -> Literal["converged"]:
+        """What did not converge is never written."""
+        return "converged"
+
+    @property
+    def numbered(self) -> Annotated[tuple[NumberedLine, ...], From(1)]:
+        """What each line carries."""
+        return tuple(
+            NumberedLine(number, each, each.utilisation(self.safety_factor))
+            for number, each in enumerate(self.lines, start=1)
+        )
+
+    @property
+    def offset(self) -> tuple[Place, Place]:
+        """Way of the body's origin from the zero-load position, along x and y."""
         return self.position.x - self.neutral.x, self.position.y - self.neutral.y
 
     def watch_circle(self, *, force: float, directions: int = 120) -> WatchCircle:
@@ -161,39 +178,25 @@ class SystemSolution(Displayable):
         return watch_circle(self.system, force=force, directions=directions)
 
     @property
-    def stiffness(self) -> tuple[tuple[float, float], ...]:
-        """-d(Fx, Fy)/d(x, y), yaw held, N/m."""
+    def stiffness(self) -> tuple[tuple[Stiffness, Stiffness], tuple[Stiffness, Stiffness]]:
+        """-d(Fx, Fy)/d(x, y) of all lines, the yaw held."""
         rows = self.full_stiffness
         return (rows[0][0], rows[0][1]), (rows[1][0], rows[1][1])
 
     @property
     def most_loaded(self) -> int:
-        """The line of the largest tension at the fairlead, counted from 0; the first of several."""
+        """The line of the largest tension at its fairlead; the first of several."""
         return first_largest([line.tension for line in self.lines])
 
-    def to_dict(self) -> dict[str, Any]:
-        """Build the document that ``catopt system --json`` prints (schema catopt.system/1)."""
-        return {
-            "schema": "catopt.system/1",
-            "title": self.title,
-            "method": "closed-form",
-            "status": "converged",
-            "force_N": list(self.system.force),
-            "moment_Nm": self.system.moment,
-            "yaw_is_free": self.system.turns,
-            "position": self.position.to_dict(),
-            "zero_load_position": self.neutral.to_dict(),
-            "offset_m": list(self.offset),
-            "lines": [
-                {"line": number} | line.to_dict(self.safety_factor)
-                for number, line in enumerate(self.lines, start=1)
-            ],
-            "most_loaded_line": self.most_loaded + 1,
-            "stiffness_N_per_m": [list(row) for row in self.stiffness],
-            "stiffness_with_yaw": (
-                [list(row) for row in self.full_stiffness] if self.system.turns else None
-            ),
-            "residual_N": self.residual.force,
-            "residual_moment_Nm": self.residual.moment if self.system.turns else None,
-            "warnings": list(self.warnings),
-        }
+    @property
+    def stiffness_with_yaw(self) -> tuple[tuple[float, float, float], ...] | None:
+        """N/m, N/rad (N m/m) and N m/rad: -d(Fx, Fy, M)/d(x, y, yaw).
+
+        None where the body does not turn.
+        """
+        return self.full_stiffness if self.system.turns else None
+
+    @property
+    def residual_moment(self) -> Moment | None:
+        """Moment left unbalanced; None where the body does not turn."""
+        return self.residual.moment if self.system.turns else None

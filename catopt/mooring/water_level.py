@@ -5,33 +5,29 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from catopt.model.kinds import Findings
+from catopt.model.kinds import Findings, Place, Stiffness
 from catopt.model.system import System
 from catopt.mooring.response import Response, response_of
 from catopt.mooring.zero_load import zero_load_position
 from catopt.patience import paced
+from catopt.records import Record
 from catopt.words import Message
 
 __all__ = ["AtLevel", "at_levels"]
 
 
 @dataclass(frozen=True)
-class AtLevel:
-    """The system under its own load at one water level.
+class AtLevel(Record):
+    """The system under its own load at one water level."""
 
-    Attributes
-    ----------
-    level : float
-        Above that of the case, m.
-    response : Response
-        Its offset counts from the zero-load position at that level.
-    stiffness : tuple of 2 tuples of 2 float
-        -d(Fx, Fy)/d(x, y), N/m.
-    """
+    DOCUMENT = "level response stiffness"
 
-    level: float
+    level: Place
+    """Above that of the case."""
     response: Response
-    stiffness: tuple[tuple[float, float], tuple[float, float]]
+    """The body and its lines at that level, from the zero-load position there."""
+    stiffness: tuple[tuple[Stiffness, Stiffness], tuple[Stiffness, Stiffness]]
+    """-d(Fx, Fy)/d(x, y)."""
 
 
 def at_levels(system: System, levels: Sequence[float]) -> tuple[AtLevel, ...]:

@@ -15,7 +15,6 @@ from catopt.casefile.reading import DESIGN_CASE
 from catopt.catenary.case import solve_case, under_a_load
 from catopt.checks.case import check_case, is_of_load
 from catopt.checks.evaluation import NO_CHECK
-from catopt.design.result import design_document
 from catopt.errors import CatoptError
 from catopt.loads.component import CALMAR, LoadSource
 from catopt.loads.sinker import DENSITIES, FACTOR_SOURCE, SAFETY_FACTOR
@@ -322,7 +321,7 @@ def _front(sizing: Sizing) -> dict[str, Any]:
     another design than the knee was preferred, the knee's neighbours are none of the line's.
     """
     settled = sizing.settled
-    document = design_document(settled.result) | {"present": None}
+    document = settled.result.to_dict() | {"present": None}
     if settled.index != settled.result.recommended - 1:
         document |= {"recommended": settled.index, "neighbours": []}
     return document | {"recommendation": sizing.why}

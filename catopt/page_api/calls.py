@@ -216,7 +216,7 @@ def _of_a_line(call: str, text: str) -> Reply:
 
 def _system(text: str) -> Reply:
     report, checks = _checked(text)
-    return report.to_dict() | {"checks": checks.verdict_document()}
+    return report.to_dict() | {"checks": checks.brief.to_dict()}
 
 
 def _checked(text: str) -> tuple[SystemReport, CheckReport]:

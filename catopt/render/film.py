@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import base64
-import hashlib
 import json
 from typing import Final
 
 from catopt.figures.chart import Film
-from catopt.render.page import file_text, template
-from catopt.render.svg import stylesheet
+from catopt.render.page import file_text, whole_page
 from catopt.words import Language, Message, say
 
 _WIDTH: Final = 960
@@ -21,7 +18,6 @@ _BELOW: Final = 0.05
 def film_page(film: Film, title: str, language: Language = "en") -> bytes:
     """Make the page of a film."""
     unit = film.wide / _WIDTH
-    script = file_text("film.js")
     words = {
         "said": film.title,
         "tension": Message("figures.film_tension"),
@@ -30,21 +26,17 @@ def film_page(film: Film, title: str, language: Language = "en") -> bytes:
         "moment": Message("figures.film_moment"),
     }
     scene = {"frame": [film.left, film.top, unit], **film.values}
-    return (
-        template("catopt.render", "film.html")
-        .render(
-            language=language,
-            title=title,
-            style=stylesheet() + file_text("style.css"),
-            script=script,
-            script_hash=base64.b64encode(hashlib.sha256(script.encode()).digest()).decode(),
-            scene=json.dumps(scene, separators=(",", ":")),
-            width=_WIDTH,
-            height=round((1.0 + _BELOW) * film.top / unit),
-            bed=round(film.top / unit),
-            last=len(film.values["time"]) - 1,
-            worst=film.worst,
-            **{key: say(text, language) for key, text in words.items()},
-        )
-        .encode()
+    return whole_page(
+        "film.html",
+        language,
+        script=file_text("film.js"),
+        title=title,
+        kind="",
+        scene=json.dumps(scene, separators=(",", ":")),
+        width=_WIDTH,
+        height=round((1.0 + _BELOW) * film.top / unit),
+        bed=round(film.top / unit),
+        last=len(film.values["time"]) - 1,
+        worst=film.worst,
+        **{key: say(text, language) for key, text in words.items()},
     )

@@ -140,20 +140,30 @@ def page(answer: Answer, language: Language = "en") -> bytes:
     a name are left out. The page is complete HTML in UTF-8: it refers to no other file and to no
     network.
     """
-    answer, script = as_wanted(answer, language), file_text("script.js")
-    # The page's own policy runs the script of this hash and no other.
-    script_hash = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
-    rendered = template("catopt.render", "page.html").render(
-        language=language,
-        version=__version__,
+    answer = as_wanted(answer, language)
+    return whole_page(
+        "page.html",
+        language,
+        script=file_text("script.js"),
         title=answer.title,
         kind=answer.kind,
         sections=_sections(answer, language),
         footer=say(Message("page.footer", version=__version__), language),
         hover=say(Message("page.hover"), language),
+    )
+
+
+def whole_page(name: str, language: Language, *, script: str, **values: Any) -> bytes:
+    """Render a template of a page that refers to no other file."""
+    # The page's own policy runs the script of this hash and no other.
+    script_hash = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
+    rendered = template("catopt.render", name).render(
+        language=language,
+        version=__version__,
         style=stylesheet() + file_text("style.css"),
         script=script,
         script_hash=script_hash,
+        **values,
     )
     return rendered.encode()
 

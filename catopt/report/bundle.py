@@ -251,10 +251,9 @@ def system_pictures(report: SystemReport) -> dict[str, bytes]:
 
 def _of_front(result: DesignResult) -> Drawing:
     """Draw a front, and of single lines three of them."""
-    from catopt.design.result import design_document
     from catopt.figures.sizing import front, front_lines
 
-    document = design_document(result)
+    document = result.to_dict()
     is_line = result.best.mooring is None
     lines = (front_lines(result, document),) if is_line else ()
     return Drawing((front(document), *lines), result.case.title)
@@ -366,7 +365,7 @@ def _of_motion(part: DynamicPart, title: str) -> Drawing:
     """Draw a line in motion: its history, spectrum, envelope and peaks."""
     from catopt.figures import motion
 
-    peaks = motion.exceedance(part)
+    peaks = motion.peaks_above(part)
     charts = (motion.whole_history(part), motion.spectrum(part), motion.envelope_chart(part))
     return Drawing(charts if peaks is None else (*charts, peaks), title)
 
@@ -419,11 +418,11 @@ def _of_moved(found: DynamicVerification) -> Drawing:
 
 def _of_study(result: StudyResult) -> Drawing:
     """Draw how often values are exceeded: of the quantities with limits, or else of the first."""
-    from catopt.figures.study import exceedance
+    from catopt.figures.study import share_worse
 
     known = [each for each in result.statistics if each.least < each.largest]
     drawn = [each for each in known if each.limit is not None] or known[:1]
-    return Drawing(tuple(exceedance(result, each) for each in drawn), result.study.title)
+    return Drawing(tuple(share_worse(result, each) for each in drawn), result.study.title)
 
 
 def reproduction_pictures(result: Reproduction) -> dict[str, bytes]:

@@ -9,8 +9,9 @@ from typing import Any, Final
 from catopt.loads.buoy import AIR_DENSITY, buoy_loads
 from catopt.loads.buoy_shape import DRAG_COEFFICIENT, BuoyShape, BuoySlice, Floating
 from catopt.loads.environment import SeaState, SurfaceCurrent, WaterLevels, Wind, drag
-from catopt.loads.sinker import size_sinker, submerged_weight
+from catopt.loads.sinker import size_sinker
 from catopt.model import Line, Segment
+from catopt.model.line import weight_in_water
 from catopt.reproduce.items import (
     TF,
     Published,
@@ -112,7 +113,7 @@ def moored(
     assert chain.mass is not None
     assert chain.proof_load is not None
     density = given["water_density_kg_per_m3"]
-    weight = submerged_weight(chain.mass, release.steel_density, density)
+    weight = weight_in_water(chain.mass, release.steel_density, density)
     sea = SeaState(given["wave_period_s"], given["hs_m"], given["hmax_m"])
     wind = Wind(given["wind_m_per_s"])
     nominal = given["nominal_depth_m"]

@@ -22,9 +22,11 @@ from catopt.errors import CatoptError, InputError, NoAnswerError
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.drag_anchor import laying_check
 from catopt.loads.sinker import friction_of
-from catopt.model import Anchor, Case, Service
+from catopt.model import Anchor, Case, Segment, Service
+from catopt.model.kinds import Height, Length, SomeMass
 from catopt.model.line import line_kind
 from catopt.quantities import QUANTITIES
+from catopt.records import Record
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.line_choice import Prefer
 from catopt.sizing.settle import ConvergedSizing, point_diameter
@@ -37,14 +39,30 @@ _SAME_SIZE = 1e-6
 
 
 @dataclass(frozen=True)
-class Candidate:
+class Candidate(Record):
     """One size of chain, with the shortest line of it that passes under its own loads."""
 
+    DOCUMENT = (
+        "role component diameter=nominal_diameter_m feasible reason settled.point.line.length "
+        "settled.point.line.mass settled.point.largest_span=offset_m "
+        "settled.point.largest_force=horizontal_force_N settled.point.anchor.mass=anchor_mass_kg "
+        "settled.point.checks.nearest=governing"
+    )
+
     role: Role
-    component: str  # family and grade
-    diameter: float  # nominal, m
+    """Smaller than the recommended one, that, or larger."""
+    component: str
+    """Family and grade."""
+    diameter: Length
+    """Nominal."""
     settled: ConvergedSizing | None  # None where no length of it passes
-    reason: str = ""  # why there is none
+    reason: str = ""
+    """Why none passes; else empty."""
+
+    @property
+    def feasible(self) -> bool:
+        """Whether a line of this size passes every check under its own loads."""
+        return self.settled is not None
 
 
 def candidates(
@@ -91,23 +109,43 @@ def _why_none(error: CatoptError) -> str:
 
 
 @dataclass(frozen=True)
-class Alternative:
+class Alternative(Record):
     """A line by another preference, under its own loads."""
 
+    DOCUMENT = (
+        "prefer feasible segment.component segment.nominal_diameter settled.point.line.length "
+        "mass cost=cost_USD swing=swing_radius_m trade reason"
+    )
+
     prefer: Prefer
+    """Which line it is."""
     settled: ConvergedSizing | None  # None where no line passes
-    swing: float = 0.0  # swing radius at low water, m; 0 without a line
-    reason: str = ""  # why there is none
+    swing: Height | None = None
+    """Swing radius at low water; None without a line."""
+    trade: str | None = None
+    """What it gives for what beside the recommended line; None without a line."""
+    reason: str = ""
+    """Why none passes; else empty."""
 
     @property
-    def mass(self) -> float:
-        """Of the line in air, kg; 0 without a line."""
-        return self.settled.point.objectives["mass_kg"] if self.settled else 0.0
+    def feasible(self) -> bool:
+        """Whether a line passes under its own loads."""
+        return self.settled is not None
+
+    @property
+    def segment(self) -> Segment | None:
+        """The chain of the line; None without a line."""
+        return self.settled.point.line.segments[0] if self.settled else None
+
+    @property
+    def mass(self) -> SomeMass | None:
+        """Of the line in air; None without a line."""
+        return self.settled.point.line.mass if self.settled else None
 
     @property
     def cost(self) -> float | None:
-        """Of the line's material, USD; None without a line, or where a price is not known."""
-        return self.settled.point.objectives.get("cost_USD") if self.settled else None
+        """USD, of the line's material; None without a line, or where a price is not known."""
+        return self.settled.point.cost if self.settled else None
 
 
 _LOOKED_AT: Final[Mapping[Moored, tuple[Prefer, ...]]] = MappingProxyType(
@@ -123,18 +161,26 @@ def alternatives(
     moored: Moored,
     own: Prefer,
     sized: Callable[[Prefer], tuple[ConvergedSizing, float]],
+    beside: tuple[ConvergedSizing, float],
     *,
     priced: bool,
 ) -> tuple[Alternative, ...]:
     """Settle the lines of the preferences other than that of the recommended line.
 
-    `sized` settles a line by a preference, and gives its swing radius, m. Where not every price is
-    known none is the cheapest, and of one component the lightest is.
+    `sized` settles a line by a preference, and gives its swing radius, m; `beside` is the
+    recommended line with its own. Where not every price is known none is the cheapest, and of one
+    component the lightest is.
     """
+
+    def objectives(of: ConvergedSizing, swing: float) -> tuple[float, float]:
+        return swing, of.point.objectives["mass_kg"]
 
     def alternative(prefer: Prefer) -> Alternative:
         try:
-            return Alternative(prefer, *sized(prefer))
+            found = sized(prefer)
+            return Alternative(
+                prefer, *found, trade=trade(*objectives(*found), *objectives(*beside))
+            )
         except (NoAnswerError, InputError) as error:
             return Alternative(prefer, None, reason=_why_none(error))
 
@@ -175,16 +221,19 @@ def _digits(value: float) -> int:
 
 
 @dataclass(frozen=True)
-class Limit:
+class Limit(Record):
     """A step to less that the line cannot take."""
 
-    change: str  # in words: "chain: 28 m for 28.5 m"
+    DOCUMENT = "change words=fails"
+
+    change: str
+    """The step, in words."""
     check: CheckResult | None  # that fails by the most; None where there is no equilibrium
     reason: str = ""  # why there is none
 
     @property
     def words(self) -> str:
-        """What it runs into."""
+        """The check that it fails by the most with its load case, or why it has no equilibrium."""
         return self.reason if self.check is None else self.check.in_case
 
 

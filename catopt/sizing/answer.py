@@ -131,7 +131,9 @@ def sizing_of(
             "candidates": candidates(
                 settled, lambda name, size: of_size(line.only(name, size), size)
             ),
-            "alternatives": alternatives(kind, line.looks_for, by, priced=priced),
+            "alternatives": alternatives(
+                kind, line.looks_for, by, (settled, swing(settled).total), priced=priced
+            ),
             "limits": limits(settled),
         }
     return Sizing(

@@ -25,7 +25,7 @@ from catopt.sizing.answer import (
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.line_choice import sold
 from catopt.sizing.posed import Assumed, LoadsAt, SizingCase, Water, rounded_up
-from catopt.sizing.result import Sizing, SwingRadius
+from catopt.sizing.result import Sizing, SwingPart, SwingRadius
 from catopt.sizing.settle import ConvergedSizing, point_diameter, point_pull, settle
 from catopt.ties import largest
 from catopt.words import Measure, Message
@@ -116,7 +116,7 @@ def _swing(settled: ConvergedSizing) -> SwingRadius:
     low = Message("sizing.storm_low")
     spans = {name: solution.span for name, solution in settled.point.checks.solutions}
     widest = largest((low, worn_name(low)), lambda name: spans.get(name, 0.0))
-    return SwingRadius(widest, ((Message("sizing.line_at_low_water"), spans[widest]),))
+    return SwingRadius(widest, (SwingPart(Message("sizing.line_at_low_water"), spans[widest]),))
 
 
 def _settled(request: BuoyRequest, start: Assumed | None = None) -> ConvergedSizing:

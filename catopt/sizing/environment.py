@@ -108,14 +108,14 @@ def weathervaning_of(of: ResolvedInputs, *, is_turned: bool = False) -> Weatherv
 
     `is_turned`: whether the ship's own tables have the moment of the current.
     """
-    make = of.telling.make
+    make = of.errors.make
     if of.given.isdisjoint(DIRECTIONS):
         if "current_yaw" in of.given:
             allowed = Message(
                 "refused_sizing.leave_out_or_give_one",
-                spell=", ".join(map(of.telling.spell, DIRECTIONS)),
+                spell=", ".join(map(of.errors.spell, DIRECTIONS)),
             )
-            of.telling.add("current_yaw", as_written(of["current_yaw"]), allowed)
+            of.errors.add("current_yaw", as_written(of["current_yaw"]), allowed)
         return Weathervaning()
     if of.values.keys().isdisjoint(DIRECTIONS):
         return None  # what is wrong with them is told

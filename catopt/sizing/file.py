@@ -24,13 +24,13 @@ from catopt.casefile.schema import TableSchema, entries
 from catopt.documents import Path, dotted, parse_toml, read_text
 from catopt.errors import InputError, Problem
 from catopt.sizing.buoy_request import BuoyRequest
+from catopt.sizing.error_collector import Spelling, as_keyword
 from catopt.sizing.inputs import SINKER, Input, inputs_of
 from catopt.sizing.kinds import schema_of
 from catopt.sizing.known import ResolvedInputs, known
 from catopt.sizing.requests import request_of, size
 from catopt.sizing.result import Sizing
 from catopt.sizing.tanker_request import TankerRequest
-from catopt.sizing.telling import Spelling, as_keyword
 from catopt.words import Message
 
 _NOTHING: Final[Mapping[str, object]] = MappingProxyType({})
@@ -104,7 +104,7 @@ class SizingFile:
         return {**found, **before}
 
     @contextmanager
-    def telling(self) -> Iterator[None]:
+    def reporting(self) -> Iterator[None]:
         """Tell everything that is wrong at once, as it stands in the file and in its order."""
         try:
             yield
@@ -202,7 +202,7 @@ def read_sizing(path: str | os.PathLike[str]) -> BuoyRequest | TankerRequest:
         When it cannot be read, or with every mistake in it, each by its key.
     """
     file = read_file(path, moored_in(path) or "buoy")
-    with file.telling():
+    with file.reporting():
         return request_of(file.known())
 
 
@@ -212,7 +212,7 @@ def sized(file: SizingFile) -> Sizing:
     InputError: every mistake, each by its key; what is wanted and is not in the file is one. Else
     as for `size_buoy` and `size_tanker`.
     """
-    with file.telling():
+    with file.reporting():
         return size(file.known())
 
 

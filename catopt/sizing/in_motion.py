@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import NearMiss
-from catopt.documents import figures
 from catopt.model import Case
 from catopt.model.dynamics import JudgedBy
-from catopt.model.kinds import Findings
+from catopt.model.kinds import Factor, Findings, Force, Length, Positive, SomeForce, SomeMass, Time
+from catopt.records import Counted as FromOne
+from catopt.records import FromZero, Record, within
 from catopt.sizing.kinds import usual
 from catopt.words import Message, Several
 
@@ -23,10 +24,14 @@ LEAST_DURATION = 60.0
 class RunsAfloat:
     """How the lines of a sizing are run with their buoy or ship."""
 
-    seeds: int = field(default_factory=lambda: usual("seeds"))  # runs of each load case
-    duration: float = field(default_factory=lambda: usual("run_time"))  # of one, with its ramp, s
+    seeds: FromOne = field(default_factory=lambda: usual("seeds"))
+    """Runs of each load case."""
+    duration: Time = field(default_factory=lambda: usual("run_time"))
+    """Of one run, with its ramp."""
     elements: int = 20  # bars of the line; a ship's lines are run by closed form
-    judged_by: JudgedBy = "upper"  # what the checks are held against
+    judged_by: JudgedBy = "upper"
+    """What the checks are held against: largest values of the runs, most probable maxima of the
+    storm, or the upper ends of their intervals."""
     # How far the sinker may slide in the storm, m; None: `afloat.MOST_SLIDE` where the code has no
     # factors for dynamic analysis, else its factor on sliding holds
     max_slide: float | None = None
@@ -43,14 +48,21 @@ class RunsAfloat:
 
 
 @dataclass(frozen=True)
-class LineTried:
+class LineTried(Record):
     """A line that was run in motion."""
 
+    DOCUMENT = "component diameter=nominal_diameter_m length mass runs passes words=fails"
+
     component: str
-    diameter: float  # nominal, m
-    length: float  # m
-    mass: float  # in air, kg
-    runs: int  # made of it: it is left at the first load case that fails
+    """Family and grade."""
+    diameter: Length
+    """Nominal."""
+    length: Length
+    """Unstretched."""
+    mass: SomeMass
+    """In air."""
+    runs: FromOne
+    """Made of it: it is left at the first load case that fails."""
     failing: tuple[CheckResult, ...]  # the worst first
     reason: str = ""  # why a run has no answer; else empty
 
@@ -61,7 +73,7 @@ class LineTried:
 
     @property
     def words(self) -> str:
-        """The check that it fails by the most, or why it has no answer; empty if it passes."""
+        """The check that it fails by the most, or why a run has no answer; empty if it passes."""
         return self.reason or (self.failing[0].in_case if self.failing else "")
 
 
@@ -69,11 +81,20 @@ class Storm(NamedTuple):
     """The tension at the fairlead in the load case where it is largest, of all runs there."""
 
     load_case: str
-    largest: float  # of the runs of every load case, N
-    most_probable: float | None  # in the storm, N; None where the runs have too few peaks
+    """That of the largest tension."""
+    largest: SomeForce
+    """At the fairlead, of the runs of every load case."""
+    most_probable: SomeForce | None
+    """At the fairlead, in the storm; None where the runs have too few peaks."""
     low: float | None  # interval of it, N
     high: float | None
-    at_rest: float  # under the steady load of that load case, N
+    at_rest: SomeForce
+    """At the fairlead, under the steady load of that load case."""
+
+    @property
+    def interval(self) -> tuple[Force, Force] | None:
+        """Of the most probable tension, 90 %."""
+        return None if self.low is None or self.high is None else (self.low, self.high)
 
     @property
     def tension(self) -> float:
@@ -81,23 +102,40 @@ class Storm(NamedTuple):
         return self.largest if self.most_probable is None else self.most_probable
 
 
-class LengthRun(NamedTuple):
+STORM = (
+    "load_case largest=largest_tension_N most_probable=most_probable_tension_N interval "
+    "at_rest=tension_at_rest_N"
+)
+"""What a document has of one."""
+
+
+@dataclass(frozen=True)
+class LengthRun(Record):
     """What a length of the recommended size comes to in motion, every seed of it run."""
 
+    DOCUMENT = f"{within('tried', LineTried.DOCUMENT)} storm({STORM}) sinker=sinker_mass_kg"
+
     tried: LineTried
-    storm: Storm | None  # None where a run has no answer
-    sinker: float | None  # kg: the least that stays, or the heaviest
+    storm: Storm | None
+    """The tension at the fairlead; None where a run has no answer."""
+    sinker: SomeMass | None
+    """The least that stays, or the heaviest that is cast; None where a run has no answer."""
 
 
 class Counted(NamedTuple):
     """What became of the lines that were looked at: sizes by lengths."""
 
-    considered: int
-    # fail at rest already, without any allowance for motion; None where that was not counted
-    at_rest: int | None
-    excluded: int  # needless to run: see `catopt.sizing.motion_search` and `ship_search`
-    run: int
-    runs: int  # that this took, in all
+    considered: FromOne
+    """Sizes by lengths."""
+    at_rest: FromZero | None
+    """That fail at rest without any allowance for motion; None where they were not counted, with a
+    ship."""
+    excluded: FromZero
+    """That were needless to run."""
+    run: FromOne
+    """That were run in motion."""
+    runs: FromOne
+    """That this took."""
 
     @property
     def words(self) -> Message:
@@ -107,17 +145,32 @@ class Counted(NamedTuple):
 
 
 @dataclass(frozen=True)
-class InMotion:
-    """What the recommended line came to."""
+class InMotion(Record):
+    """What the recommended line came to in runs with its buoy or ship afloat.
+
+    None where it is sized at rest alone.
+    """
+
+    DOCUMENT = (
+        "how.seeds how.duration how.judged_by elements case.dynamics.duration_of_interest "
+        f"{within('storm', STORM)} factor allowance checks.results=checks "
+        "checks.nearest=governing counted=lines(considered at_rest excluded run runs) tried "
+        "by_length checks.warnings"
+    )
 
     how: RunsAfloat
     case: Case  # that was run: `catopt verify --dynamic` runs it again
     checks: CheckReport
     storm: Storm
-    allowance: float  # for motion that the sizing at rest has, and this replaces
+    allowance: Factor
+    """For motion, that a sizing at rest has and this replaces."""
     counted: Counted
-    tried: tuple[LineTried, ...]  # in the order of their runs
-    by_length: tuple[LengthRun, ...] = ()  # the shortest first, the recommended one among them
+    """How many lines were looked at, and what became of them."""
+    tried: tuple[LineTried, ...]
+    """The lines that were run, in their order."""
+    by_length: tuple[LengthRun, ...] = ()
+    """Lengths of the recommended size that were run beside it, and itself, the shortest first;
+    empty where none was asked for."""
     load_cases: int = 1  # that every line was run in
     # the next shorter and the next thinner line, which fail; of a ship
     less: tuple[LineTried, ...] = ()
@@ -128,53 +181,14 @@ class InMotion:
         return self.case.system is not None
 
     @property
-    def factor(self) -> float:
+    def elements(self) -> FromOne | None:
+        """Bars of the line; None where it is run by closed form, with a ship."""
+        return None if self.is_of_ship else self.how.elements
+
+    @property
+    def factor(self) -> Positive:
         """Motion's own: the storm's tension over that at rest, as an allowance would be."""
         return self.storm.tension / self.storm.at_rest
-
-    def to_dict(self) -> dict[str, Any]:
-        """Lay it out for JSON, in SI."""
-        assert self.case.dynamics is not None
-        governing = self.checks.governing
-        return {
-            **figures(self.how, "seeds duration_s judged_by"),
-            "elements": None if self.is_of_ship else self.how.elements,
-            "duration_of_interest_s": self.case.dynamics.duration_of_interest,
-            **_of_storm(self.storm),
-            **figures(self, "factor allowance"),
-            "checks": [each.to_dict() for each in self.checks.results],
-            "governing": "" if governing is None else governing.in_case,
-            "lines": self.counted._asdict(),
-            "tried": [_of_line(each) for each in self.tried],
-            "by_length": [
-                {
-                    **_of_line(each.tried),
-                    "storm": None if each.storm is None else _of_storm(each.storm),
-                    "sinker_mass_kg": each.sinker,
-                }
-                for each in self.by_length
-            ],
-            "warnings": list(self.checks.warnings),
-        }
-
-
-def _of_line(of: LineTried) -> dict[str, Any]:
-    return {
-        "component": of.component,
-        "nominal_diameter_m": of.diameter,
-        **figures(of, "length_m mass_kg runs passes"),
-        "fails": of.words,
-    }
-
-
-def _of_storm(of: Storm) -> dict[str, Any]:
-    return {
-        "load_case": of.load_case,
-        "largest_tension_N": of.largest,
-        "most_probable_tension_N": of.most_probable,
-        "interval_N": None if of.low is None else [of.low, of.high],
-        "tension_at_rest_N": of.at_rest,
-    }
 
 
 class NoLineInMotionError(NoFeasibleDesignError):

@@ -10,9 +10,10 @@ from typing import Any, Literal
 from catopt.casefile.reading import Moored
 from catopt.catalogue.family import nearest
 from catopt.loads.ship_dimensions import DIMENSIONS_SOURCE, ship_dimensions
+from catopt.records import Record
+from catopt.sizing.error_collector import ErrorCollector, Spelling, as_keyword
 from catopt.sizing.inputs import SINKER, Input, inputs_of
 from catopt.sizing.kinds import default_of, kind_of, usual
-from catopt.sizing.telling import ErrorCollector, Spelling, as_keyword
 from catopt.units import UNITS, Dimension, as_written
 from catopt.words import Cited, Measure, Message, Several, term
 
@@ -23,18 +24,32 @@ _FIELD = {"LENGTH": "m", "MASS": "t", "AREA": "m^2", "DENSITY": "kg/m^3", "NUMBE
 
 
 @dataclass(frozen=True)
-class ReadInput:
+class ReadInput(Record):
     """An input as it was read, for the beginning of the answer."""
 
+    DOCUMENT = "keyword=name value unit origin"
+
     of: Input  # its row in the table
-    value: Any  # in SI; a tuple of several
-    origin: Origin  # by the user, by default, or by an estimate from what was given
+    value: float | str | bool | tuple[float | str, ...]
+    """In SI; an array of several."""
+    origin: Origin
+    """By the user, by default, or estimated from what was given."""
     source: str = ""  # of an estimate
+
+    @property
+    def keyword(self) -> str:
+        """Keyword in Python; the option is the same with dashes."""
+        return self.of.name
 
     @property
     def name(self) -> Message:
         """What it is."""
         return Message(f"inputs.{self.of.name}")
+
+    @property
+    def unit(self) -> str:
+        """SI; empty where there is none."""
+        return Dimension[self.of.takes].si_unit if self.of.is_measure else ""
 
     @property
     def said(self) -> str:
@@ -78,7 +93,7 @@ class ResolvedInputs:
     moored: Moored
     values: Mapping[str, Any]  # by name, in SI: given without fault, or taken in its place
     given: frozenset[str]  # with faults or without
-    telling: ErrorCollector  # keeps what is wrong
+    errors: ErrorCollector  # keeps what is wrong
     estimated: frozenset[str] = frozenset()  # from others that were given
 
     def __getitem__(self, name: str) -> Any:
@@ -95,9 +110,9 @@ class ResolvedInputs:
             example = as_written(inputs[name].example)
             allowed = Message("refused.missing_input", example=example)
             if known_by:
-                other = self.telling.spell(known_by)
+                other = self.errors.spell(known_by)
                 allowed = Message("refused.or_estimated", wanted=allowed, other=other)
-            self.telling.add(name, "", allowed)
+            self.errors.add(name, "", allowed)
 
     @property
     def read(self) -> tuple[ReadInput, ...]:
@@ -139,16 +154,16 @@ def known(
     """
     given = {name: value for name, value in given.items() if value is not None}
     inputs = inputs_of(moored, held_by=_held_by(moored, given))
-    telling = ErrorCollector(inputs, spell, source, reported, called)
+    errors = ErrorCollector(inputs, spell, source, reported, called)
     values: dict[str, Any] = {}
     for name, value in given.items():
         if name not in inputs:
-            _refuse(telling, moored, name, value)
-        elif not telling.is_reported(name):
-            read = _read(telling, inputs[name], value)
+            _refuse(errors, moored, name, value)
+        elif not errors.is_reported(name):
+            read = _read(errors, inputs[name], value)
             values |= {} if read is None else {name: read}
-    _contradictions(telling, inputs, given)
-    estimated = _estimated(telling, given, values) if moored == "tanker" else {}
+    _contradictions(errors, inputs, given)
+    estimated = _estimated(errors, given, values) if moored == "tanker" else {}
     values |= estimated
     for name, each in inputs.items():
         if name in values or is_needless(each, values):
@@ -157,11 +172,11 @@ def known(
             values[name] = default_of(each)
         elif defaults and defaults.get(name):
             values[name] = kind_of(each).read(defaults[name])
-    return ResolvedInputs(moored, values, frozenset(given), telling, frozenset(estimated))
+    return ResolvedInputs(moored, values, frozenset(given), errors, frozenset(estimated))
 
 
 def _estimated(
-    telling: ErrorCollector, given: Mapping[str, object], values: Mapping[str, Any]
+    errors: ErrorCollector, given: Mapping[str, object], values: Mapping[str, Any]
 ) -> dict[str, float]:
     """Estimate the ship's dimensions from its deadweight, as far as they are not given."""
     missing = {"length", "breadth", "draught"} - given.keys()
@@ -170,7 +185,7 @@ def _estimated(
     if "draught" in missing:
         missing |= {"moulded_depth"} - given.keys()
     kind = values.get("ship", usual("ship", "tanker"))
-    found = telling.make(ship_dimensions, kind, values["dwt"])
+    found = errors.make(ship_dimensions, kind, values["dwt"])
     return {} if found is None else {name: getattr(found, name) for name in missing}
 
 
@@ -181,27 +196,27 @@ def _held_by(moored: Moored, given: Mapping[str, object]) -> str:
     return SINKER if given.get("anchor") == SINKER else inputs_of(moored)["anchor"].default
 
 
-def _read(telling: ErrorCollector, each: Input, value: object) -> Any:
+def _read(errors: ErrorCollector, each: Input, value: object) -> Any:
     """Read the value of an input, or several; None, and no more told, when one is wrong."""
     given = os.fspath(value) if isinstance(value, os.PathLike) else value
     many = given if each.several and isinstance(given, list | tuple) else [given]
     read = kind_of(each).read
     found = [
-        telling.read(each.name, read, one, index if each.several else None)
+        errors.read(each.name, read, one, index if each.several else None)
         for index, one in enumerate(many)
     ]
     if None in found:
-        telling.no_more_of(each.name)
+        errors.no_more_of(each.name)
         return None
     return tuple(found) if each.several else found[0]
 
 
-def _refuse(telling: ErrorCollector, moored: Moored, name: str, value: object) -> None:
+def _refuse(errors: ErrorCollector, moored: Moored, name: str, value: object) -> None:
     """Keep that something is given which nothing is made of."""
     if name in inputs_of(moored):
-        anchor = f'{telling.spell("anchor")} "{SINKER}"'
+        anchor = f'{errors.spell("anchor")} "{SINKER}"'
         allowed = Message("refused.of_a_sinker", anchor=anchor)
-        telling.add(name, as_written(value), allowed)
+        errors.add(name, as_written(value), allowed)
         return
     inputs = inputs_of(moored).values()
     aliases = {alias: each.name for each in inputs for alias in (*each.also, each.path[-1])}
@@ -209,13 +224,13 @@ def _refuse(telling: ErrorCollector, moored: Moored, name: str, value: object) -
     hint = Message("refused.allowed_here", keys=", ".join(inputs_of(moored)))
     if meant:
         hint = Message("refused.did_you_mean", near=meant)
-    telling.add(name, Message("refused.unknown_keyword"), hint)
+    errors.add(name, Message("refused.unknown_keyword"), hint)
     if meant:
-        telling.no_more_of(meant)
+        errors.no_more_of(meant)
 
 
 def _contradictions(
-    telling: ErrorCollector, inputs: Mapping[str, Input], given: Mapping[str, object]
+    errors: ErrorCollector, inputs: Mapping[str, Input], given: Mapping[str, object]
 ) -> None:
     """Keep what would be left out of account, beside another input or without one."""
     for name, value in given.items():
@@ -223,12 +238,12 @@ def _contradictions(
         if each is None:
             continue
         if each.only_with and each.only_with not in given:
-            allowed = Message("refused.or_give_with", other=telling.spell(each.only_with))
-            telling.add(name, as_written(value), allowed)
+            allowed = Message("refused.or_give_with", other=errors.spell(each.only_with))
+            errors.add(name, as_written(value), allowed)
         for other in each.not_with if each.why else ():
             if other in given and not is_needless(inputs[other], given):
-                allowed = Message(f"refused.{each.why}", other=telling.spell(other))
-                telling.add(name, as_written(value), allowed)
+                allowed = Message(f"refused.{each.why}", other=errors.spell(other))
+                errors.add(name, as_written(value), allowed)
 
 
 def estimated_dimensions(inputs: Iterable[ReadInput]) -> tuple[Message, ...]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, Final, Literal, NamedTuple
+from typing import Annotated, Any, Final, Literal, NamedTuple
 
 from catopt.catenary.solve import solve
 from catopt.errors import InputError, NoAnswerError
@@ -21,13 +21,14 @@ from catopt.loads.sinker import (
     size_sinker,
 )
 from catopt.model import Anchor, Case, DesignLoad, Line, SinkerChoice, System
-from catopt.model.kinds import Findings
+from catopt.model.kinds import Angle, Findings, Force, Height, SomeForce
 from catopt.mooring.arrangement import Lines
 from catopt.mooring.descent import Rest
 from catopt.mooring.sharing_rule import load_sharing_factor
 from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import solution_at
 from catopt.mooring.zero_load import ZeroLoadPosition, zero_load_position
+from catopt.records import Counted, From, Record
 from catopt.sizing.kinds import usual
 from catopt.ties import largest
 from catopt.words import Message, Sentence
@@ -184,44 +185,64 @@ class BodyState(NamedTuple):
 class AtRest:
     """The body at rest under the force from its hardest side."""
 
-    # between the most loaded line, without one between line 1, and where the force comes from, rad
-    direction: float
-    line_force: float  # horizontal, of the most loaded line at the fairlead, N
-    tension: float  # of that line at the fairlead, N
-    # of the body from its place with all lines under no load, m: the largest, wherever the force
-    # comes from and whichever line is gone
-    offset: float
-    pull: float  # the largest of the lines together downwards on the body, N
+    direction: Angle
+    """Between the most loaded line, without one between line 1, and where the force comes from."""
+    line_force: SomeForce
+    """Horizontal, of the most loaded line at the fairlead."""
+    tension: SomeForce
+    """Of that line at the fairlead."""
+    offset: Height
+    """Of the body from its place with all lines under no load: the largest, wherever the force
+    comes from and whichever line is gone."""
+    pull: Force
+    """The largest of the lines together downwards on the body."""
     solution: SystemSolution  # under the force that is hardest on a line
 
 
 @dataclass(frozen=True)
-class WithoutLine(AtRest):
+class WithoutLine(AtRest, Record):
     """The body at rest anew without one of its lines."""
 
-    missing: int  # the line that is gone, from 1: the force comes nearest to line 1
+    DOCUMENT = "missing=missing_line direction line_force tension offset pull"
+
+    missing: Counted
+    """The line without which another one carries the most; the force comes nearest to line 1."""
 
 
 @dataclass(frozen=True)
-class PatternState(AtRest):
+class PatternState(AtRest, Record):
     """The body at rest in one load case."""
 
+    DOCUMENT = (
+        "load_case force rule_force line_force tension direction offset pull line_out=one_line_out"
+    )
+
     load_case: str
-    force: float  # on the body, N
-    # of the most loaded line by the rule of practice, N; None where the rule wants another number
-    rule_force: float | None
+    """Its name."""
+    force: SomeForce
+    """On the body."""
+    rule_force: SomeForce | None
+    """Horizontal, of the most loaded line by the rule of practice of S4; None where it wants
+    another number of lines."""
     fairlead_height: float  # above the seabed, m
-    line_out: WithoutLine  # the same load case with any one line gone
+    line_out: WithoutLine
+    """The same with any one line gone."""
 
 
 @dataclass(frozen=True)
-class Pattern:
+class Pattern(Record):
     """A symmetric pattern of equal lines."""
 
-    lines: int  # how many
-    pretension: float  # horizontal, of every line under no load, at high water without a crest, N
-    anchor_radius: float  # from the body to the anchors, m
-    states: tuple[PatternState, ...]  # one for each load case
+    DOCUMENT = "lines pretension anchor_radius states"
+
+    lines: Annotated[int, From(3)]
+    """How many, evenly spaced."""
+    pretension: SomeForce
+    """Horizontal, of every line under no load, at high water without a crest."""
+    anchor_radius: Height
+    """From the body to the anchors."""
+    states: tuple[PatternState, ...]
+    """One for each load case."""
 
     @property
     def system(self) -> System:

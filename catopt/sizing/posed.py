@@ -7,9 +7,12 @@ from dataclasses import dataclass
 from typing import Literal
 
 from catopt.loads.component import Loads
+from catopt.loads.document import ComparedLoads
 from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.weathervane import ShipHeading
 from catopt.model import Case
+from catopt.model.kinds import Force, Height, Length, SomeForce
+from catopt.records import Record
 
 Water = Literal["high", "low"]
 """At which level of the still water."""
@@ -18,21 +21,32 @@ _ROUNDING = 1e-9
 
 
 @dataclass(frozen=True)
-class LoadsAt:
+class LoadsAt(Record):
     """The loads of one load case."""
 
+    DOCUMENT = "load_case depth horizontal_force given lying=heading laid_out=parts"
+
     load_case: str
-    depth: float  # of the still water, m
+    """Its name."""
+    depth: Length
+    """Of the still water."""
     water: Water = "high"
     condition: str = ""  # of a ship: ``"loaded"`` or ``"ballast"``
     parts: tuple[Loads, ...] = ()  # on the ship, on the buoy; empty where the force was given
-    given: float = 0.0  # force that was given instead, N
-    # how a ship lies under the largest force of all directions and stable headings
+    given: SomeForce = 0.0
+    """Force that was given instead of weather; 0 otherwise."""
     lying: ShipHeading | None = None
+    """Of a ship: how it lies under the largest force of all directions and stable headings; None
+    for a buoy."""
 
     @property
-    def horizontal_force(self) -> float:
-        """Sum of all parts, along one direction, N."""
+    def laid_out(self) -> tuple[ComparedLoads, ...]:
+        """On the ship, on the buoy: each as catopt loads has it."""
+        return tuple(map(ComparedLoads, self.parts))
+
+    @property
+    def horizontal_force(self) -> SomeForce:
+        """Sum of all parts and of what was given, along one direction."""
         return math.fsum([self.given, *(part.horizontal_force for part in self.parts)])
 
 
@@ -41,7 +55,9 @@ class SizingCase:
     """What goes to the design search."""
 
     case: Case  # with load cases, checks and design
-    loads: tuple[LoadsAt, ...]  # of each extreme load case, in the order of the case
+    loads: tuple[LoadsAt, ...]
+    """The forces of each extreme load case, in the order of the case: of all lines together where
+    there are several."""
     drag_anchor: DragAnchorSize | None = None  # that the case is held by, where it is one
 
 
@@ -49,10 +65,13 @@ class SizingCase:
 class Assumed:
     """The line that the loads were computed for."""
 
-    diameter: float = 0.0  # nominal, of the chain that the water moves, m; 0 for none
-    pull: float = 0.0  # of the line downwards on the buoy, N
-    # horizontal force on the line in each load case, N; empty where it is that of the loads
-    forces: tuple[float, ...] = ()
+    diameter: Height = 0.0
+    """Nominal, of the chain that the water moves; 0 where it is not counted."""
+    pull: SomeForce = 0.0
+    """Of the line, or of all lines, downwards on the buoy."""
+    forces: tuple[Force, ...] = ()
+    """Least horizontal force of one of several lines in each load case; empty where it is that of
+    the loads."""
 
     def covers(self, other: Assumed) -> bool:
         """Whether the loads for this are on the safe side of those for another."""

@@ -59,13 +59,13 @@ def size(of: ResolvedInputs) -> Sizing:
     Raises what `catopt.size_buoy` and `catopt.size_tanker` raise.
     """
     maker: Callable[..., Sizing] = sized_buoy if of.moored == "buoy" else sized_tanker
-    return of.telling.made(maker, request_of(of))
+    return of.errors.made(maker, request_of(of))
 
 
 def request_of(of: ResolvedInputs) -> BuoyRequest | TankerRequest:
     """Make the request for a buoy or a tanker; every mistake is told at once."""
     request = _of_a_buoy(of) if of.moored == "buoy" else _of_a_tanker(of)
-    of.telling.raise_if_any()
+    of.errors.raise_if_any()
     assert request is not None
     return request
 
@@ -88,7 +88,7 @@ def _of_a_buoy(of: ResolvedInputs) -> BuoyRequest | None:
         defaults=_taken(of, place, ground),
         inputs=of.read,
     )
-    return of.telling.make(maker, body, place, line, ground)
+    return of.errors.make(maker, body, place, line, ground)
 
 
 def _of_a_tanker(of: ResolvedInputs) -> TankerRequest | None:
@@ -127,7 +127,7 @@ def _of_a_tanker(of: ResolvedInputs) -> TankerRequest | None:
     )
     is_found = of["buoy"] is None or shape is not None
     is_made = is_found and vane is not None
-    return of.telling.make(maker, ships, place, line, ground) if is_made else None
+    return of.errors.make(maker, ships, place, line, ground) if is_made else None
 
 
 def _runs(of: ResolvedInputs) -> RunsAfloat | None:
@@ -135,7 +135,7 @@ def _runs(of: ResolvedInputs) -> RunsAfloat | None:
     own: dict[str, Any] = {}
     if of.moored == "buoy":
         own = {"max_slide": of["max_slide"], "other_lengths": of["other_lengths"] or 0}
-    return of.telling.make(partial(RunsAfloat, **own), of["seeds"], of["run_time"])
+    return of.errors.make(partial(RunsAfloat, **own), of["seeds"], of["run_time"])
 
 
 # ------------------------------------------------------------------ place and weather
@@ -147,7 +147,7 @@ def wind_of_30_s(of: ResolvedInputs) -> float | None:
     A wind whose averaging time is not known is taken for a mean of 30 s.
     """
     mean = of["wind_mean"] or WIND_MEAN
-    return of.telling.make(partial(mean_over, wanted=WIND_MEAN), of["wind"], mean)
+    return of.errors.make(partial(mean_over, wanted=WIND_MEAN), of["wind"], mean)
 
 
 def of_the_wind(of: ResolvedInputs) -> tuple[Message, ...]:
@@ -171,7 +171,7 @@ def _environment(
     of: ResolvedInputs, *, is_pushed: bool = True, wind: float | None = None
 ) -> Environment | None:
     """Make depths and weather; where the force is given, wind and current do not count."""
-    make, high = of.telling.make, of["depth"]
+    make, high = of.errors.make, of["depth"]
     levels = make(WaterLevels, of["low_water"] or high, high)
     blows = make(Wind, (wind or of["wind"]) if is_pushed else 0.0)
     current = make(SurfaceCurrent, of["current"] if is_pushed else 0.0)
@@ -191,21 +191,21 @@ def _sea(of: ResolvedInputs) -> SeaState:
 
 def _body(of: ResolvedInputs) -> BuoyShape | GivenBuoy | None:
     """Look the buoy up, or take it by its force and its buoyancy."""
-    telling, pair = of.telling, ("force", "reserve_buoyancy")
-    by_force = [name for name in pair if name in of.given or telling.is_reported(name)]
+    errors, pair = of.errors, ("force", "reserve_buoyancy")
+    by_force = [name for name in pair if name in of.given or errors.is_reported(name)]
     if "buoy" in of.given and by_force:
-        instead = " and ".join(map(telling.spell, by_force))
-        telling.add("buoy", f'"{of["buoy"]}"', Message("refused.leave_out_or", other=instead))
+        instead = " and ".join(map(errors.spell, by_force))
+        errors.add("buoy", f'"{of["buoy"]}"', Message("refused.leave_out_or", other=instead))
         return None
     if "buoy" in of.given:
         return shape_of(of)
     if not by_force:
-        keys = {name: telling.spell(name) for name in pair}
+        keys = {name: errors.spell(name) for name in pair}
         allowed = Message("refused.buoy_wanted", **keys)
-        telling.add("buoy", "", allowed)
+        errors.add("buoy", "", allowed)
         return None
     of.require(*pair)
-    return telling.make(GivenBuoy, of["force"], of["reserve_buoyancy"], of["keel_depth"])
+    return errors.make(GivenBuoy, of["force"], of["reserve_buoyancy"], of["keel_depth"])
 
 
 def shape_of(of: ResolvedInputs) -> BuoyShape | None:
@@ -214,7 +214,7 @@ def shape_of(of: ResolvedInputs) -> BuoyShape | None:
         return read_calmar_buoy(of["buoy"])
     own = of["buoys"]
     among = (*buoys(), *(() if own is None else read_buoys(own)))
-    return of.telling.make(lambda name: look_up(name, among), of["buoy"])
+    return of.errors.make(lambda name: look_up(name, among), of["buoy"])
 
 
 def _ships(of: ResolvedInputs) -> tuple[MooredShip, ...] | None:
@@ -222,9 +222,9 @@ def _ships(of: ResolvedInputs) -> tuple[MooredShip, ...] | None:
     if None in (of["length"], of["breadth"], of["draught"]):
         return None
     draughts = draughts_of(of)
-    ships = [of.telling.make(lambda c=condition: _ship(of, c)) for condition in draughts]
+    ships = [of.errors.make(lambda c=condition: _ship(of, c)) for condition in draughts]
     made = tuple(ship for ship in ships if ship is not None)
-    note_aground(made, of["low_water"] or of["depth"] or math.inf, of.telling.add)
+    note_aground(made, of["low_water"] or of["depth"] or math.inf, of.errors.add)
     return made if made and len(made) == len(ships) else None
 
 
@@ -238,12 +238,12 @@ def draughts_of(of: ResolvedInputs) -> dict[Condition, float]:
     wanted: tuple[Condition, ...] = of["condition"] or ("loaded", "ballast")
     if ballast is not None and "ballast" not in wanted:
         allowed = Message(
-            "refused_sizing.leave_out_or_name_ballast", value=of.telling.spell("condition")
+            "refused_sizing.leave_out_or_name_ballast", value=of.errors.spell("condition")
         )
-        of.telling.add("ballast_draught", f"{ballast:g} m", allowed)
+        of.errors.add("ballast_draught", f"{ballast:g} m", allowed)
         return {}
     if ballast is not None and ballast > loaded:
-        of.telling.add(
+        of.errors.add(
             "ballast_draught",
             f"{ballast:g} m",
             Message("refused_sizing.not_above_loaded_draught_m", loaded=loaded),
@@ -255,7 +255,7 @@ def draughts_of(of: ResolvedInputs) -> dict[Condition, float]:
         if ballast is not None or (light < loaded and of["ship"] != BARGE):
             found["ballast"] = light
         elif not found:
-            of.telling.add(
+            of.errors.add(
                 "ballast_draught", "", Message("refused_sizing.missing_this_ship_cannot_be")
             )
     return found
@@ -302,13 +302,13 @@ def own_tables(of: ResolvedInputs, condition: str) -> ShipCoefficients | None:
         own = read_ship_coefficients(of["coefficients"]).in_condition(condition)
     except InputError as error:
         for each in error.problems:
-            of.telling.add("coefficients", f"{each.key} {each.found}".strip(), each.allowed)
+            of.errors.add("coefficients", f"{each.key} {each.found}".strip(), each.allowed)
         return None
     if is_barge and not (own.wind and own.current):
         allowed = Message(
             "refused_sizing.barge_wants_tables_wind_current", condition=term(condition)
         )
-        of.telling.add("coefficients", str(of["coefficients"]), allowed)
+        of.errors.add("coefficients", str(of["coefficients"]), allowed)
     return own
 
 
@@ -410,7 +410,7 @@ def _line(of: ResolvedInputs, least: float | None, most: float | None) -> LineCh
         "dynamic_factor": of["dynamic_factor"],
         "allow_recalled": bool(of["recalled"]),
     }
-    make = of.telling.make
+    make = of.errors.make
     if of.moored == "buoy":
         choice["scope"] = _scope(of)
     # With the usual code, so that a wrong code and a wrong chain are reported at once.
@@ -444,11 +444,11 @@ def _preference(of: ResolvedInputs, line: LineChoice | None) -> dict[str, Any]:
     if unpriced:
         allowed = Message("refused_sizing.no_price_known", names=Several(unpriced, ", "))
         if prefer == "cheapest":
-            of.telling.add(
+            of.errors.add(
                 "prefer", '"cheapest"', Message("refused_sizing.take_lightest", allowed=allowed)
             )
         if swing_price:
-            of.telling.add(
+            of.errors.add(
                 "swing_price",
                 f"{swing_price:g}",
                 Message("refused_sizing.leave_out", allowed=allowed),
@@ -462,12 +462,12 @@ def _ground(of: ResolvedInputs) -> DragGround | SinkerGround | None:
     if of.moored == "tanker" and of["anchor"] != SINKER:
         soil = AS_CLAY.get(of["soil"], of["soil"])
         recalled = bool(of["recalled"])
-        return of.telling.make(partial(DragGround, of["anchor"], soil, allow_recalled=recalled))
+        return of.errors.make(partial(DragGround, of["anchor"], soil, allow_recalled=recalled))
     soil = of["soil"] or (None if of["friction"] is not None else _soil_of(of["code"]))
     if soil in MUD and _soil_of(of["code"]) == CALMAR_SOIL:
         soil = CALMAR_SOIL  # which the code has for any ground
     figures = soil, of["friction"], of["sinker"], of["sinker_density"]
-    return of.telling.make(partial(SinkerGround, *figures))
+    return of.errors.make(partial(SinkerGround, *figures))
 
 
 def _soil_of(code: str) -> str:

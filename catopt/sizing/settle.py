@@ -18,6 +18,7 @@ from catopt.design.result import DesignPoint, DesignResult
 from catopt.design.search import design_case, enumerate_designs
 from catopt.errors import NotConvergedError
 from catopt.model import Case
+from catopt.records import Counted, Record
 from catopt.sizing.line_choice import LineChoice
 from catopt.sizing.posed import Assumed, SizingCase
 from catopt.words import Message, Several
@@ -33,14 +34,19 @@ _BY_SIZE: Final = frozenset({"tension", "uplift_angle", "grounded_length", "span
 
 
 @dataclass(frozen=True)
-class ConvergedSizing:
-    """A line and the loads that it was sized for."""
+class ConvergedSizing(Record):
+    """The line that the loads were computed for; the recommended one comes to no more."""
+
+    DOCUMENT = (
+        "assumed.diameter=nominal_diameter_m assumed.pull assumed.forces=line_forces_N rounds"
+    )
 
     posed: SizingCase
     point: DesignPoint  # the recommended design of its case
     assumed: Assumed  # what the loads were computed for
     needed: Assumed  # what the recommended line comes to: never more
-    rounds: int  # searches that it took
+    rounds: Counted
+    """Searches until loads and line settled on each other."""
     choice: LineChoice  # what the line might be, and which design of the front was wanted
 
     @cached_property

@@ -26,7 +26,7 @@ from catopt.sizing.environment import Environment, Weathervaning, turning_words
 from catopt.sizing.line_choice import longest_useful
 from catopt.sizing.pattern import BodyState, DragGround, Pattern, pattern, shared_force
 from catopt.sizing.posed import Assumed, LoadsAt, SizingCase, Water, rounded_up
-from catopt.sizing.result import Sizing, SwingRadius
+from catopt.sizing.result import Sizing, SwingPart, SwingRadius
 from catopt.sizing.settle import ConvergedSizing, point_diameter, point_pull, settle
 from catopt.sizing.ship_afloat import ship_afloat
 from catopt.sizing.tanker_request import MooredShip, TankerRequest
@@ -109,7 +109,7 @@ def _sized_in_motion(request: TankerRequest, at_rest: ConvergedSizing) -> Sizing
     name, span = moved.span
     first = _swing(request, moved.settled, moved.around).parts
     if moved.around is None:
-        first = ((Message("sizing.line_in_motion"), span), *first[1:])
+        first = (SwingPart(Message("sizing.line_in_motion"), span), *first[1:])
     found = sizing_of(
         "tanker",
         request,
@@ -342,7 +342,7 @@ def _swing(request: TankerRequest, settled: ConvergedSizing, around: Pattern | N
     """Add up how far the stern swings round the anchor, or round the middle of the pattern."""
     if around is not None:
         widest = largest(around.states, lambda state: state.line_out.offset)
-        first = (Message("sizing.offset_line_out"), widest.line_out.offset)
+        first = SwingPart(Message("sizing.offset_line_out"), widest.line_out.offset)
         name = widest.load_case
     else:
         every = settled.point.checks.solutions
@@ -350,11 +350,11 @@ def _swing(request: TankerRequest, settled: ConvergedSizing, around: Pattern | N
         low = {*at_low, *map(worn_name, at_low)}
         there = [each for each in every if each[0] in low]
         name, solution = largest(there or every, lambda each: each[1].span)
-        first = (Message("sizing.line_at_low_water"), solution.span)
+        first = SwingPart(Message("sizing.line_at_low_water"), solution.span)
     parts = [first]
     if request.hawser > 0.0:
-        parts.append((Message("sizing.hawser"), request.hawser))
-    parts.append((Message("sizing.ship"), request.longest))
+        parts.append(SwingPart(Message("sizing.hawser"), request.hawser))
+    parts.append(SwingPart(Message("sizing.ship"), request.longest))
     return SwingRadius(name, tuple(parts))
 
 

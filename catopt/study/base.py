@@ -23,11 +23,12 @@ Proof = Literal["step", "none"]
 class Output:
     """A number or a text that is kept of each member.
 
-    `name`: in a study file and in documents; `quantity`: key of its quantity; empty for a text;
-    `high_is_worse`: which end of it is the bad one.
+    `quantity`: key of its quantity; empty for a text; `high_is_worse`: which end of it is the bad
+    one.
     """
 
     name: str
+    """Of the quantity, or of the text, as study files have it."""
     quantity: str = ""
     high_is_worse: bool = True
 
@@ -118,6 +119,7 @@ class Base:
     source: str
     folder: str
     compute: Computed
+    """What was computed of each member."""
     moored: Moored | None = None
     proof: Proof = "step"
 

@@ -13,12 +13,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 
 from catopt.arrays import Array, Flags
 from catopt.errors import InputError, NoAnswerError, NotConvergedError
+from catopt.model.kinds import Share
+from catopt.records import Record
 from catopt.study.base import Output
 from catopt.study.member import compute_member
 from catopt.study.statics import at_rest
@@ -47,24 +49,64 @@ _AT_LIMIT: Final = 1e-6
 """Part of the limit by which the point found may miss it."""
 
 
-@dataclass(frozen=True)
-class FirstOrder:
-    """Reliability by the first order.
+class AtPoint(NamedTuple):
+    """A value at a point, by what varies."""
 
-    `index`: beta; below 0 where the limit is passed at the medians already; `probability`: of
-    passing the limit; `point`: where it is most likely passed: values in SI by key path;
-    `importance`: share of each in beta squared; `others`: further such points, with the index of
-    each; `sampled`: probability by draws around all of them, and `interval` of it (95 %); None
-    where members are not solved in bulk, or where the line has no answer at one of the draws.
-    """
+    key: str
+    """Key path."""
+    value: float
+    """In SI."""
+    importance: float = 0.0
+    """Share in beta squared."""
+
+
+@dataclass(frozen=True)
+class OtherPoint(Record):
+    """A further point at which a limit is likely passed."""
+
+    DOCUMENT = "index point(key value)"
 
     index: float
-    probability: float
-    point: Mapping[str, float]
-    importance: Mapping[str, float]
-    others: tuple[tuple[float, Mapping[str, float]], ...] = ()
-    sampled: float | None = None
+    """beta."""
+    point: tuple[AtPoint, ...]
+    """Values there."""
+
+
+@dataclass(frozen=True)
+class FirstOrder(Record):
+    """Reliability by the first order."""
+
+    DOCUMENT = (
+        "index probability points=point(key value importance) other_points=others sampled "
+        "interval=interval_sampled"
+    )
+
+    index: float
+    """beta; below 0 where the limit is passed at the medians already."""
+    probability: Share
+    """Of passing the limit."""
+    point: Mapping[str, float]  # where it is most likely passed: values in SI by key path
+    importance: Mapping[str, float]  # share of each in beta squared
+    others: tuple[tuple[float, Mapping[str, float]], ...] = ()  # further points, with their indices
+    sampled: Share | None = None
+    """Probability by draws around all of these points; None where members are not solved in bulk,
+    or where the line has no answer at one of the draws."""
     interval: tuple[float, float] | None = None
+    """Of that probability, 95 %."""
+
+    @property
+    def points(self) -> tuple[AtPoint, ...]:
+        """Where the limit is most likely passed."""
+        share = self.importance
+        return tuple(AtPoint(key, value, share[key]) for key, value in self.point.items())
+
+    @property
+    def other_points(self) -> tuple[OtherPoint, ...]:
+        """Further points at which it is likely passed."""
+        return tuple(
+            OtherPoint(index, tuple(AtPoint(*each) for each in point.items()))
+            for index, point in self.others
+        )
 
 
 def counted_interval(beyond: int, count: int) -> tuple[float, float]:

@@ -7,13 +7,14 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 import numpy as np
 
 from catopt.arrays import Array, Codes
-from catopt.documents import figures
 from catopt.errors import InputError, Problem, need_package
+from catopt.model.kinds import Share
+from catopt.records import Counted, FromZero, Record
 from catopt.shown import Displayable
 from catopt.study.base import Output
 from catopt.study.reliability import FirstOrder, counted_interval, first_order
@@ -23,95 +24,6 @@ from catopt.words import Message
 
 if TYPE_CHECKING:
     from xarray import Dataset
-
-
-def study_document(result: StudyResult) -> dict[str, Any]:
-    """Build the document (schema catopt.study/1); values in SI, members counted from 1."""
-    study = result.study
-    return {
-        "schema": "catopt.study/1",
-        "title": study.title,
-        "compute": study.base.compute,
-        "members": len(study),
-        "done": result.done,
-        "without_answer": len(result.reasons),
-        "varied": [
-            {"keys": list(axis.columns), "values": len(axis), "drawn": axis.is_drawn}
-            for axis in study.axes
-        ],
-        "digest": study.digest,
-        "statistics": [_statistic(each, result) for each in result.statistics],
-        "by_choice": [
-            {
-                "name": each.kept.name,
-                "member": each.member + 1,
-                **figures(each, "beyond count share interval"),
-            }
-            for each in result.by_choice
-        ],
-        "influences": [
-            {
-                "keys": list(each.keys),
-                "share_of_variance": each.share,
-                "least_mean": each.low,
-                "largest_mean": each.high,
-            }
-            for each in result.influences
-        ],
-        "counts": [
-            {"name": name, "text": text, "members": n}
-            for name, counted in result.counted().items()
-            for text, n in counted
-        ],
-        "failures": [
-            {"reason": reason, "members": n, "first": first + 1}
-            for reason, n, first in result.failures()
-        ],
-    }
-
-
-def _statistic(each: Statistic, result: StudyResult) -> dict[str, Any]:
-    study = result.study
-    order = result.first_orders.get(each.kept.name)
-    return {
-        "name": each.kept.name,
-        "unit": each.kept.measure.si_unit,
-        "members": each.count,
-        **figures(each, "mean deviation least largest"),
-        "levels": [
-            {"share": share, "value": value}
-            for share, value in zip(result.levels, each.levels, strict=True)
-        ],
-        "worst": {
-            "member": each.worst + 1,
-            "values": [
-                {"key": key, "value": value} for key, value in study.values_of(each.worst).items()
-            ],
-        },
-        "limit": each.limit,
-        "share_beyond": each.beyond,
-        "first_beyond": None if each.first_beyond is None else each.first_beyond + 1,
-        "interval_beyond": None if each.interval is None else list(each.interval),
-        "first_order": None
-        if order is None
-        else {
-            **figures(order, "index probability"),
-            "point": [
-                {"key": key, "value": value, "importance": order.importance[key]}
-                for key, value in order.point.items()
-            ],
-            "others": [
-                {
-                    "index": index,
-                    "point": [{"key": key, "value": value} for key, value in point.items()],
-                }
-                for index, point in order.others
-            ],
-            "sampled": order.sampled,
-            "interval_sampled": None if order.interval is None else list(order.interval),
-        },
-        "no_first_order": result.no_first_orders.get(each.kept.name),
-    }
 
 
 LEVELS: Final = (0.05, 0.5, 0.95, 0.99)
@@ -124,73 +36,165 @@ _MOST_SHOWN = 10
 """Reasons, and texts, that are given."""
 
 
+class Level(NamedTuple):
+    """A value that a share of the members does not exceed."""
+
+    share: Share
+    """Of the members, by what they count."""
+    value: float
+    """In the SI unit."""
+
+
+class Varied(NamedTuple):
+    """What varies, with its value for one member."""
+
+    key: str
+    """Key path."""
+    value: float | str | bool
+    """Of the member; a number with a dimension is in SI."""
+
+
+class Count(NamedTuple):
+    """How often a text that is kept came."""
+
+    name: str
+    """Of what it is the text."""
+    text: str
+    """The text."""
+    members: Counted
+    """How many have it."""
+
+
+class Failure(NamedTuple):
+    """Why members have no answer."""
+
+    reason: str
+    """In words."""
+    members: Counted
+    """How many have it."""
+    first: int
+    """The first of them, in Python from 0."""
+
+
 @dataclass(frozen=True)
 class Statistic:
-    """One quantity over all members that have it, each by what it counts.
-
-    `count`: members that have it; `mean`, `deviation`: of it, in SI; `least`, `largest`: of all
-    members, in SI; `levels`: values that a share of `LEVELS` does not exceed; `worst`: member at
-    its bad end, from 0; `limit`, `beyond`: a limit, and the share of the members beyond it;
-    `interval`: of the probability to be beyond it, where nothing but draws varies; `first_beyond`:
-    the first member beyond it, from 0; None where none is.
-    """
+    """One quantity over all members that have it, each by what it counts; values in SI."""
 
     kept: Output
-    count: int
+    count: Counted
+    """How many members have it."""
     mean: float
+    """Weighted mean."""
     deviation: float
+    """Weighted standard deviation."""
     least: float
+    """Smallest of all."""
     largest: float
-    levels: tuple[float, ...]
+    """Largest of all."""
+    levels: tuple[float, ...]  # that a share of `LEVELS` does not exceed
     worst: int
+    """Its number, in Python from 0."""
     limit: float | None = None
-    beyond: float | None = None
+    """Limit that was given; None where none was."""
+    beyond: Share | None = None
+    """Share of the members beyond it."""
     interval: tuple[float, float] | None = None
+    """Of the probability to be beyond it, 95 %, where nothing but draws varies."""
     first_beyond: int | None = None
+    """First member beyond it, in Python from 0; None where none is."""
+
+    @property
+    def by_share(self) -> tuple[Level, ...]:
+        """Smallest values that at least a share of the members does not exceed."""
+        return tuple(map(Level, LEVELS, self.levels))
 
 
 @dataclass(frozen=True)
-class ByChoice:
-    """How often a limit is passed by the draws of one choice of what is not drawn.
+class WorstMember(Record):
+    """The member at the bad end: the largest, of a grounded length the least."""
 
-    `member`: the first of its members, from 0; `beyond`, `count`: draws beyond the limit, of how
-    many with an answer.
-    """
+    DOCUMENT = "of.worst+1=member values(key value)"
+
+    of: Statistic
+    values: tuple[Varied, ...]
+    """What varies, with its value there."""
+
+
+@dataclass(frozen=True)
+class FullStatistic(Record):
+    """A statistic with the member at its bad end, and its reliability by the first order."""
+
+    DOCUMENT = (
+        "of.kept.name of.kept.measure.si_unit=unit of.count=members of.mean of.deviation of.least "
+        "of.largest of.by_share=levels(share value) worst of.limit of.beyond=share_beyond "
+        "of.first_beyond+1=first_beyond of.interval=interval_beyond first_order no_first_order"
+    )
+
+    of: Statistic
+    worst: WorstMember
+    """The member at the bad end: the largest, of a grounded length the least."""
+    first_order: FirstOrder | None
+    """Reliability by the first order; None where it was not looked for or not found."""
+    no_first_order: str | None
+    """Why none was found; None where one was, or none was looked for."""
+
+
+@dataclass(frozen=True)
+class ByChoice(Record):
+    """How often a limit is passed by the draws of one choice of what is not drawn."""
+
+    DOCUMENT = "kept.name member+1=member beyond count share interval"
 
     kept: Output
     member: int
-    beyond: int
-    count: int
+    """First member of the choice, in Python from 0."""
+    beyond: FromZero
+    """Draws beyond the limit."""
+    count: Counted
+    """Draws with an answer."""
 
     @property
-    def share(self) -> float:
+    def share(self) -> Share:
         """Of the draws."""
         return self.beyond / self.count
 
     @property
     def interval(self) -> tuple[float, float]:
-        """Of the probability."""
+        """Of the probability, 95 %."""
         return counted_interval(self.beyond, self.count)
 
 
 @dataclass(frozen=True)
-class Influence:
-    """How much of the spread of a quantity one of the things that vary explains.
+class Influence(Record):
+    """How much of the spread of a quantity one of the things that vary explains."""
 
-    `keys`: key paths that vary together; `share`: of the variance, what would go if they were known
-    (first-order index, by parts of equal count where there are many values); `low`, `high`: least
-    and largest mean of the quantity over their values, in SI.
-    """
+    DOCUMENT = "keys share=share_of_variance low=least_mean high=largest_mean"
 
     keys: tuple[str, ...]
+    """Key paths that vary together."""
     share: float
+    """First-order index, what of the variance would go if they were known; by parts of equal count
+    where there are many values."""
     low: float
+    """Least mean over the values, in the SI unit."""
     high: float
+    """Largest mean over the values, in the SI unit."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class StudyResult(Displayable):
-    """A study and what was computed of it, whole or as far as it went."""
+class StudyResult(Displayable, Record):
+    """What came of a study over its members, whole or as far as it went.
+
+    Members count from 1. What a member counts comes from the weights of its tables, else all count
+    the same.
+    """
+
+    SCHEMA = "catopt.study/1"
+    DOCUMENT = (
+        "study.title study.base.compute members done without_answer "
+        "study.axes=varied(keys size=values is_drawn=drawn) study.digest full=statistics by_choice "
+        "influences counts(name text members) failed=failures(reason members first+1=first)"
+    )
 
     study: Study
     """What was asked."""
@@ -203,9 +207,14 @@ class StudyResult(Displayable):
             f"without_answer={len(self.reasons)})"
         )
 
+    @property
+    def members(self) -> Counted:
+        """How many there are."""
+        return len(self.study)
+
     @cached_property
-    def done(self) -> int:
-        """Members that were computed, with an answer or without."""
+    def done(self) -> FromZero:
+        """How many are computed by now, with an answer or without."""
         start = self.study.piece_start
         return sum(start(k + 1) - start(k) for k in self.store.done())
 
@@ -236,6 +245,11 @@ class StudyResult(Displayable):
             )
         return self.store.column(names.index(name))
 
+    @property
+    def without_answer(self) -> FromZero:
+        """How many of those have none."""
+        return len(self.reasons)
+
     @cached_property
     def reasons(self) -> dict[int, str]:
         """Why members have no answer, by their numbers from 0."""
@@ -243,13 +257,28 @@ class StudyResult(Displayable):
 
     @cached_property
     def statistics(self) -> tuple[Statistic, ...]:
-        """Of every quantity that any member has."""
+        """Of each quantity that any member has."""
         shares = self.study.shares()
         found = (
             self._statistic(each, self.store.column(at), shares)
             for at, each in enumerate(self.measured)
         )
         return tuple(each for each in found if each is not None)
+
+    @property
+    def full(self) -> tuple[FullStatistic, ...]:
+        """Of each quantity that any member has."""
+        orders, none = self.first_orders, self.no_first_orders
+        return tuple(
+            FullStatistic(
+                each,
+                WorstMember(each, tuple(Varied(*one) for one in varied.items())),
+                orders.get(each.kept.name),
+                none.get(each.kept.name),
+            )
+            for each in self.statistics
+            for varied in [self.study.values_of(each.worst)]
+        )
 
     def _statistic(self, kept: Output, values: Array, shares: Array) -> Statistic | None:
         there = np.flatnonzero(np.isfinite(values) & (shares > 0.0))
@@ -357,7 +386,7 @@ class StudyResult(Displayable):
 
     @cached_property
     def influences(self) -> tuple[Influence, ...]:
-        """What the first quantity hangs on, the most first."""
+        """What the first quantity hangs on, the most first; only of a whole study."""
         if not self.statistics or not self.is_complete:
             return ()
         values, shares = self.values(self.statistics[0].kept.name), self.study.shares()
@@ -382,6 +411,11 @@ class StudyResult(Displayable):
                 if parts.max() + 1 < len(axis):  # else the key only names the members
                     yield (key,), parts[places]
 
+    @property
+    def counts(self) -> tuple[Count, ...]:
+        """How often each text that is kept came, the most frequent first."""
+        return tuple(Count(name, *each) for name, of in self.counted().items() for each in of)
+
     def counted(self) -> dict[str, list[tuple[str, int]]]:
         """Count the texts that are kept, by name, the most frequent first."""
         names = [each.name for each in self.study.base.kept if not each.quantity]
@@ -394,15 +428,16 @@ class StudyResult(Displayable):
             for name, count in counts.items()
         }
 
-    def failures(self) -> list[tuple[str, int, int]]:
+    @property
+    def failed(self) -> tuple[Failure, ...]:
+        """Why members have no answer, the most frequent first."""
+        return tuple(self.failures())
+
+    def failures(self) -> list[Failure]:
         """Return why members have no answer, how many, and the first of them, from 0."""
         counts = Counter(self.reasons.values())
         first = {reason: member for member, reason in reversed(self.reasons.items())}
-        return [(why, n, first[why]) for why, n in counts.most_common(_MOST_SHOWN)]
-
-    def to_dict(self) -> dict[str, Any]:
-        """Build the document that ``catopt study --json`` prints (schema catopt.study/1)."""
-        return study_document(self)
+        return [Failure(why, n, first[why]) for why, n in counts.most_common(_MOST_SHOWN)]
 
 
 def _parted(column: Sequence[Any] | Array) -> Codes:

@@ -10,7 +10,7 @@ from functools import cached_property
 from hashlib import sha256
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from catopt.arrays import Array, Codes
 from catopt.constants import YEAR
 from catopt.model.kinds import Measured
 from catopt.quantities import Quantity
+from catopt.records import Counted, From, Matching
 from catopt.study.base import Base
 from catopt.study.member import kind_of_key
 
@@ -115,9 +116,19 @@ class Axis:
     distributions: Mapping[str, Distribution] = field(default_factory=dict)
 
     @property
+    def keys(self) -> Annotated[tuple[str, ...], From(1)]:
+        """Key paths whose values go together."""
+        return tuple(self.columns)
+
+    @property
     def is_drawn(self) -> bool:
         """Whether they were drawn at random."""
         return bool(self.distributions)
+
+    @property
+    def size(self) -> Counted:
+        """How many values there are of them."""
+        return len(self)
 
     def __len__(self) -> int:
         return len(next(iter(self.columns.values())))
@@ -174,13 +185,15 @@ class StudyPiece:
 class Study:
     """A study, ready to be run.
 
-    `base`: what all members have in common; `axes`: what varies; the last one varies fastest;
-    `limits`: values in SI, by quantity, beyond which the share of the members is asked for.
+    `base`: what all members have in common; `limits`: values in SI, by quantity, beyond which the
+    share of the members is asked for.
     """
 
     title: str
+    """Title of the study; empty when it has none."""
     base: Base
-    axes: tuple[Axis, ...]
+    axes: Annotated[tuple[Axis, ...], From(1)]
+    """What varies; all combinations are members, the last varies fastest."""
     limits: Mapping[str, float] = field(default_factory=dict)
 
     def __len__(self) -> int:
@@ -260,8 +273,8 @@ class Study:
         return min(number * PIECE[self.base.compute], len(self))
 
     @cached_property
-    def digest(self) -> str:
-        """SHA-256 of all that decides its numbers: case, files, axes, version."""
+    def digest(self) -> Annotated[str, Matching("^[0-9a-f]{64}$")]:
+        """SHA-256 of all that decides the numbers: case, files, values, version."""
         base = self.base
         own = [__version__, base.compute, base.moored, base.proof, base.document]
         digest = sha256(json.dumps(own, sort_keys=True, default=str).encode())

@@ -14,7 +14,7 @@ import catopt
 from catopt.answers.check import check_answer
 from catopt.answers.design import clump_weight_words, design_answer, segment_words, shown_designs
 from catopt.checks.kinds import CHECK_KINDS
-from catopt.design.result import DesignResult, design_document
+from catopt.design.result import DesignResult
 from catopt.figures.sizing import ends, front, front_lines
 from catopt.render.workbook import workbook
 from catopt.words import Message
@@ -98,7 +98,7 @@ def test_the_workbook_has_a_sheet_a_section(name: str) -> None:
 
 def test_the_figure_shows_front_and_three_lines(name: str) -> None:
     result = result_of(name)
-    document = design_document(result)
+    document = result.to_dict()
     above, below = front(document), front_lines(result, document)
     drawn = [(mark.x, mark.y) for mark in above.marks]
     first, second = result.objectives[:2]

@@ -291,10 +291,10 @@ def test_nothing_is_named_that_a_buoy_does_not_have() -> None:
 
 def test_it_is_spelled_as_the_caller_spells_it() -> None:
     error, of = missed("tanker")
-    of.telling.spell = lambda name, _=None: f"ship file: {name}"
+    of.errors.spell = lambda name, _=None: f"ship file: {name}"
     try:
         said = " ".join(each.text for each in card_lines(miss_answer(error, of)))
     finally:
-        of.telling.spell = as_option
+        of.errors.spell = as_option
     assert "(ship file: max_swing)" in said
     assert "--" not in said

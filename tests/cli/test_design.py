@@ -10,7 +10,6 @@ import pytest
 
 import catopt
 from catopt.cli.output import Printer
-from catopt.design.result import design_document
 from catopt.design.search import enumerate_designs
 
 from .conftest import DESIGN, Run, changed, read_document, words
@@ -18,7 +17,7 @@ from .conftest import DESIGN, Run, changed, read_document, words
 
 def test_the_document_is_what_python_gives(run: Run) -> None:
     document = read_document(run("design", DESIGN, "--json").out)
-    assert document == design_document(catopt.design_case(catopt.read_case(DESIGN)))
+    assert document == catopt.design_case(catopt.read_case(DESIGN)).to_dict()
 
 
 def test_an_interrupted_search_keeps_its_front(

@@ -290,7 +290,6 @@ def _results() -> tuple[dict[str, str], dict[str, str]]:
     """Make the documents of two result directories: of a line, and of a design search."""
     from catopt.casefile import case_digest
     from catopt.catenary.case import solve_case
-    from catopt.design.result import design_document
     from catopt.design.search import design_case
     from catopt.report.bundle import with_digest
 
@@ -298,7 +297,7 @@ def _results() -> tuple[dict[str, str], dict[str, str]]:
     searched = parse_case(SMALL_DESIGN)
     documents = (
         (line, "solution.json", solve_case(line).to_dict()),
-        (searched, "design.json", design_document(design_case(searched))),
+        (searched, "design.json", design_case(searched).to_dict()),
     )
     made = tuple(
         {

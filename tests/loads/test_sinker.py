@@ -14,9 +14,9 @@ from catopt.loads.sinker import (
     friction_of,
     holding_force,
     sinkers_held,
-    submerged_weight,
 )
 from catopt.model.anchor import sinker_needed
+from catopt.model.line import weight_in_water
 
 from . import ROUNDING
 
@@ -105,7 +105,7 @@ def test_uplift_friction_and_factor_by_hand() -> None:
 
 def test_buoyancy_counts() -> None:
     """1 t of concrete weighs g (1 - 1025/2400) kN = 5.618 kN in water."""
-    assert submerged_weight(1000.0, 2400.0, 1025.0) == pytest.approx(5618.4, abs=0.05)  # digits
+    assert weight_in_water(1000.0, 2400.0, 1025.0) == pytest.approx(5618.4, abs=0.05)  # digits
 
 
 def test_a_pull_straight_up_needs_its_own_weight() -> None:

@@ -38,8 +38,8 @@ def test_the_joints_are_in_balance_without_a_line(seed: int) -> None:
     for each in gone:
         assert set(each.left).isdisjoint({*each.loose, each.missing})
         if each.rest is not None:
-            assert each.hardest is not None
-            assert left_over(each.rest) <= 1e-6 * each.hardest[0]
+            assert each.largest_tension is not None
+            assert left_over(each.rest) <= 1e-6 * each.largest_tension
             assert len(each.rest.runs) == len(each.left)
 
 

@@ -415,7 +415,7 @@ def test_an_anchor_whose_figures_are_all_recalled_is_taken_only_where_that_is_al
 
 def test_a_line_that_is_not_there_has_no_swing_no_mass_and_no_price() -> None:
     none = Alternative("balanced", None, reason="too short")
-    assert (none.swing, none.mass, none.cost) == (0.0, 0.0, None)
+    assert (none.swing, none.mass, none.cost) == (None, None, None)
 
 
 def test_the_factor_on_a_drag_anchor_is_1_at_least() -> None:

@@ -164,7 +164,7 @@ def told(of: ResolvedInputs) -> dict[str, str]:
 def told_of_a_file(path: Path, moored: Moored) -> dict[str, str]:
     """Return what is wrong with a file, by its place."""
     file = read_file(path, moored)
-    with pytest.raises(InputError) as caught, file.telling():
+    with pytest.raises(InputError) as caught, file.reporting():
         size(file.known())
     return {each.key: each.allowed for each in caught.value.problems}
 

@@ -141,6 +141,8 @@ def test_the_bound_that_the_lightest_line_stands_at_is_told(lightest: Sizing) ->
 def test_the_other_lines_stand_beside_it_each_under_its_own_loads(lightest: Sizing) -> None:
     balanced, least = lightest.alternatives  # of one component the cheapest is the lightest
     assert (balanced.prefer, least.prefer) == ("balanced", "least-swing")
+    assert least.swing
+    assert balanced.swing
     assert least.swing < balanced.swing < lightest.swing.total
     for each in (balanced, least):
         assert each.settled is not None

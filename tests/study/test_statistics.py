@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from catopt.figures.study import exceedance
+from catopt.figures.study import share_worse
 from catopt.study.base import Base
 from catopt.study.result import StudyResult
 from catopt.study.store import Computed, Store
@@ -119,7 +119,7 @@ def test_another_study_does_not_get_the_pieces(tmp_path: Path) -> None:
 
 def test_the_drawing_has_the_share_at_or_above_each_value() -> None:
     found = result([forces(10)], np.arange(1.0, 11.0), {"fairlead_tension": 7.5})
-    chart = exceedance(found, found.statistics[0])
+    chart = share_worse(found, found.statistics[0])
     (curve,) = chart.series
     assert dict(zip(curve.x, curve.y, strict=True)) == pytest.approx(
         {value: (11.0 - value) / 10.0 for value in range(1, 11)}
@@ -130,7 +130,7 @@ def test_the_drawing_has_the_share_at_or_above_each_value() -> None:
 def test_of_what_is_bad_when_it_is_small_the_share_at_or_below() -> None:
     found = result([forces(4, np.array([5.0, 3.0, 1.0, 1.0]))], np.arange(4.0))
     grounded = next(each for each in found.statistics if each.kept.name == "grounded_length")
-    (curve,) = exceedance(found, grounded).series  # 100, 99, 98 and 97 m
+    (curve,) = share_worse(found, grounded).series  # 100, 99, 98 and 97 m
     assert dict(zip(curve.x, curve.y, strict=True)) == pytest.approx(
         {100.0: 1.0, 99.0: 0.5, 98.0: 0.2, 97.0: 0.1}
     )

@@ -18,7 +18,7 @@ from catopt.casefile import parse_case, read_case
 from catopt.catenary.solve import solve
 from catopt.errors import InputError
 from catopt.fem.simulation import Simulation
-from catopt.figures.motion import exceedance
+from catopt.figures.motion import peaks_above
 from catopt.model import (
     Case,
     CurrentProfile,
@@ -341,8 +341,8 @@ def test_the_figure_draws_the_peaks_where_there_is_a_tail() -> None:
     part = storm()
     tail = part.of("fairlead_tension").tail
     assert tail is not None
-    assert exceedance(slow()) is None
-    chart = exceedance(part)
+    assert peaks_above(slow()) is None
+    chart = peaks_above(part)
     assert chart is not None
     assert chart.y.label == "Peaks above T in 3 h"
     assert [point.x for point in chart.points] == list(tail.clusters)

@@ -1,4 +1,4 @@
-"""What is wrong with inputs: kept until all have been tried, and told as the caller spells them."""
+"""What is wrong with inputs: gathered until all have been tried, as the caller spells them."""
 
 from __future__ import annotations
 
