@@ -38,6 +38,7 @@ from catopt.mooring.case import SystemReport
 from catopt.mooring.circle import WatchCircle
 from catopt.mooring.held import NetworkReport
 from catopt.mooring.network_out import NetworkOut
+from catopt.mooring.restoring import RestoringCurve
 from catopt.records import From, Key, Matching, OrNull, Record, parts, unit_of
 from catopt.reproduce.items import Reproduction
 from catopt.sizing.result import Sizing
@@ -102,6 +103,11 @@ PUT_IN: Mapping[str, Mapping[str, tuple[Any, str]]] = {
         "watch_circle": (
             WatchCircle,
             "Only when asked for: a force of the size of that on the one body, from all sides.",
+        ),
+        "restoring_curves": (
+            tuple[RestoringCurve, ...],
+            "Only when asked for: the one free body, or without one all that is held, at offsets "
+            "along a direction.",
         ),
     },
 }

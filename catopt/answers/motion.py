@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
     from catopt.checks.result import CheckReport
     from catopt.notes.motion import DesignInMotion, FrontInMotion
-    from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
+    from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, JointInMotion
     from catopt.verify.dynamic_run import DynamicRun, OverRuns
     from catopt.verify.two_scales import ShipVerification
 
@@ -71,15 +71,16 @@ def motion_answer(
     `checks` are of its tensions; nothing is said of them when left out. Files have every sample
     `with_series`.
     """
-    said = _of_body(found) if found.case.system is not None else _of_load_cases(found)
+    said = _of_lines(found) if found.case.several_lines else _of_load_cases(found)
     judged = () if checks is None else tuple(checks_in_motion(checks))
-    return answered(
+    whole = answered(
         "dynamic",
         found.case.title or Message("captions.mooring_line"),
         section("captions.motion", *said),
         *([section("captions.checks_in_motion", *judged)] if judged else []),
         *_files(found, with_series=with_series),
     )
+    return replace(whole, next="verify_points") if found.joints else whole
 
 
 # ------------------------------------------------------------------ for people
@@ -125,7 +126,7 @@ def _said(
 def _of_line(part: DynamicPart, said: str) -> str:
     if part.line is None:
         return said
-    return Message("motion.said_of_line", number=part.line, said=said)
+    return Message("motion.said_of_line", number=part.shown, said=said)
 
 
 def _quantities(part: DynamicPart, caption: str) -> blocks.Table:
@@ -153,11 +154,16 @@ def _over_runs(found: Sequence[OverRuns]) -> Iterator[blocks.Column]:
     yield of.texts("max", "maximum", units=units)
 
 
-def _of_body(found: DynamicVerification) -> Iterator[blocks.Block]:
-    """Say what all lines of a body carry, where the body goes, and how it was proven."""
-    yield lines_of_body(found.parts)
-    caption = Message("motion.the_body")
-    yield tabulate("motion_body", *_over_runs(found.body), caption=caption, only="people")
+def _of_lines(found: DynamicVerification) -> Iterator[blocks.Block]:
+    """Say what all lines carry, where their body goes, if they have one, and how it was proven."""
+    if found.body:
+        yield lines_of_body(found.parts)
+        caption = Message("motion.the_body")
+        yield tabulate("motion_body", *_over_runs(found.body), caption=caption, only="people")
+    else:
+        yield _lines_of_points(found.parts)
+        if found.joints:
+            yield _joints(found.joints)
     remarked = dict.fromkeys(each for part in found.parts for each in part.remarks)
     yield from _said(found.governing, found.least_proven, remarked)
     yield from _beyond_MBL(found.beyond_MBL)
@@ -175,7 +181,7 @@ def _beyond_MBL(parts: Sequence[DynamicPart]) -> Iterator[blocks.Block]:
         segment=found.segment,
     )
     if len(parts) > 1:
-        numbers = ", ".join(f"{line}" for line in sorted(each.line or 0 for each in parts))
+        numbers = ", ".join(each.shown for each in sorted(parts, key=lambda each: each.line or 0))
         reported = Several((reported, Message("motion.beyond_MBL_lines", numbers=numbers)), " ")
     if part.drive.case.load_cases:
         reported = Message("motion.why_of", where=part.where, why=reported)
@@ -212,6 +218,41 @@ def lines_of_body(parts: Sequence[DynamicPart]) -> blocks.Table:
     )
 
 
+def _lines_of_points(parts: Sequence[DynamicPart]) -> blocks.Table:
+    """Tabulate what every line between points came to at its ends, and least of all."""
+    of, there = Rows(parts), Rows(part.of("anchor_tension") for part in parts)
+    here = Rows(part.of("fairlead_tension") for part in parts)
+    between = Rows(of.read("between"))
+    return tabulate(
+        "motion_points",
+        of.texts("line", "shown"),
+        between.texts("from_point", "start"),
+        between.texts("to_point", "end"),
+        there.measured("tension", "maximum", "motion.max_there", symbol=""),
+        here.measured("tension", "mean", "motion.mean_here", symbol=""),
+        here.measured("tension", "minimum", "motion.min_here", symbol=""),
+        here.measured("tension", "maximum", "motion.max_here", symbol=""),
+        of.measured(_SLACK, "slack_time", "slack"),
+        of.measured(_PERCENT, lambda part: part.change_of("largest_tension"), "change"),
+        caption=Message("motion.lines_of_points"),
+        only="people",
+    )
+
+
+def _joints(found: Sequence[JointInMotion]) -> blocks.Table:
+    """Tabulate where joints went."""
+    of = Rows(found)
+    return tabulate(
+        "motion_joints",
+        of.texts("point", "name"),
+        of.measured("height", lambda each: each.least[2], "motion.lowest", symbol=""),
+        of.measured("height", lambda each: each.largest[2], "motion.highest", symbol=""),
+        of.measured("offset", "way", "motion.farthest", symbol=""),
+        caption=Message("motion.joints"),
+        only="people",
+    )
+
+
 def _by_damping(
     parts: Sequence[DynamicPart], quantity: str, *headings: str
 ) -> Iterator[blocks.Column]:
@@ -242,7 +283,7 @@ def _files(found: DynamicVerification, *, with_series: bool) -> Iterator[blocks.
 
 def _of(of: Rows) -> blocks.Column:
     """Say what each row is of: a load case, or a line of a body."""
-    return of.texts("load_case", "name") if of.rows[0].line is None else of.texts("line")
+    return of.texts("load_case", "name") if of.rows[0].line is None else of.texts("line", "shown")
 
 
 def _in_si(key: str, symbol: str | None = None) -> Quantity:

@@ -255,7 +255,7 @@ def _model(moved: InMotion) -> Iterator[Fact]:
 
 def segments_table(moved: InMotion) -> Table:
     """Tabulate inertia and drag of the segments, each coefficient beside its diameter."""
-    fluid, segments = moved.drive.properties.fluid, Rows(moved.found.case.line.segments)
+    fluid, segments = moved.drive.properties.fluid, Rows(moved.drive.one.line.segments)
     sections = Rows(moved.drive.properties.sections or ())
     across, along = "note_motion.across", "note_motion.along"
 

@@ -310,14 +310,15 @@ def network_answer(
     *,
     line_out: Sequence[NetworkOut] = (),
     circle: WatchCircle | None = None,
+    curves: Sequence[RestoringCurve] = (),
 ) -> blocks.Answer:
     """Lay out bodies, joints and lines at rest and where the body is held, with the stiffnesses."""
     network = rest.network
     joints = sum(point.kind == "joint" for point in network.points)
     counts = {"lines": len(network.lines), "joints": joints, "bodies": len(rest.bodies)}
     solved = Message(f"mooring.{'network' if rest.bodies else 'joints'}_solved", **counts)
-    if network.current is not None:
-        said = current_in_words(network.current, network.site.water_depth)
+    if network.current_at_rest is not None:
+        said = current_in_words(network.current_at_rest, network.site.water_depth)
         solved = Message("mooring.floats_solved", lines=len(network.lines), current=said)
     tables = (
         (
@@ -343,6 +344,7 @@ def network_answer(
         section("captions.checks", *verdict_blocks(checks)),
         *_network_out(line_out, checks),
         *([section("captions.watch_circle", circle_table(circle))] if circle else []),
+        *(_curve(number, each) for number, each in enumerate(curves, start=1)),
         *(held_section(number, body) for number, body in enumerate(bodies, start=1)),
         *(section(Message("captions.held_lines", number=k), *each) for k, *each in tables),
         section(
@@ -351,7 +353,7 @@ def network_answer(
             blocks.Warnings(checks.warnings),
         ),
     )
-    if not line_out and circle is None:
+    if not line_out and circle is None and not curves:
         return whole
     to_be_known = (
         blocks.Brief((said,), Message("answers.card_to_be_known"), 3)
@@ -361,6 +363,7 @@ def network_answer(
         *verdict_blocks(checks),
         *([network_out_table(line_out, checks)] if line_out else []),
         *([circle_table(circle)] if circle else []),
+        *(curve_table(number, each) for number, each in enumerate(curves, start=1)),
         *([bodies_table(rest)] if rest.bodies else []),
         meeting_table(rest, "lines", checks),
         *to_be_known,
@@ -411,7 +414,7 @@ def bodies_table(rest: LinesAtRest) -> blocks.Table:
 
 def floats_tables(rest: LinesAtRest) -> Iterator[blocks.Table]:
     """Tabulate how far a current knocks floats down; nothing without one."""
-    if rest.network.current is None:
+    if rest.network.current_at_rest is None:
         return
     heights = cast("FloatsInCurrent", rest).heights
     of = Rows(zip(rest.runs, rest.lines, heights, strict=True))

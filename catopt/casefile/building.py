@@ -13,6 +13,7 @@ from catopt.casefile.motion_consistency import share_of_year
 from catopt.casefile.schema import (
     CaseTable,
     FatigueSeaStateTable,
+    NetworkTable,
     SegmentChoiceTable,
     SegmentTable,
     TableSchema,
@@ -360,6 +361,14 @@ def build_case(table: CaseTable, catalogue: FromCatalogue, folder: str) -> Case:
     return Case(**{"load": None, **heights, **given, "site": site, "line": line})
 
 
+def network_parts(table: NetworkTable, site: Site, folder: str) -> dict[str, Any]:
+    """Build what a file has beside its points, lines and bodies."""
+    build = _Builder(FromCatalogue(), FilePath(folder).absolute(), site)
+    given = table.given()
+    keys = ("waves", "current", "motion", "dynamics", "checks", "service", "anchor")
+    return {key: build.part(given[key], (key,)) for key in keys if key in given}
+
+
 @dataclass(frozen=True)
 class _Builder:
     """Makes parts of the model out of tables, with what they take from elsewhere."""
@@ -367,7 +376,7 @@ class _Builder:
     catalogue: FromCatalogue
     folder: FilePath
     site: Site
-    case: CaseTable
+    case: CaseTable | None = None
 
     def value(self, value: Any, path: Path) -> Any:
         """Return a value as the model has it: a table as its part, an array as a tuple."""
@@ -397,6 +406,7 @@ class _Builder:
             own: Path = ("line", "segments", path[-1])
             names = self.catalogue.names
             if not given["lengths"]:
+                assert self.case is not None
                 given["lengths"] = (self.case.line.segments[int(path[-1])].given()["length"],)
             single, several = given.pop("component", None), given.pop("components", None)
             components: tuple[str, ...] = ()

@@ -33,6 +33,18 @@ def motion_findings(case: FileSection) -> list[Finding]:
     ]
 
 
+def network_motion_findings(case: FileSection) -> list[Finding]:
+    """List what contradicts itself in what points and lines have for motion."""
+    dynamics = case.table("dynamics")
+    return [
+        *_waves(case),
+        *_current(case.table("current")),
+        *(_motion(case.table("motion")) if "motion" in case else ()),
+        *_times(dynamics),
+        *dynamics.refused(run.break_misfits(dynamics.given)),
+    ]
+
+
 def _together(case: FileSection) -> Iterator[Finding]:
     """Find sections without the one that reads them, as the model has it."""
     if case.misspelt(*run.FOR_MOTION):
@@ -102,10 +114,7 @@ def _floater(floater: FileSection) -> Iterator[Finding]:
 
 def _run(case: FileSection, dynamics: FileSection) -> Iterator[Finding]:
     """Find times of a run that do not fit into it, and a line that breaks at no time, or is not."""
-    times = ("duration", "ramp", "broken_at", "time_step", "output_interval")
-    given = {key: dynamics.number(key) for key in times}
-    if given["duration"] is not None:
-        yield from dynamics.refused(run.time_misfits(given))
+    yield from _times(dynamics)
     if dynamics.misspelt("broken_line", "broken_at"):
         return
     yield from dynamics.refused(run.break_misfits(dynamics.given))
@@ -113,6 +122,14 @@ def _run(case: FileSection, dynamics: FileSection) -> Iterator[Finding]:
     lines = len(azimuths) if isinstance(azimuths, list) else 0 if "system" in case else 1
     if lines:
         yield from case.refused(run.broken_line_misfits(dynamics.value("broken_line"), lines))
+
+
+def _times(dynamics: FileSection) -> Iterator[Finding]:
+    """Find times of a run that do not fit into it."""
+    times = ("duration", "ramp", "broken_at", "time_step", "output_interval")
+    given = {key: dynamics.number(key) for key in times}
+    if given["duration"] is not None:
+        yield from dynamics.refused(run.time_misfits(given))
 
 
 def _fatigue(case: FileSection, fatigue: FileSection) -> Iterator[Finding]:

@@ -10,10 +10,10 @@ from pathlib import Path
 from pathlib import Path as FilePath
 from typing import Any, Final, Literal, TypeVar
 
-from catopt.casefile.building import build_case, from_catalogue, made_of
+from catopt.casefile.building import build_case, from_catalogue, network_parts
 from catopt.casefile.consistency import consistency_findings, design_findings, judged_findings
 from catopt.casefile.document import FileSection, Finding, parts, read_tables, refuse, table
-from catopt.casefile.motion_consistency import motion_findings
+from catopt.casefile.motion_consistency import motion_findings, network_motion_findings
 from catopt.casefile.schema import CaseTable, LineBetweenTable, NetworkTable, TableSchema
 from catopt.documents import attributes, parse_toml, read_text
 from catopt.errors import InputError, Problem
@@ -77,16 +77,20 @@ def is_network(document: dict[str, Any]) -> bool:
     return "points" in document and "lines" in document
 
 
-def parse_network(text: str, source: str = "") -> Network:
-    """Read the text of such a file.
+def parse_network(text: str, source: str = "", *, folder: str = "") -> Network:
+    """Read the text of such a file; paths in it count from the folder.
 
     InputError: with every problem of its keys; where those are in order, of how its parts fit
     together.
     """
-    document = parse_toml(text, source)
+    return network_of(parse_toml(text, source), source, folder=folder)
+
+
+def network_of(document: dict[str, Any], source: str = "", *, folder: str = "") -> Network:
+    """Make the points and lines of a document, as the TOML reader returns it."""
     table, findings = read_tables(document, NetworkTable)
     case = FileSection(document, schema=NetworkTable)
-    findings += judged_findings(case, [])
+    findings += [*judged_findings(case, []), *network_motion_findings(case)]
     problems: list[Problem] = []
     points: list[Any] = []
     lines: list[Any] = []
@@ -105,10 +109,7 @@ def parse_network(text: str, source: str = "") -> Network:
     refuse(document, findings, source)
     site = Site(**table.site.given())
     given: dict[str, Any] = {key: getattr(table, key) or "" for key in ("title", "source")}
-    for key in ("checks", "service", "anchor", "current"):
-        if (part := table.given().get(key)) is not None:
-            own = {k: tuple(v) if isinstance(v, list) else v for k, v in part.given().items()}
-            given[key] = made_of(part, own, site)
+    given |= network_parts(table, site, folder)
     try:
         return Network(site, tuple(points), tuple(lines), bodies=tuple(bodies), **given)
     except InputError as error:
@@ -186,7 +187,7 @@ def read_mooring(path: str | os.PathLike[str]) -> Case | Network:
 def parse_mooring(text: str, source: str = "", *, folder: str = "") -> Case | Network:
     """Read the text of a case file, or of a file of lines that meet in joints; as `parse_case`."""
     if is_network(parse_toml(text, source)):
-        return parse_network(text, source)
+        return parse_network(text, source, folder=folder)
     return parse_case(text, source, folder=folder)
 
 

@@ -314,14 +314,14 @@ class WavesTable(TableSchema):
     symbols: ClassVar = WaveTrainTable.symbols
 
 
-class AnchorMotionTable(TableSchema):
-    """How the lower end of a line moves."""
+class EndMotionTable(TableSchema):
+    """How the lower end of a line moves, or fairleads of lines between points."""
 
     model = model.Motion
     keys = "period surge sway heave surge_phase sway_phase heave_phase file"
     symbols: ClassVar = {"T": "period"}
 
-    file: Annotated[str, File(example='"lower-end.csv"')] | None = None
+    file: Annotated[str, File(example='"motion.csv"')] | None = None
 
 
 class FatigueSeaStateTable(TableSchema):
@@ -358,7 +358,7 @@ class CaseTable(TableSchema):
     symbols: ClassVar = {"catalog": "catalogue"}
 
     load: Load | None = None
-    anchor_motion: AnchorMotionTable | None = None
+    anchor_motion: EndMotionTable | None = None
     pso: SwarmSettings | None = None
 
 
@@ -366,8 +366,8 @@ class NetworkSegmentTable(TableSchema):
     """A uniform stretch of a line between points."""
 
     model = model.Segment
-    keys = """name length diameter submerged_weight EA MBL MBL_mean MBL_cov proof_load wear_rate
-        drag_diameter drag_normal drag_axial"""
+    keys = """name length diameter submerged_weight mass EA MBL MBL_mean MBL_cov proof_load
+        wear_rate drag_diameter drag_normal drag_axial added_mass_normal added_mass_axial"""
     symbols: ClassVar = {
         "L": "length",
         "w": "submerged_weight",
@@ -382,7 +382,8 @@ class NetworkLoadTable(TableSchema):
     """A clump weight or a buoy on a line between points."""
 
     model = model.PointLoad
-    keys = "name position submerged_weight drag_area drag_coefficient"
+    keys = """name position submerged_weight mass drag_area drag_coefficient
+        added_mass_coefficient"""
 
 
 class LineBetweenTable(TableSchema):
@@ -399,7 +400,10 @@ class NetworkTable(TableSchema):
     """A whole file of points, lines between them and bodies."""
 
     model = Network
-    keys = "title source site points lines bodies current checks service anchor"
+    keys = """title source site points lines bodies waves current motion dynamics checks service
+        anchor"""
+
+    motion: EndMotionTable | None = None
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from catopt.checks.criteria import Criteria, criteria_of, motion_profile
@@ -11,8 +11,10 @@ from catopt.checks.evaluation import check_buoyancy, check_tensions, result_of
 from catopt.checks.kinds import OF_LINE, USER, Demand, Place, State, ratio_exceedance
 from catopt.checks.profiles import profiles_of
 from catopt.checks.result import CheckReport, CheckResult
+from catopt.errors import InputError, Problem
 from catopt.model import Case, Line
 from catopt.model.load import LoadCase, LoadCaseKind
+from catopt.model.network import Network
 from catopt.words import Listed, Message
 
 
@@ -63,7 +65,7 @@ class LineInMotion:
             yield largest, min(1.0, mean / largest) if largest > 0.0 else 0.0
 
 
-def check_motion(case: Case, lines: Sequence[LineInMotion]) -> CheckReport:
+def check_motion(case: Case | Network, lines: Sequence[LineInMotion]) -> CheckReport:
     """Check lines in motion by the numbers of a case and the factors of the codes it names.
 
     A code's factors for dynamic analysis are taken; where it has none, those for lines at rest, or
@@ -106,7 +108,7 @@ def check_motion(case: Case, lines: Sequence[LineInMotion]) -> CheckReport:
 
 
 def _others(
-    case: Case, criteria: Criteria, moved: LineInMotion, kind: LoadCaseKind, place: Place
+    case: Case | Network, criteria: Criteria, moved: LineInMotion, kind: LoadCaseKind, place: Place
 ) -> Iterator[CheckResult]:
     """Check what is not a tension, as of a line at rest."""
     for check, row in OF_LINE.items():
@@ -133,19 +135,32 @@ def _of_the_body(
     yield from check_buoyancy(pulls, criteria, lines[0].load_case, Place(state, None, broken))
 
 
-def check_strengths(case: Case) -> None:
+def check_strengths(case: Case | Network) -> None:
     """Refuse, before lines are run in time, a case whose tensions cannot be judged.
 
     Raises what `check_motion` raises.
     """
     criteria = criteria_of(case, analysis="dynamic")
-    legs = () if case.system is None else case.system.legs
     kinds = {each.kind for each in case.load_cases} or {"extreme"}
+    if isinstance(case, Network):
+        problems: list[Problem] = []
+        for k, each in enumerate(case.lines):
+            try:
+                criteria.strengths(each.line, kinds, _states(case))
+            except InputError as error:
+                problems += (
+                    replace(p, key=p.key.replace("line.", f"lines[{k}].", 1))
+                    for p in error.problems
+                )
+        if problems:
+            raise InputError(tuple(problems), "checks")
+        return
+    legs = () if case.system is None else case.system.legs
     for line in dict.fromkeys(leg.line for leg in legs) or (case.line,):
         criteria.strengths(line, kinds, _states(case))
 
 
-def _states(case: Case) -> set[State]:
+def _states(case: Case | Network) -> set[State]:
     """States of the mooring in which a case in motion is judged."""
     broken = _broken(case)
     return {_state(each, broken) for each in case.load_cases or (None,)}
@@ -158,11 +173,11 @@ def _state(load_case: LoadCase | None, broken: int | None) -> State:
     return "intact" if load_case is None else load_case.state
 
 
-def _broken(case: Case) -> int | None:
+def _broken(case: Case | Network) -> int | None:
     return None if case.dynamics is None else case.dynamics.broken_line
 
 
-def _of_codes(case: Case, criteria: Criteria) -> Iterator[Message]:
+def _of_codes(case: Case | Network, criteria: Criteria) -> Iterator[Message]:
     """Say that no code is named, or which of those named have nothing for this."""
     if not case.checks.codes:
         yield Message("checks.motion_no_code")

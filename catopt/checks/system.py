@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 from catopt.catenary.solution import Solution
 from catopt.checks.criteria import HORIZONTAL_PULL, Criteria, criteria_of
@@ -20,7 +20,7 @@ from catopt.checks.kinds import Criterion, Place, State
 from catopt.checks.result import CheckReport, CheckResult, line_in_state
 from catopt.checks.strength import Strength
 from catopt.errors import InputError, Problem
-from catopt.model import Anchor, Buoy, Case, CatalogueChoice, Checks, Line, Service
+from catopt.model import Anchor, Case, Line
 from catopt.model.network import Network
 from catopt.mooring.case import SystemReport, report_system
 from catopt.mooring.held import LinesAtRest, at_rest
@@ -194,17 +194,6 @@ def of_line_out(
             yield Message("checks.intact_only", code=code)
 
 
-@dataclass(frozen=True)
-class _Asked:
-    """What lines between points are judged by, as a case has it."""
-
-    checks: Checks
-    anchor: Anchor | None
-    service: Service | None
-    buoy: Buoy | None = None
-    catalogue: CatalogueChoice = field(default_factory=CatalogueChoice)
-
-
 def check_network(
     network: Network,
     rest: LinesAtRest | None = None,
@@ -271,7 +260,7 @@ def check_network(
 
 def criteria_of_network(network: Network) -> Criteria:
     """Gather all that a file of points and lines asks of them; as `criteria_of`."""
-    return criteria_of(_Asked(network.checks, network.anchor, network.service))
+    return criteria_of(network)
 
 
 def _network_states(

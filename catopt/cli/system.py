@@ -43,16 +43,13 @@ def system(
     displacements = [_displacement(text) for text in held or []]
     read = read_mooring_or_design(case, design)
     if isinstance(read, Network):
-        given = {
-            "--curve": directions,
-            "--level": levels,
-        }
         allowed = Message("refused_command.does_not_go_with_lines")
-        refuse(Problem(option, "", allowed) for option, value in given.items() if value)
+        refuse(Problem("--level", "", allowed) for _ in levels[:1])
         _network(
             asked,
             read,
             displacements,
+            directions,
             with_line_out=line_out,
             with_stiffness=stiffness,
             with_circle=watch_circle,
@@ -81,6 +78,7 @@ def _network(
     asked: Asked,
     network: Network,
     displacements: list[tuple[float, ...]],
+    directions: list[float],
     *,
     with_line_out: bool,
     with_stiffness: bool,
@@ -88,14 +86,15 @@ def _network(
 ) -> None:
     """Bring points, lines and bodies to rest, and hold their body where that is asked for."""
     from catopt.checks.system import check_network
+    from catopt.mooring.case import network_curves
     from catopt.mooring.circle import network_circle
     from catopt.mooring.held import LinesAtRest, NetworkReport, at_rest, hold
     from catopt.mooring.network_out import each_line_out
 
-    if network.bodies or network.current is not None:
+    if network.bodies or network.current_at_rest is not None:
         free = at_rest(network)
         here = [each.moved for each in free.bodies if with_stiffness]
-        if with_stiffness and network.current is not None:
+        if with_stiffness and network.current_at_rest is not None:
             here = [(0.0,) * 6]  # which is refused
     else:
         free, here = None, [(0.0,) * 6]
@@ -113,12 +112,15 @@ def _network(
         asked.output.note(say(Message("mooring.no_circle"), asked.language))
     elif with_circle:
         circle = network_circle(network, force=force or 1.0)
-    answer = network_answer(rest, away, judged, bodies, line_out=gone, circle=circle)
+    curves = network_curves(rest, directions)
+    answer = network_answer(rest, away, judged, bodies, line_out=gone, circle=circle, curves=curves)
     more: dict[str, Any] = {"checks": judged.brief.to_dict()}
     if with_line_out:
         more["one_line_out"] = [each.to_dict() for each in gone]
     if circle is not None:
         more["watch_circle"] = circle.to_dict()
+    if curves:
+        more["restoring_curves"] = [each.to_dict() for each in curves]
     states = (rest, *(held if free else away))
     asked.give(answer, lambda: NetworkReport(states).to_dict() | more, network)
 

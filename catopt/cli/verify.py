@@ -96,7 +96,7 @@ def verify(
     else:
         read = read_mooring_or_design(case, design)
         if isinstance(read, Network):
-            found = _network(read, load_case, how, is_moving=with_motion)
+            found = _network(asked, read, load_case, how, moving)
         else:
             found = _case(asked, with_known_codes(read), load_case, how, moving)
 
@@ -136,21 +136,22 @@ def _of_motion(
 
 
 def _network(
+    asked: Asked,
     network: Network,
     load_case: str | None,
     how: dict[str, Any],
-    *,
-    is_moving: bool,
+    moving: dict[str, Any] | None,
 ) -> _Found:
-    """Verify points, lines and bodies, which rest."""
+    """Verify points, lines and bodies; what lines in motion lack is told before."""
     from catopt.report import bundle
     from catopt.verify.case import verify_case
 
-    if is_moving:
-        refuse([Problem("--dynamic", "", Message("refused_command.does_not_go_with_lines"))])
+    if moving is not None:
+        _check_for_motion(network)
     found = verify_case(network, load_case=load_case, **how)
     pictures = (partial(bundle.verification_pictures, found),)
-    return _Found(network, found, verdict_sentence(found), (verification_answer(found),), pictures)
+    rest = _Found(network, found, verdict_sentence(found), (verification_answer(found),), pictures)
+    return rest if moving is None else _moved(asked, rest, load_case, moving)
 
 
 def _case(
@@ -177,14 +178,18 @@ def _case(
     answers = (verification_answer(at_rest),) if at_rest.parts else ()
     pictures = (partial(bundle.verification_pictures, at_rest),)
     found = _Found(case, at_rest, verdict_sentence(at_rest), answers, pictures)
-    if moving is None:
-        return found
+    return found if moving is None else _moved(asked, found, load_case, moving)
+
+
+def _moved(asked: Asked, found: _Found, load_case: str | None, moving: dict[str, Any]) -> _Found:
+    """Run in time what was verified at rest; what was asked for stands first."""
     from catopt.notes.motion import checks_in_motion
+    from catopt.report import bundle
     from catopt.verify.dynamic import verify_dynamic
 
     with asked.output.progress("Line in motion") as tell:
         moved = verify_dynamic(
-            case,
+            found.case,
             load_case=load_case,
             progress=tell,
             announce=lambda words: asked.output.note(f"catopt: {words}"),
@@ -195,7 +200,7 @@ def _case(
     answer = motion_answer(moved, checks, with_series=asked.out is not None)
     return replace(
         found,
-        answers=(answer, *found.answers),  # what was asked for stands first
+        answers=(answer, *found.answers),
         pictures=(*found.pictures, partial(bundle.motion_pictures, moved, asked.language)),
         in_motion=lambda: {"dynamic": moved.to_dict() | own},
         stop=partial(stop_in_doubt, asked, moved),
@@ -245,7 +250,7 @@ def stop_in_doubt(asked: Asked, moved: DynamicVerification) -> None:
         asked.leave(STOPPED, say(not_converged_sentence(moved), asked.language))
 
 
-def _check_for_motion(case: Case) -> None:
+def _check_for_motion(case: Case | Network) -> None:
     from catopt.checks.motion import check_strengths
     from catopt.verify.dynamic_setup import check_for_motion, read_drive
 

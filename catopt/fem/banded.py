@@ -150,6 +150,59 @@ def back_substitute_blocks(equations: Equations, first: int, end: int) -> None:
             rest[n, i] = diagonal[n, i, 0] * r0 + diagonal[n, i, 1] * r1 + diagonal[n, i, 2] * r2
 
 
+def take_block_aside(equations: Equations, side: Any, first: int, last: int) -> None:
+    """Write what the rows of a line have of the place of its first node, as eliminated, to `side`.
+
+    `eliminate_blocks` has gone from the node behind it to `last`.
+    """
+    diagonal, lower = equations.diagonal, equations.lower
+    for i in range(3):
+        for j in range(3):
+            side[first + 1, i, j] = lower[first + 1, i, j]
+    for n in range(first + 2, last + 1):
+        behind = np.zeros((3, 3))
+        _add_product(behind, diagonal, n - 1, side[n - 1], 1.0)
+        for i in range(3):
+            for j in range(3):
+                side[n, i, j] = 0.0
+        _add_product(side[n], lower, n, behind, -1.0)
+
+
+def reach_of_first_block(equations: Equations, side: Any, first: int, last: int) -> Any:
+    """Return the equations of a line's first node, all between its ends eliminated.
+
+    Shape (3, 7): derivatives by its own place and by that of `last`, and the right hand side.
+    """
+    diagonal, upper, rest = equations.diagonal, equations.upper, equations.rest
+    reach = np.zeros((3, 7))
+    for i in range(3):
+        reach[i, 3 + i] = 1.0
+    for n in range(last - 1, first, -1):
+        behind = np.zeros((3, 7))
+        for i in range(3):
+            behind[i, 6] = rest[n, i]
+            for j in range(3):
+                behind[i, j] = -side[n, i, j]
+        _add_product(behind, upper, n, reach, -1.0)
+        reach = np.zeros((3, 7))
+        _add_product(reach, diagonal, n, behind, 1.0)
+    own = np.zeros((3, 7))
+    _add_product(own, upper, first, reach, 1.0)
+    for i in range(3):
+        own[i, 6] = rest[first, i] - own[i, 6]
+        for j in range(3):
+            own[i, j] += diagonal[first, i, j]
+    return own
+
+
+def _add_product(to: Any, blocks: Any, n: int, by: Any, sign: float) -> None:
+    """Add block n times a matrix of three rows."""
+    for i in range(3):
+        for q in range(by.shape[1]):
+            for c in range(3):
+                to[i, q] += sign * blocks[n, i, c] * by[c, q]
+
+
 @inlined
 def invert_3(blocks: Any, n: int) -> bool:
     """Replace block n, of shape (3, 3), by its inverse; False when it has none."""

@@ -9,7 +9,7 @@ from typing import Literal
 
 import numpy as np
 
-from catopt.arrays import Array, Flags
+from catopt.arrays import Array, Codes, Flags
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.fem.mesh import SAME_PLACE, LineMesh, by_bar, first_bars, heaviest, to_nodes
 from catopt.fem.morison import MorisonSection
@@ -19,6 +19,7 @@ from catopt.fem.problem import node_friction
 from catopt.fem.seabed import HeldBed, Seabed
 from catopt.model import PointLoad
 from catopt.model.kinds import Findings
+from catopt.model.network import Point
 from catopt.words import Message
 
 MassMatrix = Literal["consistent", "lumped"]
@@ -33,6 +34,7 @@ _OF_WATER = [
 ]
 _OF_LOADS = ("load_displaced", "load_added", "load_drag", "load_radius")
 """Figures of `MovingLines` of each bar in the water and of each point load, as their rows are."""
+_OF_BED = ("bed_stiffness", "bed_damping", "bed_depth", "drag_spring", "drag_dashpot")
 _SHARES = {"consistent": (1.0 / 3.0, 1.0 / 6.0), "lumped": (0.5, 0.0)}
 _OWN_DEPTH = 0.01
 """Depth to which a line's own weight presses a bed of no given stiffness, m."""
@@ -63,12 +65,25 @@ class LineProperties:
     # None: no bed. A `HeldBed` is the restraint of source S4, for comparison with its figures.
     seabed: Seabed | HeldBed | None = field(default_factory=Seabed)
     mass_matrix: MassMatrix = "consistent"  # how a bar's mass acts on its nodes
+    of_lines: Sequence[Sequence[MorisonSection]] | None = None  # sections of each line, in the
+    # place of those of all
 
 
-def lay_out_moving(meshes: Sequence[LineMesh], of: LineProperties) -> MovingLines:
-    """Arrays of all lines, one after the other; raises InputError for what is missing."""
-    sections, fluid, seabed, damping = of.sections, of.fluid, of.seabed, of.damping
-    _check(meshes, sections, fluid)
+def lay_out_moving(
+    meshes: Sequence[LineMesh],
+    of: LineProperties,
+    joints: Sequence[Point] = (),
+    of_end: Codes | None = None,
+) -> MovingLines:
+    """Arrays of all lines, one after the other; raises InputError for what is missing.
+
+    `of_end`: as of `MovingLines`; without, no line ends at a joint.
+    """
+    fluid, seabed, damping = of.fluid, of.seabed, of.damping
+    sections = of.of_lines
+    if sections is None and of.sections is not None:
+        sections = [of.sections] * len(meshes)
+    _check(meshes, sections, joints, fluid)
     start = first_bars(meshes)
     length = np.concatenate([mesh.length for mesh in meshes])
     EA, mass, weight = (by_bar(meshes, name) for name in ("EA", "mass", "submerged_weight"))
@@ -77,19 +92,23 @@ def lay_out_moving(meshes: Sequence[LineMesh], of: LineProperties) -> MovingLine
     displaced = (in_air - weight) / fluid.gravity
     water = np.zeros((6, length.size))
     if sections is not None:
-        rows = np.array([_section_row(s, fluid.density) for s in sections]).T
-        water = np.concatenate([rows[:, mesh.segment] for mesh in meshes], axis=1)
+        rows = [np.array([_section_row(s, fluid.density) for s in own]).T for own in sections]
+        cut = zip(rows, meshes, strict=True)
+        water = np.concatenate([row[:, mesh.segment] for row, mesh in cut], axis=1)
         water[:2] *= np.maximum(displaced, 0.0)
     carried, pressing, heavy = (
         to_nodes(length * each, start) for each in (1.0, np.maximum(weight, 0.0), mass + water[0])
     )
-    force = np.zeros((carried.size, 3))
-    node_mass = np.zeros(carried.size)
-    loads = [
+    force = np.zeros((carried.size + len(joints), 3))
+    node_mass = np.zeros(carried.size + len(joints))
+    loads: list[tuple[PointLoad | Point, int]] = [
         (load, int(start[k]) + k + node)
         for k, mesh in enumerate(meshes)
         for load, node in mesh.loads
     ]
+    for n, joint in enumerate(joints, start=carried.size):
+        force[n] = joint.force
+        loads.append((joint, n))
     for load, n in loads:
         force[n, 2] -= load.submerged_weight
         node_mass[n] += load.mass or 0.0
@@ -104,6 +123,11 @@ def lay_out_moving(meshes: Sequence[LineMesh], of: LineProperties) -> MovingLine
     )
     rise = float(seabed.slope) if isinstance(seabed, Seabed) else 0.0
     near, far = _SHARES[of.mass_matrix]
+    ends = np.full((len(meshes), 2), -1) if of_end is None else of_end
+    bed = dict(zip(_OF_BED, (stiffness, bed_damping, depth, spring, dashpot), strict=True))
+    bed["friction"] = _friction(meshes, seabed, pressing)
+    # The bed carries a joint by the ends of its lines.
+    bed = {name: np.append(row, np.zeros(len(joints))) for name, row in bed.items()}
     return MovingLines(
         start=start,
         length=length,
@@ -119,21 +143,17 @@ def lay_out_moving(meshes: Sequence[LineMesh], of: LineProperties) -> MovingLine
         load_node=np.array([n for _, n in loads], dtype=np.int64),
         **{name: row.copy() for name, row in zip(_OF_LOADS, bodies, strict=True)},
         load_gravity=float(fluid.gravity),
-        bed_stiffness=stiffness,
-        bed_damping=bed_damping,
-        bed_depth=depth,
-        held=held,
-        drag_spring=spring,
-        drag_dashpot=dashpot,
+        **bed,
+        held=np.append(held, np.zeros(len(joints), dtype=bool)),
         bed_cos=math.cos(rise),
         bed_sin=math.sin(rise),
-        friction=_friction(meshes, seabed, pressing),
         mass_factor=float(damping.mass_factor),
         stiffness_factor=float(damping.stiffness_factor),
         near=near,
         far=far,
         pushes=False,
-        lower_free=np.zeros(len(meshes), dtype=bool),
+        lower_free=ends[:, 0] >= 0,
+        of_end=ends,
         force_scale=max(heaviest(start, weight * length, force), 1e-9 * float(EA.max())),
     )
 
@@ -150,8 +170,8 @@ def _section_row(section: MorisonSection, density: float) -> tuple[float, ...]:
     )
 
 
-def _body_row(load: PointLoad, fluid: Fluid) -> tuple[float, float, float, float]:
-    """Figures of a point load as `_OF_LOADS`."""
+def _body_row(load: PointLoad | Point, fluid: Fluid) -> tuple[float, float, float, float]:
+    """Figures of a point load, or of what is fixed to a joint, as `_OF_LOADS`."""
     displaced = max((load.mass or 0.0) - load.submerged_weight / fluid.gravity, 0.0)
     volume = displaced / fluid.density if fluid.density > 0.0 else 0.0
     return (
@@ -207,7 +227,10 @@ def _pressing_loads(mesh: LineMesh) -> Array:
 
 
 def _check(
-    meshes: Sequence[LineMesh], sections: Sequence[MorisonSection] | None, fluid: Fluid
+    meshes: Sequence[LineMesh],
+    sections: Sequence[Sequence[MorisonSection]] | None,
+    joints: Sequence[Point],
+    fluid: Fluid,
 ) -> None:
     found = Findings("dynamics")
     found.number("fluid.density", fluid.density, "kg/m3", at_least=0.0)
@@ -225,14 +248,21 @@ def _check(
                     f"{key}.EA", "inf", Message("refused_motion.line_motion_needs_axial_stiffness")
                 )
         for j, load in enumerate(mesh.line.point_loads):
-            key = f"lines[{i}].point_loads[{j}].mass"
-            if load.mass is None:
-                found.add(key, "", Message("refused_motion.needed_inertia"))
-            elif load.mass * fluid.gravity < load.submerged_weight * (1.0 - 1e-6):
-                words = f"{load.mass:g} kg in air, {load.submerged_weight:g} N in water"
-                found.add(key, words, Message("refused_motion.body_weighs_more_air_than"))
-        if sections is not None and len(sections) != len(mesh.line.segments):
+            _check_mass(f"lines[{i}].point_loads[{j}].mass", load, fluid, found)
+        if sections is not None and len(sections[i]) != len(mesh.line.segments):
             count = len(mesh.line.segments)
             wanted = Message("refused_motion.one_for_each_segment", count=count, line=i + 1)
-            found.add("sections", str(len(sections)), wanted)
+            found.add("sections", str(len(sections[i])), wanted)
+    for i, joint in enumerate(joints):
+        if joint.mass is not None or joint.submerged_weight:
+            _check_mass(f"joints[{i}].mass", joint, fluid, found)
     found.raise_if_any()
+
+
+def _check_mass(key: str, load: PointLoad | Point, fluid: Fluid, found: Findings) -> None:
+    """Find a body without mass, or lighter in air than in water."""
+    if load.mass is None:
+        found.add(key, "", Message("refused_motion.needed_inertia"))
+    elif load.mass * fluid.gravity < load.submerged_weight * (1.0 - 1e-6):
+        words = f"{load.mass:g} kg in air, {load.submerged_weight:g} N in water"
+        found.add(key, words, Message("refused_motion.body_weighs_more_air_than"))

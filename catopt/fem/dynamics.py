@@ -17,8 +17,9 @@ from catopt.fem.course import FOLLOWED, course_of
 from catopt.fem.dynamic_model import LineProperties, lay_out_moving
 from catopt.fem.history import STOPPED, History
 from catopt.fem.march import StepCounts
-from catopt.fem.mesh import SAME_PLACE, LineMesh, mesh_line
+from catopt.fem.mesh import SAME_PLACE, LineMesh, end_nodes, mesh_line
 from catopt.fem.moving import BodyNode, MovingLines
+from catopt.fem.network import LineEnd, MeetingPoint, solve_network
 from catopt.fem.run_settings import BodyInertia, TimeStepping, record_warnings, step_warnings
 from catopt.fem.sampling import Record
 from catopt.fem.seabed import Bed, HeldBed, Seabed
@@ -28,6 +29,7 @@ from catopt.fem.sloped_rest import settle_on_slope
 from catopt.fem.solve import Leg, solve_line, solve_system
 from catopt.model import Line
 from catopt.model.kinds import Findings
+from catopt.model.network import Point
 from catopt.waves import Sea
 from catopt.words import Measure, Message
 
@@ -268,6 +270,70 @@ def body_at_rest(
         load=series_rows(np.array([[*mean_force, 0.0]]), [None], 0.0),
         sea=sea,
     )
+    simulation.settle(rubbed=_begins_rubbed(seabed))
+    return simulation
+
+
+def run_network_dynamics(
+    meshes: Sequence[LineMesh],
+    ends: Sequence[tuple[LineEnd, LineEnd]],
+    joints: Sequence[Point],
+    stepping: TimeStepping,
+    *,
+    motions: Sequence[tuple[Series | None, Series | None]] | None = None,
+    properties: LineProperties | None = None,
+    sea: Sea | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> History:
+    """Run lines that meet in joints, with what is fixed to these.
+
+    Parameters
+    ----------
+    meshes, ends
+        Lines, and where the first and the last end of each is held, m, or its joint, from 0.
+    joints
+        Weight, force, mass, drag and added mass are read of them.
+    motions
+        Of the first and of the last end of each line about where it is held, m; None: it stays.
+    properties, sea, progress
+        As for `run_dynamics`; places of the joints are the `nodes` of what is returned.
+
+    Raises
+    ------
+    InputError, NotConvergedError
+        As for `run_dynamics`.
+    """
+    led = motions or [(None, None)] * len(meshes)
+    warnings = check_run(stepping, *(each for pair in led for each in pair), sea=sea)
+    simulation = network_at_rest(
+        meshes, ends, joints, properties=properties, sea=ramped(sea, stepping)
+    )
+    x, (first, last) = simulation.state.x, end_nodes(simulation.lines.start)
+    of_ends = [pair[1] for pair in led] + [pair[0] for pair in led]
+    base = x[np.concatenate([last, first])]
+    simulation.led = series_rows(base, of_ends, stepping.ramp_time)
+    kept = replace(stepping, nodes=tuple(range(len(x) - len(joints), len(x))))
+    return run_from_rest(simulation, kept, meshes, warnings, progress)
+
+
+def network_at_rest(
+    meshes: Sequence[LineMesh],
+    ends: Sequence[tuple[LineEnd, LineEnd]],
+    joints: Sequence[Point],
+    *,
+    properties: LineProperties | None = None,
+    sea: Sea | None = None,
+) -> Simulation:
+    """Bring lines that meet in joints to rest in the current, ready to be set in motion."""
+    of = properties or LineProperties()
+    _check_level(of.seabed)
+    of_end = np.array([[-1 if e.point is None else e.point for e in pair] for pair in ends])
+    lines, seabed = lay_out_moving(meshes, of, joints, of_end), of.seabed
+    bed, friction = _static_bed(seabed, lines)
+    points = [MeetingPoint(joint.hung) for joint in joints]
+    rest = solve_network(meshes, ends, points, bed=bed, seabed_friction=friction)
+    places = np.array(rest.places).reshape(-1, 3)
+    simulation = Simulation(lines, np.concatenate([rest.rest.state.x, places]), sea=sea)
     simulation.settle(rubbed=_begins_rubbed(seabed))
     return simulation
 

@@ -91,9 +91,9 @@ def fill_forces(lines: MovingLines, at: Moving, water: WaterAt, has_sea: bool, t
                 elastic = _elastic_force(e, a, lines, at)
                 if elastic > 0.0:
                     _add_turning(e, a, beta * elastic, at, turned)
-        for n in range(lines.start[k] + k, lines.start[k + 1] + k + 1 if alpha > 0.0 else 0):
-            for i in range(3):
-                damped[n, i] -= alpha * lines.node_mass[n] * v[n, i]
+    for n in range(v.shape[0] if alpha > 0.0 else 0):
+        for i in range(3):
+            damped[n, i] -= alpha * lines.node_mass[n] * v[n, i]
 
 
 @inlined
@@ -157,9 +157,9 @@ def own_kinetic_energy(lines: MovingLines, at: Moving) -> float:
                 cross += v[a, i] * v[b, i]
             each = 0.5 * lines.near * same + lines.far * cross
             total += lines.mass[e] * lines.length[e] * each
-        for n in range(lines.start[k] + k, lines.start[k + 1] + k + 1):
-            for i in range(3):
-                total += 0.5 * lines.node_mass[n] * v[n, i] * v[n, i]
+    for n in range(v.shape[0]):
+        for i in range(3):
+            total += 0.5 * lines.node_mass[n] * v[n, i] * v[n, i]
     return total
 
 
@@ -178,30 +178,32 @@ def add_works(
     by_ends = by_drag = by_water = by_damping = by_bed = by_friction = 0.0
     for k in range(lines.start.shape[0] - 1):
         first, last = lines.start[k] + k, lines.start[k + 1] + k
-        for i in range(3):
+        for i in range(3):  # what ends at a joint do is between lines
             upper = room.ends_before[k, 1, i] + room.ends[k, 1, i]
             lower = room.ends_before[k, 0, i] + room.ends[k, 0, i]
-            by_ends -= 0.5 * upper * (x[last, i] - x_0[last, i])
-            by_ends -= 0.5 * lower * (x[first, i] - x_0[first, i])
-        for n in range(first, last + 1):
-            for i in range(3):
-                way = x[n, i] - x_0[n, i]
-                by_drag += (force_0[n, i] + force[n, i] - 2.0 * steady[n, i]) * way
-                if is_booked:
-                    seen = booked_0[0, n, i] + booked[0, n, i]
-                    turned = booked_0[3, n, i] + booked[3, n, i]
-                    by_drag -= (seen + turned) * way
-                    by_water += (seen + booked_0[1, n, i] + booked[1, n, i]) * way
-                    by_damping += (turned + booked_0[2, n, i] + booked[2, n, i]) * way
-            rise = across_bed(x, n, lines) - across_bed(x_0, n, lines)
-            by_bed += (R_0[n] + R[n]) * rise
-            slip = along_bed(x, n, lines) - along_bed(x_0, n, lines)
-            by_friction += (rub_0[n, 0] + rub[n, 0]) * slip
-            by_friction += (rub_0[n, 1] + rub[n, 1]) * (x[n, 1] - x_0[n, 1])
+            if lines.of_end[k, 1] < 0:
+                by_ends -= 0.5 * upper * (x[last, i] - x_0[last, i])
+            if lines.of_end[k, 0] < 0:
+                by_ends -= 0.5 * lower * (x[first, i] - x_0[first, i])
         taken, damped = _bar_works(k, h, lines, before, now)
         by_drag += taken
         by_damping -= 2.0 * damped
         by_water -= 2.0 * _added_mass_works(k, lines, before, now, water.wet, room.wet_before)
+    for n in range(x.shape[0]):
+        for i in range(3):
+            way = x[n, i] - x_0[n, i]
+            by_drag += (force_0[n, i] + force[n, i] - 2.0 * steady[n, i]) * way
+            if is_booked:
+                seen = booked_0[0, n, i] + booked[0, n, i]
+                turned = booked_0[3, n, i] + booked[3, n, i]
+                by_drag -= (seen + turned) * way
+                by_water += (seen + booked_0[1, n, i] + booked[1, n, i]) * way
+                by_damping += (turned + booked_0[2, n, i] + booked[2, n, i]) * way
+        rise = across_bed(x, n, lines) - across_bed(x_0, n, lines)
+        by_bed += (R_0[n] + R[n]) * rise
+        slip = along_bed(x, n, lines) - along_bed(x_0, n, lines)
+        by_friction += (rub_0[n, 0] + rub[n, 0]) * slip
+        by_friction += (rub_0[n, 1] + rub[n, 1]) * (x[n, 1] - x_0[n, 1])
     by_drag -= by_bed + by_friction
     by_water -= 2.0 * load_works(lines, before, now, water.surface)
     works[0] += by_ends

@@ -336,7 +336,7 @@ def lead_accelerations(t: float, setting: Setting, a: Any, room: Room) -> None:
             fill_series(t, led, count + k, room.small[0])
             for i in range(3):
                 a[first, i] = room.small[0, 2, i]
-        if free[0] * free[1] * free[2] == 0.0:
+        if free[0] * free[1] * free[2] == 0.0 and lines.of_end[k, 1] < 0:
             fill_series(t, led, k, room.small[0])
             for i in range(3):
                 if free[i] == 0.0:

@@ -1,7 +1,9 @@
 """Lines in motion as the kernels take them: what they are made of, and how they move.
 
 Nodes and bars of all lines follow one another, as in `resting`: bar e of line k lies between the
-nodes e + k and e + k + 1. The first node of a line is its anchor, the last its fairlead.
+nodes e + k and e + k + 1. The first node of a line is its anchor, the last its fairlead. Behind the
+nodes of all lines comes one for each joint, with what is fixed to it; ends of lines that meet there
+move with it.
 """
 
 from __future__ import annotations
@@ -58,7 +60,9 @@ class MovingLines(NamedTuple):
     near: float
     far: float
     pushes: bool  # whether a bar carries compression
-    lower_free: Flags  # (lines,): whether the first node moves freely; held or led otherwise
+    lower_free: Flags  # (lines,): whether the first node moves, freely or with a joint; held or
+    # led otherwise
+    of_end: Codes  # (lines, 2): joint with which the first and the last node move; -1: with none
     force_scale: float  # what the heaviest line weighs, N: forces are small against it or the
     # largest tension
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from catopt.fem.moving import Blend, BodyNode, Equations, Moving, MovingLines
 from catopt.fem.moving_bar import add_bars, add_loads
-from catopt.fem.sampling import Room
+from catopt.fem.sampling import Room, first_joint
 from catopt.fem.seabed import across_bed, push_and_rub
 
 
@@ -45,13 +45,17 @@ def assemble_moving(
             low = min(across_bed(x, n, lines) + falls, across_bed(old_x, n, lines))
             if (low < 0.0 and bed[n] > 0.0) or held[n]:
                 push_and_rub(n, lines, now, before, blend, to)
-        held_end = first if not lines.lower_free[k] else -1
+        held_end = first if lines.of_end[k, 0] >= 0 or not lines.lower_free[k] else -1
         worst, node = _leave_over(first, last, held_end, late, now.force, before.force, to.rest)
         if not worst <= square:
             square, place = worst, node
         left0 += to.rest[last, 0]
         left1 += to.rest[last, 1]
         left2 += to.rest[last, 2]
+    if room.at_joints.shape[0] > 0:
+        worst, node = _left_at_joints(lines, late, now.force, before.force, room)
+        if not worst <= square:
+            square, place = worst, node
     total = 0.0
     for i in range(3):
         now.body_force[i] = force[i] - body.damping[i] * v[at, i]
@@ -84,6 +88,33 @@ def _clear(lines: MovingLines, now: Moving, before: Moving, blend: Blend, to: Eq
             for j in range(3):
                 diagonal[n, i, j] = 0.0
             diagonal[n, i, i] = node_mass[n] * by_inertia
+
+
+def _left_at_joints(
+    lines: MovingLines, late: float, force: Any, old_force: Any, room: Room
+) -> tuple[float, int]:
+    """Turn the inertia of joints into what forces exceed it by, and sum what lines leave over.
+
+    Writes the sum to `room.at_joints`; returns the largest square, and its node.
+    """
+    rest, total, base = room.equations.rest, room.at_joints, first_joint(lines)
+    joints = total.shape[0] // 3
+    for p in range(joints):
+        n = base + p
+        for i in range(3):
+            left = late * force[n, i] + (1.0 - late) * old_force[n, i] - rest[n, i]
+            rest[n, i] = total[3 * p + i] = left
+    for k in range(lines.start.shape[0] - 1):
+        for side in range(2):
+            p, n = lines.of_end[k, side], lines.start[k + side] + k
+            for i in range(3 if p >= 0 else 0):
+                total[3 * p + i] += rest[n, i]
+    largest, place = 0.0, base
+    for p in range(joints):
+        square = total[3 * p] ** 2 + total[3 * p + 1] ** 2 + total[3 * p + 2] ** 2
+        if not square <= largest:
+            largest, place = square, base + p
+    return largest, place
 
 
 def _leave_over(

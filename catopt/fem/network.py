@@ -12,7 +12,7 @@ from catopt.fem.mesh import LineMesh, end_nodes
 from catopt.fem.problem import Problem, Water, build, straight
 from catopt.fem.resting import Body
 from catopt.fem.result import TrussSolution, read_line
-from catopt.fem.seabed import Bed
+from catopt.fem.seabed import Bed, HeldBed
 from catopt.fem.settle import Controls, Rest, follow, settle
 
 Vector = tuple[float, float, float]
@@ -58,12 +58,14 @@ def solve_network(
     ends: Sequence[tuple[LineEnd, LineEnd]],
     points: Sequence[MeetingPoint],
     *,
+    bed: Bed | HeldBed | None = None,
     seabed_friction: float = 0.0,
     controls: Controls | None = None,
 ) -> NetworkSolution:
     """Bring lines and the points in which they meet to rest, from straight lines.
 
-    `ends`: first and last of each line. Friction takes off tension towards the first end.
+    `ends`: first and last of each line; `bed`: rigid by default. Friction takes off tension towards
+    the first end.
 
     Raises NotConvergedError with the node or point and the force left over there.
     """
@@ -73,13 +75,14 @@ def solve_network(
     force = np.array([point.force for point in points], dtype=float).reshape(-1, 3)
     lies = np.array([int(point.place is None) for point in points], dtype=np.int64)
     held = Body(free, force, np.zeros_like(free), of_end.astype(np.int64), lies)
-    problem = build(meshes, held, Bed(), seabed_friction, Water(), False)
+    under = bed or Bed()
+    problem = build(meshes, held, under, seabed_friction, Water(), False)
     start = _start(problem, off, points)
     there = off + np.where(of_end[:, :, np.newaxis] >= 0, _at(start, of_end), 0.0)
     place = np.zeros_like(free)
     for p in range(len(points)):
         place[p] = there[of_end == p][0]
-    problem = build(meshes, held._replace(place=place), Bed(), seabed_friction, Water(), False)
+    problem = build(meshes, held._replace(place=place), under, seabed_friction, Water(), False)
     rest = settle(problem, straight(problem, there[:, 0], there[:, 1]), controls or Controls())
     if seabed_friction > 0.0:
         rest = _laid_towards_ends(problem, rest, controls or Controls())

@@ -9,10 +9,20 @@ from typing import Any, Final, Literal
 import numpy as np
 
 from catopt.arrays import Array
-from catopt.fem.banded import back_substitute_blocks, copy_rows, eliminate_blocks, hold, invert_3
+from catopt.compiled import inlined
+from catopt.fem.banded import (
+    back_substitute_blocks,
+    copy_rows,
+    eliminate_blocks,
+    hold,
+    invert_3,
+    reach_of_first_block,
+    solve_dense,
+    take_block_aside,
+)
 from catopt.fem.moving import Blend, BodyNode, Moving, MovingLines
 from catopt.fem.moving_assembly import assemble_moving
-from catopt.fem.sampling import Room, Setting
+from catopt.fem.sampling import Room, Setting, first_joint
 from catopt.fem.series import fill_series
 from catopt.model.dynamics import BARS
 from catopt.model.kinds import Findings
@@ -75,7 +85,7 @@ def predict(t: float, h: float, setting: Setting, before: Moving, room: Room) ->
         first, last = lines.start[k] + k, lines.start[k + 1] + k
         if not lines.lower_free[k]:
             _lead_first(k, first, t + h, shift, setting, before, room)
-        if free[0] * free[1] * free[2] == 0.0:
+        if free[0] * free[1] * free[2] == 0.0 and lines.of_end[k, 1] < 0:
             fill_series(t + h, led, k, small[0])
             if shift != 0.0:
                 fill_series(t + h + shift, led, k, small[1])
@@ -110,6 +120,8 @@ def solve_moving(
     lines: MovingLines, body: BodyNode, now: Moving, before: Moving, blend: Blend, room: Room
 ) -> bool:
     """Turn the equations into displacements, in their `rest`; False when they have no solution."""
+    if room.at_joints.shape[0] > 0:
+        return _solve_with_joints(lines, room)
     to, matrix, pull = room.equations, room.small[0], room.small[1, 0]
     moves = body.free[0] + body.free[1] + body.free[2] > 0.0
     _start_body(lines.start[1], body, now, before, blend, matrix, pull)
@@ -133,6 +145,80 @@ def solve_moving(
             to.rest[last, i] = move
         back_substitute_blocks(to, first, last)
     return regular
+
+
+def _solve_with_joints(lines: MovingLines, room: Room) -> bool:
+    """Solve the equations of lines that meet in joints, those of joints first."""
+    to, total = room.equations, room.at_joints
+    base = first_joint(lines)
+    for p in range(total.shape[0] // 3):
+        for i in range(3):
+            for c in range(total.shape[0]):
+                room.joints[3 * p + i, c] = 0.0
+            total[3 * p + i] = to.rest[base + p, i]
+            for j in range(3):
+                room.joints[3 * p + i, 3 * p + j] = to.diagonal[base + p, i, j]
+    regular = True
+    for k in range(lines.start.shape[0] - 1):
+        regular = _hand_over(k, lines, room) and regular
+    regular = solve_dense(room.joints, total) and regular
+    for k in range(lines.start.shape[0] - 1):
+        _move_line(k, lines, room)
+    for p in range(total.shape[0] // 3):
+        for i in range(3):
+            to.rest[base + p, i] = total[3 * p + i]
+    return regular
+
+
+@inlined
+def _begin(k: int, lines: MovingLines) -> int:
+    """Return the first node of a line that its own equations move: not one held, nor a joint's."""
+    first = lines.start[k] + k
+    return int(first + (lines.of_end[k, 0] >= 0 or not lines.lower_free[k]))
+
+
+def _hand_over(k: int, lines: MovingLines, room: Room) -> bool:
+    """Eliminate a line and add it to the equations of its joints; say if all was regular."""
+    to, side, matrix, total = room.equations, room.side, room.joints, room.at_joints
+    first, last = lines.start[k] + k, lines.start[k + 1] + k
+    a, b = lines.of_end[k, 0], lines.of_end[k, 1]
+    regular = eliminate_blocks(to, _begin(k, lines), last)
+    none = np.zeros(3)
+    if a >= 0:
+        take_block_aside(to, side, first, last)
+        own = reach_of_first_block(to, side, first, last)
+        _add_to_joint(matrix, total, (a, a), own[:, :3], own[:, 6])
+        if b >= 0:
+            _add_to_joint(matrix, total, (a, b), own[:, 3:6], none)
+            _add_to_joint(matrix, total, (b, a), side[last], none)
+    if b >= 0:
+        _add_to_joint(matrix, total, (b, b), to.diagonal[last], to.rest[last])
+    return regular
+
+
+def _move_line(k: int, lines: MovingLines, room: Room) -> None:
+    """Put the displacements of its joints back into the equations of a line."""
+    rest, total = room.equations.rest, room.at_joints
+    first, last = lines.start[k] + k, lines.start[k + 1] + k
+    a, b = lines.of_end[k, 0], lines.of_end[k, 1]
+    for i in range(3):
+        rest[last, i] = total[3 * b + i] if b >= 0 else 0.0
+        if a >= 0:
+            rest[first, i] = total[3 * a + i]
+    for n in range(first + 1, last if a >= 0 else first):
+        for i in range(3):
+            for j in range(3):
+                rest[n, i] -= room.side[n, i, j] * total[3 * a + j]
+    back_substitute_blocks(room.equations, _begin(k, lines), last)
+
+
+def _add_to_joint(matrix: Any, total: Any, at: tuple[int, int], block: Any, rest: Any) -> None:
+    """Add to the equations of one joint what a line has there of the place of another."""
+    p, q = at
+    for i in range(3):
+        total[3 * p + i] += rest[i]
+        for j in range(3):
+            matrix[3 * p + i, 3 * q + j] += block[i, j]
 
 
 def _start_body(
@@ -164,7 +250,7 @@ def close_step(
     by_v, by_a = gamma / (beta * h), 1.0 / (beta * h * h)
     late = 1.0 - alpha_f
     blend = Blend(alpha_f, alpha_m, late, late * by_v, (1.0 - alpha_m) * by_a, h)
-    x, v, a, rest, start = now.x, now.v, now.a, room.equations.rest, lines.start
+    x, rest, start = now.x, room.equations.rest, lines.start
     worst, node, part = math.inf, 0, 1.0
     for iteration in range(rules.limit + 1):
         last = worst
@@ -183,12 +269,20 @@ def close_step(
         part = min(2.0 * part, 1.0) if worst < last else max(0.5 * part, _LEAST)
         for k in range(start.shape[0] - 1):
             for n in range(start[k] + k + (not lines.lower_free[k]), start[k + 1] + k + 1):
-                for i in range(3):
-                    move = part * rest[n, i]
-                    x[n, i] += move
-                    v[n, i] += by_v * move
-                    a[n, i] += by_a * move
+                _move_node(n, part, by_v, by_a, now, rest)
+        for n in range(first_joint(lines), x.shape[0]):
+            _move_node(n, part, by_v, by_a, now, rest)
     return False, rules.limit, worst, node
+
+
+@inlined
+def _move_node(n: int, part: float, by_v: float, by_a: float, now: Moving, rest: Any) -> None:
+    """Move a node by a part of a Newton step; its velocity and acceleration follow."""
+    for i in range(3):
+        move = part * rest[n, i]
+        now.x[n, i] += move
+        now.v[n, i] += by_v * move
+        now.a[n, i] += by_a * move
 
 
 @dataclass(frozen=True)

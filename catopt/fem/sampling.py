@@ -100,6 +100,10 @@ class Room(NamedTuple):
     ends: Array  # (lines, 2, 3): forces at the ends, N
     ends_before: Array
     wet_before: Array  # (bars, 2): `WaterAt.wet` at its start
+    side: Array  # (nodes, 3, 3): derivatives of each balance by the place of its line's first node
+    # where that moves with a joint; of no node where there are no joints
+    joints: Array  # (3 joints, 3 joints): their equations, and what is left over at them, N
+    at_joints: Array  # (3 joints,)
 
 
 def take_sample(sample: int, setting: Setting, at: Moving, room: Room, record: Record) -> None:
@@ -169,7 +173,7 @@ def fill_end_forces(lines: MovingLines, at: Moving, a: Any, room: Room, to: Any)
     """Write the forces on what holds anchors and fairleads, N, to `to`; `a`: accelerations."""
     for k in range(lines.start.shape[0] - 1):
         first, last = lines.start[k] + k, lines.start[k + 1] + k
-        if lines.lower_free[k]:
+        if lines.lower_free[k] and lines.of_end[k, 0] < 0:
             for i in range(3):
                 to[k, 0, i] = 0.0
         else:
@@ -212,18 +216,24 @@ def fill_energy(lines: MovingLines, at: Moving, room: Room, rest: Any, energy: A
             energy[1] += strain_energy(e, a, lines, at, rest)
             rise = (at.x[a, 2] - rest[a, 2]) + (at.x[b, 2] - rest[b, 2])
             energy[2] += 0.5 * lines.weight[e] * lines.length[e] * rise
-        for n in range(lines.start[k] + k, lines.start[k + 1] + k + 1):
-            for i in range(3):
-                energy[0] += 0.5 * lines.node_mass[n] * at.v[n, i] ** 2
-                energy[2] -= lines.node_force[n, i] * (at.x[n, i] - rest[n, i])
-            deep = max(-across_bed(at.x, n, lines), 0.0)
-            deep_0 = max(-across_bed(rest, n, lines), 0.0)
-            energy[3] += 0.5 * lines.bed_stiffness[n] * (deep * deep - deep_0 * deep_0)
+    for n in range(at.x.shape[0]):
+        for i in range(3):
+            energy[0] += 0.5 * lines.node_mass[n] * at.v[n, i] ** 2
+            energy[2] -= lines.node_force[n, i] * (at.x[n, i] - rest[n, i])
+        deep = max(-across_bed(at.x, n, lines), 0.0)
+        deep_0 = max(-across_bed(rest, n, lines), 0.0)
+        energy[3] += 0.5 * lines.bed_stiffness[n] * (deep * deep - deep_0 * deep_0)
     for j in range(lines.load_node.shape[0]):
         n = lines.load_node[j]
         part, _ = immersion(room.water.surface[n] - at.x[n, 2], lines.load_radius[j])
         for i in range(3):
             energy[0] += 0.5 * part * lines.load_added[j] * at.v[n, i] ** 2
+
+
+@inlined
+def first_joint(lines: MovingLines) -> int:
+    """Return the node of the first joint, behind those of all lines."""
+    return int(lines.start[lines.start.shape[0] - 1] + lines.start.shape[0] - 1)
 
 
 def strain_energy(e: int, a: int, lines: MovingLines, at: Moving, rest: Any) -> float:

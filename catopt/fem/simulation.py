@@ -28,6 +28,7 @@ from catopt.fem.sampling import (
     Rules,
     Setting,
     fill_energy,
+    first_joint,
 )
 from catopt.fem.seabed import drag_feet
 from catopt.fem.series import SeriesRows, fill_series, series_rows
@@ -109,6 +110,7 @@ class Simulation:
         self.body = body
         self.sea = sea
         self._held, self._ends = end_nodes(lines.start)
+        joints = 3 * (x.shape[0] - first_joint(lines))
         stays, unloaded = self._undriven(x)
         self.led, self.load = led or stays, load or unloaded
         self.afloat: Afloat | None = None  # what floats at the last nodes, to which `body` is free
@@ -136,6 +138,9 @@ class Simulation:
             ends=np.zeros((self._ends.size, 2, 3)),
             ends_before=np.zeros((self._ends.size, 2, 3)),
             wet_before=np.ones((bars, 2)),
+            side=np.zeros((nodes if joints else 0, 3, 3)),
+            joints=np.zeros((joints, joints)),
+            at_joints=np.zeros(joints),
         )
 
     def _undriven(self, x: Array) -> tuple[SeriesRows, SeriesRows]:
@@ -461,7 +466,10 @@ class Simulation:
         """Put the ends to where they are led in the first moment, with speed and acceleration."""
         at, out, led = self.state, np.zeros((3, 3)), self.body.free == 0.0
         nodes = np.concatenate([self._ends, self._held])[: self.led.base.shape[0]]
+        joint = self.lines.of_end[:, ::-1].T.ravel()
         for row, node in enumerate(nodes):
+            if joint[row] >= 0:
+                continue
             fill_series(0.0, self.led, row, out)
             which = led if row < self._ends.size else slice(None)
             at.x[node, which], at.v[node, which], at.a[node, which] = out[:, which]
@@ -495,7 +503,9 @@ class Simulation:
     def _not_closed(
         self, words: str, worst: float, node: int, step: float | None = None
     ) -> NotConvergedError:
-        where = place_of(node, self.lines.start, self.state.x)
+        joint = node - first_joint(self.lines)
+        at = -1 - joint if joint >= 0 else node
+        where = place_of(at, self.lines.start, self.state.x, 2 if joint >= 0 else 1)
         said = [Message("truss.left_over", what=words, worst=worst, where=where)]
         if step is not None:
             said.append(Message("truss.halved", step=step))

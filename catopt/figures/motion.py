@@ -295,7 +295,7 @@ def envelope_chart(
     return Chart(
         "envelope",
         Message("figures.envelope", T=Measure("tension", largest)),
-        axis("s", (0.0, part.line_length)),
+        axis("s", (0.0, part.own_line.length)),
         axis("tension", _from_zero(tensions)),
         series=(
             *series,

@@ -227,6 +227,11 @@ class Case(Checked):
             found.add("current", "", slope)
 
     @property
+    def several_lines(self) -> bool:
+        """Whether it is of a body with several lines, which move together."""
+        return self.system is not None
+
+    @property
     def current_at_rest(self) -> CurrentProfile | None:
         """The current on a line at rest; None where there is none, or it is for one in motion."""
         return self.current if self.dynamics is None else None

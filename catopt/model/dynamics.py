@@ -216,6 +216,16 @@ def dynamics_misfits(present: Collection[str], given: Mapping[str, Any]) -> list
     return problems
 
 
+def network_motion_misfits(present: Collection[str], *, has_fairlead: bool) -> Iterator[Problem]:
+    """Yield what does not go together of the parts that points and lines have for motion."""
+    if "dynamics" not in present:
+        yield from (Problem(key, "", Message("refused.with_dynamics")) for key in present)
+    elif not {"motion", "waves"} & set(present):
+        yield Problem("dynamics", "", Message("refused.nothing_moves"))
+    if "motion" in present and not has_fairlead:
+        yield Problem("motion", "", Message("refused_case.motion_wants_a_fairlead"))
+
+
 def _of_a_floater(present: Collection[str], given: Collection[str]) -> Iterator[Problem]:
     """Yield what does not go together with a buoy that floats at the end of its line."""
     if "floater.ship" in given:

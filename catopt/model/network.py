@@ -7,11 +7,12 @@ import math
 from collections import Counter
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from catopt.errors import Problem
 from catopt.model.anchor import Anchor
-from catopt.model.dynamics import of_motion_misfits
+from catopt.model.case import CatalogueChoice
+from catopt.model.dynamics import Dynamics, network_motion_misfits, of_motion_misfits
 from catopt.model.kinds import (
     Area,
     Checked,
@@ -22,11 +23,12 @@ from catopt.model.kinds import (
     Moment,
     Place,
     Size,
+    SomeMass,
     Text,
 )
 from catopt.model.line import Line, drag_missing, point_drag_misfits, weightless
 from catopt.model.load import Checks, Site
-from catopt.model.sea import CurrentProfile
+from catopt.model.sea import CurrentProfile, Motion, WaveState
 from catopt.model.service import Service
 from catopt.words import Message
 
@@ -53,10 +55,14 @@ class Point(Checked):
     """Of a joint: clump weight, or buoy below 0, N."""
     force: Annotated[tuple[Force, ...], Size(3, 3)] = (0.0, 0.0, 0.0)
     """On a joint, of what pulls there beside the lines, along x, y and up, N."""
+    mass: SomeMass | None = None
+    """Of a joint, in air, kg: for lines in motion. None: not known."""
     drag_area: Area | None = None
-    """A of a joint, m2, for a current; with `drag_coefficient`. None: no drag."""
+    """A of a joint, m2, for a current and in motion; with `drag_coefficient`. None: no drag."""
     drag_coefficient: Coefficient | None = None
     """Cd that goes with the area."""
+    added_mass_coefficient: Coefficient = 0.0
+    """Ca on the water that a joint displaces, for lines in motion."""
     body: Annotated[str, Text(example='"barge"')] = ""
     """Of a fairlead: name of the body that it moves with; empty: one that is held."""
 
@@ -67,7 +73,7 @@ class Point(Checked):
         found.problems += point_misfits(vars(self))
         object.__setattr__(self, "force", tuple(self.force))
         found.check("x", "y", "height", "submerged_weight", "force")
-        found.check("drag_area", "drag_coefficient")
+        found.check("mass", "drag_area", "drag_coefficient", "added_mass_coefficient")
         given = [k for k in ("drag_area", "drag_coefficient") if getattr(self, k) is not None]
         found.problems += point_drag_misfits(given)
 
@@ -112,8 +118,8 @@ def point_misfits(given: dict[str, object]) -> list[Problem]:
         found.append(Problem("force", f"{given['force']}", allowed))
     found += (
         Problem(key, f"{given[key]}", allowed)
-        for key in ("drag_area", "drag_coefficient")
-        if given.get(key) is not None and not is_joint
+        for key in ("mass", "drag_area", "drag_coefficient", "added_mass_coefficient")
+        if given.get(key) not in (None, 0.0) and not is_joint
     )
     if given.get("body") and given.get("kind") in ("anchor", "joint"):
         allowed = Message("refused_case.leave_out_only_fairlead_has_body")
@@ -176,7 +182,23 @@ class Network(Checked):
     bodies: tuple[MooredBody, ...] = ()
     """That are free; fairleads without one belong to a body that is held."""
     current: CurrentProfile | None = None
-    """On lines at rest, each from an anchor to a float of its own."""
+    """On lines at rest, each from an anchor to a float of its own; with `dynamics` on all lines."""
+    waves: WaveState | None = None
+    """Of the sea, for lines in motion."""
+    motion: Motion | None = None
+    """Of every fairlead about its place at rest, harmonic or recorded."""
+    dynamics: Dynamics | None = None
+    """How the lines are run in time; needed by the two before it."""
+
+    # What a case may have beside these, and points and lines do not.
+    system: ClassVar[None] = None
+    body: ClassVar[None] = None
+    floater: ClassVar[None] = None
+    anchor_motion: ClassVar[None] = None
+    buoy: ClassVar[None] = None
+    catalogue: ClassVar[CatalogueChoice] = CatalogueChoice()
+    load_cases: ClassVar[tuple[()]] = ()
+    several_lines: ClassVar[bool] = True
 
     def _check(self, found: Findings) -> None:
         for key in ("points", "lines", "bodies"):
@@ -204,12 +226,37 @@ class Network(Checked):
             if (limit := getattr(self.checks, key)) is not None:
                 allowed = Message("refused_case.span_is_of_a_line")
                 found.add(f"checks.{key}", f"{limit:g} m", allowed)
-        found.problems += of_motion_misfits(self, Message("refused_case.of_lines_in_motion"))
+        self._check_motion(found)
         if self.anchor is not None:
             self._check_anchors(found, ends)
 
+    def _check_motion(self, found: Findings) -> None:
+        """Find what does not go together of the parts for lines in motion."""
+        present = [key for key in ("waves", "motion", "dynamics") if getattr(self, key) is not None]
+        has_fairlead = any(point.kind == "fairlead" for point in self.points)
+        found.problems += network_motion_misfits(present, has_fairlead=has_fairlead)
+        if self.motion is not None and (self.motion.rao_file or self.motion.of_a_body):
+            allowed = Message("refused_case.give_period_or_file")
+            found.add("motion", "RAOs or a drift", allowed)
+        if self.dynamics is None:
+            found.problems += of_motion_misfits(self, Message("refused.with_dynamics"))
+            return
+        if self.dynamics.broken_line is not None:
+            allowed = Message("refused_case.of_lines_in_motion")
+            found.add("dynamics.broken_line", f"{self.dynamics.broken_line}", allowed)
+        if self.anchor is not None and self.anchor.max_slide is not None:
+            allowed = Message("refused_case.of_lines_in_motion")
+            found.add("anchor.max_slide", f"{self.anchor.max_slide:g} m", allowed)
+
+    @property
+    def current_at_rest(self) -> CurrentProfile | None:
+        """The current on lines at rest; None where there is none, or it is for lines in motion."""
+        return self.current if self.dynamics is None else None
+
     def _check_current(self, found: Findings) -> None:
         """Find what a current does not go with, what it lacks, and what lacks a current."""
+        if self.dynamics is not None:
+            return
         if self.current is None:
             allowed = Message("refused_case.goes_with_a_current")
             found.problems += (
@@ -302,6 +349,21 @@ class Network(Checked):
             for k, point in enumerate(self.points)
             if point.kind == "fairlead" and point.body == body.name
         }
+
+    def without_motion(self) -> Network:
+        """Return the same network without what is for lines in motion alone."""
+        if self.dynamics is None:
+            return self
+        points = tuple(replace(p, drag_area=None, drag_coefficient=None) for p in self.points)
+        return replace(
+            self,
+            points=points,
+            checks=replace(self.checks, motion_code=None),
+            current=None,
+            waves=None,
+            motion=None,
+            dynamics=None,
+        )
 
     def unloaded(self) -> Network:
         """Return the same network without the loads on its bodies."""

@@ -10,9 +10,9 @@ from catopt.catenary.solution import above_water, named_line
 from catopt.errors import InputError, Problem
 from catopt.model import Case, System
 from catopt.mooring.circle import WatchCircle, watch_circle
-from catopt.mooring.held import HeldBody, held_body
+from catopt.mooring.held import HeldBody, LinesAtRest, held_body
 from catopt.mooring.line_out import LineOut, one_line_out
-from catopt.mooring.restoring import RestoringCurve, restoring_curve
+from catopt.mooring.restoring import RestoringCurve, network_curve, restoring_curve
 from catopt.mooring.sharing_rule import SharingRule, sharing_rule
 from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import of_line, solve_system
@@ -111,9 +111,30 @@ def report_system(
 
 def _curve(system: System, solution: SystemSolution, direction: float) -> RestoringCurve:
     """Hold the body at offsets both ways, half as far again as under the load of the case."""
-    far = 1.5 * math.hypot(*solution.offset)
-    if far < 1e-6:
-        far = 0.01 * max(leg.anchor_radius for leg in system.legs)
-    middle = CURVE_POINTS // 2
-    offsets = [far * (k - middle) / middle for k in range(CURVE_POINTS)]
+    radius = max(leg.anchor_radius for leg in system.legs)
+    offsets = _offsets(math.hypot(*solution.offset), radius)
     return restoring_curve(system, direction=direction, offsets=offsets)
+
+
+def _offsets(offset: float, radius: float) -> list[float]:
+    """Go both ways, half as far again as under a load, or else a hundredth of a radius; m."""
+    far = 1.5 * offset
+    if far < 1e-6:
+        far = 0.01 * radius
+    middle = CURVE_POINTS // 2
+    return [far * (k - middle) / middle for k in range(CURVE_POINTS)]
+
+
+def network_curves(rest: LinesAtRest, directions: Sequence[float]) -> tuple[RestoringCurve, ...]:
+    """Move the one free body of a network, or all that is held, along directions, rad."""
+    network = rest.network
+    ends = [p for p in network.points if p.kind == "fairlead"]
+    middle = [math.fsum(p.place[i] for p in ends) / max(len(ends), 1) for i in (0, 1)]
+    offset = 0.0
+    if len(rest.bodies) == 1:
+        (body,) = rest.bodies
+        middle, offset = [body.body.x, body.body.y], math.hypot(*body.offset)
+    anchors = [p.place[:2] for p in network.points if p.kind == "anchor"]
+    radius = max((math.dist(place, middle) for place in anchors), default=0.0)
+    offsets = _offsets(offset, radius)
+    return tuple(network_curve(network, direction=each, offsets=offsets) for each in directions)

@@ -91,7 +91,7 @@ def in_rows(network: Network, rows: tuple[Row, ...]) -> Network:
                 loads.append(PointLoad(start, weights[name], name=f"{JOINT}{name}"))
         names = [network.lines[number].name or f"{number + 1}" for number, _ in row.lines]
         lines.append(LineBetween(Line(segments, loads), row.start, row.end, " + ".join(names)))
-    points = tuple(point for point in network.points if point.name not in between)
+    points = tuple(point for point in network.without_motion().points if point.name not in between)
     return Network(network.site, points, tuple(lines), bodies=network.bodies)
 
 

@@ -9,8 +9,8 @@ from catopt.errors import InputError, Problem
 from catopt.model.kinds import Angle, Findings, Place, Strength
 from catopt.model.network import Network
 from catopt.model.system import System
-from catopt.mooring.held import LinesAtRest, without_load
-from catopt.mooring.response import Response, response_of
+from catopt.mooring.held import without_load
+from catopt.mooring.response import Response, network_response, response_of
 from catopt.mooring.zero_load import zero_load_position
 from catopt.patience import paced
 from catopt.records import Record
@@ -85,7 +85,7 @@ def network_circle(network: Network, *, force: float, directions: int = 120) -> 
     responses = []
     for angle in paced(Message("words.directions", total=directions), angles):
         push = (force * math.cos(angle), force * math.sin(angle))
-        responses.append(_response(start.under((replace(body, force=push, moment=0.0),))))
+        responses.append(network_response(start.under((replace(body, force=push, moment=0.0),))))
     x, y, _ = start.found.poses[0]
     return WatchCircle(network, force, angles, tuple(responses), (body.x + x, body.y + y))
 
@@ -97,22 +97,3 @@ def _angles(force: float, directions: int) -> tuple[float, ...]:
     found.number("directions", directions, "", at_least=3, at_most=3600)
     found.raise_if_any()
     return tuple(2.0 * math.pi * k / directions for k in range(directions))
-
-
-def _response(rest: LinesAtRest) -> Response:
-    """Sum up a network with one body; tensions are those at either end of a line."""
-    (body,) = rest.bodies
-    ends = rest.joints.ends
-    tensions = [max(math.hypot(*each.first), math.hypot(*each.second)) for each in ends]
-    anchored = [each.first for k, each in enumerate(ends) if rest.is_anchored(k)]
-    return Response(
-        x=body.position.x,
-        y=body.position.y,
-        yaw=body.position.yaw,
-        offset=math.hypot(*body.offset),
-        largest_tension=max(tensions),
-        most_loaded=first_largest(tensions),
-        largest_anchor_tension=max((math.hypot(*each) for each in anchored), default=0.0),
-        largest_uplift=max((each[2] for each in anchored), default=0.0),
-        least_grounded=min(each.state.grounded for each in ends),
-    )

@@ -360,7 +360,7 @@ def hold(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> Netw
 
 def _with_its_body_held(network: Network) -> tuple[Network, tuple[float, float]]:
     """Hold the one body that a network has, and say where its origin is; InputError for several."""
-    if network.current is not None:
+    if network.current_at_rest is not None:
         allowed = Message("refused_motion.nothing_is_held_in_a_current")
         raise InputError([Problem("current", "", allowed)], "held body")
     if not network.bodies:
@@ -400,8 +400,8 @@ def at_rest(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> L
     >>> round(body.offset[0], 3)
     0.0
     """
-    if network.current is not None:
-        return _in_current(network, network.current)
+    if (current := network.current_at_rest) is not None:
+        return _in_current(network, current)
     return without_load(network, displacement).under(network.bodies)
 
 
@@ -421,9 +421,21 @@ class WithoutLoad:
     def under(self, loaded: tuple[MooredBody, ...]) -> LinesAtRest:
         """Bring bodies to rest under their loads."""
         network, whole = (replace(each, bodies=loaded) for each in (self.network, self.whole))
-        found, neutral = self.found, self.found.poses
+        found = self.found
         if any(any(body.force) or body.moment for body in loaded):
             found = joints_at_rest(whole, self.runs, self.held, found)
+        return self._apart(network, whole, found)
+
+    def held_at(self, x: float, y: float) -> LinesAtRest:
+        """Hold its one body off where it rests without load, m; it turns where it is free to."""
+        ((along, across, yaw),) = self.found.poses
+        there = self.found._replace(poses=((along + x, across + y, yaw),))
+        whole = self.whole.unloaded()
+        found = joints_at_rest(whole, self.runs, self.held, there, pinned=True)
+        return self._apart(self.network.unloaded(), whole, found)
+
+    def _apart(self, network: Network, whole: Network, found: JointsAtRest) -> LinesAtRest:
+        neutral = self.found.poses
         bodies = tuple(
             BodyAtRest(
                 body.body,

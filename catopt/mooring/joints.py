@@ -125,17 +125,20 @@ def joints_at_rest(
     runs: Sequence[Run],
     held: dict[int, Vector],
     known: JointsAtRest | None = None,
+    *,
+    pinned: bool = False,
 ) -> JointsAtRest:
     """Bring the joints and the free bodies of a network to rest, from where they are `known` to be.
 
-    `held` has the place of its anchors and of the fairleads of what is held, m.
+    `held` has the place of its anchors and of the fairleads of what is held, m. Bodies that are
+    `pinned` stay in x and y where they are known to be, and turn where they are free to.
 
     Raises NoEquilibriumError where friction leaves open where a joint lies, the lines cannot carry
     the moment on a body, or a line that does not stretch is too short; FloatsUpError; or
     NotConvergedError with the force left over.
     """
     if len(held) < len(network.points):
-        found = _Search(network, runs, held).rest(known)
+        found = _Search(network, runs, held, pinned).rest(known)
     else:
         places = tuple(held[k] for k in range(len(network.points)))
         ends = tuple(solved(run, places, friction_of(network, run)) for run in runs)
@@ -194,12 +197,15 @@ class _At(NamedTuple):
 class _Search:
     """Newton's method on the places of the joints and of the bodies."""
 
-    def __init__(self, network: Network, runs: Sequence[Run], held: dict[int, Vector]) -> None:
+    def __init__(
+        self, network: Network, runs: Sequence[Run], held: dict[int, Vector], pinned: bool
+    ) -> None:
         self.network, self.runs, self.held = network, runs, held
         self.joints = [k for k, point in enumerate(network.points) if point.kind == "joint"]
         self.bodies = moored(network, 3 * len(self.joints))
         self.size = 3 * len(self.joints) + sum(body.freedoms for body in self.bodies)
         self.stride = max(run.line.length for run in runs)
+        self.pins = [body.first + i for body in self.bodies for i in (0, 1)] if pinned else []
 
     def rest(self, known: JointsAtRest | None) -> JointsAtRest:
         """Step until the forces are in balance, and as long as that still gets better."""
@@ -232,14 +238,15 @@ class _Search:
 
     def start(self, known: JointsAtRest | None) -> _At:
         """Begin where all is known to be at rest, or with the bodies where they are given."""
-        if known is not None:
-            return _At([*known.places], known.poses, self.ends(known.places, known.ends))
-        poses = ((0.0, 0.0, 0.0),) * len(self.bodies)
+        poses = ((0.0, 0.0, 0.0),) * len(self.bodies) if known is None else known.poses
         held = {**self.held}
         for body, pose in zip(self.bodies, poses, strict=True):
             held |= body.places(pose)
-        places = _start(self.network, self.runs, held)
-        return _At(places, poses, self.ends(places, None))
+        if known is None:
+            places = _start(self.network, self.runs, held)
+        else:
+            places = [held.get(k, place) for k, place in enumerate(known.places)]
+        return _At(places, poses, self.ends(places, None if known is None else known.ends))
 
     def found(self, at: _At, laid: dict[int, float], left: float, step: int) -> JointsAtRest:
         """Say what has come to rest."""
@@ -297,13 +304,7 @@ class _Search:
         self, at: _At, motions: Mapping[int, tuple[int, Matrix]]
     ) -> tuple[list[float], dict[int, float]]:
         """Sum what is left over by freedom; and what the bed carries of joints, by theirs."""
-        left = [0.0] * self.size
-        for run, each in zip(self.runs, at.ends, strict=True):
-            for point, force in ((run.first, each.first), (run.second, each.second)):
-                if point in motions:
-                    first, by = motions[point]
-                    for i, along in enumerate(zip(*by, strict=True)):
-                        left[first + i] += sum(map(float.__mul__, along, force))
+        left = self.of_lines(at, motions)
         for body in self.bodies:
             load = (*body.body.force, body.body.moment / body.arm)
             for i in range(body.freedoms):
@@ -316,7 +317,20 @@ class _Search:
             if at.places[point][2] <= 0.0 and left[up] <= 0.0:
                 laid[up] = -left[up]
                 left[up] = 0.0
+        for i in self.pins:
+            left[i] = laid[i] = 0.0  # what holds a body is no reaction of the bed
         return left, laid
+
+    def of_lines(self, at: _At, motions: Mapping[int, tuple[int, Matrix]]) -> list[float]:
+        """Sum what the lines do by freedom."""
+        total = [0.0] * self.size
+        for run, each in zip(self.runs, at.ends, strict=True):
+            for point, force in ((run.first, each.first), (run.second, each.second)):
+                if point in motions:
+                    first, by = motions[point]
+                    for i, along in enumerate(zip(*by, strict=True)):
+                        total[first + i] += sum(map(float.__mul__, along, force))
+        return total
 
     def stiffness(self, at: _At, motions: Mapping[int, tuple[int, Matrix]]) -> list[list[float]]:
         """Sum the stiffness of the lines, and what their pulls add as a body turns."""
@@ -416,7 +430,7 @@ def by_turning(runs: Sequence[Run], ends: Sequence[Ends], body: Moored, yaw: flo
 
 
 def _held_down(matrix: list[list[float]], laid: Collection[int]) -> list[list[float]]:
-    """Let what lies on the bed stay there."""
+    """Let what lies on the bed, or is pinned, stay there."""
     for i in laid:
         matrix[i] = [float(i == j) for j in range(len(matrix))]
     return matrix

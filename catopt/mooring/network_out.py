@@ -81,9 +81,9 @@ def each_line_out(network: Network) -> tuple[NetworkOut, ...]:
     the others are looked at all the same. What happens on the way there, when the line parts, is
     dynamics and not looked at.
     """
-    count = len(network.lines)
+    count, still = len(network.lines), network.without_motion()
     return tuple(
-        _without(network, missing)
+        _without(still, missing)
         for missing in paced(Message("words.lines_out", total=count), range(count))
     )
 

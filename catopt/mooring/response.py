@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from catopt.model.kinds import Angle, Force, Height, Place, SomeForce
 from catopt.mooring.arrangement import Lines
 from catopt.mooring.descent import Rest
+from catopt.mooring.held import LinesAtRest
 from catopt.mooring.zero_load import ZeroLoadPosition
 from catopt.records import Record
 from catopt.ties import first_largest
@@ -40,6 +41,30 @@ class Response(Record):
     """Largest on an anchor; 0 or less where none is pulled up."""
     least_grounded: Height
     """Shortest on the bed of any line, unstretched."""
+
+
+def network_response(rest: LinesAtRest, moved: tuple[float, float] | None = None) -> Response:
+    """Sum a network up; tensions are those at either end of a line.
+
+    `moved`: by how much what is held is, m; None: of its one free body.
+    """
+    ends = rest.joints.ends
+    tensions = [max(math.hypot(*each.first), math.hypot(*each.second)) for each in ends]
+    anchored = [each.first for k, each in enumerate(ends) if rest.is_anchored(k)]
+    if moved is None:
+        (body,) = rest.bodies
+        place, offset = (body.position.x, body.position.y, body.position.yaw), body.offset
+    else:
+        place, offset = (*moved, 0.0), moved
+    return Response(
+        *place,
+        offset=math.hypot(*offset),
+        largest_tension=max(tensions),
+        most_loaded=first_largest(tensions),
+        largest_anchor_tension=max((math.hypot(*each) for each in anchored), default=0.0),
+        largest_uplift=max((each[2] for each in anchored), default=0.0),
+        least_grounded=min(each.state.grounded for each in ends),
+    )
 
 
 def response_of(

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
+from catopt.errors import InputError, Problem
 from catopt.model.kinds import Angle, Findings, Force, Place, SomeForce
+from catopt.model.network import Network
 from catopt.model.system import System
-from catopt.mooring.response import Response, response_of
+from catopt.mooring.held import LinesAtRest, at_rest, without_load
+from catopt.mooring.response import Response, network_response, response_of
 from catopt.mooring.zero_load import zero_load_position
 from catopt.patience import paced
 from catopt.records import Counted, Record
 from catopt.words import Message
 
-__all__ = ["RestoringCurve", "offset_curve", "restoring_curve"]
+__all__ = ["RestoringCurve", "network_curve", "offset_curve", "restoring_curve"]
 
 
 @dataclass(frozen=True)
@@ -23,7 +26,7 @@ class RestoringCurve(Record):
 
     DOCUMENT = "direction offset force force_across largest_tension most_loaded_line"
 
-    system: System
+    system: System | Network
     """The lines; its own load plays no part."""
     direction: Angle
     """Counter-clockwise from x."""
@@ -31,7 +34,8 @@ class RestoringCurve(Record):
     """Whether the body is held on the line along the direction (`restoring_curve`), or free and
     pushed along it (`offset_curve`)."""
     offset: tuple[Place, ...]
-    """Of the body along the direction, from the zero-load position."""
+    """Of the body along the direction, from the zero-load position; of what is held between points
+    from where it is given."""
     across: tuple[Place, ...]
     """Across it, a quarter turn counter-clockwise; all 0 where it is held."""
     force: tuple[Force, ...]
@@ -70,6 +74,47 @@ def restoring_curve(
     return _curve(system, direction, offsets, is_held=True)
 
 
+def network_curve(
+    network: Network, *, direction: float, offsets: Sequence[float]
+) -> RestoringCurve:
+    """Force that holds the one free body of a network at offsets, or all that is held without one.
+
+    As `restoring_curve`; InputError, too, where bodies are several, or nothing moves.
+    """
+    _check(direction, offsets, "offsets", "m")
+    is_free = bool(network.bodies)
+    own = network.bodies[0].name if is_free else ""
+    moves = {p.name for p in network.points if p.kind == "fairlead" and p.body == own}
+    if len(network.bodies) > 1 or not moves:
+        found = ", ".join(body.name for body in network.bodies) or Message("refused.none")
+        allowed = Message("refused_motion.curve_is_of_one_body")
+        raise InputError([Problem("bodies", found, allowed)], "restoring curve")
+    start = without_load(network) if is_free else None
+    cosine, sine = math.cos(direction), math.sin(direction)
+    points = []
+    for value in paced(Message("words.offsets", total=len(offsets)), offsets):
+        way = (value * cosine, value * sine)
+        at = (*way, 0.0, 0.0, 0.0, 0.0)
+        rest = at_rest(network, at) if start is None else start.held_at(*way)
+        x, y = _pull(rest, moves)
+        numbers = (float(value), 0.0, -x * cosine - y * sine, x * sine - y * cosine)
+        points.append((*numbers, network_response(rest, None if is_free else way)))
+    columns = zip(*points, strict=True) if points else [()] * 5
+    return RestoringCurve(network, direction, True, *columns)
+
+
+def _pull(rest: LinesAtRest, moves: Collection[str]) -> tuple[float, float]:
+    """Sum what the lines do to some points along x and y, N."""
+    points = rest.network.points
+    forces = [
+        force
+        for run, each in zip(rest.runs, rest.joints.ends, strict=True)
+        for at, force in ((run.first, each.first), (run.second, each.second))
+        if points[at].name in moves
+    ]
+    return math.fsum(force[0] for force in forces), math.fsum(force[1] for force in forces)
+
+
 def offset_curve(system: System, *, direction: float, forces: Sequence[float]) -> RestoringCurve:
     """Offset of a free body under forces along a direction.
 
@@ -87,12 +132,7 @@ def offset_curve(system: System, *, direction: float, forces: Sequence[float]) -
 def _curve(
     system: System, direction: float, values: Sequence[float], *, is_held: bool
 ) -> RestoringCurve:
-    found = Findings("restoring curve")
-    found.number("direction", direction, "rad")
-    key, unit = ("offsets", "m") if is_held else ("forces", "N")
-    for index, value in enumerate(values):
-        found.number(f"{key}[{index}]", float(value), unit)
-    found.raise_if_any()
+    _check(direction, values, *(("offsets", "m") if is_held else ("forces", "N")))
     zero_load = zero_load_position(system)
     start = zero_load.neutral
     cosine, sine = math.cos(direction), math.sin(direction)
@@ -110,3 +150,11 @@ def _curve(
         points.append((*numbers, response_of(zero_load, rest, lines)))
     columns = zip(*points, strict=True) if points else [()] * 5
     return RestoringCurve(system, direction, is_held, *columns)
+
+
+def _check(direction: float, values: Sequence[float], key: str, unit: str) -> None:
+    found = Findings("restoring curve")
+    found.number("direction", direction, "rad")
+    for index, value in enumerate(values):
+        found.number(f"{key}[{index}]", float(value), unit)
+    found.raise_if_any()

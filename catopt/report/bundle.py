@@ -373,7 +373,7 @@ def _of_motion(part: DynamicPart, title: str) -> Drawing:
 def motion_pictures(found: DynamicVerification, language: Language = "en") -> dict[str, bytes]:
     """Draw every load case in motion, or the governing line of a body; of a buoy afloat a film."""
     title, parts = found.case.title, found.parts
-    if found.case.system is not None:
+    if found.case.several_lines:
         part = found.governing
         return _pictures({"dynamic": _of_motion(part, f"{title}, {part.where}")})
     titles = [title] if len(parts) == 1 else [f"{title}, {each.name}".strip(", ") for each in parts]

@@ -8,7 +8,7 @@ from types import MappingProxyType
 from typing import Any, Final, Literal
 
 from catopt.arrays import Array, Flags
-from catopt.casefile.reading import Moored
+from catopt.casefile.reading import Moored, is_network
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.words import Message
 
@@ -67,6 +67,7 @@ KEPT: Final[Mapping[str, tuple[Output, ...]]] = MappingProxyType(
     {
         "line": (*_ENDS, Output("span", "span")),
         "system": (*_ENDS, Output("offset", "offset")),
+        "points": (*_ENDS, Output("offset", "offset")),
         "checks": (_USED, Output("failing", "failing"), _GOVERNING),
         "motion": (
             Output("fairlead_tension", "tension"),
@@ -99,7 +100,7 @@ KEPT: Final[Mapping[str, tuple[Output, ...]]] = MappingProxyType(
 )
 """What is kept, by what is computed; at rest by what is moored.
 
-At rest, of a line or over all lines of a body: the largest tensions and uplift of any line, the
+At rest, of a line or over all lines: the largest tensions and uplift of any line, the
 least grounded length. In motion, over the whole run and all lines: `change` is the largest part by
 which a maximum hangs on the step, as far as that was looked for. By linear motion, at the fairlead
 with the largest `fairlead_probable`; `reserve` is the least of any line.
@@ -126,5 +127,21 @@ class Base:
     @property
     def kept(self) -> tuple[Output, ...]:
         """What is kept of each member."""
-        at_rest = "system" if "system" in self.document else "line"
-        return KEPT[at_rest if self.compute == "statics" else self.compute]
+        if self.compute != "statics":
+            return KEPT[self.compute]
+        if self.is_network:
+            return KEPT["points"] if "bodies" in self.document else _ENDS
+        return KEPT["system" if "system" in self.document else "line"]
+
+    @property
+    def is_network(self) -> bool:
+        """Whether the file is of points and lines."""
+        return self.moored is None and is_network(self.document)
+
+    @property
+    def in_bulk(self) -> bool:
+        """Whether members are solved many at a time: of points, those without joints, on a body."""
+        if self.compute != "statics" or not self.is_network:
+            return self.compute == "statics"
+        kinds = [point.get("kind") for point in self.document["points"]]
+        return "joint" not in kinds and len(self.document.get("bodies", ())) == 1

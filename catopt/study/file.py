@@ -20,6 +20,7 @@ from catopt.documents import parse_toml, read_text
 from catopt.errors import InputError, Problem
 from catopt.model import Case
 from catopt.model.kinds import Kind, Measured, Seed, Size, Text, Whole
+from catopt.model.network import Network
 from catopt.study.base import Base, Computed, Proof
 from catopt.study.member import kind_of_key, read_member
 from catopt.study.store import read_table
@@ -127,7 +128,10 @@ def read_study(path: str | os.PathLike[str]) -> Study:
         allowed = Message("refused_study.members_are_most_give_fewer", most=_MOST)
         raise InputError([Problem("vary", f"{len(study):,} members", allowed)], source)
     case = read_member(base, study.piece(0).changes(0))
-    if base.compute == "checks" and isinstance(case, Case) and not criteria_of(case).all:
+    if base.compute == "linear" and base.is_network:
+        allowed = Message("refused_study.no_linear_of_points")
+        raise InputError([Problem("compute", '"linear"', allowed)], source)
+    if base.compute == "checks" and isinstance(case, Case | Network) and not criteria_of(case).all:
         allowed = Message("refused_study.checks_with_codes_or_limits")
         raise InputError([Problem("checks", Message("refused.none"), allowed)], base.source)
     return study
@@ -154,9 +158,9 @@ def _base(table: StudyTable, folder: Path, source: str) -> Base:
 def _document(place: Path) -> dict[str, Any]:
     """Document of a case file; of another program's input file, that of its case."""
     if place.suffix.lower() != ".toml":
-        from catopt.casefile import read_case, write_case
+        from catopt.casefile import read_mooring, write_case
 
-        return parse_toml(write_case(read_case(place)), str(place))
+        return parse_toml(write_case(read_mooring(place)), str(place))
     return parse_toml(read_text(place, str(place)), str(place))
 
 

@@ -7,12 +7,14 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from catopt.casefile.document import hint, parts
-from catopt.casefile.reading import case_of
-from catopt.casefile.schema import CaseTable, TableSchema, entries
+from catopt.casefile.reading import case_of, network_of
+from catopt.casefile.schema import CaseTable, NetworkTable, TableSchema, entries
 from catopt.checks.case import check_case
+from catopt.checks.system import check_network
 from catopt.errors import CatoptError, InputError, Problem
 from catopt.model import Case
 from catopt.model.kinds import Kind, Measured
+from catopt.model.network import Network
 from catopt.sizing.file import SizingFile, file_of, sized
 from catopt.sizing.kinds import schema_of
 from catopt.study.base import Base
@@ -35,7 +37,8 @@ def kind_of_key(base: Base, key: str) -> Kind:
     Raises InputError, about ``key``, for one that the file cannot have, that is no single value, or
     that counts into an array of tables which the file does not have.
     """
-    top = CaseTable if base.moored is None else schema_of(base.moored)
+    own = NetworkTable if base.is_network else CaseTable
+    top: type[TableSchema] = own if base.moored is None else schema_of(base.moored)
     table: type[TableSchema] | None = top
     place: Any = base.document
     entry = None
@@ -86,13 +89,15 @@ def _refused(key: str, allowed: str) -> InputError:
     return InputError([Problem("key", f'"{key}"', allowed)])
 
 
-def read_member(base: Base, changes: Mapping[str, Any]) -> Case | SizingFile:
+def read_member(base: Base, changes: Mapping[str, Any]) -> Case | Network | SizingFile:
     """Read a member's file; InputError with all that is wrong in it.
 
     `changes`: its own values by key path, numbers in SI.
     """
     written = {key: in_file(kind_of_key(base, key), value) for key, value in changes.items()}
     document = with_changes(base, written)
+    if base.is_network:
+        return network_of(document, base.source, folder=base.folder)
     if base.moored is None:
         return case_of(document, base.source, folder=base.folder)
     return file_of(document, base.moored, base.source, folder=base.folder)
@@ -116,6 +121,7 @@ def compute_member(
     if base.compute == "motion":
         return _in_motion(base, read)
     if base.compute == "linear":
+        assert isinstance(read, Case)
         from catopt.verify.linear import linear_lines
 
         lines = linear_lines(read)
@@ -130,7 +136,7 @@ def compute_member(
             "reserve": min(line.reserve for line in lines),
             "taut": "yes" if all(line.holds for line in lines) else "no",
         }
-    report = check_case(read)
+    report = check_network(read) if isinstance(read, Network) else check_case(read)
     failing = sum(not each.passes for each in report.results)
     return {**_of_checks(report), "failing": float(failing)}
 
@@ -151,7 +157,7 @@ def _of_checks(report: CheckReport) -> Values:
     return values if used is None else {"utilisation": used, **values}
 
 
-def _in_motion(base: Base, case: Case) -> Values:
+def _in_motion(base: Base, case: Case | Network) -> Values:
     from catopt.checks.criteria import criteria_of
     from catopt.notes.motion import checks_in_motion
     from catopt.verify.dynamic import verify_dynamic
@@ -161,15 +167,18 @@ def _in_motion(base: Base, case: Case) -> Values:
         raise KeyboardInterrupt
     ran = found.parts
     tension = found.governing.of("fairlead_tension")
+    if isinstance(case, Network):  # whichever end of a line is pulled at most
+        tension = largest((tension, found.governing.of("anchor_tension")), lambda x: x.maximum)
     values: Values = {
         "fairlead_tension": tension.maximum,
         "fairlead_mean": tension.mean,
         "fairlead_deviation": tension.std,
-        "anchor_tension": max(part.of("anchor_tension").maximum for part in ran),
         "offset": max(part.of("offset").maximum for part in ran),
         "grounded_length": min(part.of("grounded_length").minimum for part in ran),
         "verdict": found.verdict,
     }
+    anchored = [part.of("anchor_tension").maximum for part in ran if part.is_anchored]
+    values |= {"anchor_tension": max(anchored)} if anchored else {}
     changes = [part.worst_change.size for part in ran if part.worst_change is not None]
     if changes:
         values["change"] = max(changes)

@@ -168,7 +168,7 @@ def _at_once(
 
 def worth(study: Study) -> int:
     """Return how many processes a study is worth: one where its members are solved in bulk."""
-    return 1 if study.base.compute == "statics" else min(os.cpu_count() or 1, study.pieces)
+    return 1 if study.base.in_bulk else min(os.cpu_count() or 1, study.pieces)
 
 
 @contextmanager
@@ -241,7 +241,7 @@ def plan_study(study: Study) -> Plan:
     """Time a few members of a study; of those at rest, a whole piece after a first one."""
     kept = study.base.kept
     width = 8.0 * (len(kept) + len(study.keys)) * (1 + _BYTES)
-    if study.base.compute == "statics":
+    if study.base.in_bulk:
         piece = study.piece(0)
         compute_piece(study.base, piece)
         began = perf_counter()

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Final, NamedTuple
 
@@ -17,15 +18,20 @@ from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.model import Case, Load, System
 from catopt.model.kinds import Measured
 from catopt.model.load import LOADS as OF_A_LINE
+from catopt.model.network import MooredBody, Network
+from catopt.model.system import Leg
 from catopt.mooring.batch import SystemSolutions, solve_system_many
 from catopt.mooring.case import report_system
+from catopt.mooring.held import LinesAtRest, without_load
+from catopt.mooring.held import at_rest as network_at_rest
+from catopt.mooring.joints import turned_line
 from catopt.study.base import Base
 from catopt.study.member import kind_of_key, read_member, reason_of
 from catopt.study.study import StudyPiece
 from catopt.words import Message
 
-LOADS: Final = frozenset(
-    [*(f"load.{key}" for key in OF_A_LINE), "system.force[0]", "system.force[1]", "system.moment"]
+_LOADS: Final = re.compile(
+    rf"load\.({'|'.join(OF_A_LINE)})|(system|bodies\[\d+\])\.(force\[[01]\]|moment)"
 )
 """Keys that differ within a group."""
 
@@ -61,7 +67,7 @@ def at_rest(base: Base, piece: StudyPiece) -> AtRest:
 
 def _groups(piece: StudyPiece) -> Iterator[Group]:
     """Part a piece by all but the loads."""
-    slow = {key: column for key, column in piece.columns.items() if key not in LOADS}
+    slow = {key: column for key, column in piece.columns.items() if not _LOADS.fullmatch(key)}
     if not slow:
         yield Group(np.arange(len(piece)), piece.changes(0))
         return
@@ -75,7 +81,11 @@ def _groups(piece: StudyPiece) -> Iterator[Group]:
 
 
 def _solve(base: Base, piece: StudyPiece, group: Group, found: AtRest) -> None:
-    loads = {key: np.asarray(piece.columns[key])[group.at] for key in piece.columns if key in LOADS}
+    loads = {
+        key: np.asarray(column)[group.at]
+        for key, column in piece.columns.items()
+        if _LOADS.fullmatch(key)
+    }
     within = np.ones(len(group.at), dtype=bool)
     for key, values in loads.items():
         kind = kind_of_key(base, key)
@@ -90,6 +100,9 @@ def _solve(base: Base, piece: StudyPiece, group: Group, found: AtRest) -> None:
     loads = {key: values[within] for key, values in loads.items()}
     first = {key: values[0].item() for key, values in loads.items()}
     case = read_member(base, {**group.changes, **first})
+    if isinstance(case, Network):
+        _put(_points(case, loads, len(at)), at, found)
+        return
     assert isinstance(case, Case)
     case.site.check_level()
     case.check_still_water()
@@ -99,6 +112,10 @@ def _solve(base: Base, piece: StudyPiece, group: Group, found: AtRest) -> None:
         solved = _bodies(case.system, loads, len(at))
     else:
         solved = _lines(case, loads, len(at))
+    _put(solved, at, found)
+
+
+def _put(solved: Solved, at: Codes, found: AtRest) -> None:
     for name, column in solved[0].items():
         found.values[name][at] = column
     found.reasons.update({int(at[member]): reason for member, reason in solved[1].items()})
@@ -161,6 +178,78 @@ def _bodies(system: System, loads: Loads, count: int) -> Solved:
     return values, _reasons(solved)
 
 
+def _points(network: Network, loads: Loads, count: int) -> Solved:
+    """Bring points and lines to rest under many loads on bodies: in bulk what is as a system."""
+    system = system_of(network)
+    if system is not None:
+        return _bodies(
+            system, {k.replace("bodies[0]", "system"): v for k, v in loads.items()}, count
+        )
+    start = None if network.current_at_rest is not None else without_load(network)
+
+    def at(member: int) -> dict[str, float]:
+        own = {key: float(values[member]) for key, values in loads.items()}
+        bodies = tuple(_loaded(k, body, own) for k, body in enumerate(network.bodies))
+        return points_at_rest(network_at_rest(network) if start is None else start.under(bodies))
+
+    return _each(at, count)
+
+
+def _loaded(number: int, body: MooredBody, loads: Mapping[str, float]) -> MooredBody:
+    x, y = (loads.get(f"bodies[{number}].force[{i}]", own) for i, own in enumerate(body.force))
+    return replace(body, force=(x, y), moment=loads.get(f"bodies[{number}].moment", body.moment))
+
+
+def system_of(network: Network) -> System | None:
+    """Say points and lines as a system again: lines from anchors to one free body; None of others.
+
+    Of buoys on lines it is not told how high they come to be.
+    """
+    points = {point.name: point for point in network.points}
+    legs = []
+    for each in network.lines:
+        ends, line = [points[each.start], points[each.end]], each.line
+        if ends[1].kind == "anchor":
+            ends, line = ends[::-1], turned_line(line)
+        anchor, fairlead = ends
+        has_buoys = any(load.submerged_weight < 0.0 for load in line.point_loads)
+        if anchor.kind != "anchor" or not fairlead.body or len(network.bodies) > 1 or has_buoys:
+            return None
+        (body,) = network.bodies
+        (ax, ay, anchor_height), (x, y, height) = anchor.place, fairlead.place
+        if math.hypot(ax - body.x, ay - body.y) == 0.0:
+            return None
+        legs.append(
+            Leg.between(
+                line,
+                anchor=(ax - body.x, ay - body.y),
+                fairlead=(x - body.x, y - body.y),
+                fairlead_height=height,
+                anchor_height=anchor_height,
+            )
+        )
+    x, y = body.force
+    friction, turns = network.site.seabed_friction, network.turns(body)
+    return System(tuple(legs), (x, y), body.moment, friction, yaw_free=turns)
+
+
+def points_at_rest(rest: LinesAtRest) -> dict[str, float]:
+    """Sum up points and lines at rest over all lines: at anchors, and at all other ends."""
+    lines = rest.lines
+    anchors = [line.anchor for k, line in enumerate(lines) if rest.is_anchored(k)]
+    others = [line.anchor for k, line in enumerate(lines) if not rest.is_anchored(k)]
+    values = {
+        "fairlead_tension": max(e.tension for e in (*others, *(line.fairlead for line in lines))),
+        "grounded_length": min(line.grounded_length for line in lines),
+    }
+    if anchors:
+        values["anchor_tension"] = max(each.tension for each in anchors)
+        values["anchor_uplift"] = max(each.vertical_force for each in anchors)
+    if rest.bodies:
+        values["offset"] = max(math.hypot(*body.offset) for body in rest.bodies)
+    return values
+
+
 def _reasons(solved: Solutions | SystemSolutions) -> dict[int, str]:
     failed = np.flatnonzero(~solved.converged).tolist()
     return {member: solved.reason(member) or "" for member in failed}
@@ -168,11 +257,19 @@ def _reasons(solved: Solutions | SystemSolutions) -> dict[int, str]:
 
 def _one_by_one(case: Case, loads: Loads, count: int) -> Solved:
     """Solve a line with buoys, which must not rise above the water, load by load."""
+
+    def at(member: int) -> dict[str, float]:
+        return one_at_rest(_under(case, {k: float(v[member]) for k, v in loads.items()}))
+
+    return _each(at, count)
+
+
+def _each(at: Callable[[int], dict[str, float]], count: int) -> Solved:
     values: dict[str, Array] = {}
     reasons = {}
     for member in range(count):
         try:
-            found = one_at_rest(_under(case, {k: float(v[member]) for k, v in loads.items()}))
+            found = at(member)
         except (NoAnswerError, NotConvergedError) as error:
             reasons[member] = error.message
             continue

@@ -259,9 +259,15 @@ class Study:
         return shares
 
     @property
+    def _piece(self) -> int:
+        """Members of a piece; those at rest that are solved one by one are as slow as checks."""
+        is_slow = self.base.compute == "statics" and not self.base.in_bulk
+        return PIECE["checks" if is_slow else self.base.compute]
+
+    @property
     def pieces(self) -> int:
         """How many pieces there are."""
-        return math.ceil(len(self) / PIECE[self.base.compute])
+        return math.ceil(len(self) / self._piece)
 
     def piece(self, number: int) -> StudyPiece:
         """Return a piece by its number from 0."""
@@ -270,7 +276,7 @@ class Study:
 
     def piece_start(self, number: int) -> int:
         """Return the first member of a piece, from 0; that after the last for the next piece."""
-        return min(number * PIECE[self.base.compute], len(self))
+        return min(number * self._piece, len(self))
 
     @cached_property
     def digest(self) -> Annotated[str, Matching("^[0-9a-f]{64}$")]:

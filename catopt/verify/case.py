@@ -91,17 +91,18 @@ def verify_case(
     for done, (name, state) in enumerate(steps):
         if progress is not None:
             progress(done, len(states))
+        assert isinstance(state, Case)
         parts.append(_verified(name, state, elements, tolerance))
     return Verification(case, tuple(parts))
 
 
-def load_states(case: Case, wanted: str | None) -> list[tuple[str, Case]]:
+def load_states(case: Case | Network, wanted: str | None) -> list[tuple[str, Case | Network]]:
     """Name every state of a case that is to be verified, with the case under its load.
 
     `wanted`: name of one load case; None: all of them, or the load where there are none. Raises
     InputError when no load case has that name.
     """
-    states = dict(_named(case))
+    states: dict[str, Case | Network] = dict(_named(case))
     if wanted is None:
         return list(states.items())
     if wanted not in {state.name for state in case.load_cases}:
@@ -117,7 +118,10 @@ def _no_load_cases(wanted: str, names: str = "") -> InputError:
     return InputError([Problem("--load-case", as_written(wanted), allowed)], "options")
 
 
-def _named(case: Case) -> Iterator[tuple[str, Case]]:
+def _named(case: Case | Network) -> Iterator[tuple[str, Case | Network]]:
+    if isinstance(case, Network):
+        yield LOAD, case
+        return
     found = as_found(case)
     if not case.load_cases:
         yield LOAD, found

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from catopt.fem.extremes import Extreme
     from catopt.verify.case import DesignVerification, FrontVerification
     from catopt.verify.compared import Compared
-    from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
+    from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, JointInMotion
     from catopt.verify.dynamic_run import DynamicRun, OverRuns
     from catopt.verify.result import StaticComparison, Verification
 
@@ -117,15 +117,23 @@ def dynamic_document(found: DynamicVerification) -> dict[str, Any]:
         "verdict": found.verdict,
         "drag_axial_area": "D",
         "body": [_quantity(each) for each in found.body],
+        **({"joints": [_joint(each) for each in found.joints]} if found.joints else {}),
         "initial_friction": found.case.dynamics.initial_friction if found.case.dynamics else None,
         "load_cases": [_part(part) for part in found.parts],
     }
 
 
+def _joint(each: JointInMotion) -> dict[str, Any]:
+    places = {"rest_m": each.rest, "least_m": each.least, "largest_m": each.largest}
+    return {"name": each.name, **{key: list(at) for key, at in places.items()}, "way_m": each.way}
+
+
 def _part(part: DynamicPart) -> dict[str, Any]:
+    of = part.between
     return {
         "load_case": part.name,
         **figures(part, "line is_complete elements"),
+        **({} if of is None else {"name": of.name, "from": of.start, "to": of.end}),
         "quantities": [_quantity(each) for each in part.quantities],
         "max_tension_N": part.max_tension,
         "quasi_static_max_tension_N": part.quasi_static_max,

@@ -17,8 +17,9 @@ from catopt.fem.history import STOPPED
 from catopt.floater.alone import HullHistory
 from catopt.interrupt import waiting_interrupt
 from catopt.model import Case
+from catopt.model.network import Network
 from catopt.verify.case import load_states
-from catopt.verify.dynamic_lines import LinesAtRest, lines_at_rest, quasi_static
+from catopt.verify.dynamic_lines import LinesAtRest, LinesOfPoints, lines_at_rest, quasi_static
 from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
 from catopt.verify.dynamic_run import DynamicRun
 from catopt.verify.dynamic_setup import Excitation, check_for_motion, read_drive
@@ -45,7 +46,7 @@ _LEFT_OUT = 0.01
 
 
 def verify_dynamic(
-    case: Case,
+    case: Case | Network,
     *,
     load_case: str | None = None,
     proof: Proof = "step",
@@ -65,7 +66,7 @@ def verify_dynamic(
 
     Parameters
     ----------
-    case : Case
+    case : Case or Network
         With `dynamics`, and `motion` or `waves`; with `system`, all lines of the body.
     load_case : str, optional
         Name of one load case; all of them when left out, or the load where there are none.
@@ -256,11 +257,12 @@ def _parts(
             name,
             drive,
             of_line,
-            leg.line.length,
+            leg.line,
             proof,
             (*remarks, *lines.remarks(), *_remarks(drive, of_line)),
-            None if drive.case.system is None else k,
+            k if drive.case.several_lines else None,
             lines.anchor_at_rest() if drive.compares_at_rest else {},
+            between=lines.between(k) if isinstance(lines, LinesOfPoints) else None,
         )
         for k, (leg, of_line) in enumerate(
             zip(lines.legs, zip(*(each.runs for each in seeds), strict=True), strict=True), start=1
@@ -293,8 +295,8 @@ def run_once(
         runs, found = found[: len(seeds)], found[len(seeds) :]
         failed = [each for each in runs if not isinstance(each, DynamicRun)]
         made = tuple(each for each in runs if isinstance(each, DynamicRun))
-        length = drive.case.line.length
-        parts += failed[:1] or [DynamicPart(name, drive, made, length, "none")]
+        line = drive.one.line
+        parts += failed[:1] or [DynamicPart(name, drive, made, line, "none")]
     return parts
 
 

@@ -18,10 +18,12 @@ from catopt.fem.dynamics import (
     line_at_rest,
     ramped,
     run_dynamics,
+    run_network_dynamics,
     run_system_dynamics,
 )
 from catopt.fem.history import History
 from catopt.fem.mesh import mesh_line
+from catopt.fem.network import LineEnd
 from catopt.fem.run_settings import BodyInertia, TimeStepping
 from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, Series, Together, series_rows, series_values
@@ -34,8 +36,11 @@ from catopt.floater.scene import kept_nodes, scene_of
 from catopt.hydro.build import FloatingHull
 from catopt.model import Case, Load
 from catopt.model.dynamics import InitialFriction
+from catopt.model.network import Network
+from catopt.mooring import held
 from catopt.mooring.solve import solve_system
-from catopt.verify.dynamic_setup import Excitation
+from catopt.verify.dynamic_result import Between
+from catopt.verify.dynamic_setup import Excitation, section_of
 from catopt.verify.line import truss_legs
 from catopt.waves import Sea, Waves, wavelength
 from catopt.words import Message
@@ -58,11 +63,11 @@ class OneLine:
     @classmethod
     def at_rest(cls, drive: Excitation) -> OneLine:
         """Solve the line in closed form; on a bed that slopes, by the truss model."""
-        load = drive.case.load
+        load = drive.one.load
         assert load is not None
-        if drive.case.site.seabed_slope != 0.0:
+        if drive.one.site.seabed_slope != 0.0:
             return cls._on_slope(drive, load)
-        closed = solve_case(drive.case)
+        closed = solve_case(drive.one)
         if load.fairlead_tension is not None:
             load = Load(horizontal_force=closed.horizontal_force)
         return cls(drive, load, closed.span)
@@ -78,7 +83,7 @@ class OneLine:
 
     def simulation(self, seabed: Seabed | None = None) -> Simulation:
         """Bring the truss model to rest, in the current, of the same bars as in the run."""
-        case = self.drive.case
+        case = self.drive.one
         return line_at_rest(
             mesh_line(case.line, self.drive.dynamics.bars),
             height=case.fairlead_height,
@@ -92,7 +97,7 @@ class OneLine:
     @property
     def legs(self) -> Sequence[Leg]:
         """The line, from its anchor at x = y = 0."""
-        case = self.drive.case
+        case = self.drive.one
         return (Leg(case.line, (0.0, 0.0, case.anchor_height)),)
 
     def driven_by(self, sea: Sea) -> list[Series]:
@@ -104,7 +109,7 @@ class OneLine:
         self, sea: Sea, stepping: TimeStepping, elements: int, progress: Progress
     ) -> tuple[History, Array | None]:
         """Run it; there is no body."""
-        case = self.drive.case
+        case = self.drive.one
         history = run_dynamics(
             case.line,
             stepping,
@@ -141,7 +146,7 @@ class OneLine:
             yield Message("motion.lower_end_led")
         if self.drive.dynamics.broken_at is not None:
             yield Message("motion.the_line_lost", time=self.drive.dynamics.broken_at)
-        slope = self.drive.case.site.seabed_slope
+        slope = self.drive.one.site.seabed_slope
         if slope != 0.0:
             yield Message("motion.sloped_bed", angle=math.degrees(slope))
 
@@ -308,6 +313,79 @@ class LinesOfABody:
         return harmonic if record is None else Together(harmonic, record)
 
 
+@dataclass(frozen=True)
+class LinesOfPoints:
+    """Lines between points, whose fairleads are led.
+
+    `drive`: what drives them; `rest`: where everything is before it moves, bodies under their
+    loads.
+    """
+
+    drive: Excitation
+    rest: held.LinesAtRest
+
+    @classmethod
+    def at_rest(cls, drive: Excitation) -> LinesOfPoints:
+        """Bring joints and bodies to rest in closed form."""
+        assert isinstance(drive.case, Network)
+        return cls(drive, held.at_rest(drive.case))
+
+    @property
+    def legs(self) -> Sequence[Leg]:
+        """Its lines, each from where its first end rests."""
+        places = self.rest.joints.places
+        return [Leg(run.line, places[run.first]) for run in self.rest.runs]
+
+    def between(self, number: int) -> Between:
+        """Say which line one is, from 1."""
+        run, points = self.rest.runs[number - 1], self.rest.network.points
+        ends = points[run.first].name, points[run.second].name
+        return Between(run.name, *ends, self.rest.is_anchored(number - 1))
+
+    def driven_by(self, sea: Sea) -> list[Series]:
+        """Motion of the fairleads."""
+        motion = self.drive.motion(sea, 0.0)
+        return [] if motion is None else [motion]
+
+    def run(
+        self, sea: Sea, stepping: TimeStepping, elements: int, progress: Progress
+    ) -> tuple[History, Array | None]:
+        """Run all lines; bodies are led with their fairleads."""
+        network, runs = self.rest.network, self.rest.runs
+        points, motion = network.points, self.drive.motion(sea, 0.0)
+        joints = [k for k, point in enumerate(points) if point.kind == "joint"]
+        ends = {
+            k: LineEnd((0.0, 0.0, 0.0), joints.index(k)) if k in joints else LineEnd(place)
+            for k, place in enumerate(self.rest.joints.places)
+        }
+        led = [motion if point.kind == "fairlead" else None for point in points]
+        sections = [[section_of(segment) for segment in run.line.segments] for run in runs]
+        history = run_network_dynamics(
+            [mesh_line(run.line, elements) for run in runs],
+            [(ends[run.first], ends[run.second]) for run in runs],
+            [points[k] for k in joints],
+            stepping,
+            motions=[(led[run.first], led[run.second]) for run in runs],
+            properties=replace(self.drive.properties, of_lines=sections),
+            sea=sea,
+            progress=progress,
+        )
+        return history, None
+
+    def anchor_at_rest(self) -> Mapping[InitialFriction, float]:
+        """Return nothing: the lines come to rest by the one past that their case has."""
+        return {}
+
+    def remarks(self) -> Iterator[str]:
+        """Yield what is led."""
+        network = self.rest.network
+        if network.motion is not None:
+            yield Message("motion.fairleads_led")
+        if network.motion is not None and network.bodies:
+            yield Message("motion.led")
+        yield Message("motion.no_still_of_points")
+
+
 def _turned(x: float, y: float, angle: float) -> tuple[float, float]:
     cosine, sine = math.cos(angle), math.sin(angle)
     return cosine * x - sine * y, sine * x + cosine * y
@@ -333,12 +411,12 @@ class LineOfAFloater:
     def at_rest(cls, drive: Excitation) -> LineOfAFloater:
         """Make the buoy; hull and line find their rest in the current of each run."""
         _check_in_plane(drive)
-        return cls(drive, hull_of(drive.case))
+        return cls(drive, hull_of(drive.one))
 
     @property
     def legs(self) -> Sequence[Leg]:
         """The line, from its anchor at x = y = 0."""
-        case = self.drive.case
+        case = self.drive.one
         return (Leg(case.line, (0.0, 0.0, case.anchor_height)),)
 
     def driven_by(self, sea: Sea) -> list[Series]:  # noqa: ARG002 - as of the others
@@ -349,7 +427,7 @@ class LineOfAFloater:
         self, sea: Sea, stepping: TimeStepping, elements: int, progress: Progress
     ) -> tuple[History, HullHistory]:
         """Run both; of the nodes' places what the scene takes is kept."""
-        case = self.drive.case
+        case = self.drive.one
         mesh = mesh_line(case.line, elements)
         history, hull = run_moored(
             self.hull,
@@ -371,7 +449,7 @@ class LineOfAFloater:
 
     def remarks(self) -> Iterator[str]:
         """Yield what is assumed of the buoy, and where the method ends."""
-        case, of = self.drive.case, self.drive.case.floater
+        case, of = self.drive.one, self.drive.one.floater
         assert of is not None
         hull, shape = self.hull, floating_buoy(of)
         yield Message("floater.moves", buoy=shape.name, draught=hull.draught)
@@ -417,7 +495,7 @@ def _check_in_plane(drive: Excitation) -> None:
         raise InputError(problems, "--dynamic")
 
 
-LinesAtRest = OneLine | LinesOfABody | LineOfAFloater
+LinesAtRest = OneLine | LinesOfABody | LinesOfPoints | LineOfAFloater
 """Lines that are run together, and what drives them."""
 
 
@@ -426,6 +504,8 @@ def lines_at_rest(drive: Excitation) -> LinesAtRest:
 
     Raises NoEquilibriumError, NotConvergedError as for `solve_case` and `solve_system`.
     """
+    if isinstance(drive.case, Network):
+        return LinesOfPoints.at_rest(drive)
     if drive.case.floater is not None:
         return LineOfAFloater.at_rest(drive)
     return (OneLine if drive.case.system is None else LinesOfABody).at_rest(drive)

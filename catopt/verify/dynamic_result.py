@@ -25,6 +25,7 @@ from catopt.fem.extremes import (
 from catopt.fem.extremes import gumbel as gumbel_of
 from catopt.model import Case, Line
 from catopt.model.dynamics import InitialFriction
+from catopt.model.network import Network
 from catopt.shown import Displayable
 from catopt.ties import largest
 from catopt.verify.dynamic_run import (
@@ -95,22 +96,31 @@ class BeyondMBL(NamedTuple):
         return self.tension / self.MBL
 
 
+class Between(NamedTuple):
+    """A line between points: its name, those of the points, and whether the first is an anchor."""
+
+    name: str
+    start: str
+    end: str
+    is_anchored: bool
+
+
 @dataclass(frozen=True)
 class DynamicPart:
     """A line in motion under one load.
 
-    `name`: of the load case; `drive`: what drove it; `runs`: one a seed; `line_length`:
-    unstretched, m; `proof`: how the runs were to be proven; `remarks`: what to know before the
+    `name`: of the load case; `drive`: what drove it; `runs`: one a seed; `own_line`:
+    which line; `proof`: how the runs were to be proven; `remarks`: what to know before the
     figures are used; `line`: of a body with several lines, which one, from 1; `anchor_at_rest`:
     tension at the anchor at rest, N, by the initial friction; empty where nothing rubs;
     `undecided`: checks whose verdict is another when it is run again; `governs`: whether it is the
-    line of a body that is used furthest.
+    line of a body that is used furthest; `between`: of a line between points, which.
     """
 
     name: str
     drive: Excitation
     runs: tuple[DynamicRun, ...]
-    line_length: float
+    own_line: Line
     proof: Proof
     remarks: tuple[str, ...] = ()
     line: int | None = None
@@ -118,6 +128,17 @@ class DynamicPart:
     undecided: tuple[str, ...] = ()
     governs: bool = False
     beyond_MBL: BeyondMBL | None = None
+    between: Between | None = None
+
+    @property
+    def is_anchored(self) -> bool:
+        """Whether its lower end, or first one, is at an anchor."""
+        return self.between is None or self.between.is_anchored
+
+    @property
+    def shown(self) -> str:
+        """Number of the line, or its name where it is one between points."""
+        return f"{self.line or ''}" if self.between is None else self.between.name
 
     @property
     def is_complete(self) -> bool:
@@ -129,7 +150,7 @@ class DynamicPart:
         """What it is of, for sentences: a load case, or a line of a body."""
         if self.line is None:
             return Message("motion.of_load_case", name=self.name)
-        return Message("motion.of_line", number=self.line)
+        return Message("motion.of_line", number=self.shown)
 
     @cached_property
     def levels(self) -> list[tuple[Way | None, tuple[DynamicRun, ...]]]:
@@ -185,7 +206,7 @@ class DynamicPart:
                     largest = max(run.maxima["largest_tension"] for run in runs)
                     over = max(over, LEAST_TENSION * largest)
                 elif quantity == "grounded_length":
-                    over = self.line_length
+                    over = self.own_line.length
                 if over > 0.0 and way is not None:
                     amount = abs(new - old)
                     found.append(Change(quantity, way, amount / over, amount, chance))
@@ -205,14 +226,6 @@ class DynamicPart:
     def added_changes(self) -> tuple[Change, ...]:
         """Largest change of each judged value, by all ways in which it was run again."""
         return tuple(largest_changes(change for each in self._moved for change in added(each)))
-
-    @property
-    def own_line(self) -> Line:
-        """The line that it is of: the case's, or one of its body's."""
-        system = self.drive.case.system
-        if system is None or self.line is None:
-            return self.drive.case.line
-        return system.legs[self.line - 1].line
 
     @property
     def MBL(self) -> float | None:
@@ -426,6 +439,17 @@ class DynamicPart:
         return gumbel_of(maxima, whole[0].duration, self.duration_of_interest)
 
 
+class JointInMotion(NamedTuple):
+    """Where a joint was in all runs, m: at rest; least and largest x, y, height; farthest way."""
+
+    name: str
+    rest: tuple[float, ...]
+    least: tuple[float, ...]
+    largest: tuple[float, ...]
+    way: float
+    """From where it rests, in any direction."""
+
+
 @dataclass(frozen=True, repr=False)
 class DynamicVerification(Displayable):
     """A case in motion.
@@ -435,7 +459,7 @@ class DynamicVerification(Displayable):
     missing.
     """
 
-    case: Case
+    case: Case | Network
     parts: tuple[DynamicPart, ...]
     is_complete: bool
 
@@ -446,7 +470,12 @@ class DynamicVerification(Displayable):
 
     @property
     def governing(self) -> DynamicPart:
-        """The part with the largest tension at the fairlead; of those alike the first."""
+        """The part with the largest tension at the fairlead; of those alike the first.
+
+        Of lines between points at either end.
+        """
+        if isinstance(self.case, Network):
+            return largest(self.parts, lambda part: part.max_tension)
         return largest(self.parts, lambda part: part.of("fairlead_tension").maximum)
 
     @property
@@ -460,6 +489,21 @@ class DynamicVerification(Displayable):
         """The part that says most against the answer: not converged, or changed most."""
         bad = [part for part in self.parts if part.verdict == "not converged"]
         return largest(bad or self.parts, lambda p: p.worst_change.size if p.worst_change else 0.0)
+
+    @cached_property
+    def joints(self) -> tuple[JointInMotion, ...]:
+        """Where joints were, by the samples after the ramp; empty where there are none."""
+        if not isinstance(self.case, Network):
+            return ()
+        names, runs = [p.name for p in self.case.points if p.kind == "joint"], self.parts[0].runs
+        places = np.concatenate([run.history.nodes[run.counted] for run in runs])
+        rest = runs[0].history.nodes[0]
+        ways = np.linalg.norm(places - rest, axis=2).max(axis=0)
+        where = zip(*(each.tolist() for each in (rest, places.min(0), places.max(0))), strict=True)
+        return tuple(
+            JointInMotion(name, tuple(at), tuple(least), tuple(most), way)
+            for name, (at, least, most), way in zip(names, where, ways.tolist(), strict=True)
+        )
 
     @cached_property
     def body(self) -> tuple[OverRuns, ...]:

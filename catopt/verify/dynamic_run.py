@@ -23,6 +23,7 @@ from catopt.fem.extremes import (
 from catopt.fem.history import History
 from catopt.floater.alone import HullHistory
 from catopt.model import Case
+from catopt.model.network import Network
 from catopt.verify.proof import (
     Again,
     Damped,
@@ -186,7 +187,9 @@ def over_runs(
     return OverRuns(quantity, float(means.mean()), std, *ends, tail, gumbel)
 
 
-def of_track(quantity: str, run: DynamicRun, track: Array, case: Case) -> SeriesStatistics:
+def of_track(
+    quantity: str, run: DynamicRun, track: Array, case: Case | Network
+) -> SeriesStatistics:
     """Say where a body was: a free one at every step, one that is led at the samples."""
     history, values = run.history, TRACK[quantity](track)
     if case.body is None or not history.counts:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
@@ -22,7 +22,8 @@ from catopt.fem.newmark import LineDamping, Scheme
 from catopt.fem.run_settings import StepControls, TimeStepping
 from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, Sampled, Series
-from catopt.model import Anchor, Case, Dynamics, Motion, Segment, WaveState, WaveTrain
+from catopt.model import Anchor, Case, Dynamics, Line, Motion, Segment, WaveState, WaveTrain
+from catopt.model.network import Network
 from catopt.model.sea import CurrentProfile
 from catopt.verify.motion_file import (
     Raos,
@@ -76,7 +77,7 @@ class Excitation:
     with their masses, of which it is found how far they would slide.
     """
 
-    case: Case
+    case: Case | Network
     elevation: ElevationRecord | None = None
     current: CurrentSeries | None = None
     record: Sampled | None = None
@@ -88,6 +89,12 @@ class Excitation:
     counts_cycles: bool = False
     compares_at_rest: bool = True
     sinkers: tuple[Anchor, ...] = ()
+
+    @property
+    def one(self) -> Case:
+        """The case of one line, or of a body's equal ones."""
+        assert isinstance(self.case, Case)
+        return self.case
 
     @property
     def dynamics(self) -> Dynamics:
@@ -151,16 +158,15 @@ class Excitation:
             )
             if record.is_resampled:
                 remarks.append(Message("motion.resampled", step=record.step))
-        sections = self.properties.sections or ()
-        for at, (segment, section) in enumerate(
-            zip(self.case.line.segments, sections, strict=True), start=1
-        ):
-            if segment.drag_method == "roughness":  # it is not verified
-                drag, mass = section.drag_normal, section.added_mass_normal
-                m, n = section.oblique
-                said = Message("motion.roughness", number=at, drag=drag, mass=mass, m=m, n=n)
-                remarks.append(said)
-        return remarks
+        for line in lines_of(self.case):
+            for at, segment in enumerate(line.segments, start=1):
+                if segment.drag_method == "roughness":  # it is not verified
+                    section = section_of(segment)
+                    drag, mass = section.drag_normal, section.added_mass_normal
+                    m, n = section.oblique
+                    said = Message("motion.roughness", number=at, drag=drag, mass=mass, m=m, n=n)
+                    remarks.append(said)
+        return list(dict.fromkeys(remarks))
 
     def motion(self, sea: Sea, span: float) -> Series | None:
         """Motion of the fairlead in a sea; `span` at rest, m."""
@@ -203,7 +209,7 @@ class Excitation:
     def has_rest(self) -> bool:
         """Whether the closed form gives a tension for every place of a fairlead, and is asked."""
         is_level = self.anchor_motion is None and self.case.site.seabed_slope == 0.0
-        return self.compares_at_rest and is_level
+        return self.compares_at_rest and is_level and not isinstance(self.case, Network)
 
     def stepping(self, sea: Sea, driven_by: Sequence[Series], finer: int = 1) -> TimeStepping:
         """Lay out steps and samples of a run."""
@@ -263,10 +269,11 @@ class Excitation:
 
     @property
     def properties(self) -> LineProperties:
-        """What the line needs beside its segments' weight and stiffness."""
+        """What the line needs beside its segments' weight and stiffness; of lines the first one."""
         site, dynamics = self.case.site, self.dynamics
+        first, *_ = lines_of(self.case)
         return LineProperties(
-            sections=[_section(segment) for segment in self.case.line.segments],
+            sections=[section_of(segment) for segment in first.segments],
             damping=LineDamping(
                 critical_ratio=dynamics.critical_ratio,
                 stiffness_time=dynamics.damping_time,
@@ -289,7 +296,14 @@ class Excitation:
         return min(periods)
 
 
-def read_drive(case: Case) -> Excitation:
+def lines_of(case: Case | Network) -> tuple[Line, ...]:
+    """Lines of a case as they are given: of points each, else the one that all are like."""
+    if isinstance(case, Network):
+        return tuple(each.line for each in case.lines)
+    return (case.line,)
+
+
+def read_drive(case: Case | Network) -> Excitation:
     """Read the files of a case's sea and motion; InputError for what is wrong in them."""
     assert case.dynamics is not None
     duration = case.dynamics.duration
@@ -320,7 +334,7 @@ def _block(of: Anchor) -> tuple[float, float, float]:
     return of.mass, of.submerged_weight, of.friction
 
 
-def _with_motion(case: Case, duration: float) -> Excitation:
+def _with_motion(case: Case | Network, duration: float) -> Excitation:
     if case.body is not None and case.body.force_file:
         return Excitation(case, force=read_force(case.body.force_file, duration))
     given = case.motion
@@ -345,7 +359,7 @@ def _harmonic(given: Motion) -> Harmonic:
     )
 
 
-def check_for_motion(case: Case) -> None:
+def check_for_motion(case: Case | Network) -> None:
     """Refuse a case that lacks what a line in motion needs, with everything that it lacks.
 
     Raises InputError with the path of every key.
@@ -363,18 +377,27 @@ def check_for_motion(case: Case) -> None:
     elif case.dynamics.judged_by != "largest" and not Excitation(case).is_random:
         allowed = Message("refused_motion.judged_by_wants_a_random_sea")
         problems.append(Problem("dynamics.judged_by", f'"{case.dynamics.judged_by}"', allowed))
-    for index, segment in enumerate(case.line.segments):
-        problems += _of_segment(index, segment)
-    for index, load in enumerate(case.line.point_loads):
-        if load.mass is None:
+    for number, line in enumerate(lines_of(case)):
+        problems += _of_line(f"lines[{number}]" if isinstance(case, Network) else "line", line)
+    for index, point in enumerate(case.points if isinstance(case, Network) else ()):
+        if point.submerged_weight and point.mass is None:
             allowed = Message("refused_motion.missing_line_motion_needs")
-            problems.append(Problem(f"line.point_loads[{index}].mass", "", allowed))
+            problems.append(Problem(f"points[{index}].mass", "", allowed))
     if problems:
         raise InputError(problems, "--dynamic")
 
 
-def _of_segment(index: int, segment: Segment) -> list[Problem]:
-    path, lacks = f"line.segments[{index}]", []
+def _of_line(path: str, line: Line) -> Iterator[Problem]:
+    for index, segment in enumerate(line.segments):
+        yield from _of_segment(f"{path}.segments[{index}]", segment)
+    for index, load in enumerate(line.point_loads):
+        if load.mass is None:
+            allowed = Message("refused_motion.missing_line_motion_needs")
+            yield Problem(f"{path}.point_loads[{index}].mass", "", allowed)
+
+
+def _of_segment(path: str, segment: Segment) -> list[Problem]:
+    lacks = []
     if not segment.mass:
         lacks.append(("mass", "missing_line_motion_needs"))
     if segment.is_inextensible:
@@ -389,7 +412,8 @@ def _of_segment(index: int, segment: Segment) -> list[Problem]:
     return [Problem(f"{path}.{key}", "", Message(f"refused_motion.{why}")) for key, why in lacks]
 
 
-def _section(segment: Segment) -> MorisonSection:
+def section_of(segment: Segment) -> MorisonSection:
+    """Take of a segment what the water does to it."""
     if segment.drag_method == "roughness":
         D, k, KC = segment.drag_diameter, segment.roughness, segment.keulegan_carpenter
         assert D is not None

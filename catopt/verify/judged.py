@@ -16,6 +16,8 @@ from catopt.checks.motion import Carried, LineInMotion, Pull, check_motion
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.fem.course import taken_together
 from catopt.model import Anchor, Case, Line
+from catopt.model.network import Network
+from catopt.mooring.held import at_rest
 from catopt.mooring.solve import solve_system
 from catopt.ties import first_largest, largest
 from catopt.verify.dynamic_result import BeyondMBL, DynamicPart
@@ -39,32 +41,36 @@ def beyond_MBL(part: DynamicPart) -> BeyondMBL | None:
     return largest(over, lambda each: each.times) if over else None
 
 
-def solutions_at_rest(case: Case, parts: Sequence[DynamicPart]) -> Sequence[Solution | None]:
+def solutions_at_rest(
+    case: Case | Network, parts: Sequence[DynamicPart]
+) -> Sequence[Solution | None]:
     """Solve the line of every part at rest, in closed form; none on a bed that slopes."""
+    if isinstance(case, Network):
+        return at_rest(case).lines
     if case.site.seabed_slope != 0.0:
         return [None] * len(parts)
     if case.system is not None:
         return [each.solution for each in solve_system(case.system).lines]
-    return [solve_case(part.drive.case) for part in parts]
+    return [solve_case(part.drive.one) for part in parts]
 
 
 def check_parts(
-    case: Case, parts: Sequence[DynamicPart], at_rest: Sequence[Solution | None]
+    case: Case | Network, parts: Sequence[DynamicPart], still: Sequence[Solution | None]
 ) -> CheckReport:
-    """Check what the runs of every part came to, by `check_motion`."""
+    """Check what the runs of every part came to, by `check_motion`; `still`: the lines at rest."""
     lines = [
         line_in_motion(case, part, part.runs, solution)
-        for part, solution in zip(parts, at_rest, strict=True)
+        for part, solution in zip(parts, still, strict=True)
     ]
     return check_motion(case, lines)
 
 
 def line_in_motion(
-    case: Case, part: DynamicPart, runs: Sequence[DynamicRun], at_rest: Solution | None
+    case: Case | Network, part: DynamicPart, runs: Sequence[DynamicRun], still: Solution | None
 ) -> LineInMotion:
     """Take together what the runs of a line came to; its mean tensions are those at rest."""
-    line = case.line if at_rest is None else at_rest.line
-    mean = None if at_rest is None else tuple(e.max_tension for e in at_rest.segments)
+    line = part.own_line if still is None else still.line
+    mean = None if still is None else tuple(e.max_tension for e in still.segments)
     return LineInMotion(
         line,
         judged_tensions(part, runs, line),
@@ -125,12 +131,14 @@ def _segments(run: DynamicRun, line: Line, higher: Factors) -> Iterator[float]:
         start = end
 
 
-def _carried(case: Case, part: DynamicPart, runs: Sequence[DynamicRun]) -> Carried | None:
-    """Take the least favourable values at every step of all runs; None where nothing counts.
+def _carried(case: Case | Network, part: DynamicPart, runs: Sequence[DynamicRun]) -> Carried | None:
+    """Take the least favourable values at every step of all runs.
+
+    None where nothing counts, or a line ends at no anchor.
 
     A buoy afloat carries the mean pull down: what its peaks do to it is in how it moves.
     """
-    if not all(run.history.counts for run in runs):
+    if not part.is_anchored or not all(run.history.counts for run in runs):
         return None
     of = [run.history for run in runs]
 
@@ -174,14 +182,16 @@ def way_of(anchor: Anchor, part: DynamicPart, runs: Sequence[DynamicRun]) -> flo
     return float(ways + most) * dynamics.duration_of_interest / time
 
 
-def _turned(case: Case, lines: Sequence[tuple[DynamicPart, Solution | None]]) -> list[CheckResult]:
+def _turned(
+    case: Case | Network, lines: Sequence[tuple[DynamicPart, Solution | None]]
+) -> list[CheckResult]:
     """List the checks of lines that move together whose verdict is another in runs again."""
     verdicts = [
         check_motion(
             case,
             [
-                line_in_motion(case, part, runs, at_rest)
-                for (part, at_rest), (_, runs) in zip(lines, level, strict=True)
+                line_in_motion(case, part, runs, still)
+                for (part, still), (_, runs) in zip(lines, level, strict=True)
             ],
         ).results
         for level in zip(*(part.levels for part, _ in lines), strict=True)
@@ -191,10 +201,10 @@ def _turned(case: Case, lines: Sequence[tuple[DynamicPart, Solution | None]]) ->
     ]
 
 
-def with_verdicts(case: Case, parts: Sequence[DynamicPart]) -> list[DynamicPart]:
+def with_verdicts(case: Case | Network, parts: Sequence[DynamicPart]) -> list[DynamicPart]:
     """Say of every part what turns out otherwise in runs again, is beyond its MBL, and governs."""
     moved = list(zip(parts, solutions_at_rest(case, parts), strict=True))
-    together = [[each] for each in moved] if case.system is None else [moved]
+    together = [moved] if case.several_lines else [[each] for each in moved]
     judged = []
     for lines in together:
         turned = _turned(case, lines)
@@ -202,7 +212,7 @@ def with_verdicts(case: Case, parts: Sequence[DynamicPart]) -> list[DynamicPart]
             own = (each.name for each in turned if each.place.line in (None, part.line))
             undecided = tuple(dict.fromkeys(own))
             judged.append(replace(part, undecided=undecided, beyond_MBL=beyond_MBL(part)))
-    if len(judged) < 2 or case.system is None:
+    if len(judged) < 2 or not case.several_lines:
         return judged
     used = [part.max_tension / (part.MBL or 1.0) for part in judged]
     if any(part.MBL is None for part in judged):

@@ -13,7 +13,7 @@ from catopt.errors import InputError, Problem
 from catopt.fem.linear_motion import LEAST_RESERVE, LinearModel, linear_model, linear_motion
 from catopt.fem.series import Harmonic
 from catopt.model import Case, WaveState
-from catopt.verify.dynamic_lines import LineOfAFloater, lines_at_rest
+from catopt.verify.dynamic_lines import LinesOfABody, OneLine, lines_at_rest
 from catopt.verify.dynamic_setup import check_for_motion, read_drive
 from catopt.words import Message
 
@@ -95,7 +95,7 @@ def linear_lines(case: Case) -> tuple[LinearLine, ...]:
 def _model(case: Case) -> LinearModel:
     """Linearise the lines of a case; that its sea is another one makes no difference."""
     lines = lines_at_rest(read_drive(case))
-    assert not isinstance(lines, LineOfAFloater)  # refused by `_not_linear`
+    assert isinstance(lines, OneLine | LinesOfABody)  # a floater is refused by `_not_linear`
     return linear_model(lines.simulation())
 
 

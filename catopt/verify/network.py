@@ -48,7 +48,7 @@ def verify_network(
 
     Raises InputError for floats in a current, or what the closed form and the truss model raise.
     """
-    if network.current is not None:
+    if network.current_at_rest is not None:
         allowed = Message("refused_motion.truss_of_points_has_no_current")
         raise InputError([Problem("current", "", allowed)], "verify")
     closed = at_rest(network)

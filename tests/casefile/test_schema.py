@@ -14,8 +14,8 @@ import pytest
 
 from catopt.casefile import parse_case
 from catopt.casefile.schema import (
-    AnchorMotionTable,
     CaseTable,
+    EndMotionTable,
     LineTable,
     TableSchema,
     VariantsTable,
@@ -108,7 +108,7 @@ NEEDED: dict[type, dict[str, Any]] = {
 }
 """What each part of the model needs at least."""
 
-TABLES: list[type[TableSchema]] = [*map(table_of, NEEDED), AnchorMotionTable]
+TABLES: list[type[TableSchema]] = [*map(table_of, NEEDED), EndMotionTable]
 
 RECORDED = {"spectrum": None, "height": None, "period": None, "elevation_file": "e.csv"}
 ROUGH = {"drag_method": "roughness", "roughness": 1e-4, "keulegan_carpenter": 8.0}
@@ -297,7 +297,7 @@ def test_the_heights_have_the_ranges_of_the_model() -> None:
 def test_every_attribute_of_the_model_has_its_key() -> None:
     for table in TABLES:
         attributes = {f.name for f in fields(table.model)}
-        if table is AnchorMotionTable:
+        if table is EndMotionTable:
             attributes -= {"rao_file", *OF_A_BODY}  # refused there
         keys = {k for k in entries(table) if (table.model, k) not in NOT_IN_THE_MODEL}
         assert {RENAMED.get((table.model, k), k) for k in keys} == attributes

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
@@ -15,6 +16,7 @@ from catopt.notes.system import read_network_note
 from tests.checks.test_network import CHECKS, FILE, leg
 from tests.mooring.test_bodies import barge
 from tests.mooring.test_floats_in_current import moored
+from tests.verify.test_network_in_motion import FILE as MOVING
 
 from .conftest import Run, document_of, refused, validate
 
@@ -158,3 +160,37 @@ def test_drawings_are_where_the_lines_are() -> None:
     assert max(lying.x) == pytest.approx(250.0)
     assert side.x.low < 10.0
     assert side.x.high > 250.0
+
+
+def test_force_over_offset_is_tabulated(run: Run, tmp_path: Path) -> None:
+    place = tmp_path / "barge.toml"
+    place.write_text(write_case(barge()), encoding="utf-8")
+    found = document_of(run, "system", place, "--curve", "0 deg", "--curve", "90 deg")
+    validate(found)
+    curve = found["restoring_curves"][0]
+    (body,) = found["states"][0]["bodies"]
+    # It goes half as far again as the load takes the body.
+    assert curve["offset_m"][-1] == pytest.approx(1.5 * math.hypot(*body["offset_m"]))
+    assert curve["force_N"] == sorted(curve["force_N"])
+    said = run("system", place, "--curve", "90 deg", "--out", tmp_path / "out")
+    assert said.status == 0, said.err
+    rows = (tmp_path / "out" / "restoring_1.csv").read_text("utf-8").splitlines()
+    assert len(rows) == 1 + len(curve["offset_m"])
+
+
+def test_lines_in_motion_are_answered_line_by_line(run: Run, tmp_path: Path) -> None:
+    place = tmp_path / "bridle.toml"
+    place.write_text(MOVING, encoding="utf-8")
+    found = document_of(run, "verify", place, "--dynamic", "--once", "--elements", "10")
+    validate(found)
+    moved = found["dynamic"]
+    lines = [(each["name"], each["from"], each["to"]) for each in moved["load_cases"]]
+    assert lines[0] == ("leg", "port", "buoy")
+    assert [each["name"] for each in moved["joints"]] == ["buoy"]
+    ran = run("verify", place, "--dynamic", "--once", "--elements", "10", "--out", tmp_path / "out")
+    assert ran.status == 0, ran.err
+    assert "farthest from where they rest" in run(
+        "verify", place, "--dynamic", "--once", "--elements", "10", "--full"
+    ).out.replace("\n", " ")
+    series = (tmp_path / "out" / "dynamic_series.csv").read_text("utf-8").splitlines()
+    assert {each.split(",")[0] for each in series[1:]} == {"leg", "2", "pennant"}

@@ -18,6 +18,7 @@ from catopt.model.network import LineBetween, MooredBody, Network, Point
 from catopt.mooring.circle import network_circle, watch_circle
 from catopt.mooring.held import LinesAtRest, at_rest, hold
 from catopt.mooring.network_out import each_line_out
+from catopt.mooring.restoring import network_curve, restoring_curve
 from catopt.mooring.solve import solve_system
 
 from .layouts import CHAIN, fso, spread, unequal_legs
@@ -264,6 +265,46 @@ def test_the_watch_circle_is_that_of_the_system() -> None:
     with pytest.raises(InputError, match="of one body that is free"):
         network_circle(replace(barge(), bodies=(), points=tuple(
             replace(point, body="") for point in barge().points)), force=1e5)  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ["shipped turret", "turns", "with friction", "unequal"])
+def test_the_restoring_curve_is_that_of_the_system(name: str) -> None:
+    system = SYSTEMS[name]
+    offsets = (-25.0, -3.0, 0.0, 8.0, 30.0)
+    network = as_points(system, 90.0, (120.0, -35.0))
+    own = network_curve(network, direction=0.7, offsets=offsets)
+    known = restoring_curve(system, direction=0.7, offsets=offsets)
+    assert own.offset == known.offset
+    strong = max(map(abs, known.force))
+    assert own.force == pytest.approx(known.force, rel=1e-8, abs=1e-8 * strong)
+    assert own.force_across == pytest.approx(known.force_across, rel=1e-8, abs=1e-8 * strong)
+    for each, other in zip(own.responses, known.responses, strict=True):
+        assert each.yaw == pytest.approx(other.yaw, abs=1e-7)
+        assert each.offset == pytest.approx(other.offset, rel=1e-9, abs=1e-9)
+        # Of a system at a fairlead, here at either end; the fairlead is the higher one.
+        assert each.largest_tension == pytest.approx(other.largest_tension, rel=1e-8)
+        assert each.most_loaded == other.most_loaded
+
+
+def test_the_restoring_curve_of_what_is_held_is_the_load_on_it() -> None:
+    barged = barge()
+    points = tuple(replace(point, body="") for point in barged.points)
+    held = replace(barged, bodies=(), points=points)
+    curve = network_curve(held, direction=math.pi / 2.0, offsets=(-2.0, 0.0, 2.0))
+    for offset, along, across in zip(curve.offset, curve.force, curve.force_across, strict=True):
+        x, y, *_ = hold(held, (0.0, offset, 0.0, 0.0, 0.0, 0.0)).body.load
+        assert (along, across) == pytest.approx((-y, x), rel=1e-9)
+    # The body that is free is held by no force where it rests without load.
+    free = network_curve(barged, direction=0.3, offsets=(0.0,))
+    pull = max(line.fairlead.tension for line in at_rest(barged).lines)
+    assert (*free.force, *free.force_across) == pytest.approx((0.0, 0.0), abs=1e-8 * pull)
+    anchors = tuple(replace(p, kind="anchor") if p.kind == "fairlead" else p for p in points)
+    bodies = (*barged.bodies, replace(barged.bodies[0], name="other"))
+    apart = tuple(replace(p, body="other" if p.name == "stern port" else p.body)
+                  for p in barged.points)  # fmt: skip
+    for network in (replace(held, points=anchors), replace(barged, bodies=bodies, points=apart)):
+        with pytest.raises(InputError, match="curve is of one body"):
+            network_curve(network, direction=0.0, offsets=(1.0,))
 
 
 def test_a_moment_that_lines_cannot_carry_is_refused() -> None:
