@@ -30,8 +30,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         if arguments is None:  # the process is the program's own
             from catopt.interrupt import heed_signals
+            from catopt.threads import one_thread
 
             heed_signals()
+            one_thread()
         from contextvars import copy_context
 
         from catopt.cli.options import asked_language

@@ -174,7 +174,7 @@ JOBS: dict[Callable[[], None], set[str]] = {
     designs: {"assess"},
     moorings: {"assess_moorings"},
     series: {"_fill_values"},
-    bars: {"bar_loads", "newton_step", "take_step"},
+    bars: {"take_steps"},
     motion: {
         "assemble_moving", "fill_water", "march", "solve_moving",
     },

@@ -319,8 +319,8 @@ class Profile(Record):
     """Across x, to the left seen from the anchor; only in a current."""
 
 
-def lay_out(state: State, problem: LineProblem) -> tuple[Stretch, ...]:
-    """Place every run of the line, from the anchor up."""
+def lay_out(state: State, problem: LineProblem) -> tuple[tuple[Stretch, ...], tuple[float, float]]:
+    """Place every run of the line, from the anchor up; and where its upper end is, m."""
     pieces = problem.pieces
     room = most_runs(len(pieces.length))
     columns = [[0.0] * room for _ in range(5)]
@@ -347,12 +347,12 @@ def lay_out(state: State, problem: LineProblem) -> tuple[Stretch, ...]:
         stretches.append(stretch)
         x, z = end_of(stretch, stretch.length)
         start += stretch.length
-    return _gathered(state, stretches, x)
+    part = slack_share(state, x)
+    return _gathered(stretches, part), (x * part, z)
 
 
-def _gathered(state: State, stretches: list[Stretch], span: float) -> tuple[Stretch, ...]:
+def _gathered(stretches: list[Stretch], part: float) -> tuple[Stretch, ...]:
     """Draw the ends of a slack line together: what carries no tension lies in bights."""
-    part = slack_share(state, span)
     if part == 1.0:
         return tuple(stretches)
     return tuple(replace(each, x=each.x * part, gathered=part) for each in stretches)
@@ -414,8 +414,11 @@ def max_tension(stretch: Stretch) -> float:
     return max(tension_at(stretch, 0.0), tension_at(stretch, stretch.length))
 
 
-def stretched_length(stretch: Stretch) -> float:
-    """Length of a stretch under its tension, m: l + (1/EA) times the integral of T."""
+def stretched_length(stretch: Stretch, end: float) -> float:
+    """Length of a stretch under its tension, m: l + (1/EA) times the integral of T.
+
+    `end`: x of its upper end, m.
+    """
     H, V1, length = stretch.horizontal_force, stretch.vertical_force, stretch.length
     if length == 0.0 or stretch.compliance == 0.0:
         return length
@@ -426,6 +429,6 @@ def stretched_length(stretch: Stretch) -> float:
     m = T1 + T2
     if m == 0.0:
         return length
-    dx = end_of(stretch, length)[0] - stretch.x - stretch.compliance * H * length
+    dx = end - stretch.x - stretch.compliance * H * length
     integral = 0.5 * (H * dx + 0.5 * length * m + 0.5 * length * S * S / m)
     return length + stretch.compliance * integral

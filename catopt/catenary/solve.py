@@ -64,8 +64,8 @@ def solution_of(
     The state is a converged one with the span wanted; `known` is what was given of the load, as for
     `force_uncertainty`.
     """
-    stretches = lay_out(state, problem)
-    x, z = end_of(stretches[-1], stretches[-1].length)
+    stretches, (x, z) = lay_out(state, problem)
+    ends = [*[stretch.x for stretch in stretches[1:]], x]
     solution = Solution(
         line=line,
         method=method,
@@ -78,7 +78,7 @@ def solution_of(
         anchor=_end(state.H_anchor, state.V_anchor),
         grounded_length=state.grounded,
         suspended_length=line.length - state.grounded,
-        stretched_length=math.fsum(stretched_length(stretch) for stretch in stretches),
+        stretched_length=math.fsum(map(stretched_length, stretches, ends)),
         segments=_segments(line, segment_of, stretches),
         point_loads=_point_loads(line, stretches, state.regime not in (SUSPENDED, BELOW_ANCHOR)),
         stretches=stretches,

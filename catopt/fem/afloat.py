@@ -20,11 +20,11 @@ from catopt.fem.banded import (
     hold,
     solve_dense,
 )
-from catopt.fem.morison import fill_water
 from catopt.fem.moving import Blend, BodyNode, Moving, MovingLines
 from catopt.fem.moving_assembly import assemble_moving
 from catopt.fem.newmark import predict
 from catopt.fem.sampling import Room, Setting
+from catopt.fem.water_in_step import take_water
 from catopt.hydro.hull import (
     PARTS,
     Hull,
@@ -34,6 +34,7 @@ from catopt.hydro.hull import (
     carry_memory,
     fill_forces_on_hull,
     fill_sea,
+    fill_sea_between,
     hull_inertia,
 )
 from catopt.waves.kinematics import Flow
@@ -55,25 +56,37 @@ class Afloat(NamedTuple):
 
 
 def attempt_afloat(
-    t: float, h: float, setting: Setting, before: Moving, room: Room, body: Afloat
+    start: float,
+    done: float,
+    part: float,
+    setting: Setting,
+    before: Moving,
+    room: Room,
+    body: Afloat,
+    expected: int,
 ) -> tuple[bool, int, float, int]:
     """Take one step of hull and lines into their `now`, as `march.attempt`."""
-    now, lines = room.now, setting.lines
-    predict(t, h, setting, before, room)
+    now, lines, step = room.now, setting.lines, setting.rules.step
+    h = part * step
+    predict(start + done * step, h, setting, before, room)
     _predict_hull(h, body)
     _place_ends(lines, now, body)
     copy_rows(before.foot, now.foot)
-    if setting.has_sea:
-        early, water_0 = setting.rules.alpha_f, room.water_before
-        fill_water(t + h, now.x, lines.start, setting.flow, early, water_0, room.water)
-    _prepare(t, h, setting.flow, body)
-    return _close(h, setting, before, room, body)
+    take_water(start, done, part, setting, before, room)
+    if part == 1.0:
+        fill_sea(start + step, body.hull, body.now.q, setting.flow, body.room)
+    else:
+        at, ahead = body.before, (1.0 - done) * step
+        fill_sea_between(start + step, done + part, ahead, at, body.hull, setting.flow, body.room)
+    carry_memory(h, body.hull, body.before, body.room)
+    return _close(h, setting, before, room, body, expected)
 
 
 def step_hull(t: float, h: float, rules: Any, flow: Flow, body: Afloat) -> tuple[bool, int]:
     """Take one step of a hull without lines; `rules` has the scheme, limit and tolerance."""
     _predict_hull(h, body)
-    _prepare(t, h, flow, body)
+    fill_sea(t + h, body.hull, body.now.q, flow, body.room)
+    carry_memory(h, body.hull, body.before, body.room)
     blend = _blend(h, rules)
     for iteration in range(rules.limit + 1):
         _start_hull(flow.depth, blend, body)
@@ -133,12 +146,6 @@ def _predict_hull(h: float, body: Afloat) -> None:
         now.q[i] = before.q[i] + h * (before.v[i] + 0.5 * h * before.a[i])
 
 
-def _prepare(t: float, h: float, flow: Flow, body: Afloat) -> None:
-    """Take the sea where the hull is expected, and its memory of what was."""
-    fill_sea(t + h, body.hull, body.now.q, flow, body.room)
-    carry_memory(h, body.hull, body.before, body.room)
-
-
 def _place_ends(lines: MovingLines, now: Moving, body: Afloat) -> None:
     """Put the last node of every line to its mooring eye, with its velocity and acceleration."""
     hull, at = body.hull, body.now
@@ -170,7 +177,7 @@ def _blended_arm(body: Afloat, early: float, k: int) -> tuple[float, float]:
 
 
 def _close(
-    h: float, setting: Setting, before: Moving, room: Room, body: Afloat
+    h: float, setting: Setting, before: Moving, room: Room, body: Afloat, expected: int
 ) -> tuple[bool, int, float, int]:
     """Iterate on hull and lines until all forces balance; as `newmark.close_step`."""
     rules, lines, now = setting.rules, setting.lines, room.now
@@ -181,7 +188,8 @@ def _close(
     worst, node, part = math.inf, 0, 1.0
     for iteration in range(rules.limit + 1):
         last = worst
-        worst, node = assemble_moving(lines, body.held, now, before, blend, room)
+        may_be_last = 0 < expected <= iteration
+        worst, node = assemble_moving(lines, body.held, now, before, blend, room, not may_be_last)
         _start_hull(setting.flow.depth, blend, body)
         _take_lines(lines, rest, blend, body)
         own = _left_over(body)
@@ -189,6 +197,8 @@ def _close(
             worst, node = own, -1
         if worst <= rules.tolerance and iteration > 0:
             return True, iteration, worst, node
+        if may_be_last:
+            assemble_moving(lines, body.held, now, before, blend, room)
         if iteration == rules.limit or not worst < 1e3 * max(last, 1.0):
             break
         if not _solve_all(lines, blend, room, body):

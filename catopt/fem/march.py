@@ -7,8 +7,7 @@ from typing import Any, Final, NamedTuple
 
 from catopt.fem.afloat import Afloat, accept_hull, attempt_afloat, sample_hull
 from catopt.fem.banded import copy_blocks, copy_rows, copy_values
-from catopt.fem.energy_balance import add_works, fill_forces
-from catopt.fem.morison import fill_water
+from catopt.fem.energy_balance import add_works, fill_forces, own_kinetic_energy
 from catopt.fem.moving import Moving, MovingLines
 from catopt.fem.newmark import close_step, predict
 from catopt.fem.sampling import (
@@ -17,12 +16,15 @@ from catopt.fem.sampling import (
     Rules,
     Setting,
     fill_end_forces,
+    fill_energy,
     follow_all,
     take_sample,
 )
 from catopt.fem.seabed import drag_feet
 from catopt.fem.series import fill_series
 from catopt.fem.sliding import slide
+from catopt.fem.water_in_step import begin_whole_step, take_water
+from catopt.hydro.hull import fill_sea, keep_sea
 
 _LONGER: Final = 0.2
 """Part of the allowed surprise below which the next step may be twice as long."""
@@ -83,19 +85,24 @@ def march(
     turning points. `before`: state there, and then where the steps have come to; `body`: what
     floats at the lines' last nodes; None where these are led or pushed.
     """
+    used = 0
     steps = iterations = halvings = refinements = unresolved = tried = 0
     ringing = strain = worst = 0.0
     node = 0
     rules, lines = setting.rules, setting.lines
     shortest = rules.step
     done, full, closed = part_done, False, True
+    if at == 0 and done == 0.0:
+        begin(setting, before, room, record, body)
     while at < end and closed and not full and tried < most:
         start = at * rules.step
         while done < 1.0 and closed and not full and tried < most:
             tried += 1
             part = 0.5**level
-            h, time = part * rules.step, start + done * rules.step
-            closed, used, worst, node = attempt(time, h, setting, before, room, body)
+            h = part * rules.step
+            closed, used, worst, node = attempt(
+                start, done, part, setting, before, room, body, used
+            )
             iterations += used
             if not closed:
                 level += 1
@@ -125,10 +132,9 @@ def march(
             level -= level > 0 and ends_evenly and may_grow
         if done >= 1.0:
             at, done = at + 1, 0.0
-            if at % rules.every == 0:
-                take_sample(at // rules.every, setting, before, room, record)
-                if body is not None:
-                    sample_hull(at // rules.every, body)
+            end_whole_step(at, setting, before, room, record, body)
+    fill_energy(lines, before, room, record.at_rest, record.stored)
+    record.stored[4] = own_kinetic_energy(lines, before)
     counts = StepCounts(
         steps, iterations, halvings, refinements, unresolved, ringing, strain, shortest
     )
@@ -199,22 +205,65 @@ def judge_tensions(
     return Seen(worst, ringing, strain, longest, passes, least)
 
 
-def attempt(
-    t: float, h: float, setting: Setting, before: Moving, room: Room, body: Afloat | None
-) -> tuple[bool, int, float, int]:
-    """Take one step into `room.now`, as `close_step`; the state at its start stays as it is."""
+def begin(setting: Setting, at: Moving, room: Room, record: Record, body: Afloat | None) -> None:
+    """Take stock of the state from which a run sets off, and the first sample of it."""
+    lines = setting.lines
+    fill_end_forces(lines, at, at.a, room, room.ends)
+    take_sample(0, setting, at, room, record)
+    if setting.rules.since <= 0.0:
+        follow_all(0.0, setting, at, room, record)
+    fill_forces(lines, at, room.water, setting.has_sea, room.booked_before)
+    record.works[6] = -own_kinetic_energy(lines, at)
+    copy_blocks(room.ends, room.ends_before)
+    copy_rows(room.water.wet, room.wet_before)
+    for e in range(at.tension.shape[0]):
+        room.loose[e] = at.tension[e] <= 0.0
     if body is not None:
-        return attempt_afloat(t, h, setting, before, room, body)
+        fill_sea(0.0, body.hull, body.before.q, setting.flow, body.room)
+        keep_sea(body.room)
+    begin_whole_step(setting, room)
+
+
+def end_whole_step(
+    at: int, setting: Setting, before: Moving, room: Room, record: Record, body: Afloat | None
+) -> None:
+    """Take a sample where one is due after `at` steps, and begin the next step."""
+    begin_whole_step(setting, room)
+    if body is not None:
+        keep_sea(body.room)
+    every = setting.rules.every
+    if at % every == 0:
+        take_sample(at // every, setting, before, room, record)
+        if body is not None:
+            sample_hull(at // every, body)
+
+
+def attempt(
+    start: float,
+    done: float,
+    part: float,
+    setting: Setting,
+    before: Moving,
+    room: Room,
+    body: Afloat | None,
+    expected: int,
+) -> tuple[bool, int, float, int]:
+    """Take one step into `room.now`, as `close_step`; the state at its start stays as it is.
+
+    It is a part of a whole step that begins at `start`, s, of which some is done; `expected`:
+    solutions that it takes, as the step before did.
+    """
+    if body is not None:
+        return attempt_afloat(start, done, part, setting, before, room, body, expected)
     now = room.now
+    t, h = start + done * setting.rules.step, part * setting.rules.step
     predict(t, h, setting, before, room)
     copy_rows(before.foot, now.foot)
-    if setting.has_sea:
-        early, water_0 = setting.rules.alpha_f, room.water_before
-        fill_water(t + h, now.x, setting.lines.start, setting.flow, early, water_0, room.water)
+    take_water(start, done, part, setting, before, room)
     fill_series(t + h, setting.load, 0, room.small[0])
     for i in range(3):
         room.force[i] = room.small[0, 0, i]
-    return close_step(h, setting, before, room)
+    return close_step(h, setting, before, room, expected)
 
 
 def accept(

@@ -23,6 +23,11 @@ def fill_water(
     `start`: first bar of each line; `before` (nodes, 3): acceleration at the step's start, m/s2.
     """
     fill_kinematics(t, x, flow, water.velocity, water.latest, water.surface)
+    wet_bars(x, start, early, before, water)
+
+
+def wet_bars(x: Any, start: Any, early: float, before: Any, water: WaterAt) -> None:
+    """Write what follows from the water at the nodes: where inertia balances, and wet bars."""
     for n in range(x.shape[0]):
         for i in range(3):
             water.acceleration[n, i] = (1.0 - early) * water.latest[n, i] + early * before[n, i]

@@ -12,9 +12,17 @@ from catopt.fem.seabed import across_bed, push_and_rub
 
 
 def assemble_moving(
-    lines: MovingLines, body: BodyNode, now: Moving, before: Moving, blend: Blend, room: Room
+    lines: MovingLines,
+    body: BodyNode,
+    now: Moving,
+    before: Moving,
+    blend: Blend,
+    room: Room,
+    slopes: bool = True,
 ) -> tuple[float, int]:
     """Write what is left over at every node, and its derivatives, to `room.equations`.
+
+    Without `slopes` the derivatives are of no use: half the time, for a last look at the balance.
 
     `now`, `before`: at the step's end, whose forces are written, and at its start. Returns the
     largest force left over at a node that moves, over the largest tension or what a line weighs,
@@ -23,7 +31,7 @@ def assemble_moving(
     to, force = room.equations, room.force
     _clear(lines, now, before, blend, to)
     add_loads(lines, now, before, room.water, blend, to)
-    largest = add_bars(lines, now, before, room.water, blend, to)
+    largest = add_bars(lines, now, before, room.water, blend, slopes, to)
     x, v, a, old_x, old_a = now.x, now.v, now.a, before.x, before.a
     bed, held, start, ahead = lines.bed_stiffness, lines.held, lines.start, 0.5 * blend.step
     late, early = 1.0 - blend.before_force, blend.before_force

@@ -11,9 +11,17 @@ from catopt.fem.moving import Blend, Equations, Moving, MovingLines, WaterAt
 
 
 def add_bars(
-    lines: MovingLines, now: Moving, before: Moving, water: WaterAt, blend: Blend, to: Equations
+    lines: MovingLines,
+    now: Moving,
+    before: Moving,
+    water: WaterAt,
+    blend: Blend,
+    slopes: bool,
+    to: Equations,
 ) -> float:
     """Add the bars' forces to `now.force`, their inertia to `to.rest`, derivatives to the blocks.
+
+    `slopes`: whether derivatives are wanted.
 
     Writes their tension and axis, too; returns the largest force in one, N. All arrays are taken
     out of their tuples before the loop: numba counts references to those that are taken out within
@@ -32,6 +40,7 @@ def add_bars(
     by_x, by_v = blend.by_x, blend.by_v
     by_inertia = blend.by_a + lines.mass_factor * by_v
     beta = lines.stiffness_factor
+    slopes = slopes or beta > 0.0  # whose forces come with their derivatives
     largest = 0.0
     for e in range(length.shape[0]):
         if e == start[line + 1]:
@@ -52,11 +61,6 @@ def add_bars(
         tension[e] = N
         largest = max(largest, abs(N))
         axis[e, 0], axis[e, 1], axis[e, 2] = tx, ty, tz
-        # Change of N t with d, the velocities following: q + t g'.
-        q = by_x * N * over
-        turn = by_x * viscosity * over
-        stretch = by_x * rigidity + by_v * viscosity - q - turn * along
-        gx, gy, gz = stretch * tx + turn * wx, stretch * ty + turn * wy, stretch * tz + turn * wz
         # Weight and drag, of the half bar at either end.
         half = 0.5 * l0
         wet_a, wet_b = wetness[e, 0], wetness[e, 1]
@@ -78,18 +82,6 @@ def add_bars(
         force[b, 0] += pull_b * tx + across_b * bx
         force[b, 1] += pull_b * ty + across_b * by
         force[b, 2] += pull_b * tz + across_b * bz - weight_b
-        # Drag's change with the direction, o n n' + p P + t h n', and with the velocity, e, which
-        # has a part t n' where the drag along depends on the velocity across.
-        turned = by_x * over
-        inv_a = 1.0 / n_a if n_a > 0.0 else 0.0
-        inv_b = 1.0 / n_b if n_b > 0.0 else 0.0
-        o_a, o_b = -turned * cn_a * r_a * inv_a, -turned * cn_b * r_b * inv_b
-        h_a, h_b = turned * (turn_a - across_a), turned * (turn_b - across_b)
-        p_a, p_b = turned * (axial_a - across_a) * r_a, turned * (axial_b - across_b) * r_b
-        en_a, en_b = by_v * across_a, by_v * across_b
-        et_a, et_b = by_v * self_a - en_a, by_v * self_b - en_b
-        ec_a, ec_b = by_v * cross_a, by_v * cross_b
-        eo_a, eo_b = by_v * cn_a * inv_a, by_v * cn_b * inv_b
         # Inertia, balanced within the step; the direction of the added mass is the one there.
         sx, sy, sz = tx, ty, tz
         if blend.before_force > 0.0:
@@ -114,6 +106,25 @@ def add_bars(
         rest[b, 0] += own * Bx - all_u * Vx + more * s_b * sx
         rest[b, 1] += own * By - all_u * Vy + more * s_b * sy
         rest[b, 2] += own * Bz - all_u * Vz + more * s_b * sz
+        if not slopes:
+            continue
+        # Change of N t with d, the velocities following: q + t g'.
+        q = by_x * N * over
+        turn = by_x * viscosity * over
+        stretch = by_x * rigidity + by_v * viscosity - q - turn * along
+        gx, gy, gz = stretch * tx + turn * wx, stretch * ty + turn * wy, stretch * tz + turn * wz
+        # Drag's change with the direction, o n n' + p P + t h n', and with the velocity, e, which
+        # has a part t n' where the drag along depends on the velocity across.
+        turned = by_x * over
+        inv_a = 1.0 / n_a if n_a > 0.0 else 0.0
+        inv_b = 1.0 / n_b if n_b > 0.0 else 0.0
+        o_a, o_b = -turned * cn_a * r_a * inv_a, -turned * cn_b * r_b * inv_b
+        h_a, h_b = turned * (turn_a - across_a), turned * (turn_b - across_b)
+        p_a, p_b = turned * (axial_a - across_a) * r_a, turned * (axial_b - across_b) * r_b
+        en_a, en_b = by_v * across_a, by_v * across_b
+        et_a, et_b = by_v * self_a - en_a, by_v * self_b - en_b
+        ec_a, ec_b = by_v * cross_a, by_v * cross_b
+        eo_a, eo_b = by_v * cn_a * inv_a, by_v * cn_b * inv_b
         # Every block is c + t h' + o n n'.
         k = more * turned
         d_a, d_b = k * s_a - p_a, k * s_b - p_b

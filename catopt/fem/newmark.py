@@ -236,9 +236,11 @@ def _start_body(
 
 
 def close_step(
-    h: float, setting: Setting, before: Moving, room: Room
+    h: float, setting: Setting, before: Moving, room: Room, expected: int
 ) -> tuple[bool, int, float, int]:
     """Iterate on what `predict` left until the forces balance at every node.
+
+    After as many solutions as are `expected` the first look is without derivatives.
 
     Returns whether they do, how many equations were solved, and the largest force left over, over
     the largest tension or what a line weighs, with its node (-1: the body).
@@ -252,10 +254,13 @@ def close_step(
     worst, node, part = math.inf, 0, 1.0
     for iteration in range(rules.limit + 1):
         last = worst
-        worst, node = assemble_moving(lines, body, now, before, blend, room)
+        may_be_last = 0 < expected <= iteration
+        worst, node = assemble_moving(lines, body, now, before, blend, room, not may_be_last)
         # One solution at least: a guess that is good enough once feeds on itself over many steps.
         if worst <= rules.tolerance and iteration > 0:
             return True, iteration, worst, node
+        if may_be_last:
+            assemble_moving(lines, body, now, before, blend, room)
         if iteration == rules.limit or not worst < 1e3 * max(last, 1.0):
             break
         if not solve_moving(lines, body, now, before, blend, room):

@@ -13,6 +13,7 @@ from catopt.fem.moving import BodyNode, Equations, Moving, MovingLines, WaterAt
 from catopt.fem.moving_bar import immersion, inertia_of_half
 from catopt.fem.seabed import across_bed
 from catopt.fem.series import SeriesRows
+from catopt.waves.between import WaterEnds
 from catopt.waves.kinematics import Flow
 
 
@@ -73,6 +74,7 @@ class Record(NamedTuple):
     turns: Array  # (quantities, room, 2): time, s, and value of their turning points
     turn_count: Codes  # (quantities,): how many there are
     works: Array  # (8,): as `energy_balance.add_works` adds them, of every step, J
+    stored: Array  # (5,): as `fill_energy` at the end; and the lines' own kinetic energy there, J
     at_rest: Array  # (nodes, 3): places from which energies of strain, weight and bed count, m
     slides: Array  # (lines, blocks, SLIDING): of each block, were it what holds the line's anchor
 
@@ -84,6 +86,7 @@ class Room(NamedTuple):
     now: Moving  # at its end
     water: WaterAt
     water_before: Array  # (nodes, 3): acceleration of the water at its start, m/s2
+    water_ends: WaterEnds  # of the nodes, over the whole step
     equations: Equations
     small: Array  # (2, 3, 3)
     force: Array  # (3,): on the body at its end, N

@@ -13,7 +13,7 @@ from catopt.compiled import compiled
 from catopt.errors import NotConvergedError
 from catopt.fem.afloat import Afloat
 from catopt.fem.course import FOLLOWED, STATE
-from catopt.fem.energy_balance import EnergyBalance, fill_forces, own_kinetic_energy
+from catopt.fem.energy_balance import EnergyBalance
 from catopt.fem.march import StepCounts, march
 from catopt.fem.mesh import bar_nodes, end_nodes
 from catopt.fem.morison import fill_water
@@ -27,17 +27,15 @@ from catopt.fem.sampling import (
     Room,
     Rules,
     Setting,
-    fill_end_forces,
     fill_energy,
     first_joint,
-    follow_all,
-    take_sample,
 )
 from catopt.fem.seabed import drag_feet
 from catopt.fem.series import SeriesRows, fill_series, series_rows
 from catopt.fem.sliding import SLIDING
 from catopt.interrupt import waiting_interrupt
 from catopt.waves import Sea
+from catopt.waves.between import water_ends
 from catopt.words import Message, Several
 
 _HELD = BodyNode(np.zeros(3), np.zeros(3), np.zeros(3))
@@ -126,6 +124,7 @@ class Simulation:
             now=_moving(lines, np.array(x, dtype=float)),
             water=WaterAt(u, rate, latest, np.full(nodes, np.inf), np.ones((bars, 2))),
             water_before=np.zeros((nodes, 3)),
+            water_ends=water_ends(nodes),
             equations=Equations(*np.zeros((3, nodes, 3, 3)), *np.zeros((2, nodes, 3))),
             small=np.zeros((2, 3, 3)),
             force=np.zeros(3),
@@ -336,7 +335,6 @@ class Simulation:
         )
         record = self._empty_record(stepping)
         blocks = np.array(stepping.blocks, dtype=float).reshape(-1, 3)
-        self._first_sample(self._setting(rules, blocks), record)
         at, part, level, size, speed = 0, 0.0, 0, 1, 0.0
         last, lost = samples * every, -1 if breaks is None else breaks.sample * every
         with waiting_interrupt() as ask:
@@ -385,15 +383,15 @@ class Simulation:
         return energy
 
     def balance(self, record: Record) -> EnergyBalance:
-        """Book the energy of a run, from its record and the state at its end."""
-        stored = self._stored(record)
+        """Book the energy of a run from its record."""
+        stored = record.stored
         ends, water, drag, bed, friction, damping, kinetic, put_in = map(float, record.works)
         if self._before_break is not None:  # what is set free drives the lines as a force does
-            put_in += max(0.0, self._before_break - float(stored[1:].sum()))
+            put_in += max(0.0, self._before_break - float(stored[1:4].sum()))
         return EnergyBalance(
             ends=ends,
             water=water,
-            kinetic=kinetic + float(own_kinetic_energy(self.lines, self.state)),
+            kinetic=kinetic + float(stored[4]),
             elastic=float(stored[1] + stored[3]) + self._gone,
             potential=float(stored[2]),
             drag=-drag,
@@ -436,18 +434,6 @@ class Simulation:
                 Message("truss.rings", time=t, part=part, shortest=count.shortest, step=step)
             )
 
-    def _first_sample(self, setting: Setting, record: Record) -> None:
-        room, at = self._room, self.state
-        fill_end_forces(self.lines, at, at.a, room, room.ends)
-        take_sample(0, setting, at, room, record)
-        if setting.rules.since <= 0.0:
-            follow_all(0.0, setting, at, room, record)
-        fill_forces(self.lines, at, room.water, setting.has_sea, room.booked_before)
-        record.works[6] = -own_kinetic_energy(self.lines, at)
-        room.ends_before[:] = room.ends
-        room.loose[:] = at.tension <= 0.0
-        room.wet_before[:] = room.water.wet
-
     def _empty_record(self, stepping: TimeStepping) -> Record:
         lines, bars = self.lines.start.size - 1, self.lines.length.size
         samples, nodes = stepping.samples + 1, stepping.nodes
@@ -471,6 +457,7 @@ class Simulation:
             turns=np.zeros((followed, _TURNS, 2)),
             turn_count=np.zeros(followed, dtype=np.int64),
             works=np.zeros(8),
+            stored=np.zeros(5),
             at_rest=self.state.x.copy(),
             slides=np.zeros((lines, len(stepping.blocks), SLIDING)),
         )

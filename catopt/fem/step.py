@@ -16,9 +16,12 @@ from catopt.fem.banded import (
     solve_dense,
     take_aside,
 )
+from catopt.fem.loads import axis, bar_loads
 from catopt.fem.resting import Bars, Body, Law, Net, State, kept, row_of_bar
 from catopt.fem.seabed import FREE, NO_FRICTION, ON_BED, SHARING, touches
 
+_ASTRAY: Final = 1e4
+"""Turn of a bar, rad, after which nothing is to be hoped for with friction: it has no energy."""
 _SLACK: Final = 1e-11
 """Push, over K, that is rounding: that of a bar which goes slack."""
 
@@ -34,6 +37,80 @@ class StepReport(NamedTuple):
     away: float  # distance by which the body is not yet where it is held, m
     turn: float  # largest change of a bar's direction that the step asks for, rad
     singular: bool  # whether the equations had no solution
+
+
+class Water(NamedTuple):
+    """The water about bars at rest."""
+
+    first_node: Any  # (bars,): first node of each bar
+    surface: float  # height of still water, m
+    velocity: Any  # (bars, 3): at the bars' middles, m/s; of no bar without a current
+
+
+class StepsReport(NamedTuple):
+    """What became of some steps."""
+
+    is_settled: bool  # whether the forces balance
+    is_over: bool  # whether further steps are of no use
+    used: int  # how often the equations were solved
+    last: StepReport
+
+
+def take_steps(
+    net: Net, body: Body, water: Water, limit: int, left: int, tolerance: float
+) -> StepsReport:
+    """Take steps until the forces balance, `limit` at most.
+
+    `left`: solutions that may be used up; `tolerance`: largest force left over at a node over the
+    largest tension.
+    """
+    law, used = net.law, 0
+    if law.ease == 1.0:
+        _pull_springs(net, water.first_node)
+    for _ in range(limit):
+        report = _look(net, body, water)
+        used += 1
+        if _is_settled(report, tolerance):
+            if law.ease > 0.0:
+                return StepsReport(True, False, used, report)
+            # The step that is at hand: near the answer it leaves rounding errors only.
+            take_step(net, 1.0)
+            report = _look(net, body, water)
+            used += 1
+            # Where a node touches down or lifts off within the tolerance, there is more to do.
+            if _is_settled(report, tolerance):
+                return StepsReport(True, False, used, report)
+        is_astray = report.turn > _ASTRAY and net.ground.law != NO_FRICTION
+        if report.singular or used >= left or is_astray:
+            return StepsReport(False, True, used, report)
+        # A step that turns a bar by more than a radian is not to be followed all the way.
+        part = 1.0 if law.ease == 1.0 or report.turn <= 1.0 else 1.0 / math.sqrt(report.turn)
+        take_step(net, part)
+        if law.ease == 1.0:
+            _pull_springs(net, water.first_node)
+    return StepsReport(False, False, used, report)
+
+
+def _look(net: Net, body: Body, water: Water) -> StepReport:
+    """Measure what is left over at the present shape, and find the step that balances it."""
+    bar_loads(net.state.x, water.first_node, net.bars, water.surface, water.velocity, net.loads)
+    return newton_step(net, body)
+
+
+def _is_settled(report: StepReport, tolerance: float) -> bool:
+    return (
+        report.changed == 0
+        and report.away <= tolerance
+        and report.imbalance <= tolerance * report.tension
+        and report.strain <= tolerance
+    )
+
+
+def _pull_springs(net: Net, first_node: Any) -> None:
+    """Tension of springs without a length of their own at the present shape."""
+    for e in range(first_node.shape[0]):
+        size, _, _, _ = axis(net.state.x, first_node[e])
+        net.state.tension[e] = net.law.soft * size / net.bars.length[e]
 
 
 def newton_step(net: Net, body: Body) -> StepReport:

@@ -17,6 +17,7 @@ from catopt.hydro.coefficients import Memory
 from catopt.hydro.cylinder import FloatingCylinder
 from catopt.hydro.hull import PARTS, Hull, HullRecord, HullRoom, HullState
 from catopt.model.kinds import Findings
+from catopt.waves.between import water_ends
 from catopt.waves.kinematics import Flow
 from catopt.waves.random_surface import fill_wave_numbers
 from catopt.words import Message
@@ -272,6 +273,8 @@ def room_of(hull: Hull) -> HullRoom:
         acceleration=np.zeros((slices, 3)),
         surface=np.zeros(slices),
         sea=np.zeros(5),
+        ends=water_ends(slices),
+        sea_ends=np.zeros((2, 5)),
         carried=np.zeros((modes, 2)),
         by_speed=np.zeros((modes, 2)),
         matrix=np.zeros((3, 3)),

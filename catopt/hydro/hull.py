@@ -12,6 +12,7 @@ from catopt.compiled import packed
 from catopt.constants import STANDARD_GRAVITY
 from catopt.hydro.coefficients import Complex
 from catopt.model.kinds import Findings
+from catopt.waves.between import WaterEnds, fill_between, keep_start, look_ahead
 from catopt.waves.kinematics import Flow, cos_sin, fill_kinematics, smooth_ramp
 from catopt.waves.random_surface import fill_wave_numbers
 
@@ -75,6 +76,8 @@ class HullRoom(NamedTuple):
     acceleration: Array  # (slices, 3)
     surface: Array  # (slices,)
     sea: Array  # (5,): elevation, m, its slope along x, diffraction in three directions
+    ends: WaterEnds  # of the slices, over the whole step
+    sea_ends: Array  # (2, 5): the sea at its start and its end
     carried: Array  # (modes, 2): memory at the step's end by what was before
     by_speed: Array  # (modes, 2): and by each m/s at the step's end
     matrix: Array  # (3, 3): of Newton's step
@@ -97,18 +100,52 @@ class HullRecord(NamedTuple):
 
 def fill_sea(t: float, hull: Hull, q: Any, flow: Flow, room: HullRoom) -> None:
     """Take the water at time t, s, about a hull at q."""
-    sine, cosine = math.sin(q[2]), math.cos(q[2])
-    points, sea = room.points, room.sea
-    for j in range(points.shape[0]):
+    _place_slices(hull, q[0], q[1], q[2], flow.depth, room.points)
+    fill_kinematics(t, room.points, flow, room.velocity, room.acceleration, room.surface)
+    _look_at_sea(t, q[0], hull, flow, room.sea)
+
+
+def keep_sea(room: HullRoom) -> None:
+    """Keep the water at hand as that at the next whole step's start."""
+    keep_start(room.velocity, room.acceleration, room.surface, room.ends)
+    for i in range(room.sea.shape[0]):
+        room.sea_ends[0, i] = room.sea[i]
+
+
+def fill_sea_between(
+    t: float, part: float, ahead: float, at: HullState, hull: Hull, flow: Flow, room: HullRoom
+) -> None:
+    """Take the water about a hull after a part of a whole step, `between.fill_between`.
+
+    The step ends at t, s, which is so far ahead of the hull's state, s.
+    """
+    ends, sea = room.ends, room.sea_ends
+    if ends.is_known[0] == 0.0:
+        x, z, turn = at.q[0] + ahead * at.v[0], at.q[1] + ahead * at.v[1], at.q[2] + ahead * at.v[2]
+        _place_slices(hull, x, z, turn, flow.depth, ends.points)
+        look_ahead(t, flow, ends)
+        _look_at_sea(t, x, hull, flow, sea[1])
+    fill_between(part, ends, room.velocity, room.acceleration, room.surface)
+    for i in range(sea.shape[1]):
+        room.sea[i] = (1.0 - part) * sea[0, i] + part * sea[1, i]
+
+
+def _place_slices(hull: Hull, x: float, z: float, turn: float, depth: float, to: Any) -> None:
+    """Write the middles of the slices of a hull at a place and in an attitude."""
+    sine, cosine = math.sin(turn), math.cos(turn)
+    for j in range(to.shape[0]):
         s = 0.5 * (hull.foot[j] + hull.top[j])
-        points[j, 0] = q[0] + s * sine
-        points[j, 1] = 0.0
-        points[j, 2] = min(q[1] + s * cosine, flow.depth)
-    fill_kinematics(t, points, flow, room.velocity, room.acceleration, room.surface)
+        to[j, 0] = x + s * sine
+        to[j, 1] = 0.0
+        to[j, 2] = min(z + s * cosine, depth)
+
+
+def _look_at_sea(t: float, x: float, hull: Hull, flow: Flow, sea: Any) -> None:
+    """Write elevation and slope over a hull at x, m, and what it diffracts, as `HullRoom.sea`."""
     eta = slope = surge = heave = pitch = 0.0
     waves, excited = flow.waves, hull.excited
     for i in range(waves.shape[0]):
-        cos, sin = cos_sin(waves[i, 1] * q[0] - (waves[i, 0] * t) % (2.0 * math.pi) + waves[i, 4])
+        cos, sin = cos_sin(waves[i, 1] * x - (waves[i, 0] * t) % (2.0 * math.pi) + waves[i, 4])
         eta += waves[i, 7] * cos
         slope -= waves[i, 7] * waves[i, 1] * sin
         surge += excited[i, 0] * cos - excited[i, 1] * sin

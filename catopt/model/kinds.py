@@ -149,6 +149,10 @@ class Findings:
 
     def taken(self, key: str, value: object, unit: str, **bounds: float | None) -> float:
         """Return a number, read where it is text with a unit; nan with its problem noted."""
+        if type(value) is float and list(bounds) == ["at_least"]:  # nearly all are right: at once
+            least = bounds["at_least"]
+            if least is not None and least <= value < math.inf:
+                return value
         read = self._read(key, value, unit) if isinstance(value, str) else plain(value)
         if read is not None:
             self.number(key, read, unit, **bounds, infinite=False)

@@ -8,7 +8,7 @@ from functools import cache
 from typing import Final, Literal, cast, get_args
 
 from catopt.catalogue.choice import chosen
-from catopt.catalogue.components import within
+from catopt.catalogue.components import Component, within
 from catopt.checks.profiles import Method, profiles_of
 from catopt.constants import SEA_WATER_DENSITY, YEAR
 from catopt.errors import InputError, Problem
@@ -264,14 +264,23 @@ def _method_of(code: str) -> Method:
 
 
 @cache
+def _sizes_of(name: str, catalogue: CatalogueChoice, water_density: float) -> tuple[Component, ...]:
+    """List a component in all sizes: a search asks within other bounds a hundred times."""
+    return chosen(catalogue, water_density).sold(name)
+
+
+@cache
 def sold(choice: LineChoice, water_density: float) -> tuple[Segment, ...]:
     """List a metre of everything that is sold within the bounds, component by component.
 
     Refused when there is no such component, or no size of any of them is sold within the bounds.
     """
     limits = (choice.diameter_min or 0.0, choice.diameter_max or math.inf)
-    catalogue = chosen(choice.catalogue, water_density)
-    there = [each for name in choice.components for each in catalogue.sold(name)]
+    there = [
+        each
+        for name in choice.components
+        for each in _sizes_of(name, choice.catalogue, water_density)
+    ]
     within_bounds = [each for each in there if within(each.nominal_diameter, limits)]
     if not within_bounds:
         names = ", ".join(choice.components)

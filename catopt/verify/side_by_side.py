@@ -17,6 +17,7 @@ from types import ModuleType
 from typing import Any, TypeVar
 
 from catopt.errors import CatoptError, InputError, Problem
+from catopt.threads import one_thread_each
 from catopt.verify.convergence_check import ConvergenceCheck, work_of_check
 from catopt.verify.dynamic_lines import LinesAtRest
 from catopt.words import Message
@@ -127,8 +128,6 @@ Progress = Callable[[int, int], None]
 
 _LOOK = 0.1
 """Seconds between two looks at what the runs tell."""
-_THREADS = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "OMP_NUM_THREADS")
-"""Environment variables by which numpy's libraries learn how many threads to use."""
 _WHOLE = 1000
 """Progress of one run is told in so many parts."""
 
@@ -259,21 +258,6 @@ def _do(task: Callable[[int, Progress], T], number: int) -> T:
             _reported.put((number, at / end))
 
     return task(number, tell)
-
-
-@contextmanager
-def one_thread_each() -> Iterator[None]:
-    """Let new processes solve equations in one thread each: there is one for every core."""
-    before = {name: os.environ.get(name) for name in _THREADS}
-    os.environ.update(dict.fromkeys(_THREADS, "1"))
-    try:
-        yield
-    finally:
-        for name, value in before.items():
-            if value is None:
-                del os.environ[name]
-            else:
-                os.environ[name] = value
 
 
 @contextmanager
