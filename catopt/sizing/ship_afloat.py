@@ -47,11 +47,15 @@ def ship_afloat(
     settled: ConvergedSizing,
     around: Pattern | None,
     load_case: str | None = None,
+    *,
+    line_out: bool = False,
 ) -> Case | None:
     """Add ship, wind, waves and current to the case of her lines in a load case, or the hardest.
 
-    A single line is a system of one, its anchor where the everyday force has it. The ship turns
-    about the bow, to which her lines go. None where she cannot be run: `runs_afloat`.
+    A single line is a system of one, its anchor where the everyday force has it. Several are turned
+    so that the weather, along x, comes from the side that is hardest on a line at rest: with all
+    there, or with `line_out` without line 1. The ship turns about the bow, to which her lines go.
+    None where she cannot be run: `runs_afloat`.
     """
     env = request.environment
     if not runs_afloat(request):
@@ -66,8 +70,10 @@ def ship_afloat(
         state = next(each for each in case.load_cases if each.name == load_case)
         held = _one_line(case, state, settled)
     else:
-        there = tuple(each for each in around.states if each.load_case == load_case)
-        held = system_case(case, replace(around, states=there))
+        (there,) = (each for each in around.states if each.load_case == load_case)
+        rest = there.line_out if line_out else there
+        made = system_case(case, replace(around, states=(there,)))
+        held = _turned(made, rest.solution.system.force)
     moored = next(each for each in request.ships if each.condition == at.condition)
     wind = mean_over(env.wind.speed, WIND_MEAN, _AN_HOUR) if env.wind.speed > 0.0 else 0.0
     flows = env.current.speed > 0.0
@@ -115,6 +121,17 @@ def _one_line(case: Case, state: LoadCase, settled: ConvergedSizing) -> Case:
         design=None,
         system=system,
     )
+
+
+def _turned(case: Case, force: tuple[float, float]) -> Case:
+    """Turn lines, and the loads that they are designed for, until a force of theirs is along x."""
+    assert case.system is not None
+    angle = math.atan2(force[1], force[0])
+    system, design = case.system.turned(-angle), case.design
+    if design is not None:
+        loads = (replace(each, direction=each.direction - angle) for each in design.loads)
+        design = replace(design, loads=tuple(loads))
+    return replace(case, system=system.under((math.hypot(*system.force), 0.0)), design=design)
 
 
 def _ship(moored: MooredShip, water_density: float) -> ShipAfloat:

@@ -204,9 +204,21 @@ def test_both_allowances_are_printed_and_the_document_fits_its_schema() -> None:
 
 
 @pytest.mark.slow
-def test_several_lines_are_sized_in_motion_too() -> None:
+def test_several_lines_are_sized_in_motion_with_all_there_and_with_one_out() -> None:
+    """What is written passes its own runs in both; what is less fails, and so it is without one."""
     with alone():
         of = size_tanker(**SHIP, lines=4, in_motion=True, seeds=2)
     found = verify_ship(written(of, judged_by="upper"))
     assert found.checks.passes
     assert len(found.lines) == 4
+    assert found.lost
+    assert of.in_motion is not None
+    states = {each.place.state for each in of.in_motion.checks.results}
+    assert states == {each.place.state for each in found.checks.results}
+    assert states == {"intact", "one_line_out"}
+    governing = of.in_motion.checks.governing
+    assert governing is not None
+    assert governing.place.state == "one_line_out"
+    # Where the ship goes with a line out, in the weather that is written or that hardest then.
+    offsets = [each.offset.judged for each in found.lost if each.offset is not None]
+    assert of.swing.parts[0][1] >= max(offsets)
