@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
+from catopt.checks.kinds import CHECK_KINDS
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import NearMiss
@@ -13,6 +15,7 @@ from catopt.model import Case
 from catopt.model.dynamics import JudgedBy
 from catopt.model.kinds import Findings
 from catopt.sizing.kinds import usual
+from catopt.ties import largest
 from catopt.words import Message, Several
 
 LEAST_DURATION = 60.0
@@ -31,6 +34,8 @@ class RunsAfloat:
     # factors for dynamic analysis, else its factor on sliding holds
     max_slide: float | None = None
     other_lengths: int = 0  # of the recommended size, that are run beside it
+    # Of the peak of the seas that every line is run in, of one height, s; none: that of the place
+    periods: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
         found = Findings("RunsAfloat")
@@ -39,6 +44,8 @@ class RunsAfloat:
         found.number("duration", self.duration, "s", at_least=LEAST_DURATION, at_most=36000.0)
         found.count("elements", self.elements)
         found.numbers(self, "m", "max_slide", above=0.0)
+        for k, each in enumerate(self.periods):
+            found.number(f"periods[{k}]", each, "s", above=0.0, at_most=30.0)
         found.raise_if_any()
 
 
@@ -89,6 +96,30 @@ class LengthRun(NamedTuple):
     sinker: float | None  # kg: the least that stays, or the heaviest
 
 
+class TightestSea(NamedTuple):
+    """The check of a kind that is nearest to its limit, and the period of the waves' peak there."""
+
+    check: CheckResult
+    period: float  # s
+
+
+def tightest_seas(found: Iterable[tuple[CheckResult, float]]) -> tuple[TightestSea, ...]:
+    """Find what governs each kind of check, with the peak period, s, that each result is of."""
+    every = [TightestSea(*each) for each in found]
+    kinds = [kind for kind in CHECK_KINDS if any(each.check.kind == kind for each in every)]
+    return tuple(
+        largest([e for e in every if e.check.kind == kind], lambda each: each.check.exceedance)
+        for kind in kinds
+    )
+
+
+def in_sea(load_case: str, how: RunsAfloat, period: float) -> str:
+    """Name a load case with the period of its waves, where it is run in several seas."""
+    if len(how.periods) < 2:
+        return load_case
+    return Message("sizing.in_sea", load_case=load_case, period=period)
+
+
 class Counted(NamedTuple):
     """What became of the lines that were looked at: sizes by lengths."""
 
@@ -121,6 +152,7 @@ class InMotion:
     load_cases: int = 1  # that every line was run in
     # the next shorter and the next thinner line, which fail; of a ship
     less: tuple[LineTried, ...] = ()
+    seas: tuple[TightestSea, ...] = ()  # what governs each kind of check; of several seas alone
 
     @property
     def is_of_ship(self) -> bool:
@@ -144,6 +176,16 @@ class InMotion:
             **figures(self, "factor allowance"),
             "checks": [each.to_dict() for each in self.checks.results],
             "governing": "" if governing is None else governing.in_case,
+            "periods_s": list(self.how.periods),
+            "seas": [
+                {
+                    "kind": each.check.kind,
+                    "load_case": each.check.load_case,
+                    "period_s": each.period,
+                    "utilisation": each.check.utilisation,
+                }
+                for each in self.seas
+            ],
             "lines": self.counted._asdict(),
             "tried": [_of_line(each) for each in self.tried],
             "by_length": [

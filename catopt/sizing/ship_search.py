@@ -36,6 +36,9 @@ from catopt.sizing.in_motion import (
     NoLineInMotionError,
     RunsAfloat,
     Storm,
+    TightestSea,
+    in_sea,
+    tightest_seas,
 )
 from catopt.sizing.line_choice import sold
 from catopt.sizing.pattern import DragGround, Pattern, PatternState
@@ -80,10 +83,11 @@ class ShipMoved(NamedTuple):
 
 
 class _State(NamedTuple):
-    """A load case, in weather that is hardest on a line with all there, or without line 1."""
+    """A load case in a sea, in weather that is hardest on a line with all there, or without one."""
 
     load_case: str
-    line_out: bool = False
+    period: float  # of the waves' peak, s
+    line_out: bool  # line 1 is out
 
 
 class _Run(NamedTuple):
@@ -155,6 +159,7 @@ class _Judged:
     drag_anchor: DragAnchorSize | None = None
     sinker: SinkerSize | None = None
     checks: CheckReport | None = None
+    seas: tuple[TightestSea, ...] = ()
 
     @property
     def factor(self) -> float:
@@ -177,7 +182,8 @@ def search_ship_in_motion(
     if not runs_afloat(request):
         problem = Problem("in_motion", "true", Message("refused.no_ship_afloat"))
         raise InputError([problem], "TankerRequest")
-    hours = _LINES * how.seeds * how.duration / 3600.0 * len(start.posed.loads) * request.lines
+    states = len(start.posed.loads) * max(1, len(how.periods))
+    hours = _LINES * how.seeds * how.duration / 3600.0 * states * request.lines
     expect(Message("sizing.running_ship"), _HOUR * hours)
     found = _Search(request, how, start, settle, around)
     passing = found.passing(start.point.line)
@@ -204,7 +210,12 @@ class _Search:
         self._ships: dict[str, Any] = {}  # by load case, with tables that their lines share
         # The one that stopped the last line first.
         outs = (True, False) if request.lines > 1 else (False,)
-        self._order = [_State(each.load_case, out) for out in outs for each in start.posed.loads]
+        self._order = [
+            _State(each.load_case, period, out)
+            for out in outs
+            for period in how.periods or (request.environment.sea.period,)
+            for each in start.posed.loads
+        ]
         design = start.posed.case.design
         assert design is not None
         self.lengths = design.segments[0].lengths
@@ -390,10 +401,10 @@ class _Search:
             try:
                 if state.line_out:
                     assert around is not None
-                    lost = self._without_line(state.load_case, settled, around)
+                    lost = self._without_line(state, settled, around)
                     judged = self._held(replace(judged, lost=(*judged.lost, lost)))
                 else:
-                    run = self._in_load_case(state.load_case, settled, around)
+                    run = self._in_state(state, settled, around)
                     judged = self._held(replace(judged, runs=(*judged.runs, run)))
             except (NoAnswerError, NotConvergedError) as error:
                 count = judged.tried.runs + self.how.seeds
@@ -409,33 +420,33 @@ class _Search:
         """The request without an allowance for motion."""
         return replace(self.request, line=replace(self.request.line, dynamic_factor=1.0))
 
-    def _in_load_case(self, name: str, settled: ConvergedSizing, around: Pattern | None) -> _Run:
-        case = self._afloat(name, settled, around)
+    def _in_state(self, state: _State, settled: ConvergedSizing, around: Pattern | None) -> _Run:
+        name, said = state.load_case, in_sea(state.load_case, self.how, state.period)
+        case = self._afloat(state, settled, around)
         found = verify_ship(self._as_judged(case), ship=self._ships.get(name))
         self._ships[name] = found.moored.ship
         offset = max(found.offset.judged, _offset(found.lost))
         if around is None:
             at_rest, without = dict(settled.point.checks.solutions)[name], 0.0
         else:
-            state = _state_of(around, name)
-            lines = (each.solution for each in state.solution.lines)
+            rest = _state_of(around, name)
+            lines = (each.solution for each in rest.solution.lines)
             at_rest = largest(list(lines), lambda each: each.fairlead.tension)
-            without = state.line_out.line_force
-        lost = _Lost(name, case, found.lost, without, offset)
-        return _Run(name, case, found.lines, found.hanging, found.most_loaded, at_rest, lost)
+            without = rest.line_out.line_force
+        lost = _Lost(said, case, found.lost, without, offset)
+        return _Run(said, case, found.lines, found.hanging, found.most_loaded, at_rest, lost)
 
-    def _without_line(self, name: str, settled: ConvergedSizing, around: Pattern) -> _Lost:
+    def _without_line(self, state: _State, settled: ConvergedSizing, around: Pattern) -> _Lost:
         """Run it without line 1, in weather from the side that is then hardest at rest."""
-        case = self._afloat(name, settled, around, line_out=True)
+        name, said = state.load_case, in_sea(state.load_case, self.how, state.period)
+        case = self._afloat(state, settled, around)
         found, moored = run_without(self._as_judged(case), 1, ship=self._ships.get(name))
         self._ships[name] = moored.ship
         without = _state_of(around, name).line_out.line_force
-        return _Lost(name, case, (found,), without, _offset((found,)))
+        return _Lost(said, case, (found,), without, _offset((found,)))
 
-    def _afloat(
-        self, name: str, settled: ConvergedSizing, around: Pattern | None, *, line_out: bool = False
-    ) -> Case:
-        case = ship_afloat(self.request, settled, around, name, line_out=line_out)
+    def _afloat(self, state: _State, settled: ConvergedSizing, around: Pattern | None) -> Case:
+        case = ship_afloat(self.request, settled, around, **state._asdict())
         assert case is not None
         return case
 
@@ -464,6 +475,7 @@ class _Search:
                 weight = sinker.submerged_weight
                 anchor = replace(anchor, mass=sinker.mass, submerged_weight=weight)
         results: list[CheckResult] = []
+        periods: list[float] = []
         warnings: dict[str, None] = {}
         reports = (
             *((each.lost, each.every) for each in judged.runs),
@@ -472,14 +484,16 @@ class _Search:
         for of, intact in reports:
             report = check_hanging(replace(of.case, anchor=anchor), intact, of.lost)
             results += (_in_load_case(one, of.load_case) for one in report.results)
+            assert of.case.waves is not None
+            periods += [of.case.waves.period or 0.0] * len(report.results)
             warnings |= dict.fromkeys(report.warnings)
         failing = sorted((e for e in results if not e.passes), key=lambda check: -check.exceedance)
         sets = len(judged.runs) + sum(len(each.lost) for each in every)
         tried = _tried(judged.line, sets * self.how.seeds, tuple(failing))
         checks = CheckReport(settled.case.title, tuple(results), (), tuple(warnings))
-        return replace(
-            judged, tried=tried, anchor=anchor, drag_anchor=size, sinker=sinker, checks=checks
-        )
+        held = replace(judged, anchor=anchor, drag_anchor=size, sinker=sinker)
+        seas = tightest_seas(zip(results, periods, strict=True)) if self.how.periods else ()
+        return replace(held, tried=tried, checks=checks, seas=seas)
 
 
 def _state_of(around: Pattern, load_case: str) -> PatternState:
@@ -539,7 +553,8 @@ def _moved(request: TankerRequest, how: RunsAfloat, found: _Search, chosen: _Jud
             request.line.allowance,
             _counted(found),
             tuple(each.tried for each in found.judged.values()),
-            load_cases=len(chosen.runs),
+            load_cases=len(found.start.posed.loads),
+            seas=chosen.seas,
             less=tuple(found.failing_below(chosen.line)),
         ),
         chosen.drag_anchor,
