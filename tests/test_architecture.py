@@ -19,7 +19,7 @@ PACKAGE = Path(catopt.__file__).parent
 BASE = {
     "errors", "constants", "documents", "numerals", "dimensions", "unit_words", "units",
     "quantities", "words",
-    "arrays", "compiled", "interrupt", "patience", "ties", "shown", "records", "old_names", "threads",
+    "arrays", "compiled", "interrupt", "patience", "ties", "shown", "records", "old_names",
 }  # fmt: skip
 SOLVING = BASE | {"model", "catenary"}
 READING = {"catalogue", "casefile", "decks"}
@@ -58,7 +58,6 @@ MAY_IMPORT: dict[str, set[str]] = {
     "shown": set(),
     "records": set(),
     "old_names": set(),
-    "threads": set(),
     "schemas": {"errors", "documents", "words"},
     "model": BASE,
     "catalogue": BASE | {"model"},
