@@ -19,7 +19,7 @@ PACKAGE = Path(catopt.__file__).parent
 BASE = {
     "errors", "constants", "documents", "numerals", "dimensions", "unit_words", "units",
     "quantities", "words",
-    "arrays", "compiled", "interrupt", "patience", "ties", "shown", "records",
+    "arrays", "compiled", "interrupt", "patience", "threads", "ties", "shown", "records",
 }  # fmt: skip
 SOLVING = BASE | {"model", "catenary"}
 READING = {"catalogue", "casefile", "decks"}
@@ -54,6 +54,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "machine_tuples": set(),
     "interrupt": set(),
     "patience": {"words"},
+    "threads": set(),
     "ties": set(),
     "shown": set(),
     "records": set(),
@@ -105,7 +106,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     | DESIGNING
     | {"mooring", "fem", "waves", "verify", "floater"},
     "cli": ALL_BUT_CLI | {"compile_jobs", "_version"},
-    "__main__": {"cli", "errors", "interrupt", "_version"},
+    "__main__": {"cli", "errors", "interrupt", "threads", "_version"},
     "__init__": SOLVING
     | READING
     | DESIGNING
