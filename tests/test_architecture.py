@@ -19,7 +19,8 @@ PACKAGE = Path(catopt.__file__).parent
 BASE = {
     "errors", "constants", "documents", "numerals", "dimensions", "unit_words", "units",
     "quantities", "words",
-    "arrays", "compiled", "interrupt", "patience", "ties", "shown", "records", "old_names",
+    "arrays", "compiled", "interrupt", "patience", "threads", "ties", "shown", "records",
+    "old_names",
 }  # fmt: skip
 SOLVING = BASE | {"model", "catenary"}
 READING = {"catalogue", "casefile", "decks"}
@@ -54,6 +55,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "machine_tuples": set(),
     "interrupt": set(),
     "patience": {"words"},
+    "threads": set(),
     "ties": set(),
     "shown": set(),
     "records": set(),
@@ -106,7 +108,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     | DESIGNING
     | {"mooring", "fem", "waves", "verify", "floater"},
     "cli": ALL_BUT_CLI | {"compile_jobs", "_version"},
-    "__main__": {"cli", "errors", "interrupt", "_version"},
+    "__main__": {"cli", "errors", "interrupt", "threads", "_version"},
     "__init__": SOLVING
     | READING
     | DESIGNING

@@ -79,14 +79,13 @@ def _card(result: DesignResult) -> Iterator[blocks.CardBlock]:
         "front",
         texts("design", range(1, count + 1)),
         *_objectives(result, of),
+        *_drawn(of),
         of.texts("line_from_the_anchor", _composition),
         shown=tuple(sorted({0, *near, count - 1})),
         marked=result.recommended - 1,
     )
     yield blocks.Brief((result.recommendation,), Message("answers.card_why"), 3)
-    steps = (
-        each for each in result.neighbours if each.point is None or not each.point.checks.passes
-    )
+    steps = (each for each in result.neighbours if each.point is None or not each.point.passes)
     worse = tuple(
         Message("design.card_step", change=each.change, why=_short_verdict(each)) for each in steps
     )
@@ -102,6 +101,8 @@ def _short_verdict(step: Neighbour) -> str:
     worst = None if step.point is None else step.point.checks.governing
     if step.point is None or worst is None:
         return step.reason
+    if step.point.checks.passes and step.point.draws is not None:
+        return Message("design.fails_in_draws", failing=100.0 * step.point.draws.failing)
     name = Message(f"checks.{worst.kind}_short")
     if worst.utilisation is None:
         return Message("checks.fails", check=name)
@@ -142,6 +143,7 @@ def _front(result: DesignResult) -> Iterator[blocks.Block]:
         texts("design", range(1, count + 1)),
         texts("recommended", best, only="files"),
         *_objectives(result, of),
+        *_drawn(of),
         of.texts("line_from_the_anchor", _composition, only="people"),
         *_of_files(of),
         caption=caption,
@@ -175,6 +177,12 @@ def _objectives(result: DesignResult, of: Rows) -> Iterator[blocks.Column]:
     objectives = Rows(of.read("objectives"))
     for key, quantity in _known_objectives(result):
         yield objectives.measured(quantity, methodcaller("get", key), term(quantity.name))
+
+
+def _drawn(of: Rows) -> Iterator[blocks.Column]:
+    """Say in how many of the draws each design fails, where values are drawn."""
+    if all(of.read("draws")):
+        yield of.texts("fails_in_draws", lambda each: f"{each.draws.failing:.3g}")
 
 
 def _known_objectives(result: DesignResult) -> list[tuple[str, Quantity]]:
@@ -268,7 +276,7 @@ def _composition(point: DesignPoint) -> Several:
 def _recommended(result: DesignResult) -> Iterator[blocks.Block]:
     point = result.best
     said = Message("design.recommended", number=result.recommended)
-    yield blocks.Verdict(said, point.checks.passes)
+    yield blocks.Verdict(said, point.passes)
     yield blocks.Text(result.recommendation)
     yield blocks.Facts("recommended", tuple(_made_of(result, point)), only="not csv")
     yield tightest_table(point.checks)

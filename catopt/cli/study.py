@@ -51,6 +51,12 @@ def study(
         need_parquet()
     asked.check_place()
     read = read_study(file)
+    if read.base.compute == "design":
+        others = {"--plan": plan, "--workers": workers, "--scheduler": scheduler, **of_directory}
+        wanted = Message("refused_command.does_not_go_with_design")
+        refuse(Problem(option, "", wanted) for option, given in others.items() if given)
+        _design(asked, read)
+        return
     if notes and read.base.moored is None:
         raise refused("--notes", "", Message("refused_command.goes_with_compute_sizing"))
     if plan:
@@ -74,6 +80,23 @@ def study(
         raise
     finally:
         store.close()
+
+
+def _design(asked: Asked, read: Study) -> None:
+    """Search the designs that pass in as many draws as they have to."""
+    from catopt.answers.design import design_answer
+    from catopt.casefile import write_case
+    from catopt.casefile.reading import DESIGN_CASE
+    from catopt.report.bundle import design_pictures
+    from catopt.study.robust import design_in_draws
+
+    with asked.output.progress("Designs") as tell:
+        result = design_in_draws(read, progress=tell, announce=asked.output.note)
+    asked.give(
+        design_answer(result),
+        result.to_dict,
+        further=lambda: design_pictures(result) | {DESIGN_CASE: write_case(result.case).encode()},
+    )
 
 
 def _problems(

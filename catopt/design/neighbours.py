@@ -264,11 +264,9 @@ def _end_of_front(problem: DesignProblem, point: DesignPoint, key: str) -> Messa
     here = point.objectives[key]
     around = [(step, neighbour(problem, step)) for step in steps(problem.space, point.genes)]
     checks = dict.fromkeys(
-        _stop(found.point.governing)
+        _stop(found.point)
         for _, found in around
-        if found.point is not None
-        and found.point.objectives[key] < here
-        and not found.point.checks.passes
+        if found.point is not None and found.point.objectives[key] < here and not found.point.passes
     )
     parts = []
     if checks:
@@ -293,7 +291,10 @@ def _closed(around: Sequence[tuple[Step, Neighbour]], key: str, here: float) -> 
             yield variable
 
 
-def _stop(worst: CheckResult | None) -> Message:
+def _stop(point: DesignPoint) -> Message:
+    worst = point.governing
+    if point.checks.passes:
+        return Message("design.stop_draws")
     assert worst is not None
     return Message(f"design.stop_{worst.kind}", load_case=worst.load_case)
 

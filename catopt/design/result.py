@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Any, TypedDict
@@ -26,10 +27,36 @@ from catopt.records import Counted, From, FromZero, Record
 from catopt.shown import Displayable
 from catopt.words.saved import messages_in
 
-__all__ = ["DesignPoint", "DesignResult", "NearMiss", "Neighbour"]
+__all__ = ["DesignPoint", "DesignResult", "InDraws", "NearMiss", "Neighbour"]
 
 OBJECTIVES_MADE = ("mass_kg", "offset_m", "excursion_m", "cost_USD", "length_m")
 """Keys of what is made small."""
+
+
+@dataclass(frozen=True)
+class InDraws(Record):
+    """How a design does where values of the case are drawn."""
+
+    DOCUMENT = "failing interval share samples"
+
+    failing: NotNegative
+    """Part of the draws in which it fails a check."""
+    interval: Annotated[tuple[float, ...], Size(2, 2)]
+    """Of the probability to fail: 95 %, by Clopper and Pearson."""
+    share: NotNegative
+    """Part of the draws in which it has to pass; what is made small is not exceeded in that."""
+    samples: Counted
+    """Draws in all."""
+
+    @property
+    def passes(self) -> bool:
+        """Whether it passes in as many as it has to."""
+        return round((1.0 - self.failing) * self.samples) >= needed(self.share, self.samples)
+
+
+def needed(share: float, samples: int) -> int:
+    """Return how many of some draws a share of them is, at least."""
+    return max(1, math.ceil(share * samples - 1e-9))
 
 
 @dataclass(frozen=True, repr=False)
@@ -42,10 +69,10 @@ class DesignPoint(Displayable, Record):
         "submerged_weight mass EA MBL proof_load price wear_rate wear_zone~) "
         "line.point_loads(name position submerged_weight mass) "
         "sinker(mass submerged_weight friction safety_factor) checks.results=checks "
-        "checks.nearest=governing checks.passes=feasible spans genes "
+        "checks.nearest=governing passes=feasible spans genes "
         "mooring=system(azimuths anchor_radius pretension? state=farthest_state "
         "farthest.system.force=farthest_force_N load.water_level=farthest_water_level_m~ "
-        "load.fairlead_rise=farthest_fairlead_rise_m~ load.line_out=farthest_line_out~)?"
+        "load.fairlead_rise=farthest_fairlead_rise_m~ load.line_out=farthest_line_out~)? draws?"
     )
 
     line: Line  # with component and nominal diameter in each segment
@@ -60,6 +87,13 @@ class DesignPoint(Displayable, Record):
     lines, headings and states."""
     mooring: MooringPoint | None = None
     """Only of whole moorings: the layout of its equal lines, and what takes the body farthest."""
+    draws: InDraws | None = None
+    """Only where values of the case are drawn: all else is by its own values."""
+
+    @property
+    def passes(self) -> bool:
+        """Whether it passes every check, and as many draws as it has to where values are drawn."""
+        return self.checks.passes and (self.draws is None or self.draws.passes)
 
     @property
     def governing(self) -> CheckResult | None:
@@ -137,7 +171,7 @@ class Neighbour(Record):
     @property
     def feasible(self) -> bool:
         """Whether the changed design passes every check."""
-        return self.point is not None and self.point.checks.passes
+        return self.point is not None and self.point.passes
 
     @property
     def governing(self) -> str:

@@ -176,7 +176,7 @@ def _confirmed(problem: DesignProblem, front: Genes) -> tuple[DesignPoint, ...]:
             points.append(design_point(problem, tuple(genes.tolist())))
         except NotConvergedError:
             continue
-    confirmed = tuple(point for point in points if point.checks.passes)
+    confirmed = tuple(point for point in points if point.passes)
     if not confirmed:
         raise NotConvergedError(Message("design.none_confirmed", count=len(front)))
     return confirmed
@@ -268,7 +268,15 @@ def design_case(
     case.check_still_water()
     case = _with_settings(case, method, seed, evaluations)
     is_mooring = case.design is not None and case.system is not None
-    problem = (MooringProblem if is_mooring else DesignProblem).of(case)
+    return search_design(
+        (MooringProblem if is_mooring else DesignProblem).of(case), progress, announce
+    )
+
+
+def search_design(
+    problem: DesignProblem, progress: Progress | None = None, announce: Announce | None = None
+) -> DesignResult:
+    """Find the best designs of a problem, as `design_case`."""
     found = _search(problem, progress, announce or (lambda _: None))
     if not len(found.outcome.genes):
         raise no_feasible_design(problem, found.outcome)

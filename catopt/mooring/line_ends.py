@@ -14,7 +14,7 @@ from typing import NamedTuple
 from catopt.catenary.equilibrium import given_force
 from catopt.catenary.pieces import LineProblem, Pieces, is_plain, turned
 from catopt.catenary.span_or_tension import given_span
-from catopt.catenary.state import CONVERGED, State
+from catopt.catenary.state import CONVERGED, GROUNDED_BETWEEN, GROUNDED_IN_PARTS, State
 
 Vector = tuple[float, float, float]
 Matrix = tuple[tuple[float, ...], ...]
@@ -101,7 +101,9 @@ def _guess(span: float, problem: LineProblem, known: Ends | None) -> tuple[float
 def _slopes(state: State, span: float, problem: LineProblem) -> Matrix:
     """Derive H and V at b, H and V at a (pulling up), by the span and the heights a and b."""
     H_s, H_b, V_s, V_b = _by_end(state, problem)
-    if state.grounded == 0.0:
+    # A point load alone may touch the bed, over no length: it carries part of the line all the same.
+    rests = state.regime in (GROUNDED_BETWEEN, GROUNDED_IN_PARTS)
+    if state.grounded == 0.0 and not rests:
         row_H, row_V = (H_s, -H_b, H_b), (V_s, -V_b, V_b)
         return row_H, row_V, row_H, row_V
     alone = (H_s, 0.0, H_b), (V_s, 0.0, V_b), (H_s, 0.0, H_b), (0.0, 0.0, 0.0)

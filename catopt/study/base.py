@@ -12,7 +12,7 @@ from catopt.casefile.reading import Moored, is_network
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.words import Message
 
-Computed = Literal["statics", "checks", "motion", "linear", "sizing"]
+Computed = Literal["statics", "checks", "motion", "linear", "sizing", "design"]
 """What a study may compute of each of its members."""
 
 ConvergenceCheck = Literal["step", "none"]
@@ -96,6 +96,7 @@ KEPT: Final[Mapping[str, tuple[Output, ...]]] = MappingProxyType(
             _USED,
             _GOVERNING,
         ),
+        "design": (),  # of which the front is one answer for all members
     }
 )
 """What is kept, by what is computed; at rest by what is moored.

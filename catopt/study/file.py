@@ -100,6 +100,7 @@ class StudyTable(TableSchema):
     samples: Annotated[int, Whole("samples", example=1000)] | None = None
     seed: Seed | None = None
     limits: Limits | None = None
+    share: Annotated[float, Measured(Dimension.NUMBER, above=0.0, at_most=1.0)] | None = None
     vary: Annotated[list[VaryTable], Size(1, MOST_VARIED)]
 
 
@@ -121,9 +122,11 @@ def read_study(path: str | os.PathLike[str]) -> Study:
     base = _base(table, folder, source)
     axes = list(_axes(table, base, folder, problems))
     limits = _limits(table, base, problems)
+    problems += _of_design(table)
     if problems:
         raise InputError(problems, source)
-    study = Study(table.title, base, tuple(axes), limits)
+    share = {} if table.share is None else {"share": table.share}
+    study = Study(table.title, base, tuple(axes), limits, **share)
     if len(study) > _MOST:
         allowed = Message("refused_study.members_are_most_give_fewer", most=_MOST)
         raise InputError([Problem("vary", f"{len(study):,} members", allowed)], source)
@@ -135,6 +138,23 @@ def read_study(path: str | os.PathLike[str]) -> Study:
         allowed = Message("refused_study.checks_with_codes_or_limits")
         raise InputError([Problem("checks", Message("refused.none"), allowed)], base.source)
     return study
+
+
+def _of_design(table: StudyTable) -> Iterator[Problem]:
+    """Yield what does not go with a design, or with nothing else."""
+    if table.compute != "design":
+        if table.share is not None:
+            allowed = Message("refused_study.goes_with_compute_design")
+            yield Problem("share", f"{table.share:g}", allowed)
+        return
+    if table.limits is not None:
+        yield Problem("limits", "", Message("refused_study.checks_of_the_case_are_the_limits"))
+    for number, each in enumerate(table.vary):
+        if each.distribution is None:
+            yield Problem(f"vary[{number}]", "", Message("refused_study.a_design_wants_draws"))
+        elif each.key.startswith(("design", "title", "system")):
+            allowed = Message("refused_study.not_what_is_sought")
+            yield Problem(f"vary[{number}].key", f'"{each.key}"', allowed)
 
 
 def _base(table: StudyTable, folder: Path, source: str) -> Base:

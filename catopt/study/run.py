@@ -81,6 +81,9 @@ def run_study(
     (2000, 0)
     """
     read = study if isinstance(study, Study) else read_study(study)
+    if read.base.compute == "design":
+        allowed = Message("refused_study.design_in_draws_does_it")
+        raise InputError([Problem("compute", '"design"', allowed)], read.base.source)
     store = Store(read, None if out is None else Path(out))
     count = worth(read) if workers is None else workers
     with ExitStack() as stack:

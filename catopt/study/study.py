@@ -157,7 +157,9 @@ class Axis:
         }
 
 
-PIECE = MappingProxyType({"statics": 20_000, "checks": 100, "motion": 1, "linear": 50, "sizing": 4})
+PIECE = MappingProxyType(
+    {"statics": 20_000, "checks": 100, "motion": 1, "linear": 50, "sizing": 4, "design": 1}
+)
 """Members that are computed, and stored, together: some seconds of work."""
 
 
@@ -195,6 +197,7 @@ class Study:
     axes: Annotated[tuple[Axis, ...], From(1)]
     """What varies; all combinations are members, the last varies fastest."""
     limits: Mapping[str, float] = field(default_factory=dict)
+    share: float = 0.95  # of the draws in which a design has to pass
 
     def __len__(self) -> int:
         return math.prod(len(axis) for axis in self.axes)

@@ -64,3 +64,9 @@ def test_what_lies_without_load_alone_is_told_so() -> None:
     with pytest.raises(NoEquilibriumError, match="without load on its bodies"):
         at_rest(drawn(96))
     assert judge(96) == ("refused", [])
+
+
+@pytest.mark.parametrize("seed", [677, 717, 727, 1027])
+def test_clumps_that_rest_on_the_bed_between_joints_come_to_rest(seed: int) -> None:
+    """Before, not within 200 steps: such a line was as stiff as one that hangs clear."""
+    assert judge(seed)[1] == []

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
@@ -14,7 +15,7 @@ from catopt.model import Line, PointLoad, Segment
 from catopt.model.network import Network
 from catopt.mooring.chains import rows_of
 from catopt.mooring.held import hold
-from catopt.mooring.line_ends import ends_of
+from catopt.mooring.line_ends import Ends, ends_of
 from tests.campaign.cuts import bridle_fault, fault
 
 HARD = Path(__file__).parents[1] / "hard_cases"
@@ -84,6 +85,29 @@ def test_a_slack_line_is_as_stiff_upwards_as_what_it_lifts(height: float, other:
     assert at.state.H == 0.0
     slope = -(high.second[2] - low.second[2]) / (2.0 * step)
     assert at.stiffness[5][5] == pytest.approx(slope, rel=1e-4)
+
+
+def test_a_clump_that_rests_on_the_bed_by_itself_carries_its_part() -> None:
+    """No length lies, yet raising an end leaves the pull at the other; by differences."""
+    line = Line([Segment(11.8, 180.0, EA=1.6e7)], [PointLoad(7.5, 540.0)])
+    pieces, _ = cut(line)
+    at = (0.0, 0.0, 1.345, 10.824, -4.31, 0.31)
+
+    def ends(at: Sequence[float]) -> Ends:
+        return ends_of(pieces, (at[0], at[1], at[2]), (at[3], at[4], at[5]), 0.0, None)
+
+    found, step = ends(at), 1e-5
+    assert found.state.grounded == 0.0
+    carried = found.second[2] + found.first[2] + 11.8 * 180.0 + 540.0
+    assert 1.0 < carried < 539.0  # of the clump
+    stiffest = max(map(max, found.stiffness))
+    for j in range(6):
+        there, back = ([x + sense * step * (i == j) for i, x in enumerate(at)] for sense in (1, -1))
+        after, before = ends(there), ends(back)
+        change = zip((*after.first, *after.second), (*before.first, *before.second), strict=True)
+        by_differences = [(b - a) / (2.0 * step) for a, b in change]
+        own = [row[j] for row in found.stiffness]
+        assert own == pytest.approx(by_differences, abs=1e-6 * stiffest)
 
 
 @pytest.mark.parametrize("seed", range(12))
