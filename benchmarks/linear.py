@@ -77,9 +77,13 @@ def compare(height: float, period: float, duration: float) -> tuple[float, ...]:
     assert isinstance(lines, OneLine)
     model = linear_model(lines.simulation())
     if duration > 60.0:
-        verify_dynamic(shorter(case), proof="none", workers=1)
+        verify_dynamic(shorter(case), convergence_check="none", workers=1)
     began = time.process_time()
-    run = verify_dynamic(case, proof="none", workers=1, compares_at_rest=False).parts[0].runs[0]
+    run = (
+        verify_dynamic(case, convergence_check="none", workers=1, compares_at_rest=False)
+        .parts[0]
+        .runs[0]
+    )
     took = time.process_time() - began
     history = run.history
     at = history.counted

@@ -24,9 +24,9 @@ from benchmarks.common import page
 from catopt.errors import NoAnswerError, NotConvergedError
 from catopt.model import Case, Dynamics, Line, Load, Motion, Segment, Site, WaveState
 from catopt.model.dynamics import BARS
+from catopt.verify.convergence_check import LIMIT, OF_MBL, ConvergenceCheck
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicPart
-from catopt.verify.proof import LIMIT, OF_MBL, Proof
 
 _KEPT = Path(__file__).parent / "results" / "slack-lines.csv"
 
@@ -98,11 +98,11 @@ def random_case(seed: int) -> Case:
     )
 
 
-def run(case: Case, proof: Proof, **changes: float) -> DynamicPart:
+def run(case: Case, convergence_check: ConvergenceCheck, **changes: float) -> DynamicPart:
     """Run a case with other settings."""
     assert case.dynamics is not None
     of = replace(case, dynamics=replace(case.dynamics, **changes))  # type: ignore[arg-type]
-    (part,) = verify_dynamic(of, proof=proof).parts
+    (part,) = verify_dynamic(of, convergence_check=convergence_check).parts
     return part
 
 

@@ -124,7 +124,7 @@ def _afloat() -> None:
     case = replace(_moved(duration=0.2), motion=None, anchor_motion=None, floater=of, waves=waves)
     light = tuple(replace(each, submerged_weight=200.0) for each in case.line.segments)
     case = replace(case, line=replace(case.line, segments=light))
-    verify_dynamic(case, proof="none")
+    verify_dynamic(case, convergence_check="none")
     hull = buoy_hull(of, 20.0, 1025.0, 0.0)
     run_alone(hull, TimeStepping(0.1, 0.05), sea=Sea(20.0, regular_wave(0.5, 6.0)))
 

@@ -45,11 +45,11 @@ from catopt.sizing.result import Sizing
 from catopt.study.result import StudyResult
 from catopt.study.run import Plan
 from catopt.verify.compared import Unit
+from catopt.verify.convergence_check import ConvergenceCheck, Way
 from catopt.verify.dynamic_result import Verdict
 from catopt.verify.dynamic_run import SERIES
 from catopt.verify.fatigue import FatigueReport
 from catopt.verify.motion_words import DYNAMIC_QUANTITY_OF as QUANTITY_OF
-from catopt.verify.proof import Proof, Way
 from catopt.verify.result import StaticComparison
 from catopt.verify.result import Verdict as VerdictAtRest
 from catopt.words import Message
@@ -142,7 +142,7 @@ WORDS: Mapping[str, Mapping[str, tuple[Any, ...]]] = {
         "static/kind": _of(StaticComparison, "kind"),
         "statistics/unit": tuple(dict.fromkeys(QUANTITY_OF[each].si_unit for each in SERIES)),
         "dynamic/initial_friction": _of(InitialFriction),
-        "dynamic/load_cases/proof": _of(Proof),
+        "dynamic/load_cases/proof": _of(ConvergenceCheck),
         "dynamic/load_cases/changes/quantity": (*SERIES, "largest_tension"),
         "dynamic/load_cases/changes/way": _of(Way),
         "dynamic/load_cases/runs/again/way": _of(Way),

@@ -20,6 +20,7 @@ BASE = {
     "errors", "constants", "documents", "numerals", "dimensions", "unit_words", "units",
     "quantities", "words",
     "arrays", "compiled", "interrupt", "patience", "threads", "ties", "shown", "records",
+    "old_names",
 }  # fmt: skip
 SOLVING = BASE | {"model", "catenary"}
 READING = {"catalogue", "casefile", "decks"}
@@ -58,6 +59,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "ties": set(),
     "shown": set(),
     "records": set(),
+    "old_names": set(),
     "schemas": {"errors", "documents", "words"},
     "model": BASE,
     "catalogue": BASE | {"model"},

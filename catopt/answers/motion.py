@@ -335,7 +335,7 @@ def _summary(parts: Sequence[DynamicPart]) -> Iterator[blocks.Column]:
     yield of.measured(_TIME, "slack_time", "slack_in_all")
     yield of.measured(_TIME, "longest_slack", "longest_slack")
     yield of.texts("verdict", lambda part: term(part.verdict))
-    yield of.texts("proof", lambda part: Message(_PROOF[part.proof]))
+    yield of.texts("proof", lambda part: Message(_PROOF[part.convergence_check]))
     changes = (part.change_of("largest_tension") for part in parts)
     yield measured(_CHANGE, changes, "change_of_the_largest_tension")
     for end in ("fairlead", "anchor"):

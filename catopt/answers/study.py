@@ -71,7 +71,7 @@ def _reach(result: StudyResult) -> Iterator[blocks.Block]:
         if slack:
             yield blocks.Warnings((Message("study.may_go_slack", count=slack),))
         yield blocks.Text(Message("study.linear_note"), is_small=True)
-    if base.compute == "motion" and base.proof == "none":
+    if base.compute == "motion" and base.convergence_check == "none":
         yield blocks.Verdict(Message("study.once"), passes=False)
 
 

@@ -69,7 +69,7 @@ def system_answer(report: SystemReport, checks: CheckReport) -> blocks.Answer:
         *([section("captions.watch_circle", circle_table(circle))] if circle else []),
         *(_curve(number, each) for number, each in enumerate(report.curves, start=1)),
         *_levels(report),
-        *(held_section(number, each) for number, each in enumerate(report.held, start=1)),
+        *(held_section(*each) for each in enumerate(report.at_displacement, start=1)),
         section("captions.residuals", *_closing(report, checks)),
     )
     return replace(whole, card=tuple(_card(report, checks, solved)))
@@ -89,7 +89,7 @@ def _card(report: SystemReport, checks: CheckReport, solved: Message) -> Iterato
     yield from (curve_table(number, each) for number, each in enumerate(report.curves, start=1))
     for of in _levels(report):
         yield from (each for each in of.blocks if isinstance(each, blocks.Table))
-    for number, each in enumerate(report.held, start=1):
+    for number, each in enumerate(report.at_displacement, start=1):
         tables = (of for of in held_section(number, each).blocks if isinstance(of, blocks.Table))
         yield from tables
     for block in _closing(report, checks):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from typing import Annotated, Any
-from warnings import warn
 
 from catopt.catenary.solution import Solution
 from catopt.checks.kinds import CHECK_UNITS, ROUNDING, CheckKind, CheckSource, Place
@@ -12,6 +11,7 @@ from catopt.model import LoadCase
 from catopt.model.kinds import OneOf
 from catopt.model.kinds import Place as Along
 from catopt.model.load import LoadCaseKind
+from catopt.old_names import OldName
 from catopt.records import From, FromZero, Record, within
 from catopt.shown import Displayable
 from catopt.ties import largest
@@ -78,11 +78,7 @@ class CheckResult(Record):
         number = self.place.line
         return self.load_case if number is None else line_in_state(number, self.load_case)
 
-    @property
-    def excess(self) -> float:
-        """Old name of `exceedance`, for one version."""
-        warn("excess of a check is its exceedance now", DeprecationWarning, stacklevel=2)
-        return self.exceedance
+    excess = OldName("exceedance")
 
     @property
     def passes(self) -> bool:

@@ -28,7 +28,7 @@ def fatigue(
         report = verify_fatigue(
             read,
             load_case=load_case,
-            proof="none" if once else "step",
+            convergence_check="none" if once else "step",
             workers=workers,
             progress=tell,
             announce=lambda words: asked.output.note(f"catopt: {say(words, asked.language)}"),

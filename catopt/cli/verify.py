@@ -39,8 +39,8 @@ from catopt.cli.values import refuse, with_known_codes
 from catopt.errors import Problem
 from catopt.model import Case
 from catopt.model.network import Network
+from catopt.verify.convergence_check import ELEMENTS, TOLERANCE, ConvergenceCheck, check_settings
 from catopt.verify.motion_words import not_converged_sentence, stopped_sentence
-from catopt.verify.proof import ELEMENTS, TOLERANCE, Proof, check_settings
 from catopt.words import Message, say
 
 if TYPE_CHECKING:
@@ -85,9 +85,9 @@ def verify(
     proofs = {"--once": once, "--twice-the-bars": twice_the_bars}
     refuse(_of_motion(proofs, workers, with_motion=with_motion))
     check_settings(elements, tolerance, source="options", prefix="--")
-    proof: Proof = "none" if once else "bars" if twice_the_bars else "step"
+    convergence_check: ConvergenceCheck = "none" if once else "bars" if twice_the_bars else "step"
     how = {"elements": elements, "tolerance": tolerance}
-    moving = {"proof": proof, "workers": workers} if with_motion else None
+    moving = {"convergence_check": convergence_check, "workers": workers} if with_motion else None
     if every:
         wanted = Message("refused_command.does_not_go_with_all")
         given = {"--load-case": load_case, "--design": design}
@@ -216,7 +216,7 @@ def _ship(asked: Asked, case: Case, load_case: str | None, moving: dict[str, Any
     wanted = Message("refused_command.does_not_go_with_ship")
     given = {
         "--load-case": load_case is not None,
-        "--twice-the-bars": moving["proof"] == "bars",
+        "--twice-the-bars": moving["convergence_check"] == "bars",
         "--workers": moving["workers"] is not None,
     }
     refuse(Problem(key, "", wanted) for key, is_given in given.items() if is_given)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from warnings import warn
 
 import numpy as np
 
@@ -11,6 +10,7 @@ from catopt.arrays import Array, Codes, Flags
 from catopt.fem.course import FOLLOWED, Course
 from catopt.fem.energy_balance import EnergyBalance
 from catopt.fem.extremes import SeriesStatistics
+from catopt.old_names import OldName
 
 STOPPED = "motion.stopped_at"
 """Key of the warning of a run that was stopped."""
@@ -131,10 +131,7 @@ class History:
         """Longest time at a stretch that a bar of a line was without tension from `since` on, s."""
         return float(self.longest_slack[self._bars(line)].max())
 
-    def amplification(self, quasi_static_max: float, line: int = 0) -> float:
-        """Old name of `dynamic_amplification`, for one version."""
-        warn("amplification is dynamic_amplification now", DeprecationWarning, stacklevel=2)
-        return self.dynamic_amplification(quasi_static_max, line)
+    amplification = OldName("dynamic_amplification")
 
     def dynamic_amplification(self, quasi_static_max: float, line: int = 0) -> float:
         """Largest tension at a fairlead over the largest at rest at the same places of it, N."""

@@ -10,13 +10,14 @@ from catopt.catenary.solution import above_water, named_line
 from catopt.errors import InputError, Problem
 from catopt.model import Case, System
 from catopt.mooring.circle import WatchCircle, watch_circle
-from catopt.mooring.held import HeldBody, LinesAtRest, held_body
+from catopt.mooring.held import HeldBody, LinesAtRest, at_displacement
 from catopt.mooring.line_out import LineOut, one_line_out
 from catopt.mooring.restoring import RestoringCurve, network_curve, restoring_curve
 from catopt.mooring.sharing_rule import SharingRule, sharing_rule
 from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import of_line, solve_system
 from catopt.mooring.water_level import AtLevel, at_levels
+from catopt.old_names import OldName
 from catopt.patience import paced
 from catopt.records import Record, within
 from catopt.shown import Displayable
@@ -35,7 +36,8 @@ class SystemReport(Displayable, Record):
     SCHEMA = SystemSolution.SCHEMA
     DOCUMENT = (
         f"{within('solution', SystemSolution.DOCUMENT)} rule=sharing_rule line_out=one_line_out? "
-        "circle=watch_circle? curves=restoring_curves? levels=water_levels? held=held_body?"
+        "circle=watch_circle? curves=restoring_curves? levels=water_levels? "
+        "at_displacement=held_body?"
     )
 
     case: Case
@@ -52,9 +54,11 @@ class SystemReport(Displayable, Record):
     """Only when asked for: the body held at offsets along a direction."""
     levels: tuple[AtLevel, ...] = ()
     """Only when asked for: the same load at other water levels."""
-    held: tuple[HeldBody, ...] = ()
+    at_displacement: tuple[HeldBody, ...] = ()
     """Only when asked for: load and linearised stiffness of the lines in six freedoms. Surge, sway,
     heave along x, y, z (up); roll, pitch, yaw about them."""
+
+    held = OldName("at_displacement")
 
 
 def report_system(
@@ -71,8 +75,8 @@ def report_system(
 
     Directions of restoring curves in rad, water levels above that of the case in m. The stiffness
     in six freedoms is of where the body rests, and of each displacement: surge, sway, heave (m),
-    roll, pitch, yaw (rad). Errors as for `solve_system` and `held_body`; FloatsUpError for a buoy
-    that would float above the water surface.
+    roll, pitch, yaw (rad). Errors as for `solve_system` and `at_displacement`; FloatsUpError for a
+    buoy that would float above the water surface.
     """
     system = case.system
     if system is None:
@@ -92,8 +96,8 @@ def report_system(
     )
     size = math.hypot(*system.force)
     rest = solution.position
-    held = [(rest.x, rest.y, 0.0, 0.0, 0.0, rest.yaw)] if with_stiffness else []
-    places = [*held, *displacements]
+    own = [(rest.x, rest.y, 0.0, 0.0, 0.0, rest.yaw)] if with_stiffness else []
+    places = [*own, *displacements]
     return SystemReport(
         case,
         solution,
@@ -102,8 +106,8 @@ def report_system(
         circle=watch_circle(system, force=size) if with_circle and size > 0.0 else None,
         curves=tuple(_curve(system, solution, direction) for direction in directions),
         levels=at_levels(system, levels),
-        held=tuple(
-            held_body(system, origin_height=case.site.water_depth, displacement=each)
+        at_displacement=tuple(
+            at_displacement(system, origin_height=case.site.water_depth, displacement=each)
             for each in paced(Message("words.held_places", total=len(places)), places)
         ),
     )

@@ -33,6 +33,7 @@ from catopt.mooring.joints import (
 )
 from catopt.mooring.line_ends import Matrix, Vector
 from catopt.mooring.position import Position
+from catopt.old_names import old_function
 from catopt.records import From, FromZero, Record
 from catopt.words import Message
 
@@ -262,7 +263,7 @@ class NetworkReport(Record):
         return "converged"
 
 
-def held_body(
+def at_displacement(
     system: System, *, origin_height: float, displacement: tuple[float, ...] = (0.0,) * 6
 ) -> HeldBody:
     """Say what the lines do to a body that is held, and the linearised stiffness there.
@@ -279,11 +280,11 @@ def held_body(
     --------
     >>> from math import radians
     >>> from catopt import Line, Segment, System
-    >>> from catopt.mooring.held import held_body
+    >>> from catopt.mooring.held import at_displacement
     >>> chain = Line([Segment(902.2, 698.0945, EA=384.243e6)])
     >>> spar = System.around(chain, azimuths=[0.0, radians(120.0), radians(240.0)],
     ...                      anchor_radius=853.87, fairlead_radius=5.2, fairlead_height=250.0)
-    >>> body = held_body(spar, origin_height=320.0)
+    >>> body = at_displacement(spar, origin_height=320.0)
     >>> round(body.stiffness[0][0], 1), round(body.load[2] / 1e3, 1)
     (41181.2, -1607.2)
     """
@@ -297,6 +298,9 @@ def held_body(
     return hold(Network(site, tuple(points), tuple(lines)), displacement).body
 
 
+held_body = old_function("held_body", at_displacement)
+
+
 def hold(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> NetworkAtRest:
     """Hold a body whose lines meet in joints, bring the joints to rest, and say its stiffness.
 
@@ -308,7 +312,7 @@ def hold(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> Netw
     turning the force F on it about the origin adds [F][r] (cross-product matrices).
 
     The origin of the body is at x = y = 0, or where the body of the network has it, on the water
-    surface; `displacement` as for `held_body`.
+    surface; `displacement` as for `at_displacement`.
     InputError: a fairlead is below the bed, a line hangs slack, or there are several bodies.
     NoEquilibriumError, NotConvergedError, FloatsUpError: as for `joints_at_rest`.
 

@@ -47,7 +47,7 @@ class RestoringCurve(Record):
 
     @property
     def largest_tension(self) -> tuple[SomeForce, ...]:
-        """At a fairlead, at each point."""
+        """At a fairlead, of lines between points at either end."""
         return tuple(each.largest_tension for each in self.responses)
 
     @property

@@ -106,9 +106,9 @@ def read_note(
     """Read a case file, or what a directory that ``--out`` wrote has, and compute its note.
 
     A `design` of ``catopt design`` counts from 1 and is the recommended one when left out. The date
-    and what is shown beside the closed form are as for `Asked`; `once` leaves out the proof of the
-    line in motion. Of these a directory has what was asked for there where None is given. The line
-    in motion tells `progress` how far it is and how far it goes.
+    and what is shown beside the closed form are as for `Asked`; `once` leaves out the convergence
+    check of the line in motion. Of these a directory has what was asked for there where None is
+    given. The line in motion tells `progress` how far it is and how far it goes.
 
     Raises InputError, NoAnswerError and NotConvergedError as `read_case`, `read_design`,
     `solve_case`, `check_case` and `verify_dynamic` do.
@@ -138,7 +138,7 @@ def note_of(
     load_case, drawn = _drawn(case, checks)
     solution = solve_case(drawn)
     swarm = solve_case(drawn, "pso") if asked.swarm else None
-    motion = in_motion(case, checks, asked.proof, progress) if asked.motion else None
+    motion = in_motion(case, checks, asked.convergence_check, progress) if asked.motion else None
     curve, curve_warnings = _curve(drawn, solution)
     verification, failure = both_models(drawn, load_case) if asked.verify else (None, "")
     warnings = (

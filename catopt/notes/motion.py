@@ -21,9 +21,9 @@ if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
     from catopt.checks.result import CheckReport, CheckResult
     from catopt.model import Case
+    from catopt.verify.convergence_check import ConvergenceCheck
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
     from catopt.verify.dynamic_setup import Excitation
-    from catopt.verify.proof import Proof
 
 Progress = Callable[[int, int], None]
 
@@ -75,7 +75,10 @@ class InMotion:
 
 
 def in_motion(
-    case: Case, checks: CheckReport, proof: Proof = "step", progress: Progress | None = None
+    case: Case,
+    checks: CheckReport,
+    convergence_check: ConvergenceCheck = "step",
+    progress: Progress | None = None,
 ) -> InMotion:
     """Run the line of a case, checked at rest, in time under every load case.
 
@@ -86,7 +89,7 @@ def in_motion(
 
     check_for_motion(case)
     drive = read_drive(case)
-    found = verify_dynamic(case, proof=proof, progress=progress)
+    found = verify_dynamic(case, convergence_check=convergence_check, progress=progress)
     at_rest = dict(checks.solutions)
     solutions = tuple(at_rest[part.name] for part in found.parts)
     made = checks_in_motion(found, solutions)
@@ -306,7 +309,7 @@ class FrontInMotion:
 
     @property
     def has_converged(self) -> bool:
-        """Whether every design has an answer that its proof does not contradict."""
+        """Whether every design has an answer that its convergence check does not contradict."""
         return all(
             each.found is not None and each.found.verdict != "not converged"
             for each in self.designs
@@ -326,7 +329,7 @@ def front_in_motion(
     cases: Sequence[tuple[int, Case, tuple[float, ...]]],
     of_search: int,
     *,
-    proof: Proof = "step",
+    convergence_check: ConvergenceCheck = "step",
     workers: int | None = None,
     progress: Callable[[int, int], None] | None = None,
 ) -> FrontInMotion:
@@ -353,7 +356,7 @@ def front_in_motion(
         if progress is not None:
             progress(done, len(cases))
         try:
-            found = verify_dynamic(case, proof=proof, workers=workers)
+            found = verify_dynamic(case, convergence_check=convergence_check, workers=workers)
             still = solutions_at_rest(found.case, found.parts)
             checks = checks_in_motion(found, still)
         except (NoAnswerError, NotConvergedError) as error:

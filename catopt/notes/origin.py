@@ -20,7 +20,7 @@ from catopt.model import Case
 from catopt.model.kinds import Kind, Measured
 from catopt.schemas import CASE_DIGEST, is_ours, read_any, read_document
 from catopt.units import as_written
-from catopt.verify.proof import Proof
+from catopt.verify.convergence_check import ConvergenceCheck
 from catopt.words import Message
 
 _MOST = 8
@@ -162,14 +162,18 @@ class Asked:
     verify: bool = True
     swarm: bool = False
     motion: bool = False
-    proof: Proof = "step"
+    convergence_check: ConvergenceCheck = "step"
 
     def with_options(
         self, *, swarm: bool | None = None, motion: bool | None = None, once: bool | None = None
     ) -> Asked:
         """Return it with what options say; None leaves it."""
-        proof = None if once is None else "none" if once else "step"
-        said: dict[str, Any] = {"swarm": swarm, "motion": motion, "proof": proof}
+        convergence_check = None if once is None else "none" if once else "step"
+        said: dict[str, Any] = {
+            "swarm": swarm,
+            "motion": motion,
+            "convergence_check": convergence_check,
+        }
         return replace(self, **{name: value for name, value in said.items() if value is not None})
 
 
@@ -233,7 +237,9 @@ def asked_in(path: Path, *, date: str = "", verify: bool = True) -> Asked:
     dynamic = ours.get(_VERIFICATION, {}).get("dynamic")
     if dynamic is None:
         return asked
-    return replace(asked, motion=True, proof=dynamic["load_cases"][0].get("proof", "step"))
+    return replace(
+        asked, motion=True, convergence_check=dynamic["load_cases"][0].get("proof", "step")
+    )
 
 
 def _refuse_mixed(directory: Path, documents: Mapping[str, dict[str, Any]]) -> None:

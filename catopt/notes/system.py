@@ -169,7 +169,7 @@ def system_note(
     if asked.motion:
         from catopt.verify.dynamic import verify_dynamic
 
-        found = verify_dynamic(case, proof=asked.proof, progress=progress)
+        found = verify_dynamic(case, convergence_check=asked.convergence_check, progress=progress)
     report, left_out = _report(case)
     checks = check_system(case, report)
     verification, failure = both_models(case) if asked.verify else (None, "")

@@ -101,7 +101,7 @@ def solve_one_line(source: Published, anchor_radius: float | None = None) -> Sol
 
 def _held(source: Published, displacement: tuple[float, ...] = (0.0,) * 6) -> HeldBody:
     """Hold a body on three such lines; on a bed without friction, as linearised matrices are."""
-    from catopt.mooring.held import held_body
+    from catopt.mooring.held import at_displacement
 
     given = source.inputs
     depth, first = given["water_depth_m"], math.radians(given["first_azimuth_deg"])
@@ -112,7 +112,7 @@ def _held(source: Published, displacement: tuple[float, ...] = (0.0,) * 6) -> He
         fairlead_radius=given["fairlead_radius_m"],
         fairlead_height=depth - given["fairlead_depth_m"],
     )
-    return held_body(system, origin_height=depth, displacement=displacement)
+    return at_displacement(system, origin_height=depth, displacement=displacement)
 
 
 def _slope(source: Published, load: int, freedom: int, step: float) -> float:

@@ -15,7 +15,7 @@ from catopt.words import Message
 Computed = Literal["statics", "checks", "motion", "linear", "sizing", "design"]
 """What a study may compute of each of its members."""
 
-Proof = Literal["step", "none"]
+ConvergenceCheck = Literal["step", "none"]
 """How a run in time is proven, as of ``catopt verify --dynamic``."""
 
 
@@ -114,7 +114,8 @@ class Base:
 
     `document`: of the case file, or of the file for ``catopt size``, as the TOML reader returns it;
     `source`, `folder`: its name, for messages, and where paths in it count from; `moored`: of what
-    the file is for ``catopt size``; None for a case file; `proof`: of a run in time.
+    the file is for ``catopt size``; None for a case file; `convergence_check`: of a run in
+    time.
     """
 
     document: dict[str, Any]
@@ -123,7 +124,7 @@ class Base:
     compute: Computed
     """What was computed of each member."""
     moored: Moored | None = None
-    proof: Proof = "step"
+    convergence_check: ConvergenceCheck = "step"
 
     @property
     def kept(self) -> tuple[Output, ...]:

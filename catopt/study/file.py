@@ -21,7 +21,7 @@ from catopt.errors import InputError, Problem
 from catopt.model import Case
 from catopt.model.kinds import Kind, Measured, Seed, Size, Text, Whole
 from catopt.model.network import Network
-from catopt.study.base import Base, Computed, Proof
+from catopt.study.base import Base, Computed, ConvergenceCheck
 from catopt.study.member import kind_of_key, read_member
 from catopt.study.store import read_table
 from catopt.study.study import Axis, Distribution, DistributionKind, Study
@@ -96,7 +96,7 @@ class StudyTable(TableSchema):
     title: str = ""
     case: File
     compute: Computed
-    proof: Proof | None = None
+    proof: ConvergenceCheck | None = None
     samples: Annotated[int, Whole("samples", example=1000)] | None = None
     seed: Seed | None = None
     limits: Limits | None = None

@@ -162,7 +162,9 @@ def _in_motion(base: Base, case: Case | Network) -> Values:
     from catopt.notes.motion import checks_in_motion
     from catopt.verify.dynamic import verify_dynamic
 
-    found = verify_dynamic(case, proof=base.proof, workers=1, compares_at_rest=False)
+    found = verify_dynamic(
+        case, convergence_check=base.convergence_check, workers=1, compares_at_rest=False
+    )
     if not found.is_complete:
         raise KeyboardInterrupt
     ran = found.parts

@@ -285,7 +285,7 @@ class Study:
     def digest(self) -> Annotated[str, Matching("^[0-9a-f]{64}$")]:
         """SHA-256 of all that decides the numbers: case, files, values, version."""
         base = self.base
-        own = [__version__, base.compute, base.moored, base.proof, base.document]
+        own = [__version__, base.compute, base.moored, base.convergence_check, base.document]
         digest = sha256(json.dumps(own, sort_keys=True, default=str).encode())
         for path in _files(base.document, base.folder):
             digest.update(path.read_bytes())

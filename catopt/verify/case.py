@@ -13,9 +13,9 @@ from catopt.model import Case
 from catopt.model.network import Network
 from catopt.patience import paced
 from catopt.units import as_written
+from catopt.verify.convergence_check import ELEMENTS, TOLERANCE, check_settings
 from catopt.verify.line import verify_line, verify_system
 from catopt.verify.network import verify_network
-from catopt.verify.proof import ELEMENTS, TOLERANCE, check_settings
 from catopt.verify.result import VERDICTS, StaticComparison, Verification, least_agreeing
 from catopt.words import Message
 

@@ -18,14 +18,23 @@ from catopt.floater.alone import HullHistory
 from catopt.interrupt import waiting_interrupt
 from catopt.model import Case
 from catopt.model.network import Network
+from catopt.old_names import renamed
 from catopt.verify.case import load_states
+from catopt.verify.convergence_check import (
+    DAMPINGS,
+    FINER,
+    Again,
+    ConvergenceCheck,
+    Damped,
+    Way,
+    work_of_check,
+)
 from catopt.verify.dynamic_lines import LinesAtRest, LinesOfPoints, lines_at_rest, quasi_static
 from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
 from catopt.verify.dynamic_run import DynamicRun
 from catopt.verify.dynamic_setup import Excitation, check_for_motion, read_drive
 from catopt.verify.judged import with_verdicts
 from catopt.verify.motion_file import energy_beyond
-from catopt.verify.proof import DAMPINGS, FINER, Again, Damped, Proof, Way, work_of_proof
 from catopt.verify.side_by_side import Crew, Progress, effort_of, share_of, side_by_side
 from catopt.waves import Sea
 from catopt.words import Message, is_said
@@ -45,11 +54,12 @@ _LEFT_OUT = 0.01
 """Part of the waves' energy beyond a table of RAOs from which it is remarked on."""
 
 
+@renamed(proof="convergence_check")
 def verify_dynamic(
     case: Case | Network,
     *,
     load_case: str | None = None,
-    proof: Proof = "step",
+    convergence_check: ConvergenceCheck = "step",
     workers: int | None = None,
     counts_cycles: bool = False,
     compares_at_rest: bool = True,
@@ -70,7 +80,7 @@ def verify_dynamic(
         With `dynamics`, and `motion` or `waves`; with `system`, all lines of the body.
     load_case : str, optional
         Name of one load case; all of them when left out, or the load where there are none.
-    proof : {"step", "bars", "none"}
+    convergence_check : {"step", "bars", "none"}
         "bars" runs every line again with twice the bars; "none" runs it once.
     workers : int, optional
         Processes that run the seeds of a load case side by side, at most; all cores when left out,
@@ -119,7 +129,7 @@ def verify_dynamic(
             def run(
                 drive: Excitation, tell: Progress, known: Known | None = None, name: str = name
             ) -> list[DynamicPart]:
-                found = _parts(name, proof, workers, announce, known or {}, drive, tell)
+                found = _parts(name, convergence_check, workers, announce, known or {}, drive, tell)
                 return with_verdicts(case, found) if found else found
 
             found = run(drive, tell)
@@ -224,7 +234,7 @@ class _Seed(NamedTuple):
 
 def _parts(
     name: str,
-    proof: Proof,
+    convergence_check: ConvergenceCheck,
     workers: int | None,
     announce: Callable[[str], None],
     known: Known,
@@ -236,19 +246,19 @@ def _parts(
     `known`: runs again that are there already, by the number of their seed.
     """
     total, lines = drive.dynamics.runs, lines_at_rest(drive)
-    effort = effort_of(lines, proof)
+    effort = effort_of(lines, convergence_check)
     effort.check(drive.dynamics.duration)
     if effort.seconds > LONG:
         announce(f"{name}: {effort}" if name else str(effort))
     most = processes_for(effort.work, workers)
     side = min(most, total)
     # A single seed leaves the processes to its runs again.
-    task = partial(_seed, lines, proof, known, most if total == 1 else 1)
+    task = partial(_seed, lines, convergence_check, known, most if total == 1 else 1)
     seeds = _in_turn(task, total, progress) if side == 1 else _at_once(task, total, side, progress)
     if not seeds:
         return []
     remarks = list(dict.fromkeys(said for each in seeds for said in each.remarks))
-    if not seeds[-1].runs[0].is_complete(proof):
+    if not seeds[-1].runs[0].is_complete(convergence_check):
         remarks.append(Message("motion.stopped_in_run", run=len(seeds), runs=total))
     elif len(seeds) < total:
         remarks.append(Message("motion.stopped_after_runs", done=len(seeds), runs=total))
@@ -258,7 +268,7 @@ def _parts(
             drive,
             of_line,
             leg.line,
-            proof,
+            convergence_check,
             (*remarks, *lines.remarks(), *_remarks(drive, of_line)),
             k if drive.case.several_lines else None,
             lines.anchor_at_rest() if drive.compares_at_rest else {},
@@ -281,7 +291,7 @@ class Wanted(NamedTuple):
 def run_once(
     wanted: Sequence[Wanted], crew: Crew, progress: Progress
 ) -> list[DynamicPart | NotConvergedError | NoAnswerError]:
-    """Run seeds of load cases with one line side by side, without samples, proof and remarks.
+    """Run seeds of load cases with one line side by side, without samples, check and remarks.
 
     What has no answer says why in its place. Raises KeyboardInterrupt where it was stopped, else
     what `verify_dynamic` raises.
@@ -342,10 +352,15 @@ def _at_once(
 
 
 def _seed(
-    lines: LinesAtRest, proof: Proof, known: Known, side: int, number: int, progress: Progress
+    lines: LinesAtRest,
+    convergence_check: ConvergenceCheck,
+    known: Known,
+    side: int,
+    number: int,
+    progress: Progress,
 ) -> _Seed | None:
     """Run one seed and prove it; stopped, what there is of it, or None."""
-    total = 2 + work_of_proof(proof)  # the last part is its end
+    total = 2 + work_of_check(convergence_check)  # the last part is its end
     try:
         runs, said = _run(lines, number, share_of(progress, 0, total))
     except KeyboardInterrupt:
@@ -353,22 +368,22 @@ def _seed(
     history = runs[0].history
     if not history.is_complete:  # stopped in its ramp, nothing of it counts
         return _Seed(runs, said, is_whole=False) if history.counts else None
-    ways, there = _ways(proof, runs), [known[number]] if number in known else []
+    ways, there = _ways(convergence_check, runs), [known[number]] if number in known else []
     left = ways[len(there) :]
     task, rest = partial(_again, lines, number, left), share_of(progress, 1, total, total - 2)
     made = [*there, *(side_by_side(task, len(left), side, rest) if left else [])]
     runs = [replace(run, again=tuple(each[k] for each in made)) for k, run in enumerate(runs)]
-    with suppress(KeyboardInterrupt):  # what there is of the proof is kept
+    with suppress(KeyboardInterrupt):  # what there is of the check is kept
         progress(1, 1)
     return _Seed(runs, said, is_whole=len(made) == len(ways))
 
 
-def _ways(proof: Proof, runs: Sequence[DynamicRun]) -> list[Way]:
+def _ways(convergence_check: ConvergenceCheck, runs: Sequence[DynamicRun]) -> list[Way]:
     """In which ways a run is made again."""
-    if proof == "none":
+    if convergence_check == "none":
         return []
     is_slack = any(run.history.line_slack_time() > 0.0 for run in runs)
-    return ["step", "bars"] if proof == "bars" or is_slack else ["step"]
+    return ["step", "bars"] if convergence_check == "bars" or is_slack else ["step"]
 
 
 def _again(

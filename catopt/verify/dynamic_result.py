@@ -8,7 +8,6 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Final, Literal, NamedTuple
-from warnings import warn
 
 import numpy as np
 
@@ -26,8 +25,20 @@ from catopt.fem.extremes import gumbel as gumbel_of
 from catopt.model import Case, Line
 from catopt.model.dynamics import InitialFriction
 from catopt.model.network import Network
+from catopt.old_names import OldName
 from catopt.shown import Displayable
 from catopt.ties import largest
+from catopt.verify.convergence_check import (
+    LEAST_CYCLES,
+    LEAST_TENSION,
+    LIMIT,
+    Again,
+    Change,
+    ConvergenceCheck,
+    Way,
+    added,
+    largest_changes,
+)
 from catopt.verify.dynamic_run import (
     HULL,
     SERIES,
@@ -39,17 +50,6 @@ from catopt.verify.dynamic_run import (
     over_runs,
 )
 from catopt.verify.dynamic_setup import Excitation
-from catopt.verify.proof import (
-    LEAST_CYCLES,
-    LEAST_TENSION,
-    LIMIT,
-    Again,
-    Change,
-    Proof,
-    Way,
-    added,
-    largest_changes,
-)
 from catopt.words import Message
 
 Verdict = Literal["converged", "not converged", "not proven"]
@@ -109,10 +109,10 @@ class Between(NamedTuple):
 class DynamicPart:
     """A line in motion under one load.
 
-    `name`: of the load case; `drive`: what drove it; `runs`: one a seed; `own_line`:
-    which line; `proof`: how the runs were to be proven; `remarks`: what to know before the
-    figures are used; `line`: of a body with several lines, which one, from 1; `anchor_at_rest`:
-    tension at the anchor at rest, N, by the initial friction; empty where nothing rubs;
+    `name`: of the load case; `drive`: what drove it; `runs`: one a seed; `own_line`: which line;
+    `convergence_check`: how the runs were to be proven; `remarks`: what to know before the figures
+    are used; `line`: of a body with several lines, which one, from 1; `anchor_at_rest`: tension at
+    the anchor at rest, N, by the initial friction; empty where nothing rubs;
     `undecided`: checks whose verdict is another when it is run again; `governs`: whether it is the
     line of a body that is used furthest; `between`: of a line between points, which.
     """
@@ -121,7 +121,7 @@ class DynamicPart:
     drive: Excitation
     runs: tuple[DynamicRun, ...]
     own_line: Line
-    proof: Proof
+    convergence_check: ConvergenceCheck
     remarks: tuple[str, ...] = ()
     line: int | None = None
     anchor_at_rest: Mapping[InitialFriction, float] = field(default_factory=dict)
@@ -142,8 +142,8 @@ class DynamicPart:
 
     @property
     def is_complete(self) -> bool:
-        """Whether no run was stopped, nor its proof."""
-        return all(run.is_complete(self.proof) for run in self.runs)
+        """Whether no run was stopped, nor its convergence check."""
+        return all(run.is_complete(self.convergence_check) for run in self.runs)
 
     @property
     def where(self) -> str:
@@ -366,11 +366,8 @@ class DynamicPart:
         found = [value for value in known if value is not None]
         return max(found) if len(found) == len(known) else None
 
-    @property
-    def amplification(self) -> float | None:
-        """Old name of `dynamic_amplification`, for one version."""
-        warn("amplification is dynamic_amplification now", DeprecationWarning, stacklevel=2)
-        return self.dynamic_amplification
+    amplification = OldName("dynamic_amplification")
+    proof = OldName("convergence_check")
 
     @property
     def dynamic_amplification(self) -> float | None:

@@ -24,10 +24,10 @@ from catopt.fem.history import History
 from catopt.floater.alone import HullHistory
 from catopt.model import Case
 from catopt.model.network import Network
-from catopt.verify.proof import (
+from catopt.verify.convergence_check import (
     Again,
+    ConvergenceCheck,
     Damped,
-    Proof,
 )
 
 SERIES: Mapping[str, Callable[[History], Array]] = MappingProxyType(
@@ -125,9 +125,9 @@ class DynamicRun:
     cycles: tuple[Cycles, ...] = ()
     hull: HullHistory | None = None
 
-    def is_complete(self, proof: Proof) -> bool:
-        """Whether neither it nor its proof was stopped."""
-        return self.history.is_complete and (proof == "none" or bool(self.again))
+    def is_complete(self, convergence_check: ConvergenceCheck) -> bool:
+        """Whether neither it nor its check was stopped."""
+        return self.history.is_complete and (convergence_check == "none" or bool(self.again))
 
     @cached_property
     def counted(self) -> Flags:

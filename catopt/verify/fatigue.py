@@ -21,16 +21,17 @@ from catopt.errors import InputError, Problem
 from catopt.model import Case, FatigueSeaState, Segment
 from catopt.model.dynamics import share_misfits
 from catopt.model.kinds import Force, NotNegative, Place, Positive, Share
+from catopt.old_names import renamed
 from catopt.records import Counted, From, Record
 from catopt.ties import largest
 from catopt.units import UNITS, Dimension
 from catopt.verify.case import load_states
+from catopt.verify.convergence_check import LIMIT, ConvergenceCheck
 from catopt.verify.dynamic import LONG, verify_dynamic
 from catopt.verify.dynamic_lines import lines_at_rest
 from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, Verdict, worst_verdict
 from catopt.verify.dynamic_setup import check_for_motion, read_drive
 from catopt.verify.motion_file import OF_TOTAL, lines_of, read_columns
-from catopt.verify.proof import LIMIT, Proof
 from catopt.verify.side_by_side import Progress, effort_of, share_of
 from catopt.words import Message
 
@@ -270,11 +271,12 @@ class FatigueReport(Record):
         return tuple(dict.fromkeys(said))
 
 
+@renamed(proof="convergence_check")
 def verify_fatigue(
     case: Case,
     *,
     load_case: str | None = None,
-    proof: Proof = "step",
+    convergence_check: ConvergenceCheck = "step",
     workers: int | None = None,
     progress: Progress | None = None,
     announce: Callable[[str], None] = lambda _: None,
@@ -307,13 +309,13 @@ def verify_fatigue(
         raise InputError([Problem("--load-case", "", allowed)], "options")
     states = sea_states(case)
     seas = [_in_sea(case, state) for state in states]
-    seconds = sum(_seconds(sea, load_case, proof) for sea in seas)
+    seconds = sum(_seconds(sea, load_case, convergence_check) for sea in seas)
     if seconds > LONG:
         announce(Message("fatigue.takes", count=len(states), minutes=seconds / 60.0))
     run = partial(
         verify_dynamic,
         load_case=load_case,
-        proof=proof,
+        convergence_check=convergence_check,
         workers=workers,
         counts_cycles=True,
         compares_at_rest=False,
@@ -337,10 +339,10 @@ def _in_sea(case: Case, state: FatigueSeaState) -> Case:
     return replace(case, waves=waves, dynamics=dynamics)
 
 
-def _seconds(case: Case, load_case: str | None, proof: Proof) -> float:
+def _seconds(case: Case, load_case: str | None, convergence_check: ConvergenceCheck) -> float:
     ((_, state),) = load_states(case, load_case)
     drive = read_drive(state)
-    effort = effort_of(lines_at_rest(drive), proof)
+    effort = effort_of(lines_at_rest(drive), convergence_check)
     effort.check(drive.dynamics.duration)
     return effort.seconds
 

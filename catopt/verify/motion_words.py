@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.units import lasting
 from catopt.verify.compared import ORDER, ROUNDING
-from catopt.verify.proof import LIMIT, OF_MBL
+from catopt.verify.convergence_check import LIMIT, OF_MBL
 from catopt.words import Listed, Measure, Message, Several
 
 if TYPE_CHECKING:

@@ -18,8 +18,8 @@ from typing import Any, TypeVar
 
 from catopt.errors import CatoptError, InputError, Problem
 from catopt.threads import one_thread_each
+from catopt.verify.convergence_check import ConvergenceCheck, work_of_check
 from catopt.verify.dynamic_lines import LinesAtRest
-from catopt.verify.proof import Proof, work_of_proof
 from catopt.words import Message
 
 SECONDS_PER_BAR_AND_STEP = 6e-6
@@ -35,22 +35,22 @@ MOST_SECONDS, MOST_BYTES = 30.0 * 86400.0, 8e9
 class Effort:
     """Time and memory of a load case.
 
-    `steps`, `bars`, `runs`: of one run, of all lines together, and how many runs; `proof`: how
-    often the work of a run its proof takes at most: where a line goes slack; `samples`: that are
-    kept of each line in each run.
+    `steps`, `bars`, `runs`: of one run, of all lines together, and how many runs; `checking`: how
+    often the work of a run its convergence check takes at most: where a line goes slack; `samples`:
+    that are kept of each line in each run.
     """
 
     steps: float
     bars: int
     runs: int
-    proof: int
+    checking: int
     samples: float
     lines: int
 
     @property
     def work(self) -> float:
         """Bars times steps of all runs, with the most that proves them."""
-        return self.steps * self.bars * self.runs * (1 + self.proof)
+        return self.steps * self.bars * self.runs * (1 + self.checking)
 
     @property
     def seconds(self) -> float:
@@ -73,13 +73,13 @@ class Effort:
         if minutes > 100.0 * 60.0:
             key, divisor = "in_days", 1440.0
         time = Message(f"refused_motion.{key}", time=minutes / divisor)
-        proof = "effort_with_proof" if self.proof else "effort"
+        effort = "effort_with_proof" if self.checking else "effort"
         return Message(
-            f"refused_motion.{proof}",
+            f"refused_motion.{effort}",
             steps=self.steps,
             bars=self.bars,
             often=Message("refused_motion.times", count=self.runs),
-            proof=self.proof,
+            proof=self.checking,
             time=time,
             size=self.bytes / 1e9,
         )
@@ -108,7 +108,7 @@ class Effort:
             raise InputError(problems)
 
 
-def effort_of(lines: LinesAtRest, proof: Proof) -> Effort:
+def effort_of(lines: LinesAtRest, convergence_check: ConvergenceCheck) -> Effort:
     """Estimate what the runs of a load case take, with those that prove them."""
     drive = lines.drive
     dynamics, sea = drive.dynamics, drive.sea(0)
@@ -117,7 +117,7 @@ def effort_of(lines: LinesAtRest, proof: Proof) -> Effort:
         steps=dynamics.duration / stepping.step,
         bars=dynamics.bars * len(lines.legs),
         runs=dynamics.runs,
-        proof=work_of_proof(proof),
+        checking=work_of_check(convergence_check),
         samples=dynamics.duration / (stepping.output_interval or stepping.step),
         lines=len(lines.legs),
     )

@@ -83,7 +83,7 @@ def _front() -> Answer:
 def _front_in_motion() -> Answer:
     able, too_short = _two()
     designs = [(1, able, (1.0, 2.0)), (2, too_short, (2.0, 1.0))]
-    return front_in_motion_answer(front_in_motion(designs, 2, proof="none"))
+    return front_in_motion_answer(front_in_motion(designs, 2, convergence_check="none"))
 
 
 FROM_PYTHON: dict[str, Callable[[], Answer]] = {

@@ -77,7 +77,7 @@ def faults_of(found: Sizing) -> list[str]:
     faults = [f"at rest: {each.in_case}" for each in check_case(_still(found)).failed]
     case = parse_case(write_case(moved.case))
     if not moved.is_of_ship:
-        report = checks_in_motion(verify_dynamic(case, proof="none", workers=1))
+        report = checks_in_motion(verify_dynamic(case, convergence_check="none", workers=1))
         return [*faults, *(f"in motion: {each.in_case}" for each in report.failed)]
     assert case.dynamics is not None
     for by in ("upper", "most-probable"):

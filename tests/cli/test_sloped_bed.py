@@ -15,7 +15,7 @@ from .conftest import OWN
 
 def test_the_drawing_has_the_slope_and_the_line_on_it() -> None:
     case = read_case(OWN / "sloped.toml")
-    (part,) = verify_dynamic(case, proof="none").parts
+    (part,) = verify_dynamic(case, convergence_check="none").parts
     chart = on_slope(part, 60.0, case.site.seabed_slope)
     bed, line = chart.series
     rise = math.tan(math.radians(5.0))

@@ -95,7 +95,9 @@ def test_the_deviation_is_that_of_a_run_in_time(height: float, period: float) ->
     assert isinstance(motion, Harmonic)
     model = linear_model(lines.simulation())
     found = linear_motion(model, sea, motion.amplitudes[np.newaxis])
-    (part,) = verify_dynamic(case, proof="none", workers=1, compares_at_rest=False).parts
+    (part,) = verify_dynamic(
+        case, convergence_check="none", workers=1, compares_at_rest=False
+    ).parts
     history = part.runs[0].history
     at = history.counted
     assert part.slack_time == 0.0

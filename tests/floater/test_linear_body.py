@@ -15,7 +15,7 @@ from catopt.errors import InputError
 from catopt.floater.linear_body import LinearBody
 from catopt.hydro.coefficient_files import read_wamit
 from catopt.hydro.coefficients import Coefficients, Memory
-from catopt.mooring.held import held_body
+from catopt.mooring.held import at_displacement
 from catopt.waves import regular_wave
 from tests.mooring.test_held import held
 
@@ -138,7 +138,7 @@ def test_a_moored_barge_goes_where_solve_system_has_it() -> None:
     around = {"azimuths": azimuths, "anchor_radius": 613.0, "fairlead_height": 50.0}
     system = System.around(chain, **around, fairlead_radius=20.0, force=(2e4, 0.0))  # type: ignore[arg-type]
     offset = solve_system(system).position.x
-    lines = np.array(held_body(system, origin_height=50.0).stiffness)
+    lines = np.array(at_displacement(system, origin_height=50.0).stiffness)
     water = np.diag([0.0, 0.0, 4e7, 1e10, 4e10, 0.0])
     mass = np.diag([4e6, 4e6, 4e6, 4e8, 2e9, 2e9])
     slow = 2.0 * np.sqrt(np.abs(np.diag(lines + water)) * np.diag(mass))

@@ -9,7 +9,7 @@ import pytest
 
 from catopt import Line, PointLoad, Segment, System, solve_system
 from catopt.errors import InputError, NoEquilibriumError
-from catopt.mooring.held import FREEDOMS, HeldBody, held_body
+from catopt.mooring.held import FREEDOMS, HeldBody, at_displacement
 
 from .layouts import unequal_legs
 
@@ -36,7 +36,7 @@ def published(name: str, friction: float = 0.0) -> System:
 
 
 def held(name: str, friction: float = 0.0) -> HeldBody:
-    return held_body(published(name, friction), origin_height=DEPTHS[name])
+    return at_displacement(published(name, friction), origin_height=DEPTHS[name])
 
 
 def test_oc3_as_its_report_and_as_map() -> None:
@@ -91,11 +91,11 @@ def test_stiffness_is_minus_the_derivative_of_the_load() -> None:
     # ones given are differences of the load at small angles only, hence about no rotation.
     system = sloping()
     at = (*AWAY[:3], 0.0, 0.0, 0.0)
-    body = held_body(system, origin_height=80.0, displacement=at)
+    body = at_displacement(system, origin_height=80.0, displacement=at)
     scale = [max(map(abs, row)) for row in body.stiffness]
     for j, step in enumerate((1e-4,) * 3 + (1e-6,) * 3):
         plus, minus = (
-            held_body(
+            at_displacement(
                 system,
                 origin_height=80.0,
                 displacement=tuple(v + sign * step * (k == j) for k, v in enumerate(at)),
@@ -110,13 +110,15 @@ def test_stiffness_is_minus_the_derivative_of_the_load() -> None:
 def test_turning_everything_turns_the_answer() -> None:
     # A body turned by its yaw alone stands as the same body whose fairleads were put there.
     system = sloping()
-    body = held_body(system, origin_height=80.0, displacement=AWAY)
-    again = held_body(system, origin_height=80.0, displacement=(*AWAY[:5], AWAY[5] + 2 * math.pi))
+    body = at_displacement(system, origin_height=80.0, displacement=AWAY)
+    again = at_displacement(
+        system, origin_height=80.0, displacement=(*AWAY[:5], AWAY[5] + 2 * math.pi)
+    )
     assert body.load == pytest.approx(again.load, rel=1e-9)
     # Moments about another origin: M' = M + (old - new) x F, heights apart by 10 m.
     upright = (*AWAY[:3], 0.0, 0.0, 0.0)
-    low = held_body(system, origin_height=70.0, displacement=upright).load
-    high = held_body(system, origin_height=80.0, displacement=upright).load
+    low = at_displacement(system, origin_height=70.0, displacement=upright).load
+    high = at_displacement(system, origin_height=80.0, displacement=upright).load
     assert low[:3] == pytest.approx(high[:3], rel=1e-12)
     assert low[3] == pytest.approx(high[3] - 10.0 * high[1], rel=1e-9)
     assert low[4] == pytest.approx(high[4] + 10.0 * high[0], rel=1e-9)
@@ -128,7 +130,7 @@ def test_in_plan_it_is_that_of_the_equilibrium() -> None:
     system = replace(sloping(), force=(150e3, 60e3), yaw_free=True)
     solution = solve_system(system)
     rest = solution.position
-    body = held_body(
+    body = at_displacement(
         system, origin_height=80.0, displacement=(rest.x, rest.y, 0.0, 0.0, 0.0, rest.yaw)
     )
     planar = (0, 1, 5)
@@ -141,9 +143,9 @@ def test_in_plan_it_is_that_of_the_equilibrium() -> None:
 def test_what_has_no_stiffness_is_refused() -> None:
     system = published("oc3")
     with pytest.raises(InputError, match="its fairlead must not be below the bed"):
-        held_body(system, origin_height=320.0, displacement=(0.0, 0.0, -251.0, 0.0, 0.0, 0.0))
+        at_displacement(system, origin_height=320.0, displacement=(0.0, 0.0, -251.0, 0.0, 0.0, 0.0))
     with pytest.raises(InputError, match="line 1 hangs slack"):
-        held_body(system, origin_height=320.0, displacement=(300.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+        at_displacement(system, origin_height=320.0, displacement=(300.0, 0.0, 0.0, 0.0, 0.0, 0.0))
     stiff = System.around(
         Line([Segment(902.2, 698.0945)]),
         azimuths=[0.0, 2.0, 4.0],
@@ -151,5 +153,5 @@ def test_what_has_no_stiffness_is_refused() -> None:
         fairlead_height=250.0,
     )
     with pytest.raises(NoEquilibriumError):
-        held_body(stiff, origin_height=320.0, displacement=(-60.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+        at_displacement(stiff, origin_height=320.0, displacement=(-60.0, 0.0, 0.0, 0.0, 0.0, 0.0))
     assert len(FREEDOMS) == 6

@@ -245,7 +245,7 @@ def test_what_is_recommended_passes_as_its_case_is_verified(calm: Sizing) -> Non
     case = parse_case(write_case(calm.line_case))
     assert case.dynamics is not None
     assert case.dynamics.judged_by == "upper"
-    again = checks_in_motion(verify_dynamic(case, proof="none", workers=1))
+    again = checks_in_motion(verify_dynamic(case, convergence_check="none", workers=1))
     assert again.passes
     for old, new in zip(of.checks.results, again.results, strict=True):
         assert new.demand == pytest.approx(old.demand, rel=1e-9, abs=1e-9)
@@ -285,7 +285,7 @@ def test_other_seeds_pass_and_a_lighter_sinker_does_not(calm: Sizing) -> None:
         waves = replace(of.case.waves, seed=seed)
         dynamics = replace(of.case.dynamics, judged_by="most-probable")
         case = replace(of.case, waves=waves, dynamics=dynamics)
-        passed += checks_in_motion(verify_dynamic(case, proof="none", workers=1)).passes
+        passed += checks_in_motion(verify_dynamic(case, convergence_check="none", workers=1)).passes
     assert passed >= 9
     anchor, at_rest = of.case.anchor, calm.settled.posed.case
     assert anchor is not None
@@ -294,7 +294,7 @@ def test_other_seeds_pass_and_a_lighter_sinker_does_not(calm: Sizing) -> None:
     masses = at_rest.design.sinker.masses
     lighter = sinker_of(at_rest, at_rest.design.sinker, masses.index(anchor.mass or 0.0) - 1)
     case = replace(of.case, anchor=replace(lighter, max_slide=anchor.max_slide))
-    in_motion = checks_in_motion(verify_dynamic(case, proof="none", workers=1))
+    in_motion = checks_in_motion(verify_dynamic(case, convergence_check="none", workers=1))
     still = check_case(replace(calm.settled.case, anchor=lighter, design=None))
     assert not (in_motion.passes and still.passes)
 

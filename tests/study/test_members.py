@@ -183,7 +183,7 @@ def test_motion_is_that_of_verify_dynamic(tmp_path: Path) -> None:
     assert isinstance(case, catopt.Case)
     assert case.waves is not None
     assert (case.waves.height, case.waves.period, case.waves.seed) == (6.0, 11.0, 2)
-    alone = catopt.verify_dynamic(case, proof="none", workers=1).parts[0]
+    alone = catopt.verify_dynamic(case, convergence_check="none", workers=1).parts[0]
     assert found.values("fairlead_tension")[5] == alone.of("fairlead_tension").maximum
     assert found.values("fairlead_deviation")[5] == alone.of("fairlead_tension").std
     assert found.values("grounded_length")[5] == alone.of("grounded_length").minimum

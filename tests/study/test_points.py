@@ -94,7 +94,7 @@ def test_checks_are_those_of_the_network(tmp_path: Path) -> None:
 def test_motion_is_that_of_verify_dynamic(tmp_path: Path) -> None:
     text = 'proof = "none"\n[[vary]]\nkey = "motion.surge"\nvalues = ["0.2 m", "0.6 m"]\n'
     found = run(tmp_path, BRIDLE, "motion", text)
-    alone = verify_dynamic(member(found, 1), proof="none")
+    alone = verify_dynamic(member(found, 1), convergence_check="none")
     tensions = [part.of("fairlead_tension").maximum for part in alone.parts]
     assert found.values("fairlead_tension")[1] == max(tensions)
     anchored = [part.of("anchor_tension").maximum for part in alone.parts if part.is_anchored]

@@ -247,7 +247,7 @@ def test_raos_without_a_heading_say_so_in_a_spread_sea(
     waves = WaveState("jonswap", 1.0, 7.0, components=20, spreading_exponent=spreading)
     motion = Motion(rao_file=str(tmp_path / "rao.csv"))
     case = chain(motion, 4.0, waves=waves, ramp=2.0, elements=10)
-    (part,) = verify_dynamic(case, proof="none").parts
+    (part,) = verify_dynamic(case, convergence_check="none").parts
     said = [is_said(each, "motion.raos_of_one_heading") for each in part.remarks]
     assert any(said) == (spreading is not None)
 
@@ -256,7 +256,7 @@ def test_raos_without_a_heading_say_so_in_a_spread_sea(
 def test_both_bounds_of_the_anchor_by_friction_stand_in_the_answer(state: str) -> None:
     """H = 300 kN, and what lies of 120 m times 0.5 w more or less; bars of 3 m."""
     case = chain(Motion(period=8.0, surge=0.01), 8.0, initial_friction=state)
-    (part,) = verify_dynamic(case, proof="none").parts
+    (part,) = verify_dynamic(case, convergence_check="none").parts
     lies = 120.0 - 20.0 * math.sqrt(1.0 + 2.0 * 300e3 / (1110.0 * 20.0))
     for key, sense in (("pulled", -1.0), ("none", 0.0), ("laid", 1.0)):
         expected = 300e3 + sense * 0.5 * 1110.0 * lies
@@ -304,7 +304,7 @@ def storm(runs: int = 1, duration_of_interest: float = 10800.0) -> DynamicPart:
         motion, 300.0, waves=waves, ramp=20.0, runs=runs, time_step=0.1, elements=8,
         duration_of_interest=duration_of_interest,
     )  # fmt: skip
-    (part,) = verify_dynamic(case, proof="none").parts
+    (part,) = verify_dynamic(case, convergence_check="none").parts
     return part
 
 
@@ -472,7 +472,7 @@ def test_a_run_that_is_stopped_in_its_ramp_is_left_out() -> None:
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        verify_dynamic(case, progress=stop, proof="none")
+        verify_dynamic(case, progress=stop, convergence_check="none")
 
 
 def test_nothing_is_kept_of_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -520,13 +520,13 @@ def test_drag_along_the_line_on_the_circumference() -> None:
 def test_a_line_whose_lower_end_is_led_or_lost() -> None:
     """Led in heave it says that nothing is quasi-static; lost, its anchor holds nothing more."""
     led = chain(Motion(period=6.0), anchor_motion=Motion(period=6.0, heave=0.3))
-    (part,) = verify_dynamic(led, proof="none").parts
+    (part,) = verify_dynamic(led, convergence_check="none").parts
     assert np.ptp(part.runs[0].history.anchor_tension) > 0.0
     assert part.dynamic_amplification is None
     assert any(each.startswith("the lower end is led") for each in part.remarks)
 
     lost = chain(Motion(period=6.0, surge=0.2), broken_line=1, broken_at=10.0, broken_end="anchor")
-    (part,) = verify_dynamic(lost, proof="none").parts
+    (part,) = verify_dynamic(lost, convergence_check="none").parts
     history = part.runs[0].history
     after = history.time > 10.1
     assert not history.anchor_tension[after].any()
@@ -552,7 +552,7 @@ MOVING = sorted(
     ids=lambda path: f"{path.parent.name}/{path.stem}",
 )
 def test_less_than_a_thousandth_of_the_work_is_numerical_in_what_is_shipped(path: Path) -> None:
-    found = verify_dynamic(read_case(path), proof="none")
+    found = verify_dynamic(read_case(path), convergence_check="none")
     assert max(part.numerical_part for part in found.parts) < 1e-3
 
 
@@ -560,8 +560,8 @@ def test_what_a_line_at_rest_would_do_is_left_out_where_it_is_not_asked() -> Non
     """The run is the same, digit by digit; what is compared with it is not there."""
     motion = Motion(surge=0.5, heave=0.3, period=8.0)
     case = chain(motion, 8.0, ramp=2.0, elements=10)
-    (whole,) = verify_dynamic(case, proof="none").parts
-    (lean,) = verify_dynamic(case, proof="none", compares_at_rest=False).parts
+    (whole,) = verify_dynamic(case, convergence_check="none").parts
+    (lean,) = verify_dynamic(case, convergence_check="none", compares_at_rest=False).parts
     assert lean.runs[0].maxima == whole.runs[0].maxima
     assert whole.dynamic_amplification is not None
     assert whole.quasi_static_max is not None

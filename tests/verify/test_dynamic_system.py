@@ -63,7 +63,7 @@ def moored(
 
 
 def run(case: Case) -> DynamicVerification:
-    return verify_dynamic(case, proof="none")
+    return verify_dynamic(case, convergence_check="none")
 
 
 # ------------------------------------------------------------------ a body that is led

@@ -25,7 +25,7 @@ def test_what_would_take_months_is_refused_by_key_at_once() -> None:
     case = parse_case(moving(duration="30 years", time_step="10 ms"))
     start = time.process_time()
     with pytest.raises(InputError) as caught:
-        verify_dynamic(case, proof="none")
+        verify_dynamic(case, convergence_check="none")
     assert time.process_time() - start < 30.0
     said = str(caught.value)
     assert "dynamics.duration: found 9.46728e+08 s; 94,672,800,000 steps of 12 bars" in said
@@ -36,7 +36,7 @@ def test_so_is_what_would_not_fit_into_the_memory() -> None:
     text = moving(duration="20 days", time_step="10 ms").replace("elements = 12", "elements = 4")
     case = parse_case(text + 'output_interval = "10 ms"\n')
     with pytest.raises(InputError, match=r"dynamics.output_interval: 172,800,000 steps .* 28 GB"):
-        verify_dynamic(case, proof="none")
+        verify_dynamic(case, convergence_check="none")
 
 
 def test_a_swarm_of_days_is_refused() -> None:
@@ -59,4 +59,4 @@ def test_what_takes_minutes_is_announced() -> None:
     words = r"540,000 steps of 12 bars, 1 time and up to 8 times that for the proof: some 6 min on"
     with pytest.raises(SaidError, match=words):
         verify_dynamic(case, announce=announce)
-    verify_dynamic(parse_case(MOVING), proof="none", announce=announce)
+    verify_dynamic(parse_case(MOVING), convergence_check="none", announce=announce)

@@ -41,7 +41,7 @@ def with_fatigue(**changes: Any) -> Case:
 
 @cache
 def report() -> FatigueReport:
-    return verify_fatigue(example(), proof="none")
+    return verify_fatigue(example(), convergence_check="none")
 
 
 def damage_by_bar(height: float, period: float) -> npt.NDArray[np.float64]:

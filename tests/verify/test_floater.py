@@ -68,7 +68,7 @@ def test_it_is_written_and_read_again() -> None:
 
 def test_buoy_and_line_in_a_long_wave() -> None:
     """It rises with the wave, leans from the wind to the line, and nothing of it is led."""
-    found = verify_dynamic(parse_case(CASE), proof="none")
+    found = verify_dynamic(parse_case(CASE), convergence_check="none")
     (part,) = found.parts
     (run,) = part.runs
     hull = run.hull
@@ -110,7 +110,7 @@ def test_what_does_not_go_with_it(change: tuple[str, str], key: str) -> None:
 def test_a_buoy_that_is_not_there() -> None:
     case = parse_case(CASE.replace("pillar 2.4 m", "pillar 2.5 m"))
     with pytest.raises(InputError, match=r"floater\.buoy"):
-        verify_dynamic(case, proof="none")
+        verify_dynamic(case, convergence_check="none")
 
 
 @pytest.mark.parametrize(
@@ -129,7 +129,7 @@ def test_a_buoy_that_is_not_there() -> None:
 def test_weather_across_the_line_is_refused(change: tuple[str, str], key: str) -> None:
     """Only surge, heave and pitch are there."""
     with pytest.raises(InputError) as caught:
-        verify_dynamic(parse_case(CASE.replace(*change, 1)), proof="none")
+        verify_dynamic(parse_case(CASE.replace(*change, 1)), convergence_check="none")
     assert [each.key for each in caught.value.problems] == [key]
 
 
@@ -137,7 +137,7 @@ def test_a_wide_buoy_is_said_to_be_so() -> None:
     """Waves of 2.5 s are 9.8 m long in deep water: a fifth is 1.95 m, and the buoy has 2.4."""
     text = CASE.replace('period = "8 s"', 'period = "2.5 s"').replace("0.6 m", "0.1 m")
     text = text.replace('duration = "12 s"', 'duration = "1 s"').replace('"4 s"', '"0.5 s"')
-    (part,) = verify_dynamic(parse_case(text), proof="none").parts
+    (part,) = verify_dynamic(parse_case(text), convergence_check="none").parts
     assert 0.2 * 9.80665 * 2.5**2 / (2.0 * math.pi) < 2.4
     assert any("above a fifth" in str(each) for each in part.remarks)
 
@@ -153,7 +153,7 @@ STORM = (
 
 @pytest.fixture(scope="module")
 def storm() -> DynamicVerification:
-    return verify_dynamic(parse_case(STORM), proof="none", workers=1)
+    return verify_dynamic(parse_case(STORM), convergence_check="none", workers=1)
 
 
 @pytest.mark.parametrize(
@@ -202,7 +202,7 @@ def test_waves_that_are_not_random_have_no_storm() -> None:
 
 def test_the_scene_holds_together() -> None:
     """The line ends at the buoy's eye at every moment; the worst one has the largest tension."""
-    found = verify_dynamic(parse_case(CASE), proof="none")
+    found = verify_dynamic(parse_case(CASE), convergence_check="none")
     run = found.governing.governing
     assert run.hull is not None
     scene = run.hull.scene

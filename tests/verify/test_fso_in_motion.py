@@ -55,7 +55,7 @@ def test_the_mooring_is_that_of_the_case_at_rest() -> None:
 )
 def test_nine_lines_go_through_the_storm(name: str, largest: tuple[float, float]) -> None:
     """Line 2 is within 5 % of what meshes of half and of twice the bars give (docs/dynamics.md)."""
-    found = verify_dynamic(read_case(FOLDER / f"{name}.toml"), proof="none")
+    found = verify_dynamic(read_case(FOLDER / f"{name}.toml"), convergence_check="none")
     assert found.is_complete
     assert found.parts[0].numerical_part < 1e-3
     maximum = {part.line: part.of("fairlead_tension").maximum / 1e3 for part in found.parts}

@@ -130,7 +130,7 @@ def test_bridle_moves_about_its_rest() -> None:
 
 
 def test_anchors_are_judged_and_joints_are_not() -> None:
-    report = checks_in_motion(verify_dynamic(parse_network(FILE), proof="none"))
+    report = checks_in_motion(verify_dynamic(parse_network(FILE), convergence_check="none"))
     judged = {(each.place.line, each.name.split(",")[0]) for each in report.results}
     tension = {(line, "tension") for line in (1, 2, 3)}
     assert {each for each in judged if each[1] == "tension"} == tension
@@ -139,7 +139,9 @@ def test_anchors_are_judged_and_joints_are_not() -> None:
 
 def test_waves_move_lines_whose_ends_are_held() -> None:
     waves = '[waves]\nspectrum = "regular"\nheight = "3 m"\nperiod = "8 s"\n'
-    found = verify_dynamic(parse_network(POINTS + LINES + waves + DYNAMICS), proof="none")
+    found = verify_dynamic(
+        parse_network(POINTS + LINES + waves + DYNAMICS), convergence_check="none"
+    )
     (buoy,) = found.joints
     assert buoy.way > 0.05
     (run,) = found.parts[2].runs
@@ -153,7 +155,7 @@ def test_a_motion_of_a_file_counts_from_the_folder(tmp_path: Path) -> None:
     text = POINTS + LINES + '[motion]\nfile = "bow.csv"\n' + DYNAMICS
     network = parse_mooring(text, folder=str(tmp_path))
     assert isinstance(network, Network)
-    found = verify_dynamic(network, proof="none")
+    found = verify_dynamic(network, convergence_check="none")
     (run,) = found.parts[2].runs
     assert np.ptp(run.history.fairlead[:, 0, 0]) == pytest.approx(0.6, abs=0.01)
 

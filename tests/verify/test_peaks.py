@@ -48,7 +48,7 @@ def snapping(raos: Path, interval: float | None) -> DynamicPart:
         motion=Motion(rao_file=str(raos)),
         dynamics=Dynamics(280.0, ramp=20.0, output_interval=interval, elements=30),
     )
-    (part,) = verify_dynamic(case, proof="none").parts
+    (part,) = verify_dynamic(case, convergence_check="none").parts
     return part
 
 
@@ -128,7 +128,7 @@ def test_no_sample_is_above_the_largest_of_every_step(path: Path) -> None:
         given, duration=short, ramp=ramp, runs=1, broken_line=None, broken_at=None,
         broken_end="fairlead",
     )  # fmt: skip
-    found = verify_dynamic(replace(case, dynamics=dynamics), proof="none")
+    found = verify_dynamic(replace(case, dynamics=dynamics), convergence_check="none")
     for part in found.parts:
         history = part.runs[0].history
         at = history.counted

@@ -60,7 +60,7 @@ def test_what_is_whole_is_kept_when_it_is_stopped() -> None:
         if at / end > 0.45:
             raise KeyboardInterrupt
 
-    found = verify_dynamic(sea(6, 400.0), proof="none", workers=2, progress=stop)
+    found = verify_dynamic(sea(6, 400.0), convergence_check="none", workers=2, progress=stop)
     (part,) = found.parts
     assert not found.is_complete
     assert 0 < len(part.runs) < 6
@@ -75,7 +75,7 @@ def test_one_stopped_run_is_kept_when_none_is_whole() -> None:
         if at / end > 0.2:  # one of the two at least is beyond its ramp, a tenth of the run
             raise KeyboardInterrupt
 
-    found = verify_dynamic(sea(2, 12000.0), proof="none", workers=2, progress=stop)
+    found = verify_dynamic(sea(2, 12000.0), convergence_check="none", workers=2, progress=stop)
     (run,) = found.parts[0].runs
     assert not run.history.is_complete
     assert "stopped in run 1 of 2" in found.parts[0].remarks
@@ -88,7 +88,7 @@ def test_a_run_that_is_stopped_at_its_very_end_is_whole() -> None:
         if at == end:
             raise KeyboardInterrupt
 
-    found = verify_dynamic(sea(1), proof="step", workers=1, progress=stop)
+    found = verify_dynamic(sea(1), convergence_check="step", workers=1, progress=stop)
     assert found.is_complete
     assert len(found.parts[0].runs[0].again) == 1
 
@@ -150,10 +150,10 @@ def test_short_work_is_done_in_one_process(monkeypatch: pytest.MonkeyPatch) -> N
 
     monkeypatch.setattr(dynamic, "side_by_side", aside)
     monkeypatch.setattr(os, "cpu_count", lambda: 4)
-    assert len(verify_dynamic(sea(2), proof="none").parts[0].runs) == 2
+    assert len(verify_dynamic(sea(2), convergence_check="none").parts[0].runs) == 2
     assert asked == []
     with pytest.raises(KeyboardInterrupt):
-        verify_dynamic(sea(3, 1e5), proof="none")
+        verify_dynamic(sea(3, 1e5), convergence_check="none")
     assert asked == [3]
 
 
@@ -163,7 +163,7 @@ def test_a_script_without_a_guard_may_run_seeds_side_by_side(tmp_path: Path) -> 
         "from tests.verify.test_side_by_side import sea\n"
         "from catopt import verify_dynamic\n"
         "print('once')\n"
-        "print(len(verify_dynamic(sea(2), proof='none', workers=2).parts[0].runs))\n",
+        "print(len(verify_dynamic(sea(2), convergence_check='none', workers=2).parts[0].runs))\n",
         encoding="utf-8",
     )
     done = subprocess.run(

@@ -24,12 +24,12 @@ from catopt.model import (
 )
 from catopt.render.card import card_lines
 from catopt.verify import dynamic, dynamic_lines
+from catopt.verify.convergence_check import LIMIT, Change, ConvergenceCheck
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
 from catopt.verify.dynamic_setup import Excitation
 from catopt.verify.judged import beyond_MBL, with_verdicts
 from catopt.verify.motion_words import motion_sentences, proof_sentences
-from catopt.verify.proof import LIMIT, Change, Proof
 
 # 38 mm studless chain, to three digits, in 20 m of water.
 CHAIN = Segment(
@@ -54,8 +54,8 @@ SNAPPING = case(20e3, Motion(period=6.0, heave=3.0), Dynamics(30.0, ramp=12.0, e
 
 
 @cache
-def proven(of: Case, proof: Proof = "step") -> DynamicPart:
-    (part,) = verify_dynamic(of, proof=proof).parts
+def proven(of: Case, convergence_check: ConvergenceCheck = "step") -> DynamicPart:
+    (part,) = verify_dynamic(of, convergence_check=convergence_check).parts
     return part
 
 
@@ -267,7 +267,7 @@ def test_a_snapping_line_is_run_with_half_and_twice_its_damping() -> None:
 
 def strong(MBL: float) -> DynamicVerification:
     """Take the taut line's runs as those of another breaking load; no check is asked."""
-    found = verify_dynamic(TAUT, proof="none")
+    found = verify_dynamic(TAUT, convergence_check="none")
     (part,) = found.parts
     line = replace(TAUT, line=Line([replace(CHAIN, MBL=MBL)]))
     part = replace(part, drive=replace(part.drive, case=line))

@@ -30,7 +30,7 @@ DAMPINGS: Final = (0.5, 2.0)
 
 _REMAINS: Final = 4.0 / 3.0
 
-Proof = Literal["none", "step", "bars"]
+ConvergenceCheck = Literal["none", "step", "bars"]
 """How a run is proven: not at all (--once); at half the step, and where the line goes slack with
 twice the bars; with both in any case."""
 
@@ -100,9 +100,9 @@ class Change:
         return not self.is_by_chance and not (by_MBL and self.amount <= OF_MBL * (MBL or 0.0))
 
 
-def work_of_proof(proof: Proof) -> int:
-    """How often the work of a run its proof takes at most."""
-    if proof == "none":
+def work_of_check(convergence_check: ConvergenceCheck) -> int:
+    """How often the work of a run its check takes at most."""
+    if convergence_check == "none":
         return 0
     return len(DAMPINGS) + sum(steps * bars for steps, bars in FINER.values())
 
