@@ -318,10 +318,11 @@ def governing_sentence(report: CheckReport) -> str:
     found = report.governing
     if found is None:
         return ""
+    of_a_body = bool(report.places) or found.place.line is not None
     return Message(
-        "checks.governing_of_body" if report.places else "checks.governing",
+        "checks.governing_of_body" if of_a_body else "checks.governing",
         check=found.name,
-        load_case=_where(found) if report.places else found.load_case,
+        load_case=_where(found) if of_a_body else found.load_case,
         how=_used(found),
         source=found.source.text,
     )

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from catopt.notes.motion import DesignInMotion, FrontInMotion
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, JointInMotion
     from catopt.verify.dynamic_run import DynamicRun, OverRuns
-    from catopt.verify.two_scales import ShipVerification
+    from catopt.verify.two_scales import LineOfShip, ShipVerification
 
 _TIME = Quantity("time", "Time", "", "s", "s", 1.0, 4)
 _SLACK = replace(_TIME, digits=1)
@@ -496,7 +496,14 @@ def ship_answer(found: ShipVerification) -> blocks.Answer:
     whole = answered(
         "ship",
         found.case.title or Message("captions.moored_body"),
-        section("captions.motion", *_means(found), _body(found), _lines(found), _rule(found)),
+        section(
+            "captions.motion",
+            *_means(found),
+            _body(found),
+            _lines(found),
+            *_lines_out(found),
+            _rule(found),
+        ),
         section("captions.checks_in_motion", *checks_in_motion(found.checks)),
         section("captions.remarks", blocks.Points(remarks)),
     )
@@ -508,6 +515,7 @@ def _card(found: ShipVerification) -> Iterator[blocks.CardBlock]:
     yield from _means(found)
     yield _body(found)
     yield _lines(found, most=_ON_CARD)
+    yield from _hardest_out(found)
     yield blocks.Brief(tuple(found.remarks), Message("answers.card_to_be_known"), 4)
 
 
@@ -547,24 +555,61 @@ def _body(found: ShipVerification) -> blocks.Table:
 
 def _lines(found: ShipVerification, most: int | None = None) -> blocks.Table:
     """Tabulate the parts of every line's tension at its fairlead, and the combined largest."""
-    of = Rows(found.lines)
     combined = [each.fairlead.combined for each in found.lines]
-    tension = blocks.rounded("tension", max(combined))
-    used = [None if each.MBL is None else each.fairlead.combined / each.MBL for each in found.lines]
     shown = None
     if most is not None and len(combined) > most:
         order = sorted(range(len(combined)), key=lambda k: -round(combined[k], 3))
         shown = tuple(sorted(order[:most]))
     return tabulate(
         "ship_lines",
-        of.texts("line", "number"),
-        *(of.measured(tension, f"fairlead.{what}", key) for key, what in _COLUMNS.items()),
-        of.measured(tension, "anchor.combined", "floater.at_anchor", priority=1),
-        blocks.measured(QUANTITIES["utilisation"], used, "floater.of_MBL"),
+        Rows(found.lines).texts("line", "number"),
+        *_tensions(found.lines),
         caption=Message("floater.line_tensions"),
         shown=shown,
         marked=found.most_loaded,
     )
+
+
+def _lines_out(found: ShipVerification) -> Iterator[blocks.Table]:
+    """Tabulate what the most loaded line carries without each that was lost; none: nothing."""
+    lost = [each for each in found.lost if each.lines]
+    if found.hardest_loss is None:
+        return
+    of, lines = Rows(lost), [each.hardest for each in lost]
+    yield tabulate(
+        "ship_lines_out",
+        of.texts("line_out", "missing"),
+        Rows(lines).texts("line", "number"),
+        *_tensions(lines),
+        of.measured("offset", "offset.combined", symbol=""),
+        caption=Message("floater.line_out_tensions"),
+        marked=lost.index(found.hardest_loss),
+    )
+
+
+def _hardest_out(found: ShipVerification) -> Iterator[blocks.Text]:
+    """Say in a line what the loss of the worst line comes to."""
+    lost = found.hardest_loss
+    if lost is not None and lost.offset is not None:
+        said = Message(
+            "floater.hardest_out",
+            missing=lost.missing,
+            number=lost.hardest.number,
+            tension=blocks.about("tension", lost.hardest.fairlead.combined),
+            offset=blocks.about("offset", lost.offset.combined),
+        )
+        yield blocks.Text(said)
+
+
+def _tensions(lines: Sequence[LineOfShip]) -> Iterator[blocks.Column]:
+    """List the parts of tensions at fairleads, combined at both ends, and as part of the MBL."""
+    of, combined = Rows(lines), [each.fairlead.combined for each in lines]
+    tension = blocks.rounded("tension", max(combined))
+    for key, what in _COLUMNS.items():
+        yield of.measured(tension, f"fairlead.{what}", key)
+    yield of.measured(tension, "anchor.combined", "floater.at_anchor", priority=1)
+    used = [None if each.MBL is None else each.fairlead.combined / each.MBL for each in lines]
+    yield blocks.measured(QUANTITIES["utilisation"], used, "floater.of_MBL")
 
 
 _COLUMNS = {

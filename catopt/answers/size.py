@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from catopt.answers import blocks
 from catopt.answers.blocks import Rows, answered, largest, named, section, tabulate, texts
-from catopt.answers.check import check_columns, tightest_table, verdict_column
+from catopt.answers.check import check_columns, kind_name, tightest_table, verdict_column
 from catopt.answers.loads import forces_table, notes_table, numbers_table
 from catopt.answers.size_card import runs_words, size_card, verdict
 from catopt.constants import YEAR
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from catopt.sizing.pattern import Pattern, PatternState
 
 _FORCE = named("horizontal_force", "")
+_PERIOD = Quantity("time", "Time", "", "s", "s", 1.0, 2)
 
 
 class _Row(NamedTuple):
@@ -287,7 +288,22 @@ def tried_blocks(of: InMotion) -> tuple[blocks.Block, ...]:
         caption=Message("sizing.lines_tried"),
     )
     reported = blocks.Text(runs_words(of)), blocks.Text(of.counted.words), tried
-    return (*reported, *_by_length(of))
+    return (*reported, *_seas(of), *_by_length(of))
+
+
+def _seas(of: InMotion) -> Iterator[blocks.Table]:
+    """Tabulate which of several seas decides each kind of check."""
+    if of.seas:
+        seas, checks = Rows(of.seas), Rows(each.check for each in of.seas)
+        yield tabulate(
+            "seas",
+            checks.texts("check", lambda each: kind_name(each.kind)),
+            seas.measured(_PERIOD, "period", "sizing.peak_period"),
+            checks.texts("load_case", "where"),
+            checks.measured("utilisation", "utilisation"),
+            verdict_column(each.check.passes for each in of.seas),
+            caption=Message("sizing.seas_that_decide"),
+        )
 
 
 def _by_length(of: InMotion) -> tuple[blocks.Block, ...]:

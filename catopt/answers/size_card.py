@@ -164,13 +164,29 @@ def runs_words(of: InMotion) -> Message:
     """Say how lines were run, and what the checks are held against."""
     assert of.case.dynamics is not None
     storm = lasting(of.case.dynamics.duration_of_interest)
-    return Message(
+    said = Message(
         "sizing.runs_of" if of.load_cases > 1 else "sizing.runs_of_one",
         seeds=of.how.seeds,
         time=lasting(of.how.duration),
         states=of.load_cases,
         judged=Message(f"sizing.judged_{of.how.judged_by.replace('-', '_')}", time=storm),
     )
+    count = len(of.how.periods)
+    return Message("sizing.runs_of_seas", runs=said, count=count) if count > 1 else said
+
+
+def seas_words(of: InMotion) -> Message:
+    """Say in which seas lines were run, and which decides each kind of check."""
+    kinds = (
+        Message(
+            "sizing.governs_in_sea",
+            check=Message(f"checks.{each.check.kind}_short"),
+            period=each.period,
+        )
+        for each in of.seas
+    )
+    periods = ", ".join(f"{each:.3g}" for each in of.how.periods)
+    return Message("sizing.seas", periods=periods, kinds=Several(kinds, "; "))
 
 
 def _strength(of: Sizing) -> Iterator[Fact]:
@@ -207,6 +223,8 @@ def _of_the_runs(of: InMotion) -> Iterator[Brief]:
     """Yield how lines were run, and how many."""
     yield Brief((runs_words(of),), Message("sizing.card_runs"), 2)
     yield Brief((of.counted.words,), Message("sizing.card_in_motion"), 2)
+    if of.seas:
+        yield Brief((seas_words(of),), Message("sizing.card_seas"), 3)
     if of.less:
         failing = (less_words(each) for each in of.less)
         yield Brief((Several(failing, "; "),), Message("sizing.card_less"), 2)

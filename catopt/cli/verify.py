@@ -210,8 +210,9 @@ def _moved(asked: Asked, found: _Found, load_case: str | None, moving: dict[str,
 def _ship(asked: Asked, case: Case, load_case: str | None, moving: dict[str, Any]) -> _Found:
     """Run the ship of a case on two time scales; the truss model has no part in it."""
     from catopt.answers.motion import ship_answer
+    from catopt.verify.document import ship_document
     from catopt.verify.result import Verification
-    from catopt.verify.two_scales import ship_document, verify_ship
+    from catopt.verify.two_scales import verify_ship
 
     wanted = Message("refused_command.does_not_go_with_ship")
     given = {

@@ -382,6 +382,19 @@ class System(Checked):
         has_arms = any(leg.fairlead_radius > 0.0 for leg in left)
         return replace(self, legs=left, yaw_free=self.turns and has_arms)
 
+    def turned(self, by: float) -> System:
+        """Return the system turned about the body's origin, with its load; rad."""
+        x, y = self.force
+        cosine, sine = math.cos(by), math.sin(by)
+        return replace(
+            self,
+            force=(x * cosine - y * sine, x * sine + y * cosine),
+            legs=tuple(
+                replace(leg, azimuth=leg.azimuth + by, fairlead_azimuth=leg.fairlead_azimuth + by)
+                for leg in self.legs
+            ),
+        )
+
     def raised(self, by: float) -> System:
         """Return the system at another water level, the body floating `by` metres higher."""
         return replace(

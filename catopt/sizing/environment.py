@@ -35,6 +35,30 @@ def usual_period(significant_height: float) -> float:
     return max(1.0, round(_PERIOD_OF_HEIGHT * math.sqrt(significant_height), 1))
 
 
+JONSWAP_RANGE: Final = (3.6, 5.0)
+"""s per root of m: peak periods over the root of Hs that JONSWAP stands for (DNV-RP-C205, B). At
+the first its peak enhancement is 5, at the last 1."""
+_IN_RANGE: Final = 5
+_ALIKE: Final = 0.02
+
+
+def period_range(sea: SeaState) -> tuple[float, ...]:
+    """List peak periods over the range that JONSWAP stands for, evenly, and the sea's own, s.
+
+    The own one stands in the place of one that is the same within 2 %.
+
+    Examples
+    --------
+    >>> period_range(SeaState(8.0, 4.0))
+    (7.2, 8.0, 8.6, 9.3, 10.0)
+    """
+    first, last = (each * math.sqrt(sea.hs) for each in JONSWAP_RANGE)
+    step = (last - first) / (_IN_RANGE - 1)
+    found = (round(first + k * step, 2) for k in range(_IN_RANGE))
+    others = (each for each in found if abs(each - sea.period) > _ALIKE * sea.period)
+    return tuple(sorted((sea.period, *others)))
+
+
 WIND_MEAN: Final = 30.0
 """s: the wind that loads on a ship are computed for is a mean over this (UFC 3-8.1, page 42)."""
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
+from catopt.checks.kinds import CHECK_KINDS
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import NearMiss
@@ -14,6 +16,7 @@ from catopt.model.kinds import Factor, Findings, Force, Length, Positive, SomeFo
 from catopt.records import Counted as FromOne
 from catopt.records import FromZero, Record, within
 from catopt.sizing.kinds import usual
+from catopt.ties import largest
 from catopt.words import Message, Several
 
 LEAST_DURATION = 60.0
@@ -36,6 +39,9 @@ class RunsAfloat:
     # factors for dynamic analysis, else its factor on sliding holds
     max_slide: float | None = None
     other_lengths: int = 0  # of the recommended size, that are run beside it
+    periods: tuple[Time, ...] = ()
+    """Of the peak of the seas that every line is run in, of one height; empty: that of the place
+    alone."""
 
     def __post_init__(self) -> None:
         found = Findings("RunsAfloat")
@@ -44,6 +50,8 @@ class RunsAfloat:
         found.number("duration", self.duration, "s", at_least=LEAST_DURATION, at_most=36000.0)
         found.count("elements", self.elements)
         found.numbers(self, "m", "max_slide", above=0.0)
+        for k, each in enumerate(self.periods):
+            found.number(f"periods[{k}]", each, "s", above=0.0, at_most=30.0)
         found.raise_if_any()
 
 
@@ -122,6 +130,34 @@ class LengthRun(Record):
     """The least that stays, or the heaviest that is cast; None where a run has no answer."""
 
 
+@dataclass(frozen=True)
+class TightestSea(Record):
+    """The check of a kind that is nearest to its limit, and the sea in which it is."""
+
+    DOCUMENT = "check.kind check.load_case period check.utilisation"
+
+    check: CheckResult
+    period: Time
+    """Of the waves' peak there."""
+
+
+def tightest_seas(found: Iterable[tuple[CheckResult, float]]) -> tuple[TightestSea, ...]:
+    """Find what governs each kind of check, with the peak period, s, that each result is of."""
+    every = [TightestSea(*each) for each in found]
+    kinds = [kind for kind in CHECK_KINDS if any(each.check.kind == kind for each in every)]
+    return tuple(
+        largest([e for e in every if e.check.kind == kind], lambda each: each.check.exceedance)
+        for kind in kinds
+    )
+
+
+def in_sea(load_case: str, how: RunsAfloat, period: float) -> str:
+    """Name a load case with the period of its waves, where it is run in several seas."""
+    if len(how.periods) < 2:
+        return load_case
+    return Message("sizing.in_sea", load_case=load_case, period=period)
+
+
 class Counted(NamedTuple):
     """What became of the lines that were looked at: sizes by lengths."""
 
@@ -154,8 +190,8 @@ class InMotion(Record):
     DOCUMENT = (
         "how.seeds how.duration how.judged_by elements case.dynamics.duration_of_interest "
         f"{within('storm', STORM)} factor allowance checks.results=checks "
-        "checks.nearest=governing counted=lines(considered at_rest excluded run runs) tried "
-        "by_length checks.warnings"
+        "checks.nearest=governing how.periods seas "
+        "counted=lines(considered at_rest excluded run runs) tried by_length checks.warnings"
     )
 
     how: RunsAfloat
@@ -174,6 +210,8 @@ class InMotion(Record):
     load_cases: int = 1  # that every line was run in
     # the next shorter and the next thinner line, which fail; of a ship
     less: tuple[LineTried, ...] = ()
+    seas: tuple[TightestSea, ...] = ()
+    """What decides each kind of check, where periods are given."""
 
     @property
     def is_of_ship(self) -> bool:

@@ -322,6 +322,14 @@ INPUTS: Final = (
         tanker=(("default", "3 h"), ("example", "6 h")),
     ),
     Input(
+        "peak_period", "motion.peak_periods", "TIME", ("6 s", "8 s"), above=0.0, most="30 s",
+        several=True, called=("periods",), only_with="in_motion", left_out="left_out.peak_period",
+    ),
+    Input(
+        "period_range", "motion.period_range", "FLAG", True, not_with=("peak_period",),
+        why="or_in_its_place", only_with="in_motion",
+    ),
+    Input(
         "other_lengths", "motion.other_lengths", "COUNT", 4, "0", of=_BUOY,
         only_with="in_motion",
     ),

@@ -52,6 +52,8 @@ class _Inputs(TypedDict, total=False):
     in_motion: bool
     seeds: int
     run_time: float | str
+    peak_period: float | str | Sequence[float | str]
+    period_range: bool
 
 
 class BuoyInputs(_Inputs, total=False):

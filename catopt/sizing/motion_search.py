@@ -37,6 +37,9 @@ from catopt.sizing.in_motion import (
     NoLineInMotionError,
     RunsAfloat,
     Storm,
+    TightestSea,
+    in_sea,
+    tightest_seas,
 )
 from catopt.sizing.line_choice import LineChoice, sold
 from catopt.sizing.pattern import HEAVY_SINKERS
@@ -84,6 +87,7 @@ class _Judged:
     parts: tuple[DynamicPart, ...] = ()
     at_rest: tuple[Solution, ...] = ()
     checks: CheckReport | None = None
+    seas: tuple[TightestSea, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -122,12 +126,13 @@ def search_in_motion(
             how,
             chosen.case,
             chosen.checks,
-            _storm(chosen),
+            _storm(chosen, how),
             request.line.allowance,
             counted,
             found.tried,
             by_length,
             len(chosen.case.load_cases),
+            seas=chosen.seas,
         ),
         _sinker_size(request, chosen),
     )
@@ -199,7 +204,8 @@ class _Search:
         states = load_states(case, None)
         drive = read_drive(states[0][1])
         steps = self.how.duration / drive.stepping(drive.sea(0), []).step
-        return _SNAPS * steps * self.how.elements * self.how.seeds * len(states)
+        runs = self.how.seeds * len(states) * max(1, len(self.how.periods))
+        return _SNAPS * steps * self.how.elements * runs
 
     @property
     def seconds(self) -> float:
@@ -314,7 +320,7 @@ class _Search:
         runs = (
             LengthRun(
                 each.tried,
-                _storm(each) if each.parts else None,
+                _storm(each, self.how) if each.parts else None,
                 None if each.case.anchor is None or not each.parts else each.case.anchor.mass,
             )
             for each in found
@@ -364,7 +370,7 @@ def _run(
     *,
     whole: bool = False,
 ) -> _Judged:
-    """Run a line in every load case, side by side: first one seed of each, by its largest values.
+    """Run a line in every load case and sea, side by side: first one seed, by its largest values.
 
     The largest value of a run is never above what all of them are judged by. `whole`: the others
     are run, too, where that fails.
@@ -372,20 +378,24 @@ def _run(
     case = run_in_still_water(settled.case, request)
     assert case is not None
     assert case.dynamics is not None
+    assert case.waves is not None
     sinkers = _sinkers_from(settled, case)
-    first = replace(case, dynamics=replace(case.dynamics, judged_by="largest"))
+    waves = [replace(case.waves, period=period) for period in how.periods] or [case.waves]
+    seas = [replace(case, waves=each) for each in waves]
+    largest_values = replace(case.dynamics, judged_by="largest")
     drives = [
         (name, replace(read_drive(state), compares_at_rest=False, sinkers=sinkers))
-        for name, state in load_states(case, None)
+        for sea in seas
+        for name, state in load_states(sea, None)
     ]
     begun = run_once([Wanted(*each, (0,)) for each in drives], crew, _silent)
-    found = _judged(settled, first, begun)
+    found = _judged(settled, [replace(e, dynamics=largest_values) for e in seas], begun, how)
     goes_on = found.tried.passes or (whole and not found.tried.reason)
     if goes_on and how.seeds > 1:
         rest = tuple(range(1, how.seeds))
         more = run_once([Wanted(*each, rest) for each in drives], crew, _silent)
         begun = [_together(*each) for each in zip(begun, more, strict=True)]
-    return _judged(settled, case, begun) if goes_on else found
+    return _judged(settled, seas, begun, how) if goes_on else found
 
 
 def _silent(*_: int) -> None:
@@ -411,34 +421,67 @@ def _together(one: DynamicPart | _NoAnswer, other: DynamicPart | _NoAnswer) -> A
 
 
 def _judged(
-    settled: ConvergedSizing, case: Case, found: Sequence[DynamicPart | _NoAnswer]
+    settled: ConvergedSizing,
+    seas: Sequence[Case],
+    found: Sequence[DynamicPart | _NoAnswer],
+    how: RunsAfloat,
 ) -> _Judged:
-    """Check the runs of a line, whose sinker is sized."""
-    assert case.dynamics is not None
+    """Check the runs of a line in every sea, one after the other, whose sinker is sized."""
+    case = seas[0]
     runs, failed = _runs_of(found), [e for e in found if not isinstance(e, DynamicPart)]
     if failed:
         return _Judged(_line_tried(settled, runs, (), failed[0].message), settled, case)
     parts = tuple(_as_in(case, each) for each in found if isinstance(each, DynamicPart))
     solved = solutions_at_rest(case, parts)
     at_rest = tuple(each for each in solved if each is not None)
-    checks: CheckReport | None = None
+    checked: tuple[CheckReport, tuple[float, ...]] | None = None
     anchor = case.anchor
     if parts[0].drive.sinkers:
         anchor = _least_that_stays(parts)
     else:
-        checks = check_parts(case, parts, solved)
-        anchor = _held(settled, checks)
-    if checks is None or anchor != case.anchor:
-        case = replace(case, anchor=anchor)
-        checks = check_parts(case, parts, solved)
+        checked = _checked(seas, parts, solved, how)
+        anchor = _held(settled, checked[0])
+    if checked is None or anchor != case.anchor:
+        seas = [replace(each, anchor=anchor) for each in seas]
+        case = seas[0]
+        checked = _checked(seas, parts, solved, how)
+    checks, periods = checked
     if anchor is not None and anchor.mass != (settled.point.anchor or anchor).mass:
         own = replace(anchor, max_slide=None)
         still = check_case(replace(settled.case, anchor=own, design=None))
         settled = replace(settled, point=replace(settled.point, anchor=own, checks=still))
     failing = sorted((each for each in checks.results if not each.passes), key=_worst)
-    return _Judged(
-        _line_tried(settled, runs, tuple(failing)), settled, case, parts, at_rest, checks
-    )
+    # The sea of what governs is the one that is written, to be run again.
+    if checks.governing is not None:
+        governs = periods[checks.results.index(checks.governing)]
+        case = next(each for each in seas if each.waves and each.waves.period == governs)
+    tried = _line_tried(settled, runs, tuple(failing))
+    every = zip(checks.results, periods, strict=True)
+    tightest = tightest_seas(every) if how.periods else ()
+    return _Judged(tried, settled, case, parts, at_rest, checks, tightest)
+
+
+def _checked(
+    seas: Sequence[Case],
+    parts: Sequence[DynamicPart],
+    at_rest: Sequence[Solution | None],
+    how: RunsAfloat,
+) -> tuple[CheckReport, tuple[float, ...]]:
+    """Check the load cases of every sea; with the period of the waves' peak of each result, s."""
+    count = len(parts) // len(seas)
+    results: list[CheckResult] = []
+    periods: list[float] = []
+    warnings: dict[str, None] = {}
+    for k, sea in enumerate(seas):
+        own = slice(k * count, (k + 1) * count)
+        report = check_parts(sea, parts[own], at_rest[own])
+        assert sea.waves is not None
+        period = sea.waves.period or 0.0
+        for each in report.results:
+            results.append(replace(each, load_case=in_sea(each.load_case, how, period)))
+            periods.append(period)
+        warnings |= dict.fromkeys(report.warnings)
+    return CheckReport(seas[0].title, tuple(results), (), tuple(warnings)), tuple(periods)
 
 
 def _runs_of(found: Sequence[DynamicPart | _NoAnswer]) -> int:
@@ -503,7 +546,7 @@ def _held(settled: ConvergedSizing, checks: CheckReport) -> Anchor | None:
 # ------------------------------------------------------------------ the answer
 
 
-def _storm(of: _Judged) -> Storm:
+def _storm(of: _Judged, how: RunsAfloat) -> Storm:
     """Find the load case of the largest tension at the fairlead, and what the storm comes to."""
     fairlead = "fairlead_tension"
 
@@ -512,9 +555,9 @@ def _storm(of: _Judged) -> Storm:
         return part.of(fairlead).maximum if storm is None else storm.most_probable
 
     part, at_rest = largest(list(zip(of.parts, of.at_rest, strict=True)), tension)
-    extreme = part.storm(fairlead, part.runs)
+    extreme, waves = part.storm(fairlead, part.runs), part.drive.case.waves
     return Storm(
-        part.name,
+        in_sea(part.name, how, 0.0 if waves is None else waves.period or 0.0),
         max(each.of(fairlead).maximum for each in of.parts),
         None if extreme is None else extreme.most_probable,
         None if extreme is None else extreme.low,

@@ -37,6 +37,7 @@ from catopt.sizing.environment import (
     demands,
     left_out,
     mean_over,
+    period_range,
     usual_period,
     weathervaning_of,
 )
@@ -135,6 +136,10 @@ def _runs(of: ResolvedInputs) -> RunsAfloat | None:
     own: dict[str, Any] = {}
     if of.moored == "buoy":
         own = {"max_slide": of["max_slide"], "other_lengths": of["other_lengths"] or 0}
+    own["periods"] = of["peak_period"] or ()
+    sea = of.errors.make(_sea, of) if of["period_range"] else None
+    if sea is not None and sea.hs > 0.0:
+        own["periods"] = period_range(sea)
     return of.errors.make(partial(RunsAfloat, **own), of["seeds"], of["run_time"])
 
 

@@ -47,11 +47,17 @@ def ship_afloat(
     settled: ConvergedSizing,
     around: Pattern | None,
     load_case: str | None = None,
+    *,
+    line_out: bool = False,
+    period: float | None = None,
 ) -> Case | None:
     """Add ship, wind, waves and current to the case of her lines in a load case, or the hardest.
 
-    A single line is a system of one, its anchor where the everyday force has it. The ship turns
-    about the bow, to which her lines go. None where she cannot be run: `runs_afloat`.
+    A single line is a system of one, its anchor where the everyday force has it. Several are turned
+    so that the weather, along x, comes from the side that is hardest on a line at rest: with all
+    there, or with `line_out` without line 1. `period`: of the waves' peak, s, in the place of that
+    of the place. The ship turns about the bow, to which her lines go.
+    None where she cannot be run: `runs_afloat`.
     """
     env = request.environment
     if not runs_afloat(request):
@@ -66,8 +72,10 @@ def ship_afloat(
         state = next(each for each in case.load_cases if each.name == load_case)
         held = _one_line(case, state, settled)
     else:
-        there = tuple(each for each in around.states if each.load_case == load_case)
-        held = system_case(case, replace(around, states=there))
+        (there,) = (each for each in around.states if each.load_case == load_case)
+        rest = there.line_out if line_out else there
+        made = system_case(case, replace(around, states=(there,)))
+        held = _turned(made, rest.solution.system.force)
     moored = next(each for each in request.ships if each.condition == at.condition)
     wind = mean_over(env.wind.speed, WIND_MEAN, _AN_HOUR) if env.wind.speed > 0.0 else 0.0
     flows = env.current.speed > 0.0
@@ -78,7 +86,7 @@ def ship_afloat(
         held,
         site=replace(held.site, water_depth=at.depth),
         checks=checks,
-        waves=WaveState("jonswap", env.sea.hs, env.sea.period, components=_COMPONENTS),
+        waves=WaveState("jonswap", env.sea.hs, period or env.sea.period, components=_COMPONENTS),
         current=CurrentProfile("power", speed=env.current.speed) if flows else None,
         floater=Floater(ship=_ship(moored, env.water_density), wind_speed=wind),
         dynamics=_dynamics(request.in_motion),
@@ -115,6 +123,17 @@ def _one_line(case: Case, state: LoadCase, settled: ConvergedSizing) -> Case:
         design=None,
         system=system,
     )
+
+
+def _turned(case: Case, force: tuple[float, float]) -> Case:
+    """Turn lines, and the loads that they are designed for, until a force of theirs is along x."""
+    assert case.system is not None
+    angle = math.atan2(force[1], force[0])
+    system, design = case.system.turned(-angle), case.design
+    if design is not None:
+        loads = (replace(each, direction=each.direction - angle) for each in design.loads)
+        design = replace(design, loads=tuple(loads))
+    return replace(case, system=system.under((math.hypot(*system.force), 0.0)), design=design)
 
 
 def _ship(moored: MooredShip, water_density: float) -> ShipAfloat:

@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from operator import itemgetter
 from typing import Any, Final, NamedTuple
 
 from catopt.catalogue.family import chain_words
@@ -35,14 +36,23 @@ from catopt.sizing.in_motion import (
     NoLineInMotionError,
     RunsAfloat,
     Storm,
+    TightestSea,
+    in_sea,
+    tightest_seas,
 )
 from catopt.sizing.line_choice import sold
-from catopt.sizing.pattern import DragGround, Pattern
+from catopt.sizing.pattern import DragGround, Pattern, PatternState
 from catopt.sizing.settle import ConvergedSizing, best_of
 from catopt.sizing.ship_afloat import runs_afloat, ship_afloat
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.ties import largest
-from catopt.verify.two_scales import LineOfShip, check_hanging, verify_ship
+from catopt.verify.two_scales import (
+    LineOfShip,
+    ShipWithoutLine,
+    check_hanging,
+    run_without,
+    verify_ship,
+)
 from catopt.words import Message
 
 _MOST_FACTOR: Final = 100.0
@@ -68,11 +78,20 @@ class ShipMoved(NamedTuple):
     in_motion: InMotion
     drag_anchor: DragAnchorSize | None
     sinker: SinkerSize | None
-    span: tuple[str, float]  # load case of the largest in motion, and that, m
+    # load case of the largest span in motion, of several lines offset with one lost, and that, m
+    span: tuple[str, float]
+
+
+class _State(NamedTuple):
+    """A load case in a sea, in weather that is hardest on a line with all there, or without one."""
+
+    load_case: str
+    period: float  # of the waves' peak, s
+    line_out: bool  # line 1 is out
 
 
 class _Run(NamedTuple):
-    """A load case of a line that was run."""
+    """A load case of a line that was run with all there, and without those whose loss matters."""
 
     load_case: str
     case: Case
@@ -80,6 +99,7 @@ class _Run(NamedTuple):
     every: tuple[Solution, ...]  # line under the tension that it is judged by
     most_loaded: int
     at_rest: Solution  # the most loaded line under the steady load of that load case
+    lost: _Lost
 
     @property
     def line(self) -> LineOfShip:
@@ -97,9 +117,32 @@ class _Run(NamedTuple):
 
         By what the runs reached, or what is most probable, where an interval of few peaks is wide.
         """
-        reached = max(self.line.fairlead.seen, self.line.judged("most-probable"))
-        share = min(1.0, reached / self.hanging.fairlead.tension)
-        return share * self.hanging.horizontal_force / self.at_rest.horizontal_force
+        own = _asked(self.line, self.hanging) / self.at_rest.horizontal_force
+        return max(own, self.lost.factor)
+
+
+class _Lost(NamedTuple):
+    """A load case that was run without lines, one at a time."""
+
+    load_case: str
+    case: Case
+    lost: tuple[ShipWithoutLine, ...]
+    at_rest: float  # horizontal force of the most loaded line at rest, from its hardest side, N
+    offset: float  # of the ship: the largest with one of them lost, or with all there, m
+
+    @property
+    def factor(self) -> float:
+        """What an allowance for motion would have to be; infinite where one has no answer."""
+        if any(each.refusal for each in self.lost):
+            return math.inf
+        pulls = (_asked(e.lines[e.most_loaded], e.hanging[e.most_loaded]) for e in self.lost)
+        return max((each / self.at_rest for each in pulls), default=0.0)
+
+
+def _asked(line: LineOfShip, hanging: Solution) -> float:
+    """Horizontal force that a line is to be sized for, N."""
+    reached = max(line.fairlead.seen, line.judged("most-probable"))
+    return min(1.0, reached / hanging.fairlead.tension) * hanging.horizontal_force
 
 
 @dataclass(frozen=True)
@@ -111,15 +154,18 @@ class _Judged:
     settled: ConvergedSizing | None = None  # None: it fails at rest
     around: Pattern | None = None
     runs: tuple[_Run, ...] = ()
+    lost: tuple[_Lost, ...] = ()
     anchor: Anchor | None = None
     drag_anchor: DragAnchorSize | None = None
     sinker: SinkerSize | None = None
     checks: CheckReport | None = None
+    seas: tuple[TightestSea, ...] = ()
 
     @property
     def factor(self) -> float:
         """The largest allowance for motion of its load cases; infinite where it has no run."""
-        return max((each.factor for each in self.runs), default=math.inf)
+        factors = (*(each.factor for each in self.runs), *(each.factor for each in self.lost))
+        return max(factors, default=math.inf)
 
 
 def search_ship_in_motion(
@@ -136,7 +182,8 @@ def search_ship_in_motion(
     if not runs_afloat(request):
         problem = Problem("in_motion", "true", Message("refused.no_ship_afloat"))
         raise InputError([problem], "TankerRequest")
-    hours = _LINES * how.seeds * how.duration / 3600.0 * len(start.posed.loads) * request.lines
+    states = len(start.posed.loads) * max(1, len(how.periods))
+    hours = _LINES * how.seeds * how.duration / 3600.0 * states * request.lines
     expect(Message("sizing.running_ship"), _HOUR * hours)
     found = _Search(request, how, start, settle, around)
     passing = found.passing(start.point.line)
@@ -161,8 +208,14 @@ class _Search:
         self.judged: dict[Line, _Judged] = {}
         self._settled: dict[Line, ConvergedSizing] = {}
         self._ships: dict[str, Any] = {}  # by load case, with tables that their lines share
-        # Load cases, the one that stopped the last line first.
-        self._order = [each.load_case for each in start.posed.loads]
+        # The one that stopped the last line first.
+        outs = (True, False) if request.lines > 1 else (False,)
+        self._order = [
+            _State(each.load_case, period, out)
+            for out in outs
+            for period in how.periods or (request.environment.sea.period,)
+            for each in start.posed.loads
+        ]
         design = start.posed.case.design
         assert design is not None
         self.lengths = design.segments[0].lengths
@@ -181,7 +234,7 @@ class _Search:
             judged = self.tried(line)
             if judged.tried.passes or factor >= _MOST_FACTOR:
                 return judged if judged.tried.passes else None
-            needed = judged.factor if judged.runs else 0.0
+            needed = judged.factor if judged.tried.runs else 0.0
             low, factor = factor, min(max(needed, _RISE * factor), _LEAP * factor, _MOST_FACTOR)
             sized = self._sized(factor)
             while sized in self.judged and factor < _MOST_FACTOR:
@@ -344,17 +397,21 @@ class _Search:
         except NoAnswerError as error:
             return _Judged(_tried(line, 0, (), error.message), line)
         judged = _Judged(_tried(line, 0, ()), line, settled, around)
-        runs: tuple[_Run, ...] = ()
-        for name in tuple(self._order):
+        for state in tuple(self._order):
             try:
-                runs = (*runs, self._in_load_case(name, settled, around))
-                judged = self._held(replace(judged, runs=runs))
+                if state.line_out:
+                    assert around is not None
+                    lost = self._without_line(state, settled, around)
+                    judged = self._held(replace(judged, lost=(*judged.lost, lost)))
+                else:
+                    run = self._in_state(state, settled, around)
+                    judged = self._held(replace(judged, runs=(*judged.runs, run)))
             except (NoAnswerError, NotConvergedError) as error:
-                count = (len(runs) + 1) * self.how.seeds
-                judged = replace(judged, tried=_tried(line, count, (), error.message), runs=runs)
+                count = judged.tried.runs + self.how.seeds
+                judged = replace(judged, tried=_tried(line, count, (), error.message))
             if not judged.tried.passes:
-                self._order.remove(name)
-                self._order.insert(0, name)
+                self._order.remove(state)
+                self._order.insert(0, state)
                 break
         return judged
 
@@ -363,28 +420,50 @@ class _Search:
         """The request without an allowance for motion."""
         return replace(self.request, line=replace(self.request.line, dynamic_factor=1.0))
 
-    def _in_load_case(self, name: str, settled: ConvergedSizing, around: Pattern | None) -> _Run:
-        case = ship_afloat(self.request, settled, around, name)
-        assert case is not None
-        assert case.dynamics is not None
-        judged = replace(case, dynamics=replace(case.dynamics, judged_by=self.how.judged_by))
-        found = verify_ship(judged, ship=self._ships.get(name))
+    def _in_state(self, state: _State, settled: ConvergedSizing, around: Pattern | None) -> _Run:
+        name, said = state.load_case, in_sea(state.load_case, self.how, state.period)
+        case = self._afloat(state, settled, around)
+        found = verify_ship(self._as_judged(case), ship=self._ships.get(name))
         self._ships[name] = found.moored.ship
+        offset = max(found.offset.judged, _offset(found.lost))
         if around is None:
-            at_rest = dict(settled.point.checks.solutions)[name]
+            at_rest, without = dict(settled.point.checks.solutions)[name], 0.0
         else:
-            (state,) = (each for each in around.states if each.load_case == name)
-            lines = (each.solution for each in state.solution.lines)
+            rest = _state_of(around, name)
+            lines = (each.solution for each in rest.solution.lines)
             at_rest = largest(list(lines), lambda each: each.fairlead.tension)
-        return _Run(name, case, found.lines, found.hanging, found.most_loaded, at_rest)
+            without = rest.line_out.line_force
+        lost = _Lost(said, case, found.lost, without, offset)
+        return _Run(said, case, found.lines, found.hanging, found.most_loaded, at_rest, lost)
+
+    def _without_line(self, state: _State, settled: ConvergedSizing, around: Pattern) -> _Lost:
+        """Run it without line 1, in weather from the side that is then hardest at rest."""
+        name, said = state.load_case, in_sea(state.load_case, self.how, state.period)
+        case = self._afloat(state, settled, around)
+        found, moored = run_without(self._as_judged(case), 1, ship=self._ships.get(name))
+        self._ships[name] = moored.ship
+        without = _state_of(around, name).line_out.line_force
+        return _Lost(said, case, (found,), without, _offset((found,)))
+
+    def _afloat(self, state: _State, settled: ConvergedSizing, around: Pattern | None) -> Case:
+        case = ship_afloat(self.request, settled, around, **state._asdict())
+        assert case is not None
+        return case
+
+    def _as_judged(self, case: Case) -> Case:
+        assert case.dynamics is not None
+        return replace(case, dynamics=replace(case.dynamics, judged_by=self.how.judged_by))
 
     def _held(self, judged: _Judged) -> _Judged:
         """Size what holds the line for its runs, and check it; NoAnswerError: nothing does."""
         settled, ground = judged.settled, self.request.ground
         assert settled is not None
         anchor, size, sinker = settled.point.anchor, None, None
-        pulls = [solution.anchor for each in judged.runs for solution in each.every]
-        pull = max(each.horizontal_force for each in pulls)
+        every = (*judged.lost, *(each.lost for each in judged.runs))
+        hanging = [solution for each in judged.runs for solution in each.every]
+        hanging += [solution for of in every for each in of.lost for solution in each.hanging]
+        pulls = [solution.anchor for solution in hanging]
+        pull = max((each.horizontal_force for each in pulls), default=0.0)
         if isinstance(ground, DragGround):
             least = max(each.horizontal_force for each in settled.posed.loads)
             size = ground.sized(max(pull, self.request.line.allowance * least / self.request.lines))
@@ -396,17 +475,41 @@ class _Search:
                 weight = sinker.submerged_weight
                 anchor = replace(anchor, mass=sinker.mass, submerged_weight=weight)
         results: list[CheckResult] = []
+        periods: list[float] = []
         warnings: dict[str, None] = {}
-        for each in judged.runs:
-            report = check_hanging(replace(each.case, anchor=anchor), each.every)
-            results += (replace(one, load_case=each.load_case) for one in report.results)
+        reports = (
+            *((each.lost, each.every) for each in judged.runs),
+            *((each, ()) for each in judged.lost),
+        )
+        for of, intact in reports:
+            report = check_hanging(replace(of.case, anchor=anchor), intact, of.lost)
+            results += (_in_load_case(one, of.load_case) for one in report.results)
+            assert of.case.waves is not None
+            periods += [of.case.waves.period or 0.0] * len(report.results)
             warnings |= dict.fromkeys(report.warnings)
         failing = sorted((e for e in results if not e.passes), key=lambda check: -check.exceedance)
-        tried = _tried(judged.line, len(judged.runs) * self.how.seeds, tuple(failing))
+        sets = len(judged.runs) + sum(len(each.lost) for each in every)
+        tried = _tried(judged.line, sets * self.how.seeds, tuple(failing))
         checks = CheckReport(settled.case.title, tuple(results), (), tuple(warnings))
-        return replace(
-            judged, tried=tried, anchor=anchor, drag_anchor=size, sinker=sinker, checks=checks
-        )
+        held = replace(judged, anchor=anchor, drag_anchor=size, sinker=sinker)
+        seas = tightest_seas(zip(results, periods, strict=True)) if self.how.periods else ()
+        return replace(held, tried=tried, checks=checks, seas=seas)
+
+
+def _state_of(around: Pattern, load_case: str) -> PatternState:
+    (state,) = (each for each in around.states if each.load_case == load_case)
+    return state
+
+
+def _offset(lost: tuple[ShipWithoutLine, ...]) -> float:
+    return max((each.offset.judged for each in lost if each.offset is not None), default=0.0)
+
+
+def _in_load_case(check: CheckResult, name: str) -> CheckResult:
+    gone = check.place.missing
+    if gone is not None:
+        name = Message("checks.state_under", state=check.load_case, load=name)
+    return replace(check, load_case=name)
 
 
 def _tried(line: Line, runs: int, failing: tuple[CheckResult, ...], reason: str = "") -> LineTried:
@@ -434,7 +537,11 @@ def _moved(request: TankerRequest, how: RunsAfloat, found: _Search, chosen: _Jud
     settled = chosen.settled
     still = check_case(replace(settled.case, anchor=chosen.anchor, design=None))
     point = replace(settled.point, anchor=chosen.anchor, checks=still)
-    widest = largest(chosen.runs, lambda each: each.hanging.span)
+    if chosen.around is None:
+        ways = [(each.load_case, each.hanging.span) for each in chosen.runs]
+    else:
+        every = (*chosen.lost, *(each.lost for each in chosen.runs))
+        ways = [(each.load_case, each.offset) for each in every]
     return ShipMoved(
         replace(settled, point=point, choice=request.line),
         chosen.around,
@@ -446,12 +553,13 @@ def _moved(request: TankerRequest, how: RunsAfloat, found: _Search, chosen: _Jud
             request.line.allowance,
             _counted(found),
             tuple(each.tried for each in found.judged.values()),
-            load_cases=len(chosen.runs),
+            load_cases=len(found.start.posed.loads),
+            seas=chosen.seas,
             less=tuple(found.failing_below(chosen.line)),
         ),
         chosen.drag_anchor,
         chosen.sinker,
-        (widest.load_case, widest.hanging.span),
+        largest(ways, itemgetter(1)),
     )
 
 

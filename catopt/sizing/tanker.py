@@ -108,8 +108,8 @@ def _sized_in_motion(request: TankerRequest, at_rest: ConvergedSizing) -> Sizing
     moved = search_ship_in_motion(request, at_rest, _settled, _around)
     name, span = moved.span
     first = _swing(request, moved.settled, moved.around).parts
-    if moved.around is None:
-        first = (SwingPart(Message("sizing.line_in_motion"), span), *first[1:])
+    key = "sizing.line_in_motion" if moved.around is None else "sizing.offset_line_out"
+    first = (SwingPart(Message(key), span), *first[1:])
     found = sizing_of(
         "tanker",
         request,

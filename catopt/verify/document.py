@@ -12,11 +12,14 @@ from catopt.documents import figures
 
 if TYPE_CHECKING:
     from catopt.fem.extremes import Extreme
+    from catopt.floater.two_scales import Scales
+    from catopt.model.dynamics import JudgedBy
     from catopt.verify.case import DesignVerification, FrontVerification
     from catopt.verify.compared import Compared
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, JointInMotion
     from catopt.verify.dynamic_run import DynamicRun, OverRuns
     from catopt.verify.result import StaticComparison, Verification
+    from catopt.verify.two_scales import LineOfShip, ShipVerification
 
 _SCHEMA = "catopt.verify/1"
 _ENERGIES = "put_in_J ends_J water_J kinetic_J elastic_J potential_J drag_J bed_J friction_J"
@@ -204,3 +207,56 @@ def _run(run: DynamicRun) -> dict[str, Any]:
             for again in run.again
         ],
     }
+
+
+# ------------------------------------------------------------------ a ship on two time scales
+
+
+def ship_document(found: ShipVerification) -> dict[str, Any]:
+    """Lay a ship in motion out as ``catopt verify --dynamic --json`` has it, in SI."""
+    rest, dynamics = found.rest, found.case.dynamics
+    assert dynamics is not None
+    names = ("wind", "current", "drift")
+    return {
+        "runs": len(found.runs),
+        "duration_s": dynamics.duration,
+        "since_s": float(found.runs[0].time[0]),
+        "storm_s": dynamics.duration_of_interest,
+        "mean_force_N": list(rest.force),
+        "mean_loads": {name: part.tolist() for name, part in zip(names, rest.parts, strict=True)},
+        "rest": {"x_m": rest.place[0], "y_m": rest.place[1], "yaw_rad": rest.place[2]},
+        "heading_rad": found.heading,
+        "offset_m": _scales(found.offset),
+        "yaw_rad": _scales(found.yaw),
+        "lines": [_line_document(each, dynamics.judged_by) for each in found.lines],
+        "lines_out": [
+            {
+                "missing_line": each.missing,
+                "refusal": str(each.refusal),
+                "offset_m": None if each.offset is None else _scales(each.offset),
+                "lines": [_line_document(line, dynamics.judged_by) for line in each.lines],
+            }
+            for each in found.lost
+        ],
+        "checks": found.checks.motion_document(),
+        "remarks": [str(each) for each in found.remarks],
+    }
+
+
+def _line_document(of: LineOfShip, by: JudgedBy) -> dict[str, Any]:
+    storm = None
+    if of.storm is not None:
+        ends = [of.storm.low, of.storm.high]
+        storm = {"most_probable_tension_N": of.storm.most_probable, "interval_N": ends}
+    return {
+        "line": of.number,
+        "fairlead_tension_N": _scales(of.fairlead),
+        "anchor_tension_N": _scales(of.anchor),
+        "MBL_N": of.MBL,
+        "storm": storm,
+        "judged_tension_N": of.judged(by),
+    }
+
+
+def _scales(of: Scales) -> dict[str, float]:
+    return vars(of) | {"combined": of.combined}

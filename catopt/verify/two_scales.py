@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 
@@ -17,10 +18,11 @@ from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
 from catopt.checks.criteria import Criteria, criteria_of, motion_profile
 from catopt.checks.evaluation import evaluate, of_criteria
-from catopt.checks.kinds import Place
+from catopt.checks.kinds import Criterion, Place, State
 from catopt.checks.profiles import profiles_of
 from catopt.checks.result import CheckReport, CheckResult
-from catopt.errors import InputError, Problem
+from catopt.checks.system import for_line_out, lost_results, of_line_out, state_words
+from catopt.errors import InputError, NoAnswerError, Problem
 from catopt.fem.extremes import Extreme, weibull_tail
 from catopt.floater.ship import ShipInWeather
 from catopt.floater.two_scales import (
@@ -31,8 +33,9 @@ from catopt.floater.two_scales import (
     sample_step,
     scales_of,
 )
-from catopt.model import Case
+from catopt.model import Case, System
 from catopt.model.dynamics import Dynamics, JudgedBy
+from catopt.mooring.zero_load import zero_load_position
 from catopt.ties import first_largest, largest
 from catopt.units import lasting
 from catopt.verify.dynamic_setup import Excitation, read_drive
@@ -48,6 +51,8 @@ _WIDE: Final = 0.2
 """Breadth over the wave length above which a hull changes the waves."""
 _CYCLES: Final = 50
 """Slow cycles from which a deviation is known to some 10 %."""
+_SAME: Final = 1e-6
+"""By which tensions at rest may differ and are the same."""
 _LEFT_OUT: Final = 0.01
 """Part of the waves' energy beyond a table of RAOs from which it is remarked on."""
 
@@ -78,6 +83,32 @@ class LineOfShip:
 
 
 @dataclass(frozen=True, eq=False)
+class ShipWithoutLine:
+    """A ship that has lost a line and rests anew, in the seas that she was run in with all there.
+
+    `missing`: the line, from 1; `lines`, `hanging`: the others, numbered as with all there, none
+    where there is no answer; `offset`: of the origin from the zero-load position with all there, m;
+    `refusal`: why there is no answer.
+    """
+
+    missing: int
+    lines: tuple[LineOfShip, ...] = ()
+    hanging: tuple[Solution, ...] = ()
+    offset: Scales | None = None
+    refusal: str = ""
+
+    @property
+    def most_loaded(self) -> int:
+        """Which of `lines`, from 0, has the largest combined tension."""
+        return first_largest([each.fairlead.combined for each in self.lines])
+
+    @property
+    def hardest(self) -> LineOfShip:
+        """What that line carries."""
+        return self.lines[self.most_loaded]
+
+
+@dataclass(frozen=True, eq=False)
 class ShipVerification:
     """A case's ship in motion: every run, what they come to, and the checks."""
 
@@ -94,6 +125,8 @@ class ShipVerification:
     remarks: tuple[Message, ...]
     directions: Array
     """Of the waves of the first run, where they travel to, rad."""
+    lost: tuple[ShipWithoutLine, ...] = ()
+    """With lines gone, one at a time, the one first whose loss is hardest at rest."""
 
     @property
     def _storm(self) -> float:
@@ -106,12 +139,7 @@ class ShipVerification:
     @cached_property
     def offset(self) -> Scales:
         """Of the origin from the zero-load position, m."""
-        zero = np.array(self.rest.zero)
-
-        def off(path: Array) -> Array:
-            return np.asarray(np.hypot(*(path[:, :2] - zero).T))
-
-        return self._scales([off(e.slow) for e in self.runs], [off(e.whole) for e in self.runs])
+        return _offset(self.runs, self.rest.zero, self._storm)
 
     @cached_property
     def heading(self) -> float:
@@ -135,9 +163,25 @@ class ShipVerification:
         """Line with the largest combined tension, from 0; the first of several alike."""
         return first_largest([each.fairlead.combined for each in self.lines])
 
+    @property
+    def hardest_loss(self) -> ShipWithoutLine | None:
+        """The loss that leaves the largest combined tension in another line; None without any."""
+        known = [each for each in self.lost if each.lines]
+        return largest(known, lambda each: each.hardest.fairlead.combined) if known else None
 
-def _lines(moored: MooredShip, runs: tuple[ShipHistory, ...], storm: float) -> Iterator[LineOfShip]:
-    for k, leg in enumerate(moored.system.legs):
+
+def _offset(runs: tuple[ShipHistory, ...], zero: tuple[float, float], storm: float) -> Scales:
+    def off(path: Array) -> Array:
+        return np.asarray(np.hypot(*(path[:, :2] - np.array(zero)).T))
+
+    slow, whole = [off(each.slow) for each in runs], [off(each.whole) for each in runs]
+    return scales_of(slow, whole, runs[0].time, storm)
+
+
+def _lines(
+    moored: MooredShip, numbers: Sequence[int], runs: tuple[ShipHistory, ...], storm: float
+) -> Iterator[LineOfShip]:
+    for k, (number, leg) in enumerate(zip(numbers, moored.system.legs, strict=True)):
         fairlead, anchor = (
             scales_of(
                 [each.slow_tension[:, k, end] for each in runs],
@@ -151,7 +195,7 @@ def _lines(moored: MooredShip, runs: tuple[ShipHistory, ...], storm: float) -> I
         time = math.fsum(float(each.time[-1] - each.time[0]) for each in runs)
         tail = weibull_tail([each.tension[:, k, 0] for each in runs], time, storm)
         extreme = None if tail is None else tail.extreme
-        yield LineOfShip(k + 1, fairlead, anchor, min(known, default=None), extreme)
+        yield LineOfShip(number, fairlead, anchor, min(known, default=None), extreme)
 
 
 def verify_ship(
@@ -193,41 +237,139 @@ def verify_ship(
     -1433
     """
     moored, drive = moored_ship(case, ship)
-    dynamics = drive.dynamics
-    criteria = _criteria(case)
-    for line in {leg.line for leg in moored.system.legs}:
-        criteria.strengths(line, {"extreme"})
-    step = sample_step(_waves(drive, 0))
-
-    def run(number: int) -> tuple[ShipHistory, ShipAtRest]:
-        waves = _waves(drive, number)
-        rest = moored.at_rest(waves)
-        seed = 0 if case.waves is None else case.waves.seed
-        generator = np.random.default_rng([seed, number, 1])
-        return moored.run(waves, dynamics.duration, drive.ramp, generator, rest, step=step), rest
-
-    # The first run by itself: whatever has to be compiled then is.
-    found = [run(0)]
-    if progress is not None:
-        progress(1, dynamics.runs)
-    with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        later = pool.map if dynamics.runs > 2 else map
-        for number, each in enumerate(later(run, range(1, dynamics.runs)), start=2):
-            found.append(each)
-            if progress is not None:
-                progress(number, dynamics.runs)
-    histories, rest = tuple(each for each, _ in found), found[0][1]
-    lines = tuple(_lines(moored, histories, dynamics.duration_of_interest))
+    dynamics, legs = drive.dynamics, moored.system.legs
+    criteria, damaged = _criteria(case), _line_out_criteria(case)
+    for line in {leg.line for leg in legs}:
+        criteria.strengths(line, {"extreme"}, _states(damaged))
+    rest = moored.at_rest(_waves(drive, 0))
+    missing, needless = _losses(moored, rest) if damaged else ((), ())
+    tell = _counted(progress, dynamics.runs * (1 + len(missing)))
+    histories = _histories(moored, drive, tell)
+    storm = dynamics.duration_of_interest
+    lines = tuple(_lines(moored, range(1, len(legs) + 1), histories, storm))
+    lost = tuple(_without(case, moored, drive, number, tell) for number in missing)
+    asked = case.system is not None and case.system.judged_line_out
     remarks = (
         *_judged_by(lines, dynamics),
         *_few_cycles(histories, rest),
         *_remarks(case, moored, drive, rest),
+        *_of_losses(lost, needless),
+        *(
+            of_line_out(criteria, damaged, len(legs))
+            if asked or len(legs) == 1
+            else (Message("checks.line_out_not_asked"),)
+        ),
     )
     hanging = hang_judged(case, lines, moored)
-    checks, directions = check_hanging(case, hanging), _waves(drive, 0).direction
+    checks, directions = check_hanging(case, hanging, lost), _waves(drive, 0).direction
     return ShipVerification(
-        case, moored, rest, histories, lines, hanging, checks, remarks, directions
+        case, moored, rest, histories, lines, hanging, checks, remarks, directions, lost
     )
+
+
+def _counted(progress: Progress | None, total: int) -> Callable[[], None]:
+    """Count runs that are done, of how many."""
+    done = itertools.count(1)
+
+    def tell() -> None:
+        if progress is not None:
+            progress(next(done), total)
+
+    return tell
+
+
+def _histories(
+    moored: MooredShip, drive: Excitation, tell: Callable[[], None]
+) -> tuple[ShipHistory, ...]:
+    """Run a ship in every seed, from where she rests in it."""
+    step, dynamics = sample_step(_waves(drive, 0)), drive.dynamics
+
+    def run(number: int) -> ShipHistory:
+        waves = _waves(drive, number)
+        seed = 0 if drive.case.waves is None else drive.case.waves.seed
+        generator = np.random.default_rng([seed, number, 1])
+        return moored.run(waves, dynamics.duration, drive.ramp, generator, step=step)
+
+    # The first run by itself: whatever has to be compiled then is.
+    found = [run(0)]
+    tell()
+    with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+        later = pool.map if dynamics.runs > 2 else map
+        for each in later(run, range(1, dynamics.runs)):
+            found.append(each)
+            tell()
+    return tuple(found)
+
+
+# ------------------------------------------------------------------ with a line out
+
+
+def run_without(
+    case: Case, number: int, *, ship: ShipInWeather | None = None
+) -> tuple[ShipWithoutLine, MooredShip]:
+    """Run the ship of a case without one of its lines, from 1, alone; as `verify_ship`."""
+    moored, drive = moored_ship(case, ship)
+    return _without(case, moored, drive, number, _counted(None, 0)), moored
+
+
+def _without(
+    case: Case, moored: MooredShip, drive: Excitation, number: int, tell: Callable[[], None]
+) -> ShipWithoutLine:
+    left = replace(moored, system=moored.system.without([number - 1]))
+    numbers = [each for each in range(1, len(moored.system.legs) + 1) if each != number]
+    storm, neutral = drive.dynamics.duration_of_interest, moored.zero_load.neutral
+    try:
+        histories = _histories(left, drive, tell)
+        lines = tuple(_lines(left, numbers, histories, storm))
+        hanging = hang_judged(case, lines, left)
+    except NoAnswerError as error:
+        return ShipWithoutLine(number, refusal=error.args[0])
+    offset = _offset(histories, (neutral.x, neutral.y), storm)
+    return ShipWithoutLine(number, lines, hanging, offset)
+
+
+def _losses(moored: MooredShip, rest: ShipAtRest) -> tuple[tuple[int, ...], tuple[int, ...]]:
+    """Find the lines without which another carries more at rest in the mean weather; the others.
+
+    By number, the one whose loss is the hardest first.
+    """
+    moment = float(np.sum(rest.parts, axis=0)[2]) if moored.system.turns else 0.0
+
+    def most(of: System) -> float:
+        try:
+            _, lines = zero_load_position(of).under(rest.force, moment if of.turns else 0.0)
+        except NoAnswerError:
+            return math.inf
+        return max(map(math.hypot, lines.H, lines.V))
+
+    whole, count = most(moored.system), len(moored.system.legs)
+    left = {k + 1: most(moored.system.without([k])) for k in range(count)}
+    harder = [number for number, each in left.items() if each > whole * (1.0 + _SAME)]
+    order = sorted(harder, key=lambda number: -left[number])
+    return tuple(order), tuple(number for number in left if number not in harder)
+
+
+def _line_out_criteria(case: Case) -> tuple[Criterion, ...]:
+    """List the criteria for one line out; none where the case does not ask for it."""
+    assert case.system is not None
+    if len(case.system.legs) == 1 or not case.system.judged_line_out:
+        return ()
+    return for_line_out(_criteria(case), len(case.system.legs))
+
+
+def _states(damaged: tuple[Criterion, ...]) -> tuple[State, ...]:
+    return ("intact", "one_line_out") if damaged else ("intact",)
+
+
+def _of_losses(lost: tuple[ShipWithoutLine, ...], needless: tuple[int, ...]) -> Iterator[Message]:
+    """Yield what was run with a line out, and what was not."""
+    if lost:
+        yield Message("floater.lines_out", numbers=", ".join(f"{each.missing}" for each in lost))
+        for each in lost:
+            if each.refusal:
+                yield Message("floater.line_out_refused", number=each.missing, why=each.refusal)
+    if needless:
+        yield Message("floater.lines_out_needless", numbers=", ".join(map(str, needless)))
 
 
 def _waves(drive: Excitation, run: int) -> Waves:
@@ -300,25 +442,44 @@ def hang_judged(
     )
 
 
-def check_hanging(case: Case, hanging: tuple[Solution, ...]) -> CheckReport:
-    """Check each line as it hangs under its largest tension, by quasi-static factors."""
+def check_hanging(
+    case: Case, hanging: tuple[Solution, ...], lost: tuple[ShipWithoutLine, ...] = ()
+) -> CheckReport:
+    """Check each line as it hangs under its largest tension, by quasi-static factors.
+
+    With all there, unless none hang, and by the factors for one line out with each that was lost.
+    """
     assert case.system is not None
-    criteria = _criteria(case)
+    legs, criteria, damaged = case.system.legs, _criteria(case), _line_out_criteria(case)
     results: list[CheckResult] = []
     reported: list[str] = []
-    for number, (solution, leg) in enumerate(zip(hanging, case.system.legs, strict=True), start=1):
-        strengths = criteria.strengths(leg.line, {"extreme"})
-        of_line = evaluate(
-            solution,
-            criteria,
-            strengths,
-            case.anchor,
-            load_case=Message("checks.intact"),
-            kind="extreme",
-            place=Place(line=number),
-        )
-        results += of_line
-        reported += of_criteria(criteria, leg.line, strengths)
+    known = {
+        line: criteria.strengths(line, {"extreme"}, _states(damaged))
+        for line in {leg.line for leg in legs}
+    }
+
+    def check(place: Place, numbers: Sequence[int], solutions: tuple[Solution, ...]) -> None:
+        for number, solution in zip(numbers, solutions, strict=True):
+            results.extend(
+                evaluate(
+                    solution,
+                    criteria,
+                    known[legs[number - 1].line],
+                    case.anchor,
+                    load_case=state_words(place),
+                    kind="extreme",
+                    place=replace(place, line=number),
+                )
+            )
+
+    check(Place(), range(1, len(hanging) + 1), hanging)
+    for each in lost:
+        place = Place("one_line_out", missing=each.missing)
+        if each.refusal:
+            results += lost_results(place, each.refusal, damaged)
+        check(place, [line.number for line in each.lines], each.hanging)
+    for line, strengths in known.items():
+        reported += of_criteria(criteria, line, strengths)
     return CheckReport(case.title, tuple(results), (), tuple(dict.fromkeys(reported)))
 
 
@@ -339,7 +500,6 @@ def _remarks(
     if any(case.system.force):
         given = math.hypot(*case.system.force)
         yield Message("floater.own_force", given=given / 1e3, own=math.hypot(*rest.force) / 1e3)
-    yield Message("floater.intact_only")
 
 
 def _judged_by(lines: tuple[LineOfShip, ...], dynamics: Dynamics) -> Iterator[Message]:
@@ -423,47 +583,3 @@ def _density(waves: Waves) -> Array:
     out = np.empty_like(energy)
     out[order] = smooth
     return out
-
-
-# ------------------------------------------------------------------ as a document
-
-
-def ship_document(found: ShipVerification) -> dict[str, Any]:
-    """Lay a ship in motion out as ``catopt verify --dynamic --json`` has it, in SI."""
-    rest, dynamics = found.rest, found.case.dynamics
-    assert dynamics is not None
-    names = ("wind", "current", "drift")
-    return {
-        "runs": len(found.runs),
-        "duration_s": dynamics.duration,
-        "since_s": float(found.runs[0].time[0]),
-        "storm_s": dynamics.duration_of_interest,
-        "mean_force_N": list(rest.force),
-        "mean_loads": {name: part.tolist() for name, part in zip(names, rest.parts, strict=True)},
-        "rest": {"x_m": rest.place[0], "y_m": rest.place[1], "yaw_rad": rest.place[2]},
-        "heading_rad": found.heading,
-        "offset_m": _document(found.offset),
-        "yaw_rad": _document(found.yaw),
-        "lines": [
-            {
-                "line": each.number,
-                "fairlead_tension_N": _document(each.fairlead),
-                "anchor_tension_N": _document(each.anchor),
-                "MBL_N": each.MBL,
-                "storm": None
-                if each.storm is None
-                else {
-                    "most_probable_tension_N": each.storm.most_probable,
-                    "interval_N": [each.storm.low, each.storm.high],
-                },
-                "judged_tension_N": each.judged(dynamics.judged_by),
-            }
-            for each in found.lines
-        ],
-        "checks": found.checks.motion_document(),
-        "remarks": [str(each) for each in found.remarks],
-    }
-
-
-def _document(of: Scales) -> dict[str, float]:
-    return vars(of) | {"combined": of.combined}

@@ -66,16 +66,16 @@ def searched(
             component, size * 1e-3, line.length, line.mass, 2 if whole else 1, failing
         )
         return SimpleNamespace(
-            tried=tried, settled=settled, parts=(), case=settled.case, checks="checks"
+            tried=tried, settled=settled, parts=(), case=settled.case, checks="checks", seas=()
         )
 
     kept: list[Any] = []
     patched.setattr(searching, "_run", made_up)
-    patched.setattr(searching, "_storm", lambda _: None)
+    patched.setattr(searching, "_storm", lambda *_: None)
     patched.setattr(
         searching,
         "InMotion",
-        lambda *found: SimpleNamespace(counted=found[5], by_length=found[7]),
+        lambda *found, seas: SimpleNamespace(counted=found[5], by_length=found[7], seas=seas),
     )
     patched.setattr(searching, "_sinker_size", lambda *_: None)
     own = searching.search_in_motion
@@ -321,6 +321,63 @@ def test_the_digits_do_not_hang_on_the_number_of_processes(
     monkeypatch.setattr(searching, "processes_for", lambda *_: 3)
     request: Any = request_of(known("buoy", CALM))
     assert size_buoy(replace(request, in_motion=SHORT)).to_dict() == calm.to_dict()
+
+
+def test_a_line_passes_in_every_sea_and_what_governs_is_named(calm: Sizing) -> None:
+    """Each sea by itself, run as its case is verified, comes to the same checks."""
+    request: Any = request_of(known("buoy", CALM))
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr(searching, "processes_for", lambda *_: 2)
+        of = size_buoy(replace(request, in_motion=replace(SHORT, periods=(3.0, 4.0))))
+    found = of.in_motion
+    assert found is not None
+    assert found.checks.passes
+    demands: dict[str, dict[float, float]] = {}
+    for period in found.how.periods:
+        assert found.case.waves is not None
+        case = replace(found.case, waves=replace(found.case.waves, period=period))
+        again = checks_in_motion(verify_dynamic(case, convergence_check="none", workers=1)).results
+        ours = [e for e in found.checks.results if e.load_case.endswith(f"Tp {period:g} s")]
+        for old, new in zip(ours, again, strict=True):
+            assert old.demand == pytest.approx(new.demand, rel=1e-9, abs=1e-9)
+            demands.setdefault(new.kind, {})[period] = new.demand / new.capacity
+    assert {each.check.kind for each in found.seas} == set(demands)
+    for each in found.seas:
+        by_period = demands[each.check.kind]
+        assert by_period[each.period] == max(by_period.values())
+    governing = found.checks.governing
+    assert governing is not None
+    assert governing.load_case.endswith(f"Tp {found.case.waves.period:g} s")  # type: ignore[union-attr]
+    # In more seas than one no line is lighter than in one of them.
+    assert (of.point.line.mass or 0.0) >= (calm.point.line.mass or 0.0)
+    document = of.to_dict()
+    assert document["in_motion"]["periods_s"] == [3.0, 4.0]
+    schema = json.loads(files("catopt.schemas").joinpath("size-1.json").read_text("utf-8"))
+    jsonschema.validate(document, schema)
+    card = " ".join(each.text for each in card_lines(size_answer(of), "en"))
+    assert "Seas: Tp of 3, 4 s: tension is decided at" in card
+    assert len(csv_files(size_answer(of))["seas.csv"].splitlines()) == 1 + len(found.seas)
+
+
+def test_the_range_that_jonswap_stands_for() -> None:
+    """3.6 to 5 roots of Hs, at 4 m 7.2 to 10 s; the sea's own period in the place of one alike."""
+    place = {**PLACE, "hs": "4 m", "in_motion": True, "period_range": True}
+    request: Any = request_of(known("buoy", {**place, "period": "8 s"}))
+    assert request.in_motion.periods == (7.2, 8.0, 8.6, 9.3, 10.0)
+    request = request_of(known("buoy", {**place, "period": "12 s"}))
+    assert request.in_motion.periods == (7.2, 7.9, 8.6, 9.3, 10.0, 12.0)
+    listed = {**place, "period_range": None, "peak_period": ("9 s", "7 s")}
+    request = request_of(known("buoy", {k: v for k, v in listed.items() if v is not None}))
+    assert request.in_motion.periods == (9.0, 7.0)
+
+
+def test_periods_that_are_none_are_refused() -> None:
+    with pytest.raises(InputError, match="peak_period"):
+        size_buoy(**PLACE, in_motion=True, peak_period="0 s")
+    with pytest.raises(InputError, match="peak_period"):
+        size_buoy(**PLACE, in_motion=True, peak_period="8 s", period_range=True)
+    with pytest.raises(InputError, match="in_motion"):
+        size_buoy(**PLACE, peak_period="8 s")
 
 
 @pytest.mark.parametrize(

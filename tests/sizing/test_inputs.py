@@ -49,13 +49,17 @@ BASE: dict[Moored, dict[str, object]] = {
     },
 }
 STILL: dict[str, object] = dict.fromkeys(
-    ("in_motion", "seeds", "run_time", "other_lengths", "max_slide")
+    (
+        *("in_motion", "seeds", "run_time", "peak_period", "period_range"),
+        *("other_lengths", "max_slide"),
+    )
 )
 """Of what is run in time there are tests of their own: it takes minutes."""
 SEVERAL: dict[str, object] = {"low_water": "20 m", "max_swing": None, "swing_price": None}
-SEVERAL |= dict.fromkeys(("in_motion", "seeds", "run_time"))
+IN_MOTION = ("in_motion", "seeds", "run_time", "peak_period", "period_range")
+SEVERAL |= dict.fromkeys(IN_MOTION)
 ONE_LINE: dict[str, object] = {"low_water": "20 m", "prefer": "cheapest"}
-ONE_LINE |= dict.fromkeys(("lines", "pretension", "clump_weight", "in_motion", "seeds", "run_time"))
+ONE_LINE |= dict.fromkeys(("lines", "pretension", "clump_weight", *IN_MOTION))
 FULL: dict[str, tuple[Moored, dict[str, object]]] = {
     "a buoy of the library": ("buoy", {"hs": "1.5 m", "swing_price": None, **STILL}),
     "a buoy by its force": (
@@ -130,7 +134,7 @@ def test_keywords_options_and_a_file_come_to_the_same(name: str, tmp_path: Path)
 def test_the_examples_are_all_inputs_but_files() -> None:
     given = {
         "buoy": {"buoys", "swing_price", *STILL},
-        "tanker": {"buoys", "coefficients", "in_motion", "seeds", "run_time"},
+        "tanker": {"buoys", "coefficients", *IN_MOTION},
     }  # no buoy chain has a price
     for name in FULL:
         moored, examples_of_it = examples(name)

@@ -9,12 +9,16 @@ from typing import Any
 
 import pytest
 
-from catopt import size_tanker
+from catopt import size_tanker, solve_system
 from catopt.casefile import parse_case, write_case
 from catopt.report.bundle import size_files
 from catopt.sizing.result import Sizing
+from catopt.sizing.ship_afloat import ship_afloat
+from catopt.sizing.tanker_request import TankerRequest
 from catopt.verify.two_scales import ShipVerification, verify_ship
 from tests.sizing.alone import alone
+from tests.sizing.test_consistency import LOADED, deep
+from tests.sizing.test_thresholds import ONE_SIZE
 
 SHIP: dict[str, Any] = {"dwt": "50000 t", "depth": "20 m", "hs": "2 m", "wind": "25 m/s"}
 
@@ -93,3 +97,27 @@ def test_a_code_without_factors_for_motion_leaves_it_to_another() -> None:
 def test_there_is_none_where_it_would_be_another_ship_or_sea(other: dict[str, Any]) -> None:
     with alone():
         assert size_tanker(**(SHIP | other)).ship_case is None
+
+
+@pytest.mark.parametrize("lines", [3, 4])
+@pytest.mark.parametrize("line_out", [False, True])
+def test_the_weather_comes_from_the_side_that_is_hardest_on_a_line(
+    lines: int, line_out: bool
+) -> None:
+    """By the equilibrium under the same force from 36 sides, with all there or without line 1."""
+    request = TankerRequest((LOADED,), deep(), lines=lines, line=ONE_SIZE)
+    of = size_tanker(request)
+    case = ship_afloat(request, of.settled, of.pattern, line_out=line_out)
+    assert case is not None
+    assert case.system is not None
+    system = case.system.without([0]) if line_out else case.system
+    force = math.hypot(*system.force)
+
+    def most(angle: float) -> float:
+        pushed = (force * math.cos(angle), force * math.sin(angle))
+        return max(each.horizontal_force for each in solve_system(system.under(pushed)).lines)
+
+    assert case.system.force == (force, 0.0)
+    around = max(most(2.0 * math.pi * k / 36) for k in range(36))
+    # Samples 10 deg apart may beat what golden sections stop at by rounding alone.
+    assert most(0.0) >= around * (1.0 - 1e-4)

@@ -204,9 +204,49 @@ def test_both_allowances_are_printed_and_the_document_fits_its_schema() -> None:
 
 
 @pytest.mark.slow
-def test_several_lines_are_sized_in_motion_too() -> None:
+def test_several_lines_are_sized_in_motion_with_all_there_and_with_one_out() -> None:
+    """What is written passes its own runs in both; what is less fails, and so it is without one."""
     with alone():
         of = size_tanker(**SHIP, lines=4, in_motion=True, seeds=2)
     found = verify_ship(written(of, judged_by="upper"))
     assert found.checks.passes
     assert len(found.lines) == 4
+    assert found.lost
+    assert of.in_motion is not None
+    states = {each.place.state for each in of.in_motion.checks.results}
+    assert states == {each.place.state for each in found.checks.results}
+    assert states == {"intact", "one_line_out"}
+    governing = of.in_motion.checks.governing
+    assert governing is not None
+    assert governing.place.state == "one_line_out"
+    # Where the ship goes with a line out, in the weather that is written or that hardest then.
+    offsets = [each.offset.judged for each in found.lost if each.offset is not None]
+    assert of.swing.parts[0][1] >= max(offsets)
+
+
+@pytest.mark.slow
+def test_a_ship_s_line_passes_in_every_sea_and_what_governs_is_named() -> None:
+    """In the load case that is written each sea, run by itself, comes to the checks that it had."""
+    with alone():
+        of = size_tanker(
+            **SHIP, in_motion=True, seeds=1, run_time="20 min", peak_period=("5 s", "8 s")
+        )
+        card = " ".join(screen(of))
+    found = of.in_motion
+    assert found is not None
+    case = written(of, judged_by="upper")
+    assert case.waves is not None
+    name = case.title.removeprefix(of.case.title).removeprefix(": ")
+    for period in (5.0, 8.0):
+        again = verify_ship(replace(case, waves=replace(case.waves, period=period))).checks
+        assert again.passes
+        own = f"{name}, Tp {period:g} s"
+        ours = [each for each in found.checks.results if each.load_case == own]
+        for old, new in zip(ours, again.results, strict=True):
+            assert old.demand == pytest.approx(new.demand, rel=1e-9, abs=1e-9)
+    for each in found.seas:
+        alike = [e for e in found.checks.results if e.kind == each.check.kind]
+        assert each.check.exceedance == max(e.exceedance for e in alike)
+        assert each.check.load_case.endswith(f"Tp {each.period:g} s")
+    assert "Seas: Tp of 5, 8 s: tension is decided at" in card
+    jsonschema.validate(of.to_dict(), schema("catopt.size/1"))

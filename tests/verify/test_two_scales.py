@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,14 +14,16 @@ import pytest
 from catopt import read_case, solve_system
 from catopt.answers.motion import ship_answer
 from catopt.casefile import parse_case, write_case
-from catopt.errors import InputError
+from catopt.errors import InputError, NoEquilibriumError
 from catopt.fem.extremes import Extreme
-from catopt.floater.two_scales import Scales
+from catopt.floater.two_scales import MooredShip, Scales
 from catopt.loads.ship_loads import share_above
-from catopt.model import Case, Motion
+from catopt.model import Case, Motion, System
+from catopt.render.card import card_lines
 from catopt.render.files import csv_files
 from catopt.schemas import schema
 from catopt.schemas.validation import inconsistencies
+from catopt.verify.document import ship_document
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.result import Verification
 from catopt.verify.ship_files import drift_csv, led_case, raos_csv
@@ -28,9 +31,9 @@ from catopt.verify.two_scales import (
     LineOfShip,
     ShipVerification,
     moored_ship,
-    ship_document,
     verify_ship,
 )
+from catopt.words import Message
 
 LOADED = Path(__file__).parents[2] / "cases" / "fso-rang-dong-ship" / "loaded.toml"
 TEXT = LOADED.read_text("utf-8")
@@ -100,7 +103,11 @@ def test_runs_have_seeds_of_their_own_and_the_same_digits_again() -> None:
 
 def test_checks_are_of_the_largest_by_quasi_static_factors() -> None:
     found = loaded()
-    tensions = [each for each in found.checks.results if each.kind == "tension"]
+    tensions = [
+        each
+        for each in found.checks.results
+        if each.kind == "tension" and each.place.state == "intact"
+    ]
     assert {each.place.line for each in tensions} == set(range(1, 10))
     at_fairlead = [
         each for each in tensions if each.place.segment == 4 and each.source.code == "API-RP-2SK"
@@ -109,7 +116,93 @@ def test_checks_are_of_the_largest_by_quasi_static_factors() -> None:
         most = max(line.fairlead.combined, line.fairlead.seen)
         assert each.demand == pytest.approx(most, rel=1e-9)
         assert each.capacity == pytest.approx(6140e3 / 2.0)  # quasi-static: 2.0, dynamic: 1.67
-    assert {each.place.state for each in tensions} == {"intact"}
+
+
+def test_lines_are_out_whose_loss_is_felt_at_rest() -> None:
+    """Each of the three to windward, the hardest first: by the equilibrium of what is left."""
+    found = loaded()
+    system = found.case.system
+    assert system is not None
+
+    def most(of: System) -> float:
+        return max(line.tension for line in solve_system(of.under(found.rest.force)).lines)
+
+    whole = most(system)
+    left = {k + 1: most(system.without([k])) for k in range(9)}
+    harder = {number for number, tension in left.items() if tension > whole}
+    assert harder == {1, 2, 3}
+    assert {each.missing for each in found.lost} == harder
+    assert found.lost[-1].missing == min(harder, key=lambda number: left[number])
+    said = next(e for e in found.remarks if e.key == "floater.lines_out_needless")
+    assert said.values["numbers"] == "4, 5, 6, 7, 8, 9"
+
+
+def test_with_a_line_out_it_is_the_ship_on_the_others_in_the_same_seas() -> None:
+    """Judged by the factor for one line damaged, 1.43, where it was 2.0 with all there."""
+    found = loaded()
+    lost = next(each for each in found.lost if each.missing == 2)
+    assert found.case.system is not None
+    left = replace(found.case, system=found.case.system.without([1]))
+    alone = verify_ship(left)
+    assert [each.number for each in lost.lines] == [1, 3, 4, 5, 6, 7, 8, 9]
+    for each, own in zip(lost.lines, alone.lines, strict=True):
+        assert each.fairlead == own.fairlead
+        assert each.anchor == own.anchor
+    # Counted from where all nine lines have it, no load on it: a metre or some off that of eight.
+    apart = math.dist(found.rest.zero, alone.rest.zero)
+    assert lost.offset is not None
+    assert 0.0 < abs(lost.offset.mean - alone.offset.mean) <= apart
+    judged = [
+        each
+        for each in found.checks.results
+        if each.place.missing == 2 and each.place.segment == 4 and each.source.code == "API-RP-2SK"
+    ]
+    assert len(judged) == 8
+    for check, line in zip(judged, lost.lines, strict=True):
+        assert check.place.line == line.number
+        assert check.demand == pytest.approx(max(line.fairlead.combined, line.fairlead.seen))
+        assert check.capacity == pytest.approx(6140e3 / 1.43)
+
+
+def test_where_nothing_asks_for_it_no_line_is_out() -> None:
+    """By a code without factors for it, by the case, and of a ship on one line."""
+    case = shorter(read_case(LOADED), 60.0, 10.0)
+    assert case.system is not None
+    spm = replace(case.checks, codes=("DNV-OS-E301-2008-CC1-SPM",))
+    one = replace(case.system, legs=case.system.legs[1:2])
+    for changed, key in (
+        (replace(case, checks=spm), "checks.line_out_not_judged"),
+        (replace(case, system=replace(case.system, judged_line_out=False)), "line_out_not_asked"),
+        (replace(case, system=one), "checks.one_line"),
+    ):
+        found = verify_ship(changed)
+        assert found.lost == ()
+        assert {each.place.state for each in found.checks.results} == {"intact"}
+        assert any(each.key.endswith(key) for each in found.remarks)
+        assert ship_document(found)["lines_out"] == []
+        assert "ship_lines_out.csv" not in csv_files(ship_answer(found))
+
+
+def test_where_the_others_do_not_hold_the_ship_that_is_a_failed_check(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    run = MooredShip.run
+
+    def refused(self: MooredShip, *of: Any, **more: Any) -> Any:
+        if len(self.system.legs) == 9:
+            return run(self, *of, **more)
+        raise NoEquilibriumError(Message("floater.line_out_of_reach", number=1, time=9.0), "", 0.0)
+
+    monkeypatch.setattr(MooredShip, "run", refused)
+    found = verify_ship(shorter(read_case(LOADED), 60.0, 10.0))
+    failed = [each for each in found.checks.results if each.kind == "equilibrium"]
+    assert {each.place.missing for each in failed} == {1, 2, 3}
+    assert not any(each.passes for each in failed)
+    assert "floater.line_out_refused" in {each.key for each in found.remarks}
+    document = Verification(found.case, ()).to_dict() | {"ship": ship_document(found)}
+    assert list(inconsistencies(document, schema("catopt.verify/1"))) == []
+    assert document["ship"]["lines_out"][0]["lines"] == []
+    assert "ship_lines_out.csv" not in csv_files(ship_answer(found))
 
 
 def test_the_excursion_is_checked_by_the_span_of_the_largest_tension() -> None:
@@ -129,6 +222,9 @@ def test_the_document_fits_its_schema() -> None:
     lines = document["ship"]["lines"]
     assert lines[1]["fairlead_tension_N"]["combined"] == found.lines[1].fairlead.combined
     assert document["ship"]["since_s"] == 40.0
+    gone = document["ship"]["lines_out"]
+    assert [each["missing_line"] for each in gone] == [each.missing for each in found.lost]
+    assert [each["line"] for each in gone[0]["lines"]] == [e.number for e in found.lost[0].lines]
 
 
 def test_the_answer_has_every_line_and_remark() -> None:
@@ -136,6 +232,10 @@ def test_the_answer_has_every_line_and_remark() -> None:
     answer = ship_answer(found)
     table = csv_files(answer)["ship_lines.csv"].decode().splitlines()
     assert len(table) == 10
+    gone = csv_files(answer)["ship_lines_out.csv"].decode().splitlines()
+    assert len(gone) == 4
+    card = " ".join(each.text for each in card_lines(answer, "en"))
+    assert f"Without line {found.lost[0].missing}: " in card
     points = [each for each in answer.blocks if type(each).__name__ == "Points"]
     keys = {each.key for each in points[0].said}  # type: ignore[union-attr]
     assert "floater.few_cycles" in keys  # of 200 s
