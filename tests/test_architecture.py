@@ -78,7 +78,9 @@ MAY_IMPORT: dict[str, set[str]] = {
     "sizing": SOLVING
     | DESIGNING
     | {"catalogue", "casefile", "loads", "mooring", "waves", "verify"},
-    "study": SOLVING | READING | {"checks", "mooring", "verify", "sizing", "notes", "_version"},
+    "study": SOLVING
+    | READING
+    | {"checks", "design", "mooring", "verify", "sizing", "notes", "_version"},
     "reproduce": SOLVING | READING | {"mooring", "loads", "waves", "fem", "verify"},
     "export": SOLVING | {"mooring", "decks", "_version"},
     "notes": SOLVING

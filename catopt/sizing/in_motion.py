@@ -130,8 +130,11 @@ class LengthRun(Record):
     """The least that stays, or the heaviest that is cast; None where a run has no answer."""
 
 
-class TightestSea(NamedTuple):
-    """The check of a kind that is nearest to its limit, and the period of the waves' peak there."""
+@dataclass(frozen=True)
+class TightestSea(Record):
+    """The check of a kind that is nearest to its limit, and the sea in which it is."""
+
+    DOCUMENT = "check.kind check.load_case period check.utilisation"
 
     check: CheckResult
     period: Time
@@ -187,8 +190,7 @@ class InMotion(Record):
     DOCUMENT = (
         "how.seeds how.duration how.judged_by elements case.dynamics.duration_of_interest "
         f"{within('storm', STORM)} factor allowance checks.results=checks "
-        "checks.nearest=governing how.periods~ "
-        "seas(check.kind check.load_case period check.utilisation)~ "
+        "checks.nearest=governing how.periods~ seas~ "
         "counted=lines(considered at_rest excluded run runs) tried by_length checks.warnings"
     )
 
