@@ -101,7 +101,7 @@ def _guess(span: float, problem: LineProblem, known: Ends | None) -> tuple[float
 def _slopes(state: State, span: float, problem: LineProblem) -> Matrix:
     """Derive H and V at b, H and V at a (pulling up), by the span and the heights a and b."""
     H_s, H_b, V_s, V_b = _by_end(state, problem)
-    # A point load alone may touch the bed, over no length: it carries part of the line all the same.
+    # A point load may touch the bed alone, over no length, and is carried all the same.
     rests = state.regime in (GROUNDED_BETWEEN, GROUNDED_IN_PARTS)
     if state.grounded == 0.0 and not rests:
         row_H, row_V = (H_s, -H_b, H_b), (V_s, -V_b, V_b)
