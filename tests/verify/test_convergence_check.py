@@ -270,7 +270,8 @@ def strong(MBL: float) -> DynamicVerification:
     found = verify_dynamic(TAUT, convergence_check="none")
     (part,) = found.parts
     line = replace(TAUT, line=Line([replace(CHAIN, MBL=MBL)]))
-    part = replace(part, drive=replace(part.drive, case=line))
+    drive = replace(part.drive, case=line)
+    part = replace(part, drive=drive, own_line=line.line)
     return replace(found, case=line, parts=tuple(with_verdicts(line, [part])))
 
 
