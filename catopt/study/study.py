@@ -146,9 +146,7 @@ class Axis:
         }
 
 
-PIECE = MappingProxyType(
-    {"statics": 20_000, "checks": 100, "motion": 1, "linear": 50, "sizing": 4}
-)
+PIECE = MappingProxyType({"statics": 20_000, "checks": 100, "motion": 1, "linear": 50, "sizing": 4})
 """Members that are computed, and stored, together: some seconds of work."""
 
 
