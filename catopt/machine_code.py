@@ -24,6 +24,7 @@ from numba.core import event, ir, types
 from numba.core.caching import FunctionCache
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import Compiler
+from numba.core.compiler_lock import global_compiler_lock
 from numba.core.compiler_machinery import FunctionPass, register_pass
 from numba.core.registry import CPUDispatcher
 from numba.core.serialize import dumps
@@ -57,7 +58,8 @@ def is_kept(function: Callable[..., Any]) -> bool:
 
 def dispatcher(function: Callable[..., Any]) -> Callable[..., Any]:
     """Compiled form of a kernel function, to be called from Python; Ctrl-C waits meanwhile."""
-    call: Callable[..., Any] = uninterrupted(_dispatcher(function))
+    with global_compiler_lock:
+        call: Callable[..., Any] = uninterrupted(_dispatcher(function))
     return call
 
 
@@ -209,20 +211,22 @@ def _compiling_into(library: Any, made: Any) -> Any:
 
     def compile_so(signature: Any) -> Any:
         codegen = CPUDispatcher.targetdescr.target_context.codegen()
-        before = dict(vars(codegen))
-        codegen._library_class = library
-        if library is _Part:
-            codegen.set_env = lambda *_: None
-        else:
-            vars(codegen).pop("set_env", None)
-        try:
-            with _remembering():
-                return compile_plainly(signature)
-        finally:
-            for key in ("_library_class", "set_env"):
-                vars(codegen).pop(key, None)
-                if key in before:
-                    setattr(codegen, key, before[key])
+        # One thread at a time, from here on: what another compiles would go into the wrong kind.
+        with global_compiler_lock:
+            before = dict(vars(codegen))
+            codegen._library_class = library
+            if library is _Part:
+                codegen.set_env = lambda *_: None
+            else:
+                vars(codegen).pop("set_env", None)
+            try:
+                with _remembering():
+                    return compile_plainly(signature)
+            finally:
+                for key in ("_library_class", "set_env"):
+                    vars(codegen).pop(key, None)
+                    if key in before:
+                        setattr(codegen, key, before[key])
 
     made.compile = compile_so
     return made

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import ast
+import os
+import subprocess
+import sys
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -15,6 +18,7 @@ import catopt
 from catopt import Line, PointLoad, Segment, read_case, solve_many
 from catopt.compile_jobs import _afloat as compile_afloat
 from catopt.compile_jobs import _ship as compile_ship
+from catopt.compiled import VARIABLE
 from catopt.design.evaluation import DesignProblem
 from catopt.design.front import hypervolume, non_dominated
 from catopt.design.mooring import MooringProblem
@@ -210,3 +214,51 @@ def test_no_compiled_function_is_left_out() -> None:
 
 def _name(node: ast.expr) -> str:
     return node.attr if isinstance(node, ast.Attribute) else getattr(node, "id", "")
+
+
+AT_ONCE = """
+import threading
+import time
+import numpy as np
+from catopt import machine_code
+from catopt.compiled import compiled
+from catopt.design.front import _best_of_three, _volume
+from catopt.fem.series import fill_series, series_rows
+from catopt.waves import Sea, fill_elevation, fill_kinematics, regular_wave
+from catopt.waves.random_surface import fill_wave_numbers
+
+flow, points = Sea(10.0, regular_wave(1.0, 5.0)).flow, np.ones((4, 3))
+rows, found = np.random.default_rng(1).uniform(size=(3, 4, 3)), np.zeros(4)
+series = series_rows(np.zeros((1, 3)), [None], 0.0)
+calls = [
+    lambda: compiled(fill_kinematics)(0.0, points, flow, rows[0], rows[1], found),
+    lambda: compiled(fill_wave_numbers)(np.ones(3), 10.0, np.zeros(3)),
+    lambda: compiled(_volume)(rows[2], np.arange(4), np.ones(3)),
+    lambda: compiled(fill_series)(0.0, series, 0, np.zeros((3, 3))),
+    lambda: compiled(_best_of_three)(rows[2]),
+    lambda: compiled(fill_elevation)(found, found, found, flow, np.zeros(4)),
+]
+
+
+def call(number):
+    time.sleep(0.25 * number)
+    calls[number]()
+
+
+threads = [threading.Thread(target=call, args=(k,)) for k in range(len(calls))]
+for each in threads:
+    each.start()
+for each in threads:
+    each.join()
+print("compiled")
+"""
+
+
+def test_threads_compile_one_after_the_other(tmp_path: Path) -> None:
+    """Else what one compiles goes where another's is to go, and the process dies."""
+    environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path), VARIABLE: "always"}
+    ran = subprocess.run(
+        [sys.executable, "-c", AT_ONCE], env=environment, capture_output=True, text=True,
+        check=False,
+    )  # fmt: skip
+    assert (ran.returncode, ran.stdout, ran.stderr) == (0, "compiled\n", "")
