@@ -310,6 +310,8 @@ class _Written:
                           "maximum": kind.at_most}  # fmt: skip
                 at = found["items"] if found["type"] == "array" else found
                 at |= {key: _number(value) for key, value in bounds.items() if value is not None}
+                if kind.infinite:  # which documents write as null
+                    at["type"] = ["number", "null"]
         return found
 
     def _typed(self, keys: Any) -> Schema:

@@ -48,7 +48,15 @@ def shipped() -> Iterator[tuple[str, str]]:
             yield from (("solve", name), ("curve", name))
 
 
-TAKEN = list(shipped())
+IN_DRAWS = (
+    ("study --workers 1", "design-buoy-9.5m/in-draws.toml"),
+    (
+        "study --plan",
+        "design-buoy-9.5m/in-draws.toml",
+    ),
+)
+"""A study whose answer is a front: it has no members to plan, or to share out."""
+TAKEN = [each for each in shipped() if each not in IN_DRAWS]
 LONG = ("design ", "fatigue --once ", "study --workers 1 ", "verify --dynamic --once ")
 """What takes longer than a moment."""
 OTHERS = [
