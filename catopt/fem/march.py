@@ -92,7 +92,7 @@ def march(
     rules, lines = setting.rules, setting.lines
     shortest = rules.step
     done, full, closed = part_done, False, True
-    if at == 0 and done == 0.0:
+    if at == 0 and done == 0.0 and level == 0:  # a first step that was refused is halved by now
         begin(setting, before, room, record, body)
     while at < end and closed and not full and tried < most:
         start = at * rules.step

@@ -16,6 +16,7 @@ from catopt.fem import (
     LineProperties,
     MorisonSection,
     Seabed,
+    StepControls,
     TimeStepping,
     run_dynamics,
 )
@@ -23,6 +24,7 @@ from catopt.model import Line, Segment
 from catopt.reproduce.items import published
 from catopt.reproduce.lines_in_motion import CHAIN, Depth, chain_of
 from catopt.reproduce.reference_moorings import segment_of
+from catopt.waves import Sea, regular_wave
 from catopt.words import Message, is_said
 
 GIVEN = published(CHAIN).inputs
@@ -96,3 +98,24 @@ def test_a_line_too_stiff_for_sixteen_digits_says_so(EA: float) -> None:
     if said:
         assert isinstance(said[0], Message)
         assert said[0].values["part"] == pytest.approx(4 * 2.2e-16 * 1e9 * 12.0 / 1.57e-4, rel=0.05)
+
+
+def test_a_first_step_that_is_refused_leaves_the_first_sample_alone() -> None:
+    """Waves that are there at once: a step refused has seen them already, the start has not."""
+
+    def run(surprise: float) -> History:
+        controls = StepControls(surprise=surprise, max_refinements=3, max_ringing=math.inf)
+        return run_dynamics(
+            Line([Segment(60.0, 270.0, EA=1.2e8, mass=31.6)]),
+            TimeStepping(0.4, 0.1, controls=controls),
+            height=20.0,
+            span=55.0,
+            sea=Sea(20.0, regular_wave(3.0, 6.0)),
+            properties=LineProperties([MorisonSection(0.07, 2.4)], LineDamping(critical_ratio=1.0)),
+            elements=12,
+        )
+
+    loose, tight = run(100.0), run(1e-9)
+    assert loose.refinements == 0 < tight.refinements
+    assert (loose.fairlead_force[0] == tight.fairlead_force[0]).all()
+    assert (loose.anchor_force[0] == tight.anchor_force[0]).all()
