@@ -10,7 +10,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,10 +36,19 @@ from catopt.study.study import Study
 from catopt.words import Listed, Message
 
 _NONE: Final = np.iinfo(np.int64).max
-"""No sinker holds, or the draw is not passed."""
+"""Above every sinker: the draw is not passed."""
 
 _AT_ONCE: Final = 2_000
 """Designs whose draws are kept at a time."""
+
+
+class _ByDraw(NamedTuple):
+    """What some designs come to in each draw."""
+
+    objectives: Floats  # (draws, designs, objectives); infinite where one was not looked at
+    exceedance: Floats  # (draws, designs); nan there
+    sinkers: NDArray[np.int64]  # (draws, designs): `_NONE` where the draw is not passed
+    unsolved: int
 
 
 @dataclass(frozen=True)
@@ -68,67 +77,73 @@ class DrawnProblem(DesignProblem):
         Stopping early, those that have failed in too many draws are not looked at in further ones.
         """
         parts = [
-            self._judge(genes[at : at + _AT_ONCE], workers, of, stops_early=stops_early)
+            self._at_share(
+                self._by_draw(genes[at : at + _AT_ONCE], workers, of, stops_early=stops_early)
+            )
             for at in range(0, max(len(genes), 1), _AT_ONCE)
         ]
-        objectives, exceedance, sinkers, unsolved = zip(*parts, strict=True)
         return Assessed(
-            np.concatenate(objectives),
-            np.concatenate(exceedance),
-            np.concatenate(sinkers),
-            sum(unsolved),
+            np.concatenate([each.objectives for each in parts]),
+            np.concatenate([each.exceedance for each in parts]),
+            np.concatenate([each.sinker for each in parts]),
+            sum(each.unsolved for each in parts),
         )
 
-    def _judge(
-        self, genes: Genes, workers: int, of: int, *, stops_early: bool
-    ) -> tuple[Floats, Floats, NDArray[np.int64], int]:
-        """Objectives and exceedance that are not exceeded in the share of the draws; the sinker.
+    @property
+    def _at(self) -> int:
+        """Place of the value that is not exceeded in the share of the draws, of those in order."""
+        return needed(self.share, len(self.members)) - 1
 
-        That is the lightest that holds in as many of the draws in which all else passes.
-        """
+    def _by_draw(self, genes: Genes, workers: int, of: int, *, stops_early: bool) -> _ByDraw:
+        """Assess some designs in one draw after the other."""
         draws, count = len(self.members), len(genes)
-        at = needed(self.share, draws) - 1
         exceedance, unsolved = np.full((draws, count), np.nan), 0
         objectives = np.full((draws, count, len(OBJECTIVE_KEYS)), np.inf)
-        failed = np.zeros(count, dtype=np.int64)
         sinkers = np.full((draws, count), _NONE)
+        failed = np.zeros(count, dtype=np.int64)
         for draw, member in enumerate(self.members):
-            left = np.flatnonzero(failed < draws - at) if stops_early else np.arange(count)
+            left = np.flatnonzero(failed < draws - self._at) if stops_early else np.arange(count)
             if not left.size:
                 break
             found = member.assess(genes[left], stops_early=stops_early, workers=workers, of=of)
             exceedance[draw, left], objectives[draw, left] = found.exceedance, found.objectives
             passes = found.exceedance <= ROUNDING
             failed[left] += ~passes
-            sinkers[draw, left] = np.where(passes & (found.sinker >= 0), found.sinker, _NONE)
+            sinkers[draw, left] = np.where(passes, found.sinker, _NONE)
             unsolved += found.unsolved
+        return _ByDraw(objectives, exceedance, sinkers, unsolved)
+
+    def _at_share(self, of: _ByDraw) -> Assessed:
+        """Take of each design what is not exceeded in the share of the draws.
+
+        Its sinker is the lightest that holds in as many of the draws in which all else passes, or
+        the heaviest.
+        """
+        at = self._at
         # What was not looked at further has failed in too many draws: by the worst of those.
-        worst = np.nanmax(exceedance, axis=0, initial=-np.inf)
-        exceedance = np.where(np.isnan(exceedance), worst, exceedance)
-        objectives[np.isnan(objectives)] = np.inf
-        at_share = np.partition(objectives, at, axis=0)[at]
-        at_share[~np.isfinite(at_share)] = np.nan
-        sinker = np.partition(sinkers, at, axis=0)[at]
-        sinker[sinker == _NONE] = -1
-        return at_share, np.partition(exceedance, at, axis=0)[at], sinker, unsolved
+        worst = np.nanmax(of.exceedance, axis=0, initial=-np.inf)
+        exceedance = np.where(np.isnan(of.exceedance), worst, of.exceedance)
+        objectives = np.where(np.isnan(of.objectives), np.inf, of.objectives)
+        objectives = np.partition(objectives, at, axis=0)[at]
+        objectives[~np.isfinite(objectives)] = np.nan
+        sinker = np.partition(of.sinkers, at, axis=0)[at]
+        choice = self.design.sinker
+        sinker[sinker == _NONE] = -1 if choice is None else len(choice.masses) - 1
+        return Assessed(objectives, np.partition(exceedance, at, axis=0)[at], sinker, of.unsolved)
 
     def point(self, genes: tuple[int, ...]) -> DesignPoint:
         """Check a design by the case's own values in plain closed form, and count its draws."""
         design_point(self.own, genes)  # so that the compiled loop's answer is the closed form's
-        one = np.array([genes])
-        assessed = self.assess(one)
-        sinker = int(assessed.sinker[0])
-        anchor = self.case.anchor
+        by_draw = self._by_draw(np.array([genes]), 1, 1, stops_early=False)
+        assessed = self._at_share(by_draw)
+        anchor, sinker = self.case.anchor, int(assessed.sinker[0])
         if self.design.sinker is not None:
             anchor = sinker_of(self.case, self.design.sinker, sinker)
         point = self._point(self.space.line(genes), anchor, genes)
-        each = [member.assess(one) for member in self.members]
-        failing = sum(
-            bool(found.exceedance[0] > ROUNDING or found.sinker[0] > sinker) for found in each
-        )
+        samples = len(self.members)
+        failing = int((by_draw.sinkers[:, 0] > sinker).sum())  # that fails has none
         values = assessed.objectives[0, self.columns].tolist()
         keys = [OBJECTIVE_KEYS[name] for name in self.names]
-        samples = len(self.members)
         return replace(
             point,
             objectives={**point.objectives, **dict(zip(keys, values, strict=True))},

@@ -15,9 +15,10 @@ from catopt.design.evaluation import DesignProblem, sinker_of
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.search import design_case
 from catopt.errors import InputError, NoAnswerError
+from catopt.model import Case
 from catopt.study.file import read_study
 from catopt.study.member import read_member
-from catopt.study.robust import design_in_draws
+from catopt.study.robust import design_in_draws, drawn_problem
 from catopt.study.run import run_study
 
 CASE = Path("cases/design-buoy-9.5m/case.toml")
@@ -136,6 +137,32 @@ def test_some_designs_pass_by_the_values_of_the_case_alone(file: Path) -> None:
     genes = problem.space.genes_between(0, problem.space.count)
     passing = int((problem.assess(genes).exceedance <= 1e-9).sum())
     assert len(judged(file)) < passing
+
+
+def test_a_design_that_fails_in_too_many_draws_says_in_how_many(file: Path) -> None:
+    """On the heaviest sinker, each draw checked by itself; some pass in a few of the draws."""
+    study, case = read_study(file), read_case(file.parent / "case.toml")
+    problem, known = drawn_problem(study), judged(file)
+    assert case.design is not None
+    assert case.design.sinker is not None
+    heaviest = sinker_of(case, case.design.sinker, 3)
+    seen = set()
+    for row in problem.space.genes_between(0, problem.space.count):
+        genes = tuple(row.tolist())
+        line, failing = problem.space.line(genes), 0
+        if genes in known:
+            continue
+        for draw in (read_member(study.base, study.values_of(k)) for k in range(SAMPLES)):
+            try:
+                assert isinstance(draw, Case)
+                failing += not check_line(line, draw, heaviest).passes
+            except NoAnswerError:
+                failing += 1
+        point = problem.point(genes)
+        assert point.draws is not None
+        assert point.draws.failing * SAMPLES == failing
+        seen.add(failing)
+    assert seen - {SAMPLES}
 
 
 def test_draws_without_spread_change_nothing(tmp_path: Path) -> None:
