@@ -20,7 +20,7 @@ from catopt.answers.blocks import (
     texts,
 )
 from catopt.model.strain_table import StrainTable
-from catopt.words import Measure, Message, Several, term
+from catopt.words import Measure, Message, Several, is_said, term
 
 if TYPE_CHECKING:
     from catopt.catenary.case_curve import CaseCurve
@@ -82,9 +82,13 @@ _ON_CARD = 8
 def _card(
     case: Case, solution: Solution, solved: Message, *, with_profile: bool
 ) -> Iterator[blocks.CardBlock]:
-    """Say how the line hangs, its numbers, what its parts carry, and what was given."""
+    """Say how the line hangs, what parts, its numbers, what its parts carry, and what was given."""
     yield blocks.Text(solved)
-    numbers = (*result_facts(solution)[:_ON_CARD], *_lying(solution), *_of_current(solution))
+    parting = [each for each in solution.warnings if is_said(each, "catenary.beyond_MBL")]
+    if parting:
+        yield blocks.Verdict(Message("solution.parts", said=Several(parting)), passes=False)
+    on_card = _ON_CARD - bool(parting)
+    numbers = (*result_facts(solution)[:on_card], *_lying(solution), *_of_current(solution))
     facts = (*found_facts(solution), *numbers)
     known = (replace(each, also=()) for each in facts if each.value is not None)
     yield blocks.Facts("summary", tuple(known))
@@ -92,8 +96,9 @@ def _card(
     yield replace(carried, columns=tuple(each for each in carried.columns if not _is_in_tf(each)))
     if solution.point_loads and not with_profile:
         yield point_loads_table(solution)
-    if solution.warnings:
-        yield blocks.Brief(tuple(solution.warnings), Message("answers.card_to_be_known"), 3)
+    others = tuple(each for each in solution.warnings if each not in parting)
+    if others:
+        yield blocks.Brief(others, Message("answers.card_to_be_known"), 3)
     if solution.found is not None:
         sought = Message("captions.found_for", condition=solution.found.condition)
         yield blocks.Brief((sought,))

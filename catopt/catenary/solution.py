@@ -284,6 +284,10 @@ def plausibility(solution: Solution) -> Iterator[Message]:
     if solution.regime == "slack":
         yield Message("catenary.slack", length=solution.grounded_length, span=solution.span)
     parts = list(zip(count(1), solution.segments, solution.line.segments))
+    for number, state, _ in parts:
+        if state.MBL is not None and state.max_tension > state.MBL:
+            carried, MBL = Measure("tension", state.max_tension), Measure("MBL", state.MBL)
+            yield Message("catenary.beyond_MBL", number=number, tension=carried, MBL=MBL)
     for number, state, segment in parts:
         if isinstance(segment.EA, StrainTable):
             continue  # whose strains are its own
@@ -293,10 +297,6 @@ def plausibility(solution: Solution) -> Iterator[Message]:
         if strain > LARGE_STRAIN:
             values = {"number": number, "strain": 100 * strain, "limit": 100 * LARGE_STRAIN}
             yield Message("catenary.large_strain", **values)
-    for number, state, _ in parts:
-        if state.MBL is not None and state.max_tension > state.MBL:
-            carried, MBL = Measure("tension", state.max_tension), Measure("MBL", state.MBL)
-            yield Message("catenary.beyond_MBL", number=number, tension=carried, MBL=MBL)
     if solution.anchor.tension == 0.0 and solution.horizontal_force > 0.0:
         yield Message("catenary.held_by_friction")
     open_force = solution.residual.force_uncertainty

@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from catopt.answers.blocks import Text, Warnings
+import pytest
+
+from catopt import Case, Line, Load, Segment, Site, solve_case
+from catopt.answers.blocks import Text, Verdict, Warnings
 from catopt.answers.loads import loads_answer
 from catopt.answers.size import motion_sentence, size_answer
+from catopt.answers.solution import solution_answer
 from catopt.loads import compare_tanker
 from catopt.words import Message, say
 
@@ -44,3 +48,21 @@ def test_what_stands_for_motion_is_said_with_where_it_is_from() -> None:
     assert say(said, "vi").endswith("(cho trước).")
     none = motion_sentence(replace(of, dynamic_factor=1.0))
     assert none == "No allowance for motion on the steady forces (given)."
+
+
+@pytest.mark.parametrize(("MBL", "parts"), [(4e3, True), (5e3, False)])
+def test_a_line_that_parts_is_said_above_its_numbers(MBL: float, parts: bool) -> None:
+    chain = Segment(name="chain", length=20.0, submerged_weight=9.5 * 9.80665, MBL=MBL)
+    case = Case(
+        Site(water_depth=9.5),
+        Line((chain,)),
+        load=Load(horizontal_force=3363.68),
+        fairlead_height=9.5,
+    )
+    answer = solution_answer(case, solve_case(case))  # S1's buoy: 0.446 tf at the fairlead
+    first = [each for each in answer.card if isinstance(each, Verdict)]
+    assert [each.passes for each in first] == ([False] if parts else [])
+    for each in first:
+        assert answer.card.index(each) == 1
+        assert "segment 1 carries 4.37" in each.said
+        assert say(each.said, "vi").startswith("Dây đứt: đoạn 1 chịu 4.37")
