@@ -437,7 +437,11 @@ def _front(found: FrontInMotion) -> Iterator[blocks.Block]:
     if not found.is_complete:
         stopped = Message("motion.front_stopped", count=len(found.designs))
         yield blocks.Verdict(stopped, passes=False)
-    if any(each.found is not None and each.found.verdict == "not proven" for each in found.designs):
+    once = [each.number for each in found.designs if each.is_run_once]
+    chosen = next((e for e in found.designs if e.number == found.recommended), None)
+    if once and chosen is not None and not chosen.is_run_once:
+        yield blocks.Text(Message("motion.front_proven", number=chosen.number))
+    elif once:
         yield blocks.Verdict(Message("motion.not_proven"), passes=False)
     only_in_motion = [each.number for each in found.designs if not each.passes]
     if only_in_motion:
@@ -465,6 +469,7 @@ def _designs(found: FrontInMotion) -> blocks.Table:
     return tabulate(
         "front_in_motion",
         of.texts("design", "number"),
+        parts.texts("runs", lambda part: len(part.runs)),
         of.measured(_FORCE, "at_rest", "motion.front_at_rest"),
         parts.measured(
             _FORCE, lambda part: part.of("fairlead_tension").maximum, "motion.front_largest"

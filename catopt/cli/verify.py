@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -79,11 +80,13 @@ def verify(
     once: options.OnceOption = False,
     twice_the_bars: Annotated[bool, typer.Option("--twice-the-bars")] = False,
     workers: options.CountOption = None,
+    scheduler: Annotated[str | None, typer.Option(metavar="ADDRESS")] = None,
 ) -> None:
     """Compare the closed form with a truss model that shares nothing with it."""
     asked.check_place()
     proofs = {"--once": once, "--twice-the-bars": twice_the_bars}
     refuse(_of_motion(proofs, workers, with_motion=with_motion))
+    refuse(_of_cluster(scheduler, workers, is_moving_front=every and with_motion))
     check_settings(elements, tolerance, source="options", prefix="--")
     convergence_check: ConvergenceCheck = "none" if once else "bars" if twice_the_bars else "step"
     how = {"elements": elements, "tolerance": tolerance}
@@ -92,7 +95,7 @@ def verify(
         wanted = Message("refused_command.does_not_go_with_all")
         given = {"--load-case": load_case, "--design": design}
         refuse(Problem(key, str(each), wanted) for key, each in given.items() if each is not None)
-        found = _front(asked, case, how, moving)
+        found = _front(asked, case, how, moving, scheduler)
     else:
         read = read_mooring_or_design(case, design)
         if isinstance(read, Network):
@@ -128,6 +131,18 @@ def _of_motion(
             yield Problem(option, "", Message("refused_command.goes_with_dynamic_which_missing"))
     if all(proofs.values()):
         yield Problem("--once", "", Message("refused_command.does_not_go_with_twice"))
+
+
+def _of_cluster(
+    scheduler: str | None, workers: int | None, *, is_moving_front: bool
+) -> Iterator[Problem]:
+    """Yield what says where designs in motion are run, where none are, or in two ways."""
+    if scheduler is not None and not is_moving_front:
+        wanted = Message("refused_command.goes_with_all_and_dynamic")
+        yield Problem("--scheduler", scheduler, wanted)
+    if scheduler is not None and workers is not None:
+        wanted = Message("refused_command.does_not_go_with_scheduler")
+        yield Problem("--workers", str(workers), wanted)
     if workers is not None and workers < 1:
         yield Problem("--workers", str(workers), Message("refused_command.n_1_or_more_processes"))
 
@@ -264,7 +279,11 @@ def _check_for_motion(case: Case | Network) -> None:
 
 
 def _front(
-    asked: Asked, directory: Path, how: dict[str, Any], moving: dict[str, Any] | None
+    asked: Asked,
+    directory: Path,
+    how: dict[str, Any],
+    moving: dict[str, Any] | None,
+    scheduler: str | None,
 ) -> _Found:
     """Verify every design of a front in the load case that governs it, and in motion."""
     from catopt.verify.case import verify_front
@@ -285,10 +304,17 @@ def _front(
     objectives = [
         tuple(entry[key] for key in document["objectives"]) for entry in document["front"]
     ]
-    with asked.output.progress("Designs in motion") as tell:
+    with ExitStack() as stack:
+        executor = None
+        if scheduler is not None:
+            from catopt.study.run import cluster
+
+            executor, _ = stack.enter_context(cluster(scheduler))
+        tell = stack.enter_context(asked.output.progress("Designs in motion"))
         moved = front_in_motion(
             [(d.number, d.case, own) for d, own in zip(designs, objectives, strict=True)],
             document["recommended"] + 1,
+            executor=executor,
             progress=tell,
             **moving,
         )

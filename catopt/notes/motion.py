@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Executor, wait
+from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +15,7 @@ import numpy as np
 from catopt.checks.criteria import criteria_of
 from catopt.design.front import knee
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
+from catopt.interrupt import waiting_interrupt
 from catopt.notes.origin import SourceFile, read_source
 from catopt.ties import first_largest, largest
 from catopt.units import lasting
@@ -26,6 +30,9 @@ if TYPE_CHECKING:
     from catopt.verify.dynamic_setup import Excitation
 
 Progress = Callable[[int, int], None]
+
+_LOOK = 0.1
+"""Seconds between two looks at what an executor has done."""
 
 
 @dataclass(frozen=True)
@@ -272,6 +279,11 @@ class DesignInMotion:
         return is_sure and checks is not None and bool(checks.results) and checks.passes
 
     @property
+    def is_run_once(self) -> bool:
+        """Whether it was run, but no run again says what its maxima hang on."""
+        return self.found is not None and self.found.verdict == "not proven"
+
+    @property
     def governing(self) -> DynamicPart | None:
         """The load case, or the line of a body, with the largest tension at the fairlead."""
         return None if self.found is None else self.found.governing
@@ -331,18 +343,24 @@ def front_in_motion(
     *,
     convergence_check: ConvergenceCheck = "step",
     workers: int | None = None,
-    progress: Callable[[int, int], None] | None = None,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
 ) -> FrontInMotion:
-    """Run designs in time, one after the other, in every load case, and check their tensions.
+    """Run designs in time, side by side, in every load case, and check their tensions.
 
-    A case is a design's number, case and objectives; `progress` is told the designs done and all,
-    the rest is as for `verify_dynamic`.
+    Each is run once: first in one seed, by its largest values, which all of them together are never
+    judged below; in the others where it passes. Then the design that is recommended is run again to
+    prove it, and where that speaks against it the one that is recommended instead.
+
+    A case is a design's number, case and objectives. `convergence_check`: of the one that is
+    recommended; "bars" proves every design that passes. `executor`: what runs the designs, as of
+    `concurrent.futures`; `workers` processes of this machine when left out. The rest is as for
+    `verify_dynamic`.
 
     Raises InputError as `verify_dynamic` and `check_motion` do, and where the case has no check of
     a tension. A design without an answer does not stop the others.
     """
-    from catopt.verify.dynamic import verify_dynamic
-    from catopt.verify.judged import solutions_at_rest
+    from catopt.verify.side_by_side import Crew, share_of
 
     for _, case, _ in cases[:1]:
         if not any(each.check == "tension" for each in criteria_of(case, analysis="dynamic").all):
@@ -351,26 +369,145 @@ def front_in_motion(
                 [Problem("checks", Message("refused_command.no_tension_limit"), allowed)],
                 "case file",
             )
-    designs: list[DesignInMotion] = []
-    for done, (number, case, objectives) in enumerate(cases):
-        if progress is not None:
-            progress(done, len(cases))
+    with waiting_interrupt() as ask:
+
+        def tell(at: int, end: int) -> None:
+            ask()
+            if progress is not None:
+                progress(at, end)
+
+        once, proof = share_of(tell, 0, 2), share_of(tell, 1, 2)
+        task = partial(_once, cases)
+        if executor is None:
+            with Crew(min(_side(cases, workers), len(cases))) as crew:
+                designs = crew.each(task, len(cases), once)
+        else:
+            designs = _on(executor, task, len(cases), once)
+        front = FrontInMotion(tuple(designs), of_search, len(designs) == len(cases))
+        if convergence_check == "none":
+            return front
         try:
-            found = verify_dynamic(case, convergence_check=convergence_check, workers=workers)
-            still = solutions_at_rest(found.case, found.parts)
-            checks = checks_in_motion(found, still)
-        except (NoAnswerError, NotConvergedError) as error:
-            designs.append(DesignInMotion(number, objectives, failure=error.message))
-            continue
-        solution = still[found.parts.index(found.governing)]
-        tension = None if solution is None else solution.fairlead.tension
-        designs.append(DesignInMotion(number, objectives, found, checks, tension))
-        if not found.is_complete:
-            break
-    is_complete = len(designs) == len(cases) and all(
-        each.found is None or each.found.is_complete for each in designs
+            while (wanted := _to_prove(front, convergence_check)) is not None:
+                number, case, objectives = cases[wanted]
+                proven = _design(number, objectives, case, convergence_check, workers, None, proof)
+                front = replace(
+                    front,
+                    designs=tuple(
+                        proven if each.number == number else each for each in front.designs
+                    ),
+                )
+        except KeyboardInterrupt:
+            front = replace(front, is_complete=False)
+        return front
+
+
+def _side(cases: Sequence[tuple[int, Case, tuple[float, ...]]], workers: int | None) -> int:
+    """Say how many processes run the designs, at most: one where there is little to do."""
+    from catopt.verify.case import load_states
+    from catopt.verify.dynamic import processes_for, work_of
+
+    for _, case, _ in cases:
+        with suppress(NoAnswerError, NotConvergedError):
+            work = sum(work_of(state) for _, state in load_states(case, None))
+            return processes_for(len(cases) * work, workers)
+    return 1
+
+
+def _on(
+    executor: Executor, task: Callable[[int, Progress], DesignInMotion], count: int, tell: Progress
+) -> list[DesignInMotion]:
+    """Do a task for each number by an executor; stopped, what was done by then."""
+    futures = [executor.submit(task, number, _silent) for number in range(count)]
+    waiting = set(futures)
+    try:
+        while waiting:
+            done, waiting = wait(waiting, _LOOK, FIRST_COMPLETED)
+            for each in done:
+                each.result()
+            tell(count - len(waiting), count)
+    except KeyboardInterrupt:
+        for each in futures:
+            each.cancel()
+    return [each.result() for each in futures if each.done() and not each.cancelled()]
+
+
+def _silent(*_: int) -> None:
+    """Tell nobody."""
+
+
+def _to_prove(front: FrontInMotion, convergence_check: ConvergenceCheck) -> int | None:
+    """Find the design, by its place, that passes and is to be proven next."""
+    wanted = [front.recommended]
+    if convergence_check == "bars":
+        wanted += [each.number for each in front.designs if each.passes]
+    for k, each in enumerate(front.designs):
+        if each.number in wanted and each.is_run_once:
+            return k
+    return None
+
+
+def _once(
+    cases: Sequence[tuple[int, Case, tuple[float, ...]]], at: int, progress: Progress
+) -> DesignInMotion:
+    """Run a design in one seed and, where it passes that, in the others."""
+    from catopt.verify.side_by_side import share_of
+
+    number, case, objectives = cases[at]
+    assert case.dynamics is not None
+    runs = case.dynamics.runs
+    first = _design(
+        number, objectives, case, "none", 1, range(min(1, runs)), share_of(progress, 0, runs)
     )
-    return FrontInMotion(tuple(designs), of_search, is_complete)
+    if runs == 1 or not first.passes:
+        return first
+    rest = share_of(progress, 1, runs, runs - 1)
+    return _design(number, objectives, case, "none", 1, range(1, runs), rest, first.found)
+
+
+def _design(
+    number: int,
+    objectives: tuple[float, ...],
+    case: Case,
+    convergence_check: ConvergenceCheck,
+    workers: int | None,
+    seeds: Sequence[int] | None,
+    progress: Progress,
+    before: DynamicVerification | None = None,
+) -> DesignInMotion:
+    """Run a design and check what its runs came to; raises KeyboardInterrupt where it is stopped.
+
+    `seeds`: as of `verify_dynamic`, those of the first ones being judged by their largest values;
+    `before`: what the seeds came to that were run before these.
+    """
+    from catopt.verify.dynamic import verify_dynamic
+    from catopt.verify.judged import judged_as, solutions_at_rest, with_more_runs, with_verdicts
+
+    try:
+        found = verify_dynamic(
+            case,
+            convergence_check=convergence_check,
+            workers=workers,
+            seeds=seeds,
+            progress=progress,
+        )
+        if not found.is_complete:
+            raise KeyboardInterrupt
+        if before is not None:
+            parts = [with_more_runs(*e) for e in zip(before.parts, found.parts, strict=True)]
+            found = replace(found, parts=tuple(with_verdicts(case, parts)))
+        judged = found
+        if seeds is not None and before is None:
+            assert case.dynamics is not None
+            largest_values = replace(case.dynamics, judged_by="largest")
+            parts = [judged_as(each, largest_values) for each in found.parts]
+            judged = replace(found, parts=tuple(parts))
+        still = solutions_at_rest(case, found.parts)
+        checks = checks_in_motion(judged, still)
+    except (NoAnswerError, NotConvergedError) as error:
+        return DesignInMotion(number, objectives, failure=error.message)
+    solution = still[found.parts.index(found.governing)]
+    tension = None if solution is None else solution.fairlead.tension
+    return DesignInMotion(number, objectives, found, checks, tension)
 
 
 def _document(each: DesignInMotion) -> dict[str, Any]:
@@ -384,5 +521,6 @@ def _document(each: DesignInMotion) -> dict[str, Any]:
         "largest_tension_N": None if part is None else part.of("fairlead_tension").maximum,
         "quasi_static_tension_N": None if part is None else part.quasi_static_max,
         "amplification": None if part is None else part.dynamic_amplification,
+        "runs": 0 if part is None else len(part.runs),
         "checks": None if each.checks is None else each.checks.motion_document(),
     }

@@ -61,6 +61,7 @@ def verify_dynamic(
     load_case: str | None = None,
     convergence_check: ConvergenceCheck = "step",
     workers: int | None = None,
+    seeds: Sequence[int] | None = None,
     counts_cycles: bool = False,
     compares_at_rest: bool = True,
     progress: Progress | None = None,
@@ -85,6 +86,8 @@ def verify_dynamic(
     workers : int, optional
         Processes that run the seeds of a load case side by side, at most; all cores when left out,
         where that is worth it. The digits do not hang on it.
+    seeds : sequence of int, optional
+        Numbers, from 0, of the runs that are made; all of them when left out.
     counts_cycles : bool
         Whether the cycles of every bar's tension are counted by rainflow.
     compares_at_rest : bool
@@ -129,7 +132,9 @@ def verify_dynamic(
             def run(
                 drive: Excitation, tell: Progress, known: Known | None = None, name: str = name
             ) -> list[DynamicPart]:
-                found = _parts(name, convergence_check, workers, announce, known or {}, drive, tell)
+                found = _parts(
+                    name, convergence_check, workers, seeds, announce, known or {}, drive, tell
+                )
                 return with_verdicts(case, found) if found else found
 
             found = run(drive, tell)
@@ -137,8 +142,9 @@ def verify_dynamic(
                 found = _with_twice_the_bars(found, drive, run, tell)
             found = _with_dampings(found, workers, share_of(tell, 7, 9, part=2))
             parts += found
+            count = drive.dynamics.runs if seeds is None else len(seeds)
             is_whole = bool(found) and all(
-                part.is_complete and len(part.runs) == drive.dynamics.runs for part in found
+                part.is_complete and len(part.runs) == count for part in found
             )
             if not is_whole:
                 break
@@ -236,6 +242,7 @@ def _parts(
     name: str,
     convergence_check: ConvergenceCheck,
     workers: int | None,
+    numbers: Sequence[int] | None,
     announce: Callable[[str], None],
     known: Known,
     drive: Excitation,
@@ -243,9 +250,10 @@ def _parts(
 ) -> list[DynamicPart]:
     """Run one load case, a part a line; none when it was stopped before anything was there.
 
-    `known`: runs again that are there already, by the number of their seed.
+    `numbers`: of the seeds; `known`: runs again that are there already, by the number of theirs.
     """
-    total, lines = drive.dynamics.runs, lines_at_rest(drive)
+    numbers = range(drive.dynamics.runs) if numbers is None else numbers
+    total, lines = len(numbers), lines_at_rest(drive)
     effort = effort_of(lines, convergence_check)
     effort.check(drive.dynamics.duration)
     if effort.seconds > LONG:
@@ -253,7 +261,7 @@ def _parts(
     most = processes_for(effort.work, workers)
     side = min(most, total)
     # A single seed leaves the processes to its runs again.
-    task = partial(_seed, lines, convergence_check, known, most if total == 1 else 1)
+    task = partial(_seed, lines, convergence_check, known, most if total == 1 else 1, numbers)
     seeds = _in_turn(task, total, progress) if side == 1 else _at_once(task, total, side, progress)
     if not seeds:
         return []
@@ -323,6 +331,11 @@ def _once(
     return _without_samples(run)
 
 
+def work_of(case: Case | Network) -> float:
+    """Bars times steps of all runs of a case with one load, each made once."""
+    return effort_of(lines_at_rest(read_drive(case)), "none").work
+
+
 def processes_for(work: float, workers: int | None) -> int:
     """Say how many processes at most; more than one save nothing where there is little to do."""
     worth = 1 if work < _WORTH else os.cpu_count() or 1
@@ -356,10 +369,12 @@ def _seed(
     convergence_check: ConvergenceCheck,
     known: Known,
     side: int,
-    number: int,
+    numbers: Sequence[int],
+    at: int,
     progress: Progress,
 ) -> _Seed | None:
-    """Run one seed and prove it; stopped, what there is of it, or None."""
+    """Run one of the seeds and prove it; stopped, what there is of it, or None."""
+    number = numbers[at]
     total = 2 + work_of_check(convergence_check)  # the last part is its end
     try:
         runs, said = _run(lines, number, share_of(progress, 0, total))

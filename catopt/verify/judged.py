@@ -15,7 +15,7 @@ from catopt.catenary.solution import Solution
 from catopt.checks.motion import Carried, LineInMotion, Pull, check_motion
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.fem.course import taken_together
-from catopt.model import Anchor, Case, Line
+from catopt.model import Anchor, Case, Dynamics, Line
 from catopt.model.network import Network
 from catopt.mooring.held import at_rest
 from catopt.mooring.solve import solve_system
@@ -52,6 +52,19 @@ def solutions_at_rest(
     if case.system is not None:
         return [each.solution for each in solve_system(case.system).lines]
     return [solve_case(part.drive.one) for part in parts]
+
+
+def judged_as(part: DynamicPart, dynamics: Dynamics) -> DynamicPart:
+    """Judge a part as other settings of its runs ask for it."""
+    return replace(
+        part, drive=replace(part.drive, case=replace(part.drive.case, dynamics=dynamics))
+    )
+
+
+def with_more_runs(part: DynamicPart, other: DynamicPart) -> DynamicPart:
+    """Put more runs of the same line in the same load case to those of a part."""
+    remarks = tuple(dict.fromkeys((*part.remarks, *other.remarks)))
+    return replace(part, runs=(*part.runs, *other.runs), remarks=remarks)
 
 
 def check_parts(

@@ -152,3 +152,21 @@ def test_extremes_are_in_every_form_with_their_duration_and_interval(
     vietnamese = words(run("verify", path, "--dynamic", "--once", "--lang", "vi").out)
     assert "Trong 90 min, cực đại khả dĩ nhất của lực căng tại điểm treo là" in vietnamese
     assert f"(khoảng tin cậy 90% từ {low} đến {high} kN)" in vietnamese
+
+
+@pytest.mark.slow
+def test_a_cluster_gives_the_same_front(run: Run, tmp_path: Path) -> None:
+    distributed = pytest.importorskip("distributed")
+    assert run("design", OWN / "design-in-motion.toml", "--out", tmp_path / "front").status == 0
+    how = ("verify", tmp_path / "front", "--all", "--dynamic", "--out")
+    assert run(*how, tmp_path / "here", "--workers", "2").status == 0
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, dashboard_address=None
+    ) as cluster:
+        ran = run(*how, tmp_path / "there", "--scheduler", cluster.scheduler_address)
+    assert ran.status == 0
+    for name in ("front_in_motion.csv", "verify.json"):
+        assert (tmp_path / "there" / name).read_bytes() == (tmp_path / "here" / name).read_bytes()
+    refused = run("verify", tmp_path / "front", "--all", "--scheduler", "tcp://127.0.0.1:9")
+    assert refused.status == 2
+    assert "goes with --all --dynamic" in refused.err
