@@ -24,6 +24,7 @@ SIZES = {
     "design": "--rounds 3",
     "dynamics": "--storm 1800",
     "extremes": "--sections study speed",
+    "front": "",
     "house": "",
     "linear": "--seas 5",
     "moorings": "",
