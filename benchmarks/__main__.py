@@ -27,6 +27,7 @@ SIZES = {
     "front": "",
     "house": "",
     "linear": "--seas 5",
+    "linear_afloat": "--lines 20 --seas 1",
     "moorings": "",
     "page": "",
     "practice": "",

@@ -5,14 +5,14 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Final, NamedTuple
+from typing import Any, Final, NamedTuple, Protocol
 
 import numpy as np
 
 from catopt.arrays import Array, Codes
 from catopt.compiled import compiled
 from catopt.errors import NotConvergedError
-from catopt.fem.banded import back_substitute_blocks, eliminate_blocks
+from catopt.fem.banded import back_substitute_blocks, eliminate_blocks, invert_3
 from catopt.fem.dynamic_model import LineProperties
 from catopt.fem.dynamics import line_at_rest
 from catopt.fem.mesh import LineMesh, bar_nodes, end_nodes
@@ -166,6 +166,28 @@ class LinearModel(NamedTuple):
     by_rate: Array  # (bars,): what its rate adds, N s/m
 
 
+class Afloat(NamedTuple):
+    """What floats at the last node: three equations for each wave; of no wave where it is led."""
+
+    matrix: Complex  # (waves, 3, 3): N/m and N m, by surge, heave and pitch; overwritten
+    push: Complex  # (waves, 3): by the water, N and N m
+    arm: Array  # (3, 3): way of the last node by the body's
+    motion: Complex  # (waves, 3): written to, m and rad
+
+
+class LinearBody(Protocol):
+    """What floats at the upper end of a line."""
+
+    @property
+    def arm(self) -> Array:
+        """Way of the mooring eye along x, y and z by surge, heave and pitch, (3, 3)."""
+        ...
+
+    def equations(self, motion: Complex) -> tuple[Complex, Complex]:
+        """Matrix and push as in `Afloat`, with the drag of a motion (waves, 3)."""
+        ...
+
+
 class Room(NamedTuple):
     """What a sea makes of a model, and room for the equations of one wave."""
 
@@ -191,6 +213,7 @@ class LinearMotion:
     start: Codes  # (lines + 1,): first bar of each line
     iterations: int  # until the drag fits the velocities
     change: float  # of the fairleads' deviations in the last of them, over the largest
+    motion: Complex  # (waves, 3): surge, heave and pitch of what floats, m and rad; none if led
 
     def moment(self, order: int) -> Array:
         """Spectral moment of each bar's tension, N2 (rad/s)^order, shape (bars,)."""
@@ -308,44 +331,53 @@ def _rubs(simulation: Simulation) -> Rubs:
     )
 
 
-def linear_motion(model: LinearModel, sea: Sea, led: Complex) -> LinearMotion:
+def linear_motion(
+    model: LinearModel, sea: Sea, led: Complex, body: LinearBody | None = None
+) -> LinearMotion:
     """Find the standard deviations of all tensions in a sea with the current of the model.
 
     `led` (lines, waves, 3): where each wave leads the last node of each line, m
-    (`Harmonic.amplitudes`). Raises NotConvergedError where the drag does not come to fit the
-    velocities.
+    (`Harmonic.amplitudes`); of no account with a `body`, which floats at the end of the one line.
+    Raises NotConvergedError where the drag does not come to fit the velocities.
     """
     waves = sea.waves
     assert waves is not None
-    flow = _velocities(model, sea)
-    nodes = len(model.x)
+    flow = velocities_at(model.x, sea)
+    nodes, count = len(model.x), waves.omega.size
     blocks, rows = np.zeros((3, nodes, 3, 3), complex), np.zeros((2, nodes, 3), complex)
     equations = Equations(*blocks, *rows)
-    tension = np.zeros((waves.omega.size, model.tension.size), complex)
+    tension = np.zeros((count, model.tension.size), complex)
     covariance = 0.5 * np.einsum("wni,wnj->nij", flow, flow.conj()).real
     room = Room(equations, covariance, np.zeros(nodes), tension)
+    none = np.zeros((0, 3), complex)
+    afloat = Afloat(none[:, :, np.newaxis], none, np.eye(3), none)
+    motion = none if body is None else np.zeros((count, 3), complex)
     solve = compiled(respond_linearly, _A_BAR * tension.size)
     fairleads = model.start[1:] - 1
     last, change = np.full(fairleads.size, np.inf), math.inf
     for iteration in range(1, _LIMIT + 1):
         drag = _drag(model, room.spread)
         dashpot = _dashpots(model.rubs, room.slip)
-        solve(waves.omega, flow, led, model, drag, dashpot, room)
+        if body is not None:
+            afloat = Afloat(*body.equations(motion), body.arm, motion)
+        solve(waves.omega, flow, led, model, drag, dashpot, room, afloat)
         deviation = np.sqrt(0.5 * (np.abs(tension[:, fairleads]) ** 2).sum(axis=0))
         largest = float(deviation.max())
         change = float(np.abs(deviation - last).max()) / largest if largest > 0.0 else 0.0
         if change <= _CLOSE:
-            return LinearMotion(model.tension, waves.omega, tension, model.start, iteration, change)
+            return LinearMotion(
+                model.tension, waves.omega, tension, model.start, iteration, change, motion
+            )
         last = deviation
     raise NotConvergedError(Message("motion.linear_drag", count=_LIMIT, change=change))
 
 
-def _velocities(model: LinearModel, sea: Sea) -> Complex:
-    """Velocity of the water at the nodes at rest by each wave, shape (waves, nodes, 3)."""
+def velocities_at(points: Array, sea: Sea) -> Complex:
+    """Velocity of the water at points (n, 3) by each wave, shape (waves, n, 3)."""
     waves, k, depth = sea.waves, sea.wave_numbers[:, np.newaxis], sea.depth
     assert waves is not None
     cos, sin = np.cos(waves.direction)[:, np.newaxis], np.sin(waves.direction)[:, np.newaxis]
-    x, y, z = model.x.T
+    x, y, z = points.T
     angle = k * (x * cos + y * sin) + waves.phase[:, np.newaxis]
     here = np.where(z < depth, np.exp(1j * angle), 0.0)
     decay = np.exp(-k * (depth - np.clip(z, 0.0, depth)))
@@ -374,7 +406,14 @@ def _dashpots(rubs: Rubs, slip: Array) -> Array:
 
 
 def respond_linearly(
-    omega: Any, flow: Any, led: Any, model: LinearModel, drag: Any, dashpot: Any, room: Room
+    omega: Any,
+    flow: Any,
+    led: Any,
+    model: LinearModel,
+    drag: Any,
+    dashpot: Any,
+    room: Room,
+    afloat: Afloat,
 ) -> None:
     """Solve for each wave; write tensions, and the squares of velocities against water and bed."""
     equations, spread, slip, tension = room
@@ -391,8 +430,12 @@ def respond_linearly(
             first, last = start[k] + k, start[k + 1] + k
             eliminate_blocks(equations, first + 1, last)
             for i in range(3):
-                y[last, i] = led[k, w, i]
                 y[first, i] = 0.0
+            if afloat.motion.shape[0] > 0:
+                _float(w, last, equations, afloat)
+            else:
+                for i in range(3):
+                    y[last, i] = led[k, w, i]
             back_substitute_blocks(equations, first + 1, last)
             for e in range(start[k], start[k + 1]):
                 stretch = y[0, 0] * 0.0
@@ -400,6 +443,27 @@ def respond_linearly(
                     stretch += axis[e, i] * (y[e + k + 1, i] - y[e + k, i])
                 tension[w, e] = (by_stretch[e] - 1j * omega[w] * by_rate[e]) * stretch
         _add_squares(omega[w], y, flow[w], rubs, dashpot, spread, slip)
+
+
+def _float(w: int, last: int, equations: Equations, afloat: Afloat) -> None:
+    """Solve for what floats with what the line, its inner nodes eliminated, has at its end."""
+    matrix, push, arm, motion = afloat
+    at_end, y = equations.diagonal, equations.rest
+    for i in range(3):
+        for p in range(3):
+            push[w, i] += arm[p, i] * y[last, p]
+            for j in range(3):
+                for q in range(3):
+                    matrix[w, i, j] += arm[p, i] * at_end[last, p, q] * arm[q, j]
+    invert_3(matrix, w)
+    for i in range(3):
+        motion[w, i] = (
+            matrix[w, i, 0] * push[w, 0]
+            + matrix[w, i, 1] * push[w, 1]
+            + matrix[w, i, 2] * push[w, 2]
+        )
+    for p in range(3):
+        y[last, p] = arm[p, 0] * motion[w, 0] + arm[p, 1] * motion[w, 1] + arm[p, 2] * motion[w, 2]
 
 
 def _add_squares(

@@ -23,8 +23,9 @@ from catopt.fem.seabed import HeldBed, Seabed
 from catopt.fem.simulation import Simulation
 from catopt.floater.alone import HullHistory, history_of
 from catopt.hydro.build import FloatingHull, record_of, room_of, state_of
-from catopt.hydro.hull import Hull, HullState, fill_forces_on_hull, fill_sea
+from catopt.hydro.hull import DRAG, Hull, HullRoom, HullState, fill_forces_on_hull, fill_sea
 from catopt.waves import Sea
+from catopt.waves.kinematics import Flow
 from catopt.words import Message
 
 _AT_REST: Final = Blend(0.0, 0.0, 1.0, 0.0, 0.0)
@@ -34,6 +35,8 @@ _CLOSED: Final = 1e-7
 """Force left over at rest, over the hull's weight."""
 _MOST_MOVE: Final = 0.5
 """Way, over the hull's size, that a step of it may go."""
+_SMALL: Final = 1e-5
+"""Rise of the surface, m, and its slope, for derivatives by differences."""
 _LEAST_PULL: Final = 0.02
 """Pull by which the line is first laid out, over its weight from the bed to the eye."""
 
@@ -45,6 +48,44 @@ class AtRest(NamedTuple):
     hull: Hull
     state: HullState
     line: Array  # (3,): force and moment of the line on it, N and N m
+    stiffness: Array  # (3, 3): of the hull alone, its eye pulled as by the line: N/m and N m
+    drag_by_surface: Array  # (3, 2): by a surface that is higher, N/m and N, or that slopes along x
+
+
+class _Calm(NamedTuple):
+    """A hull in the current and the wind without waves; its state is overwritten."""
+
+    hull: Hull
+    state: HullState
+    flow: Flow
+    room: HullRoom
+
+    def pushed(self, q: Array, higher: float = 0.0, slope: float = 0.0) -> Array:
+        """Force on it where it is held, the surface being higher, m, or sloping along x."""
+        hull, state, flow, room = self
+        state.q[:] = q
+        state.v[:] = 0.0
+        fill_sea(0.0, hull, state.q, flow, room)
+        room.sea[:2] = higher, slope
+        room.carried[:] = room.by_speed[:] = 0.0
+        fill_forces_on_hull(hull, state, flow.depth, room)
+        return state.force.copy()
+
+    def stiffness(self, q: Array, size: float, arm: Array, pull: Array) -> Array:
+        """As `AtRest.stiffness`; `arm` of its eye, m, `pull` of the line there, N."""
+        own = -_slope(self.pushed, q, size)
+        # Heavier pulls turn the eye in under the hull.
+        own[2, 2] += arm[1] * pull[1] + arm[0] * pull[0]
+        return own
+
+    def drag_by_surface(self, q: Array) -> Array:
+        """As `AtRest.drag_by_surface`."""
+        out = np.zeros((3, 2))
+        for j, way in enumerate(((_SMALL, 0.0), (0.0, _SMALL))):
+            for sign in (1.0, -1.0):
+                self.pushed(q, sign * way[0], sign * way[1])
+                out[:, j] += sign / (2.0 * _SMALL) * self.state.parts[DRAG]
+        return out
 
 
 def moored_at_rest(
@@ -61,16 +102,9 @@ def moored_at_rest(
     """
     flow = sea.flow_at_rest
     laid = hull.lay_out(sea.flow)
-    still, room = hull.lay_out(flow), room_of(laid)
     state = state_of(laid, 0.0, flow.depth - hull.draught + hull.centre)
-
-    def pushed(q: Array) -> Array:
-        state.q[:] = q
-        state.v[:] = 0.0
-        fill_sea(0.0, still, state.q, flow, room)
-        room.carried[:] = room.by_speed[:] = 0.0
-        fill_forces_on_hull(still, state, flow.depth, room)
-        return state.force.copy()
+    calm = _Calm(hull.lay_out(flow), state, flow, room_of(laid))
+    pushed = calm.pushed
 
     def laid_out(at: LineProperties, eye: Array, force: float | None = None) -> Simulation:
         simulation = line_at_rest(
@@ -106,9 +140,7 @@ def moored_at_rest(
             pull = simulation.state.force[-1, [0, 2]].copy()
         else:
             pull, stiffness = _of_line(laid_out(smooth, _eye(laid, q)))
-            matrix = turned.T @ stiffness @ turned - _slope(pushed, q, size)
-            # Heavier pulls turn the eye in under the hull.
-            matrix[2, 2] += arm[1] * pull[1] + arm[0] * pull[0]
+            matrix = turned.T @ stiffness @ turned + calm.stiffness(q, size, arm, pull)
             matrix[laid.free == 0.0] = 0.0
             matrix[:, laid.free == 0.0] = 0.0
             matrix += np.diag(1.0 - laid.free)
@@ -118,8 +150,9 @@ def moored_at_rest(
         worst = float(np.abs(left / [scale, scale, scale * long]).max())
         if worst <= _CLOSED and is_rubbed:
             state.q[:] = q
+            own, by_surface = calm.stiffness(q, size, arm, pull), calm.drag_by_surface(q)
             pushed(q)
-            return AtRest(simulation, laid, state, line)
+            return AtRest(simulation, laid, state, line, own, by_surface)
         is_rubbed = is_rubbed or worst <= _CLOSED
         move = np.linalg.solve(matrix, left)
         far = max(float(np.hypot(move[0], move[1])), abs(float(move[2])) * size)

@@ -31,7 +31,7 @@ from catopt.fem.simulation import Simulation
 from catopt.fem.solve import Leg
 from catopt.floater.alone import HullHistory
 from catopt.floater.buoy import buoy_hull, floating_buoy
-from catopt.floater.moored import run_moored
+from catopt.floater.moored import AtRest, moored_at_rest, run_moored
 from catopt.floater.scene import kept_nodes, scene_of
 from catopt.hydro.build import FloatingHull
 from catopt.model import Case, Load
@@ -422,6 +422,17 @@ class LineOfAFloater:
     def driven_by(self, sea: Sea) -> list[Series]:  # noqa: ARG002 - as of the others
         """Nothing leads it."""
         return []
+
+    def moored_at_rest(self) -> AtRest:
+        """Bring both to rest in the steady current."""
+        case, drive = self.drive.one, self.drive
+        return moored_at_rest(
+            self.hull,
+            mesh_line(case.line, drive.dynamics.bars),
+            sea=drive.sea(0),
+            properties=drive.properties,
+            anchor_height=case.anchor_height,
+        )
 
     def run(
         self, sea: Sea, stepping: TimeStepping, elements: int, progress: Progress

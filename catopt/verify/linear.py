@@ -12,8 +12,10 @@ import numpy as np
 from catopt.errors import InputError, Problem
 from catopt.fem.linear_motion import LEAST_RESERVE, LinearModel, linear_model, linear_motion
 from catopt.fem.series import Harmonic
+from catopt.floater.linear_moored import linear_hull
+from catopt.floater.moored import AtRest
 from catopt.model import Case, WaveState
-from catopt.verify.dynamic_lines import LinesOfABody, OneLine, lines_at_rest
+from catopt.verify.dynamic_lines import LineOfAFloater, LinesOfABody, OneLine, lines_at_rest
 from catopt.verify.dynamic_setup import check_for_motion, read_drive
 from catopt.words import Message
 
@@ -24,7 +26,8 @@ class LinearLine:
 
     `line`: of a body with several lines, which one, from 1; `mean`: at rest, N; `deviation`:
     standard deviation, N; `period`: zero-crossing period, s; `reserve`: least tension of any of the
-    line's bars at rest over its standard deviation.
+    line's bars at rest over its standard deviation; `buoy`: standard deviations of surge and heave,
+    m, and pitch, rad, of the buoy that floats at its end, if one does.
     """
 
     line: int | None
@@ -32,6 +35,7 @@ class LinearLine:
     deviation: float
     period: float
     reserve: float
+    buoy: tuple[float, float, float] | None = None
 
     @property
     def holds(self) -> bool:
@@ -53,9 +57,9 @@ def linear_lines(case: Case) -> tuple[LinearLine, ...]:
     """Find the standard deviation of the tension at every fairlead in the sea of a case.
 
     `case`: with `waves`, `dynamics`, and a `motion` by `rao_file` or none; with `system`, all lines
-    of the body, which is led by its RAOs. InputError for what a line in motion lacks, and what has
-    no linear form: a body that moves under forces, a motion over time, a line that is lost; else
-    what `verify_dynamic` raises.
+    of the body, which is led by its RAOs; with a buoy in `floater`, which floats at the end of its
+    line. InputError for what a line in motion lacks, and what has no linear form: a body that moves
+    under forces, a motion over time, a line that is lost; else what `verify_dynamic` raises.
 
     Examples
     --------
@@ -68,17 +72,23 @@ def linear_lines(case: Case) -> tuple[LinearLine, ...]:
     check_for_motion(case)
     if problems := list(_not_linear(case)):
         raise InputError(problems, "linear motion")
-    model = _model(replace(case, waves=WaveState("regular", 1.0, 10.0), title=""))
     lines = lines_at_rest(read_drive(case))
-    sea = lines.drive.sea(0)
+    sea, body = lines.drive.sea(0), None
     assert sea.waves is not None
+    calm = replace(case, waves=WaveState("regular", 1.0, 10.0), title="")
+    if isinstance(lines, LineOfAFloater):
+        rest, model = _afloat(calm)
+        body = linear_hull(lines.hull, rest, sea)
+    else:
+        model = _model(calm)
     led = np.zeros((model.start.size - 1, sea.waves.omega.size, 3), dtype=complex)
     if case.motion is not None:
         for k, series in enumerate(lines.driven_by(sea)):
             assert isinstance(series, Harmonic)
             led[k] = series.amplitudes
-    found = linear_motion(model, sea, led)
+    found = linear_motion(model, sea, led, body)
     deviation, period = found.deviation, found.zero_crossing_period
+    moved = np.sqrt(0.5 * (np.abs(found.motion) ** 2).sum(axis=0)).tolist()
     return tuple(
         LinearLine(
             None if case.system is None else k + 1,
@@ -86,6 +96,7 @@ def linear_lines(case: Case) -> tuple[LinearLine, ...]:
             float(deviation[last]),
             float(period[last]),
             found.reserve(k),
+            None if body is None else (moved[0], moved[1], moved[2]),
         )
         for k, last in enumerate((model.start[1:] - 1).tolist())
     )
@@ -95,8 +106,17 @@ def linear_lines(case: Case) -> tuple[LinearLine, ...]:
 def _model(case: Case) -> LinearModel:
     """Linearise the lines of a case; that its sea is another one makes no difference."""
     lines = lines_at_rest(read_drive(case))
-    assert isinstance(lines, OneLine | LinesOfABody)  # a floater is refused by `_not_linear`
+    assert isinstance(lines, OneLine | LinesOfABody)  # points are refused by `check_for_motion`
     return linear_model(lines.simulation())
+
+
+@lru_cache(maxsize=8)
+def _afloat(case: Case) -> tuple[AtRest, LinearModel]:
+    """Bring a buoy and its line to rest, and linearise the line; as `_model`."""
+    lines = lines_at_rest(read_drive(case))
+    assert isinstance(lines, LineOfAFloater)
+    rest = lines.moored_at_rest()
+    return rest, linear_model(rest.simulation)
 
 
 def _not_linear(case: Case) -> Iterator[Problem]:
@@ -115,8 +135,6 @@ def _not_linear(case: Case) -> Iterator[Problem]:
         yield Problem("anchor_motion", "", Message("refused_motion.leave_out_lower_end_held"))
     if case.body is not None:
         yield Problem("body", "", Message("refused_motion.leave_out_body_led_by"))
-    if case.floater is not None:
-        yield Problem("floater", "", Message("refused_motion.leave_out_buoy_floats_has"))
     if case.current is not None and case.current.series_file:
         yield Problem("current.series_file", "", Message("refused_motion.leave_out_current_steady"))
     if dynamics.broken_at is not None:

@@ -25,25 +25,32 @@ _MANTISSA_BITS: Final = 52
 
 
 @inlined
-def exp_below_zero(x: float) -> float:
-    """exp(x) for -700 < x <= 0: 2^n times Taylor's series within ln(2)/2 of 0."""
-    n = (x * _BY_LN2 + _ROUND) - _ROUND
+def exp_both_ways(x: float) -> tuple[float, float]:
+    """exp(x) and exp(-x) for -700 < x < 700: 2^n times Taylor's series within ln(2)/2 of 0.
+
+    The even and the odd terms of the series serve both. n is read from the bits of a sum, and put
+    among those of 2^n: without a conversion between number types the compiler does several at once.
+    """
+    shifted = x * _BY_LN2 + _ROUND
+    n = shifted - _ROUND
     r = x - n * _LN2_HEAD - n * _LN2_TAIL
-    series = 1.0 / 479001600.0 + r * (1.0 / 6227020800.0)
-    series = 1.0 / 39916800.0 + r * series
-    series = 1.0 / 3628800.0 + r * series
-    series = 1.0 / 362880.0 + r * series
-    series = 1.0 / 40320.0 + r * series
-    series = 1.0 / 5040.0 + r * series
-    series = 1.0 / 720.0 + r * series
-    series = 1.0 / 120.0 + r * series
-    series = 1.0 / 24.0 + r * series
-    series = 1.0 / 6.0 + r * series
-    series = 0.5 + r * series
-    series = 1.0 + r * series
-    series = 1.0 + r * series
-    power = np.int64((int(n) + _EXPONENT_BIAS) << _MANTISSA_BITS).view(np.float64)
-    return series * power
+    z = r * r
+    even = 1.0 / 3628800.0 + z * (1.0 / 479001600.0)
+    even = 1.0 / 40320.0 + z * even
+    even = 1.0 / 720.0 + z * even
+    even = 1.0 / 24.0 + z * even
+    even = 0.5 + z * even
+    even = 1.0 + z * even
+    odd = 1.0 / 362880.0 + z * (1.0 / 39916800.0)
+    odd = 1.0 / 5040.0 + z * odd
+    odd = 1.0 / 120.0 + z * odd
+    odd = 1.0 / 6.0 + z * odd
+    odd = r + r * z * odd
+    whole = np.float64(shifted).view(np.int64)
+    bias, bits = np.int64(_EXPONENT_BIAS), np.int64(_MANTISSA_BITS)
+    up = np.int64((whole + bias) << bits).view(np.float64)
+    down = np.int64((bias - whole) << bits).view(np.float64)
+    return (even + odd) * up, (even - odd) * down
 
 
 @inlined
@@ -52,7 +59,8 @@ def cos_sin(angle: float) -> tuple[float, float]:
 
     Minimax polynomials within pi/4 of a multiple of pi/2 (fdlibm's), then the quadrant.
     """
-    n = (angle * _BY_HALF_PI + _ROUND) - _ROUND
+    shifted = angle * _BY_HALF_PI + _ROUND
+    n = shifted - _ROUND
     r = angle - n * _HALF_PI_HEAD - n * _HALF_PI_TAIL
     z = r * r
     s = 2.75573137070700676789e-06 + z * (
@@ -65,12 +73,13 @@ def cos_sin(angle: float) -> tuple[float, float]:
     )
     c = -1.38888888888741095749e-03 + z * (2.48015872894767294178e-05 + z * c)
     c = 1.0 - 0.5 * z + z * z * (4.16666666666666019037e-02 + z * c)
-    quadrant = int(n)
-    is_odd = (quadrant & 1) != 0
+    quadrant = np.float64(shifted).view(np.int64)
+    one, two = np.int64(1), np.int64(2)
+    is_odd = (quadrant & one) != 0
     cos = s if is_odd else c
     sin = c if is_odd else s
-    cos = -cos if ((quadrant + 1) & 2) != 0 else cos
-    sin = -sin if (quadrant & 2) != 0 else sin
+    cos = -cos if ((quadrant + one) & two) != 0 else cos
+    sin = -sin if (quadrant & two) != 0 else sin
     return cos, sin
 
 
@@ -245,8 +254,8 @@ def _add_waves(t: float, x: Any, y: Any, below: Any, flow: Flow, sums: Any) -> N
         for n in range(x.shape[0]):
             decay = k * below[n]
             here = speed if decay <= reach else 0.0
-            E = exp_below_zero(-min(decay, reach))
-            mirrored = q / E
+            E, inverse = exp_both_ways(-min(decay, reach))
+            mirrored = q * inverse
             along, up = here * (E + mirrored), here * (E - mirrored)
             cos, sin = cos_sin(k_x * x[n] + k_y * y[n] + phase)
             u, u_t = along * cos, omega * along * sin

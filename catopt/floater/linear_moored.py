@@ -1,0 +1,107 @@
+"""A hull on its line in small motion about rest: one wave at a time, without steps in time."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from catopt.arrays import Array
+from catopt.fem.linear_motion import velocities_at
+from catopt.fem.morison import equivalent_drag
+from catopt.fem.series import Complex
+from catopt.floater.moored import AtRest
+from catopt.hydro.build import FloatingHull
+from catopt.waves import Sea
+
+
+@dataclass(frozen=True, eq=False)
+class LinearHull:
+    """A hull at rest on its line, in a sea; about its centre of gravity.
+
+    `matrix` (waves, 3, 3) and `push` (waves, 3): without drag, as `linear_motion.Afloat` has them;
+    `arm` (3, 3): way of its eye; `way` (n, 3): motion that counts for each place of drag |r| r;
+    `coefficient` (n,): 0.5 rho C A, N s2/m2; `stream` (n,): steady velocity of the water there,
+    m/s; `flow` (waves, n): its velocity by each wave.
+    """
+
+    omega: Array
+    matrix: Complex
+    push: Complex
+    arm: Array
+    way: Array
+    coefficient: Array
+    stream: Array
+    flow: Complex
+
+    def equations(self, motion: Complex) -> tuple[Complex, Complex]:
+        """Matrix and push with linear drag in the place of |r| r, for a motion (waves, 3)."""
+        turn = 1j * self.omega
+        against = self.flow + turn[:, np.newaxis] * (motion @ self.way.T)
+        mean, covariance = np.zeros((self.stream.size, 3)), np.zeros((self.stream.size, 3, 3))
+        mean[:, 0] = self.stream
+        covariance[:, 0, 0] = 0.5 * (np.abs(against) ** 2).sum(axis=0)
+        drag = self.coefficient * equivalent_drag(mean, covariance)[:, 0, 0]
+        damping = (self.way.T * drag) @ self.way
+        matrix = self.matrix - turn[:, np.newaxis, np.newaxis] * damping
+        return matrix, self.push + (self.flow * drag) @ self.way
+
+
+def linear_hull(hull: FloatingHull, rest: AtRest, sea: Sea) -> LinearHull:
+    """Linearise a hull that is at rest on its line, in the waves of a sea along x or against it.
+
+    Forces are those of the run in time for small motion: pressure of the undisturbed wave by
+    slices, what the hull diffracts beyond that, memory of radiation, drag by slices.
+    """
+    waves, depth, laid = sea.waves, sea.depth, rest.hull
+    assert waves is not None
+    omega, k, ahead = waves.omega, sea.wave_numbers, np.cos(waves.direction)
+    x, z, turned = rest.state.q.tolist()
+    own = replace(hull, draught=depth - z + hull.centre)
+    push = own.long_wave(omega, k, depth) * waves.amplitude[:, np.newaxis]
+    push[:, [0, 2]] *= ahead[:, np.newaxis]
+    # In a current the drag goes with what is under water.
+    higher = waves.amplitude[:, np.newaxis] * rest.drag_by_surface[:, 0]
+    sloping = 1j * (k * ahead * waves.amplitude)[:, np.newaxis] * rest.drag_by_surface[:, 1]
+    push += higher + sloping
+    diffracted = hull.lay_out(sea.flow).excited
+    push += diffracted[:, 0::2] + 1j * diffracted[:, 1::2]
+    push *= np.exp(1j * (k * x * ahead + waves.phase))[:, np.newaxis]
+
+    memory = hull.radiation.memory
+    inertia = np.diag([hull.mass, hull.mass, hull.inertia]) + laid.added
+    square, turn = omega[:, np.newaxis, np.newaxis] ** 2, 1j * omega
+    matrix: Complex = (rest.stiffness - square * inertia).astype(np.complex128)
+    for i in range(3):
+        matrix[:, i, i] -= turn * laid.damping[i]
+        for j in range(3):
+            matrix[:, i, j] -= omega**2 * memory.added_mass(omega, i, j)
+            matrix[:, i, j] -= turn * memory.damping(omega, i, j)
+
+    sine, cosine = math.sin(turned), math.cos(turned)
+    across, along = laid.eye[0]
+    arm_x, arm_z = across * cosine + along * sine, along * cosine - across * sine
+    arm = np.array([[1.0, 0.0, arm_z], [0.0, 0.0, 0.0], [0.0, 1.0, -arm_x]])
+    held = laid.free == 0.0
+    matrix[:, held, :] = matrix[:, :, held] = 0.0
+    matrix[:, held, held] = 1.0
+    push[:, held] = arm[:, held] = 0.0
+
+    middle = 0.5 * (laid.foot + laid.top)
+    wet = np.clip(own.draught - hull.foot, 0.0, hull.top - hull.foot)
+    places = np.stack([x + middle * sine, 0.0 * middle, np.minimum(z + middle * cosine, depth)], 1)
+    stream = replace(sea, waves=None).kinematics(0.0, places).velocity
+    seen = [np.stack([np.full_like(middle, cosine), np.full_like(middle, -sine), middle], axis=1)]
+    coefficient, at = [laid.drag * wet], [np.arange(middle.size)]
+    if laid.bottom_drag > 0.0:
+        face = laid.column[:, 0] * laid.bottom_radius
+        seen.append(np.stack([np.full_like(face, sine), np.full_like(face, cosine), -face], axis=1))
+        coefficient.append(laid.bottom_drag * laid.column[:, 1])
+        at.append(np.zeros(face.size, dtype=int))
+    way, of = np.concatenate(seen), np.concatenate(at)
+    there = velocities_at(places, sea)[:, of]
+    flow = there[:, :, 0] * way[:, 0] + there[:, :, 2] * way[:, 1]
+    mean = stream[of, 0] * way[:, 0] + stream[of, 2] * way[:, 1]
+    way = way * laid.free
+    return LinearHull(omega, matrix, push, arm, way, np.concatenate(coefficient), mean, flow)

@@ -1,0 +1,144 @@
+"""A buoy on its line by linear motion, beside the run in time of the same system."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from catopt.casefile import parse_case
+from catopt.fem.dynamic_model import LineProperties
+from catopt.fem.linear_motion import LinearMotion, linear_model, linear_motion
+from catopt.fem.mesh import mesh_line
+from catopt.fem.morison import MorisonSection
+from catopt.fem.run_settings import TimeStepping
+from catopt.floater.linear_moored import linear_hull
+from catopt.floater.moored import moored_at_rest, run_moored
+from catopt.hydro.build import FloatingHull, Radiation
+from catopt.hydro.cylinder import FloatingCylinder
+from catopt.verify.dynamic import verify_dynamic
+from catopt.verify.linear import linear_lines
+from catopt.waves import PowerLawCurrent, Sea, Waves
+from tests.floater.test_moored import DEPTH, DRY, LINE, buoy
+
+RADIATION = Radiation.of_cylinder(FloatingCylinder(1.2, 0.6, DEPTH, -0.1, 1025.0, 9.80665))
+NO_DRAG = np.zeros(10)
+WET = replace(
+    DRY,
+    sections=[MorisonSection(0.05, drag_normal=1.2, drag_tangential=0.1, added_mass_normal=1.0)],
+    seabed=replace(DRY.seabed, friction=0.0),  # type: ignore[type-var]
+)
+BARE = replace(WET, sections=[MorisonSection(0.05, 0.0, 0.0, added_mass_normal=1.0)])
+
+
+def in_wave(amplitude: float, omega: float, *, current: float = 0.0) -> Sea:
+    """One wave against x, which the line pulls the buoy along."""
+    wave = (np.array([each]) for each in (amplitude, omega, 0.4, math.pi))
+    flows = (PowerLawCurrent(current, exponent=1e-9),) if current else ()
+    return Sea(DEPTH, Waves(*wave), flows)
+
+
+def linear(hull: FloatingHull, properties: LineProperties, sea: Sea) -> LinearMotion:
+    rest = moored_at_rest(hull, mesh_line(LINE, 20), sea=sea, properties=properties)
+    led, body = np.zeros((1, 1, 3), complex), linear_hull(hull, rest, sea)
+    return linear_motion(linear_model(rest.simulation), sea, led, body)
+
+
+def in_time(
+    hull: FloatingHull, properties: LineProperties, sea: Sea, omega: float
+) -> tuple[list[complex], complex]:
+    """Surge, heave, pitch and the tension at the eye in the last 10 of 40 periods."""
+    period = 2.0 * math.pi / omega
+    stepping = TimeStepping(40.0 * period, period / 100.0, ramp_time=10.0 * period)
+    mesh = mesh_line(LINE, 20)
+    history, way = run_moored(hull, mesh, stepping, sea=sea, properties=properties)
+
+    def amplitude(series: np.ndarray) -> complex:
+        late = history.time >= 30.0 * period
+        time = history.time[late]
+        parts = np.stack([np.cos(omega * time), np.sin(omega * time), np.ones_like(time)], axis=1)
+        cosine, sine, _ = np.linalg.lstsq(parts, series[late], rcond=None)[0]
+        return complex(cosine, sine)
+
+    return [amplitude(way.place[:, k]) for k in range(3)], amplitude(history.bar_tension[:, 0, 1])
+
+
+def test_without_drag_it_goes_with_the_wave() -> None:
+    hull = buoy(drag=NO_DRAG, wind=(400.0, 0.5), radiation=RADIATION)
+    small, large = (linear(hull, BARE, in_wave(each, 1.0)) for each in (0.01, 0.5))
+    assert np.allclose(large.motion, 50.0 * small.motion, rtol=1e-6)
+    assert np.allclose(large.tension, 50.0 * small.tension, rtol=1e-6)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("omega", "current", "radiates"),
+    [(0.6, 0.0, True), (1.6, 0.0, True), (1.0, 0.0, False), (0.6, 1.0, True), (1.6, 0.3, True)],
+)
+def test_small_waves_move_it_as_in_time(omega: float, current: float, radiates: bool) -> None:
+    """Amplitude and phase of surge, heave and tension to 1.5 %, in a current to the same.
+
+    The step is a hundredth of the period, and steady drag goes with what the wave wets.
+    """
+    of: dict[str, object] = {"radiation": RADIATION} if radiates else {}
+    if not current:
+        of |= {"drag": NO_DRAG, "wind": (400.0, 0.5)}
+    hull, sea = buoy(**of), in_wave(0.01, omega, current=current)
+    properties = WET if current else BARE
+    found = linear(hull, properties, sea)
+    (surge, heave, _), tension = in_time(hull, properties, sea, omega)
+    for own, theirs in zip(
+        (*found.motion[0, :2], found.tension[0, -1]), (surge, heave, tension), strict=True
+    ):
+        assert abs(own - theirs) < 0.02 * abs(theirs)
+        assert abs(abs(own) / abs(theirs) - 1.0) < 0.015
+
+
+CASE = """
+[site]
+water_depth = "12 m"
+[line]
+fairlead_height = "9.4 m"
+[[line.segments]]
+component = "chain open-link 4D Q2"
+diameter = "38 mm"
+length = "30 m"
+EA = "119 MN"
+[load]
+horizontal_force = "8.6 kN"
+[floater]
+buoy = "T-5000l-2.4m"
+wind_speed = "25 m/s"
+[waves]
+spectrum = "jonswap"
+height = "{height} m"
+period = "4 s"
+components = 100
+[current]
+profile = "power"
+speed = "1 m/s"
+[dynamics]
+duration = "600 s"
+elements = 20
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("height", "holds"), [(0.3, True), (2.0, False)])
+def test_a_buoy_in_a_sea(height: float, holds: bool) -> None:
+    """The deviation of the tension to a seventh where the line stays taut, else it is told."""
+    case = parse_case(CASE.format(height=height))
+    (line,) = linear_lines(case)
+    assert line.holds is holds
+    assert line.buoy is not None
+    found = verify_dynamic(case, convergence_check="none", workers=1, compares_at_rest=False)
+    (part,) = found.parts
+    assert (part.slack_time == 0.0) is holds
+    if holds:
+        assert line.deviation == pytest.approx(part.of("fairlead_tension").std, rel=0.15)
+        (run,) = part.runs
+        assert run.hull is not None
+        heave = run.hull.place[run.history.counted, 1]
+        assert line.buoy[1] == pytest.approx(float(heave.std()), rel=0.1)
