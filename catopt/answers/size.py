@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from catopt.sizing.pattern import Pattern, PatternState
 
 _FORCE = named("horizontal_force", "")
+_HEIGHT = Quantity("length", "Height", "", "m", "m", 1.0, 2)
 _PERIOD = Quantity("time", "Time", "", "s", "s", 1.0, 2)
 
 
@@ -298,6 +299,7 @@ def _seas(of: InMotion) -> Iterator[blocks.Table]:
         yield tabulate(
             "seas",
             checks.texts("check", lambda each: kind_name(each.kind)),
+            seas.measured(_HEIGHT, "height", "sizing.significant_height"),
             seas.measured(_PERIOD, "period", "sizing.peak_period"),
             checks.texts("load_case", "where"),
             checks.measured("utilisation", "utilisation"),

@@ -177,14 +177,20 @@ def runs_words(of: InMotion) -> Message:
 
 def seas_words(of: InMotion) -> Message:
     """Say in which seas lines were run, and which decides each kind of check."""
+    governs = "sizing.governs_in_sea_of_height" if of.how.heights else "sizing.governs_in_sea"
     kinds = (
         Message(
-            "sizing.governs_in_sea",
+            governs,
             check=Message(f"checks.{each.check.kind}_short"),
+            height=each.height,
             period=each.period,
         )
         for each in of.seas
     )
+    if of.how.heights:
+        pairs = zip(of.how.heights, of.how.periods, strict=True)
+        seas = "; ".join(f"{height:.3g} m, {period:.3g} s" for height, period in pairs)
+        return Message("sizing.seas_of_heights", seas=seas, kinds=Several(kinds, "; "))
     periods = ", ".join(f"{each:.3g}" for each in of.how.periods)
     return Message("sizing.seas", periods=periods, kinds=Several(kinds, "; "))
 

@@ -23,6 +23,13 @@ LEAST_DURATION = 60.0
 """s, of a run of which a tenth is its ramp."""
 
 
+class Sea(NamedTuple):
+    """A sea that lines are run in."""
+
+    height: float  # significant, m
+    period: float  # of its peak, s
+
+
 @dataclass(frozen=True)
 class RunsAfloat:
     """How the lines of a sizing are run with their buoy or ship."""
@@ -40,8 +47,9 @@ class RunsAfloat:
     max_slide: float | None = None
     other_lengths: int = 0  # of the recommended size, that are run beside it
     periods: tuple[Time, ...] = ()
-    """Of the peak of the seas that every line is run in, of one height; empty: that of the place
-    alone."""
+    """Of the peak of the seas that every line is run in; empty: that of the place alone."""
+    heights: tuple[Length, ...] = ()
+    """Significant, of these seas; empty: all have that of the place."""
 
     def __post_init__(self) -> None:
         found = Findings("RunsAfloat")
@@ -52,7 +60,19 @@ class RunsAfloat:
         found.numbers(self, "m", "max_slide", above=0.0)
         for k, each in enumerate(self.periods):
             found.number(f"periods[{k}]", each, "s", above=0.0, at_most=30.0)
+        for k, each in enumerate(self.heights):
+            found.number(f"heights[{k}]", each, "m", above=0.0)
+        if self.heights and len(self.heights) != len(self.periods):
+            allowed = Message("refused.height_each_period", periods=len(self.periods))
+            found.add("heights", f"{len(self.heights)}", allowed)
         found.raise_if_any()
+
+    def seas(self, height: float, period: float) -> tuple[Sea, ...]:
+        """List the seas that every line is run in, at a place with a significant height, m."""
+        if not self.periods:
+            return (Sea(height, period),)
+        heights = self.heights or (height,) * len(self.periods)
+        return tuple(map(Sea, heights, self.periods))
 
 
 @dataclass(frozen=True)
@@ -134,16 +154,18 @@ class LengthRun(Record):
 class TightestSea(Record):
     """The check of a kind that is nearest to its limit, and the sea in which it is."""
 
-    DOCUMENT = "check.kind check.load_case period check.utilisation"
+    DOCUMENT = "check.kind check.load_case height period check.utilisation"
 
     check: CheckResult
+    height: Length
+    """Significant, of the waves there."""
     period: Time
     """Of the waves' peak there."""
 
 
-def tightest_seas(found: Iterable[tuple[CheckResult, float]]) -> tuple[TightestSea, ...]:
-    """Find what governs each kind of check, with the peak period, s, that each result is of."""
-    every = [TightestSea(*each) for each in found]
+def tightest_seas(found: Iterable[tuple[CheckResult, Sea]]) -> tuple[TightestSea, ...]:
+    """Find what governs each kind of check, with the sea that each result is of."""
+    every = [TightestSea(check, *sea) for check, sea in found]
     kinds = [kind for kind in CHECK_KINDS if any(each.check.kind == kind for each in every)]
     return tuple(
         largest([e for e in every if e.check.kind == kind], lambda each: each.check.exceedance)
@@ -151,11 +173,18 @@ def tightest_seas(found: Iterable[tuple[CheckResult, float]]) -> tuple[TightestS
     )
 
 
-def in_sea(load_case: str, how: RunsAfloat, period: float) -> str:
-    """Name a load case with the period of its waves, where it is run in several seas."""
+def sea_of(case: Case) -> Sea:
+    """Return the sea that a case is run in."""
+    assert case.waves is not None
+    return Sea(case.waves.height or 0.0, case.waves.period or 0.0)
+
+
+def in_sea(load_case: str, how: RunsAfloat, sea: Sea) -> str:
+    """Name a load case with its waves, where it is run in several seas."""
     if len(how.periods) < 2:
         return load_case
-    return Message("sizing.in_sea", load_case=load_case, period=period)
+    key = "sizing.in_sea_of_height" if how.heights else "sizing.in_sea"
+    return Message(key, load_case=load_case, **sea._asdict())
 
 
 class Counted(NamedTuple):
@@ -190,7 +219,7 @@ class InMotion(Record):
     DOCUMENT = (
         "how.seeds how.duration how.judged_by elements case.dynamics.duration_of_interest "
         f"{within('storm', STORM)} factor allowance checks.results=checks "
-        "checks.nearest=governing how.periods~ seas~ "
+        "checks.nearest=governing how.periods~ how.heights~ seas~ "
         "counted=lines(considered at_rest excluded run runs) tried by_length checks.warnings"
     )
 

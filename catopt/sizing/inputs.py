@@ -326,6 +326,11 @@ INPUTS: Final = (
         several=True, called=("periods",), only_with="in_motion", left_out="left_out.peak_period",
     ),
     Input(
+        "sea_height", "motion.sea_heights", "LENGTH", ("2 m", "2.5 m"), above=0.0, most="25 m",
+        several=True, called=("heights",), only_with="peak_period",
+        left_out="left_out.sea_height",
+    ),
+    Input(
         "period_range", "motion.period_range", "FLAG", True, not_with=("peak_period",),
         why="or_in_its_place", only_with="in_motion",
     ),

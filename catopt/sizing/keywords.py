@@ -53,6 +53,7 @@ class _Inputs(TypedDict, total=False):
     seeds: int
     run_time: float | str
     peak_period: float | str | Sequence[float | str]
+    sea_height: float | str | Sequence[float | str]
     period_range: bool
 
 

@@ -36,9 +36,11 @@ from catopt.sizing.in_motion import (
     LineTried,
     NoLineInMotionError,
     RunsAfloat,
+    Sea,
     Storm,
     TightestSea,
     in_sea,
+    sea_of,
     tightest_seas,
 )
 from catopt.sizing.line_choice import LineChoice, sold
@@ -380,7 +382,8 @@ def _run(
     assert case.dynamics is not None
     assert case.waves is not None
     sinkers = _sinkers_from(settled, case)
-    waves = [replace(case.waves, period=period) for period in how.periods] or [case.waves]
+    own = sea_of(case)
+    waves = [replace(case.waves, **each._asdict()) for each in how.seas(*own)]
     seas = [replace(case, waves=each) for each in waves]
     largest_values = replace(case.dynamics, judged_by="largest")
     drives = [
@@ -434,7 +437,7 @@ def _judged(
     parts = tuple(_as_in(case, each) for each in found if isinstance(each, DynamicPart))
     solved = solutions_at_rest(case, parts)
     at_rest = tuple(each for each in solved if each is not None)
-    checked: tuple[CheckReport, tuple[float, ...]] | None = None
+    checked: tuple[CheckReport, tuple[Sea, ...]] | None = None
     anchor = case.anchor
     if parts[0].drive.sinkers:
         anchor = _least_that_stays(parts)
@@ -445,7 +448,7 @@ def _judged(
         seas = [replace(each, anchor=anchor) for each in seas]
         case = seas[0]
         checked = _checked(seas, parts, solved, how)
-    checks, periods = checked
+    checks, of_sea = checked
     if anchor is not None and anchor.mass != (settled.point.anchor or anchor).mass:
         own = replace(anchor, max_slide=None)
         still = check_case(replace(settled.case, anchor=own, design=None))
@@ -453,10 +456,10 @@ def _judged(
     failing = sorted((each for each in checks.results if not each.passes), key=_worst)
     # The sea of what governs is the one that is written, to be run again.
     if checks.governing is not None:
-        governs = periods[checks.results.index(checks.governing)]
-        case = next(each for each in seas if each.waves and each.waves.period == governs)
+        governs = of_sea[checks.results.index(checks.governing)]
+        case = next(each for each in seas if sea_of(each) == governs)
     tried = _line_tried(settled, runs, tuple(failing))
-    every = zip(checks.results, periods, strict=True)
+    every = zip(checks.results, of_sea, strict=True)
     tightest = tightest_seas(every) if how.periods else ()
     return _Judged(tried, settled, case, parts, at_rest, checks, tightest)
 
@@ -466,22 +469,20 @@ def _checked(
     parts: Sequence[DynamicPart],
     at_rest: Sequence[Solution | None],
     how: RunsAfloat,
-) -> tuple[CheckReport, tuple[float, ...]]:
-    """Check the load cases of every sea; with the period of the waves' peak of each result, s."""
+) -> tuple[CheckReport, tuple[Sea, ...]]:
+    """Check the load cases of every sea; with the sea of each result."""
     count = len(parts) // len(seas)
     results: list[CheckResult] = []
-    periods: list[float] = []
+    of_sea: list[Sea] = []
     warnings: dict[str, None] = {}
-    for k, sea in enumerate(seas):
+    for k, case in enumerate(seas):
         own = slice(k * count, (k + 1) * count)
-        report = check_parts(sea, parts[own], at_rest[own])
-        assert sea.waves is not None
-        period = sea.waves.period or 0.0
+        report, sea = check_parts(case, parts[own], at_rest[own]), sea_of(case)
         for each in report.results:
-            results.append(replace(each, load_case=in_sea(each.load_case, how, period)))
-            periods.append(period)
+            results.append(replace(each, load_case=in_sea(each.load_case, how, sea)))
+            of_sea.append(sea)
         warnings |= dict.fromkeys(report.warnings)
-    return CheckReport(seas[0].title, tuple(results), (), tuple(warnings)), tuple(periods)
+    return CheckReport(seas[0].title, tuple(results), (), tuple(warnings)), tuple(of_sea)
 
 
 def _runs_of(found: Sequence[DynamicPart | _NoAnswer]) -> int:
@@ -555,9 +556,10 @@ def _storm(of: _Judged, how: RunsAfloat) -> Storm:
         return part.of(fairlead).maximum if storm is None else storm.most_probable
 
     part, at_rest = largest(list(zip(of.parts, of.at_rest, strict=True)), tension)
-    extreme, waves = part.storm(fairlead, part.runs), part.drive.case.waves
+    extreme, case = part.storm(fairlead, part.runs), part.drive.case
+    assert isinstance(case, Case)
     return Storm(
-        in_sea(part.name, how, 0.0 if waves is None else waves.period or 0.0),
+        in_sea(part.name, how, sea_of(case)),
         max(each.of(fairlead).maximum for each in of.parts),
         None if extreme is None else extreme.most_probable,
         None if extreme is None else extreme.low,

@@ -28,6 +28,7 @@ from catopt.loads.ship_dimensions import (
 from catopt.loads.sinker import AS_CLAY, MUD
 from catopt.loads.weathervane import Afloat
 from catopt.model import Checks
+from catopt.model.kinds import Findings
 from catopt.sizing.buoy import sized_buoy
 from catopt.sizing.buoy_request import BuoyRequest, GivenBuoy
 from catopt.sizing.environment import (
@@ -136,11 +137,22 @@ def _runs(of: ResolvedInputs) -> RunsAfloat | None:
     own: dict[str, Any] = {}
     if of.moored == "buoy":
         own = {"max_slide": of["max_slide"], "other_lengths": of["other_lengths"] or 0}
-    own["periods"] = of["peak_period"] or ()
-    sea = of.errors.make(_sea, of) if of["period_range"] else None
-    if sea is not None and sea.hs > 0.0:
+    own["periods"], own["heights"] = of["peak_period"] or (), of["sea_height"] or ()
+    sea = of.errors.make(_sea, of) if of["period_range"] or of["sea_height"] else None
+    if of["period_range"] and sea is not None and sea.hs > 0.0:
         own["periods"] = period_range(sea)
-    return of.errors.make(partial(RunsAfloat, **own), of["seeds"], of["run_time"])
+    made = of.errors.make(partial(RunsAfloat, **own), of["seeds"], of["run_time"])
+    if made is not None and sea is not None:
+        of.errors.make(partial(_check_heights, sea.hs), made)
+    return made
+
+
+def _check_heights(most: float, of: RunsAfloat) -> None:
+    """Refuse seas higher than that of the place, for which the steady forces are computed."""
+    found = Findings("RunsAfloat")
+    for k, each in enumerate(of.heights):
+        found.number(f"heights[{k}]", each, "m", above=0.0, at_most=most)
+    found.raise_if_any()
 
 
 # ------------------------------------------------------------------ place and weather

@@ -20,7 +20,7 @@ from catopt.model import (
 )
 from catopt.sizing.afloat import MOTION_CODE
 from catopt.sizing.environment import WIND_MEAN, mean_over
-from catopt.sizing.in_motion import RunsAfloat
+from catopt.sizing.in_motion import RunsAfloat, Sea
 from catopt.sizing.pattern import Pattern, system_case
 from catopt.sizing.settle import ConvergedSizing
 from catopt.sizing.tanker_request import MooredShip, TankerRequest
@@ -49,19 +49,20 @@ def ship_afloat(
     load_case: str | None = None,
     *,
     line_out: bool = False,
-    period: float | None = None,
+    sea: Sea | None = None,
 ) -> Case | None:
     """Add ship, wind, waves and current to the case of her lines in a load case, or the hardest.
 
     A single line is a system of one, its anchor where the everyday force has it. Several are turned
     so that the weather, along x, comes from the side that is hardest on a line at rest: with all
-    there, or with `line_out` without line 1. `period`: of the waves' peak, s, in the place of that
-    of the place. The ship turns about the bow, to which her lines go.
+    there, or with `line_out` without line 1. `sea`: in the place of that of the place. The ship
+    turns about the bow, to which her lines go.
     None where she cannot be run: `runs_afloat`.
     """
     env = request.environment
     if not runs_afloat(request):
         return None
+    height, period = sea or Sea(env.sea.hs, env.sea.period)
     case, loads = settled.case, settled.posed.loads
     if load_case is None and around is not None:
         load_case = around.hardest.load_case
@@ -86,7 +87,7 @@ def ship_afloat(
         held,
         site=replace(held.site, water_depth=at.depth),
         checks=checks,
-        waves=WaveState("jonswap", env.sea.hs, period or env.sea.period, components=_COMPONENTS),
+        waves=WaveState("jonswap", height, period, components=_COMPONENTS),
         current=CurrentProfile("power", speed=env.current.speed) if flows else None,
         floater=Floater(ship=_ship(moored, env.water_density), wind_speed=wind),
         dynamics=_dynamics(request.in_motion),

@@ -35,9 +35,11 @@ from catopt.sizing.in_motion import (
     LineTried,
     NoLineInMotionError,
     RunsAfloat,
+    Sea,
     Storm,
     TightestSea,
     in_sea,
+    sea_of,
     tightest_seas,
 )
 from catopt.sizing.line_choice import sold
@@ -86,7 +88,7 @@ class _State(NamedTuple):
     """A load case in a sea, in weather that is hardest on a line with all there, or without one."""
 
     load_case: str
-    period: float  # of the waves' peak, s
+    sea: Sea
     line_out: bool  # line 1 is out
 
 
@@ -211,9 +213,9 @@ class _Search:
         # The one that stopped the last line first.
         outs = (True, False) if request.lines > 1 else (False,)
         self._order = [
-            _State(each.load_case, period, out)
+            _State(each.load_case, sea, out)
             for out in outs
-            for period in how.periods or (request.environment.sea.period,)
+            for sea in how.seas(request.environment.sea.hs, request.environment.sea.period)
             for each in start.posed.loads
         ]
         design = start.posed.case.design
@@ -421,7 +423,7 @@ class _Search:
         return replace(self.request, line=replace(self.request.line, dynamic_factor=1.0))
 
     def _in_state(self, state: _State, settled: ConvergedSizing, around: Pattern | None) -> _Run:
-        name, said = state.load_case, in_sea(state.load_case, self.how, state.period)
+        name, said = state.load_case, in_sea(state.load_case, self.how, state.sea)
         case = self._afloat(state, settled, around)
         found = verify_ship(self._as_judged(case), ship=self._ships.get(name))
         self._ships[name] = found.moored.ship
@@ -438,7 +440,7 @@ class _Search:
 
     def _without_line(self, state: _State, settled: ConvergedSizing, around: Pattern) -> _Lost:
         """Run it without line 1, in weather from the side that is then hardest at rest."""
-        name, said = state.load_case, in_sea(state.load_case, self.how, state.period)
+        name, said = state.load_case, in_sea(state.load_case, self.how, state.sea)
         case = self._afloat(state, settled, around)
         found, moored = run_without(self._as_judged(case), 1, ship=self._ships.get(name))
         self._ships[name] = moored.ship
@@ -475,7 +477,7 @@ class _Search:
                 weight = sinker.submerged_weight
                 anchor = replace(anchor, mass=sinker.mass, submerged_weight=weight)
         results: list[CheckResult] = []
-        periods: list[float] = []
+        of_sea: list[Sea] = []
         warnings: dict[str, None] = {}
         reports = (
             *((each.lost, each.every) for each in judged.runs),
@@ -484,15 +486,14 @@ class _Search:
         for of, intact in reports:
             report = check_hanging(replace(of.case, anchor=anchor), intact, of.lost)
             results += (_in_load_case(one, of.load_case) for one in report.results)
-            assert of.case.waves is not None
-            periods += [of.case.waves.period or 0.0] * len(report.results)
+            of_sea += [sea_of(of.case)] * len(report.results)
             warnings |= dict.fromkeys(report.warnings)
         failing = sorted((e for e in results if not e.passes), key=lambda check: -check.exceedance)
         sets = len(judged.runs) + sum(len(each.lost) for each in every)
         tried = _tried(judged.line, sets * self.how.seeds, tuple(failing))
         checks = CheckReport(settled.case.title, tuple(results), (), tuple(warnings))
         held = replace(judged, anchor=anchor, drag_anchor=size, sinker=sinker)
-        seas = tightest_seas(zip(results, periods, strict=True)) if self.how.periods else ()
+        seas = tightest_seas(zip(results, of_sea, strict=True)) if self.how.periods else ()
         return replace(held, tried=tried, checks=checks, seas=seas)
 
 

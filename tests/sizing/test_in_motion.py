@@ -359,6 +359,49 @@ def test_a_line_passes_in_every_sea_and_what_governs_is_named(calm: Sizing) -> N
     assert len(csv_files(size_answer(of))["seas.csv"].splitlines()) == 1 + len(found.seas)
 
 
+def test_seas_along_a_contour_have_heights_of_their_own() -> None:
+    """Each sea by itself, run as its case is verified, comes to the same checks."""
+    request: Any = request_of(known("buoy", CALM))
+    height = request.environment.sea.hs
+    heights, periods = (0.6 * height, height), (3.0, 4.0)
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr(searching, "processes_for", lambda *_: 2)
+        how = replace(SHORT, periods=periods, heights=heights)
+        of = size_buoy(replace(request, in_motion=how))
+    found = of.in_motion
+    assert found is not None
+    assert found.checks.passes
+    assert found.case.waves is not None
+    for own, period in zip(heights, periods, strict=True):
+        waves = replace(found.case.waves, height=own, period=period)
+        case = replace(found.case, waves=waves)
+        again = checks_in_motion(verify_dynamic(case, convergence_check="none", workers=1)).results
+        end = f"Hs {own:.3g} m, Tp {period:g} s"
+        ours = [e for e in found.checks.results if e.load_case.endswith(end)]
+        assert ours
+        for old, new in zip(ours, again, strict=True):
+            assert old.demand == pytest.approx(new.demand, rel=1e-9, abs=1e-9)
+    for each in found.seas:
+        assert (each.height, each.period) in set(zip(heights, periods, strict=True))
+    document = of.to_dict()["in_motion"]
+    assert document["heights_m"] == list(heights)
+    card = " ".join(each.text for each in card_lines(size_answer(of), "en"))
+    assert f"Hs, Tp of {heights[0]:.3g} m, 3 s; {height:.3g} m, 4 s: tension is decided at" in card
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({"peak_period": "4 s", "sea_height": ("1 m", "2 m")}, "as many as there are peak periods"),
+        ({"peak_period": "4 s", "sea_height": "9 m"}, "sea_height"),
+        ({"sea_height": "1 m"}, "peak_period"),
+    ],
+)
+def test_heights_that_go_with_no_sea_are_refused(given: dict[str, Any], said: str) -> None:
+    with pytest.raises(InputError, match=said):
+        size_buoy(**PLACE, hs="2 m", in_motion=True, **given)
+
+
 def test_the_range_that_jonswap_stands_for() -> None:
     """3.6 to 5 roots of Hs, at 4 m 7.2 to 10 s; the sea's own period in the place of one alike."""
     place = {**PLACE, "hs": "4 m", "in_motion": True, "period_range": True}

@@ -50,13 +50,13 @@ BASE: dict[Moored, dict[str, object]] = {
 }
 STILL: dict[str, object] = dict.fromkeys(
     (
-        *("in_motion", "seeds", "run_time", "peak_period", "period_range"),
+        *("in_motion", "seeds", "run_time", "peak_period", "sea_height", "period_range"),
         *("other_lengths", "max_slide"),
     )
 )
 """Of what is run in time there are tests of their own: it takes minutes."""
 SEVERAL: dict[str, object] = {"low_water": "20 m", "max_swing": None, "swing_price": None}
-IN_MOTION = ("in_motion", "seeds", "run_time", "peak_period", "period_range")
+IN_MOTION = ("in_motion", "seeds", "run_time", "peak_period", "sea_height", "period_range")
 SEVERAL |= dict.fromkeys(IN_MOTION)
 ONE_LINE: dict[str, object] = {"low_water": "20 m", "prefer": "cheapest"}
 ONE_LINE |= dict.fromkeys(("lines", "pretension", "clump_weight", *IN_MOTION))
