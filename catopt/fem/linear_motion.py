@@ -379,7 +379,7 @@ def velocities_at(points: Array, sea: Sea) -> Complex:
     cos, sin = np.cos(waves.direction)[:, np.newaxis], np.sin(waves.direction)[:, np.newaxis]
     x, y, z = points.T
     angle = k * (x * cos + y * sin) + waves.phase[:, np.newaxis]
-    here = np.where(z < depth, np.exp(1j * angle), 0.0)
+    here = np.where(z <= depth, np.exp(1j * angle), 0.0)
     decay = np.exp(-k * (depth - np.clip(z, 0.0, depth)))
     mirror = np.exp(-2.0 * k * depth)
     here = here * (waves.amplitude * waves.omega)[:, np.newaxis] / (1.0 - mirror)

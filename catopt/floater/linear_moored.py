@@ -58,16 +58,18 @@ def linear_hull(hull: FloatingHull, rest: AtRest, sea: Sea) -> LinearHull:
     assert waves is not None
     omega, k, ahead = waves.omega, sea.wave_numbers, np.cos(waves.direction)
     x, z, turned = rest.state.q.tolist()
-    own = replace(hull, draught=depth - z + hull.centre)
-    push = own.long_wave(omega, k, depth) * waves.amplitude[:, np.newaxis]
-    push[:, [0, 2]] *= ahead[:, np.newaxis]
-    # In a current the drag goes with what is under water.
-    higher = waves.amplitude[:, np.newaxis] * rest.drag_by_surface[:, 0]
-    sloping = 1j * (k * ahead * waves.amplitude)[:, np.newaxis] * rest.drag_by_surface[:, 1]
-    push += higher + sloping
+    sine, cosine = math.sin(turned), math.cos(turned)
+    middle = 0.5 * (laid.foot + laid.top)
+    places = np.stack([x + middle * sine, 0.0 * middle, np.minimum(z + middle * cosine, depth)], 1)
+    flow = velocities_at(places, sea)
+    shape = np.stack([np.ones_like(k), 1j * k * ahead], axis=1)  # of the surface: height and slope
+    here = waves.amplitude * np.exp(1j * (k * x * ahead + waves.phase))
+    push = (shape @ rest.by_surface.T + 0j) * here[:, np.newaxis]
+    accelerates = -1j * omega[:, np.newaxis, np.newaxis] * flow[:, :, [0, 2]]
+    push += np.einsum("wjk,ijk->wi", accelerates, rest.by_acceleration)
     diffracted = hull.lay_out(sea.flow).excited
-    push += diffracted[:, 0::2] + 1j * diffracted[:, 1::2]
-    push *= np.exp(1j * (k * x * ahead + waves.phase))[:, np.newaxis]
+    diffraction = diffracted[:, 0::2] + 1j * diffracted[:, 1::2]
+    push += diffraction * (here / waves.amplitude)[:, np.newaxis]
 
     memory = hull.radiation.memory
     inertia = np.diag([hull.mass, hull.mass, hull.inertia]) + laid.added
@@ -79,7 +81,6 @@ def linear_hull(hull: FloatingHull, rest: AtRest, sea: Sea) -> LinearHull:
             matrix[:, i, j] -= omega**2 * memory.added_mass(omega, i, j)
             matrix[:, i, j] -= turn * memory.damping(omega, i, j)
 
-    sine, cosine = math.sin(turned), math.cos(turned)
     across, along = laid.eye[0]
     arm_x, arm_z = across * cosine + along * sine, along * cosine - across * sine
     arm = np.array([[1.0, 0.0, arm_z], [0.0, 0.0, 0.0], [0.0, 1.0, -arm_x]])
@@ -88,9 +89,7 @@ def linear_hull(hull: FloatingHull, rest: AtRest, sea: Sea) -> LinearHull:
     matrix[:, held, held] = 1.0
     push[:, held] = arm[:, held] = 0.0
 
-    middle = 0.5 * (laid.foot + laid.top)
-    wet = np.clip(own.draught - hull.foot, 0.0, hull.top - hull.foot)
-    places = np.stack([x + middle * sine, 0.0 * middle, np.minimum(z + middle * cosine, depth)], 1)
+    wet = rest.by_acceleration[0, :, 0] / (laid.density * math.pi * laid.radius**2)
     stream = replace(sea, waves=None).kinematics(0.0, places).velocity
     seen = [np.stack([np.full_like(middle, cosine), np.full_like(middle, -sine), middle], axis=1)]
     coefficient, at = [laid.drag * wet], [np.arange(middle.size)]
@@ -100,7 +99,7 @@ def linear_hull(hull: FloatingHull, rest: AtRest, sea: Sea) -> LinearHull:
         coefficient.append(laid.bottom_drag * laid.column[:, 1])
         at.append(np.zeros(face.size, dtype=int))
     way, of = np.concatenate(seen), np.concatenate(at)
-    there = velocities_at(places, sea)[:, of]
+    there = flow[:, of]
     flow = there[:, :, 0] * way[:, 0] + there[:, :, 2] * way[:, 1]
     mean = stream[of, 0] * way[:, 0] + stream[of, 2] * way[:, 1]
     way = way * laid.free

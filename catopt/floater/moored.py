@@ -23,7 +23,7 @@ from catopt.fem.seabed import HeldBed, Seabed
 from catopt.fem.simulation import Simulation
 from catopt.floater.alone import HullHistory, history_of
 from catopt.hydro.build import FloatingHull, record_of, room_of, state_of
-from catopt.hydro.hull import DRAG, Hull, HullRoom, HullState, fill_forces_on_hull, fill_sea
+from catopt.hydro.hull import Hull, HullRoom, HullState, fill_forces_on_hull, fill_sea
 from catopt.waves import Sea
 from catopt.waves.kinematics import Flow
 from catopt.words import Message
@@ -35,21 +35,27 @@ _CLOSED: Final = 1e-7
 """Force left over at rest, over the hull's weight."""
 _MOST_MOVE: Final = 0.5
 """Way, over the hull's size, that a step of it may go."""
-_SMALL: Final = 1e-5
-"""Rise of the surface, m, and its slope, for derivatives by differences."""
+_SMALL, _WIDE = 1e-5, 0.03
+"""Over the hull's size, and in rad: ways over which derivatives are taken, for Newton's steps and
+for the motion in waves."""
 _LEAST_PULL: Final = 0.02
 """Pull by which the line is first laid out, over its weight from the bed to the eye."""
 
 
 class AtRest(NamedTuple):
-    """A hull at rest on its line, in the current and the wind."""
+    """A hull at rest on its line, in the current and the wind.
+
+    Derivatives are over a way as waves move it, not at a point: what a hull that leans has under
+    water is summed in columns.
+    """
 
     simulation: Simulation
     hull: Hull
     state: HullState
     line: Array  # (3,): force and moment of the line on it, N and N m
     stiffness: Array  # (3, 3): of the hull alone, its eye pulled as by the line: N/m and N m
-    drag_by_surface: Array  # (3, 2): by a surface that is higher, N/m and N, or that slopes along x
+    by_surface: Array  # (3, 2): force by a surface that is higher, N/m, or slopes along x, N
+    by_acceleration: Array  # (3, slices, 2): by the water's along x and z about each slice, kg
 
 
 class _Calm(NamedTuple):
@@ -60,31 +66,49 @@ class _Calm(NamedTuple):
     flow: Flow
     room: HullRoom
 
-    def pushed(self, q: Array, higher: float = 0.0, slope: float = 0.0) -> Array:
-        """Force on it where it is held, the surface being higher, m, or sloping along x."""
+    def pushed(
+        self,
+        q: Array,
+        surface: tuple[float, float] = (0.0, 0.0),
+        acceleration: tuple[int, int, float] = (0, 0, 0.0),
+    ) -> Array:
+        """Force on it where it is held.
+
+        `surface`: how much higher, m, and its slope along x; `acceleration`: of a slice, in a
+        direction, m/s2.
+        """
         hull, state, flow, room = self
         state.q[:] = q
         state.v[:] = 0.0
         fill_sea(0.0, hull, state.q, flow, room)
-        room.sea[:2] = higher, slope
+        room.sea[:2] = surface
+        room.acceleration[acceleration[0], 2 * acceleration[1]] += acceleration[2]
         room.carried[:] = room.by_speed[:] = 0.0
         fill_forces_on_hull(hull, state, flow.depth, room)
         return state.force.copy()
 
-    def stiffness(self, q: Array, size: float, arm: Array, pull: Array) -> Array:
+    def stiffness(self, q: Array, step: Array, arm: Array, pull: Array) -> Array:
         """As `AtRest.stiffness`; `arm` of its eye, m, `pull` of the line there, N."""
-        own = -_slope(self.pushed, q, size)
+        own = -_slope(self.pushed, q, step)
         # Heavier pulls turn the eye in under the hull.
         own[2, 2] += arm[1] * pull[1] + arm[0] * pull[0]
         return own
 
-    def drag_by_surface(self, q: Array) -> Array:
-        """As `AtRest.drag_by_surface`."""
+    def by_surface(self, q: Array, step: Array) -> Array:
+        """As `AtRest.by_surface`."""
         out = np.zeros((3, 2))
-        for j, way in enumerate(((_SMALL, 0.0), (0.0, _SMALL))):
-            for sign in (1.0, -1.0):
-                self.pushed(q, sign * way[0], sign * way[1])
-                out[:, j] += sign / (2.0 * _SMALL) * self.state.parts[DRAG]
+        for j, (rise, slope) in enumerate(((step[1], 0.0), (0.0, step[2]))):
+            change = self.pushed(q, (rise, slope)) - self.pushed(q, (-rise, -slope))
+            out[:, j] = change / (2.0 * (rise + slope))
+        return out
+
+    def by_acceleration(self, q: Array) -> Array:
+        """As `AtRest.by_acceleration`: forces are linear in it."""
+        calm, slices = self.pushed(q), self.room.acceleration.shape[0]
+        out = np.zeros((3, slices, 2))
+        for j in range(slices):
+            for i in range(2):
+                out[:, j, i] = self.pushed(q, acceleration=(j, i, 1.0)) - calm
         return out
 
 
@@ -131,6 +155,7 @@ def moored_at_rest(
     scale = hull.mass * hull.gravity
     long = math.sqrt(max(hull.inertia, 1e-12) / hull.mass)
     size = max(hull.draught, 2.0 * float(hull.radius.max()))
+    ways = np.array([size, size, 1.0])
     is_rubbed, matrix = False, np.eye(3)
     for _ in range(_ROUNDS):
         arm = _eye(laid, q) - q[:2]
@@ -140,7 +165,8 @@ def moored_at_rest(
             pull = simulation.state.force[-1, [0, 2]].copy()
         else:
             pull, stiffness = _of_line(laid_out(smooth, _eye(laid, q)))
-            matrix = turned.T @ stiffness @ turned + calm.stiffness(q, size, arm, pull)
+            matrix = turned.T @ stiffness @ turned
+            matrix += calm.stiffness(q, _SMALL * ways, arm, pull)
             matrix[laid.free == 0.0] = 0.0
             matrix[:, laid.free == 0.0] = 0.0
             matrix += np.diag(1.0 - laid.free)
@@ -150,9 +176,10 @@ def moored_at_rest(
         worst = float(np.abs(left / [scale, scale, scale * long]).max())
         if worst <= _CLOSED and is_rubbed:
             state.q[:] = q
-            own, by_surface = calm.stiffness(q, size, arm, pull), calm.drag_by_surface(q)
+            own = calm.stiffness(q, _WIDE * ways, arm, pull)
+            of_water = calm.by_surface(q, _WIDE * ways), calm.by_acceleration(q)
             pushed(q)
-            return AtRest(simulation, laid, state, line, own, by_surface)
+            return AtRest(simulation, laid, state, line, own, *of_water)
         is_rubbed = is_rubbed or worst <= _CLOSED
         move = np.linalg.solve(matrix, left)
         far = max(float(np.hypot(move[0], move[1])), abs(float(move[2])) * size)
@@ -174,10 +201,10 @@ def _eye(hull: Hull, q: Array) -> Array:
     return np.array([q[0] + across * cosine + along * sine, q[1] + along * cosine - across * sine])
 
 
-def _slope(pushed: Callable[[Array], Array], q: Array, size: float) -> Array:
+def _slope(pushed: Callable[[Array], Array], q: Array, steps: Array) -> Array:
     """Find the derivative of the forces on the hull by its place, by differences."""
     out = np.zeros((3, 3))
-    for j, step in enumerate((1e-5 * size, 1e-5 * size, 1e-5)):
+    for j, step in enumerate(steps.tolist()):
         way = np.zeros(3)
         way[j] = step
         out[:, j] = (pushed(q + way) - pushed(q - way)) / (2.0 * step)

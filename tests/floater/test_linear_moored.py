@@ -128,7 +128,7 @@ elements = 20
 @pytest.mark.slow
 @pytest.mark.parametrize(("height", "holds"), [(0.3, True), (2.0, False)])
 def test_a_buoy_in_a_sea(height: float, holds: bool) -> None:
-    """The deviation of the tension to a seventh where the line stays taut, else it is told."""
+    """The deviation of the tension to 7 % where the line stays taut, else it is told."""
     case = parse_case(CASE.format(height=height))
     (line,) = linear_lines(case)
     assert line.holds is holds
@@ -137,8 +137,8 @@ def test_a_buoy_in_a_sea(height: float, holds: bool) -> None:
     (part,) = found.parts
     assert (part.slack_time == 0.0) is holds
     if holds:
-        assert line.deviation == pytest.approx(part.of("fairlead_tension").std, rel=0.15)
+        assert line.deviation == pytest.approx(part.of("fairlead_tension").std, rel=0.07)
         (run,) = part.runs
         assert run.hull is not None
         heave = run.hull.place[run.history.counted, 1]
-        assert line.buoy[1] == pytest.approx(float(heave.std()), rel=0.1)
+        assert line.buoy[1] == pytest.approx(float(heave.std()), rel=0.05)
