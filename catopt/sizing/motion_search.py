@@ -52,7 +52,14 @@ from catopt.verify.dynamic import Wanted, processes_for, run_once
 from catopt.verify.dynamic_lines import hull_of
 from catopt.verify.dynamic_result import DynamicPart
 from catopt.verify.dynamic_setup import read_drive
-from catopt.verify.judged import check_parts, line_in_motion, solutions_at_rest, way_of
+from catopt.verify.judged import (
+    check_parts,
+    judged_as,
+    line_in_motion,
+    solutions_at_rest,
+    way_of,
+    with_more_runs,
+)
 from catopt.verify.side_by_side import SECONDS_PER_BAR_AND_STEP, Crew
 from catopt.words import Message
 
@@ -420,7 +427,7 @@ def _together(one: DynamicPart | _NoAnswer, other: DynamicPart | _NoAnswer) -> A
     """Put the runs of a load case together; what has no answer stays that."""
     if not isinstance(one, DynamicPart) or not isinstance(other, DynamicPart):
         return other if isinstance(one, DynamicPart) else one
-    return replace(one, runs=(*one.runs, *other.runs))
+    return with_more_runs(one, other)
 
 
 def _judged(
@@ -434,7 +441,8 @@ def _judged(
     runs, failed = _runs_of(found), [e for e in found if not isinstance(e, DynamicPart)]
     if failed:
         return _Judged(_line_tried(settled, runs, (), failed[0].message), settled, case)
-    parts = tuple(_as_in(case, each) for each in found if isinstance(each, DynamicPart))
+    assert case.dynamics is not None
+    parts = tuple(judged_as(each, case.dynamics) for each in found if isinstance(each, DynamicPart))
     solved = solutions_at_rest(case, parts)
     at_rest = tuple(each for each in solved if each is not None)
     checked: tuple[CheckReport, tuple[Sea, ...]] | None = None
@@ -487,13 +495,6 @@ def _checked(
 
 def _runs_of(found: Sequence[DynamicPart | _NoAnswer]) -> int:
     return sum(len(each.runs) if isinstance(each, DynamicPart) else 1 for each in found)
-
-
-def _as_in(case: Case, part: DynamicPart) -> DynamicPart:
-    """Judge a part as a case asks for it."""
-    return replace(
-        part, drive=replace(part.drive, case=replace(part.drive.case, dynamics=case.dynamics))
-    )
 
 
 def _least_that_stays(parts: Sequence[DynamicPart]) -> Anchor:
