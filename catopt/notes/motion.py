@@ -386,16 +386,14 @@ def front_in_motion(
         front = FrontInMotion(tuple(designs), of_search, len(designs) == len(cases))
         if convergence_check == "none":
             return front
+        proven: set[int] = set()
         try:
-            while (wanted := _to_prove(front, convergence_check)) is not None:
+            while (wanted := _to_prove(front, convergence_check, proven)) is not None:
                 number, case, objectives = cases[wanted]
-                proven = _design(number, objectives, case, convergence_check, workers, None, proof)
-                front = replace(
-                    front,
-                    designs=tuple(
-                        proven if each.number == number else each for each in front.designs
-                    ),
-                )
+                again = _design(number, objectives, case, convergence_check, workers, None, proof)
+                proven.add(number)
+                kept = (again if each.number == number else each for each in front.designs)
+                front = replace(front, designs=tuple(kept))
         except KeyboardInterrupt:
             front = replace(front, is_complete=False)
         return front
@@ -435,13 +433,15 @@ def _silent(*_: int) -> None:
     """Tell nobody."""
 
 
-def _to_prove(front: FrontInMotion, convergence_check: ConvergenceCheck) -> int | None:
-    """Find the design, by its place, that passes and is to be proven next."""
+def _to_prove(
+    front: FrontInMotion, convergence_check: ConvergenceCheck, proven: set[int]
+) -> int | None:
+    """Find the design, by its place, that passes and is to be proven next; not those that were."""
     wanted = [front.recommended]
     if convergence_check == "bars":
         wanted += [each.number for each in front.designs if each.passes]
     for k, each in enumerate(front.designs):
-        if each.number in wanted and each.is_run_once:
+        if each.number in wanted and each.number not in proven:
             return k
     return None
 
