@@ -18,7 +18,7 @@ from pathlib import Path
 from benchmarks.common import page
 from catopt import design_case
 from catopt.casefile import parse_case
-from catopt.notes.motion import front_in_motion
+from catopt.notes.front_in_motion import front_in_motion
 
 FOLDER = Path(__file__).parents[1] / "cases" / "dynamic-chain-56m"
 LIMIT = 120.0

@@ -30,20 +30,19 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from catopt.checks.result import CheckReport
-    from catopt.notes.motion import DesignInMotion, FrontInMotion
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, JointInMotion
     from catopt.verify.dynamic_run import DynamicRun, OverRuns
     from catopt.verify.two_scales import LineOfShip, ShipVerification
 
 _TIME = Quantity("time", "Time", "", "s", "s", 1.0, 4)
 _SLACK = replace(_TIME, digits=1)
-_RATIO = Quantity("ratio", "Ratio", "", "-", "-", 1.0, 2)
-_CHANGE = replace(_RATIO, digits=3)
+RATIO = Quantity("ratio", "Ratio", "", "-", "-", 1.0, 2)
+_CHANGE = replace(RATIO, digits=3)
 _PART = Quantity("part", "Part", "", "-", "-", 1.0, 2, "scientific")
-_PERCENT = Quantity("change", "Change", "", "-", "%", 0.01, 2)
+PERCENT = Quantity("change", "Change", "", "-", "%", 0.01, 2)
 _ENERGY = Quantity("energy", "Energy", "", "J", "J", 1.0, 1)
 
-_FORCE = replace(QUANTITIES["tension"], symbol="")
+FORCE = replace(QUANTITIES["tension"], symbol="")
 
 _PROOF = {"none": "motion.proof_none", "step": "motion.proof_step", "bars": "motion.how_both"}
 
@@ -137,7 +136,7 @@ def _quantities(part: DynamicPart, caption: str) -> blocks.Table:
         *columns,
         largest,
         of.texts(probable, "most_probable_maximum", units=largest.units),
-        of.measured(_PERCENT, lambda each: part.change_of(each.quantity), "change"),
+        of.measured(PERCENT, lambda each: part.change_of(each.quantity), "change"),
         caption=caption,
         only="people",
     )
@@ -209,9 +208,9 @@ def lines_of_body(parts: Sequence[DynamicPart]) -> blocks.Table:
             "motion.most_at_anchor_by_damping",
         ),
         of.measured("tension", "quasi_static_max", "quasi_static", symbol=""),
-        of.measured(_RATIO, "dynamic_amplification", "amplification"),
+        of.measured(RATIO, "dynamic_amplification", "amplification"),
         of.measured(_SLACK, "slack_time", "slack"),
-        of.measured(_PERCENT, lambda part: part.change_of("fairlead_tension"), "change"),
+        of.measured(PERCENT, lambda part: part.change_of("fairlead_tension"), "change"),
         of.texts("verdict", lambda part: term(part.verdict)),
         caption=Message("motion.lines_of_body"),
         only="people",
@@ -233,7 +232,7 @@ def _lines_of_points(parts: Sequence[DynamicPart]) -> blocks.Table:
         here.measured("tension", "minimum", "motion.min_here", symbol=""),
         here.measured("tension", "maximum", "motion.max_here", symbol=""),
         of.measured(_SLACK, "slack_time", "slack"),
-        of.measured(_PERCENT, lambda part: part.change_of("largest_tension"), "change"),
+        of.measured(PERCENT, lambda part: part.change_of("largest_tension"), "change"),
         caption=Message("motion.lines_of_points"),
         only="people",
     )
@@ -312,12 +311,12 @@ def _statistics(parts: Sequence[DynamicPart]) -> Iterator[blocks.Column]:
     yield of.of_row("most_probable_maximum", "tail.extreme.most_probable")
     yield of.of_row("interval_from", "tail.extreme.low")
     yield of.of_row("interval_to", "tail.extreme.high")
-    yield of.measured(_RATIO, "tail.extreme.confidence", "confidence_of_the_interval")
+    yield of.measured(RATIO, "tail.extreme.confidence", "confidence_of_the_interval")
     yield of.of_row("expected_maximum", "tail.extreme.expected")
     yield of.of_row("threshold_of_the_tail", "tail.threshold")
     yield Rows(of.read("tail.clusters")).texts("peaks_above_the_threshold", len)
     yield of.of_row("weibull_scale", "tail.scale")
-    yield of.measured(_RATIO, "tail.shape", "weibull_shape")
+    yield of.measured(RATIO, "tail.shape", "weibull_shape")
     yield of.of_row("gumbel_most_probable_maximum", "gumbel.extreme.most_probable")
     yield of.of_row("gumbel_interval_from", "gumbel.extreme.low")
     yield of.of_row("gumbel_interval_to", "gumbel.extreme.high")
@@ -331,7 +330,7 @@ def _summary(parts: Sequence[DynamicPart]) -> Iterator[blocks.Column]:
     yield of.texts("complete", lambda part: yes_or_no(part.is_complete))
     yield of.measured(_NEWTON, "max_tension", "largest_tension_anywhere")
     yield of.measured(_NEWTON, "quasi_static_max", _STILL)
-    yield of.measured(_RATIO, "dynamic_amplification", "dynamic_amplification")
+    yield of.measured(RATIO, "dynamic_amplification", "dynamic_amplification")
     yield of.measured(_TIME, "slack_time", "slack_in_all")
     yield of.measured(_TIME, "longest_slack", "longest_slack")
     yield of.texts("verdict", lambda part: term(part.verdict))
@@ -418,77 +417,6 @@ def _track(part: DynamicPart) -> Iterator[blocks.Column]:
     yield from _times([run for run, _ in found])
     for axis, name in enumerate("xyz"):
         yield _joined(_in_si("offset"), (track[:, axis] for _, track in found), f"body_{name}")
-
-
-# ------------------------------------------------------------------ the designs of a front
-
-
-def front_in_motion_answer(found: FrontInMotion) -> blocks.Answer:
-    """Lay out a front in motion: a row a design, and what is recommended then."""
-    title = Message("captions.front")
-    return answered("front_in_motion", title, section("motion.front", *_front(found)))
-
-
-def _front(found: FrontInMotion) -> Iterator[blocks.Block]:
-    yield _designs(found)
-    for each in found.designs:
-        if each.failure:
-            yield blocks.Text(Message("truss.design_failed", number=each.number, why=each.failure))
-    if not found.is_complete:
-        stopped = Message("motion.front_stopped", count=len(found.designs))
-        yield blocks.Verdict(stopped, passes=False)
-    once = [each.number for each in found.designs if each.is_run_once]
-    chosen = next((e for e in found.designs if e.number == found.recommended), None)
-    if once and chosen is not None and not chosen.is_run_once:
-        yield blocks.Text(Message("motion.front_proven", number=chosen.number))
-    elif once:
-        yield blocks.Verdict(Message("motion.not_proven"), passes=False)
-    only_in_motion = [each.number for each in found.designs if not each.passes]
-    if only_in_motion:
-        # Write rising numbers as 1-3, 5.
-        runs: list[list[int]] = []
-        for number in only_in_motion:
-            if runs and number == runs[-1][-1] + 1:
-                runs[-1].append(number)
-            else:
-                runs.append([number])
-        numbers = ", ".join(f"{run[0]}-{run[-1]}" if len(run) > 1 else str(run[0]) for run in runs)
-        yield blocks.Verdict(Message("motion.front_fails", designs=numbers), passes=False)
-    if found.recommended is None:
-        yield blocks.Verdict(Message("motion.front_none"), passes=False)
-    else:
-        key = "front_same" if found.recommended == found.of_search else "front_other"
-        values = {"number": found.recommended, "search": found.of_search}
-        yield blocks.Verdict(Message(f"motion.{key}", **values), passes=True)
-
-
-def _designs(found: FrontInMotion) -> blocks.Table:
-    designs = found.designs
-    of, parts = Rows(designs), Rows(each.governing for each in designs)
-    verdict = of.texts("verdict", _verdict, passes=tuple(each.passes for each in designs))
-    return tabulate(
-        "front_in_motion",
-        of.texts("design", "number"),
-        parts.texts("runs", lambda part: len(part.runs)),
-        of.measured(_FORCE, "at_rest", "motion.front_at_rest"),
-        parts.measured(
-            _FORCE, lambda part: part.of("fairlead_tension").maximum, "motion.front_largest"
-        ),
-        parts.measured(_FORCE, "quasi_static_max", "motion.front_still"),
-        parts.measured(_RATIO, "dynamic_amplification", "motion.front_allowance"),
-        parts.measured(_PERCENT, lambda part: part.change_of("fairlead_tension"), "change"),
-        of.measured("utilisation", "tightest.utilisation"),
-        verdict,
-        marked=next((k for k, e in enumerate(designs) if e.number == found.recommended), None),
-    )
-
-
-def _verdict(each: DesignInMotion) -> Message:
-    if each.found is None:
-        return term("NO ANSWER")
-    if each.found.verdict == "not converged":
-        return Message("motion.front_not_converged")
-    return Message("answers.passes" if each.passes else "answers.fails")
 
 
 _ON_CARD = 3

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from catopt.answers.blocks import Answer
-from catopt.answers.motion import front_in_motion_answer, motion_answer
+from catopt.answers.front_in_motion import front_in_motion_answer
+from catopt.answers.motion import motion_answer
 from catopt.answers.verification import (
     front_answer,
     front_sentence,
@@ -45,7 +46,7 @@ from catopt.verify.motion_words import not_converged_sentence, stopped_sentence
 from catopt.words import Message, say
 
 if TYPE_CHECKING:
-    from catopt.notes.motion import FrontInMotion
+    from catopt.notes.front_in_motion import FrontInMotion
     from catopt.verify.case import Design, FrontVerification
     from catopt.verify.dynamic_result import DynamicVerification
     from catopt.verify.result import Verification
@@ -297,7 +298,7 @@ def _front(
     found = _Found(case, front, front_sentence(front), (front_answer(front),), stop=stop)
     if moving is None:
         return found
-    from catopt.notes.motion import front_in_motion
+    from catopt.notes.front_in_motion import front_in_motion
 
     for each in designs:
         _check_for_motion(each.case)

@@ -60,7 +60,7 @@ from catopt.verify.judged import (
     way_of,
     with_more_runs,
 )
-from catopt.verify.side_by_side import SECONDS_PER_BAR_AND_STEP, Crew
+from catopt.verify.side_by_side import SECONDS_PER_BAR_AND_STEP, Crew, silent
 from catopt.words import Message
 
 _RUNG: Final = 1.08
@@ -398,18 +398,14 @@ def _run(
         for sea in seas
         for name, state in load_states(sea, None)
     ]
-    begun = run_once([Wanted(*each, (0,)) for each in drives], crew, _silent)
+    begun = run_once([Wanted(*each, (0,)) for each in drives], crew, silent)
     found = _judged(settled, [replace(e, dynamics=largest_values) for e in seas], begun, how)
     goes_on = found.tried.passes or (whole and not found.tried.reason)
     if goes_on and how.seeds > 1:
         rest = tuple(range(1, how.seeds))
-        more = run_once([Wanted(*each, rest) for each in drives], crew, _silent)
+        more = run_once([Wanted(*each, rest) for each in drives], crew, silent)
         begun = [_together(*each) for each in zip(begun, more, strict=True)]
     return _judged(settled, seas, begun, how) if goes_on else found
-
-
-def _silent(*_: int) -> None:
-    """Tell nobody."""
 
 
 def _sinkers_from(settled: ConvergedSizing, case: Case) -> tuple[Anchor, ...]:

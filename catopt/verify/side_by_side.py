@@ -212,6 +212,10 @@ class Crew:
         ]
 
 
+def silent(*_: int) -> None:
+    """Tell nobody how far it is."""
+
+
 def _in_turn(task: Callable[[int, Progress], T], count: int, progress: Progress) -> list[T]:
     done: list[T] = []
     with suppress(KeyboardInterrupt):
@@ -222,7 +226,7 @@ def _in_turn(task: Callable[[int, Progress], T], count: int, progress: Progress)
 def share_of(progress: Progress | None, done: int, total: int, part: int = 1) -> Progress:
     """Tell of a part of some work as of the whole, of which some is done."""
     if progress is None:
-        return lambda *_: None
+        return silent
     return lambda at, end: progress(done * end + part * at, total * end)
 
 

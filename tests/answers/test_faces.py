@@ -30,13 +30,13 @@ from catopt.answers.blocks import (
     Verdict,
     Warnings,
 )
-from catopt.answers.motion import front_in_motion_answer
+from catopt.answers.front_in_motion import front_in_motion_answer
 from catopt.answers.size import size_answer
 from catopt.answers.verification import front_answer
 from catopt.casefile import parse_case
 from catopt.cli.answering import STOPPED
 from catopt.model import Case
-from catopt.notes.motion import front_in_motion
+from catopt.notes.front_in_motion import front_in_motion
 from catopt.render.files import csv_files
 from catopt.render.page import in_numbers, in_symbols
 from catopt.render.terminal import show

@@ -10,7 +10,8 @@ import pytest
 
 from catopt.casefile import parse_case
 from catopt.model import Case
-from catopt.notes.motion import FrontInMotion, checks_in_motion, front_in_motion
+from catopt.notes.front_in_motion import FrontInMotion, front_in_motion
+from catopt.notes.motion import checks_in_motion
 from catopt.verify.dynamic import verify_dynamic
 
 OF_SIZE = """

@@ -1,0 +1,298 @@
+"""Designs of a front in motion: run side by side, each once; the one that is recommended proven."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from concurrent.futures import FIRST_COMPLETED, Executor, wait
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from catopt.checks.criteria import criteria_of
+from catopt.design.front import knee
+from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
+from catopt.interrupt import waiting_interrupt
+from catopt.notes.motion import Progress, checks_in_motion
+from catopt.ties import largest
+from catopt.words import Message
+
+if TYPE_CHECKING:
+    from catopt.checks.result import CheckReport, CheckResult
+    from catopt.model import Case
+    from catopt.verify.convergence_check import ConvergenceCheck
+    from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
+
+_LOOK = 0.1
+"""Seconds between two looks at what an executor has done."""
+
+
+@dataclass(frozen=True)
+class DesignInMotion:
+    """One design of a front in motion, by its number from 1, as in the tables of the front.
+
+    The objectives are those of the search, in SI, lower being better. Nothing was found where there
+    is no answer, for the reason of `failure`; the checks are of the tensions in motion, and
+    `at_rest` is the tension at the fairlead under the mean loads, N, where it is largest in motion.
+    """
+
+    number: int
+    objectives: tuple[float, ...]
+    found: DynamicVerification | None = None
+    checks: CheckReport | None = None
+    at_rest: float | None = None
+    failure: str = ""
+
+    @property
+    def passes(self) -> bool:
+        """Whether it was run to its end, is not doubted, and every check passes."""
+        found, checks = self.found, self.checks
+        is_sure = found is not None and found.is_complete and found.verdict != "not converged"
+        return is_sure and checks is not None and bool(checks.results) and checks.passes
+
+    @property
+    def is_run_once(self) -> bool:
+        """Whether it was run, but no run again says what its maxima hang on."""
+        return self.found is not None and self.found.verdict == "not proven"
+
+    @property
+    def governing(self) -> DynamicPart | None:
+        """The load case, or the line of a body, with the largest tension at the fairlead."""
+        return None if self.found is None else self.found.governing
+
+    @property
+    def tightest(self) -> CheckResult | None:
+        """The check that is nearest to its limit."""
+        results = () if self.checks is None else self.checks.results
+        return largest(results, lambda each: each.utilisation or 0.0) if results else None
+
+
+@dataclass(frozen=True)
+class FrontInMotion:
+    """A front in motion; not complete when it was stopped (Ctrl-C), later designs being left out.
+
+    `of_search` is the number of the design that the search recommends, which passes at rest.
+    """
+
+    designs: tuple[DesignInMotion, ...]
+    of_search: int
+    is_complete: bool
+
+    @property
+    def recommended(self) -> int | None:
+        """Number of the best design that passes at rest and in motion; None if there is none.
+
+        That of the search if it passes in motion, else the knee of those that do.
+        """
+        passing = [each for each in self.designs if each.passes]
+        if self.of_search in {each.number for each in passing}:
+            return self.of_search
+        if not passing:
+            return None
+        return passing[knee(np.array([each.objectives for each in passing])).index].number
+
+    @property
+    def has_converged(self) -> bool:
+        """Whether every design has an answer that its convergence check does not contradict."""
+        return all(
+            each.found is not None and each.found.verdict != "not converged"
+            for each in self.designs
+        )
+
+    def to_dict(self) -> dict[str, Any]:
+        """Build what ``catopt verify DIR --all --dynamic --json`` has under ``dynamic``."""
+        return {
+            "recommended_by_search": self.of_search,
+            "recommended": self.recommended,
+            "complete": self.is_complete,
+            "designs": [_document(each) for each in self.designs],
+        }
+
+
+def front_in_motion(
+    cases: Sequence[tuple[int, Case, tuple[float, ...]]],
+    of_search: int,
+    *,
+    convergence_check: ConvergenceCheck = "step",
+    workers: int | None = None,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
+) -> FrontInMotion:
+    """Run designs in time, side by side, in every load case, and check their tensions.
+
+    Each is run once: first in one seed, by its largest values, which all of them together are never
+    judged below; in the others where it passes. Then the design that is recommended is run again to
+    prove it, and where that speaks against it the one that is recommended instead.
+
+    A case is a design's number, case and objectives. `convergence_check`: of the one that is
+    recommended; "bars" proves every design that passes. `executor`: what runs the designs, as of
+    `concurrent.futures`; `workers` processes of this machine when left out. The rest is as for
+    `verify_dynamic`.
+
+    Raises InputError as `verify_dynamic` and `check_motion` do, and where the case has no check of
+    a tension. A design without an answer does not stop the others.
+    """
+    from catopt.verify.side_by_side import Crew, share_of
+
+    for _, case, _ in cases[:1]:
+        if not any(each.check == "tension" for each in criteria_of(case, analysis="dynamic").all):
+            allowed = Message("refused_command.codes_or_safety_factor_are")
+            raise InputError(
+                [Problem("checks", Message("refused_command.no_tension_limit"), allowed)],
+                "case file",
+            )
+    with waiting_interrupt() as ask:
+
+        def tell(at: int, end: int) -> None:
+            ask()
+            if progress is not None:
+                progress(at, end)
+
+        once, proof = share_of(tell, 0, 2), share_of(tell, 1, 2)
+        task = partial(_once, cases)
+        if executor is None:
+            with Crew(min(_side(cases, workers), len(cases))) as crew:
+                designs = crew.each(task, len(cases), once)
+        else:
+            designs = _on(executor, task, len(cases), once)
+        front = FrontInMotion(tuple(designs), of_search, len(designs) == len(cases))
+        if convergence_check == "none":
+            return front
+        proven: set[int] = set()
+        try:
+            while (wanted := _to_prove(front, convergence_check, proven)) is not None:
+                number, case, objectives = cases[wanted]
+                again = _design(number, objectives, case, convergence_check, workers, None, proof)
+                proven.add(number)
+                kept = (again if each.number == number else each for each in front.designs)
+                front = replace(front, designs=tuple(kept))
+        except KeyboardInterrupt:
+            front = replace(front, is_complete=False)
+        return front
+
+
+def _side(cases: Sequence[tuple[int, Case, tuple[float, ...]]], workers: int | None) -> int:
+    """Say how many processes run the designs, at most: one where there is little to do."""
+    from catopt.verify.case import load_states
+    from catopt.verify.dynamic import processes_for, work_of
+
+    for _, case, _ in cases:
+        with suppress(NoAnswerError, NotConvergedError):
+            work = sum(work_of(state) for _, state in load_states(case, None))
+            return processes_for(len(cases) * work, workers)
+    return 1
+
+
+def _on(
+    executor: Executor, task: Callable[[int, Progress], DesignInMotion], count: int, tell: Progress
+) -> list[DesignInMotion]:
+    """Do a task for each number by an executor; stopped, what was done by then."""
+    from catopt.verify.side_by_side import silent
+
+    futures = [executor.submit(task, number, silent) for number in range(count)]
+    waiting = set(futures)
+    try:
+        while waiting:
+            done, waiting = wait(waiting, _LOOK, FIRST_COMPLETED)
+            for each in done:
+                each.result()
+            tell(count - len(waiting), count)
+    except KeyboardInterrupt:
+        for each in futures:
+            each.cancel()
+    return [each.result() for each in futures if each.done() and not each.cancelled()]
+
+
+def _to_prove(
+    front: FrontInMotion, convergence_check: ConvergenceCheck, proven: set[int]
+) -> int | None:
+    """Find the design, by its place, that passes and is to be proven next; not those that were."""
+    wanted = [front.recommended]
+    if convergence_check == "bars":
+        wanted += [each.number for each in front.designs if each.passes]
+    for k, each in enumerate(front.designs):
+        if each.number in wanted and each.number not in proven:
+            return k
+    return None
+
+
+def _once(
+    cases: Sequence[tuple[int, Case, tuple[float, ...]]], at: int, progress: Progress
+) -> DesignInMotion:
+    """Run a design in one seed and, where it passes that, in the others."""
+    from catopt.verify.side_by_side import share_of
+
+    number, case, objectives = cases[at]
+    assert case.dynamics is not None
+    runs = case.dynamics.runs
+    first = _design(
+        number, objectives, case, "none", 1, range(min(1, runs)), share_of(progress, 0, runs)
+    )
+    if runs == 1 or not first.passes:
+        return first
+    rest = share_of(progress, 1, runs, runs - 1)
+    return _design(number, objectives, case, "none", 1, range(1, runs), rest, first.found)
+
+
+def _design(
+    number: int,
+    objectives: tuple[float, ...],
+    case: Case,
+    convergence_check: ConvergenceCheck,
+    workers: int | None,
+    seeds: Sequence[int] | None,
+    progress: Progress,
+    before: DynamicVerification | None = None,
+) -> DesignInMotion:
+    """Run a design and check what its runs came to; raises KeyboardInterrupt where it is stopped.
+
+    `seeds`: as of `verify_dynamic`, those of the first ones being judged by their largest values;
+    `before`: what the seeds came to that were run before these.
+    """
+    from catopt.verify.dynamic import verify_dynamic
+    from catopt.verify.judged import judged_as, solutions_at_rest, with_more_runs, with_verdicts
+
+    try:
+        found = verify_dynamic(
+            case,
+            convergence_check=convergence_check,
+            workers=workers,
+            seeds=seeds,
+            progress=progress,
+        )
+        if not found.is_complete:
+            raise KeyboardInterrupt
+        if before is not None:
+            parts = [with_more_runs(*e) for e in zip(before.parts, found.parts, strict=True)]
+            found = replace(found, parts=tuple(with_verdicts(case, parts)))
+        judged = found
+        if seeds is not None and before is None:
+            assert case.dynamics is not None
+            largest_values = replace(case.dynamics, judged_by="largest")
+            parts = [judged_as(each, largest_values) for each in found.parts]
+            judged = replace(found, parts=tuple(parts))
+        still = solutions_at_rest(case, found.parts)
+        checks = checks_in_motion(judged, still)
+    except (NoAnswerError, NotConvergedError) as error:
+        return DesignInMotion(number, objectives, failure=error.message)
+    solution = still[found.parts.index(found.governing)]
+    tension = None if solution is None else solution.fairlead.tension
+    return DesignInMotion(number, objectives, found, checks, tension)
+
+
+def _document(each: DesignInMotion) -> dict[str, Any]:
+    part = each.governing
+    return {
+        "design": each.number,
+        "verdict": "no answer" if each.found is None else each.found.verdict,
+        "failure": each.failure,
+        "passes": each.passes,
+        "tension_at_rest_N": each.at_rest,
+        "largest_tension_N": None if part is None else part.of("fairlead_tension").maximum,
+        "quasi_static_tension_N": None if part is None else part.quasi_static_max,
+        "amplification": None if part is None else part.dynamic_amplification,
+        "runs": 0 if part is None else len(part.runs),
+        "checks": None if each.checks is None else each.checks.motion_document(),
+    }
