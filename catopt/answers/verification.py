@@ -210,7 +210,7 @@ def _designs(front: FrontVerification) -> blocks.Table:
     """Tabulate the designs in the load case that governs each."""
     of = Rows(front.designs)
     found = Rows(of.read("verification.static"))
-    tension = Rows(found.read(lambda part: part.of("fairlead_tension")))
+    tension = Rows(found.read("fairlead_tension"))
     verdicts = (term(each or "no answer") for each in of.read("verification.verdict"))
     people: dict[str, Any] = {"only": "people"}
     files: dict[str, Any] = {"only": "files"}

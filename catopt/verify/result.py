@@ -204,6 +204,12 @@ class StaticComparison:
         wanted = (quantity, line, point)
         return next(q for q in self.quantities if (q.quantity, q.line, q.point) == wanted)
 
+    @property
+    def fairlead_tension(self) -> Compared:
+        """Tension at the fairlead, of several lines that of the most loaded one."""
+        every = [each for each in self.quantities if each.quantity == "fairlead_tension"]
+        return largest(every, lambda each: each.closed_form)
+
     def name_of_line(self, line: int) -> str:
         """Name of a line, from 0: of a network its own, else its number."""
         return self.line_names[line] if self.line_names else f"{line + 1}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -170,3 +171,53 @@ def test_a_cluster_gives_the_same_front(run: Run, tmp_path: Path) -> None:
     refused = run("verify", tmp_path / "front", "--all", "--scheduler", "tcp://127.0.0.1:9")
     assert refused.status == 2
     assert "goes with --all --dynamic" in refused.err
+
+
+MOORING = """
+[site]
+water_depth = "30 m"
+[line]
+fairlead_height = "28 m"
+[[line.segments]]
+component = "chain studless R3"
+diameter = "76 mm"
+length = "200 m"
+[system]
+anchor_radius = "195 m"
+azimuths = ["0 deg", "90 deg", "180 deg", "270 deg"]
+force = ["400 kN", "0 kN"]
+[checks]
+safety_factor = 2.0
+[design]
+lines = [4]
+anchor_radii = ["195 m"]
+headings = 4
+[[design.segments]]
+components = ["chain studless R3"]
+diameters = ["76 mm", "95 mm"]
+lengths = ["200 m"]
+[motion]
+period = "8 s"
+surge = "0.5 m"
+[dynamics]
+duration = "40 s"
+elements = 10
+"""
+
+
+@pytest.mark.slow
+def test_a_front_of_whole_moorings_is_verified_at_rest_and_in_motion(
+    run: Run, tmp_path: Path
+) -> None:
+    """Before, the table of designs looked for the tension of a single line: StopIteration."""
+    (tmp_path / "case.toml").write_text(MOORING, "utf-8")
+    front = tmp_path / "front"
+    assert run("design", tmp_path / "case.toml", "--out", front).status == 0
+    ran = run("verify", front, "--all", "--dynamic", "--once", "--json")
+    assert ran.status == 0
+    document = json.loads(ran.out)
+    assert [each["verdict"] for each in document["designs"]] == ["agrees"] * 2
+    tensions = [each["largest_tension_N"] for each in document["dynamic"]["designs"]]
+    assert len(tensions) == 2
+    text = run("verify", front, "--all")
+    assert "agree on all 2 designs" in text.out
