@@ -207,7 +207,7 @@ def test_both_allowances_are_printed_and_the_document_fits_its_schema() -> None:
 def test_several_lines_are_sized_in_motion_with_all_there_and_with_one_out() -> None:
     """What is written passes its own runs in both; what is less fails, and so it is without one."""
     with alone():
-        of = size_tanker(**SHIP, lines=4, in_motion=True, seeds=2, run_time="1 h")
+        of = size_tanker(**SHIP, lines=4, in_motion=True, seeds=2)
     found = verify_ship(written(of, judged_by="upper"))
     assert found.checks.passes
     assert len(found.lines) == 4
