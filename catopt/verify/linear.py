@@ -39,7 +39,10 @@ class LinearLine:
 
     @property
     def holds(self) -> bool:
-        """Whether the line stays taut, without which nothing here holds."""
+        """Whether the line has the reserve with which led lines stay taut in time.
+
+        A buoy's may go slack all the same, and then nothing here holds: run it in time.
+        """
         return self.reserve >= LEAST_RESERVE
 
     def most_probable(self, duration: float) -> float:
