@@ -236,9 +236,12 @@ class Simulation:
         at.v[:] = 0.0
         at.a[:] = 0.0
         at.foot[:] = np.nan
-        # A softer bed than this one, or a level one, may have been laid under the shape given.
-        bed = (at.x[:, 0] * lines.bed_sin - lines.bed_depth) / lines.bed_cos
+        # A softer bed than this one, or a level one, may have been laid under the shape given. What
+        # a clump weight presses in stays: lifted, its node would leave the bar beside it slack.
         has_bed = (lines.bed_stiffness > 0.0) & ~lines.held
+        pressed = np.maximum(-lines.node_force[:, 2], 0.0)
+        pressed /= np.where(has_bed, lines.bed_stiffness, np.inf)
+        bed = (at.x[:, 0] * lines.bed_sin - lines.bed_depth - pressed) / lines.bed_cos
         at.x[:, 2] = np.where(has_bed, np.maximum(at.x[:, 2], bed), at.x[:, 2])
 
     def find_rest(self) -> None:

@@ -355,6 +355,12 @@ class _Search:
         for i in range(self.size):
             matrix[i][i] += _HELD_BACK * stiffest + _GENTLE * strongest / self.stride
         way, _ = descent(_held_down(matrix, laid), forces)
+        if not sum(map(float.__mul__, forces, way)) > 0.0:  # friction's derivatives are lopsided
+            even = [
+                [0.5 * (a + b) for a, b in zip(row, column, strict=True)]
+                for row, column in zip(matrix, zip(*matrix, strict=True), strict=True)
+            ]
+            way, _ = descent(_held_down(even, laid), forces)
         part = min(1.0, self.stride / max(map(abs, way)))
         for body in self.bodies:
             if body.turns and (turn := abs(way[body.first + 2]) / body.arm):

@@ -70,3 +70,8 @@ def test_what_lies_without_load_alone_is_told_so() -> None:
 def test_clumps_that_rest_on_the_bed_between_joints_come_to_rest(seed: int) -> None:
     """Before, not within 200 steps: such a line was as stiff as one that hangs clear."""
     assert judge(seed)[1] == []
+
+
+def test_a_step_goes_down_where_friction_makes_stiffness_lopsided() -> None:
+    """Three floats on rough ground: before, 200 steps of which all but the first did not move."""
+    assert judge(1313) == ("answered", [])

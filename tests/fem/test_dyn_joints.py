@@ -11,7 +11,7 @@ import pytest
 
 from catopt.errors import InputError
 from catopt.fem.dynamic_model import LineProperties
-from catopt.fem.dynamics import run_dynamics, run_network_dynamics
+from catopt.fem.dynamics import line_at_rest, run_dynamics, run_network_dynamics
 from catopt.fem.history import History
 from catopt.fem.mesh import mesh_line
 from catopt.fem.morison import MorisonSection
@@ -166,3 +166,25 @@ def test_a_joint_of_unknown_mass_is_refused() -> None:
             [Point("buoy", "joint", submerged_weight=-5e3)],
             TimeStepping(1.0, 0.1),
         )
+
+
+@pytest.mark.parametrize("span", [110.0, 115.0, 118.0])
+@pytest.mark.parametrize("friction", [0.0, 0.5])
+@pytest.mark.parametrize("elements", [[16, 12], [8, 6]])
+def test_a_clump_weight_on_the_bed_comes_to_rest(
+    span: float, friction: float, elements: list[int]
+) -> None:
+    """Friction under it may hold the line, whose chain behind it is slack.
+
+    What it presses into the bed is its own weight and the line's over the bed's stiffness.
+    """
+    line = Line([CHAIN, ROPE], [PointLoad(80.0, 2e3, mass=450.0)])
+    bed = Seabed(2e4, 2e3, friction=friction)
+    of = replace(PROPERTIES, sections=[SECTION] * 2, seabed=bed)
+    rest = line_at_rest(mesh_line(line, elements), height=45.0, span=span, properties=of)
+    at = rest.state
+    assert at.reaction[elements[0]] > 0.0
+    bar = at.x[-1] - at.x[-2]
+    lift = at.tension[-1] * bar[2] / float(np.linalg.norm(bar)) + 10.0 * 60.0 / elements[1]
+    weight = 200.0 * 80.0 + 20.0 * 60.0 + 2e3
+    assert at.reaction.sum() - at.force[0, 2] + lift == pytest.approx(weight, rel=1e-6)
