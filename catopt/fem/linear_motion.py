@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Final, NamedTuple, Protocol
 
@@ -113,6 +113,9 @@ largest; what friction leaves of it along the bed comes to rest later."""
 LEAST_RESERVE: Final = 5.0
 """Standard deviations of a tension that its mean needs: with less, lines went slack in time."""
 
+_SHEARED: Final = 0.05
+"""Way up and down over which the current's gain is taken, m."""
+
 _LIMIT: Final = 200
 _A_BAR: Final = 3e-4
 """Time that a bar takes for one wave as plain Python, s."""
@@ -138,6 +141,8 @@ class Drags(NamedTuple):
     node: Codes  # (n,)
     coefficient: Array  # (n,): 0.5 rho C A, N s2/m2
     onto: Array  # (n, 3, 3): the part of the velocity that counts
+    bar: Codes  # (n,): that of a half bar; -1 for a point load
+    turn: Array  # (n, 3, 3): what that part gains in the steady stream as the bar's direction turns
 
 
 class Rubs(NamedTuple):
@@ -154,7 +159,8 @@ class LinearModel(NamedTuple):
     start: Codes  # (lines + 1,): first bar of each line
     x: Array  # (nodes, 3): places at rest, m
     stream: Array  # (nodes, 3): steady velocity of the water there, m/s
-    stiffness: Blocks  # K
+    shear: Array  # (nodes, 3): and what it gains upwards, 1/s
+    stiffness: Blocks  # K, without drag
     damping: Blocks  # C
     mass: Blocks  # M
     water_mass: Blocks  # M_w
@@ -272,11 +278,12 @@ def linear_model(simulation: Simulation) -> LinearModel:
         lines.start,
         at.x.copy(),
         water.velocity.copy(),
+        _shear(simulation),
         K,
         C,
         M,
         _blocks(simulation, pushed, _ACCELERATION),
-        _drags(simulation, water.wet),
+        _drags(simulation, water.wet, water.velocity),
         _rubs(simulation),
         at.axis.copy(),
         at.tension.copy(),
@@ -304,9 +311,9 @@ def _blocks(simulation: Simulation, lines: Any, blend: Blend) -> Blocks:
     return Blocks(blocks.diagonal.copy(), blocks.lower.copy(), blocks.upper.copy())
 
 
-def _drags(simulation: Simulation, wet: Array) -> Drags:
+def _drags(simulation: Simulation, wet: Array, stream: Array) -> Drags:
     lines, axis = simulation.lines, simulation.state.axis
-    first = bar_nodes(lines.start)
+    first, each, loads = bar_nodes(lines.start), np.arange(len(axis)), lines.load_node.size
     along = axis[:, :, np.newaxis] * axis[:, np.newaxis, :]
     across = np.eye(3) - along
     half = 0.5 * lines.length[:, np.newaxis] * wet
@@ -315,10 +322,29 @@ def _drags(simulation: Simulation, wet: Array) -> Drags:
         half * drag[:, np.newaxis] for drag in (lines.drag_normal, lines.drag_tangential)
     )
     coefficient = np.concatenate([*normal.T, *axial.T, lines.load_drag])
-    whole = np.broadcast_to(np.eye(3), (lines.load_node.size, 3, 3))
+    whole = np.broadcast_to(np.eye(3), (loads, 3, 3))
     onto = np.concatenate([across, across, along, along, whole])
+    # Of u the part along a bar is t (t u): it gains dt (t u) + t (u dt), and that across loses it.
+    u = stream[node[: -loads or None]].reshape(4, -1, 3)
+    gain = axis[:, :, np.newaxis] * u[:, :, np.newaxis, :]
+    gain += np.einsum("ei,kei->ke", axis, u)[:, :, np.newaxis, np.newaxis] * np.eye(3)
+    turn = np.concatenate([-gain[0], -gain[1], gain[2], gain[3], np.zeros((loads, 3, 3))])
+    bar = np.concatenate([each, each, each, each, np.full(loads, -1)])
     acts = coefficient > 0.0
-    return Drags(node[acts], coefficient[acts], onto[acts])
+    return Drags(node[acts], coefficient[acts], onto[acts], bar[acts], turn[acts])
+
+
+def _shear(simulation: Simulation) -> Array:
+    """What the steady velocity of the water gains upwards at each node, 1/s."""
+    x, sea = simulation.state.x, simulation.sea
+    if sea is None:
+        return np.zeros_like(x)
+    calm = replace(sea, waves=None)
+    up = np.clip(x[:, 2], 0.0, sea.depth)
+    low, high = (np.clip(up + way, 0.0, sea.depth) for way in (-_SHEARED, _SHEARED))
+    points = [np.column_stack([x[:, :2], z]) for z in (low, high)]
+    below, above = (calm.kinematics(0.0, each).velocity for each in points)
+    return np.asarray((above - below) / (high - low)[:, np.newaxis])
 
 
 def _rubs(simulation: Simulation) -> Rubs:
@@ -356,11 +382,12 @@ def linear_motion(
     fairleads = model.start[1:] - 1
     last, change = np.full(fairleads.size, np.inf), math.inf
     for iteration in range(1, _LIMIT + 1):
-        drag = _drag(model, room.spread)
+        drag, stiffness = _drag(model, room.spread)
         dashpot = _dashpots(model.rubs, room.slip)
         if body is not None:
             afloat = Afloat(*body.equations(motion), body.arm, motion)
-        solve(waves.omega, flow, led, model, drag, dashpot, room, afloat)
+        turned = model._replace(stiffness=stiffness)
+        solve(waves.omega, flow, led, turned, drag, dashpot, room, afloat)
         deviation = np.sqrt(0.5 * (np.abs(tension[:, fairleads]) ** 2).sum(axis=0))
         largest = float(deviation.max())
         change = float(np.abs(deviation - last).max()) / largest if largest > 0.0 else 0.0
@@ -387,16 +414,35 @@ def velocities_at(points: Array, sea: Sea) -> Complex:
     return np.ascontiguousarray(np.stack([along * cos, along * sin, up], axis=2))
 
 
-def _drag(model: LinearModel, spread: Array) -> Array:
-    """Linear drag of each node, N s/m, from the covariance of its relative velocity."""
-    node, coefficient, onto = model.drags
+def _drag(model: LinearModel, spread: Array) -> tuple[Array, Blocks]:
+    """Linear drag of each node, N s/m, from the covariance of its relative velocity.
+
+    And K with the steady drag, which goes with the bars' directions and with the water's height.
+    """
+    node, coefficient, onto, bar, turn = model.drags
     mean = np.einsum("nij,nj->ni", onto, model.stream[node])
     covariance = onto @ spread[node] @ onto
+    by_flow = coefficient[:, np.newaxis, np.newaxis] * equivalent_drag(mean, covariance)
     # Across a bar, what its matrix has along it is no force.
-    own = onto @ equivalent_drag(mean, covariance) @ onto
+    own = onto @ by_flow @ onto
     drag = np.zeros((len(model.x), 3, 3))
-    np.add.at(drag, node, coefficient[:, np.newaxis, np.newaxis] * own)
-    return drag
+    np.add.at(drag, node, own)
+    if not model.stream.any():
+        return drag, model.stiffness
+    diagonal, lower, upper = (each.copy() for each in model.stiffness)
+    np.add.at(diagonal[:, :, 2], node, -np.einsum("nij,nj->ni", own, model.shear[node]))
+    of = bar >= 0
+    n, e = node[of], bar[of]
+    first = bar_nodes(model.start)[e]
+    long = np.linalg.norm(model.x[first + 1] - model.x[first], axis=1)
+    axis = model.axis[e]
+    turned = np.eye(3) - axis[:, :, np.newaxis] * axis[:, np.newaxis, :]
+    by_way = by_flow[of] @ turn[of] @ turned / long[:, np.newaxis, np.newaxis]
+    at_first = n == first
+    np.add.at(diagonal, n, np.where(at_first, 1.0, -1.0)[:, np.newaxis, np.newaxis] * by_way)
+    np.add.at(upper, n[at_first], -by_way[at_first])
+    np.add.at(lower, n[~at_first], by_way[~at_first])
+    return drag, Blocks(diagonal, lower, upper)
 
 
 def _dashpots(rubs: Rubs, slip: Array) -> Array:

@@ -89,9 +89,13 @@ def linear_hull(hull: FloatingHull, rest: AtRest, sea: Sea) -> LinearHull:
     matrix[:, held, held] = 1.0
     push[:, held] = arm[:, held] = 0.0
 
-    wet = rest.by_acceleration[0, :, 0] / (laid.density * math.pi * laid.radius**2)
+    carried = rest.by_acceleration[0, :, 0]
+    wet = carried / (laid.density * math.pi * laid.radius**2)
+    # The water pulls where what is wet of a slice is: along the axis, from its moments.
+    moment = rest.by_acceleration[2, :, 0] * cosine - rest.by_acceleration[2, :, 1] * sine
+    lever = np.divide(moment, carried, out=np.zeros_like(middle), where=carried > 0.0)
     stream = replace(sea, waves=None).kinematics(0.0, places).velocity
-    seen = [np.stack([np.full_like(middle, cosine), np.full_like(middle, -sine), middle], axis=1)]
+    seen = [np.stack([np.full_like(middle, cosine), np.full_like(middle, -sine), lever], axis=1)]
     coefficient, at = [laid.drag * wet], [np.arange(middle.size)]
     if laid.bottom_drag > 0.0:
         face = laid.column[:, 0] * laid.bottom_radius

@@ -25,15 +25,18 @@ class LinearLine:
     """What a random sea makes of the tension at a line's fairlead, by linear motion.
 
     `line`: of a body with several lines, which one, from 1; `mean`: at rest, N; `deviation`:
-    standard deviation, N; `period`: zero-crossing period, s; `reserve`: least tension of any of the
-    line's bars at rest over its standard deviation; `buoy`: standard deviations of surge and heave,
-    m, and pitch, rad, of the buoy that floats at its end, if one does.
+    standard deviation, N; `period`: zero-crossing period, s; `anchor_mean`, `anchor_deviation`:
+    likewise at the lower end; `reserve`: least tension of any of the line's bars at rest over its
+    standard deviation; `buoy`: standard deviations of surge and heave, m, and pitch, rad, of the
+    buoy that floats at its end, if one does.
     """
 
     line: int | None
     mean: float
     deviation: float
     period: float
+    anchor_mean: float
+    anchor_deviation: float
     reserve: float
     buoy: tuple[float, float, float] | None = None
 
@@ -98,10 +101,14 @@ def linear_lines(case: Case) -> tuple[LinearLine, ...]:
             float(found.mean[last]),
             float(deviation[last]),
             float(period[last]),
+            float(found.mean[first]),
+            float(deviation[first]),
             found.reserve(k),
             None if body is None else (moved[0], moved[1], moved[2]),
         )
-        for k, last in enumerate((model.start[1:] - 1).tolist())
+        for k, (first, last) in enumerate(
+            zip(model.start[:-1].tolist(), (model.start[1:] - 1).tolist(), strict=True)
+        )
     )
 
 

@@ -23,7 +23,7 @@ from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_lines import OneLine, lines_at_rest
 from catopt.verify.dynamic_setup import read_drive
 from catopt.verify.linear import linear_lines
-from catopt.waves import Sea, Waves
+from catopt.waves import PowerLawCurrent, Sea, Waves
 
 CHAIN = Path(__file__).parents[2] / "cases" / "dynamic-chain-56m" / "case.toml"
 LINE = Line([Segment(200.0, 900.0, EA=4e8, mass=110.0)])
@@ -36,17 +36,24 @@ def wave(amplitude: float, omega: float = 0.8) -> Waves:
     )
 
 
-def both(amplitude: float, properties: LineProperties) -> tuple[LinearMotion, np.ndarray]:
+def both(
+    amplitude: float,
+    properties: LineProperties,
+    *,
+    line: Line = LINE,
+    place: Any = PLACE,
+    currents: tuple[PowerLawCurrent, ...] = (),
+) -> tuple[LinearMotion, np.ndarray]:
     """Linear motion of a led line in one wave, and its tension in time after the ramp."""
     period = 2.0 * math.pi / 0.8
     motion = Harmonic(period, (amplitude, 0.3 * amplitude, 0.7 * amplitude), (0.2, -0.4, 1.1))
-    sea = Sea(60.0, wave(amplitude))
-    mesh = mesh_line(LINE, 30)
-    rest = line_at_rest(mesh, properties=properties, sea=replace(sea, waves=None), **PLACE)
+    sea = Sea(60.0, wave(amplitude), currents)
+    mesh = mesh_line(line, 30)
+    rest = line_at_rest(mesh, properties=properties, sea=replace(sea, waves=None), **place)
     found = linear_motion(linear_model(rest), sea, motion.amplitudes[np.newaxis])
     stepping = TimeStepping(12.0 * period, period / 400.0, ramp_time=6.0 * period)
     history = run_dynamics(
-        LINE, stepping, motion=motion, properties=properties, sea=sea, mesh=mesh, **PLACE
+        line, stepping, motion=motion, properties=properties, sea=sea, mesh=mesh, **place
     )
     time = history.time[history.counted]
     assert found.series(time).shape == (time.size, 30)
@@ -62,6 +69,21 @@ def test_a_small_motion_without_drag_is_linear() -> None:
     assert found.deviation[-1] > 10.0
     assert np.abs(ours - tension).max() < 0.01 * np.ptp(tension)
     assert found.zero_crossing_period[-1] == pytest.approx(2.0 * math.pi / 0.8)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("exponent", [1e-9, 1.0], ids=["even", "sheared"])
+def test_in_a_current_drag_goes_with_the_line(exponent: float) -> None:
+    """Amplitude and phase to 1 %: steady drag turns with the bars, and grows as they rise.
+
+    Without that they were off by 3 and 5 %.
+    """
+    section = MorisonSection(0.05, 1.2, 0.1, added_mass_normal=1.0)
+    properties = LineProperties([section], seabed=Seabed(friction=0.0))
+    currents = (PowerLawCurrent(1.5, direction=1.0, exponent=exponent),)
+    line, place = Line([Segment(70.0, 170.0, EA=5e7, mass=18.0)]), {"height": 40.0, "span": 50.0}
+    found, (time, tension) = both(0.002, properties, line=line, place=place, currents=currents)
+    assert np.abs(found.series(time)[:, -1] - tension).max() < 0.01 * np.ptp(tension)
 
 
 def test_drag_hangs_on_the_size_of_the_motion() -> None:

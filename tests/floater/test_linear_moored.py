@@ -48,8 +48,8 @@ def linear(hull: FloatingHull, properties: LineProperties, sea: Sea) -> LinearMo
 
 def in_time(
     hull: FloatingHull, properties: LineProperties, sea: Sea, omega: float
-) -> tuple[list[complex], complex]:
-    """Surge, heave, pitch and the tension at the eye in the last 10 of 40 periods."""
+) -> list[complex]:
+    """Surge, heave, pitch, tension at anchor and eye in the last 10 of 40 periods."""
     period = 2.0 * math.pi / omega
     stepping = TimeStepping(40.0 * period, period / 100.0, ramp_time=10.0 * period)
     mesh = mesh_line(LINE, 20)
@@ -62,7 +62,8 @@ def in_time(
         cosine, sine, _ = np.linalg.lstsq(parts, series[late], rcond=None)[0]
         return complex(cosine, sine)
 
-    return [amplitude(way.place[:, k]) for k in range(3)], amplitude(history.bar_tension[:, 0, 1])
+    places = [amplitude(way.place[:, k]) for k in range(3)]
+    return places + [amplitude(history.bar_tension[:, 0, end]) for end in range(2)]
 
 
 def test_without_drag_it_goes_with_the_wave() -> None:
@@ -75,12 +76,14 @@ def test_without_drag_it_goes_with_the_wave() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("omega", "current", "radiates"),
-    [(0.6, 0.0, True), (1.6, 0.0, True), (1.0, 0.0, False), (0.6, 1.0, True), (1.6, 0.3, True)],
+    [(0.6, 0.0, True), (1.6, 0.0, True), (1.0, 0.0, False), (0.6, 1.0, True), (1.6, 1.0, True)],
 )
 def test_small_waves_move_it_as_in_time(omega: float, current: float, radiates: bool) -> None:
-    """Amplitude and phase of surge, heave and tension to 1.5 %, in a current to the same.
+    """Amplitude and phase of its motion and of the tension at both ends to 0.5 %.
 
-    The step is a hundredth of the period, and steady drag goes with what the wave wets.
+    The step is a hundredth of the period. Steady drag goes with what the wave wets, with the bars'
+    directions, and acts where each slice is wet: without the three surge was off by a third, pitch
+    by a quarter and the anchor's tension by 3.5 % in a current of 1 m/s.
     """
     of: dict[str, object] = {"radiation": RADIATION} if radiates else {}
     if not current:
@@ -88,12 +91,9 @@ def test_small_waves_move_it_as_in_time(omega: float, current: float, radiates: 
     hull, sea = buoy(**of), in_wave(0.01, omega, current=current)
     properties = WET if current else BARE
     found = linear(hull, properties, sea)
-    (surge, heave, _), tension = in_time(hull, properties, sea, omega)
-    for own, theirs in zip(
-        (*found.motion[0, :2], found.tension[0, -1]), (surge, heave, tension), strict=True
-    ):
-        assert abs(own - theirs) < 0.02 * abs(theirs)
-        assert abs(abs(own) / abs(theirs) - 1.0) < 0.015
+    ours = [*found.motion[0], *found.tension[0, [0, -1]]]
+    for own, theirs in zip(ours, in_time(hull, properties, sea, omega), strict=True):
+        assert abs(own - theirs) < 0.005 * abs(theirs)
 
 
 CASE = """
@@ -138,6 +138,7 @@ def test_a_buoy_in_a_sea(height: float, holds: bool) -> None:
     assert (part.slack_time == 0.0) is holds
     if holds:
         assert line.deviation == pytest.approx(part.of("fairlead_tension").std, rel=0.07)
+        assert line.anchor_deviation == pytest.approx(part.of("anchor_tension").std, rel=0.1)
         (run,) = part.runs
         assert run.hull is not None
         heave = run.hull.place[run.history.counted, 1]
