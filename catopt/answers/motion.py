@@ -259,7 +259,7 @@ def _by_damping(
     of = Rows(part.damping_range(quantity) or (None, None) for part in parts)
     if any(each != (None, None) for each in of.rows):
         for k, heading in enumerate(headings):
-            yield of.measured("tension", itemgetter(k), heading, symbol="")
+            yield of.measured("tension", itemgetter(k), heading, symbol="", priority=2)
 
 
 # ------------------------------------------------------------------ files, in SI

@@ -10,7 +10,7 @@ from typing import Any, Final, NamedTuple, Protocol
 import numpy as np
 
 from catopt.arrays import Array, Codes
-from catopt.compiled import compiled
+from catopt.compiled import compiled, inlined
 from catopt.errors import NotConvergedError
 from catopt.fem.banded import back_substitute_blocks, eliminate_blocks, invert_3
 from catopt.fem.dynamic_model import LineProperties
@@ -168,25 +168,25 @@ class LinearModel(NamedTuple):
     rubs: Rubs
     axis: Array  # (bars, 3): directions
     tension: Array  # (bars,): at rest, N
-    by_stretch: Array  # (bars,): what a stretch adds to it, N/m
+    by_stretch: Array  # (bars,): what a stretch adds to it, N/m; nothing where it is slack
     by_rate: Array  # (bars,): what its rate adds, N s/m
 
 
 class Afloat(NamedTuple):
-    """What floats at the last node: three equations for each wave; of no wave where it is led."""
+    """What floats at the last nodes: three equations for each wave; of no wave where all is led."""
 
     matrix: Complex  # (waves, 3, 3): N/m and N m, by surge, heave and pitch; overwritten
     push: Complex  # (waves, 3): by the water, N and N m
-    arm: Array  # (3, 3): way of the last node by the body's
+    arm: Array  # (lines, 3, 3): way of each last node by the body's
     motion: Complex  # (waves, 3): written to, m and rad
 
 
 class LinearBody(Protocol):
-    """What floats at the upper end of a line."""
+    """What floats at the upper ends of lines."""
 
     @property
     def arm(self) -> Array:
-        """Way of the mooring eye along x, y and z by surge, heave and pitch, (3, 3)."""
+        """Way of each mooring eye along x, y and z by surge, heave and pitch, (lines, 3, 3)."""
         ...
 
     def equations(self, motion: Complex) -> tuple[Complex, Complex]:
@@ -287,8 +287,8 @@ def linear_model(simulation: Simulation) -> LinearModel:
         _rubs(simulation),
         at.axis.copy(),
         at.tension.copy(),
-        lines.EA / lines.length,
-        lines.damping / lines.length,
+        np.where(at.tension > 0.0, lines.EA / lines.length, 0.0),
+        np.where(at.tension > 0.0, lines.damping / lines.length, 0.0),
     )
 
 
@@ -335,7 +335,7 @@ def _drags(simulation: Simulation, wet: Array, stream: Array) -> Drags:
 
 
 def _shear(simulation: Simulation) -> Array:
-    """What the steady velocity of the water gains upwards at each node, 1/s."""
+    """Give what the steady velocity of the water gains upwards at each node, 1/s."""
     x, sea = simulation.state.x, simulation.sea
     if sea is None:
         return np.zeros_like(x)
@@ -363,7 +363,7 @@ def linear_motion(
     """Find the standard deviations of all tensions in a sea with the current of the model.
 
     `led` (lines, waves, 3): where each wave leads the last node of each line, m
-    (`Harmonic.amplitudes`); of no account with a `body`, which floats at the end of the one line.
+    (`Harmonic.amplitudes`); of no account with a `body`, which floats at the ends of all lines.
     Raises NotConvergedError where the drag does not come to fit the velocities.
     """
     waves = sea.waves
@@ -376,7 +376,7 @@ def linear_motion(
     covariance = 0.5 * np.einsum("wni,wnj->nij", flow, flow.conj()).real
     room = Room(equations, covariance, np.zeros(nodes), tension)
     none = np.zeros((0, 3), complex)
-    afloat = Afloat(none[:, :, np.newaxis], none, np.eye(3), none)
+    afloat = Afloat(none[:, :, np.newaxis], none, np.eye(3)[np.newaxis], none)
     motion = none if body is None else np.zeros((count, 3), complex)
     solve = compiled(respond_linearly, _A_BAR * tension.size)
     fairleads = model.start[1:] - 1
@@ -463,11 +463,11 @@ def respond_linearly(
 ) -> None:
     """Solve for each wave; write tensions, and the squares of velocities against water and bed."""
     equations, spread, slip, tension = room
-    start, rubs, axis = model.start, model.rubs, model.axis
-    by_stretch, by_rate = model.by_stretch, model.by_rate
+    start, rubs = model.start, model.rubs
     spread[:] = 0.0
     slip[:] = 0.0
     y = equations.rest
+    floats = afloat.motion.shape[0] > 0
     for w in range(omega.shape[0]):
         _set_up(omega[w], model.stiffness, model.damping, model.mass, drag, equations)
         _rub(omega[w], rubs, dashpot, equations.diagonal)
@@ -477,23 +477,22 @@ def respond_linearly(
             eliminate_blocks(equations, first + 1, last)
             for i in range(3):
                 y[first, i] = 0.0
-            if afloat.motion.shape[0] > 0:
-                _float(w, last, equations, afloat)
-            else:
-                for i in range(3):
-                    y[last, i] = led[k, w, i]
+            if floats:
+                _hand_over(w, k, last, equations, afloat)
+        if floats:
+            _float(w, afloat)
+        for k in range(start.shape[0] - 1):
+            first, last = start[k] + k, start[k + 1] + k
+            for i in range(3):
+                y[last, i] = _way(w, k, i, afloat) if floats else led[k, w, i]
             back_substitute_blocks(equations, first + 1, last)
-            for e in range(start[k], start[k + 1]):
-                stretch = y[0, 0] * 0.0
-                for i in range(3):
-                    stretch += axis[e, i] * (y[e + k + 1, i] - y[e + k, i])
-                tension[w, e] = (by_stretch[e] - 1j * omega[w] * by_rate[e]) * stretch
+            _stretch(w, k, model, y, omega[w], tension)
         _add_squares(omega[w], y, flow[w], rubs, dashpot, spread, slip)
 
 
-def _float(w: int, last: int, equations: Equations, afloat: Afloat) -> None:
-    """Solve for what floats with what the line, its inner nodes eliminated, has at its end."""
-    matrix, push, arm, motion = afloat
+def _hand_over(w: int, k: int, last: int, equations: Equations, afloat: Afloat) -> None:
+    """Add what a line, its inner nodes eliminated, has at its end to what floats there."""
+    matrix, push, arm = afloat.matrix, afloat.push, afloat.arm[k]
     at_end, y = equations.diagonal, equations.rest
     for i in range(3):
         for p in range(3):
@@ -501,6 +500,11 @@ def _float(w: int, last: int, equations: Equations, afloat: Afloat) -> None:
             for j in range(3):
                 for q in range(3):
                     matrix[w, i, j] += arm[p, i] * at_end[last, p, q] * arm[q, j]
+
+
+def _float(w: int, afloat: Afloat) -> None:
+    """Solve for what floats."""
+    matrix, push, motion = afloat.matrix, afloat.push, afloat.motion
     invert_3(matrix, w)
     for i in range(3):
         motion[w, i] = (
@@ -508,8 +512,22 @@ def _float(w: int, last: int, equations: Equations, afloat: Afloat) -> None:
             + matrix[w, i, 1] * push[w, 1]
             + matrix[w, i, 2] * push[w, 2]
         )
-    for p in range(3):
-        y[last, p] = arm[p, 0] * motion[w, 0] + arm[p, 1] * motion[w, 1] + arm[p, 2] * motion[w, 2]
+
+
+@inlined
+def _way(w: int, k: int, i: int, afloat: Afloat) -> complex:
+    """How far what floats takes the end of a line in a direction, m."""
+    arm, motion = afloat.arm[k, i], afloat.motion[w]
+    return complex(arm[0] * motion[0] + arm[1] * motion[1] + arm[2] * motion[2])
+
+
+def _stretch(w: int, k: int, model: LinearModel, y: Any, omega: float, tension: Any) -> None:
+    """Write the tension of a line's bars by a wave."""
+    for e in range(model.start[k], model.start[k + 1]):
+        stretch = y[0, 0] * 0.0
+        for i in range(3):
+            stretch += model.axis[e, i] * (y[e + k + 1, i] - y[e + k, i])
+        tension[w, e] = (model.by_stretch[e] - 1j * omega * model.by_rate[e]) * stretch
 
 
 def _add_squares(

@@ -1,4 +1,4 @@
-"""A hull on its line in small motion about rest: one wave at a time, without steps in time."""
+"""A hull on its lines in small motion about rest: one wave at a time, without steps in time."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from catopt.waves import Sea
 
 @dataclass(frozen=True, eq=False)
 class LinearHull:
-    """A hull at rest on its line, in a sea; about its centre of gravity.
+    """A hull at rest on its lines, in a sea; about its centre of gravity.
 
     `matrix` (waves, 3, 3) and `push` (waves, 3): without drag, as `linear_motion.Afloat` has them;
-    `arm` (3, 3): way of its eye; `way` (n, 3): motion that counts for each place of drag |r| r;
-    `coefficient` (n,): 0.5 rho C A, N s2/m2; `stream` (n,): steady velocity of the water there,
-    m/s; `flow` (waves, n): its velocity by each wave.
+    `arm` (lines, 3, 3): way of its eyes; `way` (n, 3): motion that counts for each place of drag
+    |r| r; `coefficient` (n,): 0.5 rho C A, N s2/m2; `stream` (n,): steady velocity of the water
+    there, m/s; `flow` (waves, n): its velocity by each wave.
     """
 
     omega: Array
@@ -49,7 +49,7 @@ class LinearHull:
 
 
 def linear_hull(hull: FloatingHull, rest: AtRest, sea: Sea) -> LinearHull:
-    """Linearise a hull that is at rest on its line, in the waves of a sea along x or against it.
+    """Linearise a hull that is at rest on its lines, in the waves of a sea along x or against it.
 
     Forces are those of the run in time for small motion: pressure of the undisturbed wave by
     slices, what the hull diffracts beyond that, memory of radiation, drag by slices.
@@ -81,13 +81,15 @@ def linear_hull(hull: FloatingHull, rest: AtRest, sea: Sea) -> LinearHull:
             matrix[:, i, j] -= omega**2 * memory.added_mass(omega, i, j)
             matrix[:, i, j] -= turn * memory.damping(omega, i, j)
 
-    across, along = laid.eye[0]
-    arm_x, arm_z = across * cosine + along * sine, along * cosine - across * sine
-    arm = np.array([[1.0, 0.0, arm_z], [0.0, 0.0, 0.0], [0.0, 1.0, -arm_x]])
+    arm = np.zeros((len(laid.eye), 3, 3))
+    across, along = laid.eye.T
+    arm[:, 0, 0] = arm[:, 2, 1] = 1.0
+    arm[:, 0, 2] = along * cosine - across * sine
+    arm[:, 2, 2] = -across * cosine - along * sine
     held = laid.free == 0.0
     matrix[:, held, :] = matrix[:, :, held] = 0.0
     matrix[:, held, held] = 1.0
-    push[:, held] = arm[:, held] = 0.0
+    push[:, held] = arm[:, :, held] = 0.0
 
     carried = rest.by_acceleration[0, :, 0]
     wet = carried / (laid.density * math.pi * laid.radius**2)

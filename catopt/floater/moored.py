@@ -1,26 +1,27 @@
-"""A hull on its line: brought to rest in current and wind, then run in the sea, as one system."""
+"""A hull on its lines: brought to rest in current and wind, then run in the sea, as one system."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Final, NamedTuple
 
 import numpy as np
 
-from catopt.arrays import Array
+from catopt.arrays import Array, Codes
 from catopt.errors import NoEquilibriumError, NotConvergedError
 from catopt.fem.afloat import Afloat, sample_hull
 from catopt.fem.banded import eliminate_blocks
 from catopt.fem.dynamic_model import LineProperties
-from catopt.fem.dynamics import check_run, line_at_rest, ramped, run_from_rest
+from catopt.fem.dynamics import body_at_rest, check_run, line_at_rest, ramped, run_from_rest
 from catopt.fem.history import History
-from catopt.fem.mesh import LineMesh
+from catopt.fem.mesh import LineMesh, end_nodes
 from catopt.fem.moving import Blend, BodyNode
 from catopt.fem.run_settings import TimeStepping
 from catopt.fem.seabed import HeldBed, Seabed
 from catopt.fem.simulation import Simulation
+from catopt.fem.solve import Leg
 from catopt.floater.alone import HullHistory, history_of
 from catopt.hydro.build import FloatingHull, record_of, room_of, state_of
 from catopt.hydro.hull import Hull, HullRoom, HullState, fill_forces_on_hull, fill_sea
@@ -43,7 +44,7 @@ _LEAST_PULL: Final = 0.02
 
 
 class AtRest(NamedTuple):
-    """A hull at rest on its line, in the current and the wind.
+    """A hull at rest on its lines, in the current and the wind.
 
     Derivatives are over a way as waves move it, not at a point: what a hull that leans has under
     water is summed in columns.
@@ -52,8 +53,8 @@ class AtRest(NamedTuple):
     simulation: Simulation
     hull: Hull
     state: HullState
-    line: Array  # (3,): force and moment of the line on it, N and N m
-    stiffness: Array  # (3, 3): of the hull alone, its eye pulled as by the line: N/m and N m
+    line: Array  # (3,): force and moment of the lines on it, N and N m
+    stiffness: Array  # (3, 3): of the hull alone, its eyes pulled as by the lines: N/m and N m
     by_surface: Array  # (3, 2): force by a surface that is higher, N/m, or slopes along x, N
     by_acceleration: Array  # (3, slices, 2): by the water's along x and z about each slice, kg
 
@@ -87,11 +88,11 @@ class _Calm(NamedTuple):
         fill_forces_on_hull(hull, state, flow.depth, room)
         return state.force.copy()
 
-    def stiffness(self, q: Array, step: Array, arm: Array, pull: Array) -> Array:
-        """As `AtRest.stiffness`; `arm` of its eye, m, `pull` of the line there, N."""
+    def stiffness(self, q: Array, step: Array, arms: Array, pulls: Array) -> Array:
+        """As `AtRest.stiffness`; `arms` of its eyes, m, `pulls` of the lines there, N."""
         own = -_slope(self.pushed, q, step)
         # Heavier pulls turn the eye in under the hull.
-        own[2, 2] += arm[1] * pull[1] + arm[0] * pull[0]
+        own[2, 2] += (arms * pulls).sum()
         return own
 
     def by_surface(self, q: Array, step: Array) -> Array:
@@ -112,71 +113,106 @@ class _Calm(NamedTuple):
         return out
 
 
+class _Lines(NamedTuple):
+    """Lines that are laid out to where a hull has their eyes: one in its plane, or several."""
+
+    legs: Sequence[Leg]
+    meshes: Sequence[LineMesh]
+    hull: Hull
+    sea: Sea
+
+    def laid_out(self, at: LineProperties, q: Array, force: float | None = None) -> Simulation:
+        """Bring the lines to rest, the hull at q; or one under a force, N, in its eye's height."""
+        eyes = _eyes(self.hull, q)
+        if len(self.legs) > 1:
+            arms = eyes - q[:2]
+            simulation = body_at_rest(
+                [
+                    replace(leg, fairlead=(arm[0], leg.fairlead[1], arm[1]))
+                    for leg, arm in zip(self.legs, arms.tolist(), strict=True)
+                ],
+                self.meshes,
+                height=float(q[1]),
+                position=(float(q[0]), 0.0),
+                properties=at,
+                sea=self.sea,
+            )
+        else:
+            (leg,), (mesh,) = self.legs, self.meshes
+            x, _, height = leg.anchor
+            simulation = line_at_rest(
+                mesh,
+                height=float(eyes[0, 1]),
+                span=None if force is not None else float(eyes[0, 0]) - x,
+                horizontal_force=force,
+                anchor_height=height,
+                properties=at,
+                sea=self.sea,
+            )
+        simulation.hold_ends()
+        return simulation
+
+    def start(self, at: LineProperties, q: Array, drift: float) -> None:
+        """Put a hull to where its line balances its drift, N; on several lines it stays."""
+        if len(self.legs) == 1:
+            (line,), eye = (leg.line for leg in self.legs), _eyes(self.hull, q)[0]
+            weight = float(np.mean([each.submerged_weight for each in line.segments]))
+            low = self.legs[0].anchor[2]
+            least = _LEAST_PULL * abs(weight) * max(eye[1] - low, 1.0)
+            simulation = self.laid_out(at, q, max(drift, least))
+            q[0] += simulation.state.x[-1, 0] - eye[0]
+
+
 def moored_at_rest(
     hull: FloatingHull,
-    mesh: LineMesh,
+    legs: Sequence[Leg],
+    meshes: Sequence[LineMesh],
     *,
     sea: Sea,
     properties: LineProperties,
-    anchor_height: float = 0.0,
 ) -> AtRest:
-    """Find where hull and line are at rest, without waves; the anchor is at x = y = 0.
+    """Find where hull and lines are at rest, without waves.
 
-    Raises NoEquilibriumError where the line draws the hull under, NotConvergedError.
+    `legs`: one line from an anchor at x = y = 0, or several about the origin, mirrored by its x
+    axis: of their fairleads y counts, x and height are those of the hull's eyes. `meshes`: of them.
+    Raises NoEquilibriumError where lines draw the hull under, NotConvergedError.
     """
     flow = sea.flow_at_rest
     laid = hull.lay_out(sea.flow)
     state = state_of(laid, 0.0, flow.depth - hull.draught + hull.centre)
     calm = _Calm(hull.lay_out(flow), state, flow, room_of(laid))
-    pushed = calm.pushed
-
-    def laid_out(at: LineProperties, eye: Array, force: float | None = None) -> Simulation:
-        simulation = line_at_rest(
-            mesh,
-            height=float(eye[1]),
-            span=None if force is not None else float(eye[0]),
-            horizontal_force=force,
-            anchor_height=anchor_height,
-            properties=at,
-            sea=sea,
-        )
-        simulation.hold_ends()
-        return simulation
-
+    pushed, lines = calm.pushed, _Lines(legs, meshes, laid, sea)
     q = state.q.copy()
     drift = pushed(q)[0]
-    weight = float(np.mean([each.submerged_weight for each in mesh.line.segments]))
-    eye = _eye(laid, q)
-    least = _LEAST_PULL * abs(weight) * max(eye[1] - anchor_height, 1.0)
     # First without friction of the bed, whose springs would be all of the stiffness.
     smooth = replace(properties, seabed=_without_friction(properties.seabed))
-    simulation = laid_out(smooth, eye, max(drift, least))
-    q[0] += simulation.state.x[-1, 0] - eye[0]
+    lines.start(smooth, q, drift)
     scale = hull.mass * hull.gravity
     long = math.sqrt(max(hull.inertia, 1e-12) / hull.mass)
     size = max(hull.draught, 2.0 * float(hull.radius.max()))
     ways = np.array([size, size, 1.0])
     is_rubbed, matrix = False, np.eye(3)
     for _ in range(_ROUNDS):
-        arm = _eye(laid, q) - q[:2]
-        turned = np.array([[1.0, 0.0, arm[1]], [0.0, 1.0, -arm[0]]])
+        arms = _eyes(laid, q) - q[:2]
+        # How each eye moves with the hull: (lines, 2, 3).
+        turned = np.array([[[1.0, 0.0, z], [0.0, 1.0, -x]] for x, z in arms.tolist()])
+        simulation = lines.laid_out(properties if is_rubbed else smooth, q)
         if is_rubbed:
-            simulation = laid_out(properties, _eye(laid, q))
-            pull = simulation.state.force[-1, [0, 2]].copy()
+            pulls = simulation.state.force[_last_nodes(simulation)][:, [0, 2]].copy()
         else:
-            pull, stiffness = _of_line(laid_out(smooth, _eye(laid, q)))
-            matrix = turned.T @ stiffness @ turned
-            matrix += calm.stiffness(q, _SMALL * ways, arm, pull)
+            pulls, stiffness = _of_lines(simulation)
+            matrix = np.einsum("kia,kij,kjb->ab", turned, stiffness, turned)
+            matrix += calm.stiffness(q, _SMALL * ways, arms, pulls)
             matrix[laid.free == 0.0] = 0.0
             matrix[:, laid.free == 0.0] = 0.0
             matrix += np.diag(1.0 - laid.free)
             matrix += 1e-6 * scale * np.diag([1.0 / size, 1.0 / size, size])
-        line = turned.T @ pull
+        line = np.einsum("kia,ki->a", turned, pulls)
         left = (pushed(q) + line) * laid.free
         worst = float(np.abs(left / [scale, scale, scale * long]).max())
         if worst <= _CLOSED and is_rubbed:
             state.q[:] = q
-            own = calm.stiffness(q, _WIDE * ways, arm, pull)
+            own = calm.stiffness(q, _WIDE * ways, arms, pulls)
             of_water = calm.by_surface(q, _WIDE * ways), calm.by_acceleration(q)
             pushed(q)
             return AtRest(simulation, laid, state, line, own, *of_water)
@@ -194,11 +230,12 @@ def _without_friction(seabed: Seabed | HeldBed | None) -> Seabed | HeldBed | Non
     return replace(seabed, friction=0.0) if isinstance(seabed, Seabed) else seabed
 
 
-def _eye(hull: Hull, q: Array) -> Array:
-    """Place of the mooring eye, x and z, m."""
+def _eyes(hull: Hull, q: Array) -> Array:
+    """Places of the mooring eyes, x and z, (lines, 2), m."""
     sine, cosine = math.sin(q[2]), math.cos(q[2])
-    across, along = hull.eye[0]
-    return np.array([q[0] + across * cosine + along * sine, q[1] + along * cosine - across * sine])
+    across, along = hull.eye.T
+    arms = np.stack([across * cosine + along * sine, along * cosine - across * sine], axis=1)
+    return np.asarray(q[:2] + arms)
 
 
 def _slope(pushed: Callable[[Array], Array], q: Array, steps: Array) -> Array:
@@ -211,48 +248,52 @@ def _slope(pushed: Callable[[Array], Array], q: Array, steps: Array) -> Array:
     return out
 
 
-def _of_line(simulation: Simulation) -> tuple[Array, Array]:
-    """Force of a line on its upper end, (2,) N, and its stiffness there, (2, 2) N/m."""
-    at = simulation.state
+def _last_nodes(simulation: Simulation) -> Codes:
+    return end_nodes(simulation.lines.start)[1]
+
+
+def _of_lines(simulation: Simulation) -> tuple[Array, Array]:
+    """Force of each line on its upper end, (lines, 2) N, and its stiffness there, N/m."""
+    firsts, lasts = end_nodes(simulation.lines.start)
     simulation.assemble(_AT_REST)
-    to, last = simulation.equations, at.x.shape[0] - 1
-    pull = at.force[last, [0, 2]].copy()
-    eliminate_blocks(to, 1, last)
-    return pull, to.diagonal[last][np.ix_([0, 2], [0, 2])].copy()
+    to = simulation.equations
+    pulls = simulation.state.force[lasts][:, [0, 2]].copy()
+    for first, last in zip(firsts.tolist(), lasts.tolist(), strict=True):
+        eliminate_blocks(to, first + 1, last)
+    return pulls, to.diagonal[lasts][:, [0, 2]][:, :, [0, 2]].copy()
 
 
 def run_moored(
     hull: FloatingHull,
-    mesh: LineMesh,
+    legs: Sequence[Leg],
+    meshes: Sequence[LineMesh],
     stepping: TimeStepping,
     *,
     sea: Sea,
     properties: LineProperties,
-    anchor_height: float = 0.0,
     progress: Callable[[float], None] | None = None,
 ) -> tuple[History, HullHistory]:
-    """Run a hull and its line in a sea, from rest, by one Newton iteration a step for both.
+    """Run a hull and its lines in a sea, from rest, by one Newton iteration a step for all.
 
     Parameters
     ----------
     hull : FloatingHull
-        With one mooring eye.
-    mesh : LineMesh
-        Of the line from its anchor at x = y = 0.
-    stepping, sea, properties, anchor_height, progress
+        With a mooring eye for each line.
+    legs, meshes
+        The lines, as for `moored_at_rest`. The hull moves in surge, heave and pitch: of lines that
+        its x axis mirrors, the forces across it cancel.
+    stepping, sea, properties, progress
         As for `run_dynamics`; waves and current go along x or against it.
 
     Raises
     ------
     InputError, NoEquilibriumError, NotConvergedError
-        As `run_dynamics`, and where the line draws the hull under.
+        As `run_dynamics`, and where lines draw the hull under.
     """
     in_sea = ramped(sea, stepping)
     assert in_sea is not None
     warnings = check_run(stepping, sea=in_sea)
-    rest = moored_at_rest(
-        hull, mesh, sea=in_sea, properties=properties, anchor_height=anchor_height
-    )
+    rest = moored_at_rest(hull, legs, meshes, sea=in_sea, properties=properties)
     simulation, laid = rest.simulation, rest.hull
     simulation.start()
     ones, none = np.ones(3), np.zeros(3)
@@ -269,6 +310,6 @@ def run_moored(
     simulation.afloat = body
     simulation.body = BodyNode(ones, none, none)
     sample_hull(0, body)
-    history = run_from_rest(simulation, stepping, [mesh], warnings, progress)
+    history = run_from_rest(simulation, stepping, meshes, warnings, progress)
     of = history_of(body, history.time, in_sea.depth, 0.0)
     return history, of

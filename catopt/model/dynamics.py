@@ -227,11 +227,11 @@ def network_motion_misfits(present: Collection[str], *, has_fairlead: bool) -> I
 
 
 def _of_a_floater(present: Collection[str], given: Collection[str]) -> Iterator[Problem]:
-    """Yield what does not go together with a buoy that floats at the end of its line."""
+    """Yield what does not go together with a buoy that floats at the end of its lines."""
     if "floater.ship" in given:
         yield from _of_a_ship(present, given)
         return
-    for key in ("motion", "anchor_motion", "body", "system"):
+    for key in ("motion", "anchor_motion", "body"):
         if key in present:
             allowed = Message("refused_case.does_not_go_with_floater_too")
             yield Problem(key, "", allowed)

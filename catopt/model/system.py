@@ -147,12 +147,12 @@ def floater_misfits(given: Mapping[str, object]) -> list[Problem]:
 
 @dataclass(frozen=True)
 class Floater(Checked):
-    """What floats: a buoy at the upper end of its line, or a ship on several lines.
+    """What floats: a buoy at the upper end of its line, or of several, or a ship on several lines.
 
-    A buoy moves with its line, in surge, heave and pitch; waves and current go along x, from the
-    anchor to the fairlead, or against it. `load` and the line's `fairlead_height` are for the
-    answers at rest, as is the force of a system for a ship. All but `ship` and `wind_speed` is of a
-    buoy.
+    A buoy moves with its lines, in surge, heave and pitch; waves and current go along x, of one
+    line from the anchor to the fairlead, or against it; several lines are mirrored by that axis.
+    `load`, the line's `fairlead_height` and the force of a system are for the answers at rest. All
+    but `ship` and `wind_speed` is of a buoy.
     """
 
     buoy: Source = ""

@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 from catopt.catenary.root_search import BY_SPAN
 from catopt.catenary.solve import solution_of
+from catopt.errors import NoEquilibriumError
 from catopt.model import Line, PointLoad, Segment
 from catopt.model.network import LineBetween, Network
 from catopt.mooring.joints import (
@@ -26,6 +27,10 @@ from catopt.mooring.joints import (
     turned_line,
 )
 from catopt.mooring.line_ends import Ends, Vector
+from catopt.words import Message
+
+_LEFT = 1e-6
+"""Part of the largest pull that lines of a row may leave over where friction is at work."""
 
 JOINT = "joint: "
 """Before the name of the point load that a joint of a row is."""
@@ -134,7 +139,9 @@ def apart(
     own_ends = tuple(parted[k][1] for k in range(len(network.lines)))
     everywhere = tuple(places[point.name] for point in network.points)
     check_afloat(network, everywhere)
-    residual = max(found.residual, _left(network, rows, own_runs, own_ends, up))
+    left, at = _left(network, rows, own_runs, own_ends, up)
+    _check_rows(network, own_ends, left, at)
+    residual = max(found.residual, left)
     reactions = tuple(up[point.name] for point in network.points)
     parted_at = found._replace(
         places=everywhere, ends=own_ends, reactions=reactions, residual=residual
@@ -163,9 +170,12 @@ def _left(
     runs: Sequence[Run],
     ends: Sequence[Ends],
     up: dict[str, float],
-) -> float:
-    """Say what lines of rows leave over at the joints between them, beside bed and friction, N."""
-    left = 0.0
+) -> tuple[float, str]:
+    """Say what lines of rows leave over at the joints between them, beside bed and friction, N.
+
+    The most, and at which joint.
+    """
+    left, at = 0.0, ""
     for name in (name for row in rows for name in row.joints):
         k = network.numbers[name]
         pulls = [
@@ -177,5 +187,16 @@ def _left(
         x, y, z = (math.fsum(each) for each in zip(*pulls, strict=True))
         over_bed = z - network.points[k].submerged_weight  # joints of rows have no force
         rubbed = network.site.seabed_friction * up[name]
-        left = max(left, math.hypot(max(math.hypot(x, y) - rubbed, 0.0), over_bed + up[name]))
-    return left
+        here = math.hypot(max(math.hypot(x, y) - rubbed, 0.0), over_bed + up[name])
+        left, at = max((left, at), (here, name))
+    return left, at
+
+
+def _check_rows(network: Network, ends: Sequence[Ends], left: float, at: str) -> None:
+    """Refuse rows whose lines, each by itself, rub on the bed otherwise than in the row.
+
+    A load that touches the bed between two hanging parts does: what it holds is open.
+    """
+    largest = max(math.hypot(*pull) for each in ends for pull in (each.first, each.second))
+    if network.site.seabed_friction > 0.0 and left > _LEFT * largest:
+        raise NoEquilibriumError(Message("mooring.row_rubs", name=at, left=left), "force", left)

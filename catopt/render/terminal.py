@@ -126,7 +126,10 @@ def _table(
         worst = max(columns, key=lambda each: each.of.priority)
         left_out.append(worst.of.name)
         columns.remove(worst)
-    headings = [each.heading(room) for each, room in zip(columns, _rooms(columns), strict=True)]
+    headings = _headings(columns)
+    while _cuts_numbers(columns, headings):
+        left_out.append(columns.pop(_last_number(columns)).of.name)
+        headings = _headings(columns)
     numbers = [k for k, each in enumerate(columns) if each.is_number]
     if table.marked is not None and table.marked in rows:
         place = list(rows).index(table.marked)
@@ -138,6 +141,23 @@ def _table(
         names = Several(reversed(left_out), ", ")
         output.text(say(Message("answers.left_out", columns=names), language))
         output.line()
+
+
+def _headings(columns: Sequence[_Column]) -> list[str]:
+    return [each.heading(room) for each, room in zip(columns, _rooms(columns), strict=True)]
+
+
+def _cuts_numbers(columns: Sequence[_Column], headings: Sequence[str]) -> bool:
+    """Whether 80 columns have no room for all digits, however far words fold."""
+    least = (
+        width if each.is_number else min(width, _TEXT)
+        for each, width in zip(columns, _widths(columns, headings), strict=True)
+    )
+    return sum(least) + _GAP * (len(columns) - 1) > _WIDTH and _last_number(columns) > 0
+
+
+def _last_number(columns: Sequence[_Column]) -> int:
+    return max((k for k, each in enumerate(columns) if each.is_number), default=-1)
 
 
 def table_lines(table: Table, room: int, language: Language) -> list[str]:
@@ -160,7 +180,7 @@ def table_lines(table: Table, room: int, language: Language) -> list[str]:
         if worst.of.priority == 0:
             break
         columns.remove(worst)
-    headings = [each.heading(own) for each, own in zip(columns, _rooms(columns), strict=True)]
+    headings = _headings(columns)
     _cut_cells(columns, headings)
     lines = list(_set(columns, headings))
     left_out = len(every) - len(kept)
@@ -297,7 +317,7 @@ def _broken(word: str, room: int) -> Iterator[str]:
         yield word
         return
     half = min(-(-len(word) // 2), room - 1)
-    yield f"{word[:half]}-"
+    yield word[:half] if word[half - 1] == "-" else f"{word[:half]}-"
     yield from _broken(word[half:], room)
 
 

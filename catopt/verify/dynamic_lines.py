@@ -34,9 +34,11 @@ from catopt.floater.buoy import buoy_hull, floating_buoy
 from catopt.floater.moored import AtRest, moored_at_rest, run_moored
 from catopt.floater.scene import kept_nodes, scene_of
 from catopt.hydro.build import FloatingHull
-from catopt.model import Case, Load
+from catopt.model import Case, Line, Load
 from catopt.model.dynamics import InitialFriction
 from catopt.model.network import Network
+from catopt.model.system import Leg as SystemLeg
+from catopt.model.system import System
 from catopt.mooring import held
 from catopt.mooring.solve import solve_system
 from catopt.verify.dynamic_result import Between
@@ -393,13 +395,15 @@ def _turned(x: float, y: float, angle: float) -> tuple[float, float]:
 
 _ALONG: Final = 1e-9
 """Sine of an angle, or speed across, m/s, up to which a direction is along the line."""
+_SAME_PLACE: Final = 1e-6
+"""Part of the anchors' radius within which places mirror each other."""
 _SMALL: Final = 0.2
 """Part of the wave length above which a hull is not small beside it."""
 
 
 @dataclass(frozen=True)
-class LineOfAFloater:
-    """A line with a buoy that floats at its upper end; both are one system.
+class LinesOfAFloater:
+    """The line, or lines, of a buoy that floats at their upper ends; all are one system.
 
     `drive`: what drives them; `hull`: the buoy.
     """
@@ -408,15 +412,17 @@ class LineOfAFloater:
     hull: FloatingHull
 
     @classmethod
-    def at_rest(cls, drive: Excitation) -> LineOfAFloater:
-        """Make the buoy; hull and line find their rest in the current of each run."""
+    def at_rest(cls, drive: Excitation) -> LinesOfAFloater:
+        """Make the buoy; hull and lines find their rest in the current of each run."""
         _check_in_plane(drive)
         return cls(drive, hull_of(drive.one))
 
     @property
     def legs(self) -> Sequence[Leg]:
-        """The line, from its anchor at x = y = 0."""
+        """The line, from its anchor at x = y = 0; or those of the system."""
         case = self.drive.one
+        if case.system is not None:
+            return truss_legs(case.system, 0.0)[0]
         return (Leg(case.line, (0.0, 0.0, case.anchor_height)),)
 
     def driven_by(self, sea: Sea) -> list[Series]:  # noqa: ARG002 - as of the others
@@ -424,38 +430,37 @@ class LineOfAFloater:
         return []
 
     def moored_at_rest(self) -> AtRest:
-        """Bring both to rest in the steady current."""
-        case, drive = self.drive.one, self.drive
-        return moored_at_rest(
-            self.hull,
-            mesh_line(case.line, drive.dynamics.bars),
-            sea=drive.sea(0),
-            properties=drive.properties,
-            anchor_height=case.anchor_height,
-        )
+        """Bring all to rest in the steady current."""
+        drive, legs = self.drive, self.legs
+        meshes = [mesh_line(leg.line, drive.dynamics.bars) for leg in legs]
+        sea, properties = drive.sea(0), drive.properties
+        return moored_at_rest(self.hull, legs, meshes, sea=sea, properties=properties)
 
     def run(
         self, sea: Sea, stepping: TimeStepping, elements: int, progress: Progress
     ) -> tuple[History, HullHistory]:
-        """Run both; of the nodes' places what the scene takes is kept."""
-        case = self.drive.one
-        mesh = mesh_line(case.line, elements)
+        """Run all; of the nodes' places what the scene of a single line takes is kept."""
+        legs = self.legs
+        meshes = [mesh_line(leg.line, elements) for leg in legs]
+        kept = kept_nodes(meshes[0]) if len(legs) == 1 else ()
         history, hull = run_moored(
             self.hull,
-            mesh,
-            replace(stepping, nodes=kept_nodes(mesh)),
+            legs,
+            meshes,
+            replace(stepping, nodes=kept),
             sea=sea,
             properties=self.drive.properties,
-            anchor_height=case.anchor_height,
             progress=progress,
         )
+        if not kept:
+            return history, hull
         in_sea = ramped(sea, stepping)
         assert in_sea is not None
         scene = scene_of(history, hull.place, self.hull, in_sea)
         return replace(history, nodes=history.nodes[:, :0]), replace(hull, scene=scene)
 
     def anchor_at_rest(self) -> Mapping[InitialFriction, float]:
-        """Return nothing: the past of the line is that of its case."""
+        """Return nothing: the past of the lines is that of their case."""
         return {}
 
     def remarks(self) -> Iterator[str]:
@@ -478,17 +483,53 @@ class LineOfAFloater:
 
 
 def hull_of(case: Case) -> FloatingHull:
-    """Make the hull of a case's buoy; InputError where it would not float upright on its line."""
-    of, site = case.floater, case.site
+    """Make the hull of a case's buoy; InputError where it would not float upright on its line.
+
+    On several lines each has an eye, at the height of the buoy's own and off its axis by where the
+    system has the fairlead.
+    """
+    of, site, system = case.floater, case.site, case.system
     assert of is not None
-    heavy = sum(each.submerged_weight * each.length for each in case.line.segments)
-    pull = heavy / case.line.length * min(site.water_depth, case.line.length)
-    return buoy_hull(of, site.water_depth, site.water_density, pull)
+    lines = [case.line] if system is None else [leg.line for leg in system.legs]
+    pull = 0.0
+    for line in lines:
+        heavy = sum(each.submerged_weight * each.length for each in line.segments)
+        pull += heavy / line.length * min(site.water_depth, line.length)
+    hull = buoy_hull(of, site.water_depth, site.water_density, pull)
+    if system is None:
+        return hull
+    ((_, height),) = hull.eyes
+    return replace(hull, eyes=tuple((leg.fairlead[0], height) for leg in system.legs))
+
+
+def _unmirrored(system: System) -> Iterator[Problem]:
+    """Yield the lines that no other one mirrors in the x axis, along which the weather goes."""
+    size = max(leg.anchor_radius for leg in system.legs)
+
+    def sides(leg: SystemLeg) -> tuple[Line, tuple[float, ...]]:
+        (x, y), (a, b) = leg.anchor, leg.fairlead
+        return leg.line, (x, y, leg.anchor_height, a, b)
+
+    def mirrors(leg: SystemLeg, other: SystemLeg) -> bool:
+        line, at = sides(leg)
+        by, there = sides(other)
+        turned = (there[0], -there[1], there[2], there[3], -there[4])
+        return line == by and max(map(abs, map(float.__sub__, at, turned))) <= _SAME_PLACE * size
+
+    for number, leg in enumerate(system.legs, start=1):
+        if not any(mirrors(leg, other) for other in system.legs):
+            found = f"{math.degrees(leg.azimuth):.4g} deg"
+            allowed = Message("refused_motion.mirrored_lines_of_a_buoy", number=number)
+            yield Problem(f"system.lines[{number - 1}].azimuth", found, allowed)
 
 
 def _check_in_plane(drive: Excitation) -> None:
-    """Refuse waves and currents that do not go along the line, in whose plane a buoy moves."""
-    sea, problems = drive.sea(0), []
+    """Refuse what takes a buoy out of the plane in which it moves.
+
+    Waves and currents that do not go along the line, or x, and lines that x does not mirror.
+    """
+    sea, system = drive.sea(0), drive.one.system
+    problems = [] if system is None else list(_unmirrored(system))
     allowed = Message("refused_motion.along_line_or_against_0")
     if sea.waves is not None:
         across = np.abs(np.sin(sea.waves.direction)).max()
@@ -506,7 +547,7 @@ def _check_in_plane(drive: Excitation) -> None:
         raise InputError(problems, "--dynamic")
 
 
-LinesAtRest = OneLine | LinesOfABody | LinesOfPoints | LineOfAFloater
+LinesAtRest = OneLine | LinesOfABody | LinesOfPoints | LinesOfAFloater
 """Lines that are run together, and what drives them."""
 
 
@@ -518,7 +559,7 @@ def lines_at_rest(drive: Excitation) -> LinesAtRest:
     if isinstance(drive.case, Network):
         return LinesOfPoints.at_rest(drive)
     if drive.case.floater is not None:
-        return LineOfAFloater.at_rest(drive)
+        return LinesOfAFloater.at_rest(drive)
     return (OneLine if drive.case.system is None else LinesOfABody).at_rest(drive)
 
 

@@ -15,7 +15,7 @@ from catopt.fem.series import Harmonic
 from catopt.floater.linear_moored import linear_hull
 from catopt.floater.moored import AtRest
 from catopt.model import Case, WaveState
-from catopt.verify.dynamic_lines import LineOfAFloater, LinesOfABody, OneLine, lines_at_rest
+from catopt.verify.dynamic_lines import LinesOfABody, LinesOfAFloater, OneLine, lines_at_rest
 from catopt.verify.dynamic_setup import check_for_motion, read_drive
 from catopt.words import Message
 
@@ -63,8 +63,8 @@ def linear_lines(case: Case) -> tuple[LinearLine, ...]:
     """Find the standard deviation of the tension at every fairlead in the sea of a case.
 
     `case`: with `waves`, `dynamics`, and a `motion` by `rao_file` or none; with `system`, all lines
-    of the body, which is led by its RAOs; with a buoy in `floater`, which floats at the end of its
-    line. InputError for what a line in motion lacks, and what has no linear form: a body that moves
+    of the body, which is led by its RAOs; with a buoy in `floater`, which floats at their ends.
+    InputError for what a line in motion lacks, and what has no linear form: a body that moves
     under forces, a motion over time, a line that is lost; else what `verify_dynamic` raises.
 
     Examples
@@ -82,7 +82,7 @@ def linear_lines(case: Case) -> tuple[LinearLine, ...]:
     sea, body = lines.drive.sea(0), None
     assert sea.waves is not None
     calm = replace(case, waves=WaveState("regular", 1.0, 10.0), title="")
-    if isinstance(lines, LineOfAFloater):
+    if isinstance(lines, LinesOfAFloater):
         rest, model = _afloat(calm)
         body = linear_hull(lines.hull, rest, sea)
     else:
@@ -122,9 +122,9 @@ def _model(case: Case) -> LinearModel:
 
 @lru_cache(maxsize=8)
 def _afloat(case: Case) -> tuple[AtRest, LinearModel]:
-    """Bring a buoy and its line to rest, and linearise the line; as `_model`."""
+    """Bring a buoy and its lines to rest, and linearise these; as `_model`."""
     lines = lines_at_rest(read_drive(case))
-    assert isinstance(lines, LineOfAFloater)
+    assert isinstance(lines, LinesOfAFloater)
     rest = lines.moored_at_rest()
     return rest, linear_model(rest.simulation)
 

@@ -75,3 +75,10 @@ def test_clumps_that_rest_on_the_bed_between_joints_come_to_rest(seed: int) -> N
 def test_a_step_goes_down_where_friction_makes_stiffness_lopsided() -> None:
     """Three floats on rough ground: before, 200 steps of which all but the first did not move."""
     assert judge(1313) == ("answered", [])
+
+
+def test_what_rubs_between_hanging_parts_of_a_row_is_refused() -> None:
+    """A load that touches the rough bed between two floats: before, 1580 N were left over there."""
+    assert judge(4709) == ("refused", [])
+    with pytest.raises(NoEquilibriumError, match="rubs on the bed between parts that hang"):
+        at_rest(drawn(4709))

@@ -23,6 +23,7 @@ from catopt.fem.morison import MorisonSection
 from catopt.fem.newmark import LineDamping
 from catopt.fem.run_settings import TimeStepping
 from catopt.fem.seabed import Seabed
+from catopt.fem.solve import Leg
 from catopt.floater.moored import AtRest, moored_at_rest, run_moored
 from catopt.hydro.build import FloatingHull, Radiation, room_of, state_of
 from catopt.hydro.cylinder import FloatingCylinder
@@ -152,9 +153,10 @@ def test_largest_tension_beside_moordyns_line(
     waves = random_waves(jonswap(2.0, 5.1, 3.3), 100, np.random.default_rng(1))
     sea = Sea(DEPTH, waves, (PowerLawCurrent(1.5),), ramp_time=RAMP)
     hull, mesh, duration = _hull(), mesh_line(line, BARS), 60.0
+    legs = [Leg(line, (0.0, 0.0, 0.0))]
     stepping = TimeStepping(duration, 0.02, ramp_time=RAMP)
-    ours, _ = run_moored(hull, mesh, stepping, sea=sea, properties=properties)
-    rest = moored_at_rest(hull, mesh, sea=sea, properties=properties)
+    ours, _ = run_moored(hull, legs, [mesh], stepping, sea=sea, properties=properties)
+    rest = moored_at_rest(hull, legs, [mesh], sea=sea, properties=properties)
     theirs = _on_moordyns_line(sea, rest, duration)
     late = theirs[round(RAMP / STEP) :]
     statistics = ours.tension_statistics()

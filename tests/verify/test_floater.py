@@ -6,12 +6,13 @@ import json
 import math
 import re
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from catopt.answers.motion import motion_answer
-from catopt.casefile import parse_case, write_case
+from catopt.casefile import parse_case, read_case, write_case
 from catopt.errors import InputError
 from catopt.floater.buoy import buoy_hull
 from catopt.model.dynamics import JudgedBy
@@ -105,6 +106,43 @@ def test_what_does_not_go_with_it(change: tuple[str, str], key: str) -> None:
     with pytest.raises(InputError) as caught:
         parse_case(CASE.replace(*change))
     assert any(key in each.key for each in caught.value.problems)
+
+
+FOUR = Path(__file__).parents[1] / "cli" / "cases" / "buoy-four-lines.toml"
+
+
+@pytest.mark.slow
+def test_a_buoy_on_four_lines() -> None:
+    """Mirrored lines carry the same, those ahead of the weather the most; sums are the buoy's."""
+    case = read_case(FOUR)
+    assert parse_case(write_case(case)) == case
+    assert case.dynamics is not None
+    case = replace(case, dynamics=replace(case.dynamics, duration=60.0))
+    found = verify_dynamic(case, convergence_check="none", compares_at_rest=False)
+    mean = [part.of("fairlead_tension").mean for part in found.parts]
+    assert mean[1] == pytest.approx(mean[2], rel=1e-6)
+    assert mean[0] == pytest.approx(mean[3], rel=1e-6)
+    assert mean[1] > 2.0 * mean[0]
+    (run,) = found.parts[0].runs
+    hull = run.hull
+    assert hull is not None
+    assert hull.scene is None
+    # At rest buoyancy carries the buoy and what its lines pull down.
+    volume = hull.wet[0] * 1025.0 * 9.80665
+    # The drag of the current on what leans pushes it down, too.
+    assert volume + hull.lines[0, 1] == pytest.approx(1353.7 * 9.80665, rel=0.05)
+    assert {each.quantity for each in found.body} >= {"floater_x", "floater_pitch"}
+
+
+def test_lines_that_the_weather_does_not_mirror_are_refused() -> None:
+    text = FOUR.read_text(encoding="utf-8")
+    with pytest.raises(InputError) as refused:
+        verify_dynamic(parse_case(text.replace('"45 deg"', '"40 deg"')))
+    assert [each.key for each in refused.value.problems] == [
+        "system.lines[0].azimuth",
+        "system.lines[3].azimuth",
+    ]
+    assert "turn the lines" in str(refused.value)
 
 
 def test_a_buoy_that_is_not_there() -> None:
