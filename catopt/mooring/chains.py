@@ -139,8 +139,8 @@ def apart(
     own_ends = tuple(parted[k][1] for k in range(len(network.lines)))
     everywhere = tuple(places[point.name] for point in network.points)
     check_afloat(network, everywhere)
-    left, at = _left(network, rows, own_runs, own_ends, up)
-    _check_rows(network, own_ends, left, at)
+    left, where = _left(network, rows, own_runs, own_ends, up)
+    _check_rows(network, own_ends, left, where)
     residual = max(found.residual, left)
     reactions = tuple(up[point.name] for point in network.points)
     parted_at = found._replace(
