@@ -65,7 +65,7 @@ def _designs(found: FrontInMotion) -> blocks.Table:
         parts.measured(
             FORCE, lambda part: part.of("fairlead_tension").maximum, "motion.front_largest"
         ),
-        parts.measured(FORCE, "quasi_static_max", "motion.front_still"),
+        parts.measured(FORCE, "quasi_static_max", "motion.front_still", priority=1),
         parts.measured(RATIO, "dynamic_amplification", "motion.front_allowance"),
         parts.measured(PERCENT, lambda part: part.change_of("fairlead_tension"), "change"),
         of.measured("utilisation", "tightest.utilisation"),

@@ -160,9 +160,7 @@ def _of_lines(found: DynamicVerification) -> Iterator[blocks.Block]:
         caption = Message("motion.the_body")
         yield tabulate("motion_body", *_over_runs(found.body), caption=caption, only="people")
     else:
-        yield _lines_of_points(found.parts)
-        if found.joints:
-            yield _joints(found.joints)
+        yield from lines_of_points(found)
     remarked = dict.fromkeys(each for part in found.parts for each in part.remarks)
     yield from _said(found.governing, found.least_proven, remarked)
     yield from _beyond_MBL(found.beyond_MBL)
@@ -207,7 +205,7 @@ def lines_of_body(parts: Sequence[DynamicPart]) -> blocks.Table:
             "motion.least_at_anchor_by_damping",
             "motion.most_at_anchor_by_damping",
         ),
-        of.measured("tension", "quasi_static_max", "quasi_static", symbol=""),
+        of.measured("tension", "quasi_static_max", "quasi_static", symbol="", priority=1),
         of.measured(RATIO, "dynamic_amplification", "amplification"),
         of.measured(_SLACK, "slack_time", "slack"),
         of.measured(PERCENT, lambda part: part.change_of("fairlead_tension"), "change"),
@@ -217,7 +215,14 @@ def lines_of_body(parts: Sequence[DynamicPart]) -> blocks.Table:
     )
 
 
-def _lines_of_points(parts: Sequence[DynamicPart]) -> blocks.Table:
+def lines_of_points(found: DynamicVerification) -> Iterator[blocks.Table]:
+    """Tabulate what lines between points came to, and where joints went."""
+    yield _between_points(found.parts)
+    if found.joints:
+        yield _joints(found.joints)
+
+
+def _between_points(parts: Sequence[DynamicPart]) -> blocks.Table:
     """Tabulate what every line between points came to at its ends, and least of all."""
     of, there = Rows(parts), Rows(part.of("anchor_tension") for part in parts)
     here = Rows(part.of("fairlead_tension") for part in parts)

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from catopt.notes.line import Note
     from catopt.notes.origin import Origin
     from catopt.notes.sheet import AnyNote, Sheet, Stated
-    from catopt.notes.system import SystemNote
+    from catopt.notes.system import NetworkNote, SystemNote
 
 _PREFIX = {"note_size": "size_", "note_system": "system_"}
 """Of the keys of sections that only one kind of note has."""
@@ -294,7 +294,9 @@ def _sources(components: Iterable[Component]) -> Table:
 # ------------------------------------------------------------------ the truss model
 
 
-def by_both(note: Note | SystemNote, group: str, loaded: int | None = None) -> Iterator[Block]:
+def by_both(
+    note: Note | NetworkNote | SystemNote, group: str, loaded: int | None = None
+) -> Iterator[Block]:
     """Lay a line, or a body with its most loaded line, out by both models, in texts of a group.
 
     That there is no answer is said; there is nothing where the truss model was left out.

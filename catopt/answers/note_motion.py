@@ -24,7 +24,8 @@ from catopt.answers.blocks import (
     tabulate,
     texts,
 )
-from catopt.answers.motion import ENERGIES
+from catopt.answers.check import motion_checks_table, verdict_blocks
+from catopt.answers.motion import ENERGIES, lines_of_points
 from catopt.answers.note import small
 from catopt.answers.verification import quantity_in_note
 from catopt.figures.motion import envelope_chart, history, peaks_above, track
@@ -45,7 +46,7 @@ if TYPE_CHECKING:
     from catopt.model import CurrentProfile, Motion, Segment, WaveState
     from catopt.notes.line import Note
     from catopt.notes.motion import InMotion
-    from catopt.notes.system import SystemNote
+    from catopt.notes.system import NetworkNote, SystemNote
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
 
 _JUDGED_BY = {
@@ -544,27 +545,37 @@ def _known(note: Note, moved: InMotion, part: DynamicPart) -> Iterator[Message]:
 # ------------------------------------------------------------------ a body's lines
 
 
-def body_motion_blocks(note: SystemNote) -> Iterator[Block]:
-    """Lay out all lines of a body in motion; nothing where nobody asked for it."""
+def body_motion_blocks(note: SystemNote | NetworkNote) -> Iterator[Block]:
+    """Lay out all lines of a body, or between points, in motion; nothing where not asked for."""
     found = note.motion
     if found is None:
         return
     governing = found.governing
     assert governing.line is not None
     yield from _stopped(found)
-    yield Text(Message("note_system.motion_about"))
+    about = "note_system.motion_about" if governing.between is None else "note_system.points_about"
+    yield Text(Message(about))
     yield blocks.Verdict(Several(_body_said(found), " "), found.verdict == "converged")
-    yield _lines(note, found)
-    numbers = _numbers(
-        governing, Rows(found.body), None, **_own(each.quantity for each in found.body)
-    )
-    yield tabulate("system_motion_body", *numbers, caption=Message("note_motion.body"))
-    yield Figure(track(found), Message("note_system.motion_track"))
-    at_rest = note.solution.lines[governing.line - 1].tension
-    caption = Message("note_system.motion_history", line=governing.line)
-    yield Figure(history(governing, at_rest), caption)
+    if note.motion_checks is not None and note.motion_checks.results:
+        yield from verdict_blocks(note.motion_checks, note.motion_checks.verdict is True)
+        yield motion_checks_table(note.motion_checks)
+    if governing.between is not None:
+        yield from lines_of_points(found)
+    else:
+        at_rest = [line.tension for line in note.at_rest]
+        yield _lines(at_rest, found)
+    if found.body:
+        numbers = _numbers(
+            governing, Rows(found.body), None, **_own(each.quantity for each in found.body)
+        )
+        yield tabulate("system_motion_body", *numbers, caption=Message("note_motion.body"))
+    if governing.governing.track is not None:
+        yield Figure(track(found), Message("note_system.motion_track"))
+    caption = Message("note_system.motion_history", line=governing.shown)
+    yield Figure(history(governing, note.at_rest[governing.line - 1].tension), caption)
     remarks = dict.fromkeys(each for part in found.parts for each in part.remarks)
-    yield blocks.Points((Message("note_motion.ends"), *remarks), Message("note_motion.to_know"))
+    ends = () if governing.between is not None else (Message("note_motion.ends"),)
+    yield blocks.Points((*ends, *remarks), Message("note_motion.to_know"))
 
 
 def _body_said(found: DynamicVerification) -> Iterator[Message]:
@@ -574,16 +585,16 @@ def _body_said(found: DynamicVerification) -> Iterator[Message]:
         (found.least_proven, proof_sentences),
     ):
         for sentence in sentences(part):
-            yield Message("note_motion.of_line", number=part.line, said=sentence)
+            yield Message("note_motion.of_line", number=part.shown, said=sentence)
 
 
-def _lines(note: SystemNote, found: DynamicVerification) -> Table:
+def _lines(at_rest: Sequence[float], found: DynamicVerification) -> Table:
     """Tabulate the fairlead tension of every line, the governing one marked."""
     of = Rows(found.parts)
     return tabulate(
         "system_motion_lines",
         of.texts("line"),
-        *_fairleads(of.rows, [line.tension for line in note.solution.lines]),
+        *_fairleads(of.rows, at_rest),
         of.measured(_BARE, "quasi_static_max", "quasi_static_fairlead_tension"),
         of.measured(_FACTOR, "dynamic_amplification", "note_motion.amplification"),
         of.measured(fixed("s", 1), "slack_time", "slack_in_all"),

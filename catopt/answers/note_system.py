@@ -452,6 +452,8 @@ def network_note_answer(note: NetworkNote) -> blocks.Answer:
         _section("lines", _network_lines(note)),
         damaged_section(note.sheet),
         section("components", _components(note)),
+        _section("verification", by_both(note, "note_system", note.most_loaded)),
+        _section("motion", body_motion_blocks(note)),
         section("inputs", [Text(Message("note.inputs_about")), inputs_table(note.origin)]),
     )
     return note_answer(
@@ -488,6 +490,7 @@ def _network_opening(note: NetworkNote) -> Iterator[Section]:
         force=(Message("note_system.pull_on_body"), "horizontal_force", _pull(note)),
         reach=(Message("note_system.longest_on_bed"), "grounded_length", lies),
         tension=tension,
+        in_motion=note.motion is not None,
     )
 
 

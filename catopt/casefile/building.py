@@ -24,7 +24,7 @@ from catopt.casefile.schema import (
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.documents import Path
 from catopt.errors import InputError
-from catopt.model import Case, CatalogueChoice, Checks, Line, SegmentChoice, Site, System
+from catopt.model import Case, CatalogueChoice, Checks, Line, Segment, SegmentChoice, Site, System
 from catopt.model.kinds import File
 from catopt.model.line import weight_in_water
 from catopt.model.strain_table import StrainTable
@@ -166,8 +166,9 @@ def catalogue_choice(given: dict[str, Any], folder: str) -> CatalogueChoice:
 def from_catalogue(case: FileSection, folder: str) -> FromCatalogue:
     """Look up every component that a document names."""
     found = FromCatalogue()
-    of_line = case.table("line").tables("segments")
-    of_design = case.table("design").tables("segments")
+    lines = case.tables("lines") if "lines" in entries(case.schema) else [case.table("line")]
+    of_line = [segment for line in lines for segment in line.tables("segments")]
+    of_design = case.table("design").tables("segments") if "design" in entries(case.schema) else []
     named = list(_named([*of_line, *of_design]))
     if not named and "file" not in case.table("catalogue"):
         return found
@@ -289,7 +290,7 @@ def _refusals(error: InputError, path: Path, name: str, shown: str) -> Iterator[
 
 def _or_own(path: Path, allowed: str) -> str:
     """Add that a line may do without the catalogue; not to a slip, and a design may not."""
-    if path[0] != "line" or allowed.endswith("?"):
+    if path[0] not in ("line", "lines") or allowed.endswith("?"):
         return allowed
     return Message("refused.own_figures", said=allowed)
 
@@ -361,12 +362,17 @@ def build_case(table: CaseTable, catalogue: FromCatalogue, folder: str) -> Case:
     return Case(**{"load": None, **heights, **given, "site": site, "line": line})
 
 
-def network_parts(table: NetworkTable, site: Site, folder: str) -> dict[str, Any]:
+def network_parts(
+    table: NetworkTable, catalogue: FromCatalogue, site: Site, folder: str
+) -> dict[str, Any]:
     """Build what a file has beside its points, lines and bodies."""
-    build = _Builder(FromCatalogue(), FilePath(folder).absolute(), site)
+    build = _Builder(catalogue, FilePath(folder).absolute(), site)
     given = table.given()
     keys = ("waves", "current", "motion", "dynamics", "checks", "service", "anchor")
-    return {key: build.part(given[key], (key,)) for key in keys if key in given}
+    found = {key: build.part(given[key], (key,)) for key in keys if key in given}
+    if table.catalogue:
+        found["catalogue"] = catalogue_choice(build.given(table.catalogue), folder)
+    return found
 
 
 @dataclass(frozen=True)
@@ -398,7 +404,7 @@ class _Builder:
     def part(self, table: TableSchema, path: Path = ()) -> Any:
         """Build what a table holds; of variants of figures, a mapping."""
         if isinstance(table, SegmentTable):
-            return _segment(table, self.catalogue.segments.get(path))
+            return made_segment(table, self.catalogue.segments.get(path))
         given = self.given(table, path)
         if isinstance(table, SegmentChoiceTable):
             # Build what a segment may be; what is left out is as the line has it at the same
@@ -440,7 +446,7 @@ def made_of(table: TableSchema, given: dict[str, Any], site: Site) -> Any:
     return given if table.model is None else table.model(**given)
 
 
-def _segment(table: SegmentTable, component: Component | None) -> Any:
+def made_segment(table: TableSchema, component: Component | None) -> Any:
     """Build a segment; what the file gives goes before what the catalogue has."""
     given = table.given()
     given.pop("component", None)
@@ -454,7 +460,7 @@ def _segment(table: SegmentTable, component: Component | None) -> Any:
         given["EA"] = StrainTable(given.pop("strain"), given.pop("strain_tension"))
     if given.get("drag_method") == "roughness":
         figures |= dict.fromkeys(("drag_normal", "drag_axial", "added_mass_normal"))
-    return table.model(**figures | given)
+    return Segment(**figures | given)
 
 
 def _or_else(value: float | None, default: float) -> float:

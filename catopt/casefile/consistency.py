@@ -38,7 +38,7 @@ def consistency_findings(case: FileSection, components: Mapping[Path, Component]
         *_load(case),
         *_find(case),
         *_misfits(case, line, components),
-        *(f for segment in segments for f in _segment(segment)),
+        *(f for segment in segments for f in segment_findings(segment)),
         *(f for load in loads for f in _weight(load)),
         *(f for load in loads for f in _drag(load)),
         *_positions(segments, loads),
@@ -132,7 +132,7 @@ def _sought(case: FileSection) -> Find | None:
     return sought
 
 
-def _segment(segment: FileSection) -> Iterator[Finding]:
+def segment_findings(segment: FileSection) -> Iterator[Finding]:
     """Find a segment without weight or component, and a component without its diameter."""
     if "component" in segment:
         if segment.lacks("diameter"):

@@ -10,11 +10,22 @@ from pathlib import Path
 from pathlib import Path as FilePath
 from typing import Any, Final, Literal, TypeVar
 
-from catopt.casefile.building import build_case, from_catalogue, network_parts
-from catopt.casefile.consistency import consistency_findings, design_findings, judged_findings
+from catopt.casefile.building import (
+    FromCatalogue,
+    build_case,
+    from_catalogue,
+    made_segment,
+    network_parts,
+)
+from catopt.casefile.consistency import (
+    consistency_findings,
+    design_findings,
+    judged_findings,
+    segment_findings,
+)
 from catopt.casefile.document import FileSection, Finding, parts, read_tables, refuse, table
 from catopt.casefile.motion_consistency import motion_findings, network_motion_findings
-from catopt.casefile.schema import CaseTable, LineBetweenTable, NetworkTable, TableSchema
+from catopt.casefile.schema import CaseTable, LineBetweenTable, NetworkTable
 from catopt.documents import attributes, parse_toml, read_text
 from catopt.errors import InputError, Problem
 from catopt.model import Anchor, Case, Line, PointLoad, Segment, Site, System
@@ -90,6 +101,10 @@ def network_of(document: dict[str, Any], source: str = "", *, folder: str = "") 
     """Make the points and lines of a document, as the TOML reader returns it."""
     table, findings = read_tables(document, NetworkTable)
     case = FileSection(document, schema=NetworkTable)
+    catalogue = from_catalogue(case, folder)
+    findings += catalogue.findings
+    for line in case.tables("lines"):
+        findings += [each for part in line.tables("segments") for each in segment_findings(part)]
     findings += [*judged_findings(case, []), *network_motion_findings(case)]
     problems: list[Problem] = []
     points: list[Any] = []
@@ -100,7 +115,7 @@ def network_of(document: dict[str, Any], source: str = "", *, folder: str = "") 
             _built(problems, f"points[{k}]", Point, **each.given())
             for k, each in enumerate(table.points)
         ]
-        lines = [_line(problems, f"lines[{k}]", each) for k, each in enumerate(table.lines)]
+        lines = [_line(problems, k, each, catalogue) for k, each in enumerate(table.lines)]
         bodies = [
             _built(problems, f"bodies[{k}]", MooredBody, **each.given())
             for k, each in enumerate(table.given().get("bodies") or ())
@@ -109,25 +124,23 @@ def network_of(document: dict[str, Any], source: str = "", *, folder: str = "") 
     refuse(document, findings, source)
     site = Site(**table.site.given())
     given: dict[str, Any] = {key: getattr(table, key) or "" for key in ("title", "source")}
-    given |= network_parts(table, site, folder)
+    given |= network_parts(table, catalogue, site, folder)
     try:
         return Network(site, tuple(points), tuple(lines), bodies=tuple(bodies), **given)
     except InputError as error:
         raise InputError(error.problems, source) from None
 
 
-def _line(problems: list[Problem], path: str, table: LineBetweenTable) -> Any:
-    segments = [_segment(each) for each in table.segments]
+def _line(
+    problems: list[Problem], k: int, table: LineBetweenTable, catalogue: FromCatalogue
+) -> Any:
+    segments = [
+        made_segment(each, catalogue.segments.get(("lines", k, "segments", i)))
+        for i, each in enumerate(table.segments)
+    ]
     loads = [PointLoad(**each.given()) for each in table.point_loads or ()]
-    line = _built(problems, path, Line, segments=segments, point_loads=loads)
+    line = _built(problems, f"lines[{k}]", Line, segments=segments, point_loads=loads)
     return LineBetween(line, table.start, table.end, table.name or "")
-
-
-def _segment(table: TableSchema) -> Segment:
-    given = table.given()
-    if "diameter" in given:
-        given["nominal_diameter"] = given.pop("diameter")
-    return Segment(**given)
 
 
 def _built(problems: list[Problem], path: str, part: Any, /, **given: Any) -> Any:

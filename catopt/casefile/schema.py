@@ -366,8 +366,9 @@ class NetworkSegmentTable(TableSchema):
     """A uniform stretch of a line between points."""
 
     model = model.Segment
-    keys = """name length diameter submerged_weight mass EA MBL MBL_mean MBL_cov proof_load
-        wear_rate drag_diameter drag_normal drag_axial added_mass_normal added_mass_axial"""
+    keys = """name length component diameter submerged_weight mass EA MBL MBL_mean MBL_cov
+        proof_load wear_rate drag_diameter drag_normal drag_axial added_mass_normal
+        added_mass_axial"""
     symbols: ClassVar = {
         "L": "length",
         "w": "submerged_weight",
@@ -376,6 +377,7 @@ class NetworkSegmentTable(TableSchema):
     }
 
     diameter: Length | None = None
+    submerged_weight: Weight | None = None
 
 
 class NetworkLoadTable(TableSchema):
@@ -401,7 +403,7 @@ class NetworkTable(TableSchema):
 
     model = Network
     keys = """title source site points lines bodies waves current motion dynamics checks service
-        anchor"""
+        anchor catalogue"""
 
     motion: EndMotionTable | None = None
 

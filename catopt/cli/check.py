@@ -40,7 +40,8 @@ def check(
         with by_option(lambda _: "--code"):
             profiles_of(checks)
     read = replace(read, checks=checks)
+    of_points = isinstance(read, Network)
     report = check_network(read) if isinstance(read, Network) else check_case(read)
-    asked.give(check_answer(report), report.to_dict, read)
+    asked.give(check_answer(report, of_points=of_points), report.to_dict, read)
     if strict and not report.passes:
         asked.leave(FAILED, verdict_sentence(report))

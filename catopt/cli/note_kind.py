@@ -49,8 +49,9 @@ def note_of_file(
         return note_of_sizing(path, moored, Asked(date, verify, bool(swarm)))
     if has_table(path, "points"):
         why = Message("refused_command.for_a_case_of_a_line")
-        refuse(_of_a_line_alone(why, design=design, swarm=swarm, motion=motion))
-        return read_network_note(path, asked_in(path, date=date, verify=verify))
+        refuse(_of_a_line_alone(why, design=design, swarm=swarm))
+        asked = asked_in(path, date=date, verify=verify).with_options(motion=motion, once=once)
+        return read_network_note(path, asked, progress=progress)
     if has_table(path, "system"):
         why = Message("refused_command.for_one_line")
         has_front = path.is_dir() and (path / DESIGN_DOCUMENT).is_file()

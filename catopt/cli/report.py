@@ -20,7 +20,7 @@ from catopt.words import Message
 if TYPE_CHECKING:
     from catopt.cli.note_kind import AnyNote
     from catopt.notes.line import Note
-    from catopt.notes.system import SystemNote
+    from catopt.notes.system import NetworkNote, SystemNote
     from catopt.verify.dynamic_result import DynamicVerification
 
 PAGE_ENDINGS = (".html", ".htm")
@@ -45,7 +45,7 @@ def report(
     """Write the calculation note of a case: one HTML page for a checker, and a workbook."""
     from catopt.cli.note_kind import answer_of, note_of_file
     from catopt.notes.line import Note
-    from catopt.notes.system import SystemNote
+    from catopt.notes.system import NetworkNote, SystemNote
     from catopt.render.page import page
     from catopt.report.bundle import write_files
 
@@ -66,7 +66,7 @@ def report(
             once=once or None,
             progress=of_first,
         )
-        moved = note.motion if isinstance(note, SystemNote) else None
+        moved = note.motion if isinstance(note, SystemNote | NetworkNote) else None
         if isinstance(note, Note) and note.motion is not None:
             moved = note.motion.found
         _stop_if_interrupted(asked, moved)
@@ -133,7 +133,6 @@ def _document(
     """Say what was written (schema catopt.report/1); of a sizing, of its recommended line."""
     from catopt.notes.line import Note, SizeNote
     from catopt.notes.motion import motion_document
-    from catopt.notes.system import NetworkNote
 
     of = note.line if isinstance(note, SizeNote) else note
     line = of if isinstance(of, Note) else None
@@ -153,14 +152,14 @@ def _document(
         "sections": sections,
         "passes": checks.passes if checks.results else None,
         "governing": "" if governing is None else governing.in_case,
-        "verification": None if isinstance(of, NetworkNote) else _verification(of),
+        "verification": _verification(of),
         "swarm": None if line is None else line.swarm_document(),
-        "motion": None if isinstance(of, NetworkNote) else motion_document(of.motion),
+        "motion": motion_document(of.motion),
         "warnings": list(note.warnings),
     }
 
 
-def _verification(note: Note | SystemNote) -> dict[str, Any] | None:
+def _verification(note: Note | NetworkNote | SystemNote) -> dict[str, Any] | None:
     """Say what came of the truss model; None where it was left out."""
     if note.verification_failure:
         return {"verdict": "no answer", "worst": None, "failure": note.verification_failure}

@@ -189,6 +189,8 @@ class Network(Checked):
     """Of every fairlead about its place at rest, harmonic or recorded."""
     dynamics: Dynamics | None = None
     """How the lines are run in time; needed by the two before it."""
+    catalogue: CatalogueChoice = field(default_factory=CatalogueChoice)
+    """Where components come from."""
 
     # What a case may have beside these, and points and lines do not.
     system: ClassVar[None] = None
@@ -196,7 +198,6 @@ class Network(Checked):
     floater: ClassVar[None] = None
     anchor_motion: ClassVar[None] = None
     buoy: ClassVar[None] = None
-    catalogue: ClassVar[CatalogueChoice] = CatalogueChoice()
     load_cases: ClassVar[tuple[()]] = ()
     several_lines: ClassVar[bool] = True
 

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
     from catopt.checks.result import CheckReport
     from catopt.model import Case
+    from catopt.model.network import Network
     from catopt.verify.convergence_check import ConvergenceCheck
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
     from catopt.verify.dynamic_setup import Excitation
@@ -232,7 +233,7 @@ def _of_part(
     yield from (remark for remark in part.remarks if remark not in of_all)
 
 
-def motion_files(case: Case) -> tuple[SourceFile, ...]:
+def motion_files(case: Case | Network) -> tuple[SourceFile, ...]:
     """Read the files of motion, force and sea that a case names, as the note rests on them, too."""
     named = (
         (case.motion, ("file", "rao_file", "drift_file")),

@@ -12,6 +12,7 @@ from catopt.checks.case import LeastDiameter, least_diameters
 from catopt.checks.criteria import Criteria, criteria_of
 from catopt.errors import CatoptError
 from catopt.model import Anchor, Load
+from catopt.model.network import Network
 from catopt.mooring.solve import solve_system
 from catopt.words import Message
 
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
     from catopt.checks.result import CheckReport
     from catopt.model import Case, Line
-    from catopt.model.network import Network
     from catopt.mooring.solution import SystemSolution
     from catopt.notes.origin import Origin
     from catopt.verify.result import Verification
@@ -193,15 +193,17 @@ def _of_a_body(solution: SystemSolution) -> Iterator[AnchorMoved]:
 # ------------------------------------------------------------------ the truss model
 
 
-def both_models(case: Case, load_case: str = "") -> tuple[Verification | None, str]:
-    """Solve a body, or a line under its load, by both models; say why where there is no answer.
+def both_models(case: Case | Network, load_case: str = "") -> tuple[Verification | None, str]:
+    """Solve a body, lines between points, or a line under its load, by both models.
+
+    Says why where there is no answer.
 
     `load_case` is the name of the load case that is the load of a line.
     """
     from catopt.verify.case import LOAD, verify_case
 
     try:
-        if case.system is not None:
+        if isinstance(case, Network) or case.system is not None:
             return verify_case(case), ""
         found = verify_case(replace(case, load_cases=()))
     except CatoptError as error:

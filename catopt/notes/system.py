@@ -18,7 +18,7 @@ from catopt.mooring.case import CURVE_POINTS, SystemReport, report_system
 from catopt.mooring.held import LinesAtRest, at_rest
 from catopt.mooring.network_out import NetworkOut, each_line_out, largest_tensions
 from catopt.mooring.restoring import RestoringCurve, restoring_curve
-from catopt.notes.motion import Progress, motion_files
+from catopt.notes.motion import Progress, checks_in_motion, motion_files
 from catopt.notes.origin import (
     Asked,
     SourceFile,
@@ -34,7 +34,7 @@ from catopt.verify.motion_words import doubts, stopped_sentence
 from catopt.words import Message, is_said
 
 if TYPE_CHECKING:
-    from catopt.catenary.solution import Solution
+    from catopt.catenary.solution import EndState, Solution
     from catopt.checks.result import CheckReport
     from catopt.model import Case
     from catopt.mooring.solution import LegState, SystemSolution
@@ -57,7 +57,8 @@ class SystemNote(AnyNote):
     curves along the force and across it; what could not be computed is left out, and the warnings
     say why. `checks` are of every line and of the body, intact and with every line out.
     `verification` is by the truss model, None where it was left out or failed, the latter for the
-    reason of `verification_failure`; `motion` has all lines, None where nobody asked for it.
+    reason of `verification_failure`; `motion` has all lines, `motion_checks` judges them, None
+    where nobody asked for it.
     """
 
     case: Case
@@ -67,11 +68,17 @@ class SystemNote(AnyNote):
     verification: Verification | None = None
     verification_failure: str = ""
     motion: DynamicVerification | None = None
+    motion_checks: CheckReport | None = None
 
     @property
     def solution(self) -> SystemSolution:
         """The body under its load."""
         return self.report.solution
+
+    @property
+    def at_rest(self) -> tuple[LegState, ...]:
+        """Every line under the body's load."""
+        return self.solution.lines
 
     @property
     def loaded(self) -> LegState:
@@ -165,11 +172,7 @@ def system_note(
 ) -> SystemNote:
     """Compute the note of a moored body; as `read_system_note`."""
     asked = asked or Asked()
-    found = None
-    if asked.motion:
-        from catopt.verify.dynamic import verify_dynamic
-
-        found = verify_dynamic(case, convergence_check=asked.convergence_check, progress=progress)
+    found, judged = _in_motion(case, asked, progress)
     report, left_out = _report(case)
     checks = check_system(case, report)
     verification, failure = both_models(case) if asked.verify else (None, "")
@@ -190,7 +193,20 @@ def system_note(
         verification=verification,
         verification_failure=failure,
         motion=found,
+        motion_checks=judged,
     )
+
+
+def _in_motion(
+    case: Case | Network, asked: Asked, progress: Progress | None
+) -> tuple[DynamicVerification | None, CheckReport | None]:
+    """Run all lines in time where that is asked for, and judge them."""
+    if not asked.motion:
+        return None, None
+    from catopt.verify.dynamic import verify_dynamic
+
+    found = verify_dynamic(case, convergence_check=asked.convergence_check, progress=progress)
+    return found, checks_in_motion(found)
 
 
 def heading_of(x: float, y: float) -> float:
@@ -248,8 +264,8 @@ def _of_motion(found: DynamicVerification) -> Iterator[str]:
     if not found.is_complete:
         yield Message("notes.motion_incomplete", where=stopped_sentence(found))
     for doubt in doubts(found.least_proven):
-        yield Message("notes.line_in_motion", number=found.least_proven.line, what=doubt)
-    slack = [str(part.line) for part in found.parts if part.slack_time > 0.0]
+        yield Message("notes.line_in_motion", number=found.least_proven.shown, what=doubt)
+    slack = [part.shown for part in found.parts if part.slack_time > 0.0]
     if slack:
         yield Message("notes.lines_slack", lines=", ".join(slack))
     for remark in dict.fromkeys(each for part in found.parts for each in part.remarks):
@@ -277,7 +293,8 @@ class NetworkSheet(Stated):
 class NetworkNote(AnyNote):
     """Everything that the page of lines between points shows, the body held.
 
-    `checks` are of every line, intact and with each out, which `line_out` has.
+    `checks` are of every line, intact and with each out, which `line_out` has; `motion` has all
+    lines, `motion_checks` what it is judged by, None where nobody asked for it.
     """
 
     case: Network
@@ -285,6 +302,15 @@ class NetworkNote(AnyNote):
     rest: LinesAtRest
     line_out: tuple[NetworkOut, ...]
     checks: CheckReport
+    verification: Verification | None = None
+    verification_failure: str = ""
+    motion: DynamicVerification | None = None
+    motion_checks: CheckReport | None = None
+
+    @property
+    def at_rest(self) -> tuple[EndState, ...]:
+        """The upper end of every line."""
+        return tuple(line.fairlead for line in self.rest.lines)
 
     @property
     def tensions(self) -> tuple[float, ...]:
@@ -297,10 +323,13 @@ class NetworkNote(AnyNote):
         return first_largest(self.tensions)
 
 
-def read_network_note(path: Path, asked: Asked | None = None) -> NetworkNote:
+def read_network_note(
+    path: Path, asked: Asked | None = None, *, progress: Progress | None = None
+) -> NetworkNote:
     """Read a file of points and lines, or a directory with one, and compute its note.
 
-    Raises InputError, NoAnswerError and NotConvergedError as `read_mooring` and `check_network` do.
+    Raises InputError, NoAnswerError and NotConvergedError as `read_mooring`, `check_network` and
+    `verify_dynamic` do.
     """
     asked = asked or Asked()
     place = case_path(path)
@@ -309,15 +338,22 @@ def read_network_note(path: Path, asked: Asked | None = None) -> NetworkNote:
     rest = at_rest(network)
     line_out = each_line_out(network) if len(network.lines) > 1 else ()
     checks = check_network(network, rest, line_out or None)
-    warnings = [each for each in checks.warnings if not is_said(each, NO_CHECK)]
-    if asked.verify:
-        warnings.append(Message("notes.network_not_verified"))
+    found, judged = _in_motion(network, asked, progress)
+    warnings = [] if found is None else list(_of_motion(found))
+    warnings += [each for each in checks.warnings if not is_said(each, NO_CHECK)]
+    verification, failure = both_models(network) if asked.verify else (None, "")
+    warnings += doubts_of_models(verification, failure, "body")
+    files = () if found is None else motion_files(network)
     return NetworkNote(
         case=network,
         rest=rest,
         line_out=line_out,
         checks=checks,
-        origin=origin_of((source,), asked.date, NetworkTable),
+        verification=verification,
+        verification_failure=failure,
+        motion=found,
+        motion_checks=judged,
+        origin=origin_of((source, *files), asked.date, NetworkTable),
         sheet=NetworkSheet(
             case=network,
             report=checks,

@@ -150,7 +150,7 @@ def _headings(columns: Sequence[_Column]) -> list[str]:
 def _cuts_numbers(columns: Sequence[_Column], headings: Sequence[str]) -> bool:
     """Whether 80 columns have no room for all digits, however far words fold."""
     least = (
-        width if each.is_number else min(width, _TEXT)
+        width if each.is_number else min(width, _LEAST)
         for each, width in zip(columns, _widths(columns, headings), strict=True)
     )
     return sum(least) + _GAP * (len(columns) - 1) > _WIDTH and _last_number(columns) > 0

@@ -7,11 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from catopt.casefile import write_case
+from catopt.casefile import parse_case, write_case
 from catopt.casefile.reading import parse_network
 from catopt.figures.mooring import network_plan, network_side
 from catopt.model import Checks
 from catopt.mooring.held import at_rest
+from catopt.notes.origin import Asked
 from catopt.notes.system import read_network_note
 from tests.checks.test_network import CHECKS, FILE, leg
 from tests.mooring.test_bodies import barge
@@ -23,9 +24,9 @@ from .conftest import Run, document_of, refused, validate
 CHECKS_OF_ROPE = Checks(safety_factor=3.0)
 
 
-def written(folder: Path) -> Path:
-    place = folder / "network.toml"
-    place.write_text(FILE, encoding="utf-8")
+def written(folder: Path, text: str = FILE, name: str = "network") -> Path:
+    place = folder / f"{name}.toml"
+    place.write_text(text, encoding="utf-8")
     return place
 
 
@@ -123,7 +124,9 @@ def test_the_note_has_plan_and_side_and_every_line_out(run: Run, tmp_path: Path)
     note = read_network_note(place)
     assert [each.missing for each in note.line_out] == [0, 1, 2]
     assert note.most_loaded == 0
-    assert "the truss model takes no lines between points" in "".join(note.warnings)
+    assert note.verification is not None
+    assert note.verification.verdict == "agrees"
+    assert "system_verification" in written["sections"]
     # With the chain gone each rope holds itself and half of the 2 kN at its upper end.
     found = note.line_out[0].rest
     assert found is not None
@@ -141,10 +144,139 @@ def test_the_note_of_an_answer_is_of_its_case(run: Run, tmp_path: Path) -> None:
 
 
 def test_the_note_refuses_what_is_of_one_line(run: Run, tmp_path: Path) -> None:
-    said = refused(run, "report", written(tmp_path), "--method", "pso", "--dynamic").err
+    said = refused(run, "report", written(tmp_path), "--method", "pso", "--design", "1").err
     assert "this file is of lines between points" in said
     assert "--method" in said
-    assert "--dynamic" in said
+    assert "--design" in said
+
+
+BRIDLE = """
+title = "Bridle"
+
+[site]
+water_depth = "20 m"
+
+[[points]]
+name = "west"
+kind = "anchor"
+x = "-60 m"
+y = "0 m"
+height = "0 m"
+
+[[points]]
+name = "east"
+kind = "anchor"
+x = "60 m"
+y = "0 m"
+height = "0 m"
+
+[[points]]
+name = "joint"
+kind = "joint"
+submerged_weight = "-1 kN"
+mass = "60 kg"
+
+[[points]]
+name = "port"
+kind = "fairlead"
+x = "3 m"
+y = "2 m"
+height = "19 m"
+
+[[points]]
+name = "starboard"
+kind = "fairlead"
+x = "3 m"
+y = "-2 m"
+height = "19 m"
+
+[[lines]]
+start = "west"
+end = "joint"
+[[lines.segments]]
+component = "chain studless R3"
+diameter = "30 mm"
+length = "58 m"
+
+[[lines]]
+start = "joint"
+end = "port"
+[[lines.segments]]
+component = "chain studless R3"
+diameter = "20 mm"
+length = "9 m"
+
+[[lines]]
+start = "joint"
+end = "starboard"
+[[lines.segments]]
+component = "chain studless R3"
+diameter = "20 mm"
+length = "9 m"
+MBL = "150 kN"
+
+[[lines]]
+start = "east"
+end = "port"
+[[lines.segments]]
+component = "chain studless R3"
+diameter = "30 mm"
+length = "66 m"
+
+[checks]
+codes = ["API-RP-2SK"]
+
+[waves]
+spectrum = "regular"
+height = "1 m"
+period = "6 s"
+
+[motion]
+period = "6 s"
+heave = "0.4 m"
+
+[dynamics]
+duration = "18 s"
+elements = 10
+"""
+
+
+def test_lines_between_points_are_of_the_catalogue(run: Run, tmp_path: Path) -> None:
+    """As in a case file of one line; own figures go first, and what is not made is refused."""
+    network = parse_network(BRIDLE)
+    (chain,) = network.lines[0].line.segments
+    (own,) = network.lines[2].line.segments
+    one = parse_case(
+        '[site]\nwater_depth = "20 m"\n[[line.segments]]\ncomponent = "chain studless R3"\n'
+        'diameter = "30 mm"\nlength = "58 m"\n[load]\nhorizontal_force = "5 kN"\n'
+    )
+    assert chain == one.line.segments[0]
+    assert own.MBL == 150e3
+    assert parse_network(write_case(network)) == network
+    place = tmp_path / "bad.toml"
+    place.write_text(BRIDLE.replace("R3", "R9").replace('"20 mm"', '"21.7 mm"'), encoding="utf-8")
+    said = refused(run, "system", place).err
+    assert "lines[3].segments[0].component" in said
+    assert "lines[0].segments[0].component" in said
+    shown = run("check", written(tmp_path, BRIDLE, "bridle")).out
+    assert "catopt design" not in shown
+
+
+def test_the_note_of_points_has_their_motion(run: Run, tmp_path: Path) -> None:
+    """With what verify --dynamic prints: tensions at both ends, where the joint goes, checks."""
+    place = written(tmp_path, BRIDLE, "bridle")
+    document = document_of(run, "report", place, "--dynamic", "--once", "--out", tmp_path / "note")
+    validate(document)
+    assert "system_motion" in document["sections"]
+    assert document["motion"]["line"] == 1
+    note = read_network_note(place, Asked(motion=True, convergence_check="none"))
+    assert note.motion is not None
+    assert note.motion_checks is not None
+    assert note.motion_checks.passes
+    assert not any("motion of body" in each.lower() for each in note.warnings)
+    page = (tmp_path / "note" / "bridle.html").read_text("utf-8")
+    for words in ("Joints: height", "Checks of the tensions in motion", "The two models agree"):
+        assert words in page
 
 
 def test_drawings_are_where_the_lines_are() -> None:
