@@ -9,10 +9,13 @@ from typing import Annotated, Literal
 import typer
 
 from catopt.answers.solution import solution_answer
+from catopt.casefile.reading import read_mooring_or_design
 from catopt.cli import values
 from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CaseArgument, CountOption, DesignOption, LoadCaseOption, OutOption
+from catopt.cli.system import Wanted, answer_mooring
 from catopt.errors import Problem
+from catopt.model.network import Network
 from catopt.words import Message
 
 Method = Literal["closed-form", "pso"]
@@ -32,7 +35,7 @@ def solve(
     design: DesignOption = None,
     profile: Annotated[bool, typer.Option("--profile")] = False,
 ) -> None:
-    """Solve one mooring line at rest."""
+    """Solve a mooring line at rest; of a body or points what `catopt system` answers."""
     from catopt.catenary.case import solve_case, under_a_load
     from catopt.report.bundle import solution_pictures
 
@@ -40,7 +43,16 @@ def solve(
     given = values.given_ones(
         runs=runs, particles=particles, iterations=iterations, seed=seed, boundary=boundary
     )
-    read = values.in_state(values.read_known(case, design), load_case)
+    mooring = read_mooring_or_design(case, design)
+    if isinstance(mooring, Network) or mooring.system is not None:
+        swarm = {"method": method} if method == "pso" else {}
+        of_a_line = {**swarm, **given, "load-case": load_case, "profile": profile or None}
+        why = Message("refused_command.for_one_line")
+        given_ones = {key: value for key, value in of_a_line.items() if value is not None}
+        values.refuse(Problem(f"--{key}", str(each), why) for key, each in given_ones.items())
+        answer_mooring(asked, mooring, Wanted())
+        return
+    read = values.in_state(values.with_known_codes(mooring), load_case)
     if method != "pso":
         needs = Message("refused_command.needs_method_pso")
         values.refuse(Problem(f"--{key}", str(value), needs) for key, value in given.items())

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from functools import partial
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 import typer
 
@@ -18,6 +19,9 @@ from catopt.model.network import Network
 from catopt.patience import paced
 from catopt.units import Dimension
 from catopt.words import Message, say
+
+if TYPE_CHECKING:
+    from catopt.model import Case
 
 
 @answering(OutOption)
@@ -33,39 +37,51 @@ def system(
     held: Annotated[list[str] | None, typer.Option(metavar="SIX")] = None,
 ) -> None:
     """Find where a moored body comes to rest, and what each of its lines carries."""
+    asked.check_place()
+    wanted = Wanted(
+        _in_si("--curve", curve, Dimension.ANGLE),
+        _in_si("--level", level, Dimension.LENGTH),
+        [_displacement(text) for text in held or []],
+        line_out=line_out,
+        circle=watch_circle,
+        stiffness=stiffness,
+    )
+    answer_mooring(asked, read_mooring_or_design(case, design), wanted)
+
+
+class Wanted(NamedTuple):
+    """What is wanted of a mooring beside where it comes to rest."""
+
+    directions: Sequence[float] = ()
+    levels: Sequence[float] = ()
+    displacements: Sequence[tuple[float, ...]] = ()
+    line_out: bool = False
+    circle: bool = False
+    stiffness: bool = False
+
+
+def answer_mooring(asked: Asked, read: Case | Network, wanted: Wanted) -> None:
+    """Bring a body, or lines between points, to rest, and answer."""
     from catopt.checks.system import check_system
     from catopt.mooring.case import report_system
     from catopt.report.bundle import system_pictures
 
-    asked.check_place()
-    directions = _in_si("--curve", curve, Dimension.ANGLE)
-    levels = _in_si("--level", level, Dimension.LENGTH)
-    displacements = [_displacement(text) for text in held or []]
-    read = read_mooring_or_design(case, design)
     if isinstance(read, Network):
         allowed = Message("refused_command.does_not_go_with_lines")
-        refuse(Problem("--level", "", allowed) for _ in levels[:1])
-        _network(
-            asked,
-            read,
-            displacements,
-            directions,
-            with_line_out=line_out,
-            with_stiffness=stiffness,
-            with_circle=watch_circle,
-        )
+        refuse(Problem("--level", "", allowed) for _ in wanted.levels[:1])
+        _network(asked, read, wanted)
         return
     report = report_system(
         read,
-        with_line_out=line_out,
-        with_circle=watch_circle,
-        directions=directions,
-        levels=levels,
-        with_stiffness=stiffness,
-        displacements=displacements,
+        with_line_out=wanted.line_out,
+        with_circle=wanted.circle,
+        directions=wanted.directions,
+        levels=wanted.levels,
+        with_stiffness=wanted.stiffness,
+        displacements=wanted.displacements,
     )
     checks = check_system(read, report)
-    if watch_circle and report.circle is None:
+    if wanted.circle and report.circle is None:
         asked.output.note(say(Message("mooring.no_circle"), asked.language))
 
     def document() -> dict[str, Any]:
@@ -74,16 +90,7 @@ def system(
     asked.give(system_answer(report, checks), document, read, partial(system_pictures, report))
 
 
-def _network(
-    asked: Asked,
-    network: Network,
-    displacements: list[tuple[float, ...]],
-    directions: list[float],
-    *,
-    with_line_out: bool,
-    with_stiffness: bool,
-    with_circle: bool,
-) -> None:
+def _network(asked: Asked, network: Network, wanted: Wanted) -> None:
     """Bring points, lines and bodies to rest, and hold their body where that is asked for."""
     from catopt.checks.system import check_network
     from catopt.mooring.case import network_curves
@@ -93,29 +100,29 @@ def _network(
 
     if network.bodies or network.current_at_rest is not None:
         free = at_rest(network)
-        here = [each.moved for each in free.bodies if with_stiffness]
-        if with_stiffness and network.current_at_rest is not None:
+        here = [each.moved for each in free.bodies if wanted.stiffness]
+        if wanted.stiffness and network.current_at_rest is not None:
             here = [(0.0,) * 6]  # which is refused
     else:
         free, here = None, [(0.0,) * 6]
-    places = [*here, *displacements]
+    places = [*here, *wanted.displacements]
     total = Message("words.held_places", total=len(places))
     held = [hold(network, each) for each in paced(total, places)]
     rest: LinesAtRest = free or held[0]
     away = held[len(here) :]
-    gone = each_line_out(network) if with_line_out else ()
+    gone = each_line_out(network) if wanted.line_out else ()
     judged = check_network(network, rest, gone or None)
-    bodies = [each.body for each in (held if with_stiffness else away)]
+    bodies = [each.body for each in (held if wanted.stiffness else away)]
     force = math.hypot(*(network.bodies[0].force if network.bodies else ()))
     circle = None
-    if with_circle and network.bodies and not force > 0.0:
+    if wanted.circle and network.bodies and not force > 0.0:
         asked.output.note(say(Message("mooring.no_circle"), asked.language))
-    elif with_circle:
+    elif wanted.circle:
         circle = network_circle(network, force=force or 1.0)
-    curves = network_curves(rest, directions)
+    curves = network_curves(rest, wanted.directions)
     answer = network_answer(rest, away, judged, bodies, line_out=gone, circle=circle, curves=curves)
     more: dict[str, Any] = {"checks": judged.brief.to_dict()}
-    if with_line_out:
+    if wanted.line_out:
         more["one_line_out"] = [each.to_dict() for each in gone]
     if circle is not None:
         more["watch_circle"] = circle.to_dict()
