@@ -17,7 +17,8 @@ from pathlib import Path
 
 import catopt
 from benchmarks.common import page
-from catopt.fem.linear_motion import LinearModel, linear_model, linear_motion
+from catopt.fem.linear_model import LinearModel, linear_model
+from catopt.fem.linear_motion import linear_motion
 from catopt.fem.series import Harmonic
 from catopt.model import Case
 from catopt.verify.dynamic import verify_dynamic

@@ -208,3 +208,13 @@ _TABLE = (
 
 QUANTITIES: Mapping[str, Quantity] = MappingProxyType({q.key: q for q in _TABLE})
 """Every quantity by its key."""
+
+
+def significant(unit: str, digits: int = 6) -> Quantity:
+    """Take what is written with some significant digits, in an SI unit."""
+    return Quantity("", "", "", unit, unit, 1.0, digits, "significant")
+
+
+def fixed(unit: str, digits: int) -> Quantity:
+    """Take what is written with some digits after the point, in an SI unit."""
+    return Quantity("", "", "", unit, unit, 1.0, digits)

@@ -36,8 +36,8 @@ from catopt.model.dynamics import InitialFriction
 from catopt.model.kinds import OneOf, Size
 from catopt.mooring.case import SystemReport
 from catopt.mooring.circle import WatchCircle
-from catopt.mooring.held import NetworkReport
 from catopt.mooring.network_out import NetworkOut
+from catopt.mooring.network_rest import NetworkReport
 from catopt.mooring.restoring import RestoringCurve
 from catopt.records import From, Key, Matching, OrNull, Record, parts, unit_of
 from catopt.reproduce.items import Reproduction

@@ -34,7 +34,8 @@ from catopt.fem import (
     solve_line,
 )
 from catopt.fem.dynamics import line_at_rest
-from catopt.fem.linear_motion import linear_model, linear_motion
+from catopt.fem.linear_model import linear_model
+from catopt.fem.linear_motion import linear_motion
 from catopt.fem.mesh import mesh_line
 from catopt.fem.series import series_rows, series_values
 from catopt.floater import alone, two_scales  # noqa: F401 - before their `compiled` is watched

@@ -29,7 +29,7 @@ from catopt.answers.motion import ENERGIES, lines_of_points
 from catopt.answers.note import small
 from catopt.answers.verification import quantity_in_note
 from catopt.figures.motion import envelope_chart, history, peaks_above, track
-from catopt.quantities import Quantity
+from catopt.quantities import Quantity, fixed, significant
 from catopt.units import lasting
 from catopt.verify.motion_words import (
     DYNAMIC_QUANTITY_OF,
@@ -54,16 +54,6 @@ _JUDGED_BY = {
     "most-probable": "by_most_probable",
     "upper": "by_upper",
 }
-
-
-def significant(unit: str, digits: int = 6) -> Quantity:
-    """Take what is written with some significant digits, in an SI unit."""
-    return Quantity("", "", "", unit, unit, 1.0, digits, "significant")
-
-
-def fixed(unit: str, digits: int) -> Quantity:
-    """Take what is written with some digits after the point, in an SI unit."""
-    return Quantity("", "", "", unit, unit, 1.0, digits)
 
 
 _DEGREES = Quantity("", "", "", "rad", "deg", math.pi / 180.0, 4, "significant")

@@ -23,9 +23,10 @@ from catopt.errors import InputError, Problem
 from catopt.model import Anchor, Case, Line
 from catopt.model.network import Network
 from catopt.mooring.case import SystemReport, report_system
-from catopt.mooring.held import LinesAtRest, at_rest
+from catopt.mooring.held import at_rest
 from catopt.mooring.line_out import LineOut, one_line_out
 from catopt.mooring.network_out import NetworkOut, each_line_out
+from catopt.mooring.network_rest import LinesAtRest
 from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import of_line
 from catopt.words import Message

@@ -95,8 +95,9 @@ def _network(asked: Asked, network: Network, wanted: Wanted) -> None:
     from catopt.checks.system import check_network
     from catopt.mooring.case import network_curves
     from catopt.mooring.circle import network_circle
-    from catopt.mooring.held import LinesAtRest, NetworkReport, at_rest, hold
+    from catopt.mooring.held import at_rest, hold
     from catopt.mooring.network_out import each_line_out
+    from catopt.mooring.network_rest import LinesAtRest, NetworkReport
 
     if network.bodies or network.current_at_rest is not None:
         free = at_rest(network)
@@ -138,7 +139,7 @@ def _in_si(option: str, texts: list[str] | None, dimension: Dimension) -> list[f
 
 def _displacement(text: str) -> tuple[float, ...]:
     """Read six values of a displacement: three lengths, three angles."""
-    from catopt.mooring.held import FREEDOMS
+    from catopt.mooring.network_rest import FREEDOMS
 
     parts = [each.strip() for each in text.split(",")]
     if len(parts) != len(FREEDOMS):

@@ -14,7 +14,7 @@ from catopt.fem.extremes import (
     weibull_tail,
 )
 from catopt.fem.history import History
-from catopt.fem.linear_motion import line_frequencies, natural_frequencies
+from catopt.fem.linear_model import line_frequencies, natural_frequencies
 from catopt.fem.loads import Current, DragSection
 from catopt.fem.mesh import LineMesh, mesh_line
 from catopt.fem.morison import MorisonSection

@@ -28,8 +28,8 @@ from catopt.words import Measure, Message
 
 if TYPE_CHECKING:
     from catopt.mooring.circle import WatchCircle
-    from catopt.mooring.held import LinesAtRest
     from catopt.mooring.line_ends import Vector
+    from catopt.mooring.network_rest import LinesAtRest
     from catopt.mooring.position import Position
     from catopt.mooring.restoring import RestoringCurve
     from catopt.mooring.solution import LegState, SystemSolution

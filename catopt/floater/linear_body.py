@@ -40,7 +40,8 @@ class LinearBody:
     mass : ndarray, shape (6, 6)
         Of the body alone.
     stiffness : ndarray, shape (6, 6)
-        Of weight and buoyancy, and of its lines, such as `catopt.mooring.held.HeldBody.stiffness`.
+        Of weight and buoyancy, and of its lines, such as
+        `catopt.mooring.network_rest.HeldBody.stiffness`.
     damping : ndarray, shape (6, 6), optional
         Linear, beyond the waves that it makes.
 

@@ -10,8 +10,9 @@ from catopt.catenary.solution import above_water, named_line
 from catopt.errors import InputError, Problem
 from catopt.model import Case, System
 from catopt.mooring.circle import WatchCircle, watch_circle
-from catopt.mooring.held import HeldBody, LinesAtRest, at_displacement
+from catopt.mooring.held import at_displacement
 from catopt.mooring.line_out import LineOut, one_line_out
+from catopt.mooring.network_rest import HeldBody, LinesAtRest
 from catopt.mooring.restoring import RestoringCurve, network_curve, restoring_curve
 from catopt.mooring.sharing_rule import SharingRule, sharing_rule
 from catopt.mooring.solution import SystemSolution

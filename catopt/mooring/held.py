@@ -5,15 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Annotated, Literal, NamedTuple
 
-from catopt.catenary.in_current import CurrentEffect, SolutionInCurrent, hung_on_float
-from catopt.catenary.root_search import BY_SPAN
-from catopt.catenary.solution import Solution
-from catopt.catenary.solve import solution_of
+from catopt.catenary.in_current import hung_on_float
 from catopt.errors import InputError, NoEquilibriumError, Problem
 from catopt.model import CurrentProfile, Site, System
-from catopt.model.kinds import Force, Height, Place, Size, SomeForce
 from catopt.model.network import LineBetween, MooredBody, Network, Point
 from catopt.mooring.chains import apart, in_rows, rows_of
 from catopt.mooring.joints import (
@@ -24,7 +19,6 @@ from catopt.mooring.joints import (
     assembled,
     by_turning,
     check_afloat,
-    is_anchored,
     joints_at_rest,
     moored,
     product,
@@ -32,235 +26,20 @@ from catopt.mooring.joints import (
     solve,
 )
 from catopt.mooring.line_ends import Matrix, Vector
+from catopt.mooring.network_rest import (
+    BodyAtRest,
+    FloatsInCurrent,
+    HeldBody,
+    HeldLine,
+    LinesAtRest,
+    NetworkAtRest,
+)
 from catopt.mooring.position import Position
 from catopt.old_names import old_function
-from catopt.records import From, FromZero, Record
 from catopt.words import Message
 
-_ROUNDING = 1e-9
-"""Part of a stiffness below which it may be rounding."""
 _LOOSE = 1e-12
 """Of the largest stiffness: what a joint of slack lines is given of its own."""
-
-Six = Annotated[tuple[float, ...], Size(6, 6)]
-Three = Annotated[tuple[float, ...], Size(3, 3)]
-
-FREEDOMS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
-"""Along x, y and z (up), and about them in the sense of the right hand."""
-
-
-@dataclass(frozen=True)
-class HeldLine:
-    """One line at that place."""
-
-    fairlead: tuple[Place, Place, Place]
-    """x, y, and height above the bed."""
-    span: Height
-    """From the anchor, in plan."""
-    horizontal_force: SomeForce
-    """On the body, towards the anchor."""
-    vertical_force: Force
-    """On the body, downwards."""
-    grounded: Height
-    """Unstretched, on the bed."""
-
-    @property
-    def tension(self) -> float:
-        """Effective tension at the fairlead, N."""
-        return math.hypot(self.horizontal_force, self.vertical_force)
-
-
-@dataclass(frozen=True)
-class HeldBody(Record):
-    """What the lines do to a body that is held at a displacement, by FREEDOMS.
-
-    Rotations are about axes through the origin that stay parallel to x, y and z. The stiffness is
-    symmetric where the moment of the lines about the origin is zero and no line lies on a bed with
-    friction.
-    """
-
-    DOCUMENT = (
-        "displacement origin_height load stiffness "
-        "lines(fairlead span horizontal_force vertical_force grounded=grounded_length_m)"
-    )
-
-    displacement: Six
-    """m, m, m, rad, rad, rad: surge, sway, heave, roll, pitch, yaw of the body."""
-    origin_height: Place
-    """Of the body's origin above the bed when nothing is displaced, the waterline."""
-    lines: tuple[HeldLine, ...]
-    """Each line there, in the order of the case."""
-    load: Six
-    """N, N, N, N m, N m, N m: of the lines on the body, about its origin; its own weight and
-    buoyancy are no part of it."""
-    stiffness: Annotated[tuple[Six, ...], Size(6, 6)]
-    """N/m, N/rad, N m/m, N m/rad: minus the derivatives of the load by a small further
-    displacement, joints free to follow."""
-
-    @property
-    def by_freedom(self) -> dict[str, float]:
-        """The displacement by the name of the freedom; m, rad."""
-        return dict(zip(FREEDOMS, self.displacement, strict=True))
-
-
-@dataclass(frozen=True)
-class BodyAtRest(Record):
-    """A free body at rest under its load."""
-
-    DOCUMENT = (
-        "body.name body.force body.moment turns=yaw_is_free position neutral=zero_load_position "
-        "offset stiffness"
-    )
-
-    body: MooredBody
-    turns: bool
-    """Whether it turns."""
-    position: Position
-    """Of its origin at rest."""
-    neutral: Position
-    """Without load on any body."""
-    stiffness: Annotated[tuple[Three, ...], Size(3, 3)]
-    """N/m, N, N m/rad: minus the derivatives of the pull of its lines by x, y and yaw, joints and
-    other bodies free to follow."""
-
-    @property
-    def is_held(self) -> bool:
-        """Whether the lines hold it against a push from any side, and a turn where it is free."""
-        (xx, xy, xm), (_, yy, ym), (_, _, mm) = self.stiffness
-        plane = xx * yy - xy * xy
-        if plane <= _ROUNDING * (xx + yy) ** 2:
-            return False
-        yaw = mm - (yy * xm * xm - 2.0 * xy * xm * ym + xx * ym * ym) / plane
-        return not self.turns or yaw > _ROUNDING * abs(mm)
-
-    @property
-    def moved(self) -> tuple[float, ...]:
-        """From where it is given, by FREEDOMS: m and rad."""
-        x, y = self.position.x - self.body.x, self.position.y - self.body.y
-        return (x, y, 0.0, 0.0, 0.0, self.position.yaw)
-
-    @property
-    def offset(self) -> tuple[Place, Place]:
-        """Way of the body's origin from where it is without load."""
-        return self.position.x - self.neutral.x, self.position.y - self.neutral.y
-
-
-class PointAtRest(NamedTuple):
-    """A point of a network, with all that is free at rest."""
-
-    of: Point
-    place: tuple[Place, Place, Place]
-    """x, y, and height above the bed."""
-    bed_reaction: Force
-    """With which the bed carries it."""
-
-
-class LineAtRest(NamedTuple):
-    """A line of a network, from its first end: an anchor where it has one."""
-
-    name: str
-    """As the file has it, or its number."""
-    first: str
-    """Point at its first end: an anchor where it has one."""
-    second: str
-    """Point at its other end."""
-    solution: Solution
-
-
-@dataclass(frozen=True)
-class LinesAtRest(Record):
-    """Lines between points with all that is free at rest; `runs` from their anchors."""
-
-    DOCUMENT = (
-        "points(of.name of.kind place bed_reaction) named_lines=lines(name first=from second=to "
-        "solution.span solution.horizontal_force solution.anchor.tension=from_tension_N "
-        "solution.fairlead.tension=to_tension_N solution.grounded_length) bodies "
-        "residual steps"
-    )
-
-    network: Network
-    runs: tuple[Run, ...]
-    joints: JointsAtRest
-    bodies: tuple[BodyAtRest, ...] = ()
-    """Each body that is free, in the order of the file."""
-
-    def place_of(self, name: str) -> Vector:
-        """X, y and height of a point, m."""
-        return self.joints.places[self.network.numbers[name]]
-
-    @property
-    def lines(self) -> tuple[Solution, ...]:
-        """Every line laid out between its ends, the first of which is its `anchor`."""
-        return tuple(
-            solution_of(
-                end.state,
-                run.line,
-                end.problem,
-                run.segment_of,
-                method="closed-form",
-                known=BY_SPAN,
-            )
-            for run, end in zip(self.runs, self.joints.ends, strict=True)
-        )
-
-    def is_anchored(self, line: int) -> bool:
-        """Whether a line, counted from 0, ends at an anchor: its first end then."""
-        return is_anchored(self.network, self.runs[line])
-
-    @property
-    def residual(self) -> SomeForce:
-        """Largest force left over at a joint or a body."""
-        return self.joints.residual
-
-    @property
-    def steps(self) -> FromZero:
-        """Of Newton's method."""
-        return self.joints.steps
-
-    @property
-    def points(self) -> tuple[PointAtRest, ...]:
-        """Each point, in the order of the file."""
-        found = self.joints
-        return tuple(map(PointAtRest, self.network.points, found.places, found.reactions))
-
-    @property
-    def named_lines(self) -> tuple[LineAtRest, ...]:
-        """Each line, in the order of the file."""
-        points = self.network.points
-        return tuple(
-            LineAtRest(run.name, points[run.first].name, points[run.second].name, line)
-            for run, line in zip(self.runs, self.lines, strict=True)
-        )
-
-
-@dataclass(frozen=True, kw_only=True)
-class NetworkAtRest(LinesAtRest):
-    """The same, with what the lines do to the body that is held."""
-
-    DOCUMENT = LinesAtRest.DOCUMENT + " body.displacement body.load body.stiffness"
-
-    body: HeldBody
-
-
-@dataclass(frozen=True)
-class NetworkReport(Record):
-    """Points, lines between them and bodies, at rest."""
-
-    SCHEMA = "catopt.network/1"
-    DOCUMENT = "title status states"
-
-    states: Annotated[tuple[LinesAtRest | NetworkAtRest | FloatsInCurrent, ...], From(1)]
-    """At rest, then where the body was asked to be held."""
-
-    @property
-    def title(self) -> str:
-        """Of the file; empty when it has none."""
-        return self.states[0].network.title
-
-    @property
-    def status(self) -> Literal["converged"]:
-        """What did not converge is never written."""
-        return "converged"
 
 
 def at_displacement(
@@ -468,27 +247,6 @@ def without_load(network: Network, displacement: tuple[float, ...] = (0.0,) * 6)
         raise NoEquilibriumError(said, error.quantity, error.missing) from error
     _, held = _ends_held(whole, displacement)
     return WithoutLoad(network, whole, runs, held, found)
-
-
-@dataclass(frozen=True, kw_only=True)
-class FloatsInCurrent(LinesAtRest):
-    """Floats, each at the end of its own line, knocked down by a current."""
-
-    DOCUMENT = LinesAtRest.DOCUMENT + " current heights=still_height_m"
-
-    solutions: tuple[SolutionInCurrent, ...]
-    heights: tuple[Height, ...]
-    """Of the float of each line in still water."""
-
-    @property
-    def lines(self) -> tuple[Solution, ...]:
-        """Every line from its anchor up."""
-        return self.solutions
-
-    @property
-    def current(self) -> tuple[CurrentEffect, ...]:
-        """What it does to each line, x being the direction from its anchor to its float."""
-        return tuple(each.effect for each in self.solutions)
 
 
 def _in_current(network: Network, current: CurrentProfile) -> FloatsInCurrent:

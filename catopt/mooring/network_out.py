@@ -11,7 +11,8 @@ from catopt.errors import NoAnswerError, NoEquilibriumError, NotConvergedError
 from catopt.model.kinds import SomeForce
 from catopt.model.load import Checks
 from catopt.model.network import LineBetween, Network, Point, joined
-from catopt.mooring.held import LinesAtRest, at_rest
+from catopt.mooring.held import at_rest
+from catopt.mooring.network_rest import LinesAtRest
 from catopt.patience import paced
 from catopt.records import Counted, Record
 from catopt.ties import first_largest

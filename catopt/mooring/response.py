@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from catopt.model.kinds import Angle, Force, Height, Place, SomeForce
 from catopt.mooring.arrangement import Lines
 from catopt.mooring.descent import Rest
-from catopt.mooring.held import LinesAtRest
+from catopt.mooring.network_rest import LinesAtRest
 from catopt.mooring.zero_load import ZeroLoadPosition
 from catopt.records import Record
 from catopt.ties import first_largest

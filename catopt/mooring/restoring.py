@@ -10,7 +10,8 @@ from catopt.errors import InputError, Problem
 from catopt.model.kinds import Angle, Findings, Force, Place, SomeForce
 from catopt.model.network import Network
 from catopt.model.system import System
-from catopt.mooring.held import LinesAtRest, at_rest, without_load
+from catopt.mooring.held import at_rest, without_load
+from catopt.mooring.network_rest import LinesAtRest
 from catopt.mooring.response import Response, network_response, response_of
 from catopt.mooring.zero_load import zero_load_position
 from catopt.patience import paced

@@ -15,8 +15,9 @@ from catopt.checks.system import check_network, check_system, criteria_of_networ
 from catopt.errors import CatoptError, NoEquilibriumError
 from catopt.model.network import Network
 from catopt.mooring.case import CURVE_POINTS, SystemReport, report_system
-from catopt.mooring.held import LinesAtRest, at_rest
+from catopt.mooring.held import at_rest
 from catopt.mooring.network_out import NetworkOut, each_line_out, largest_tensions
+from catopt.mooring.network_rest import LinesAtRest
 from catopt.mooring.restoring import RestoringCurve, restoring_curve
 from catopt.notes.motion import Progress, checks_in_motion, motion_files
 from catopt.notes.origin import (

@@ -14,7 +14,7 @@ from catopt.words import Message
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
-    from catopt.mooring.held import HeldBody
+    from catopt.mooring.network_rest import HeldBody
 
 SURGE: Final = (5.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 """m: by how much the body of the bridle goes ahead."""

@@ -17,12 +17,10 @@ from typing import Any, Final, NamedTuple
 
 from catopt.catalogue.family import chain_words
 from catopt.catenary.solution import Solution
-from catopt.checks.case import check_case
-from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.evaluation import sinker_of
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import DesignPoint, NearMiss
-from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
+from catopt.errors import InputError, Problem
 from catopt.loads.ship_dimensions import neighbours
 from catopt.loads.sinker import SinkerSize
 from catopt.model import Anchor, Case
@@ -36,14 +34,12 @@ from catopt.sizing.in_motion import (
     LineTried,
     NoLineInMotionError,
     RunsAfloat,
-    Sea,
     Storm,
-    TightestSea,
     in_sea,
     sea_of,
-    tightest_seas,
 )
 from catopt.sizing.line_choice import LineChoice, sold
+from catopt.sizing.motion_judged import Judged, NoAnswer, judged
 from catopt.sizing.pattern import HEAVY_SINKERS
 from catopt.sizing.settle import ConvergedSizing, best_of
 from catopt.ties import largest
@@ -53,11 +49,7 @@ from catopt.verify.dynamic_lines import hull_of
 from catopt.verify.dynamic_result import DynamicPart
 from catopt.verify.dynamic_setup import read_drive
 from catopt.verify.judged import (
-    check_parts,
-    judged_as,
     line_in_motion,
-    solutions_at_rest,
-    way_of,
     with_more_runs,
 )
 from catopt.verify.side_by_side import SECONDS_PER_BAR_AND_STEP, Crew, silent
@@ -75,7 +67,6 @@ _START: Final = 10.0
 """s, about, until processes run."""
 
 SettleLine = Callable[[LineChoice], ConvergedSizing]
-_NoAnswer = NoAnswerError | NotConvergedError
 
 
 class Moved(NamedTuple):
@@ -84,19 +75,6 @@ class Moved(NamedTuple):
     settled: ConvergedSizing
     in_motion: InMotion
     sinker: SinkerSize
-
-
-@dataclass(frozen=True)
-class _Judged:
-    """What the runs of a line came to."""
-
-    tried: LineTried
-    settled: ConvergedSizing  # with the sinker that motion asks for
-    case: Case
-    parts: tuple[DynamicPart, ...] = ()
-    at_rest: tuple[Solution, ...] = ()
-    checks: CheckReport | None = None
-    seas: tuple[TightestSea, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -166,7 +144,7 @@ class _Search:
     ) -> None:
         self.request, self.how, self._settle = request, how, settle_line
         self._start = start
-        self.judged: dict[tuple[str, float, int], _Judged | None] = {}
+        self.judged: dict[tuple[str, float, int], Judged | None] = {}
         self._at_rest: dict[tuple[str, float, int], ConvergedSizing | None] = {}
         design = start.posed.case.design
         assert design is not None
@@ -233,7 +211,7 @@ class _Search:
         at_rest = considered - open_ones + unsettled
         return Counted(considered, at_rest, considered - at_rest - run, run, runs)
 
-    def best(self, sizes: Sequence[_Size], crew: Crew) -> _Judged | None:
+    def best(self, sizes: Sequence[_Size], crew: Crew) -> Judged | None:
         """Find the line that is preferred of all that pass, the most preferred ones first.
 
         Of every size the shortest line that is not known to fail stands for all longer ones, than
@@ -241,7 +219,7 @@ class _Search:
         size goes on by one length, then two, four and so on; where it passes after such a leap,
         the shortest that passes is found by halving.
         """
-        chosen: _Judged | None = None
+        chosen: Judged | None = None
         fronts = {k: _Front(each.first) for k, each in enumerate(sizes)}
         while True:
             there = {
@@ -279,7 +257,7 @@ class _Search:
             front.low = front.at = front.at + 1
         return None
 
-    def _halved(self, size: _Size, front: _Front, passes: _Judged, crew: Crew) -> _Judged:
+    def _halved(self, size: _Size, front: _Front, passes: Judged, crew: Crew) -> Judged:
         """Halve what was leapt over to the shortest that passes."""
         low, high = front.low, front.at
         while low < high:
@@ -305,7 +283,7 @@ class _Search:
         return self._at_rest[key]
 
     def by_length(
-        self, sizes: Sequence[_Size], chosen: _Judged, crew: Crew
+        self, sizes: Sequence[_Size], chosen: Judged, crew: Crew
     ) -> tuple[LengthRun, ...]:
         """Run other lengths of a line's size that pass at rest, from the shortest to the longest.
 
@@ -336,7 +314,7 @@ class _Search:
         )
         return tuple(sorted(runs, key=lambda run: run.tried.length))
 
-    def _tried(self, size: _Size, rung: int, crew: Crew) -> _Judged | None:
+    def _tried(self, size: _Size, rung: int, crew: Crew) -> Judged | None:
         """Run a line; None where it fails at rest."""
         key = (size.component, size.diameter, rung)
         if key not in self.judged:
@@ -378,7 +356,7 @@ def _run(
     crew: Crew,
     *,
     whole: bool = False,
-) -> _Judged:
+) -> Judged:
     """Run a line in every load case and sea, side by side: first one seed, by its largest values.
 
     The largest value of a run is never above what all of them are judged by. `whole`: the others
@@ -399,13 +377,13 @@ def _run(
         for name, state in load_states(sea, None)
     ]
     begun = run_once([Wanted(*each, (0,)) for each in drives], crew, silent)
-    found = _judged(settled, [replace(e, dynamics=largest_values) for e in seas], begun, how)
+    found = judged(settled, [replace(e, dynamics=largest_values) for e in seas], begun, how)
     goes_on = found.tried.passes or (whole and not found.tried.reason)
     if goes_on and how.seeds > 1:
         rest = tuple(range(1, how.seeds))
         more = run_once([Wanted(*each, rest) for each in drives], crew, silent)
         begun = [_together(*each) for each in zip(begun, more, strict=True)]
-    return _judged(settled, seas, begun, how) if goes_on else found
+    return judged(settled, seas, begun, how) if goes_on else found
 
 
 def _sinkers_from(settled: ConvergedSizing, case: Case) -> tuple[Anchor, ...]:
@@ -419,132 +397,17 @@ def _sinkers_from(settled: ConvergedSizing, case: Case) -> tuple[Anchor, ...]:
     return (own, *(replace(each, max_slide=own.max_slide) for each in heavier))
 
 
-def _together(one: DynamicPart | _NoAnswer, other: DynamicPart | _NoAnswer) -> Any:
+def _together(one: DynamicPart | NoAnswer, other: DynamicPart | NoAnswer) -> Any:
     """Put the runs of a load case together; what has no answer stays that."""
     if not isinstance(one, DynamicPart) or not isinstance(other, DynamicPart):
         return other if isinstance(one, DynamicPart) else one
     return with_more_runs(one, other)
 
 
-def _judged(
-    settled: ConvergedSizing,
-    seas: Sequence[Case],
-    found: Sequence[DynamicPart | _NoAnswer],
-    how: RunsAfloat,
-) -> _Judged:
-    """Check the runs of a line in every sea, one after the other, whose sinker is sized."""
-    case = seas[0]
-    runs, failed = _runs_of(found), [e for e in found if not isinstance(e, DynamicPart)]
-    if failed:
-        return _Judged(_line_tried(settled, runs, (), failed[0].message), settled, case)
-    assert case.dynamics is not None
-    parts = tuple(judged_as(each, case.dynamics) for each in found if isinstance(each, DynamicPart))
-    solved = solutions_at_rest(case, parts)
-    at_rest = tuple(each for each in solved if each is not None)
-    checked: tuple[CheckReport, tuple[Sea, ...]] | None = None
-    anchor = case.anchor
-    if parts[0].drive.sinkers:
-        anchor = _least_that_stays(parts)
-    else:
-        checked = _checked(seas, parts, solved, how)
-        anchor = _held(settled, checked[0])
-    if checked is None or anchor != case.anchor:
-        seas = [replace(each, anchor=anchor) for each in seas]
-        case = seas[0]
-        checked = _checked(seas, parts, solved, how)
-    checks, of_sea = checked
-    if anchor is not None and anchor.mass != (settled.point.anchor or anchor).mass:
-        own = replace(anchor, max_slide=None)
-        still = check_case(replace(settled.case, anchor=own, design=None))
-        settled = replace(settled, point=replace(settled.point, anchor=own, checks=still))
-    failing = sorted((each for each in checks.results if not each.passes), key=_worst)
-    # The sea of what governs is the one that is written, to be run again.
-    if checks.governing is not None:
-        governs = of_sea[checks.results.index(checks.governing)]
-        case = next(each for each in seas if sea_of(each) == governs)
-    tried = _line_tried(settled, runs, tuple(failing))
-    every = zip(checks.results, of_sea, strict=True)
-    tightest = tightest_seas(every) if how.periods else ()
-    return _Judged(tried, settled, case, parts, at_rest, checks, tightest)
-
-
-def _checked(
-    seas: Sequence[Case],
-    parts: Sequence[DynamicPart],
-    at_rest: Sequence[Solution | None],
-    how: RunsAfloat,
-) -> tuple[CheckReport, tuple[Sea, ...]]:
-    """Check the load cases of every sea; with the sea of each result."""
-    count = len(parts) // len(seas)
-    results: list[CheckResult] = []
-    of_sea: list[Sea] = []
-    warnings: dict[str, None] = {}
-    for k, case in enumerate(seas):
-        own = slice(k * count, (k + 1) * count)
-        report, sea = check_parts(case, parts[own], at_rest[own]), sea_of(case)
-        for each in report.results:
-            results.append(replace(each, load_case=in_sea(each.load_case, how, sea)))
-            of_sea.append(sea)
-        warnings |= dict.fromkeys(report.warnings)
-    return CheckReport(seas[0].title, tuple(results), (), tuple(warnings)), tuple(of_sea)
-
-
-def _runs_of(found: Sequence[DynamicPart | _NoAnswer]) -> int:
-    return sum(len(each.runs) if isinstance(each, DynamicPart) else 1 for each in found)
-
-
-def _least_that_stays(parts: Sequence[DynamicPart]) -> Anchor:
-    """Take the least sinker that slides no further than it may; the heaviest where none does."""
-    every = parts[0].drive.sinkers
-    stays = (
-        each
-        for each in every
-        if all(way_of(each, part, part.runs) <= (each.max_slide or 0.0) for part in parts)
-    )
-    return next(stays, every[-1])
-
-
-def _worst(check: CheckResult) -> float:
-    return -check.exceedance
-
-
-def _line_tried(
-    settled: ConvergedSizing, runs: int, failing: tuple[CheckResult, ...], reason: str = ""
-) -> LineTried:
-    line = settled.point.line
-    (segment, *_) = line.segments
-    return LineTried(
-        segment.component,
-        segment.nominal_diameter or 0.0,
-        line.length,
-        line.mass or 0.0,
-        runs,
-        failing,
-        reason,
-    )
-
-
-def _held(settled: ConvergedSizing, checks: CheckReport) -> Anchor | None:
-    """Take the least sinker that does not slide in motion, no less than that at rest.
-
-    What the line pulls does not hang on it. The heaviest where none holds.
-    """
-    own, case = settled.point.anchor, settled.posed.case
-    needed = [each.demand for each in checks.results if each.kind == "sliding"]
-    if own is None or not needed or case.design is None or case.design.sinker is None:
-        return own
-    weight = max(needed)
-    if (own.submerged_weight or 0.0) >= weight:
-        return own
-    choice = case.design.sinker
-    every = [sinker_of(case, choice, k) for k in range(len(choice.masses))]
-    return next((each for each in every if (each.submerged_weight or 0.0) >= weight), every[-1])
-
-
 # ------------------------------------------------------------------ the answer
 
 
-def _storm(of: _Judged, how: RunsAfloat) -> Storm:
+def _storm(of: Judged, how: RunsAfloat) -> Storm:
     """Find the load case of the largest tension at the fairlead, and what the storm comes to."""
     fairlead = "fairlead_tension"
 
@@ -565,7 +428,7 @@ def _storm(of: _Judged, how: RunsAfloat) -> Storm:
     )
 
 
-def _sinker_size(request: BuoyRequest, of: _Judged) -> SinkerSize:
+def _sinker_size(request: BuoyRequest, of: Judged) -> SinkerSize:
     """Size the sinker for the pull in motion, with its sources.
 
     One that may slide is sized for the pull at rest, and no lighter than what stays in the storm.
@@ -595,7 +458,7 @@ def _nothing_passes(found: _Search, counted: Counted) -> NoLineInMotionError:
     """Say which line fails by the least."""
     every = [each for each in found.judged.values() if each is not None]
 
-    def miss(of: _Judged) -> float:
+    def miss(of: Judged) -> float:
         return of.tried.failing[0].exceedance if of.tried.failing else math.inf
 
     nearest = min(every, key=miss)

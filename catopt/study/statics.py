@@ -22,9 +22,10 @@ from catopt.model.network import MooredBody, Network
 from catopt.model.system import Leg
 from catopt.mooring.batch import SystemSolutions, solve_system_many
 from catopt.mooring.case import report_system
-from catopt.mooring.held import LinesAtRest, without_load
 from catopt.mooring.held import at_rest as network_at_rest
+from catopt.mooring.held import without_load
 from catopt.mooring.joints import turned_line
+from catopt.mooring.network_rest import LinesAtRest
 from catopt.study.base import Base
 from catopt.study.member import kind_of_key, read_member, reason_of
 from catopt.study.study import StudyPiece

@@ -39,7 +39,7 @@ from catopt.model.dynamics import InitialFriction
 from catopt.model.network import Network
 from catopt.model.system import Leg as SystemLeg
 from catopt.model.system import System
-from catopt.mooring import held
+from catopt.mooring import held, network_rest
 from catopt.mooring.solve import solve_system
 from catopt.verify.dynamic_result import Between
 from catopt.verify.dynamic_setup import Excitation, section_of
@@ -324,7 +324,7 @@ class LinesOfPoints:
     """
 
     drive: Excitation
-    rest: held.LinesAtRest
+    rest: network_rest.LinesAtRest
 
     @classmethod
     def at_rest(cls, drive: Excitation) -> LinesOfPoints:

@@ -10,7 +10,8 @@ from functools import lru_cache
 import numpy as np
 
 from catopt.errors import InputError, Problem
-from catopt.fem.linear_motion import LEAST_RESERVE, LinearModel, linear_model, linear_motion
+from catopt.fem.linear_model import LinearModel, linear_model
+from catopt.fem.linear_motion import LEAST_RESERVE, linear_motion
 from catopt.fem.series import Harmonic
 from catopt.floater.linear_moored import linear_hull
 from catopt.floater.moored import AtRest

@@ -17,8 +17,9 @@ from catopt.fem.network import (
 from catopt.fem.result import TrussSolution, part_of
 from catopt.model.network import Network, joined
 from catopt.mooring.chains import Row, in_rows, rows_of
-from catopt.mooring.held import BodyAtRest, LinesAtRest, at_rest
+from catopt.mooring.held import at_rest
 from catopt.mooring.joints import Moored, Run, moored, runs_of
+from catopt.mooring.network_rest import BodyAtRest, LinesAtRest
 from catopt.verify.compared import ORDER, Compared
 from catopt.verify.line import SLACK, SLACK_ORDER, Comparing, bends, on_meshes
 from catopt.verify.result import LinePair, Mesh, StaticComparison

@@ -16,8 +16,9 @@ from catopt.errors import NotConvergedError
 from catopt.model import Anchor, Checks, Service, Site
 from catopt.model.network import LineBetween, Network, Point
 from catopt.mooring import network_out
-from catopt.mooring.held import LinesAtRest, at_rest
+from catopt.mooring.held import at_rest
 from catopt.mooring.network_out import each_line_out
+from catopt.mooring.network_rest import LinesAtRest
 
 
 def rope(length: float = 5.0, MBL: float | None = 40e3) -> Line:

@@ -10,7 +10,7 @@ from scipy.optimize import brentq
 from scipy.special import jn_zeros
 
 from catopt.fem.dynamic_model import MassMatrix
-from catopt.fem.linear_motion import natural_frequencies
+from catopt.fem.linear_model import natural_frequencies
 from tests.fem.strings import G, free_body, orders, plain_simulation
 
 LENGTH = 100.0

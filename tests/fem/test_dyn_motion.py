@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 
 from catopt.fem import mesh_line
 from catopt.fem.dynamic_model import Fluid, LineProperties, lay_out_moving
-from catopt.fem.linear_motion import natural_frequencies
+from catopt.fem.linear_model import natural_frequencies
 from catopt.fem.morison import MorisonSection
 from catopt.fem.moving import Blend
 from catopt.fem.newmark import LineDamping, Scheme

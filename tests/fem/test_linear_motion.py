@@ -14,7 +14,8 @@ import catopt
 from catopt.errors import InputError
 from catopt.fem import LineProperties, MorisonSection, TimeStepping, run_dynamics
 from catopt.fem.dynamics import line_at_rest
-from catopt.fem.linear_motion import LinearMotion, linear_model, linear_motion
+from catopt.fem.linear_model import linear_model
+from catopt.fem.linear_motion import LinearMotion, linear_motion
 from catopt.fem.mesh import mesh_line
 from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic

@@ -11,7 +11,8 @@ import pytest
 
 from catopt.casefile import parse_case
 from catopt.fem.dynamic_model import LineProperties
-from catopt.fem.linear_motion import LinearMotion, linear_model, linear_motion
+from catopt.fem.linear_model import linear_model
+from catopt.fem.linear_motion import LinearMotion, linear_motion
 from catopt.fem.mesh import mesh_line
 from catopt.fem.morison import MorisonSection
 from catopt.fem.run_settings import TimeStepping

@@ -19,8 +19,9 @@ from catopt.errors import FloatsUpError
 from catopt.model import Checks, Site
 from catopt.model.network import LineBetween, Network, Point
 from catopt.model.sea import CurrentProfile
-from catopt.mooring.held import FloatsInCurrent, at_rest, hold
+from catopt.mooring.held import at_rest, hold
 from catopt.mooring.network_out import each_line_out
+from catopt.mooring.network_rest import FloatsInCurrent
 
 DEPTH, LIFT, CdA, RHO = 500.0, 6e3, 0.4, 1025.0
 SHEAR = CurrentProfile(

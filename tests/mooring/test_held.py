@@ -9,7 +9,8 @@ import pytest
 
 from catopt import Line, PointLoad, Segment, System, solve_system
 from catopt.errors import InputError, NoEquilibriumError
-from catopt.mooring.held import FREEDOMS, HeldBody, at_displacement
+from catopt.mooring.held import at_displacement
+from catopt.mooring.network_rest import FREEDOMS, HeldBody
 
 from .layouts import unequal_legs
 

@@ -11,8 +11,9 @@ from catopt import InputError, Line, NoEquilibriumError, PointLoad, Segment, sol
 from catopt.errors import FloatsUpError
 from catopt.model import Site
 from catopt.model.network import LineBetween, Network, Point
-from catopt.mooring.held import NetworkAtRest, hold
+from catopt.mooring.held import hold
 from catopt.mooring.joints import TOLERANCE
+from catopt.mooring.network_rest import NetworkAtRest
 from catopt.reproduce.items import published
 from catopt.reproduce.reference_moorings import network_of
 

@@ -10,8 +10,8 @@ import pytest
 from catopt.errors import NotConvergedError
 from catopt.model.network import Network
 from catopt.mooring import network_out
-from catopt.mooring.held import LinesAtRest
 from catopt.mooring.network_out import each_line_out
+from catopt.mooring.network_rest import LinesAtRest
 from tests.campaign.cuts import bridle
 
 

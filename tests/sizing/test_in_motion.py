@@ -13,6 +13,7 @@ import jsonschema
 import numpy as np
 import pytest
 
+import catopt.sizing.motion_judged as judging
 import catopt.sizing.motion_search as searching
 from catopt import size_buoy
 from catopt.answers.size import size_answer
@@ -159,7 +160,7 @@ def test_the_sinker_is_what_the_pull_in_motion_needs() -> None:
         sliding = CheckResult(
             "", "sliding", "storm", weight, own.submerged_weight or 0.0, "N", 0.0, FAILS.source
         )
-        return searching._held(settled, CheckReport("", (FAILS, sliding), ()))
+        return judging._held(settled, CheckReport("", (FAILS, sliding), ()))
 
     # Concrete of 2400 kg/m3 in water of 1025 weighs 5.618 N a kg: 30 kN are 5.34 t.
     per_kg = 9.80665 * (1.0 - 1025.0 / 2400.0)
