@@ -50,7 +50,7 @@ class Point(Checked):
     """m; of a fairlead with the body not displaced, as y and the height. None for a joint."""
     y: Place | None = None
     height: Height | None = None
-    """Above the seabed, m."""
+    """Above the seabed, m; of an anchor 0 when left out."""
     submerged_weight: Force = 0.0
     """Of a joint: clump weight, or buoy below 0, N."""
     force: Annotated[tuple[Force, ...], Size(3, 3)] = (0.0, 0.0, 0.0)
@@ -70,6 +70,8 @@ class Point(Checked):
         if not self.name:
             found.add("name", "", Message("refused_case.missing_lines_name_point_by"))
         found.check("kind")
+        if self.kind == "anchor" and self.height is None:
+            object.__setattr__(self, "height", 0.0)
         found.problems += point_misfits(vars(self))
         object.__setattr__(self, "force", tuple(self.force))
         found.check("x", "y", "height", "submerged_weight", "force")

@@ -98,11 +98,11 @@ def test_what_is_written_reads_back(text: str, tmp_path: Path) -> None:
 
 
 def test_other_commands_refuse_it(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="catopt system, check, verify, report and import"):
+    with pytest.raises(InputError, match="catopt solve, system, check, verify, report, study and import"):
         read_deck(BRIDLE)
     place = tmp_path / "bridle.txt"
     place.write_text(BRIDLE)
-    with pytest.raises(InputError, match="catopt system, check, verify, report and import"):
+    with pytest.raises(InputError, match="catopt solve, system, check, verify, report, study and import"):
         read_case(place)
     with pytest.raises(InputError, match="leave out --line"):
         read_any_deck(BRIDLE, asked=Asked(line=1))
@@ -188,11 +188,11 @@ def test_a_file_is_read_and_every_fault_told(tmp_path: Path) -> None:
     assert isinstance(network, Network)
     assert network.points[1].submerged_weight == -2000.0
     assert network.lines[1].start == "j"
-    wrong = FILE.replace('kind = "joint"', 'kind = "joint"\nx = "5 m"').replace(
-        'height = "0 m"', ""
-    )
+    place.write_text(FILE.replace('height = "0 m"', ""))  # an anchor lies on the bed
+    assert read_mooring(place) == network
+    wrong = FILE.replace('kind = "joint"', 'kind = "joint"\nx = "5 m"').replace('y = "0 m"', "", 1)
     assert faults(wrong, tmp_path) == [
-        "points[0].height: missing; anchors have x, y and height",
+        "points[0].y: missing; anchors have x, y and height",
         "points[1].x: leave it out: where a joint comes to rest is found",
     ]
     found = faults(
