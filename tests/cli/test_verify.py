@@ -14,6 +14,8 @@ from catopt.catenary.solution import Solution
 from catopt.errors import NotConvergedError
 from catopt.model import Case, Line
 from catopt.verify.case import verify_case
+from tests.verify.test_floater import CASE as AFLOAT
+from tests.verify.test_floater import FOUR
 
 from .conftest import (
     BUOY,
@@ -26,6 +28,7 @@ from .conftest import (
     names,
     read_document,
     rows,
+    validate,
     words,
 )
 
@@ -221,3 +224,16 @@ def test_a_front_of_whole_moorings_is_verified_at_rest_and_in_motion(
     assert len(tensions) == 2
     text = run("verify", front, "--all")
     assert "agree on all 2 designs" in text.out
+
+
+@pytest.mark.parametrize("lines", ["one", "four"])
+def test_a_buoy_afloat_is_of_the_schema(run: Run, tmp_path: Path, lines: str) -> None:
+    """Before, its pitch and the part of it under water had units that the schema did not allow."""
+    text = AFLOAT if lines == "one" else FOUR.read_text("utf-8").replace('"300 s"', '"8 s"')
+    place = tmp_path / "buoy.toml"
+    place.write_text(text, encoding="utf-8")
+    found = document_of(run, "verify", place, "--dynamic", "--once")
+    validate(found)
+    units = {each["quantity"]: each["unit"] for each in found["dynamic"]["body"]}
+    assert units["floater_pitch"] == "rad"
+    assert units["floater_wet"] == ""

@@ -98,11 +98,15 @@ def test_what_is_written_reads_back(text: str, tmp_path: Path) -> None:
 
 
 def test_other_commands_refuse_it(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="catopt solve, system, check, verify, report, study and import"):
+    with pytest.raises(
+        InputError, match="catopt solve, system, check, verify, report, study and import"
+    ):
         read_deck(BRIDLE)
     place = tmp_path / "bridle.txt"
     place.write_text(BRIDLE)
-    with pytest.raises(InputError, match="catopt solve, system, check, verify, report, study and import"):
+    with pytest.raises(
+        InputError, match="catopt solve, system, check, verify, report, study and import"
+    ):
         read_case(place)
     with pytest.raises(InputError, match="leave out --line"):
         read_any_deck(BRIDLE, asked=Asked(line=1))
