@@ -74,7 +74,7 @@ _PART_TOLERANCE = 1e-7
 """Of steps on the way, of e and of friction."""
 _STAGE_LIMIT = 25
 _LAST_LIMIT = 40
-_LEAST_PART = 1e-3
+_LEAST_PART = 1e-5
 _VAIN_PART = 0.2
 _LAST_EASE = 1e-6
 """Below this e the next one is 0."""

@@ -176,13 +176,14 @@ def test_a_float_on_slack_lines_is_compared_in_height_alone() -> None:
     assert [remark for remark in part.remarks if remark.startswith("j0 is held by slack lines")]
 
 
-MOST_UNSOLVED = 2
-"""Of those 50: rough beds on which the truss may not come to rest."""
-
-
 @pytest.mark.slow
 def test_fifty_random_networks() -> None:
     """Every fourth of the 200 that `python -m tests.campaign --lines 0 --trusses 200` looks at."""
-    faults = [(seed, *found) for seed in range(0, 200, 4) if (found := judge(seed))[1]]
-    assert [each for each in faults if each[1] != "not at rest"] == []
-    assert len(faults) <= MOST_UNSOLVED
+    assert [(seed, *found) for seed in range(0, 200, 4) if (found := judge(seed))[1]] == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [51, 165, 191])
+def test_friction_comes_in_by_small_parts(seed: int) -> None:
+    """Before, a thousandth of it was the least, and the truss did not come to rest."""
+    assert judge(seed) == ("agrees", "")
