@@ -286,6 +286,7 @@ TEMPLATES: Mapping[str, Template] = MappingProxyType(
         "tanker": Template("tanker on one chain with a sinker, two load cases", "check"),
         "leg": Template("chain, wire and chain with a clump weight, water levels", "check"),
         "system": Template("body moored by six lines", "system"),
+        "points": Template("bridle and lines between points, some of them free joints", "system"),
         "design": Template("search for the chain, length and sinker of a buoy", "design"),
         "motion": Template("line in waves, current and motion", "verify --dynamic"),
         "study": Template("a case again and again, with what varies in it", "study", "buoy"),

@@ -11,7 +11,7 @@ import pytest
 
 from catopt.casefile import TEMPLATES, parse_case, template
 from catopt.casefile.reading import Moored
-from catopt.casefile.schema import CaseTable, TableSchema, entries
+from catopt.casefile.schema import CaseTable, NetworkTable, TableSchema, entries
 from catopt.model.kinds import OneOf
 from catopt.sizing.file import read_file
 from catopt.sizing.kinds import schema_of
@@ -19,6 +19,7 @@ from catopt.study.file import StudyTable
 
 SIZED: dict[str, Moored] = {"size-buoy": "buoy", "size-tanker": "tanker"}
 TOPS: dict[str, type[TableSchema]] = {
+    "points": NetworkTable,
     "study": StudyTable,
     **{name: schema_of(moored) for name, moored in SIZED.items()},
 }
