@@ -47,7 +47,7 @@ from catopt.study.run import Plan
 from catopt.verify.compared import Unit
 from catopt.verify.convergence_check import ConvergenceCheck, Way
 from catopt.verify.dynamic_result import Verdict
-from catopt.verify.dynamic_run import SERIES
+from catopt.verify.dynamic_run import HULL, SERIES
 from catopt.verify.fatigue import FatigueReport
 from catopt.verify.motion_words import DYNAMIC_QUANTITY_OF as QUANTITY_OF
 from catopt.verify.result import StaticComparison
@@ -140,7 +140,9 @@ WORDS: Mapping[str, Mapping[str, tuple[Any, ...]]] = {
         "motion_verdict": _of(Verdict),
         "unit": _of(Unit),
         "static/kind": _of(StaticComparison, "kind"),
-        "statistics/unit": tuple(dict.fromkeys(QUANTITY_OF[each].si_unit for each in SERIES)),
+        "statistics/unit": tuple(
+            dict.fromkeys(QUANTITY_OF[each].si_unit for each in (*SERIES, *HULL))
+        ),
         "dynamic/initial_friction": _of(InitialFriction),
         "dynamic/load_cases/proof": _of(ConvergenceCheck),
         "dynamic/load_cases/changes/quantity": (*SERIES, "largest_tension"),
