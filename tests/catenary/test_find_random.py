@@ -51,8 +51,9 @@ _SLOW = pytest.param("fairlead_tension", marks=pytest.mark.slow)
 @pytest.mark.parametrize("kind", ["horizontal_force", "span", _SLOW])
 def test_a_clump_weight_or_none(kind: str) -> None:
     """Each outcome of a search over 150 lines, and that all three occur where they can."""
-    outcomes = [_of_a_clump_weight(seed, kind) for seed in range(LINES)]
-    assert outcomes.count("found") > LINES // 20
+    lines = LINES if kind != "fairlead_tension" else LINES // 3
+    outcomes = [_of_a_clump_weight(seed, kind) for seed in range(lines)]
+    assert outcomes.count("found") > lines // 20
     if kind != "fairlead_tension":  # under a known tension the line comes down with its force
         assert outcomes.count("none suffices") > LINES // 20
 

@@ -7,7 +7,7 @@ import pytest
 from tests.fuzz.kinds import Kind, kinds
 from tests.fuzz.run import ended_in, fault_of, run
 
-FILES, IN_ALL, AS_PROCESSES = 600, 1_200, 80
+FILES, IN_ALL, AS_PROCESSES = 600, 1_200, 50
 
 
 @pytest.mark.parametrize("kind", kinds(), ids=lambda kind: kind.name)
