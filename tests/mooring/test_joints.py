@@ -195,8 +195,9 @@ def test_every_fault_of_a_network_is_told_at_once() -> None:
     with pytest.raises(InputError) as caught:
         replace(network, points=(*network.points, Point("idle", "joint")))
     assert [p.key for p in caught.value.problems] == ["points[7]"]
+    assert Point("a", "anchor", 0.0, 0.0).height == 0.0
     with pytest.raises(InputError, match="height"):
-        Point("a", "anchor", 0.0, 0.0)
+        Point("a", "fairlead", 0.0, 0.0)
     with pytest.raises(InputError, match="only a joint feels it"):
         Point("a", "anchor", 0.0, 0.0, 0.0, submerged_weight=5.0)
     with pytest.raises(InputError, match="leave it out"):
