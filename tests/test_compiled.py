@@ -75,6 +75,8 @@ class Fresh:
         self.folder = folder
         self._patch = monkeypatch
         monkeypatch.setattr("numba.config.CACHE_DIR", str(folder / "cache"))
+        # numba reads its settings anew when it sees that another test has changed the environment.
+        monkeypatch.setenv("NUMBA_CACHE_DIR", str(folder / "cache"))
 
     def told(self) -> tuple[int, int]:
         """How often it is said that something is compiled, and that the cache is damaged."""
