@@ -25,7 +25,7 @@ def test_a_slice() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("count", "seed"), [(150, 2026), (250, 2027)])
+@pytest.mark.parametrize(("count", "seed"), [(150, 2026), (500, 2027)])
 def test_a_larger_slice(count: int, seed: int) -> None:
     _is_clean(run(count, seed))
 
