@@ -118,35 +118,28 @@ def checked_body(report: CheckReport) -> tuple[blocks.Block, ...]:
 
 def checks_in_motion(report: CheckReport) -> Iterator[blocks.Block]:
     """Lay out the checks of lines in motion: people see the tightest of a body's, files all."""
-    if report.results:
-        table = motion_checks_table(report)
-        yield table
-        rows = range(len(report.results)) if table.shown is None else table.shown
-        yield _criteria([report.results[row] for row in rows])
+    results = report.results
+    of_a_body = any(each.place.line is not None for each in results)
+    if results:
+        shown = report.tightest_by_state if of_a_body else tuple(range(len(results)))
+        names = dict.fromkeys(results[row].load_case for row in shown)
+        yield blocks.Table(
+            "dynamic_checks",
+            check_columns(results, of_a_body=of_a_body),
+            Message("captions.checks_in_motion"),
+            shown=shown if of_a_body else None,
+            parts=tuple(
+                (
+                    Message("captions.checks_in_motion_of", name=name),
+                    tuple(row for row in shown if results[row].load_case == name),
+                )
+                for name in (names if len(names) > 1 else ())
+            ),
+        )
+        yield _criteria([results[row] for row in shown])
         yield from _confidence(report)
     yield from verdict_blocks(report, report.verdict is True)
     yield blocks.Warnings(report.warnings)
-
-
-def motion_checks_table(report: CheckReport) -> blocks.Table:
-    """Tabulate the checks of lines in motion, by load case; of a body the tightest are shown."""
-    results = report.results
-    of_a_body = any(each.place.line is not None for each in results)
-    shown = report.tightest_by_state if of_a_body else tuple(range(len(results)))
-    names = dict.fromkeys(results[row].load_case for row in shown)
-    return blocks.Table(
-        "dynamic_checks",
-        check_columns(results, of_a_body=of_a_body),
-        Message("captions.checks_in_motion"),
-        shown=shown if of_a_body else None,
-        parts=tuple(
-            (
-                Message("captions.checks_in_motion_of", name=name),
-                tuple(row for row in shown if results[row].load_case == name),
-            )
-            for name in (names if len(names) > 1 else ())
-        ),
-    )
 
 
 def check_columns(

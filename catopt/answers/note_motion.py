@@ -24,7 +24,7 @@ from catopt.answers.blocks import (
     tabulate,
     texts,
 )
-from catopt.answers.check import motion_checks_table, verdict_blocks
+from catopt.answers.check import checks_in_motion
 from catopt.answers.motion import ENERGIES, lines_of_points
 from catopt.answers.note import small
 from catopt.answers.verification import quantity_in_note
@@ -543,17 +543,13 @@ def body_motion_blocks(note: SystemNote | NetworkNote) -> Iterator[Block]:
     governing = found.governing
     assert governing.line is not None
     yield from _stopped(found)
-    about = "note_system.motion_about" if governing.between is None else "note_system.points_about"
-    yield Text(Message(about))
+    of_points = governing.between is not None
+    yield Text(Message("note_system.points_about" if of_points else "note_system.motion_about"))
     yield blocks.Verdict(Several(_body_said(found), " "), found.verdict == "converged")
     if note.motion_checks is not None and note.motion_checks.results:
-        yield from verdict_blocks(note.motion_checks, note.motion_checks.verdict is True)
-        yield motion_checks_table(note.motion_checks)
-    if governing.between is not None:
-        yield from lines_of_points(found)
-    else:
-        at_rest = [line.tension for line in note.at_rest]
-        yield _lines(at_rest, found)
+        yield from checks_in_motion(note.motion_checks)
+    at_rest = [line.tension for line in note.at_rest]
+    yield from lines_of_points(found) if of_points else (_lines(at_rest, found),)
     if found.body:
         numbers = _numbers(
             governing, Rows(found.body), None, **_own(each.quantity for each in found.body)
@@ -562,9 +558,9 @@ def body_motion_blocks(note: SystemNote | NetworkNote) -> Iterator[Block]:
     if governing.governing.track is not None:
         yield Figure(track(found), Message("note_system.motion_track"))
     caption = Message("note_system.motion_history", line=governing.shown)
-    yield Figure(history(governing, note.at_rest[governing.line - 1].tension), caption)
+    yield Figure(history(governing, at_rest[governing.line - 1]), caption)
     remarks = dict.fromkeys(each for part in found.parts for each in part.remarks)
-    ends = () if governing.between is not None else (Message("note_motion.ends"),)
+    ends = () if of_points else (Message("note_motion.ends"),)
     yield blocks.Points((*ends, *remarks), Message("note_motion.to_know"))
 
 

@@ -45,11 +45,11 @@ def solve(
     )
     mooring = read_mooring_or_design(case, design)
     if isinstance(mooring, Network) or mooring.system is not None:
-        swarm = {"method": method} if method == "pso" else {}
-        of_a_line = {**swarm, **given, "load-case": load_case, "profile": profile or None}
+        swarm = {"method": "pso"} if method == "pso" else {}
+        others = {"load-case": load_case, "profile": profile or None}
+        of_a_line = swarm | given | values.given_ones(**others)
         why = Message("refused_command.for_one_line")
-        given_ones = {key: value for key, value in of_a_line.items() if value is not None}
-        values.refuse(Problem(f"--{key}", str(each), why) for key, each in given_ones.items())
+        values.refuse(Problem(f"--{key}", str(each), why) for key, each in of_a_line.items())
         answer_mooring(asked, mooring, Wanted())
         return
     read = values.in_state(values.with_known_codes(mooring), load_case)

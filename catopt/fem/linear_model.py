@@ -124,7 +124,8 @@ class Drags(NamedTuple):
     coefficient: Array  # (n,): 0.5 rho C A, N s2/m2
     onto: Array  # (n, 3, 3): the part of the velocity that counts
     bar: Codes  # (n,): that of a half bar; -1 for a point load
-    turn: Array  # (n, 3, 3): what that part gains in the steady stream as the bar's direction turns
+    turn: Array  # (n, 3, 3): what that part of the steady stream gains as the bar's upper end moves
+    # and turns it, 1/s
 
 
 class Rubs(NamedTuple):
@@ -212,7 +213,7 @@ def _blocks(simulation: Simulation, lines: Any, blend: Blend) -> Blocks:
 
 
 def _drags(simulation: Simulation, wet: Array, stream: Array) -> Drags:
-    lines, axis = simulation.lines, simulation.state.axis
+    lines, axis, x = simulation.lines, simulation.state.axis, simulation.state.x
     first, each, loads = bar_nodes(lines.start), np.arange(len(axis)), lines.load_node.size
     along = axis[:, :, np.newaxis] * axis[:, np.newaxis, :]
     across = np.eye(3) - along
@@ -224,10 +225,13 @@ def _drags(simulation: Simulation, wet: Array, stream: Array) -> Drags:
     coefficient = np.concatenate([*normal.T, *axial.T, lines.load_drag])
     whole = np.broadcast_to(np.eye(3), (loads, 3, 3))
     onto = np.concatenate([across, across, along, along, whole])
-    # Of u the part along a bar is t (t u): it gains dt (t u) + t (u dt), and that across loses it.
+    # Of u the part along a bar is t (t u): it gains dt (t u) + t (u dt), and that across loses it;
+    # with dt = (1 - t t) dx / l.
     u = stream[node[: -loads or None]].reshape(4, -1, 3)
     gain = axis[:, :, np.newaxis] * u[:, :, np.newaxis, :]
     gain += np.einsum("ei,kei->ke", axis, u)[:, :, np.newaxis, np.newaxis] * np.eye(3)
+    long = np.linalg.norm(x[first + 1] - x[first], axis=1)
+    gain = gain @ across / long[:, np.newaxis, np.newaxis]
     turn = np.concatenate([-gain[0], -gain[1], gain[2], gain[3], np.zeros((loads, 3, 3))])
     bar = np.concatenate([each, each, each, each, np.full(loads, -1)])
     acts = coefficient > 0.0

@@ -192,10 +192,7 @@ def _drag(model: LinearModel, spread: Array) -> tuple[Array, Blocks]:
     of = bar >= 0
     n, e = node[of], bar[of]
     first = bar_nodes(model.start)[e]
-    long = np.linalg.norm(model.x[first + 1] - model.x[first], axis=1)
-    axis = model.axis[e]
-    turned = np.eye(3) - axis[:, :, np.newaxis] * axis[:, np.newaxis, :]
-    by_way = by_flow[of] @ turn[of] @ turned / long[:, np.newaxis, np.newaxis]
+    by_way = by_flow[of] @ turn[of]
     at_first = n == first
     np.add.at(diagonal, n, np.where(at_first, 1.0, -1.0)[:, np.newaxis, np.newaxis] * by_way)
     np.add.at(upper, n[at_first], -by_way[at_first])

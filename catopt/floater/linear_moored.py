@@ -11,7 +11,7 @@ from catopt.arrays import Array
 from catopt.fem.linear_motion import velocities_at
 from catopt.fem.morison import equivalent_drag
 from catopt.fem.series import Complex
-from catopt.floater.moored import AtRest
+from catopt.floater.moored import AtRest, arms_of
 from catopt.hydro.build import FloatingHull
 from catopt.waves import Sea
 
@@ -82,10 +82,9 @@ def linear_hull(hull: FloatingHull, rest: AtRest, sea: Sea) -> LinearHull:
             matrix[:, i, j] -= turn * memory.damping(omega, i, j)
 
     arm = np.zeros((len(laid.eye), 3, 3))
-    across, along = laid.eye.T
+    arms = arms_of(laid, rest.state.q)
     arm[:, 0, 0] = arm[:, 2, 1] = 1.0
-    arm[:, 0, 2] = along * cosine - across * sine
-    arm[:, 2, 2] = -across * cosine - along * sine
+    arm[:, 0, 2], arm[:, 2, 2] = arms[:, 1], -arms[:, 0]
     held = laid.free == 0.0
     matrix[:, held, :] = matrix[:, :, held] = 0.0
     matrix[:, held, held] = 1.0

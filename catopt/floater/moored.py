@@ -123,9 +123,8 @@ class _Lines(NamedTuple):
 
     def laid_out(self, at: LineProperties, q: Array, force: float | None = None) -> Simulation:
         """Bring the lines to rest, the hull at q; or one under a force, N, in its eye's height."""
-        eyes = _eyes(self.hull, q)
+        arms = arms_of(self.hull, q)
         if len(self.legs) > 1:
-            arms = eyes - q[:2]
             simulation = body_at_rest(
                 [
                     replace(leg, fairlead=(arm[0], leg.fairlead[1], arm[1]))
@@ -139,13 +138,13 @@ class _Lines(NamedTuple):
             )
         else:
             (leg,), (mesh,) = self.legs, self.meshes
-            x, _, height = leg.anchor
+            x, height = (q[:2] + arms[0]).tolist()
             simulation = line_at_rest(
                 mesh,
-                height=float(eyes[0, 1]),
-                span=None if force is not None else float(eyes[0, 0]) - x,
+                height=height,
+                span=None if force is not None else x,
                 horizontal_force=force,
-                anchor_height=height,
+                anchor_height=leg.anchor[2],
                 properties=at,
                 sea=self.sea,
             )
@@ -155,10 +154,9 @@ class _Lines(NamedTuple):
     def start(self, at: LineProperties, q: Array, drift: float) -> None:
         """Put a hull to where its line balances its drift, N; on several lines it stays."""
         if len(self.legs) == 1:
-            (line,), eye = (leg.line for leg in self.legs), _eyes(self.hull, q)[0]
-            weight = float(np.mean([each.submerged_weight for each in line.segments]))
-            low = self.legs[0].anchor[2]
-            least = _LEAST_PULL * abs(weight) * max(eye[1] - low, 1.0)
+            (leg,), eye = self.legs, q[:2] + arms_of(self.hull, q)[0]
+            weight = float(np.mean([each.submerged_weight for each in leg.line.segments]))
+            least = _LEAST_PULL * abs(weight) * max(eye[1] - leg.anchor[2], 1.0)
             simulation = self.laid_out(at, q, max(drift, least))
             q[0] += simulation.state.x[-1, 0] - eye[0]
 
@@ -193,7 +191,7 @@ def moored_at_rest(
     ways = np.array([size, size, 1.0])
     is_rubbed, matrix = False, np.eye(3)
     for _ in range(_ROUNDS):
-        arms = _eyes(laid, q) - q[:2]
+        arms = arms_of(laid, q)
         # How each eye moves with the hull: (lines, 2, 3).
         turned = np.array([[[1.0, 0.0, z], [0.0, 1.0, -x]] for x, z in arms.tolist()])
         simulation = lines.laid_out(properties if is_rubbed else smooth, q)
@@ -230,12 +228,11 @@ def _without_friction(seabed: Seabed | HeldBed | None) -> Seabed | HeldBed | Non
     return replace(seabed, friction=0.0) if isinstance(seabed, Seabed) else seabed
 
 
-def _eyes(hull: Hull, q: Array) -> Array:
-    """Places of the mooring eyes, x and z, (lines, 2), m."""
+def arms_of(hull: Hull, q: Array) -> Array:
+    """From its centre of gravity to each mooring eye, along x and z, (lines, 2), m."""
     sine, cosine = math.sin(q[2]), math.cos(q[2])
     across, along = hull.eye.T
-    arms = np.stack([across * cosine + along * sine, along * cosine - across * sine], axis=1)
-    return np.asarray(q[:2] + arms)
+    return np.stack([across * cosine + along * sine, along * cosine - across * sine], axis=1)
 
 
 def _slope(pushed: Callable[[Array], Array], q: Array, steps: Array) -> Array:

@@ -34,7 +34,7 @@ from catopt.floater.buoy import buoy_hull, floating_buoy
 from catopt.floater.moored import AtRest, moored_at_rest, run_moored
 from catopt.floater.scene import kept_nodes, scene_of
 from catopt.hydro.build import FloatingHull
-from catopt.model import Case, Line, Load
+from catopt.model import Case, Load
 from catopt.model.dynamics import InitialFriction
 from catopt.model.network import Network
 from catopt.model.system import Leg as SystemLeg
@@ -503,21 +503,20 @@ def hull_of(case: Case) -> FloatingHull:
 
 
 def _unmirrored(system: System) -> Iterator[Problem]:
-    """Yield the lines that no other one mirrors in the x axis, along which the weather goes."""
-    size = max(leg.anchor_radius for leg in system.legs)
+    """Yield the lines that not as many mirror in the x axis, along which the weather goes."""
+    near = _SAME_PLACE * max(leg.anchor_radius for leg in system.legs)
 
-    def sides(leg: SystemLeg) -> tuple[Line, tuple[float, ...]]:
+    def alike(leg: SystemLeg, side: float) -> int:
+        """Count the lines of its kind in its place, or in that on the other side."""
         (x, y), (a, b) = leg.anchor, leg.fairlead
-        return leg.line, (x, y, leg.anchor_height, a, b)
-
-    def mirrors(leg: SystemLeg, other: SystemLeg) -> bool:
-        line, at = sides(leg)
-        by, there = sides(other)
-        turned = (there[0], -there[1], there[2], there[3], -there[4])
-        return line == by and max(map(abs, map(float.__sub__, at, turned))) <= _SAME_PLACE * size
+        kind = leg.line, leg.anchor_height
+        same = (each for each in system.legs if (each.line, each.anchor_height) == kind)
+        places = [(each.anchor, each.fairlead) for each in same]
+        there = (x, side * y), (a, side * b)
+        return sum(max(map(math.dist, place, there)) <= near for place in places)
 
     for number, leg in enumerate(system.legs, start=1):
-        if not any(mirrors(leg, other) for other in system.legs):
+        if alike(leg, 1.0) != alike(leg, -1.0):
             found = f"{math.degrees(leg.azimuth):.4g} deg"
             allowed = Message("refused_motion.mirrored_lines_of_a_buoy", number=number)
             yield Problem(f"system.lines[{number - 1}].azimuth", found, allowed)

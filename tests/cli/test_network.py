@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from catopt.casefile import parse_case, write_case
+from catopt.casefile import parse_case, template, write_case
 from catopt.casefile.reading import parse_network
 from catopt.figures.mooring import network_plan, network_side
 from catopt.model import Checks
@@ -150,82 +150,9 @@ def test_the_note_refuses_what_is_of_one_line(run: Run, tmp_path: Path) -> None:
     assert "--design" in said
 
 
-BRIDLE = """
-title = "Bridle"
-
-[site]
-water_depth = "20 m"
-
-[[points]]
-name = "west"
-kind = "anchor"
-x = "-60 m"
-y = "0 m"
-height = "0 m"
-
-[[points]]
-name = "east"
-kind = "anchor"
-x = "60 m"
-y = "0 m"
-height = "0 m"
-
-[[points]]
-name = "joint"
-kind = "joint"
-submerged_weight = "-1 kN"
-mass = "60 kg"
-
-[[points]]
-name = "port"
-kind = "fairlead"
-x = "3 m"
-y = "2 m"
-height = "19 m"
-
-[[points]]
-name = "starboard"
-kind = "fairlead"
-x = "3 m"
-y = "-2 m"
-height = "19 m"
-
-[[lines]]
-start = "west"
-end = "joint"
-[[lines.segments]]
-component = "chain studless R3"
-diameter = "30 mm"
-length = "58 m"
-
-[[lines]]
-start = "joint"
-end = "port"
-[[lines.segments]]
-component = "chain studless R3"
-diameter = "20 mm"
-length = "9 m"
-
-[[lines]]
-start = "joint"
-end = "starboard"
-[[lines.segments]]
-component = "chain studless R3"
-diameter = "20 mm"
-length = "9 m"
-MBL = "150 kN"
-
-[[lines]]
-start = "east"
-end = "port"
-[[lines.segments]]
-component = "chain studless R3"
-diameter = "30 mm"
-length = "66 m"
-
-[checks]
-codes = ["API-RP-2SK"]
-
+BARGE = (
+    template("points").replace("# below 0 a buoy", "\nmass = 300")
+    + """
 [waves]
 spectrum = "regular"
 height = "1 m"
@@ -239,32 +166,34 @@ heave = "0.4 m"
 duration = "18 s"
 elements = 10
 """
+)
 
 
 def test_lines_between_points_are_of_the_catalogue(run: Run, tmp_path: Path) -> None:
     """As in a case file of one line; own figures go first, and what is not made is refused."""
-    network = parse_network(BRIDLE)
+    strong = 'end = "bow S"\n[[lines.segments]]\n'
+    network = parse_network(BARGE.replace(strong, f'{strong}MBL = "150 kN"\n'))
     (chain,) = network.lines[0].line.segments
     (own,) = network.lines[2].line.segments
     one = parse_case(
         '[site]\nwater_depth = "20 m"\n[[line.segments]]\ncomponent = "chain studless R3"\n'
-        'diameter = "30 mm"\nlength = "58 m"\n[load]\nhorizontal_force = "5 kN"\n'
+        'diameter = "42 mm"\nlength = "62 m"\n[load]\nhorizontal_force = "5 kN"\n'
     )
     assert chain == one.line.segments[0]
     assert own.MBL == 150e3
     assert parse_network(write_case(network)) == network
     place = tmp_path / "bad.toml"
-    place.write_text(BRIDLE.replace("R3", "R9").replace('"20 mm"', '"21.7 mm"'), encoding="utf-8")
+    place.write_text(BARGE.replace("R3", "R9").replace('"34 mm"', '"34.7 mm"'), encoding="utf-8")
     said = refused(run, "system", place).err
     assert "lines[3].segments[0].component" in said
     assert "lines[0].segments[0].component" in said
-    shown = run("check", written(tmp_path, BRIDLE, "bridle")).out
+    shown = run("check", written(tmp_path, BARGE, "barge")).out
     assert "catopt design" not in shown
 
 
 def test_the_note_of_points_has_their_motion(run: Run, tmp_path: Path) -> None:
     """With what verify --dynamic prints: tensions at both ends, where the joint goes, checks."""
-    place = written(tmp_path, BRIDLE, "bridle")
+    place = written(tmp_path, BARGE, "barge")
     document = document_of(run, "report", place, "--dynamic", "--once", "--out", tmp_path / "note")
     validate(document)
     assert "system_motion" in document["sections"]
@@ -274,7 +203,7 @@ def test_the_note_of_points_has_their_motion(run: Run, tmp_path: Path) -> None:
     assert note.motion_checks is not None
     assert note.motion_checks.passes
     assert not any("motion of body" in each.lower() for each in note.warnings)
-    page = (tmp_path / "note" / "bridle.html").read_text("utf-8")
+    page = (tmp_path / "note" / "barge.html").read_text("utf-8")
     for words in ("Joints: height", "Checks of the tensions in motion", "The two models agree"):
         assert words in page
 

@@ -143,6 +143,11 @@ def test_lines_that_the_weather_does_not_mirror_are_refused() -> None:
         "system.lines[3].azimuth",
     ]
     assert "turn the lines" in str(refused.value)
+    # Two beside one another, and one across from them.
+    twice = text.replace('"135 deg", "225 deg"', '"45 deg", "180 deg"')
+    with pytest.raises(InputError) as refused:
+        verify_dynamic(parse_case(twice))
+    assert len(refused.value.problems) == 3
 
 
 def test_a_buoy_that_is_not_there() -> None:
