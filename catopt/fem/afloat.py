@@ -2,7 +2,7 @@
 
 A line's last node is fixed to the hull at its mooring eye, by a rigid arm. Each line hands its
 equations for that node over, as to a body without rotation; turned by the arm into force and
-moment, they and the hull's own are solved for its three unknowns, which are put back into every
+moment, they and the hull's own are solved for its six unknowns, which are put back into every
 line. So hull and lines are one Newton iteration. Rows of the scheme as in `newmark`.
 """
 
@@ -31,11 +31,14 @@ from catopt.hydro.hull import (
     HullRecord,
     HullRoom,
     HullState,
+    attitude,
     carry_memory,
+    cross,
     fill_forces_on_hull,
     fill_sea,
     fill_sea_between,
     hull_inertia,
+    turn_axes,
 )
 from catopt.waves.kinematics import Flow
 
@@ -74,7 +77,7 @@ def attempt_afloat(
     copy_rows(before.foot, now.foot)
     take_water(start, done, part, setting, before, room)
     if part == 1.0:
-        fill_sea(start + step, body.hull, body.now.q, setting.flow, body.room)
+        fill_sea(start + step, body.hull, body.now, setting.flow, body.room)
     else:
         at, ahead = body.before, (1.0 - done) * step
         fill_sea_between(start + step, done + part, ahead, at, body.hull, setting.flow, body.room)
@@ -85,7 +88,7 @@ def attempt_afloat(
 def step_hull(t: float, h: float, rules: Any, flow: Flow, body: Afloat) -> tuple[bool, int]:
     """Take one step of a hull without lines; `rules` has the scheme, limit and tolerance."""
     _predict_hull(h, body)
-    fill_sea(t + h, body.hull, body.now.q, flow, body.room)
+    fill_sea(t + h, body.hull, body.now, flow, body.room)
     carry_memory(h, body.hull, body.before, body.room)
     blend = _blend(h, rules)
     for iteration in range(rules.limit + 1):
@@ -117,13 +120,13 @@ def run_hull(samples: int, every: int, rules: Any, flow: Flow, body: Afloat) -> 
 def start_hull(t: float, flow: Flow, body: Afloat) -> None:
     """Find the forces with which a hull without lines sets off, and its acceleration."""
     room, before, now = body.room, body.before, body.now
-    fill_sea(t, body.hull, before.q, flow, room)
+    fill_sea(t, body.hull, before, flow, room)
     for m in range(room.carried.shape[0]):
         for i in range(2):
             room.carried[m, i], room.by_speed[m, i] = before.memory[m, i], 0.0
     _start_hull(flow.depth, Blend(0.0, 0.0, 0.0, 0.0, 1.0), body)
     _solve_hull(body)
-    for i in range(3):
+    for i in range(6):
         before.a[i] += room.rest[i]
         before.force[i], now.a[i] = now.force[i], before.a[i]
     copy_rows(now.parts, before.parts)
@@ -140,40 +143,48 @@ def _blend(h: float, rules: Any) -> Blend:
 def _predict_hull(h: float, body: Afloat) -> None:
     """Go on as if accelerations stayed."""
     now, before = body.now, body.before
-    for i in range(3):
+    for i in range(6):
         now.a[i] = before.a[i]
         now.v[i] = before.v[i] + h * before.a[i]
+    for i in range(3):
         now.q[i] = before.q[i] + h * (before.v[i] + 0.5 * h * before.a[i])
+        now.turn[i] = h * (before.v[3 + i] + 0.5 * h * before.a[3 + i])
+    turn_axes(now.turn, before.axes, now.axes)
 
 
 def _place_ends(lines: MovingLines, now: Moving, body: Afloat) -> None:
     """Put the last node of every line to its mooring eye, with its velocity and acceleration."""
-    hull, at = body.hull, body.now
+    at = body.now
+    turning, spun = (at.v[3], at.v[4], at.v[5]), (at.a[3], at.a[4], at.a[5])
     for k in range(lines.start.shape[0] - 1):
         n = lines.start[k + 1] + k
-        x, z = _arm(hull, at, k)
-        turn, spin = at.v[2], at.a[2]
-        now.x[n, 0], now.x[n, 2] = at.q[0] + x, at.q[1] + z
-        now.v[n, 0], now.v[n, 2] = at.v[0] + turn * z, at.v[1] - turn * x
-        now.a[n, 0] = at.a[0] + spin * z - turn * turn * x
-        now.a[n, 2] = at.a[1] - spin * x - turn * turn * z
-        now.v[n, 1] = now.a[n, 1] = 0.0
+        arm = _arm(body.hull, at, k)
+        swung = cross(turning, arm)
+        towards, faster = cross(turning, swung), cross(spun, arm)
+        for i in range(3):
+            now.x[n, i] = at.q[i] + arm[i]
+            now.v[n, i] = at.v[i] + swung[i]
+            now.a[n, i] = at.a[i] + faster[i] + towards[i]
 
 
 @inlined
-def _arm(hull: Hull, at: HullState, k: int) -> tuple[float, float]:
-    """From the centre of gravity to a mooring eye along x and z, m."""
-    sine, cosine = math.sin(at.q[2]), math.cos(at.q[2])
-    across, along = hull.eye[k, 0], hull.eye[k, 1]
-    return across * cosine + along * sine, along * cosine - across * sine
+def _arm(hull: Hull, at: HullState, k: int) -> tuple[float, float, float]:
+    """From the centre of gravity to a mooring eye, m."""
+    x, y, z, axes = hull.eye[k, 0], hull.eye[k, 1], hull.eye[k, 2], at.axes
+    return (
+        axes[0, 0] * x + axes[0, 1] * y + axes[0, 2] * z,
+        axes[1, 0] * x + axes[1, 1] * y + axes[1, 2] * z,
+        axes[2, 0] * x + axes[2, 1] * y + axes[2, 2] * z,
+    )
 
 
 @inlined
-def _blended_arm(body: Afloat, early: float, k: int) -> tuple[float, float]:
+def _blended_arm(body: Afloat, early: float, k: int) -> tuple[float, float, float]:
     """Arm by which the lines' forces, that balance within the step, turn the hull."""
-    x, z = _arm(body.hull, body.now, k)
-    x_0, z_0 = _arm(body.hull, body.before, k)
-    return (1.0 - early) * x + early * x_0, (1.0 - early) * z + early * z_0
+    x, y, z = _arm(body.hull, body.now, k)
+    x_0, y_0, z_0 = _arm(body.hull, body.before, k)
+    late = 1.0 - early
+    return late * x + early * x_0, late * y + early * y_0, late * z + early * z_0
 
 
 def _close(
@@ -221,10 +232,10 @@ def _start_hull(depth: float, blend: Blend, body: Afloat) -> None:
     hull, now, before, room = body.hull, body.now, body.before, body.room
     fill_forces_on_hull(hull, now, depth, room)
     early_f, early_m = blend.before_force, blend.before_inertia
-    for i in range(3):
+    for i in range(6):
         left = (1.0 - early_f) * now.force[i] + early_f * before.force[i]
-        for j in range(3):
-            mass = hull_inertia(hull, i, j)
+        for j in range(6):
+            mass = hull_inertia(hull, now.axes, i, j)
             left -= mass * ((1.0 - early_m) * now.a[j] + early_m * before.a[j])
             room.matrix[i, j] = mass * blend.by_a + room.by_v[i, j] * blend.by_v
             room.matrix[i, j] += hull.stiffness[i, j] * blend.by_x
@@ -236,16 +247,13 @@ def _take_lines(lines: MovingLines, rest: Any, blend: Blend, body: Afloat) -> No
     """Add force and moment of the lines, with their inertia, to what is left over."""
     now, to = body.now, body.room.rest
     for k in range(lines.start.shape[0] - 1):
-        n = lines.start[k + 1] + k
-        x, z = _blended_arm(body, blend.before_force, k)
-        pull, lift = rest[n, 0], rest[n, 2]
-        moment = z * pull - x * lift
-        now.line[0] += pull
-        now.line[1] += lift
-        now.line[2] += moment
-        to[0] += pull
-        to[1] += lift
-        to[2] += moment
+        pull = rest[lines.start[k + 1] + k]
+        moment = cross(_blended_arm(body, blend.before_force, k), pull)
+        for i in range(3):
+            now.line[i] += pull[i]
+            now.line[3 + i] += moment[i]
+            to[i] += pull[i]
+            to[3 + i] += moment[i]
 
 
 def _left_over(body: Afloat) -> float:
@@ -253,9 +261,9 @@ def _left_over(body: Afloat) -> float:
     hull, rest = body.hull, body.room.rest
     long = math.sqrt(max(hull.inertia, 1e-12) / hull.mass)
     worst = 0.0
-    for i in range(3):
+    for i in range(6):
         size = abs(rest[i]) * hull.free[i]
-        worst = max(worst, size / long if i == 2 else size)
+        worst = max(worst, size / long if i > 2 else size)
     return worst / (hull.mass * hull.gravity)
 
 
@@ -263,39 +271,50 @@ def _solve_all(lines: MovingLines, blend: Blend, room: Room, body: Afloat) -> bo
     """Turn the equations of hull and lines into displacements, in their `rest`."""
     to, hull, now, mine = room.equations, body.hull, body.now, body.room
     regular = True
-    for i in range(3):
+    for i in range(6):
         mine.rest[i] -= now.line[i]
     for k in range(lines.start.shape[0] - 1):
         first, last = lines.start[k] + k + (not lines.lower_free[k]), lines.start[k + 1] + k
         regular = eliminate_blocks(to, first, last) and regular
-        x, z = _arm(hull, now, k)
-        x_m, z_m = _blended_arm(body, blend.before_force, k)
-        d_00, d_01 = to.diagonal[last, 0, 0], to.diagonal[last, 0, 2]
-        d_10, d_11 = to.diagonal[last, 2, 0], to.diagonal[last, 2, 2]
-        # J = (1 0 z; 0 1 -x): what the eye does when the hull moves.
-        pull, lift = to.rest[last, 0], to.rest[last, 2]
-        turn_0, turn_1 = d_00 * z - d_01 * x, d_10 * z - d_11 * x
-        mine.rest[0] += pull
-        mine.rest[1] += lift
-        mine.rest[2] += z_m * pull - x_m * lift
-        mine.matrix[0, 0] += d_00
-        mine.matrix[0, 1] += d_01
-        mine.matrix[1, 0] += d_10
-        mine.matrix[1, 1] += d_11
-        mine.matrix[0, 2] += turn_0
-        mine.matrix[1, 2] += turn_1
-        mine.matrix[2, 0] += z_m * d_00 - x_m * d_10
-        mine.matrix[2, 1] += z_m * d_01 - x_m * d_11
-        mine.matrix[2, 2] += z_m * turn_0 - x_m * turn_1
+        arm, blended = _arm(hull, now, k), _blended_arm(body, blend.before_force, k)
+        pull, stiff = to.rest[last], to.diagonal[last]
+        moment = cross(blended, pull)
+        for i in range(3):
+            mine.rest[i] += pull[i]
+            mine.rest[3 + i] += moment[i]
+        for j in range(6):
+            way = _way_of_eye(arm, j)
+            force = (
+                stiff[0, 0] * way[0] + stiff[0, 1] * way[1] + stiff[0, 2] * way[2],
+                stiff[1, 0] * way[0] + stiff[1, 1] * way[1] + stiff[1, 2] * way[2],
+                stiff[2, 0] * way[0] + stiff[2, 1] * way[1] + stiff[2, 2] * way[2],
+            )
+            moment = cross(blended, force)
+            for i in range(3):
+                mine.matrix[i, j] += force[i]
+                mine.matrix[3 + i, j] += moment[i]
     regular = _solve_hull(body) and regular
     move = mine.rest
     for k in range(lines.start.shape[0] - 1):
         first, last = lines.start[k] + k + (not lines.lower_free[k]), lines.start[k + 1] + k
-        x, z = _arm(hull, now, k)
-        to.rest[last, 0], to.rest[last, 1] = move[0] + z * move[2], 0.0
-        to.rest[last, 2] = move[1] - x * move[2]
+        swung = cross((move[3], move[4], move[5]), _arm(hull, now, k))
+        for i in range(3):
+            to.rest[last, i] = move[i] + swung[i]
         back_substitute_blocks(to, first, last)
     return regular
+
+
+@inlined
+def _way_of_eye(arm: Any, freedom: int) -> tuple[float, float, float]:
+    """Say how far a mooring eye goes when the hull moves by 1 m, or turns by 1 rad."""
+    x, y, z = arm[0], arm[1], arm[2]
+    if freedom == 3:
+        return 0.0, -z, y
+    if freedom == 4:
+        return z, 0.0, -x
+    if freedom == 5:
+        return -y, x, 0.0
+    return 1.0 if freedom == 0 else 0.0, 1.0 if freedom == 1 else 0.0, 1.0 if freedom == 2 else 0.0
 
 
 def _solve_hull(body: Afloat) -> bool:
@@ -307,11 +326,15 @@ def _solve_hull(body: Afloat) -> bool:
 
 def _move_hull(part: float, h: float, rules: Any, body: Afloat) -> None:
     now, by_v, by_a = body.now, rules.gamma / (rules.beta * h), 1.0 / (rules.beta * h * h)
-    for i in range(3):
+    for i in range(6):
         move = part * body.room.rest[i]
-        now.q[i] += move
+        if i < 3:
+            now.q[i] += move
+        else:
+            now.turn[i - 3] += move
         now.v[i] += by_v * move
         now.a[i] += by_a * move
+    turn_axes(now.turn, body.before.axes, now.axes)
 
 
 def accept_hull(t: float, since: float, body: Afloat) -> None:
@@ -321,22 +344,23 @@ def accept_hull(t: float, since: float, body: Afloat) -> None:
     for i in range(PARTS):
         work = 0.0
         for j in range(3):
-            way = now.q[j] - before.q[j]
-            work += 0.5 * (now.parts[i, j] + before.parts[i, j]) * way
+            work += 0.5 * (now.parts[i, j] + before.parts[i, j]) * (now.q[j] - before.q[j])
+            work += 0.5 * (now.parts[i, 3 + j] + before.parts[i, 3 + j]) * now.turn[j]
         works[i] += work
         put_in += max(work, 0.0)
     by_lines = 0.0
     for j in range(3):
-        by_lines += now.line[j] * (now.q[j] - before.q[j])
+        by_lines += now.line[j] * (now.q[j] - before.q[j]) + now.line[3 + j] * now.turn[j]
     works[PARTS] += by_lines
     works[PARTS + 1] += put_in + max(by_lines, 0.0)
     if t >= since - 1e-9:
+        angles = attitude(now.axes)
         for i in range(3):
-            record.extreme[i, 0] = min(record.extreme[i, 0], now.q[i])
-            record.extreme[i, 1] = max(record.extreme[i, 1], now.q[i])
-        record.extreme[3, 0] = min(record.extreme[3, 0], now.wet[0])
-        record.extreme[3, 1] = max(record.extreme[3, 1], now.wet[0])
+            _stretch(record.extreme[i], now.q[i])
+            _stretch(record.extreme[3 + i], angles[i])
+        _stretch(record.extreme[6], now.wet[0])
     copy_values(now.q, before.q)
+    copy_rows(now.axes, before.axes)
     copy_values(now.v, before.v)
     copy_values(now.a, before.a)
     copy_values(now.force, before.force)
@@ -346,11 +370,19 @@ def accept_hull(t: float, since: float, body: Afloat) -> None:
     copy_values(now.line, before.line)
 
 
+@inlined
+def _stretch(ends: Any, value: float) -> None:
+    """Let a least and a largest value reach as far as another."""
+    ends[0], ends[1] = min(ends[0], value), max(ends[1], value)
+
+
 def sample_hull(sample: int, body: Afloat) -> None:
     """Write a sample."""
     at, record = body.before, body.record
+    angles = attitude(at.axes)
     for i in range(3):
-        record.q[sample, i] = at.q[i]
+        record.q[sample, i], record.q[sample, 3 + i] = at.q[i], angles[i]
+    for i in range(6):
         record.v[sample, i] = at.v[i]
         record.line[sample, i] = at.line[i]
     record.wet[sample] = at.wet[0]
@@ -360,7 +392,7 @@ def sample_hull(sample: int, body: Afloat) -> None:
 def hull_kinetic_energy(hull: Hull, at: HullState) -> float:
     """Energy of motion, with that of the added mass, J."""
     total = 0.0
-    for i in range(3):
-        for j in range(3):
-            total += 0.5 * at.v[i] * hull_inertia(hull, i, j) * at.v[j]
+    for i in range(6):
+        for j in range(6):
+            total += 0.5 * at.v[i] * hull_inertia(hull, at.axes, i, j) * at.v[j]
     return float(total)

@@ -252,11 +252,11 @@ def solve_dense(matrix: Any, rest: Any) -> bool:
 
 
 def hold(free: Any, matrix: Any, rest: Any) -> None:
-    """Take the directions in which a body is held or led out of its three equations."""
-    for i in range(3):
+    """Take the directions in which a body is held or led out of its equations."""
+    for i in range(rest.shape[0]):
         if free[i] == 0.0:
             rest[i] = 0.0
-            for j in range(3):
+            for j in range(rest.shape[0]):
                 matrix[i, j] = matrix[j, i] = 0.0
             matrix[i, i] = 1.0
 

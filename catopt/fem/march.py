@@ -219,7 +219,7 @@ def begin(setting: Setting, at: Moving, room: Room, record: Record, body: Afloat
     for e in range(at.tension.shape[0]):
         room.loose[e] = at.tension[e] <= 0.0
     if body is not None:
-        fill_sea(0.0, body.hull, body.before.q, setting.flow, body.room)
+        fill_sea(0.0, body.hull, body.before, setting.flow, body.room)
         keep_sea(body.room)
     begin_whole_step(setting, room)
 

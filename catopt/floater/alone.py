@@ -7,13 +7,14 @@ from typing import Final
 
 import numpy as np
 
-from catopt.arrays import Array
+from catopt.arrays import Array, Flags
 from catopt.compiled import compiled
 from catopt.errors import NotConvergedError
 from catopt.fem.afloat import Afloat, hull_kinetic_energy, run_hull, start_hull
 from catopt.fem.moving import BodyNode
 from catopt.fem.run_settings import TimeStepping
 from catopt.fem.sampling import Rules
+from catopt.floater.freedoms import freedoms
 from catopt.floater.scene import Scene
 from catopt.hydro.build import FloatingHull, record_of, room_of, state_of
 from catopt.hydro.hull import PARTS
@@ -28,19 +29,21 @@ _A_SLICE: Final = 1e-5
 class HullHistory:
     """How a hull moved.
 
-    `time` (n,), s; `place` (n, 3): of its centre of gravity, x and height above still water, m, and
-    pitch, rad; `velocity` (n, 3); `wet` (n,): volume under water, m3; `surface` (n,): elevation
-    over it, m; `lines` (n, 3): force and moment of its lines with their inertia, N and N m;
-    `extreme` (4, 2): least and largest of place and volume of every step; `works`: of weight and
-    pressure, diffraction, the waves that it makes, drag, wind, linear damping and lines, J;
-    `numerical_part`: energy that the steps lost or gained, over what was put in; `volume`: of
-    all its slices, m3; `scene`: how it looked around the largest tension of its line, of one that
-    has a line.
+    `time` (n,), s; `place` (n, 6): of its centre of gravity, x, y and height above still water, m,
+    and roll, pitch, yaw, rad, as if it had been turned about its axis, then about x, then about y;
+    `velocity` (n, 6); `free` (6,): in which it moves; `wet` (n,): volume under water, m3; `surface`
+    (n,): elevation over it, m; `lines` (n, 6): force and moment of its lines with their inertia, N
+    and N m; `extreme` (7, 2): least and largest of place and volume of every step; `works`: of
+    weight and pressure, diffraction, the waves that it makes, drag, wind, linear damping and lines,
+    J; `numerical_part`: energy that the steps lost or gained, over what was put in; `volume`: of
+    all its slices, m3; `scene`: how it looked around the largest tension of its line, of one line
+    and in one plane.
     """
 
     time: Array
     place: Array
     velocity: Array
+    free: Flags
     wet: Array
     surface: Array
     lines: Array
@@ -57,15 +60,16 @@ def history_of(body: Afloat, time: Array, depth: float, kinetic_at_first: float)
     gained = hull_kinetic_energy(body.hull, body.before) - kinetic_at_first
     off = abs(float(record.works[: PARTS + 1].sum()) - gained)
     put_in = float(record.works[PARTS + 1]) + kinetic_at_first
-    level = np.array([0.0, depth, 0.0])
+    level = np.array([0.0, 0.0, depth, 0.0, 0.0, 0.0])
     return HullHistory(
         time,
         record.q - level,
         record.v,
+        body.hull.free > 0.0,
         record.wet,
         record.surface,
         record.line,
-        record.extreme - np.array([[0.0], [depth], [0.0], [0.0]]),
+        record.extreme - np.append(level, 0.0)[:, np.newaxis],
         record.works[: PARTS + 1].copy(),
         off / put_in if put_in > 0.0 else 0.0,
         float((np.pi * body.hull.radius**2 * (body.hull.top - body.hull.foot)).sum()),
@@ -88,7 +92,7 @@ def run_alone(
     stepping : TimeStepping
         Steps all as long as its `step`; samples at its output interval.
     sea : Sea
-        Its waves travel along x or against it; those without a ramp take that of `stepping`.
+        Waves without a ramp take that of `stepping`.
     offset : tuple of float
         Surge and heave, m, and pitch, rad, at first.
 
@@ -98,15 +102,15 @@ def run_alone(
         When a step does not close.
     """
     flow = sea.flow
-    laid = hull.lay_out(flow)
+    laid = hull.lay_out(flow, freedoms(hull, (), sea))
     x, z, turn = offset
     height = flow.depth - hull.draught + hull.centre
     samples, every, how = stepping.samples, stepping.every, stepping.scheme
     none = np.zeros(3)
     body = Afloat(
         laid,
-        state_of(laid, x, height + z, turn),
-        state_of(laid, x, height + z, turn),
+        state_of(laid, (x, 0.0, height + z), turn),
+        state_of(laid, (x, 0.0, height + z), turn),
         room_of(laid),
         record_of(samples + 1),
         BodyNode(none, none, none),

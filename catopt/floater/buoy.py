@@ -92,8 +92,9 @@ def _hull(of: Floater, depth: float, density: float, pull: float, shape: BuoySha
         bottom_drag=0.125 * math.pi * density * of.heave_drag * shape.widest**2,
         bottom_radius=0.5 * shape.widest,
         wind=_wind(of.wind_speed, shape, draught),
+        wind_direction=of.wind_direction,
         constant=(0.0, density * STANDARD_GRAVITY * displaced, 0.0),
-        eyes=((0.0, shape.eye),),
+        eyes=((0.0, 0.0, shape.eye),),
         density=density,
     )
     upright = hull.stiffness[2, 2]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from typing import Final
 
 import numpy as np
 
@@ -11,9 +12,12 @@ from catopt.arrays import Array
 from catopt.fem.linear_motion import velocities_at
 from catopt.fem.morison import equivalent_drag
 from catopt.fem.series import Complex
-from catopt.floater.moored import AtRest, arms_of
+from catopt.floater.moored import AtRest, arms_of, ways_of_eyes
 from catopt.hydro.build import FloatingHull
 from catopt.waves import Sea
+
+_PLANE: Final = [0, 2, 4]
+"""Surge, heave and pitch of the six freedoms."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,43 +61,49 @@ def linear_hull(hull: FloatingHull, rest: AtRest, sea: Sea) -> LinearHull:
     waves, depth, laid = sea.waves, sea.depth, rest.hull
     assert waves is not None
     omega, k, ahead = waves.omega, sea.wave_numbers, np.cos(waves.direction)
-    x, z, turned = rest.state.q.tolist()
-    sine, cosine = math.sin(turned), math.cos(turned)
+    x, _, z = rest.state.q.tolist()
+    sine, cosine = rest.state.axes[[0, 2], 2].tolist()
+    by_surface, by_acceleration = (
+        rest.by_surface[_PLANE],
+        rest.by_acceleration[_PLANE][:, :, [0, 2]],
+    )
     middle = 0.5 * (laid.foot + laid.top)
     places = np.stack([x + middle * sine, 0.0 * middle, np.minimum(z + middle * cosine, depth)], 1)
     flow = velocities_at(places, sea)
     shape = np.stack([np.ones_like(k), 1j * k * ahead], axis=1)  # of the surface: height and slope
     here = waves.amplitude * np.exp(1j * (k * x * ahead + waves.phase))
-    push = (shape @ rest.by_surface.T + 0j) * here[:, np.newaxis]
+    push = (shape @ by_surface.T + 0j) * here[:, np.newaxis]
     accelerates = -1j * omega[:, np.newaxis, np.newaxis] * flow[:, :, [0, 2]]
-    push += np.einsum("wjk,ijk->wi", accelerates, rest.by_acceleration)
+    push += np.einsum("wjk,ijk->wi", accelerates, by_acceleration)
     diffracted = hull.lay_out(sea.flow).excited
     diffraction = diffracted[:, 0::2] + 1j * diffracted[:, 1::2]
+    diffraction[:, [0, 2]] *= ahead[:, np.newaxis]
     push += diffraction * (here / waves.amplitude)[:, np.newaxis]
 
     memory = hull.radiation.memory
-    inertia = np.diag([hull.mass, hull.mass, hull.inertia]) + laid.added
+    damping, free = laid.damping[_PLANE], laid.free[_PLANE]
+    inertia = np.diag([hull.mass, hull.mass, hull.inertia]) + hull.radiation.infinite
     square, turn = omega[:, np.newaxis, np.newaxis] ** 2, 1j * omega
-    matrix: Complex = (rest.stiffness - square * inertia).astype(np.complex128)
+    matrix: Complex = (rest.stiffness[np.ix_(_PLANE, _PLANE)] - square * inertia).astype(
+        np.complex128
+    )
     for i in range(3):
-        matrix[:, i, i] -= turn * laid.damping[i]
+        matrix[:, i, i] -= turn * damping[i]
         for j in range(3):
             matrix[:, i, j] -= omega**2 * memory.added_mass(omega, i, j)
             matrix[:, i, j] -= turn * memory.damping(omega, i, j)
 
-    arm = np.zeros((len(laid.eye), 3, 3))
-    arms = arms_of(laid, rest.state.q)
-    arm[:, 0, 0] = arm[:, 2, 1] = 1.0
-    arm[:, 0, 2], arm[:, 2, 2] = arms[:, 1], -arms[:, 0]
-    held = laid.free == 0.0
+    arm = ways_of_eyes(arms_of(laid, rest.state.axes))[:, :, _PLANE]
+    arm[:, 1] = 0.0
+    held = free == 0.0
     matrix[:, held, :] = matrix[:, :, held] = 0.0
     matrix[:, held, held] = 1.0
     push[:, held] = arm[:, :, held] = 0.0
 
-    carried = rest.by_acceleration[0, :, 0]
+    carried = by_acceleration[0, :, 0]
     wet = carried / (laid.density * math.pi * laid.radius**2)
     # The water pulls where what is wet of a slice is: along the axis, from its moments.
-    moment = rest.by_acceleration[2, :, 0] * cosine - rest.by_acceleration[2, :, 1] * sine
+    moment = by_acceleration[2, :, 0] * cosine - by_acceleration[2, :, 1] * sine
     lever = np.divide(moment, carried, out=np.zeros_like(middle), where=carried > 0.0)
     stream = replace(sea, waves=None).kinematics(0.0, places).velocity
     seen = [np.stack([np.full_like(middle, cosine), np.full_like(middle, -sine), lever], axis=1)]
@@ -107,5 +117,5 @@ def linear_hull(hull: FloatingHull, rest: AtRest, sea: Sea) -> LinearHull:
     there = flow[:, of]
     flow = there[:, :, 0] * way[:, 0] + there[:, :, 2] * way[:, 1]
     mean = stream[of, 0] * way[:, 0] + stream[of, 2] * way[:, 1]
-    way = way * laid.free
+    way = way * free
     return LinearHull(omega, matrix, push, arm, way, np.concatenate(coefficient), mean, flow)

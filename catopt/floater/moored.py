@@ -23,8 +23,16 @@ from catopt.fem.seabed import HeldBed, Seabed
 from catopt.fem.simulation import Simulation
 from catopt.fem.solve import Leg
 from catopt.floater.alone import HullHistory, history_of
+from catopt.floater.freedoms import freedoms
 from catopt.hydro.build import FloatingHull, record_of, room_of, state_of
-from catopt.hydro.hull import Hull, HullRoom, HullState, fill_forces_on_hull, fill_sea
+from catopt.hydro.hull import (
+    Hull,
+    HullRoom,
+    HullState,
+    fill_forces_on_hull,
+    fill_sea,
+    turn_axes,
+)
 from catopt.waves import Sea
 from catopt.waves.kinematics import Flow
 from catopt.words import Message
@@ -36,6 +44,8 @@ _CLOSED: Final = 1e-7
 """Force left over at rest, over the hull's weight."""
 _MOST_MOVE: Final = 0.5
 """Way, over the hull's size, that a step of it may go."""
+_LEAST_PART: Final = 1.0 / 32.0
+"""Of a step where forces do not get less."""
 _SMALL, _WIDE = 1e-5, 0.03
 """Over the hull's size, and in rad: ways over which derivatives are taken, for Newton's steps and
 for the motion in waves."""
@@ -53,10 +63,23 @@ class AtRest(NamedTuple):
     simulation: Simulation
     hull: Hull
     state: HullState
-    line: Array  # (3,): force and moment of the lines on it, N and N m
-    stiffness: Array  # (3, 3): of the hull alone, its eyes pulled as by the lines: N/m and N m
-    by_surface: Array  # (3, 2): force by a surface that is higher, N/m, or slopes along x, N
-    by_acceleration: Array  # (3, slices, 2): by the water's along x and z about each slice, kg
+    line: Array  # (6,): force and moment of the lines on it, N and N m
+    stiffness: Array  # (6, 6): of the hull alone, its eyes pulled as by the lines: N/m and N m
+    by_surface: Array  # (6, 2): force by a surface that is higher, N/m, or slopes along x, N
+    by_acceleration: Array  # (6, slices, 3): by the water's about each slice, kg
+
+
+class _Pose(NamedTuple):
+    """Where a hull is: place of its centre of gravity, m, and its axes, in columns."""
+
+    q: Array  # (3,)
+    axes: Array  # (3, 3)
+
+    def moved(self, way: Array) -> _Pose:
+        """Go on by a way (6,): m, and turned by rad."""
+        axes = np.empty((3, 3))
+        turn_axes(way[3:], self.axes, axes)
+        return _Pose(self.q + way[:3], axes)
 
 
 class _Calm(NamedTuple):
@@ -69,7 +92,7 @@ class _Calm(NamedTuple):
 
     def pushed(
         self,
-        q: Array,
+        at: _Pose,
         surface: tuple[float, float] = (0.0, 0.0),
         acceleration: tuple[int, int, float] = (0, 0, 0.0),
     ) -> Array:
@@ -79,37 +102,40 @@ class _Calm(NamedTuple):
         direction, m/s2.
         """
         hull, state, flow, room = self
-        state.q[:] = q
+        state.q[:], state.axes[:] = at
         state.v[:] = 0.0
-        fill_sea(0.0, hull, state.q, flow, room)
+        fill_sea(0.0, hull, state, flow, room)
         room.sea[:2] = surface
-        room.acceleration[acceleration[0], 2 * acceleration[1]] += acceleration[2]
+        room.acceleration[acceleration[0], acceleration[1]] += acceleration[2]
         room.carried[:] = room.by_speed[:] = 0.0
         fill_forces_on_hull(hull, state, flow.depth, room)
         return state.force.copy()
 
-    def stiffness(self, q: Array, step: Array, arms: Array, pulls: Array) -> Array:
+    def stiffness(self, at: _Pose, step: Array, arms: Array, pulls: Array) -> Array:
         """As `AtRest.stiffness`; `arms` of its eyes, m, `pulls` of the lines there, N."""
-        own = -_slope(self.pushed, q, step)
-        # Heavier pulls turn the eye in under the hull.
-        own[2, 2] += (arms * pulls).sum()
+        own = np.zeros((6, 6))
+        for j, way in enumerate(np.diag(step)):
+            change = self.pushed(at.moved(way)) - self.pushed(at.moved(-way))
+            own[:, j] = -change / (2.0 * step[j])
+        # Heavier pulls turn the eye in under the hull: the moment of F at r turns with r.
+        own[3:, 3:] += (arms * pulls).sum() * np.eye(3) - arms.T @ pulls
         return own
 
-    def by_surface(self, q: Array, step: Array) -> Array:
+    def by_surface(self, at: _Pose, step: Array) -> Array:
         """As `AtRest.by_surface`."""
-        out = np.zeros((3, 2))
-        for j, (rise, slope) in enumerate(((step[1], 0.0), (0.0, step[2]))):
-            change = self.pushed(q, (rise, slope)) - self.pushed(q, (-rise, -slope))
+        out = np.zeros((6, 2))
+        for j, (rise, slope) in enumerate(((step[2], 0.0), (0.0, step[4]))):
+            change = self.pushed(at, (rise, slope)) - self.pushed(at, (-rise, -slope))
             out[:, j] = change / (2.0 * (rise + slope))
         return out
 
-    def by_acceleration(self, q: Array) -> Array:
+    def by_acceleration(self, at: _Pose) -> Array:
         """As `AtRest.by_acceleration`: forces are linear in it."""
-        calm, slices = self.pushed(q), self.room.acceleration.shape[0]
-        out = np.zeros((3, slices, 2))
+        calm, slices = self.pushed(at), self.room.acceleration.shape[0]
+        out = np.zeros((6, slices, 3))
         for j in range(slices):
-            for i in range(2):
-                out[:, j, i] = self.pushed(q, acceleration=(j, i, 1.0)) - calm
+            for i in range(3):
+                out[:, j, i] = self.pushed(at, acceleration=(j, i, 1.0)) - calm
         return out
 
 
@@ -121,44 +147,51 @@ class _Lines(NamedTuple):
     hull: Hull
     sea: Sea
 
-    def laid_out(self, at: LineProperties, q: Array, force: float | None = None) -> Simulation:
-        """Bring the lines to rest, the hull at q; or one under a force, N, in its eye's height."""
-        arms = arms_of(self.hull, q)
-        if len(self.legs) > 1:
+    def laid_out(self, of: LineProperties, at: _Pose, force: float | None = None) -> Simulation:
+        """Bring the lines to rest, the hull at hand; or one under a force, N, in its eye's height.
+
+        A line by itself, in the plane of x and z, by its closed form at first.
+        """
+        arms = arms_of(self.hull, at.axes)
+        if len(self.legs) > 1 or at.q[1] != 0.0:
             simulation = body_at_rest(
                 [
-                    replace(leg, fairlead=(arm[0], leg.fairlead[1], arm[1]))
+                    replace(leg, fairlead=(arm[0], arm[1], arm[2]))
                     for leg, arm in zip(self.legs, arms.tolist(), strict=True)
                 ],
                 self.meshes,
-                height=float(q[1]),
-                position=(float(q[0]), 0.0),
-                properties=at,
+                height=float(at.q[2]),
+                position=(float(at.q[0]), float(at.q[1])),
+                properties=of,
                 sea=self.sea,
             )
         else:
             (leg,), (mesh,) = self.legs, self.meshes
-            x, height = (q[:2] + arms[0]).tolist()
+            x, _, height = (at.q + arms[0]).tolist()
             simulation = line_at_rest(
                 mesh,
                 height=height,
                 span=None if force is not None else x,
                 horizontal_force=force,
                 anchor_height=leg.anchor[2],
-                properties=at,
+                properties=of,
                 sea=self.sea,
             )
         simulation.hold_ends()
         return simulation
 
-    def start(self, at: LineProperties, q: Array, drift: float) -> None:
-        """Put a hull to where its line balances its drift, N; on several lines it stays."""
-        if len(self.legs) == 1:
-            (leg,), eye = self.legs, q[:2] + arms_of(self.hull, q)[0]
-            weight = float(np.mean([each.submerged_weight for each in leg.line.segments]))
-            least = _LEAST_PULL * abs(weight) * max(eye[1] - leg.anchor[2], 1.0)
-            simulation = self.laid_out(at, q, max(drift, least))
-            q[0] += simulation.state.x[-1, 0] - eye[0]
+    def start(self, of: LineProperties, at: _Pose, drift: Array) -> _Pose:
+        """Put a hull to where its line balances its drift (2,), N; on several lines it stays."""
+        if len(self.legs) > 1:
+            return at
+        (leg,), eye = self.legs, at.q + arms_of(self.hull, at.axes)[0]
+        weight = float(np.mean([each.submerged_weight for each in leg.line.segments]))
+        least = _LEAST_PULL * abs(weight) * max(eye[2] - leg.anchor[2], 1.0)
+        ahead, aside = drift.tolist() if self.hull.free[1] else (drift[0], 0.0)
+        pull = math.hypot(ahead, aside) if aside else max(ahead, least)
+        way = self.laid_out(of, at, max(pull, least)).state.x[-1, 0] - eye[0]
+        along = (ahead / pull, aside / pull) if aside else (1.0, 0.0)
+        return at.moved(way * np.array([*along, 0.0, 0.0, 0.0, 0.0]))
 
 
 def moored_at_rest(
@@ -171,54 +204,57 @@ def moored_at_rest(
 ) -> AtRest:
     """Find where hull and lines are at rest, without waves.
 
-    `legs`: one line from an anchor at x = y = 0, or several about the origin, mirrored by its x
-    axis: of their fairleads y counts, x and height are those of the hull's eyes. `meshes`: of them.
+    `legs`: one line from an anchor at x = y = 0, or several about the origin; their fairleads are
+    the hull's eyes. `meshes`: of them. In the freedoms of `freedoms.freedoms`.
     Raises NoEquilibriumError where lines draw the hull under, NotConvergedError.
     """
     flow = sea.flow_at_rest
-    laid = hull.lay_out(sea.flow)
-    state = state_of(laid, 0.0, flow.depth - hull.draught + hull.centre)
-    calm = _Calm(hull.lay_out(flow), state, flow, room_of(laid))
+    free = freedoms(hull, legs, sea)
+    laid = hull.lay_out(sea.flow, free)
+    state = state_of(laid, (0.0, 0.0, flow.depth - hull.draught + hull.centre))
+    calm = _Calm(hull.lay_out(flow, free), state, flow, room_of(laid))
     pushed, lines = calm.pushed, _Lines(legs, meshes, laid, sea)
-    q = state.q.copy()
-    drift = pushed(q)[0]
+    at = _Pose(state.q.copy(), state.axes.copy())
+    drift = pushed(at)[:2]
     # First without friction of the bed, whose springs would be all of the stiffness.
     smooth = replace(properties, seabed=_without_friction(properties.seabed))
-    lines.start(smooth, q, drift)
+    at = lines.start(smooth, at, drift)
     scale = hull.mass * hull.gravity
     long = math.sqrt(max(hull.inertia, 1e-12) / hull.mass)
     size = max(hull.draught, 2.0 * float(hull.radius.max()))
-    ways = np.array([size, size, 1.0])
-    is_rubbed, matrix = False, np.eye(3)
+    ways = np.array([size, size, size, 1.0, 1.0, 1.0])
+    is_rubbed, matrix, last, part = False, np.eye(6), math.inf, 1.0
     for _ in range(_ROUNDS):
-        arms = arms_of(laid, q)
-        # How each eye moves with the hull: (lines, 2, 3).
-        turned = np.array([[[1.0, 0.0, z], [0.0, 1.0, -x]] for x, z in arms.tolist()])
-        simulation = lines.laid_out(properties if is_rubbed else smooth, q)
+        arms = arms_of(laid, at.axes)
+        simulation = lines.laid_out(properties if is_rubbed else smooth, at)
         if is_rubbed:
-            pulls = simulation.state.force[_last_nodes(simulation)][:, [0, 2]].copy()
+            pulls = simulation.state.force[_last_nodes(simulation)].copy()
         else:
             pulls, stiffness = _of_lines(simulation)
-            matrix = np.einsum("kia,kij,kjb->ab", turned, stiffness, turned)
-            matrix += calm.stiffness(q, _SMALL * ways, arms, pulls)
+            eyes = ways_of_eyes(arms)
+            matrix = np.einsum("kia,kij,kjb->ab", eyes, stiffness, eyes)
+            matrix += calm.stiffness(at, _SMALL * ways, arms, pulls)
             matrix[laid.free == 0.0] = 0.0
             matrix[:, laid.free == 0.0] = 0.0
             matrix += np.diag(1.0 - laid.free)
-            matrix += 1e-6 * scale * np.diag([1.0 / size, 1.0 / size, size])
-        line = np.einsum("kia,ki->a", turned, pulls)
-        left = (pushed(q) + line) * laid.free
-        worst = float(np.abs(left / [scale, scale, scale * long]).max())
+            matrix += 1e-6 * scale * np.diag([1.0 / size] * 3 + [size] * 3)
+        line = np.concatenate([pulls.sum(axis=0), np.cross(arms, pulls).sum(axis=0)])
+        left = (pushed(at) + line) * laid.free
+        worst = float(np.abs(left / ([scale] * 3 + [scale * long] * 3)).max())
         if worst <= _CLOSED and is_rubbed:
-            state.q[:] = q
-            own = calm.stiffness(q, _WIDE * ways, arms, pulls)
-            of_water = calm.by_surface(q, _WIDE * ways), calm.by_acceleration(q)
-            pushed(q)
+            state.q[:], state.axes[:] = at
+            own = calm.stiffness(at, _WIDE * ways, arms, pulls)
+            of_water = calm.by_surface(at, _WIDE * ways), calm.by_acceleration(at)
+            pushed(at)
             return AtRest(simulation, laid, state, line, own, *of_water)
         is_rubbed = is_rubbed or worst <= _CLOSED
-        move = np.linalg.solve(matrix, left)
-        far = max(float(np.hypot(move[0], move[1])), abs(float(move[2])) * size)
-        q = q + move * min(1.0, _MOST_MOVE * size / max(far, 1e-300))
-        top = q[1] + float(hull.top.max() - hull.centre)
+        # To and fro over the place where a node of a coarse line comes off the bed: half as far.
+        part = min(2.0 * part, 1.0) if worst < last else max(0.5 * part, _LEAST_PART)
+        last = worst
+        move = part * np.linalg.solve(matrix, left)
+        far = max(float(np.linalg.norm(move[:3])), float(np.linalg.norm(move[3:])) * size)
+        at = at.moved(move * min(1.0, _MOST_MOVE * size / max(far, 1e-300)))
+        top = at.q[2] + float(hull.top.max() - hull.centre)
         if top < flow.depth - 3.0 * size:
             raise NoEquilibriumError(Message("floater.drawn_under"), "force", 0.0)
     raise NotConvergedError(Message("floater.not_at_rest", rounds=_ROUNDS))
@@ -228,21 +264,16 @@ def _without_friction(seabed: Seabed | HeldBed | None) -> Seabed | HeldBed | Non
     return replace(seabed, friction=0.0) if isinstance(seabed, Seabed) else seabed
 
 
-def arms_of(hull: Hull, q: Array) -> Array:
-    """From its centre of gravity to each mooring eye, along x and z, (lines, 2), m."""
-    sine, cosine = math.sin(q[2]), math.cos(q[2])
-    across, along = hull.eye.T
-    return np.stack([across * cosine + along * sine, along * cosine - across * sine], axis=1)
+def arms_of(hull: Hull, axes: Array) -> Array:
+    """From its centre of gravity to each mooring eye, (lines, 3), m."""
+    return np.asarray(hull.eye @ axes.T)
 
 
-def _slope(pushed: Callable[[Array], Array], q: Array, steps: Array) -> Array:
-    """Find the derivative of the forces on the hull by its place, by differences."""
-    out = np.zeros((3, 3))
-    for j, step in enumerate(steps.tolist()):
-        way = np.zeros(3)
-        way[j] = step
-        out[:, j] = (pushed(q + way) - pushed(q - way)) / (2.0 * step)
-    return out
+def ways_of_eyes(arms: Array) -> Array:
+    """How each eye goes when the hull moves by 1 m or turns by 1 rad, (lines, 3, 6)."""
+    turned = [np.cross(each, arms) for each in np.eye(3)]
+    straight = np.broadcast_to(np.eye(3), (len(arms), 3, 3))
+    return np.concatenate([straight, np.stack(turned, axis=2)], axis=2)
 
 
 def _last_nodes(simulation: Simulation) -> Codes:
@@ -250,14 +281,14 @@ def _last_nodes(simulation: Simulation) -> Codes:
 
 
 def _of_lines(simulation: Simulation) -> tuple[Array, Array]:
-    """Force of each line on its upper end, (lines, 2) N, and its stiffness there, N/m."""
+    """Force of each line on its upper end, (lines, 3) N, and its stiffness there, N/m."""
     firsts, lasts = end_nodes(simulation.lines.start)
     simulation.assemble(_AT_REST)
     to = simulation.equations
-    pulls = simulation.state.force[lasts][:, [0, 2]].copy()
+    pulls = simulation.state.force[lasts].copy()
     for first, last in zip(firsts.tolist(), lasts.tolist(), strict=True):
         eliminate_blocks(to, first + 1, last)
-    return pulls, to.diagonal[lasts][:, [0, 2]][:, :, [0, 2]].copy()
+    return pulls, to.diagonal[lasts].copy()
 
 
 def run_moored(
@@ -277,10 +308,9 @@ def run_moored(
     hull : FloatingHull
         With a mooring eye for each line.
     legs, meshes
-        The lines, as for `moored_at_rest`. The hull moves in surge, heave and pitch: of lines that
-        its x axis mirrors, the forces across it cancel.
+        The lines, as for `moored_at_rest`.
     stepping, sea, properties, progress
-        As for `run_dynamics`; waves and current go along x or against it.
+        As for `run_dynamics`.
 
     Raises
     ------

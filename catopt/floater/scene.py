@@ -68,7 +68,7 @@ def scene_of(history: History, places: Array, hull: FloatingHull, sea: Sea) -> S
     near = np.flatnonzero(np.abs(history.time - history.time[peak]) <= _AROUND)
     chosen = np.unique(np.append(near[:: max(1, -(-near.size // _MOMENTS))], peak))
     time, line = history.time[chosen], history.nodes[chosen][:, :, [0, 2]]
-    place = places[chosen] + [0.0, sea.depth, 0.0]
+    place = places[chosen][:, [0, 2, 4]] + [0.0, sea.depth, 0.0]
     widest = float(hull.radius.max())
     least = min(0.0, float(line[:, :, 0].min()), float(place[:, 0].min()) - widest)
     most = max(float(line[:, :, 0].max()), float(place[:, 0].max()) + widest)

@@ -11,11 +11,11 @@ import numpy as np
 import numpy.typing as npt
 from scipy.interpolate import CubicSpline
 
-from catopt.arrays import Array
+from catopt.arrays import Array, Codes, Flags
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.hydro.coefficients import Memory
 from catopt.hydro.cylinder import FloatingCylinder
-from catopt.hydro.hull import PARTS, Hull, HullRecord, HullRoom, HullState
+from catopt.hydro.hull import PARTS, Hull, HullRecord, HullRoom, HullState, turn_axes
 from catopt.model.kinds import Findings
 from catopt.waves.between import water_ends
 from catopt.waves.kinematics import Flow
@@ -24,6 +24,9 @@ from catopt.words import Message
 
 Complex = npt.NDArray[np.complex128]
 
+IN_PLANE: Final = (True, False, True, False, True, False)
+"""Freedoms of a hull that stays in the plane of x and z."""
+_SURGE_HEAVE_PITCH: Final = np.array([0, 2, 4])
 COLUMNS: Final = 9
 """In which a slice that is cut by the surface is divided across."""
 _LOWEST, _HIGHEST, _COUNT = 0.05, 3.6, 60
@@ -87,6 +90,8 @@ class FloatingHull:
         Of each slice: heights of its ends, and radius of the disc that displaces as much, m.
     mass, inertia : float
         kg; in pitch about the centre of gravity, kg m2.
+    spin_inertia : float, optional
+        About the axis, kg m2; left out: as if the mass were spread over what the slices displace.
     centre, draught : float
         Heights of the centre of gravity and of still water, m.
     radiation : Radiation
@@ -96,13 +101,17 @@ class FloatingHull:
     bottom_drag, bottom_radius : float
         0.5 rho C A along the axis, N s2/m2, of the lowest face; its radius, m.
     wind : tuple of float
-        Force along x, N, and height of where it acts, m.
-    damping, constant : tuple of float
-        Linear damping and constant force in surge, heave, pitch.
+        Force, N, and height of where it acts, m.
+    wind_direction : float
+        Where it blows to, counter-clockwise from x, rad.
+    damping : tuple of float
+        Linear damping in surge (and sway), heave, pitch (and roll).
+    constant : tuple of float
+        Constant force in surge, heave, pitch.
     eyes : tuple of tuple of float
-        Place of each mooring eye: towards +x from the axis, height above the keel, m.
+        Place of each mooring eye: towards x and y from the axis, height above the keel, m.
     free : tuple of bool
-        Whether it moves in surge, heave and pitch.
+        Whether it moves in surge, sway, heave, roll, pitch, yaw.
     """
 
     foot: Array
@@ -117,10 +126,12 @@ class FloatingHull:
     bottom_drag: float = 0.0
     bottom_radius: float = 0.0
     wind: tuple[float, float] = (0.0, 0.0)
+    wind_direction: float = 0.0
     damping: tuple[float, float, float] = (0.0, 0.0, 0.0)
     constant: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    eyes: tuple[tuple[float, float], ...] = ()
-    free: tuple[bool, bool, bool] = (True, True, True)
+    eyes: tuple[tuple[float, float, float], ...] = ()
+    free: tuple[bool, ...] = (True,) * 6
+    spin_inertia: float | None = None
     density: float = SEA_WATER_DENSITY
     gravity: float = STANDARD_GRAVITY
 
@@ -129,6 +140,8 @@ class FloatingHull:
         found.number("mass", self.mass, "kg", above=0.0)
         found.number("inertia", self.inertia, "kg m2", at_least=0.0)
         found.number("draught", self.draught, "m", above=0.0)
+        if len(self.free) != 6:
+            found.add("free", f"{len(self.free)}", Message("refused_motion.shape", shape=(6,)))
         if not (self.foot.size == self.top.size == self.radius.size > 0):
             found.add(
                 "slices", f"{self.foot.size}", Message("refused_motion.foot_top_radius_one_or")
@@ -192,18 +205,28 @@ class FloatingHull:
         found: Complex = -over * (up - down) if upwards else -1.0j * over * (up + down)
         return found + 0j
 
-    def lay_out(self, flow: Flow) -> Hull:
-        """Arrays for the kernels, in a sea whose waves travel along x or against it."""
-        of, memory = self.radiation, self.radiation.memory
+    def lay_out(self, flow: Flow, free: tuple[bool, ...] = (True,) * 6) -> Hull:
+        """Arrays for the kernels, in a sea; of its freedoms those that are left `free`."""
+        of, moves = self.radiation, np.logical_and(self.free, free)
         x = np.cos(np.arange(1, COLUMNS + 1) * math.pi / (COLUMNS + 1))
         share = (
             2.0 / (COLUMNS + 1) * np.sin(np.arange(1, COLUMNS + 1) * math.pi / (COLUMNS + 1)) ** 2
         )
-        pair = memory.row, memory.column
+        mode, rate, strength = _around(of.memory, moves)
+        spin = self.spin_inertia
+        if spin is None:
+            volumes = math.pi * self.radius**2 * (self.top - self.foot)
+            spin = 0.5 * self.mass * float(volumes @ self.radius**2 / volumes.sum())
+        force, height = self.wind
+        surge, heave, pitch = self.damping
+        constant = np.zeros(6)
+        constant[_SURGE_HEAVE_PITCH] = self.constant
+        eyes = np.array(self.eyes).reshape(-1, 3)
         return Hull(
             mass=float(self.mass),
             inertia=float(self.inertia),
-            added=np.ascontiguousarray(of.infinite, dtype=float),
+            spin_inertia=float(spin),
+            added=_all_round(of.infinite),
             density=float(self.density),
             gravity=float(self.gravity),
             foot=np.ascontiguousarray(self.foot - self.centre, dtype=float),
@@ -214,15 +237,21 @@ class FloatingHull:
             bottom_drag=float(self.bottom_drag),
             bottom_radius=float(self.bottom_radius),
             column=np.ascontiguousarray(np.stack([x, share], axis=1)),
-            wind=np.array([self.wind[0], self.wind[1] - self.centre]),
-            damping=np.array(self.damping, dtype=float),
-            constant=np.array(self.constant, dtype=float),
-            stiffness=self.stiffness,
-            eye=np.array([(x, z - self.centre) for x, z in self.eyes]).reshape(-1, 2),
-            free=np.array(self.free, dtype=float),
-            mode=np.ascontiguousarray(np.stack(pair, axis=1).reshape(-1, 2)),
-            rate=_parts(memory.rate),
-            strength=_parts(memory.strength),
+            wind=np.array(
+                [
+                    force * math.cos(self.wind_direction),
+                    force * math.sin(self.wind_direction),
+                    height - self.centre,
+                ]
+            ),
+            damping=np.array([surge, surge, heave, pitch, pitch, 0.0], dtype=float),
+            constant=constant,
+            stiffness=_all_round(self.stiffness),
+            eye=np.ascontiguousarray(eyes - [0.0, 0.0, self.centre]),
+            free=moves.astype(float),
+            mode=mode,
+            rate=_parts(rate),
+            strength=_parts(strength),
             excited=self._excited(flow),
         )
 
@@ -241,26 +270,57 @@ class FloatingHull:
         short = omega > of.omega[-1]
         at[short] = -self.long_wave(omega[short], waves[short, 3], flow.depth)
         at *= waves[:, 7, np.newaxis]
-        at[:, [0, 2]] *= waves[:, 5, np.newaxis]  # cos b: +1 or -1
         out[:, 0::2], out[:, 1::2] = at.real, at.imag
         return out
+
+
+def _all_round(of: Array) -> Array:
+    """Spread a matrix of surge, heave and pitch of a body of revolution over all six freedoms.
+
+    It sways and rolls as it surges and pitches; what goes to +y as surge to +x turns against roll.
+    """
+    out = np.zeros((6, 6))
+    out[np.ix_(_SURGE_HEAVE_PITCH, _SURGE_HEAVE_PITCH)] = of
+    out[1, 1], out[3, 3] = of[0, 0], of[2, 2]
+    out[1, 3], out[3, 1] = -of[0, 2], -of[2, 0]
+    return out
+
+
+def _around(memory: Memory, free: Flags) -> tuple[Codes, Complex, Complex]:
+    """Modes, rates and strengths of a memory in all freedoms that are free, as `_all_round`."""
+    rows = []
+    for of, by, rate, strength in zip(
+        memory.row.tolist(), memory.column.tolist(), memory.rate, memory.strength, strict=True
+    ):
+        rows.append((2 * of, 2 * by, rate, strength))
+        if of != 1 and by != 1:
+            sign = 1.0 if of == by else -1.0
+            rows.append(((1, 0, 3)[of], (1, 0, 3)[by], rate, sign * strength))
+    kept = [row for row in rows if free[row[0]] and free[row[1]]]
+    mode = np.array([row[:2] for row in kept], dtype=np.int64).reshape(-1, 2)
+    rates, strengths = (np.array([row[i] for row in kept], dtype=complex) for i in (2, 3))
+    return mode, rates, strengths
 
 
 def _parts(values: Complex) -> Array:
     return np.ascontiguousarray(np.stack([values.real, values.imag], axis=1).reshape(-1, 2))
 
 
-def state_of(hull: Hull, x: float, z: float, pitch: float = 0.0) -> HullState:
-    """At rest at a place of its centre of gravity, m, above the bed; pitch in rad."""
+def state_of(hull: Hull, place: tuple[float, float, float], pitch: float = 0.0) -> HullState:
+    """At rest with its centre of gravity at a place, m, its height above the bed; pitch in rad."""
+    axes = np.empty((3, 3))
+    turn_axes((0.0, pitch, 0.0), np.eye(3), axes)
     return HullState(
-        q=np.array([x, z, pitch], dtype=float),
-        v=np.zeros(3),
-        a=np.zeros(3),
-        force=np.zeros(3),
-        parts=np.zeros((PARTS, 3)),
+        q=np.array(place, dtype=float),
+        axes=axes,
+        turn=np.zeros(3),
+        v=np.zeros(6),
+        a=np.zeros(6),
+        force=np.zeros(6),
+        parts=np.zeros((PARTS, 6)),
         memory=np.zeros((hull.mode.shape[0], 2)),
         wet=np.zeros(1),
-        line=np.zeros(3),
+        line=np.zeros(6),
     )
 
 
@@ -272,25 +332,25 @@ def room_of(hull: Hull) -> HullRoom:
         velocity=np.zeros((slices, 3)),
         acceleration=np.zeros((slices, 3)),
         surface=np.zeros(slices),
-        sea=np.zeros(5),
+        sea=np.zeros(8),
         ends=water_ends(slices),
-        sea_ends=np.zeros((2, 5)),
+        sea_ends=np.zeros((2, 8)),
         carried=np.zeros((modes, 2)),
         by_speed=np.zeros((modes, 2)),
-        matrix=np.zeros((3, 3)),
-        rest=np.zeros(3),
-        by_v=np.zeros((3, 3)),
+        matrix=np.zeros((6, 6)),
+        rest=np.zeros(6),
+        by_v=np.zeros((6, 6)),
     )
 
 
 def record_of(samples: int) -> HullRecord:
     """Room for so many samples."""
     return HullRecord(
-        q=np.zeros((samples, 3)),
-        v=np.zeros((samples, 3)),
+        q=np.zeros((samples, 6)),
+        v=np.zeros((samples, 6)),
         wet=np.zeros(samples),
         surface=np.zeros(samples),
-        line=np.zeros((samples, 3)),
-        extreme=np.array([[np.inf, -np.inf]] * 4),
+        line=np.zeros((samples, 6)),
+        extreme=np.array([[np.inf, -np.inf]] * 7),
         works=np.zeros(PARTS + 2),
     )

@@ -8,7 +8,7 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 
 from catopt.arrays import Array, Codes
-from catopt.compiled import packed
+from catopt.compiled import inlined, packed
 from catopt.constants import STANDARD_GRAVITY
 from catopt.hydro.coefficients import Complex
 from catopt.model.kinds import Findings
@@ -25,11 +25,16 @@ LEAST_COSINE: Final = 0.05
 
 @packed
 class Hull(NamedTuple):
-    """What does not change in a run."""
+    """What does not change in a run.
+
+    Its freedoms are surge, sway, heave along x, y, z, and the turns about them through its centre
+    of gravity: roll, pitch, yaw.
+    """
 
     mass: float  # kg
-    inertia: float  # about its centre of gravity, kg m2
-    added: Array  # (3, 3): added mass of motion much faster than its waves, about that point
+    inertia: float  # about its centre of gravity, across its axis, kg m2
+    spin_inertia: float  # about its axis, kg m2
+    added: Array  # (6, 6): added mass of motion much faster than its waves, about that point
     density: float  # of the water, kg/m3
     gravity: float  # m/s2
     foot: Array  # (slices,): s of each slice's foot, m
@@ -40,31 +45,33 @@ class Hull(NamedTuple):
     bottom_drag: float  # 0.5 rho C A of it along the axis, N s2/m2
     bottom_radius: float  # m
     column: Array  # (columns, 2): place across, over the radius, and share of the disc
-    wind: Array  # (2,): force along x, N, and s of where it acts, m
-    damping: Array  # (3,): linear, N s/m and N m s
-    constant: Array  # (3,): other constant forces, N and N m
-    stiffness: Array  # (3, 3): derivative of the restoring forces at rest, for Newton's steps
-    eye: Array  # (lines, 2): place of each mooring eye across and along the axis, m
-    free: Array  # (3,): 1.0 for each direction in which it moves
+    wind: Array  # (3,): force along x and y, N, and s of where it acts, m
+    damping: Array  # (6,): linear, N s/m and N m s
+    constant: Array  # (6,): other constant forces, N and N m
+    stiffness: Array  # (6, 6): derivative of the restoring forces at rest, for Newton's steps
+    eye: Array  # (lines, 3): place of each mooring eye, two across and one along the axis, m
+    free: Array  # (6,): 1.0 for each freedom that it has
     mode: Codes  # (modes, 2): force and motion of each exponential of the memory
     rate: Array  # (modes, 2): its rate, real and imaginary, 1/s
     strength: Array  # (modes, 2)
-    excited: Array  # (waves, 6): diffraction of each wave of the sea, real and imaginary parts of
-    # surge, heave, pitch, with the wave's amplitude, N and N m
+    excited: Array  # (waves, 6): diffraction of each wave of the sea, real and imaginary parts: the
+    # force along the wave and upwards, the moment that turns it along; with its amplitude, N, N m
 
 
 @packed
 class HullState(NamedTuple):
     """Where it is at one time."""
 
-    q: Array  # (3,): place, velocity, acceleration
-    v: Array
-    a: Array
-    force: Array  # (3,): all forces but inertia and lines
-    parts: Array  # (PARTS, 3): of which it consists
+    q: Array  # (3,): place of its centre of gravity, m
+    axes: Array  # (3, 3): its own axes, in columns; the last is its axis, upwards
+    turn: Array  # (3,): by which the step has turned it, rad
+    v: Array  # (6,): velocity, m/s and rad/s
+    a: Array  # (6,): acceleration
+    force: Array  # (6,): all forces but inertia and lines
+    parts: Array  # (PARTS, 6): of which it consists
     memory: Array  # (modes, 2): integral of exp(rate (t - s)) v(s) ds, real and imaginary
     wet: Array  # (1,): volume under the surface, m3
-    line: Array  # (3,): force and moment of the lines with their inertia
+    line: Array  # (6,): force and moment of the lines with their inertia
 
 
 @packed
@@ -75,34 +82,71 @@ class HullRoom(NamedTuple):
     velocity: Array  # (slices, 3)
     acceleration: Array  # (slices, 3)
     surface: Array  # (slices,)
-    sea: Array  # (5,): elevation, m, its slope along x, diffraction in three directions
+    sea: Array  # (8,): elevation, m, its slopes along x and y, diffraction in five freedoms
     ends: WaterEnds  # of the slices, over the whole step
-    sea_ends: Array  # (2, 5): the sea at its start and its end
+    sea_ends: Array  # (2, 8): the sea at its start and its end
     carried: Array  # (modes, 2): memory at the step's end by what was before
     by_speed: Array  # (modes, 2): and by each m/s at the step's end
-    matrix: Array  # (3, 3): of Newton's step
-    rest: Array  # (3,): what is left over, then the move
-    by_v: Array  # (3, 3): derivative of the drag
+    matrix: Array  # (6, 6): of Newton's step
+    rest: Array  # (6,): what is left over, then the move
+    by_v: Array  # (6, 6): derivative of the drag
 
 
 @packed
 class HullRecord(NamedTuple):
     """What is kept of a run."""
 
-    q: Array  # (samples, 3)
-    v: Array  # (samples, 3)
+    q: Array  # (samples, 6): place, and roll, pitch, yaw as of `attitude`
+    v: Array  # (samples, 6)
     wet: Array  # (samples,): volume under the surface, m3
     surface: Array  # (samples,): elevation over its centre, m
-    line: Array  # (samples, 3)
-    extreme: Array  # (4, 2): least and largest x, z, pitch, wet volume of every step
+    line: Array  # (samples, 6)
+    extreme: Array  # (7, 2): least and largest of place, angles and wet volume of every step
     works: Array  # (PARTS + 2,): of each part, of the lines, and what was put in, J
 
 
-def fill_sea(t: float, hull: Hull, q: Any, flow: Flow, room: HullRoom) -> None:
-    """Take the water at time t, s, about a hull at q."""
-    _place_slices(hull, q[0], q[1], q[2], flow.depth, room.points)
+@inlined
+def cross(a: Any, b: Any) -> tuple[float, float, float]:
+    """Multiply two vectors."""
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+def turned(by: Any, x: float, y: float, z: float) -> tuple[float, float, float]:
+    """Turn a vector by a rotation about its own direction, as many rad as it is long."""
+    square = by[0] * by[0] + by[1] * by[1] + by[2] * by[2]
+    angle = math.sqrt(square)
+    if angle < 1e-8:
+        cosine, sine, rest = 1.0, 1.0, 0.5
+    else:
+        cosine, sine = math.cos(angle), math.sin(angle) / angle
+        rest = (1.0 - cosine) / square
+    along = rest * (by[0] * x + by[1] * y + by[2] * z)
+    return (
+        cosine * x + sine * (by[1] * z - by[2] * y) + along * by[0],
+        cosine * y + sine * (by[2] * x - by[0] * z) + along * by[1],
+        cosine * z + sine * (by[0] * y - by[1] * x) + along * by[2],
+    )
+
+
+def turn_axes(by: Any, axes: Any, to: Any) -> None:
+    """Write axes that are turned by a rotation, as `turned`."""
+    for j in range(3):
+        to[0, j], to[1, j], to[2, j] = turned(by, axes[0, j], axes[1, j], axes[2, j])
+
+
+def attitude(axes: Any) -> tuple[float, float, float]:
+    """Roll, pitch and yaw, rad: it is turned about its axis, then about x, then about y."""
+    roll = math.asin(min(max(-axes[1, 2], -1.0), 1.0))
+    return roll, math.atan2(axes[0, 2], axes[2, 2]), math.atan2(axes[1, 0], axes[1, 1])
+
+
+def fill_sea(t: float, hull: Hull, at: HullState, flow: Flow, room: HullRoom) -> None:
+    """Take the water at time t, s, about a hull."""
+    q, axes = at.q, at.axes
+    axis = axes[0, 2], axes[1, 2], axes[2, 2]
+    _place_slices(hull, (q[0], q[1], q[2]), axis, flow.depth, room.points)
     fill_kinematics(t, room.points, flow, room.velocity, room.acceleration, room.surface)
-    _look_at_sea(t, q[0], hull, flow, room.sea)
+    _look_at_sea(t, q[0], q[1], hull, flow, room.sea)
 
 
 def keep_sea(room: HullRoom) -> None:
@@ -121,57 +165,97 @@ def fill_sea_between(
     """
     ends, sea = room.ends, room.sea_ends
     if ends.is_known[0] == 0.0:
-        x, z, turn = at.q[0] + ahead * at.v[0], at.q[1] + ahead * at.v[1], at.q[2] + ahead * at.v[2]
-        _place_slices(hull, x, z, turn, flow.depth, ends.points)
+        q, v, axes = at.q, at.v, at.axes
+        place = q[0] + ahead * v[0], q[1] + ahead * v[1], q[2] + ahead * v[2]
+        by = ahead * v[3], ahead * v[4], ahead * v[5]
+        axis = turned(by, axes[0, 2], axes[1, 2], axes[2, 2])
+        _place_slices(hull, place, axis, flow.depth, ends.points)
         look_ahead(t, flow, ends)
-        _look_at_sea(t, x, hull, flow, sea[1])
+        _look_at_sea(t, place[0], place[1], hull, flow, sea[1])
     fill_between(part, ends, room.velocity, room.acceleration, room.surface)
     for i in range(sea.shape[1]):
         room.sea[i] = (1.0 - part) * sea[0, i] + part * sea[1, i]
 
 
-def _place_slices(hull: Hull, x: float, z: float, turn: float, depth: float, to: Any) -> None:
+def _place_slices(hull: Hull, place: Any, axis: Any, depth: float, to: Any) -> None:
     """Write the middles of the slices of a hull at a place and in an attitude."""
-    sine, cosine = math.sin(turn), math.cos(turn)
     for j in range(to.shape[0]):
         s = 0.5 * (hull.foot[j] + hull.top[j])
-        to[j, 0] = x + s * sine
-        to[j, 1] = 0.0
-        to[j, 2] = min(z + s * cosine, depth)
+        to[j, 0] = place[0] + s * axis[0]
+        to[j, 1] = place[1] + s * axis[1]
+        to[j, 2] = min(place[2] + s * axis[2], depth)
 
 
-def _look_at_sea(t: float, x: float, hull: Hull, flow: Flow, sea: Any) -> None:
-    """Write elevation and slope over a hull at x, m, and what it diffracts, as `HullRoom.sea`."""
-    eta = slope = surge = heave = pitch = 0.0
+def _look_at_sea(t: float, x: float, y: float, hull: Hull, flow: Flow, sea: Any) -> None:
+    """Write elevation and slopes over a hull at x, y, m, and what it diffracts, as `HullRoom.sea`.
+
+    A wave pushes along its own way, and turns the hull about the level axis across that.
+    """
+    eta = slope_x = slope_y = surge = sway = heave = roll = pitch = 0.0
     waves, excited = flow.waves, hull.excited
     for i in range(waves.shape[0]):
-        cos, sin = cos_sin(waves[i, 1] * x - (waves[i, 0] * t) % (2.0 * math.pi) + waves[i, 4])
+        k_x, k_y = waves[i, 1], waves[i, 2]
+        cos, sin = cos_sin(k_x * x + k_y * y - (waves[i, 0] * t) % (2.0 * math.pi) + waves[i, 4])
         eta += waves[i, 7] * cos
-        slope -= waves[i, 7] * waves[i, 1] * sin
-        surge += excited[i, 0] * cos - excited[i, 1] * sin
+        slope_x -= waves[i, 7] * k_x * sin
+        slope_y -= waves[i, 7] * k_y * sin
+        push = excited[i, 0] * cos - excited[i, 1] * sin
+        moment = excited[i, 4] * cos - excited[i, 5] * sin
+        surge += waves[i, 5] * push
+        sway += waves[i, 6] * push
         heave += excited[i, 2] * cos - excited[i, 3] * sin
-        pitch += excited[i, 4] * cos - excited[i, 5] * sin
+        roll -= waves[i, 6] * moment
+        pitch += waves[i, 5] * moment
     ramp, _ = smooth_ramp(t, flow.ramp_time)
-    sea[0], sea[1] = ramp * eta, ramp * slope
-    sea[2], sea[3], sea[4] = ramp * surge, ramp * heave, ramp * pitch
+    sea[0], sea[1], sea[2] = ramp * eta, ramp * slope_x, ramp * slope_y
+    sea[3], sea[4], sea[5] = ramp * surge, ramp * sway, ramp * heave
+    sea[6], sea[7] = ramp * roll, ramp * pitch
 
 
 def fill_forces_on_hull(hull: Hull, now: HullState, depth: float, room: HullRoom) -> None:
     """Write the forces on a hull in the water at hand; `depth` of still water, m."""
-    parts, sea, by_v, v = now.parts, room.sea, room.by_v, now.v
+    parts, sea, by_v, v, axes = now.parts, room.sea, room.by_v, now.v, now.axes
     for i in range(PARTS):
-        for j in range(3):
+        for j in range(6):
             parts[i, j] = 0.0
-    for i in range(3):
-        for j in range(3):
+    for i in range(6):
+        for j in range(6):
             by_v[i, j] = 0.0
-    now.wet[0] = _press(hull, now, depth, room)
-    parts[PRESSURE, 1] -= hull.mass * hull.gravity
-    for i in range(3):
+    n = axes[0, 2], axes[1, 2], axes[2, 2]
+    now.wet[0] = _press(hull, now, n, depth, room)
+    parts[PRESSURE, 2] -= hull.mass * hull.gravity
+    for i in range(6):
         parts[PRESSURE, i] += hull.constant[i]
-        parts[DIFFRACTION, i] = sea[2 + i]
         parts[DAMPING, i] = -hull.damping[i] * v[i]
         by_v[i, i] += hull.damping[i]
+    for i in range(5):
+        parts[DIFFRACTION, i] = sea[3 + i]
+    _remember(hull, now, room)
+    wind = hull.wind[0], hull.wind[1], 0.0
+    turn = cross(n, wind)
+    for i in range(3):
+        parts[WIND, i], parts[WIND, 3 + i] = wind[i], hull.wind[2] * turn[i]
+    _drag_bottom(hull, now, n, depth, room)
+    for j in range(6):
+        total = 0.0
+        for i in range(PARTS):
+            total += parts[i, j]
+        now.force[j] = total
+    _keep_spin(hull, now, n)
+
+
+def _keep_spin(hull: Hull, now: HullState, n: Any) -> None:
+    """Add what keeps the turning about its axis as that is turned: it does no work."""
+    v = now.v
+    spin = v[3] * n[0] + v[4] * n[1] + v[5] * n[2]
+    aside = cross((v[3], v[4], v[5]), n)
+    for i in range(3):
+        now.force[3 + i] -= (hull.spin_inertia - hull.inertia) * spin * aside[i]
+
+
+def _remember(hull: Hull, now: HullState, room: HullRoom) -> None:
+    """Add what the waves do to it that it made before."""
+    parts, by_v, v = now.parts, room.by_v, now.v
     for m in range(hull.mode.shape[0]):
         of, by = hull.mode[m, 0], hull.mode[m, 1]
         real = room.carried[m, 0] + room.by_speed[m, 0] * v[by]
@@ -180,97 +264,125 @@ def fill_forces_on_hull(hull: Hull, now: HullState, depth: float, room: HullRoom
         r, i_ = hull.strength[m, 0], hull.strength[m, 1]
         parts[MEMORY, of] -= r * real - i_ * imaginary
         by_v[of, by] += r * room.by_speed[m, 0] - i_ * room.by_speed[m, 1]
-    sine, cosine = math.sin(now.q[2]), math.cos(now.q[2])
-    parts[WIND, 0] = hull.wind[0]
-    parts[WIND, 2] = hull.wind[0] * hull.wind[1] * cosine
-    _drag_bottom(hull, now, depth, sine, cosine, room)
-    for j in range(3):
-        total = 0.0
-        for i in range(PARTS):
-            total += parts[i, j]
-        now.force[j] = total
 
 
-def _press(hull: Hull, now: HullState, depth: float, room: HullRoom) -> float:
-    """Add the pressure on all slices and the drag across them; give the volume under water, m3."""
-    q, v, column = now.q, now.v, hull.column
-    sine, cosine = math.sin(q[2]), math.cos(q[2])
-    above = depth + room.sea[0] - q[1]
-    lean = room.sea[1] * cosine + sine
-    upright = max(cosine - room.sea[1] * sine, LEAST_COSINE)
+def _press(hull: Hull, now: HullState, n: Any, depth: float, room: HullRoom) -> float:
+    """Add the pressure on all slices and the drag across them; give the volume under water, m3.
+
+    `n`: the hull's axis. Columns stand side by side in the direction in which it leans most out of
+    the surface, `e`.
+    """
+    column, sea, parts = hull.column, room.sea, now.parts
+    above = depth + sea[0] - now.q[2]
+    upright = n[2] - sea[1] * n[0] - sea[2] * n[1]
+    off_x, off_y = sea[1] + upright * n[0], sea[2] + upright * n[1]
+    off_z = upright * n[2] - 1.0
+    lean = math.sqrt(off_x * off_x + off_y * off_y + off_z * off_z)
+    if lean > 1e-12:
+        e = off_x / lean, off_y / lean, off_z / lean
+    else:
+        e = now.axes[0, 0], now.axes[1, 0], now.axes[2, 0]
+    upright = max(upright, LEAST_COSINE)
     volume = 0.0
     for j in range(hull.foot.shape[0]):
         s_0, s_1, R = hull.foot[j], hull.top[j], hull.radius[j]
-        ax, az = room.acceleration[j, 0], room.acceleration[j, 2] + hull.gravity
         middle = 0.5 * (s_0 + s_1)
         whole = math.pi * R * R * (s_1 - s_0)
-        reach = abs(lean) * R
-        wet, arm_x, arm_z = 0.0, 0.0, 0.0
+        reach = lean * R
+        wet, across, along = 0.0, 0.0, 0.0
         if (above - reach) >= s_1 * upright:
             wet = whole
-            arm_x, arm_z = middle * sine * whole, middle * cosine * whole
+            along = middle * whole
         elif (above + reach) > s_0 * upright:
             for c in range(column.shape[0]):
-                across = column[c, 0] * R
-                long = min(max((above + across * lean) / upright - s_0, 0.0), s_1 - s_0)
+                place = column[c, 0] * R
+                long = min(max((above + place * lean) / upright - s_0, 0.0), s_1 - s_0)
                 part = column[c, 1] * math.pi * R * R * long
-                s = s_0 + 0.5 * long
                 wet += part
-                arm_x += part * (across * cosine + s * sine)
-                arm_z += part * (s * cosine - across * sine)
+                across += part * place
+                along += part * (s_0 + 0.5 * long)
         if wet <= 0.0:
             continue
         volume += wet
-        now.parts[PRESSURE, 0] += hull.density * wet * ax
-        now.parts[PRESSURE, 1] += hull.density * wet * az
-        now.parts[PRESSURE, 2] += hull.density * (arm_z * ax - arm_x * az)
+        arm = (
+            across * e[0] + along * n[0],
+            across * e[1] + along * n[1],
+            across * e[2] + along * n[2],
+        )
+        a = room.acceleration[j, 0], room.acceleration[j, 1], room.acceleration[j, 2] + hull.gravity
+        moment = cross(arm, a)
+        for i in range(3):
+            parts[PRESSURE, i] += hull.density * wet * a[i]
+            parts[PRESSURE, 3 + i] += hull.density * moment[i]
         if hull.drag[j] > 0.0:
-            long = (s_1 - s_0) * (wet / whole if whole > 0.0 else 0.0)
-            s = arm_x / wet * sine + arm_z / wet * cosine
-            off = (room.velocity[j, 0] - v[0]) * cosine - (room.velocity[j, 2] - v[1]) * sine
-            off -= s * v[2]
-            factor = hull.drag[j] * long * abs(off)
-            push = factor * off
-            now.parts[DRAG, 0] += push * cosine
-            now.parts[DRAG, 1] -= push * sine
-            now.parts[DRAG, 2] += push * s
-            _add_square(room.by_v, 2.0 * factor, cosine, -sine, s)
+            _drag_slice(hull, j, now, n, wet / whole if whole > 0.0 else 0.0, along / wet, room)
     return volume
 
 
-def _drag_bottom(
-    hull: Hull, now: HullState, depth: float, sine: float, cosine: float, room: HullRoom
+def _drag_slice(
+    hull: Hull, j: int, now: HullState, n: Any, part: float, s: float, room: HullRoom
 ) -> None:
-    """Add the drag along the axis on the lowest face, in columns."""
+    """Add the drag across a slice, of which a part is wet, its middle at s, m."""
+    v, water = now.v, room.velocity
+    swung = cross((v[3], v[4], v[5]), n)
+    w_x = water[j, 0] - v[0] - s * swung[0]
+    w_y = water[j, 1] - v[1] - s * swung[1]
+    w_z = water[j, 2] - v[2] - s * swung[2]
+    own = w_x * n[0] + w_y * n[1] + w_z * n[2]
+    w_x, w_y, w_z = w_x - own * n[0], w_y - own * n[1], w_z - own * n[2]
+    speed = math.sqrt(w_x * w_x + w_y * w_y + w_z * w_z)
+    if speed <= 0.0:
+        return
+    factor = hull.drag[j] * (hull.top[j] - hull.foot[j]) * part * speed
+    d = w_x / speed, w_y / speed, w_z / speed
+    lever = cross(n, d)
+    m = s * lever[0], s * lever[1], s * lever[2]
+    for i in range(3):
+        now.parts[DRAG, i] += factor * speed * d[i]
+        now.parts[DRAG, 3 + i] += factor * speed * m[i]
+    _add_square(room.by_v, 2.0 * factor, d, m)
+    if hull.free[1] > 0.0:
+        _add_square(room.by_v, factor, lever, (-s * d[0], -s * d[1], -s * d[2]))
+
+
+def _drag_bottom(hull: Hull, now: HullState, n: Any, depth: float, room: HullRoom) -> None:
+    """Add the drag along the axis on the lowest face, in columns across its turning."""
     if hull.bottom_drag <= 0.0:
         return
-    q, v, s = now.q, now.v, hull.bottom
+    q, v, s, sea = now.q, now.v, hull.bottom, room.sea
+    tilt = cross(n, (v[3], v[4], v[5]))
+    rate = math.sqrt(tilt[0] * tilt[0] + tilt[1] * tilt[1] + tilt[2] * tilt[2])
+    if rate > 1e-12:
+        e = tilt[0] / rate, tilt[1] / rate, tilt[2] / rate
+    else:
+        e = now.axes[0, 0], now.axes[1, 0], now.axes[2, 0]
+    lever = cross(e, n)
+    passing = (room.velocity[0, 0] - v[0]) * n[0] + (room.velocity[0, 1] - v[1]) * n[1]
+    passing += (room.velocity[0, 2] - v[2]) * n[2]
     for c in range(hull.column.shape[0]):
         across = hull.column[c, 0] * hull.bottom_radius
-        x, z = across * cosine + s * sine, s * cosine - across * sine
-        under = depth + room.sea[0] + room.sea[1] * x - (q[1] + z)
+        x, y = across * e[0] + s * n[0], across * e[1] + s * n[1]
+        z = across * e[2] + s * n[2]
+        under = depth + sea[0] + sea[1] * x + sea[2] * y - (q[2] + z)
         part = min(max(under / max(hull.bottom_radius, 1e-9), 0.0), 1.0)
-        off = (room.velocity[0, 0] - v[0]) * sine + (room.velocity[0, 2] - v[1]) * cosine
-        off += across * v[2]
+        off = passing - across * rate
         factor = hull.bottom_drag * hull.column[c, 1] * part * abs(off)
-        push = factor * off
-        now.parts[DRAG, 0] += push * sine
-        now.parts[DRAG, 1] += push * cosine
-        now.parts[DRAG, 2] -= push * across
-        _add_square(room.by_v, 2.0 * factor, sine, cosine, -across)
+        m = across * lever[0], across * lever[1], across * lever[2]
+        for i in range(3):
+            now.parts[DRAG, i] += factor * off * n[i]
+            now.parts[DRAG, 3 + i] += factor * off * m[i]
+        _add_square(room.by_v, 2.0 * factor, n, m)
 
 
-def _add_square(to: Any, factor: float, x: float, z: float, turn: float) -> None:
-    """Add a vector's product with itself."""
-    to[0, 0] += factor * x * x
-    to[0, 1] += factor * x * z
-    to[0, 2] += factor * x * turn
-    to[1, 0] += factor * z * x
-    to[1, 1] += factor * z * z
-    to[1, 2] += factor * z * turn
-    to[2, 0] += factor * turn * x
-    to[2, 1] += factor * turn * z
-    to[2, 2] += factor * turn * turn
+@inlined
+def _add_square(to: Any, factor: float, way: Any, turn: Any) -> None:
+    """Add the product with itself of how a place moves with each freedom."""
+    for i in range(3):
+        for j in range(3):
+            to[i, j] += factor * way[i] * way[j]
+            to[i, 3 + j] += factor * way[i] * turn[j]
+            to[3 + i, j] += factor * turn[i] * way[j]
+            to[3 + i, 3 + j] += factor * turn[i] * turn[j]
 
 
 def carry_memory(h: float, hull: Hull, before: HullState, room: HullRoom) -> None:
@@ -299,11 +411,13 @@ def carry_memory(h: float, hull: Hull, before: HullState, room: HullRoom) -> Non
         room.by_speed[m, 0], room.by_speed[m, 1] = h * g_r, h * g_i
 
 
-def hull_inertia(hull: Hull, i: int, j: int) -> float:
-    """Mass or moment of inertia with the added mass."""
+def hull_inertia(hull: Hull, axes: Any, i: int, j: int) -> float:
+    """Mass or moment of inertia with the added mass, as it is turned."""
     own = 0.0
     if i == j:
-        own = hull.inertia if i == 2 else hull.mass
+        own = hull.inertia if i > 2 else hull.mass
+    if i > 2 and j > 2:
+        own += (hull.spin_inertia - hull.inertia) * axes[i - 3, 2] * axes[j - 3, 2]
     return float(own + hull.added[i, j])
 
 

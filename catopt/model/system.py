@@ -118,7 +118,14 @@ class ShipAfloat(Checked):
 
 HEAVE_DRAG: Final = 1.0
 _OF_DRIFT: Final = ("drift_file", "ulen")
-_OF_A_BUOY: Final = ("file", "centre_of_gravity", "pitch_radius", "pitch_damping", "heave_drag")
+_OF_A_BUOY: Final = (
+    "file",
+    "wind_direction",
+    "centre_of_gravity",
+    "pitch_radius",
+    "pitch_damping",
+    "heave_drag",
+)
 
 
 def ship_misfits(given: Collection[str]) -> list[Problem]:
@@ -149,10 +156,10 @@ def floater_misfits(given: Mapping[str, object]) -> list[Problem]:
 class Floater(Checked):
     """What floats: a buoy at the upper end of its line, or of several, or a ship on several lines.
 
-    A buoy moves with its lines, in surge, heave and pitch; waves and current go along x, of one
-    line from the anchor to the fairlead, or against it; several lines are mirrored by that axis.
-    `load`, the line's `fairlead_height` and the force of a system are for the answers at rest. All
-    but `ship` and `wind_speed` is of a buoy.
+    A buoy moves with its lines: in surge, heave and pitch where waves, current and wind go along x
+    and the lines are mirrored by it, else in all six freedoms. Of one line x goes from the anchor
+    to the fairlead, of several it is that of the system. `load`, the line's `fairlead_height` and
+    the force of a system are for the answers at rest. All but `ship` and `wind_speed` is of a buoy.
     """
 
     buoy: Source = ""
@@ -162,8 +169,9 @@ class Floater(Checked):
     file: Annotated[str, File(example='"buoys.toml"')] = ""
     """Path of a file of buoys of one's own; empty when not used."""
     wind_speed: SomeSpeed = 0.0
-    """Of a buoy, that blows along x, m/s: its drag is the buoy's own in air; of a ship the mean of
-    one hour at 10 m."""
+    """m/s. Of a buoy, whose own drag in air it has; of a ship the mean of one hour at 10 m."""
+    wind_direction: Angle = 0.0
+    """Of a buoy: where it blows to, counter-clockwise from x, rad."""
     centre_of_gravity: Place | None = None
     """Height above the bottom of the hull, m; None: that of its hull and structure, as if their
     mass were spread over what they displace, with the ballast at the lowest point."""

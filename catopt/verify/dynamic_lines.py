@@ -31,14 +31,13 @@ from catopt.fem.simulation import Simulation
 from catopt.fem.solve import Leg
 from catopt.floater.alone import HullHistory
 from catopt.floater.buoy import buoy_hull, floating_buoy
+from catopt.floater.freedoms import freedoms
 from catopt.floater.moored import AtRest, moored_at_rest, run_moored
 from catopt.floater.scene import kept_nodes, scene_of
-from catopt.hydro.build import FloatingHull
+from catopt.hydro.build import IN_PLANE, FloatingHull
 from catopt.model import Case, Load
 from catopt.model.dynamics import InitialFriction
 from catopt.model.network import Network
-from catopt.model.system import Leg as SystemLeg
-from catopt.model.system import System
 from catopt.mooring import held, network_rest
 from catopt.mooring.solve import solve_system
 from catopt.verify.dynamic_result import Between
@@ -393,10 +392,6 @@ def _turned(x: float, y: float, angle: float) -> tuple[float, float]:
     return cosine * x - sine * y, sine * x + cosine * y
 
 
-_ALONG: Final = 1e-9
-"""Sine of an angle, or speed across, m/s, up to which a direction is along the line."""
-_SAME_PLACE: Final = 1e-6
-"""Part of the anchors' radius within which places mirror each other."""
 _SMALL: Final = 0.2
 """Part of the wave length above which a hull is not small beside it."""
 
@@ -414,7 +409,6 @@ class LinesOfAFloater:
     @classmethod
     def at_rest(cls, drive: Excitation) -> LinesOfAFloater:
         """Make the buoy; hull and lines find their rest in the current of each run."""
-        _check_in_plane(drive)
         return cls(drive, hull_of(drive.one))
 
     @property
@@ -424,6 +418,11 @@ class LinesOfAFloater:
         if case.system is not None:
             return truss_legs(case.system, 0.0)[0]
         return (Leg(case.line, (0.0, 0.0, case.anchor_height)),)
+
+    @property
+    def in_plane(self) -> bool:
+        """Whether weather and lines leave the buoy in the plane of x and z."""
+        return freedoms(self.hull, self.legs, self.drive.sea(0)) == IN_PLANE
 
     def driven_by(self, sea: Sea) -> list[Series]:  # noqa: ARG002 - as of the others
         """Nothing leads it."""
@@ -442,7 +441,7 @@ class LinesOfAFloater:
         """Run all; of the nodes' places what the scene of a single line takes is kept."""
         legs = self.legs
         meshes = [mesh_line(leg.line, elements) for leg in legs]
-        kept = kept_nodes(meshes[0]) if len(legs) == 1 else ()
+        kept = kept_nodes(meshes[0]) if self.in_plane and len(legs) == 1 else ()
         history, hull = run_moored(
             self.hull,
             legs,
@@ -468,7 +467,8 @@ class LinesOfAFloater:
         case, of = self.drive.one, self.drive.one.floater
         assert of is not None
         hull, shape = self.hull, floating_buoy(of)
-        yield Message("floater.moves", buoy=shape.name, draught=hull.draught)
+        moves = "floater.moves" if self.in_plane else "floater.moves_all"
+        yield Message(moves, buoy=shape.name, draught=hull.draught)
         if of.centre_of_gravity is None or of.pitch_radius is None:
             radius = math.sqrt(hull.inertia / hull.mass)
             yield Message("floater.assumed_mass", centre=hull.centre, radius=radius)
@@ -498,52 +498,8 @@ def hull_of(case: Case) -> FloatingHull:
     hull = buoy_hull(of, site.water_depth, site.water_density, pull)
     if system is None:
         return hull
-    ((_, height),) = hull.eyes
-    return replace(hull, eyes=tuple((leg.fairlead[0], height) for leg in system.legs))
-
-
-def _unmirrored(system: System) -> Iterator[Problem]:
-    """Yield the lines that not as many mirror in the x axis, along which the weather goes."""
-    near = _SAME_PLACE * max(leg.anchor_radius for leg in system.legs)
-
-    def alike(leg: SystemLeg, side: float) -> int:
-        """Count the lines of its kind in its place, or in that on the other side."""
-        (x, y), (a, b) = leg.anchor, leg.fairlead
-        kind = leg.line, leg.anchor_height
-        same = (each for each in system.legs if (each.line, each.anchor_height) == kind)
-        places = [(each.anchor, each.fairlead) for each in same]
-        there = (x, side * y), (a, side * b)
-        return sum(max(map(math.dist, place, there)) <= near for place in places)
-
-    for number, leg in enumerate(system.legs, start=1):
-        if alike(leg, 1.0) != alike(leg, -1.0):
-            found = f"{math.degrees(leg.azimuth):.4g} deg"
-            allowed = Message("refused_motion.mirrored_lines_of_a_buoy", number=number)
-            yield Problem(f"system.lines[{number - 1}].azimuth", found, allowed)
-
-
-def _check_in_plane(drive: Excitation) -> None:
-    """Refuse what takes a buoy out of the plane in which it moves.
-
-    Waves and currents that do not go along the line, or x, and lines that x does not mirror.
-    """
-    sea, system = drive.sea(0), drive.one.system
-    problems = [] if system is None else list(_unmirrored(system))
-    allowed = Message("refused_motion.along_line_or_against_0")
-    if sea.waves is not None:
-        across = np.abs(np.sin(sea.waves.direction)).max()
-        if across > _ALONG:
-            found = f"up to {math.degrees(math.asin(min(across, 1.0))):.3g} deg off"
-            problems.append(Problem("waves.direction", found, allowed))
-    flow = sea.flow
-    sideways = np.abs(np.concatenate([flow.current[:, 2], flow.power_currents[:, 1]]))
-    turned = np.abs(flow.current_series[:, 2]).max()
-    if max(float(sideways.max(initial=0.0)), float(turned)) > _ALONG:
-        problems.append(
-            Problem("current.direction", Message("refused_file.across_the_line"), allowed)
-        )
-    if problems:
-        raise InputError(problems, "--dynamic")
+    ((*_, height),) = hull.eyes
+    return replace(hull, eyes=tuple((*leg.fairlead, height) for leg in system.legs))
 
 
 LinesAtRest = OneLine | LinesOfABody | LinesOfPoints | LinesOfAFloater

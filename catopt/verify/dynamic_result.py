@@ -40,7 +40,6 @@ from catopt.verify.convergence_check import (
     largest_changes,
 )
 from catopt.verify.dynamic_run import (
-    HULL,
     SERIES,
     TRACK,
     DynamicRun,
@@ -48,6 +47,7 @@ from catopt.verify.dynamic_run import (
     of_hull,
     of_track,
     over_runs,
+    quantities_of_hull,
 )
 from catopt.verify.dynamic_setup import Excitation
 from catopt.words import Message
@@ -513,7 +513,7 @@ class DynamicVerification(Displayable):
         hulls = [(run, run.hull) for run in part.runs if run.hull is not None]
         found += [
             over_runs(quantity, [of_hull(quantity, *each) for each in hulls])
-            for quantity in (HULL if hulls else ())
+            for quantity in (quantities_of_hull(hulls[0][1]) if hulls else ())
         ]
         return tuple(found)
 

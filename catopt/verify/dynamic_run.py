@@ -60,17 +60,23 @@ _OF_FAIRLEAD = MappingProxyType(
 HULL: Mapping[str, tuple[Callable[[HullHistory], Array], int]] = MappingProxyType(
     {
         "floater_x": (lambda hull: hull.place[:, 0] - hull.place[0, 0], 0),
-        "floater_z": (lambda hull: hull.place[:, 1], 1),
-        "floater_pitch": (lambda hull: hull.place[:, 2], 2),
-        "floater_wet": (lambda hull: hull.wet / hull.volume, 3),
+        "floater_y": (lambda hull: hull.place[:, 1] - hull.place[0, 1], 1),
+        "floater_z": (lambda hull: hull.place[:, 2], 2),
+        "floater_roll": (lambda hull: hull.place[:, 3], 3),
+        "floater_pitch": (lambda hull: hull.place[:, 4], 4),
+        "floater_yaw": (lambda hull: hull.place[:, 5], 5),
+        "floater_wet": (lambda hull: hull.wet / hull.volume, 6),
     }
 )
 """Statistics of a floating buoy, with the row of its extremes at every step."""
 
 
+_WAYS = ("floater_x", "floater_y")
+"""Counted from where the buoy is at rest."""
 _UNITS = MappingProxyType(
-    dict.fromkeys(("grounded_length", "offset", *TRACK, "floater_x", "floater_z"), "m")
-    | {"floater_pitch": "rad", "floater_wet": ""}
+    dict.fromkeys(("grounded_length", "offset", *TRACK, *_WAYS, "floater_z"), "m")
+    | dict.fromkeys(("floater_roll", "floater_pitch", "floater_yaw"), "rad")
+    | {"floater_wet": ""}
 )
 
 
@@ -202,6 +208,11 @@ def of_track(
     return replace(found, **moved)
 
 
+def quantities_of_hull(hull: HullHistory) -> tuple[str, ...]:
+    """Which of `HULL` a buoy has: those in which it is free, and how far it is under."""
+    return tuple(key for key, (_, row) in HULL.items() if row == 6 or hull.free[row])
+
+
 def of_hull(quantity: str, run: DynamicRun, hull: HullHistory) -> SeriesStatistics:
     """Say how a floating buoy moved: mean and deviation by the samples, the ends of every step."""
     series, row = HULL[quantity]
@@ -212,6 +223,7 @@ def of_hull(quantity: str, run: DynamicRun, hull: HullHistory) -> SeriesStatisti
         return found
     if quantity == "floater_wet":
         least, most = least / hull.volume, most / hull.volume
-    elif quantity == "floater_x":
-        least, most = least - hull.place[0, 0], most - hull.place[0, 0]
+    elif quantity in _WAYS:
+        at_rest = hull.place[0, row]
+        least, most = least - at_rest, most - at_rest
     return replace(found, minimum=float(least), maximum=float(most))

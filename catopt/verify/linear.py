@@ -13,6 +13,7 @@ from catopt.errors import InputError, Problem
 from catopt.fem.linear_model import LinearModel, linear_model
 from catopt.fem.linear_motion import LEAST_RESERVE, linear_motion
 from catopt.fem.series import Harmonic
+from catopt.floater.freedoms import current_across, unmirrored, waves_across, wind_across
 from catopt.floater.linear_moored import linear_hull
 from catopt.floater.moored import AtRest
 from catopt.model import Case, WaveState
@@ -84,6 +85,8 @@ def linear_lines(case: Case) -> tuple[LinearLine, ...]:
     assert sea.waves is not None
     calm = replace(case, waves=WaveState("regular", 1.0, 10.0), title="")
     if isinstance(lines, LinesOfAFloater):
+        if problems := list(_out_of_plane(lines)):
+            raise InputError(problems, "linear motion")
         rest, model = _afloat(calm)
         body = linear_hull(lines.hull, rest, sea)
     else:
@@ -128,6 +131,21 @@ def _afloat(case: Case) -> tuple[AtRest, LinearModel]:
     assert isinstance(lines, LinesOfAFloater)
     rest = lines.moored_at_rest()
     return rest, linear_model(rest.simulation)
+
+
+def _out_of_plane(of: LinesOfAFloater) -> Iterator[Problem]:
+    """Yield what takes a buoy out of the plane of x and z, in which alone it is linear."""
+    sea, allowed = of.drive.sea(0), Message("refused_motion.linear_along_x")
+    if waves_across(sea):
+        yield Problem("waves.direction", "", allowed)
+    if current_across(sea):
+        yield Problem("current.direction", "", allowed)
+    if wind_across(of.hull):
+        found = f"{math.degrees(of.hull.wind_direction):.4g} deg"
+        yield Problem("floater.wind_direction", found, allowed)
+    for number in unmirrored(of.hull, of.legs):
+        mirrored = Message("refused_motion.mirrored_lines_of_a_buoy", number=number + 1)
+        yield Problem(f"system.lines[{number}].azimuth", "", mirrored)
 
 
 def _not_linear(case: Case) -> Iterator[Problem]:

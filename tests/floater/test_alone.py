@@ -21,6 +21,7 @@ from catopt.waves import Sea, regular_wave
 DATA = Path(__file__).parents[1] / "hydro"
 SMALL = 1e-3
 """Largest part of the energy put in that steps may lose."""
+HEAVES = (False, False, True, False, False, False)
 STEADY = Scheme.average_acceleration()
 
 
@@ -37,13 +38,13 @@ def sphere_radiation() -> Radiation:
 
 def heave_alone(**of: object) -> FloatingHull:
     """Make the sphere of IEA OES Task 10: radius 5 m, 261.8 t, afloat to its middle."""
-    given = {"free": (False, True, False), "density": 1000.0, "gravity": 9.81, **of}
+    given = {"free": HEAVES, "density": 1000.0, "gravity": 9.81, **of}
     return FloatingHull(mass=261.8e3, inertia=1.0, centre=3.0, draught=5.0, **given)  # type: ignore[arg-type]
 
 
 def turning_points(history: HullHistory) -> npt.NDArray[np.float64]:
     """Find times and heights over rest of the extremes after the start."""
-    z = history.place[:, 1] - (3.0 - 5.0)
+    z = history.place[:, 2] - (3.0 - 5.0)
     at = 1 + np.flatnonzero((z[1:-1] - z[:-2]) * (z[2:] - z[1:-1]) < 0.0)
     found = []
     for i in at:  # through three samples a parabola
@@ -56,7 +57,7 @@ def turning_points(history: HullHistory) -> npt.NDArray[np.float64]:
 def rms_to_cfd(history: HullHistory) -> float:
     table = pd.read_csv(DATA / "sphere_decay_1m.csv")
     table = table[table.time_s <= 13.0]
-    z = np.interp(table.time_s, history.time, history.place[:, 1] + 2.0)
+    z = np.interp(table.time_s, history.time, history.place[:, 2] + 2.0)
     return float(np.sqrt(np.mean((z - table.nrel_cfd_m) ** 2)))
 
 
@@ -168,7 +169,7 @@ def test_regular_waves_against_the_frequency_domain(period: float, direction: fl
     late = history.time > 18.0 * period - 1e-9
     t = history.time[late]
     basis = np.stack([np.cos(w * t), np.sin(w * t), np.ones_like(t), t], axis=1)
-    found = np.linalg.lstsq(basis, history.place[late], rcond=None)[0]
+    found = np.linalg.lstsq(basis, history.place[late][:, [0, 2, 4]], rcond=None)[0]
     k = sea.wave_numbers[0] * math.cos(direction)
     for i in range(3):
         answered = complex(found[0, i], found[1, i]) / 0.005
@@ -186,14 +187,14 @@ def test_spar_bobs_with_its_closed_period() -> None:
     spar = FloatingHull(
         np.array([0.0]), np.array([80.0]), np.array([a]), mass, mass * 400.0, 20.0, draught,
         radiation=Radiation(none.omega, none.added_mass, none.damping, added, None, 1.0),
-        free=(False, True, False), density=1025.0, gravity=9.81,
+        free=HEAVES, density=1025.0, gravity=9.81,
     )  # fmt: skip
     w = math.sqrt(1025.0 * 9.81 * math.pi * a * a / (mass + added[1, 1]))
     h = 0.1
     stepping = TimeStepping(100.0, h, scheme=STEADY)
     history = run_alone(spar, stepping, sea=Sea(200.0), offset=(0.0, 0.5, 0.0))
     slower = w * (1.0 - (w * h) ** 2 / 12.0)
-    z = history.place[:, 1] - (20.0 - 60.0)
+    z = history.place[:, 2] - (20.0 - 60.0)
     assert z == pytest.approx(0.5 * np.cos(slower * history.time), abs=1e-4)
     assert history.numerical_part < 1e-9
 
@@ -215,13 +216,13 @@ def test_memory_with_one_exponential_has_the_decay_of_a_cubic() -> None:
 
     none = Radiation.none()
     made = Given(none.omega, none.added_mass, none.damping, np.zeros((3, 3)), None, 1.0)
-    hull = buoy(radiation=made, free=(False, True, False))
+    hull = buoy(radiation=made, free=HEAVES)
     misfits = []
     for step in (0.02, 0.01):
         stepping = TimeStepping(8.0, step, scheme=STEADY)
         history = run_alone(hull, stepping, sea=Sea(12.0), offset=(0.0, 0.1, 0.0))
         exact = 0.1 * (np.exp(np.outer(history.time, roots)) @ of).real
-        misfits.append(float(np.abs(history.place[:, 1] - (0.3 - 0.7) - exact).max()))
+        misfits.append(float(np.abs(history.place[:, 2] - (0.3 - 0.7) - exact).max()))
         assert history.numerical_part < SMALL
     # The scheme slows by (w h)^2/12 = 1.1e-4, over 30 rad of 0.1 m that decay.
     assert misfits[1] < 2e-4
@@ -230,15 +231,15 @@ def test_memory_with_one_exponential_has_the_decay_of_a_cubic() -> None:
 
 def test_held_under_it_comes_up_by_all_of_its_buoyancy() -> None:
     """Fully under water the lift is rho g V, and half out of its depth nothing is."""
-    hull = buoy(radiation=Radiation.none(), free=(False, True, False))
+    hull = buoy(radiation=Radiation.none(), free=HEAVES)
     volume = math.pi * 1.2**2 * 1.4
     stepping = TimeStepping(0.002, 0.001, scheme=STEADY)
     under = run_alone(hull, stepping, sea=Sea(12.0), offset=(0.0, -3.0, 0.0))
     lift = 1025.0 * 9.80665 * (volume - math.pi * 1.2**2 * 0.7)
-    risen = under.place[-1, 1] - under.place[0, 1]
+    risen = under.place[-1, 2] - under.place[0, 2]
     assert risen == pytest.approx(0.5 * lift / hull.mass * 0.002**2, rel=1e-6)
     out = run_alone(hull, stepping, sea=Sea(12.0), offset=(0.0, 3.0, 0.0))
-    fallen = out.place[-1, 1] - out.place[0, 1]
+    fallen = out.place[-1, 2] - out.place[0, 2]
     assert fallen == pytest.approx(-0.5 * 9.80665 * 0.002**2, rel=1e-6)
     assert under.wet[-1] == pytest.approx(volume)
     assert out.wet[-1] == 0.0

@@ -17,7 +17,7 @@ def test_real_buoy_floats_at_its_draught() -> None:
     hull = buoy_hull(Floater("T-5000l-2.4m"), 15.0, 1025.0, 3000.0)
     displaced = 1025.0 * (hull.volume + shape.ballast / shape.ballast_density)
     assert displaced == pytest.approx(shape.total_mass + 3000.0 / 9.80665, rel=1e-3)
-    assert hull.eyes == ((0.0, shape.eye),)
+    assert hull.eyes == ((0.0, 0.0, shape.eye),)
 
 
 def test_generic_drum_by_hand() -> None:

@@ -15,7 +15,7 @@ from catopt.fem.morison import MorisonSection
 from catopt.fem.run_settings import TimeStepping
 from catopt.fem.seabed import Seabed
 from catopt.fem.solve import Leg
-from catopt.floater.moored import moored_at_rest, run_moored
+from catopt.floater.moored import AtRest, moored_at_rest, run_moored
 from catopt.hydro.build import FloatingHull, Radiation
 from catopt.hydro.cylinder import FloatingCylinder
 from catopt.model import Line, Segment
@@ -35,7 +35,7 @@ def buoy(**of: object) -> FloatingHull:
     """Make a drum of 2.4 m, its eye below its bottom."""
     mass, draught, centre = 2200.0, 0.6, 0.5
     ends = np.linspace(0.0, 1.5, 11)
-    given = {"drag": np.full(10, 0.5 * 1025.0 * 1.2 * 2.4), "eyes": ((0.0, -0.3),), **of}
+    given = {"drag": np.full(10, 0.5 * 1025.0 * 1.2 * 2.4), "eyes": ((0.0, 0.0, -0.3),), **of}
     return FloatingHull(
         ends[:-1],
         ends[1:],
@@ -48,6 +48,12 @@ def buoy(**of: object) -> FloatingHull:
     )
 
 
+def place_of(rest: AtRest) -> tuple[float, float, float]:
+    """Where it is along x and above the bed, m, and its pitch, rad."""
+    x, _, z = rest.state.q.tolist()
+    return x, z, math.atan2(rest.state.axes[0, 2], rest.state.axes[2, 2])
+
+
 def test_rest_in_the_current_balances_by_the_closed_form() -> None:
     """Drag on the hull is what the line pulls, and the line's weight is what it displaces more.
 
@@ -57,9 +63,9 @@ def test_rest_in_the_current_balances_by_the_closed_form() -> None:
     sea = Sea(DEPTH, None, (PowerLawCurrent(1.2, exponent=1e-9),))
     hull = buoy()
     rest = moored_at_rest(hull, LEG, [mesh_line(LINE, 24)], sea=sea, properties=DRY)
-    x, z, turn = rest.state.q
+    x, z, turn = place_of(rest)
     wet = float(rest.state.wet[0])
-    pull, lift, moment = rest.line
+    pull, lift, moment = rest.line[[0, 2, 4]]
     assert 1025.0 * 9.80665 * wet - 2200.0 * 9.80665 == pytest.approx(
         -lift - pull * math.tan(turn), rel=1e-6
     )
@@ -84,7 +90,7 @@ def test_a_constant_force_moves_it_as_the_statics_say() -> None:
         hull = buoy(wind=(force, 0.5))
         rest = moored_at_rest(hull, LEG, [mesh], sea=sea, properties=DRY)
         assert rest.line[0] == pytest.approx(-force, rel=1e-6)
-        x, z, turn = rest.state.q
+        x, z, turn = place_of(rest)
         span, height = x - 0.8 * math.sin(turn), z - 0.8 * math.cos(turn)
         closed = solve(LINE, height=height, horizontal_force=force, seabed_friction=0.3)
         assert span == pytest.approx(closed.span, abs=0.03)
@@ -115,10 +121,10 @@ def test_it_rides_long_waves_and_books_their_energy() -> None:
     stepping = TimeStepping(18.0, 0.1, ramp_time=6.0)
     history, moved = run_moored(hull, LEG, [mesh_line(LINE, 8)], stepping, sea=sea, properties=DRY)
     late = history.time > 6.0
-    rise = moved.place[late, 1] - moved.place[0, 1]
+    rise = moved.place[late, 2] - moved.place[0, 2]
     assert rise == pytest.approx(moved.surface[late], abs=0.01)
-    arm = np.stack([-0.8 * np.sin(moved.place[:, 2]), -0.8 * np.cos(moved.place[:, 2])], axis=1)
-    eye = moved.place[:, :2] + [0.0, DEPTH] + arm
+    arm = np.stack([-0.8 * np.sin(moved.place[:, 4]), -0.8 * np.cos(moved.place[:, 4])], axis=1)
+    eye = moved.place[:, [0, 2]] + [0.0, DEPTH] + arm
     assert history.fairlead[:, 0, [0, 2]] == pytest.approx(eye, abs=1e-9)
     # The hull's is balanced within the step, the line's taken at its end.
     pull = history.fairlead_force[late, 0, 0]
@@ -139,11 +145,11 @@ def test_two_lines_in_one_place_are_one_of_twice_the_weight() -> None:
     soft = replace(thin, seabed=Seabed(1e4, 1e3, friction=0.0))
     wind, mesh = {"wind": (1500.0, 1.0)}, mesh_line(LINE, 8)
     _, one = run_moored(buoy(**wind), LEG, [mesh], stepping, sea=here, properties=smooth)
-    hull = buoy(**wind, eyes=((0.0, -0.3), (0.0, -0.3)))
+    hull = buoy(**wind, eyes=((0.0, 0.0, -0.3), (0.0, 0.0, -0.3)))
     (_, two) = run_moored(
         hull, [own, own], [mesh_line(half, 8)] * 2, stepping, sea=sea, properties=soft
     )
-    assert np.ptp(two.place[:, 1]) > 0.3
+    assert np.ptp(two.place[:, 2]) > 0.3
     way = two.place - two.place[0]
     assert way == pytest.approx(one.place - one.place[0], abs=1e-4)
 
@@ -151,16 +157,13 @@ def test_two_lines_in_one_place_are_one_of_twice_the_weight() -> None:
 def test_lines_around_it_hold_it_where_it_is() -> None:
     """Without weather in the middle of three; what they push across cancels, and all pull down."""
     at = (0.0, 2.0 * math.pi / 3.0, -2.0 * math.pi / 3.0)
-    legs = [
-        Leg(LINE, (30.0 * math.cos(a), 30.0 * math.sin(a), 0.0), (0.0, 0.8 * math.sin(a), 0.0))
-        for a in at
-    ]
-    hull = buoy(eyes=tuple((0.8 * math.cos(a), -0.3) for a in at))
+    legs = [Leg(LINE, (30.0 * math.cos(a), 30.0 * math.sin(a), 0.0)) for a in at]
+    hull = buoy(eyes=tuple((0.8 * math.cos(a), 0.8 * math.sin(a), -0.3) for a in at))
     meshes = [mesh_line(LINE, 96)] * 3
     rest = moored_at_rest(hull, legs, meshes, sea=Sea(DEPTH, None), properties=DRY)
-    x, z, turn = rest.state.q
+    x, z, turn = place_of(rest)
     assert (x, turn) == pytest.approx((0.0, 0.0), abs=5e-3)  # as little as holds it there
     closed = solve(LINE, height=z - 0.5 - 0.3, span=30.0 - 0.8)
-    assert rest.line[1] == pytest.approx(-3.0 * closed.fairlead.vertical_force, rel=1e-2)
+    assert rest.line[2] == pytest.approx(-3.0 * closed.fairlead.vertical_force, rel=1e-2)
     lift = 1025.0 * 9.80665 * float(rest.state.wet[0]) - 2200.0 * 9.80665
-    assert lift == pytest.approx(-rest.line[1], rel=1e-6)
+    assert lift == pytest.approx(-rest.line[2], rel=1e-6)

@@ -89,23 +89,23 @@ def _hull() -> FloatingHull:
         drag=np.full(12, 0.5 * 1025.0 * 1.2 * D),
         bottom_drag=0.5 * 1025.0 * math.pi * D * D / 4.0,
         bottom_radius=0.5 * D,
-        eyes=((0.0, -0.2),),
-        free=(True, True, False),
+        eyes=((0.0, 0.0, -0.2),),
+        free=(True, False, True, False, False, False),
     )
 
 
 def _on_moordyns_line(sea: Sea, rest: AtRest, duration: float) -> np.ndarray:
     """Step hull and line one after the other; the force at the eye of each step, N."""
     laid, flow, room = rest.hull, sea.flow, room_of(rest.hull)
-    at, before = (state_of(laid, *rest.state.q) for _ in range(2))
+    at, before = (state_of(laid, tuple(rest.state.q)) for _ in range(2))
     kernels = [compiled(each) for each in (fill_sea, carry_memory, fill_forces_on_hull)]
     look, carry, push = kernels
-    inverse = np.linalg.inv(np.eye(2) * laid.mass + laid.added[:2, :2])
-    below = laid.eye[0, 1]
+    inverse = np.linalg.inv(np.eye(3) * laid.mass + laid.added[:3, :3])
+    below = laid.eye[0, 2]
 
     def eye() -> list[float]:
         q = at.q
-        return [q[0] + below * math.sin(q[2]), 0.0, q[1] + below * math.cos(q[2]) - DEPTH]
+        return [q[0], q[1], q[2] + below - DEPTH]
 
     place = eye()
     text = INPUT.replace("@X", repr(place[0])).replace("@Z", repr(place[2]))
@@ -114,7 +114,7 @@ def _on_moordyns_line(sea: Sea, rest: AtRest, duration: float) -> np.ndarray:
     try:
         moordyn.Init(system, place, [0.0, 0.0, 0.0])
         moordyn.ExternalWaveKinInit(system)
-        pull, found = rest.line[:2].copy(), []
+        pull, found = rest.line[:3].copy(), []
         for i in range(round(duration / STEP)):
             t = i * STEP
             points = np.array(moordyn.ExternalWaveKinGetCoordinates(system)).reshape(-1, 3)
@@ -123,14 +123,13 @@ def _on_moordyns_line(sea: Sea, rest: AtRest, duration: float) -> np.ndarray:
                 system, water.velocity.tolist(), water.acceleration.tolist(), t + STEP
             )
             before.q[:], before.v[:] = at.q, at.v
-            look(t + STEP, laid, at.q, flow, room)
+            look(t + STEP, laid, at, flow, room)
             carry(STEP, laid, before, room)
             push(laid, at, DEPTH, room)
             before.memory[:] = at.memory
-            at.v[:2] += inverse @ (at.force[:2] + pull) * STEP
-            at.q[:2] += at.v[:2] * STEP
-            force = moordyn.Step(system, eye(), [at.v[0], 0.0, at.v[1]], t, STEP)
-            pull[:] = force[0], force[2]
+            at.v[:3] += inverse @ (at.force[:3] + pull) * STEP
+            at.q[:] += at.v[:3] * STEP
+            pull[:] = moordyn.Step(system, eye(), at.v[:3].tolist(), t, STEP)
             found.append(math.hypot(*pull))
     finally:
         moordyn.Close(system)

@@ -21,7 +21,10 @@ from catopt.render.files import csv_files
 from catopt.report.bundle import motion_pictures
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicVerification
+from catopt.verify.linear import linear_lines
 from catopt.words import is_said
+
+FREEDOMS = ("x", "y", "z", "roll", "pitch", "yaw")
 
 CASE = """
 title = "Buoy afloat"
@@ -75,15 +78,15 @@ def test_buoy_and_line_in_a_long_wave() -> None:
     hull = run.hull
     assert hull is not None
     late = run.history.time > 4.0
-    rise = hull.place[late, 1] - hull.place[0, 1]
+    rise = hull.place[late, 2] - hull.place[0, 2]
     assert rise.max() == pytest.approx(hull.surface[late].max(), abs=0.05)
-    assert hull.place[0, 2] > 0.0
+    assert hull.place[0, 4] > 0.0
     by_name = {each.quantity: each for each in found.body}
     assert set(by_name) == {"floater_x", "floater_z", "floater_pitch", "floater_wet"}
-    assert by_name["floater_z"].maximum >= hull.place[late, 1].max() - 1e-12
+    assert by_name["floater_z"].maximum >= hull.place[late, 2].max() - 1e-12
     # At rest the buoy's own mass, the line's pull and the water displaced are one.
     volume = hull.wet[0] * 1025.0 * 9.80665
-    lift = -hull.lines[0, 1]
+    lift = -hull.lines[0, 2]
     assert volume == pytest.approx(2000.0 * 9.80665 + lift, rel=1e-5)
     assert run.history.balance.numerical_part < 1e-2
     said = " ".join(str(each) for each in part.remarks)
@@ -130,24 +133,54 @@ def test_a_buoy_on_four_lines() -> None:
     # At rest buoyancy carries the buoy and what its lines pull down.
     volume = hull.wet[0] * 1025.0 * 9.80665
     # The drag of the current on what leans pushes it down, too.
-    assert volume + hull.lines[0, 1] == pytest.approx(1353.7 * 9.80665, rel=0.05)
+    assert volume + hull.lines[0, 2] == pytest.approx(1353.7 * 9.80665, rel=0.05)
     assert {each.quantity for each in found.body} >= {"floater_x", "floater_pitch"}
 
 
-def test_lines_that_the_weather_does_not_mirror_are_refused() -> None:
+def test_lines_that_x_does_not_mirror() -> None:
+    """Linear motion refuses them; in time the buoy moves in all freedoms, and says so."""
     text = FOUR.read_text(encoding="utf-8")
     with pytest.raises(InputError) as refused:
-        verify_dynamic(parse_case(text.replace('"45 deg"', '"40 deg"')))
+        linear_lines(parse_case(text.replace('"45 deg"', '"40 deg"')))
     assert [each.key for each in refused.value.problems] == [
         "system.lines[0].azimuth",
         "system.lines[3].azimuth",
     ]
-    assert "turn the lines" in str(refused.value)
+    assert "in time on any lines" in str(refused.value)
     # Two beside one another, and one across from them.
     twice = text.replace('"135 deg", "225 deg"', '"45 deg", "180 deg"')
     with pytest.raises(InputError) as refused:
-        verify_dynamic(parse_case(twice))
+        linear_lines(parse_case(twice))
     assert len(refused.value.problems) == 3
+
+
+@pytest.mark.slow
+def test_four_lines_in_weather_from_three_sides() -> None:
+    """The lines that come up against it carry the most; the buoy rolls, sways and yaws."""
+    text = FOUR.read_text(encoding="utf-8")
+    text = text.replace('"25 m/s"', '"25 m/s"\nwind_direction = "60 deg"')
+    text = text.replace("components = 100", 'components = 100\ndirection = "30 deg"')
+    text = text.replace('"1 m/s"', '"1 m/s"\ndirection = "80 deg"')
+    case = parse_case(text)
+    assert parse_case(write_case(case)) == case
+    assert case.dynamics is not None
+    case = replace(case, dynamics=replace(case.dynamics, duration=60.0))
+    found = verify_dynamic(case, convergence_check="none", compares_at_rest=False)
+    mean = [part.of("fairlead_tension").mean for part in found.parts]
+    assert max(mean) == mean[2]  # at 225 deg, with the weather towards 55 deg or so
+    assert min(mean) == mean[0]
+    by_name = {each.quantity: each for each in found.body}
+    assert set(by_name) == {f"floater_{each}" for each in FREEDOMS} | {"floater_wet"}
+    (run,) = found.parts[0].runs
+    hull = run.hull
+    assert hull is not None
+    assert hull.place[0, 0] > 0.2
+    assert hull.place[0, 1] > 0.2
+    assert by_name["floater_y"].maximum > by_name["floater_y"].std > 0.0
+    assert by_name["floater_roll"].mean < 0.0 < by_name["floater_pitch"].mean
+    assert hull.numerical_part < 1e-2
+    assert "all six freedoms" in " ".join(str(each) for each in found.parts[0].remarks)
+    assert csv_files(motion_answer(found, with_series=False))
 
 
 def test_a_buoy_that_is_not_there() -> None:
@@ -167,12 +200,13 @@ def test_a_buoy_that_is_not_there() -> None:
             ),
             "current.direction",
         ),
+        (('"15 m/s"', '"15 m/s"\nwind_direction = 0.1'), "floater.wind_direction"),
     ],
 )
-def test_weather_across_the_line_is_refused(change: tuple[str, str], key: str) -> None:
-    """Only surge, heave and pitch are there."""
+def test_weather_across_the_line_is_not_linear(change: tuple[str, str], key: str) -> None:
+    random = CASE.replace('"regular"', '"jonswap"').replace(*change, 1)
     with pytest.raises(InputError) as caught:
-        verify_dynamic(parse_case(CASE.replace(*change, 1)), convergence_check="none")
+        linear_lines(parse_case(random))
     assert [each.key for each in caught.value.problems] == [key]
 
 
@@ -251,7 +285,7 @@ def test_the_scene_holds_together() -> None:
     scene = run.hull.scene
     assert scene is not None
     hull = buoy_hull(found.case.floater, 12.0, 1025.0, 0.0)  # type: ignore[arg-type]
-    across, height = hull.eyes[0]
+    across, _, height = hull.eyes[0]
     for k in range(scene.time.size):
         x, z, pitch = scene.place[k]
         arm = height - hull.centre
