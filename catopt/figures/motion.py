@@ -431,12 +431,14 @@ def worst_moment(scene: Scene) -> Chart:
     """Draw buoy, line and water at the largest tension, to scale, with the line just before."""
     k = scene.worst
     t, tension = float(scene.time[k]), float(scene.tension[k])
-    before = (scene.line[int(np.abs(scene.time - (t - ago)).argmin())] for ago in _BEFORE)
+    loaded = scene.lines[scene.loaded]
+    before = (loaded[int(np.abs(scene.time - (t - ago)).argmin())] for ago in _BEFORE)
     earlier = [_through("faint", each) for each in before]
     earlier[0] = earlier[0]._replace(label=Message("figures.line_before", longest=_BEFORE[0]))
     hull, x, surface = scene.hull(k), scene.x.tolist(), scene.surface[k].tolist()
     hull = np.concatenate([hull, hull[:1]])
-    now = _through("mooring", scene.line[k], Message("figures.mooring_line"))
+    now = _through("mooring", loaded[k], Message("figures.mooring_line"))
+    others = (each[k] for i, each in enumerate(scene.lines) if i != scene.loaded)
     # High enough for the words beside its axis.
     top = max(1.1 * max(*surface, float(hull[:, 1].max())), _LEAST_SHARE * (x[-1] - x[0]))
     foot = -0.06 * top
@@ -447,6 +449,7 @@ def worst_moment(scene: Scene) -> Chart:
         axis("z", (foot, top)),
         series=(
             *earlier,
+            *(_through("mooring", each) for each in others),
             now,
             Series("surface", x, surface, Message("figures.surface_then")),
             _through("first", hull, Message("figures.buoy_then")),
@@ -472,7 +475,7 @@ def film_of(scene: Scene) -> Film:
     title = Message("figures.film", seconds=float(scene.time[-1] - scene.time[0]), **known)
     values = {
         "time": scene.time.round(3).tolist(),
-        "line": scene.line.round(3).tolist(),
+        "lines": [each.round(3).tolist() for each in scene.lines],
         "place": scene.place.round(4).tolist(),
         "tension": (scene.tension / 1e3).round(3).tolist(),
         "x": x.round(3).tolist(),

@@ -36,8 +36,7 @@ class HullHistory:
     and N m; `extreme` (7, 2): least and largest of place and volume of every step; `works`: of
     weight and pressure, diffraction, the waves that it makes, drag, wind, linear damping and lines,
     J; `numerical_part`: energy that the steps lost or gained, over what was put in; `volume`: of
-    all its slices, m3; `scene`: how it looked around the largest tension of its line, of one line
-    and in one plane.
+    all its slices, m3; `scene`: how it looked around the largest tension of its lines.
     """
 
     time: Array

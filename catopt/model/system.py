@@ -118,14 +118,15 @@ class ShipAfloat(Checked):
 
 HEAVE_DRAG: Final = 1.0
 _OF_DRIFT: Final = ("drift_file", "ulen")
-_OF_A_BUOY: Final = (
-    "file",
-    "wind_direction",
-    "centre_of_gravity",
-    "pitch_radius",
-    "pitch_damping",
-    "heave_drag",
-)
+_OF_A_BUOY: Final[Mapping[str, object]] = {
+    "file": "",
+    "wind_direction": 0.0,
+    "centre_of_gravity": None,
+    "pitch_radius": None,
+    "pitch_damping": None,
+    "heave_drag": HEAVE_DRAG,
+}
+"""What a ship has none of, with what it is where it is not used."""
 
 
 def ship_misfits(given: Collection[str]) -> list[Problem]:
@@ -146,10 +147,11 @@ def floater_misfits(given: Mapping[str, object]) -> list[Problem]:
     if "buoy" in given:
         return []
     allowed = Message("refused_case.of_a_buoy")
-    others = [key for key in _OF_A_BUOY if key in given]
-    if given.get("heave_drag") == HEAVE_DRAG:
-        others.remove("heave_drag")
-    return [Problem(key, "", allowed) for key in others]
+    return [
+        Problem(key, "", allowed)
+        for key, unused in _OF_A_BUOY.items()
+        if given.get(key, unused) != unused
+    ]
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,8 @@ const scene = JSON.parse(document.getElementById("scene").textContent);
 const at = (id) => document.getElementById(id);
 const [x0, z1, unit] = scene.frame;
 const place = ([x, z]) => `${((x - x0) / unit).toFixed(1)},${((z1 - z) / unit).toFixed(1)}`;
-const drawn = (id, places) => at(id).setAttribute("points", places.map(place).join(" "));
+const through = (drawing, places) => drawing.setAttribute("points", places.map(place).join(" "));
+const drawn = (id, places) => through(at(id), places);
 const most = Math.max(...scene.tension);
 const [first, last] = [scene.time[0], scene.time[scene.time.length - 1]];
 const width = at("water").viewBox.baseVal.width;
@@ -13,6 +14,11 @@ at("tension").setAttribute(
   "points",
   scene.tension.map((T, k) => `${across(scene.time[k])},${135 - (130 * T) / most}`).join(" "),
 );
+const moorings = scene.lines.map(() => {
+  const drawing = document.createElementNS("http://www.w3.org/2000/svg", "polyline");
+  drawing.setAttribute("class", "mooring");
+  return at("lines").appendChild(drawing);
+});
 
 function show(k) {
   const surface = scene.surface[k].map((z, i) => [scene.x[i], z]);
@@ -20,7 +26,7 @@ function show(k) {
   const [sine, cosine] = [Math.sin(pitch), Math.cos(pitch)];
   drawn("surface", surface);
   drawn("body-of-water", [...surface, [surface[surface.length - 1][0], 0], [surface[0][0], 0]]);
-  drawn("line", scene.line[k]);
+  scene.lines.forEach((line, i) => through(moorings[i], line[k]));
   drawn("hull", scene.outline.map(([u, v]) => [x + u * cosine + v * sine, z + v * cosine - u * sine]));
   at("now").setAttribute("x1", across(scene.time[k]));
   at("now").setAttribute("x2", across(scene.time[k]));

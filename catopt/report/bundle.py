@@ -375,7 +375,8 @@ def motion_pictures(found: DynamicVerification, language: Language = "en") -> di
     title, parts = found.case.title, found.parts
     if found.case.several_lines:
         part = found.governing
-        return _pictures({"dynamic": _of_motion(part, f"{title}, {part.where}")})
+        drawn = _pictures({"dynamic": _of_motion(part, f"{title}, {part.where}")})
+        return drawn | _afloat(found, language)
     titles = [title] if len(parts) == 1 else [f"{title}, {each.name}".strip(", ") for each in parts]
     drawings = map(_of_motion, parts, titles)
     drawn = _pictures(_on_slope(found) | _numbered("dynamic", drawings, len(parts)))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -438,24 +439,22 @@ class LinesOfAFloater:
     def run(
         self, sea: Sea, stepping: TimeStepping, elements: int, progress: Progress
     ) -> tuple[History, HullHistory]:
-        """Run all; of the nodes' places what the scene of a single line takes is kept."""
+        """Run all; of the nodes' places what the scene takes is kept."""
         legs = self.legs
         meshes = [mesh_line(leg.line, elements) for leg in legs]
-        kept = kept_nodes(meshes[0]) if self.in_plane and len(legs) == 1 else ()
+        kept = kept_nodes(meshes)
         history, hull = run_moored(
             self.hull,
             legs,
             meshes,
-            replace(stepping, nodes=kept),
+            replace(stepping, nodes=tuple(itertools.chain.from_iterable(kept))),
             sea=sea,
             properties=self.drive.properties,
             progress=progress,
         )
-        if not kept:
-            return history, hull
         in_sea = ramped(sea, stepping)
         assert in_sea is not None
-        scene = scene_of(history, hull.place, self.hull, in_sea)
+        scene = scene_of(history, kept, hull, self.hull, in_sea)
         return replace(history, nodes=history.nodes[:, :0]), replace(hull, scene=scene)
 
     def anchor_at_rest(self) -> Mapping[InitialFriction, float]:
@@ -480,6 +479,9 @@ class LinesOfAFloater:
             if shape.widest > _SMALL * length:
                 yield Message("floater.wide", width=shape.widest, length=length)
         yield Message("floater.linear_radiation")
+        if case.system is not None and any(case.system.force):
+            given = math.hypot(*case.system.force) / 1e3
+            yield Message("floater.own_force_of_buoy", given=given)
 
 
 def hull_of(case: Case) -> FloatingHull:

@@ -20,6 +20,7 @@ from catopt.notes.motion import checks_in_motion
 from catopt.render.files import csv_files
 from catopt.report.bundle import motion_pictures
 from catopt.verify.dynamic import verify_dynamic
+from catopt.verify.dynamic_lines import hull_of
 from catopt.verify.dynamic_result import DynamicVerification
 from catopt.verify.linear import linear_lines
 from catopt.words import is_said
@@ -129,7 +130,9 @@ def test_a_buoy_on_four_lines() -> None:
     (run,) = found.parts[0].runs
     hull = run.hull
     assert hull is not None
-    assert hull.scene is None
+    assert hull.scene is not None
+    assert len(hull.scene.lines) == 4
+    assert hull.scene.towards == 0.0
     # At rest buoyancy carries the buoy and what its lines pull down.
     volume = hull.wet[0] * 1025.0 * 9.80665
     # The drag of the current on what leans pushes it down, too.
@@ -179,7 +182,19 @@ def test_four_lines_in_weather_from_three_sides() -> None:
     assert by_name["floater_y"].maximum > by_name["floater_y"].std > 0.0
     assert by_name["floater_roll"].mean < 0.0 < by_name["floater_pitch"].mean
     assert hull.numerical_part < 1e-2
-    assert "all six freedoms" in " ".join(str(each) for each in found.parts[0].remarks)
+    said = " ".join(str(each) for each in found.parts[0].remarks)
+    assert "the force of [system], 8 kN, is for the answers at rest" in said
+    # On the plane of the line with the largest tension every eye is as far off as the hull leans.
+    scene = hull.scene
+    assert scene is not None
+    loaded, worst = scene.lines[scene.loaded], scene.worst
+    assert loaded[worst, 0, 0] < loaded[worst, -1, 0]
+    arm = math.hypot(*(loaded[worst, -1] - scene.place[worst, :2]))
+    laid = hull_of(case)
+    x, y, height = laid.eyes[scene.loaded]
+    assert laid.centre - height < arm <= math.hypot(x, y, laid.centre - height) + 1e-9
+    assert "film.html" in motion_pictures(found, "en")
+    assert "all six freedoms" in said
     assert csv_files(motion_answer(found, with_series=False))
 
 
@@ -293,8 +308,8 @@ def test_the_scene_holds_together() -> None:
             x + across * math.cos(pitch) + arm * math.sin(pitch),
             z + arm * math.cos(pitch) - across * math.sin(pitch),
         )
-        assert scene.line[k, -1] == pytest.approx(eye, abs=1e-9)
-        assert scene.line[k, 0] == pytest.approx((0.0, 0.0), abs=1e-9)
+        assert scene.lines[0][k, -1] == pytest.approx(eye, abs=1e-9)
+        assert scene.lines[0][k, 0] == pytest.approx((0.0, 0.0), abs=1e-9)
     counted = run.history.fairlead_tension[run.counted, 0]
     assert scene.tension[scene.worst] == counted.max()
     # A wave of 0.6 m about still water, after the ramp.
@@ -305,6 +320,6 @@ def test_the_scene_holds_together() -> None:
     text = files["film.html"].decode()
     data = json.loads(re.search(r'id="scene">(.*?)</script>', text).group(1))  # type: ignore[union-attr]
     assert max(data["tension"]) == pytest.approx(scene.tension.max() / 1e3, abs=1e-3)
-    assert len(data["line"]) == len(data["surface"]) == len(data["time"])
+    assert len(data["lines"][0]) == len(data["surface"]) == len(data["time"])
     assert "Chạy" in text
     assert not re.search(r"(src|href)=", text)
