@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
@@ -24,7 +25,7 @@ from catopt.figures.chart import (
 )
 from catopt.figures.line import capacities, room_around
 from catopt.figures.mooring import from_above
-from catopt.quantities import Quantity
+from catopt.quantities import QUANTITIES, Quantity
 from catopt.units import lasting
 from catopt.words import Measure, Message
 
@@ -445,7 +446,7 @@ def worst_moment(scene: Scene) -> Chart:
     return Chart(
         "moment",
         Message("figures.worst_moment", T=Measure("tension", tension), t=t),
-        axis("x", (x[0], x[-1])),
+        _level_axis(scene),
         axis("z", (foot, top)),
         series=(
             *earlier,
@@ -461,6 +462,14 @@ def worst_moment(scene: Scene) -> Chart:
         levels=(Level("bed-edge", "y", 0.0, Message("figures.bed")),),
         to_scale=1.0,
     )
+
+
+def _level_axis(scene: Scene) -> Axis:
+    x = float(scene.x[0]), float(scene.x[-1])
+    if len(scene.lines) == 1 and scene.towards == 0.0:
+        return axis("x", x)
+    said = Message("figures.along_the_plane", towards=math.degrees(scene.towards))
+    return Axis(said, replace(QUANTITIES["x"], symbol=""), *x)
 
 
 _CLEAR = 1.05
