@@ -27,33 +27,31 @@ from catopt.catalogue.document import Answer
 from catopt.catenary.case_curve import CaseCurve
 from catopt.catenary.in_current import SolutionInCurrent
 from catopt.catenary.solution import Solution
-from catopt.checks.result import CheckReport, CheckResult, ChecksInBrief
+from catopt.checks.result import CheckReport, ChecksInBrief
+from catopt.cli.new import NewFile
 from catopt.design.result import DesignResult
 from catopt.export.exported import Exported
 from catopt.loads.document import ComparedLoads
 from catopt.loads.sinker import AnchorHeld, SinkerHeld
-from catopt.model.dynamics import InitialFriction
 from catopt.model.kinds import OneOf, Size
 from catopt.mooring.case import SystemReport
 from catopt.mooring.circle import WatchCircle
 from catopt.mooring.network_out import NetworkOut
 from catopt.mooring.network_rest import NetworkReport
 from catopt.mooring.restoring import RestoringCurve
+from catopt.notes.front_in_motion import FrontInMotion
+from catopt.notes.written import WrittenNote
 from catopt.records import From, Key, Matching, OrNull, Record, parts, unit_of
 from catopt.reproduce.items import Reproduction
 from catopt.sizing.result import Sizing
 from catopt.study.result import StudyResult
 from catopt.study.run import Plan
-from catopt.verify.compared import Unit
-from catopt.verify.convergence_check import ConvergenceCheck, Way
-from catopt.verify.dynamic_result import Verdict
-from catopt.verify.dynamic_run import HULL, SERIES
+from catopt.verify.case import FrontVerification
+from catopt.verify.dynamic_result import DynamicVerification
 from catopt.verify.fatigue import FatigueReport
-from catopt.verify.motion_words import DYNAMIC_QUANTITY_OF as QUANTITY_OF
-from catopt.verify.result import StaticComparison
-from catopt.verify.result import Verdict as VerdictAtRest
+from catopt.verify.result import Verification
+from catopt.verify.two_scales import ShipVerification
 from catopt.words import Message
-from catopt.words.texts import LANGUAGES
 
 FOLDER = Path(str(files("catopt.schemas")))
 RECORDS: Mapping[str, tuple[type[Record], ...]] = {
@@ -65,15 +63,18 @@ RECORDS: Mapping[str, tuple[type[Record], ...]] = {
     "fatigue": (FatigueReport,),
     "loads": (ComparedLoads,),
     "network": (NetworkReport,),
+    "new": (NewFile,),
+    "report": (WrittenNote,),
     "reproduction": (Reproduction,),
     "size": (Sizing,),
     "system": (SystemReport,),
     "solution": (Solution, SolutionInCurrent),
     "study": (StudyResult,),
     "study_plan": (Plan,),
+    "verify": (Verification, FrontVerification),
 }
 """Which records lay a document out; what only some of them have may be missing."""
-OF_A_CASE = ("check", "curve", "design", "fatigue", "size", "solution", "system")
+OF_A_CASE = ("check", "curve", "design", "fatigue", "size", "solution", "system", "verify")
 """Documents that a result directory may have."""
 PUT_IN: Mapping[str, Mapping[str, tuple[Any, str]]] = {
     "catalog": {
@@ -94,6 +95,17 @@ PUT_IN: Mapping[str, Mapping[str, tuple[Any, str]]] = {
         )
     },
     "system": {"checks": (ChecksInBrief, "")},
+    "verify": {
+        "dynamic": (
+            DynamicVerification | FrontInMotion | None,
+            "The line in motion, of --dynamic, or with --all every design of the front; null: at "
+            "rest only.",
+        ),
+        "ship": (
+            ShipVerification,
+            "A ship on its lines on two time scales, of --dynamic; not there otherwise.",
+        ),
+    },
     "network": {
         "checks": (ChecksInBrief, ""),
         "one_line_out": (
@@ -115,42 +127,8 @@ PUT_IN: Mapping[str, Mapping[str, tuple[Any, str]]] = {
 Asked = Literal["may", "must", "never"]
 ASKED: Mapping[str, Asked] = {"design": "never", "size": "never"}
 """Of documents whose parts have what is put in on asking never, or always."""
-DEFINITIONS: Mapping[str, Mapping[str, tuple[type[Record], Asked]]] = {
-    "verify": {"check": (CheckResult, "must")},
-}
-"""Parts of other documents that records lay out; whether they have what is put in on asking."""
 
 
-def _of(annotation: Any, name: str = "") -> tuple[Any, ...]:
-    """Words of a Literal, or of an attribute of a class that has one."""
-    return get_args(get_type_hints(annotation)[name] if name else annotation)
-
-
-AT_REST = get_args(VerdictAtRest)
-NO_ANSWER = "no answer"
-"""What a document says for a verdict that there is none of."""
-WORDS: Mapping[str, Mapping[str, tuple[Any, ...]]] = {
-    "report": {
-        "language": LANGUAGES,
-        "verification/verdict": (*(each for each in AT_REST if each != "not compared"), NO_ANSWER),
-        "verification/worst/unit": _of(Unit),
-    },
-    "verify": {
-        "verdict": (*AT_REST, NO_ANSWER),
-        "motion_verdict": _of(Verdict),
-        "unit": _of(Unit),
-        "static/kind": _of(StaticComparison, "kind"),
-        "statistics/unit": tuple(
-            dict.fromkeys(QUANTITY_OF[each].si_unit for each in (*SERIES, *HULL))
-        ),
-        "dynamic/initial_friction": _of(InitialFriction),
-        "dynamic/load_cases/proof": _of(ConvergenceCheck),
-        "dynamic/load_cases/changes/quantity": (*SERIES, "largest_tension"),
-        "dynamic/load_cases/changes/way": _of(Way),
-        "dynamic/load_cases/runs/again/way": _of(Way),
-    },
-}
-"""Words of the schemas that are written by hand, by the place of each, with where they are from."""
 OLDER: Mapping[str, tuple[str, ...]] = {"design": ("offset",), "size": ("offset",)}
 """Older names of kinds of checks, which documents of catopt 0 have."""
 FURTHER: Mapping[str, Mapping[str, Any]] = {
@@ -265,7 +243,10 @@ class _Written:
                 self.definitions[_snake(hint)] = self.object_of(hint)
             return {"$ref": f"#/$defs/{_snake(hint)}"}
         if document and hint is not type(None):
-            return self._defined(hint, self._object(hint, parts(hint, document), ("",)))
+            found = self._object(hint, parts(hint, document), ("",))
+            # The name of a record is that of its own document.
+            is_named = issubclass(hint, Record) and hint.DOCUMENT
+            return found if is_named else self._defined(hint, found)
         return {"type": _PLAIN[str if hint is Message else hint]}
 
     def _defined(self, hint: type, found: Schema) -> Schema:
@@ -306,7 +287,7 @@ class _Written:
             elif isinstance(kind, OneOf):
                 found = {"enum": list(kind.words)}
             elif isinstance(kind, type):
-                found = self._typed(kind)
+                found = self._defined(kind, self._typed(kind))
             elif hasattr(kind, "si_unit"):
                 bounds = {"minimum": kind.at_least, "exclusiveMinimum": kind.above,
                           "maximum": kind.at_most}  # fmt: skip
@@ -425,40 +406,9 @@ def written(found: Any, indent: int = 0) -> str:
 
 
 def up_to_date() -> Iterator[tuple[Path, str]]:
-    """Yield every schema that is written from records, and its text."""
+    """Yield every schema, and its text."""
     for name in RECORDS:
         yield FOLDER / f"{name}-1.json", written(schema(name)) + "\n"
-    for name in sorted({*DEFINITIONS, *WORDS}):
-        path = FOLDER / f"{name}-1.json"
-        document = json.loads(path.read_text("utf-8"))
-        tied: list[Schema] = []
-        for key, (record, asked) in DEFINITIONS.get(name, {}).items():
-            of = _Written({}, asked=asked)
-            document["$defs"][key] = of.object_of(record)
-            document["$defs"] |= of.definitions
-            tied += [node for _, node in worded([document["$defs"][key], of.definitions])]
-        for place, node in worded(document):
-            if place == "check/kind":
-                node["enum"] += OLDER.get(name, ())
-            elif place in WORDS.get(name, {}):
-                node["enum"] = list(WORDS[name][place])
-            elif node not in tied:
-                raise AssertionError(f"{name}: the words of {place} are tied to nothing")
-        yield path, written(document) + "\n"
-
-
-def worded(node: Any, place: tuple[str, ...] = ()) -> Iterator[tuple[str, Schema]]:
-    """Yield what has a list of words, by the keys that lead there."""
-    if isinstance(node, dict) and isinstance(node.get("enum"), list):
-        yield "/".join(place), node
-    inner = node.items() if isinstance(node, dict) else enumerate(node)
-    for key, each in inner:
-        if isinstance(each, dict | list):
-            named = isinstance(key, str) and key not in _NO_KEYS
-            yield from worded(each, (*place, str(key)) if named else place)
-
-
-_NO_KEYS = ("properties", "items", "$defs", "oneOf", "anyOf", "enum", "required", "type")
 
 
 if __name__ == "__main__":

@@ -239,14 +239,10 @@ class CheckReport(Displayable, Record):
             document["checks"] = [each.to_dict_of_body() for each in self.results]
         return document
 
-    def motion_document(self) -> dict[str, Any]:
-        """Build the checks of lines in motion as ``catopt verify --dynamic --json`` has them."""
-        return {
-            "passes": self.verdict,
-            "governing": self._governing_index,
-            "checks": [each.to_dict_of_body() for each in self.results],
-            "warnings": list(self.warnings),
-        }
+    @property
+    def in_motion(self) -> ChecksInMotion:
+        """What ``catopt verify --dynamic --json`` has of them."""
+        return ChecksInMotion(self)
 
     @property
     def brief(self) -> ChecksInBrief:
@@ -261,6 +257,30 @@ class CheckOfBody(Record):
     DOCUMENT = within("result", CheckResult.DOCUMENT).replace("*", "")
 
     result: CheckResult
+
+
+@dataclass(frozen=True)
+class ChecksInMotion(Record):
+    """In motion, by the numbers of the case and the codes' factors for dynamic analysis."""
+
+    DOCUMENT = "passes governing checks report.warnings"
+
+    report: CheckReport
+
+    @property
+    def passes(self) -> bool | None:
+        """Whether every check is passed; None where there is none, or none fails in doubt."""
+        return self.report.verdict
+
+    @property
+    def governing(self) -> FromZero | None:
+        """Index of the check that governs, from 0; None where there is none."""
+        return self.report._governing_index
+
+    @property
+    def checks(self) -> tuple[CheckOfBody, ...]:
+        """By load case or line, then by kind, tensions by segment from the anchor."""
+        return tuple(CheckOfBody(each) for each in self.report.results)
 
 
 @dataclass(frozen=True)

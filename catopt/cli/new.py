@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
@@ -13,9 +14,23 @@ from catopt.cli.completion import completed
 from catopt.cli.options import JsonOption, LangOption
 from catopt.cli.output import Printer
 from catopt.errors import InputError, Problem
+from catopt.records import Record
 from catopt.words import Message, term
 
 _NAME = typer.Argument(metavar="NAME", autocompletion=completed("template"))
+
+
+@dataclass(frozen=True)
+class NewFile(Record):
+    """A case file that was written to start from."""
+
+    SCHEMA = "catopt.new/1"
+    DOCUMENT = "template path"
+
+    template: str
+    """Name of the template."""
+    path: str
+    """Where the case file was written, as given or as chosen."""
 
 
 def new(
@@ -49,7 +64,7 @@ def new(
         _create(other, template(needs))
         written.append(other)
     if as_json:
-        output.json({"schema": "catopt.new/1", "template": name, "path": str(place)})
+        output.json(NewFile(name, str(place)).to_dict())
     else:
         files = " and ".join(map(str, written))
         output.text(f"{files} written; try it with: catopt {_command(name, place)}")

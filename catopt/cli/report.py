@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from hashlib import sha256
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -18,9 +17,6 @@ from catopt.verify.motion_words import stopped_words
 from catopt.words import Message
 
 if TYPE_CHECKING:
-    from catopt.cli.note_kind import AnyNote
-    from catopt.notes.line import Note
-    from catopt.notes.system import NetworkNote, SystemNote
     from catopt.verify.dynamic_result import DynamicVerification
 
 PAGE_ENDINGS = (".html", ".htm")
@@ -82,9 +78,12 @@ def report(
             files[str(Path(name).with_suffix(".xlsx"))] = workbook(answer, language)
     places = write_files(folder, files, keep=[case])
     if asked.as_json:
-        written = [_file(*each) for each in zip(places, files.values(), strict=True)]
-        sections = [section.name for section in answer.sections]
-        output.json(_document(note, sections, language, *written))
+        from catopt.notes.written import WrittenNote, written_file
+
+        first, *others = map(written_file, places, files.values())
+        sections = tuple(section.name for section in answer.sections)
+        of_book = others[0] if others else None
+        output.json(WrittenNote(note, first, language, sections, of_book).to_dict())
     else:
         for path in places:
             output.text(str(path))
@@ -121,54 +120,3 @@ def _place(out: Path | None, name: str) -> tuple[Path, str, bool]:
     if out.suffix.lower() in PAGE_ENDINGS and not out.is_dir():
         return out.parent, out.name, False
     return out, name, True
-
-
-def _document(
-    note: AnyNote,
-    sections: list[str],
-    language: str,
-    page: dict[str, Any],
-    workbook: dict[str, Any] | None = None,
-) -> dict[str, Any]:
-    """Say what was written (schema catopt.report/1); of a sizing, of its recommended line."""
-    from catopt.notes.line import Note, SizeNote
-    from catopt.notes.motion import motion_document
-
-    of = note.line if isinstance(note, SizeNote) else note
-    line = of if isinstance(of, Note) else None
-    checks = of.checks
-    governing = checks.governing
-    return {
-        "schema": "catopt.report/1",
-        "title": note.case.title,
-        **page,
-        "workbook": workbook,
-        "language": language,
-        "date": note.origin.date,
-        "version": note.origin.version,
-        "sources": [{"name": file.name, "sha256": file.sha256} for file in note.origin.files],
-        "design": None if line is None or line.chosen is None else line.chosen.number,
-        "load_case": "" if line is None else line.load_case,
-        "sections": sections,
-        "passes": checks.passes if checks.results else None,
-        "governing": "" if governing is None else governing.in_case,
-        "verification": _verification(of),
-        "swarm": None if line is None else line.swarm_document(),
-        "motion": motion_document(of.motion),
-        "warnings": list(note.warnings),
-    }
-
-
-def _verification(note: Note | NetworkNote | SystemNote) -> dict[str, Any] | None:
-    """Say what came of the truss model; None where it was left out."""
-    if note.verification_failure:
-        return {"verdict": "no answer", "worst": None, "failure": note.verification_failure}
-    if note.verification is None:
-        return None
-    worst = note.verification.static.worst
-    named = {"quantity": worst.quantity, "unit": worst.unit, "gap": worst.gap}
-    return {"verdict": note.verification.verdict, "worst": named, "failure": ""}
-
-
-def _file(path: Path, content: bytes) -> dict[str, Any]:
-    return {"path": str(path), "bytes": len(content), "sha256": sha256(content).hexdigest()}

@@ -212,13 +212,12 @@ def _moved(asked: Asked, found: _Found, load_case: str | None, moving: dict[str,
             **moving,
         )
     checks = checks_in_motion(moved)
-    own = {"checks": checks.motion_document()}
     answer = motion_answer(moved, checks, with_series=asked.out is not None)
     return replace(
         found,
         answers=(answer, *found.answers),
         pictures=(*found.pictures, partial(bundle.motion_pictures, moved, asked.language)),
-        in_motion=lambda: {"dynamic": moved.to_dict() | own},
+        in_motion=lambda: {"dynamic": replace(moved, checks=checks.in_motion).to_dict()},
         stop=partial(stop_in_doubt, asked, moved),
     )
 
@@ -226,7 +225,6 @@ def _moved(asked: Asked, found: _Found, load_case: str | None, moving: dict[str,
 def _ship(asked: Asked, case: Case, load_case: str | None, moving: dict[str, Any]) -> _Found:
     """Run the ship of a case on two time scales; the truss model has no part in it."""
     from catopt.answers.motion import ship_answer
-    from catopt.verify.document import ship_document
     from catopt.verify.result import Verification
     from catopt.verify.two_scales import verify_ship
 
@@ -245,7 +243,7 @@ def _ship(asked: Asked, case: Case, load_case: str | None, moving: dict[str, Any
         "",
         (ship_answer(moved),),
         pictures=(partial(_led_files, moved),),
-        in_motion=lambda: {"ship": ship_document(moved)},
+        in_motion=lambda: {"ship": moved.to_dict()},
     )
 
 

@@ -29,20 +29,31 @@ from catopt.fem.seabed import across_bed, along_bed
 class EnergyBalance:
     """Energy of one run from its first moment to its last, J."""
 
-    ends: float  # work put in by what holds and leads the ends
-    water: float  # by the pressure of waves, with the added mass, and by weight out of the water
-    kinetic: float  # stored more at the end than at the beginning: in the line's own mass
-    elastic: float  # in its strain and the bed's
-    potential: float  # in its weight
-    drag: float  # taken by the water's drag; negative where a current drives the line
-    bed: float  # by the bed's damping
+    ends: float
+    """J, work of the ends: put in by what holds and leads them."""
+    water: float
+    """J, work of waves and current that drive the line: their pressure, with the added mass, and
+    weight out of the water."""
+    kinetic: float
+    """J, gained in motion: in the line's own mass."""
+    elastic: float
+    """J, gained in stretch, and in the bed's."""
+    potential: float
+    """J, gained in height."""
+    drag: float
+    """J, taken by drag; negative where a current drives the line."""
+    bed: float
+    """J, taken by the bed's damping."""
     friction: float
-    damping: float  # of the line itself
-    put_in: float  # work of ends, water and drag in the steps in which they put it in
+    """J, taken by friction on the bed."""
+    damping: float
+    """J, taken by the damping of the line itself."""
+    put_in: float
+    """J, put in by the ends and the water in the steps in which they put it in."""
 
     @property
     def numerical(self) -> float:
-        """What the steps in time lost, or gained where negative, J."""
+        """J, that none of these accounts for; negative where the steps gained it."""
         stored = self.kinetic + self.elastic + self.potential
         return self.ends + self.water - stored - self.drag - self.bed - self.friction - self.damping
 

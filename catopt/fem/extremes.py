@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Final
+from typing import Annotated, Final
 
 import numpy as np
 
 from catopt.arrays import Array, Codes
-from catopt.model.kinds import Findings
+from catopt.model.kinds import Findings, Positive, Share, Time
+from catopt.records import Counted, From, Record
 from catopt.words import Message
 
 
@@ -104,33 +105,59 @@ _EULER = float(np.euler_gamma)
 
 
 @dataclass(frozen=True)
-class Extreme:
-    """Largest value in a time."""
+class Extreme(Record):
+    """Largest value in a time; values in the unit of the series."""
 
-    duration: float  # s
-    most_probable: float  # mode of its distribution, in the series' unit
-    expected: float  # its mean
-    low: float  # interval of the mode
+    duration: Time
+    """Of interest, s."""
+    most_probable: float
+    """In unit."""
+    expected: float
+    """In unit: mean of the largest value."""
+    low: float
+    """In unit: where the interval of the most probable maximum begins."""
     high: float
-    confidence: float = CONFIDENCE  # part of repeated draws in which it is to hold the true one
+    """In unit: where it ends."""
+    confidence: Share = CONFIDENCE
+    """Part of repeated draws in which the interval is to hold the true value."""
+
+
+_OF_EXTREME: Final = (
+    "extreme.duration extreme.most_probable=most_probable_max extreme.low extreme.high "
+    "extreme.confidence extreme.expected=expected_max "
+)
 
 
 @dataclass(frozen=True)
-class TailFit:
+class TailFit(Record):
     """Weibull's distribution of what lies above a threshold.
 
     P(X > x) / P(X > threshold) = exp(((threshold - mean)/scale)^shape - ((x - mean)/scale)^shape)
     """
 
-    extreme: Extreme  # that follows
-    mean: float  # in the series' unit, as threshold and scale
+    DOCUMENT = f"{_OF_EXTREME}mean threshold scale shape peaks peaks_above time"
+
+    extreme: Extreme
+    """That follows."""
+    mean: float
+    """In unit: of the series, from which scale and threshold count."""
     threshold: float
-    scale: float
-    shape: float  # 2 for Rayleigh's peaks, 1 for exponential ones
-    clusters: tuple[float, ...]  # largest peak of each group that stays above the threshold,
-    # falling: what is fitted
-    peaks: int  # of the series, in all
-    time: float  # of the series, in all, s
+    """In unit: above it peaks are fitted."""
+    scale: Positive
+    """In unit: Weibull's scale above the mean."""
+    shape: Positive
+    """Weibull's shape, a pure number; 2 for Rayleigh's peaks."""
+    clusters: tuple[float, ...]
+    """Largest peak of each group that stays above the threshold, falling: what is fitted."""
+    peaks: Counted
+    """Peaks between upward crossings of the mean."""
+    time: Time
+    """Of all runs, s, after the ramps."""
+
+    @property
+    def peaks_above(self) -> Counted:
+        """Largest peaks of the groups above the threshold."""
+        return len(self.clusters)
 
     def expected_above(self, value: float) -> float:
         """Give the clusters expected above a value in the duration; it is the threshold or more."""
@@ -140,14 +167,21 @@ class TailFit:
 
 
 @dataclass(frozen=True)
-class GumbelFit:
+class GumbelFit(Record):
     """Gumbel's distribution of the maxima of runs."""
 
-    extreme: Extreme  # that follows: the mode moves by scale ln(duration/run)
-    mode: float  # of the maximum of one run
-    scale: float
-    runs: int
-    run: float  # what of each counts, s
+    DOCUMENT = f"{_OF_EXTREME}mode scale runs run"
+
+    extreme: Extreme
+    """That follows: the mode moves by scale ln(duration/run)."""
+    mode: float
+    """In unit: most probable maximum of one run."""
+    scale: Positive
+    """In unit: of the maxima of runs."""
+    runs: Annotated[int, From(5)]
+    """Whose maxima they are."""
+    run: Time
+    """Of each, s, after the ramp."""
 
 
 def weibull_tail(

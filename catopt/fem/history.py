@@ -10,7 +10,9 @@ from catopt.arrays import Array, Codes, Flags
 from catopt.fem.course import FOLLOWED, Course
 from catopt.fem.energy_balance import EnergyBalance
 from catopt.fem.extremes import SeriesStatistics
+from catopt.model.kinds import Duration, Time
 from catopt.old_names import OldName
+from catopt.records import FromZero
 
 STOPPED = "motion.stopped_at"
 """Key of the warning of a run that was stopped."""
@@ -43,16 +45,25 @@ class History:
     bar_courses: tuple[Course, ...]  # of each bar's tension, when asked for, N
     slides: Array  # (lines, blocks, 3): of each block that was asked for, were it what holds the
     # anchor: way that it slides in all, m, sum of the squares of its slides, m2, and their count
-    balance: EnergyBalance  # what was put in from the first moment on, and where it went
-    since: float  # where statistics begin, s
-    step: float  # as asked for, s
-    shortest_step: float  # after halving, s
-    steps: int
-    iterations: int  # of Newton's method
-    halvings: int  # times that a step was halved because it did not close
-    refinements: int  # times that it was halved because a tension surprised
+    balance: EnergyBalance
+    """J, from the first moment to the last: what was put in, where it is and who took it."""
+    since: Duration
+    """Where its statistics begin, s."""
+    step: Time
+    """As asked for, s."""
+    shortest_step: Time
+    """After halving, s."""
+    steps: FromZero
+    """Taken, halved ones as often."""
+    iterations: FromZero
+    """Of Newton's method, in all steps."""
+    halvings: FromZero
+    """Times that a step did not close and was halved."""
+    refinements: FromZero
+    """Times that a step was halved because a tension surprised."""
     unresolved: int  # steps as short as allowed in which one still did
-    is_complete: bool  # False when the run was stopped from outside (Ctrl-C)
+    is_complete: bool
+    """Whether it was not stopped from outside (Ctrl-C)."""
     warnings: tuple[str, ...]  # what about the run is to be doubted, with numbers
 
     def of_line(self, line: int) -> History:

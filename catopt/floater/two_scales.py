@@ -9,10 +9,10 @@ form at every place of its fairlead: without the line's own inertia and drag.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from typing import Any, Final
+from typing import Annotated, Any, Final, TypedDict
 
 import numpy as np
 
@@ -25,10 +25,12 @@ from catopt.hydro.coefficients import Coefficients
 from catopt.hydro.hull import monohull_response
 from catopt.loads.environment import gust_series
 from catopt.model import System
+from catopt.model.kinds import Angle, Force, Place
 from catopt.mooring.arrangement import room_for
 from catopt.mooring.batch import as_arrays
 from catopt.mooring.descent import Rest
 from catopt.mooring.zero_load import ZeroLoadPosition, zero_load_position
+from catopt.records import Record
 from catopt.waves import Waves
 from catopt.waves.random_surface import fill_wave_numbers
 from catopt.words import Message
@@ -52,18 +54,25 @@ _TURN: Final = 2.0 * math.pi
 
 
 @dataclass(frozen=True)
-class Scales:
-    """A quantity's parts, in its own unit: of slow motion and of that with the waves.
+class Scales(Record):
+    """Parts of a quantity: of slow motion, and what the waves add.
 
     Deviations are standard ones. The largest of each part, beside the mean, is that of the runs, or
     what is most probable in the storm of a normal process, if that is more.
     """
 
+    DOCUMENT = "mean slow_deviation slow_largest fast_deviation fast_largest seen combined"
+
     mean: float
+    """In the unit of the quantity, as all others."""
     slow_deviation: float
+    """Of slow motion."""
     slow_largest: float
+    """Largest slow part beside the mean: of the runs, or most probable in the storm."""
     fast_deviation: float
+    """Of what the waves add."""
     fast_largest: float
+    """Largest of what the waves add, likewise."""
     seen: float
     """Largest of the sum in the runs."""
 
@@ -101,6 +110,28 @@ class ShipHistory:
     course: Array
 
 
+class MeanLoads(TypedDict):
+    """Mean loads of a ship by what they come from."""
+
+    wind: tuple[float, float, float]
+    """Mean wind."""
+    current: tuple[float, float, float]
+    """Mean current."""
+    drift: tuple[float, float, float]
+    """Mean drift of the waves."""
+
+
+class PlaceAtRest(TypedDict):
+    """Place and yaw."""
+
+    x_m: Place
+    """m, along x of the system."""
+    y_m: Place
+    """m, along y."""
+    yaw_rad: Angle
+    """rad, of the ship's x axis from that of the system."""
+
+
 @dataclass(frozen=True, eq=False)
 class ShipAtRest:
     """A ship where its mean weather and its lines balance.
@@ -117,8 +148,19 @@ class ShipAtRest:
     stiffness: tuple[float, float, float]
 
     @property
-    def force(self) -> tuple[float, float]:
-        """Mean force along x and y of the system, N."""
+    def of_document(self) -> Annotated[Mapping[str, float], PlaceAtRest]:
+        """Where the ship rests in the mean weather."""
+        return dict(zip(("x_m", "y_m", "yaw_rad"), self.place, strict=True))
+
+    @property
+    def mean_loads(self) -> Annotated[Mapping[str, tuple[float, ...]], MeanLoads]:
+        """In surge, sway (N) and yaw (N m), in the ship's axes about the origin of the system."""
+        names = ("wind", "current", "drift")
+        return {name: tuple(part.tolist()) for name, part in zip(names, self.parts, strict=True)}
+
+    @property
+    def force(self) -> tuple[Force, Force]:
+        """Of the mean weather, N, along x and y of the system."""
         along, across, _ = np.sum(self.parts, axis=0).tolist()
         cosine, sine = math.cos(self.place[2]), math.sin(self.place[2])
         return along * cosine - across * sine, along * sine + across * cosine

@@ -7,47 +7,89 @@ from concurrent.futures import FIRST_COMPLETED, Executor, wait
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
 from catopt.checks.criteria import criteria_of
+from catopt.checks.result import CheckReport, ChecksInMotion
 from catopt.design.front import knee
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.interrupt import waiting_interrupt
+from catopt.model.kinds import SomeForce
 from catopt.notes.motion import Progress, checks_in_motion
+from catopt.records import Counted, FromZero, Record
 from catopt.ties import largest
+from catopt.verify.dynamic_result import DynamicVerification, Verdict
 from catopt.words import Message
 
 if TYPE_CHECKING:
-    from catopt.checks.result import CheckReport, CheckResult
+    from catopt.checks.result import CheckResult
     from catopt.model import Case
     from catopt.verify.convergence_check import ConvergenceCheck
-    from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
+    from catopt.verify.dynamic_result import DynamicPart
 
 _LOOK = 0.1
 """Seconds between two looks at what an executor has done."""
 
 
 @dataclass(frozen=True)
-class DesignInMotion:
-    """One design of a front in motion, by its number from 1, as in the tables of the front.
+class DesignInMotion(Record):
+    """One design of a front in motion."""
 
-    The objectives are those of the search, in SI, lower being better. Nothing was found where there
-    is no answer, for the reason of `failure`; the checks are of the tensions in motion, and
-    `at_rest` is the tension at the fairlead under the mean loads, N, where it is largest in motion.
-    """
+    DOCUMENT = (
+        "number=design verdict failure passes at_rest=tension_at_rest_N largest_tension "
+        "quasi_static_tension amplification run_count=runs in_motion=checks"
+    )
 
-    number: int
+    number: Counted
+    """Number, from 1, as in the tables of the front."""
     objectives: tuple[float, ...]
+    """Of the search, in SI, lower being better."""
     found: DynamicVerification | None = None
+    """None where there is no answer."""
     checks: CheckReport | None = None
-    at_rest: float | None = None
+    """Of the tensions in motion."""
+    at_rest: SomeForce | None = None
+    """Tension at the fairlead under the mean loads, N, where it is largest in motion; None on a bed
+    that slopes."""
     failure: str = ""
+    """Why there is no answer; empty where there is one."""
+
+    @property
+    def verdict(self) -> Verdict | Literal["no answer"]:
+        """Whether a second run bears out the maxima."""
+        return "no answer" if self.found is None else self.found.verdict
+
+    @property
+    def largest_tension(self) -> SomeForce | None:
+        """At the fairlead, N, in the load case or the line where it is largest."""
+        part = self.governing
+        return None if part is None else part.of("fairlead_tension").maximum
+
+    @property
+    def quasi_static_tension(self) -> SomeForce | None:
+        """The largest, N, had the line moved infinitely slowly."""
+        return None if self.governing is None else self.governing.quasi_static_max
+
+    @property
+    def amplification(self) -> float | None:
+        """The former over the latter: the allowance for motion of this design."""
+        return None if self.governing is None else self.governing.dynamic_amplification
+
+    @property
+    def run_count(self) -> FromZero:
+        """Seeds in which it was run; one alone where it fails there."""
+        return 0 if self.governing is None else len(self.governing.runs)
+
+    @property
+    def in_motion(self) -> ChecksInMotion | None:
+        """Of it in motion."""
+        return None if self.checks is None else self.checks.in_motion
 
     @property
     def passes(self) -> bool:
-        """Whether it was run to its end, is not doubted, and every check passes."""
+        """Whether the maxima are borne out, and every check passes by them."""
         found, checks = self.found, self.checks
         is_sure = found is not None and found.is_complete and found.verdict != "not converged"
         return is_sure and checks is not None and bool(checks.results) and checks.passes
@@ -70,19 +112,21 @@ class DesignInMotion:
 
 
 @dataclass(frozen=True)
-class FrontInMotion:
-    """A front in motion; not complete when it was stopped (Ctrl-C), later designs being left out.
+class FrontInMotion(Record):
+    """A front in motion."""
 
-    `of_search` is the number of the design that the search recommends, which passes at rest.
-    """
+    DOCUMENT = "of_search=recommended_by_search recommended is_complete=complete designs"
 
     designs: tuple[DesignInMotion, ...]
-    of_search: int
+    """Every design that was run, by its number."""
+    of_search: Counted
+    """Number of the design that the search recommends, from 1: it passes at rest."""
     is_complete: bool
+    """False: it was stopped (Ctrl-C); the designs after that are missing."""
 
     @property
-    def recommended(self) -> int | None:
-        """Number of the best design that passes at rest and in motion; None if there is none.
+    def recommended(self) -> Counted | None:
+        """Number of the best design that passes at rest and in motion; None: none does.
 
         That of the search if it passes in motion, else the knee of those that do.
         """
@@ -100,15 +144,6 @@ class FrontInMotion:
             each.found is not None and each.found.verdict != "not converged"
             for each in self.designs
         )
-
-    def to_dict(self) -> dict[str, Any]:
-        """Build what ``catopt verify DIR --all --dynamic --json`` has under ``dynamic``."""
-        return {
-            "recommended_by_search": self.of_search,
-            "recommended": self.recommended,
-            "complete": self.is_complete,
-            "designs": [_document(each) for each in self.designs],
-        }
 
 
 def front_in_motion(
@@ -280,19 +315,3 @@ def _design(
     solution = still[found.parts.index(found.governing)]
     tension = None if solution is None else solution.fairlead.tension
     return DesignInMotion(number, objectives, found, checks, tension)
-
-
-def _document(each: DesignInMotion) -> dict[str, Any]:
-    part = each.governing
-    return {
-        "design": each.number,
-        "verdict": "no answer" if each.found is None else each.found.verdict,
-        "failure": each.failure,
-        "passes": each.passes,
-        "tension_at_rest_N": each.at_rest,
-        "largest_tension_N": None if part is None else part.of("fairlead_tension").maximum,
-        "quasi_static_tension_N": None if part is None else part.quasi_static_max,
-        "amplification": None if part is None else part.dynamic_amplification,
-        "runs": 0 if part is None else len(part.runs),
-        "checks": None if each.checks is None else each.checks.motion_document(),
-    }

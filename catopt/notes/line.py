@@ -82,15 +82,6 @@ class Note(AnyNote):
         """Least tension that each segment is allowed in the load case drawn, N."""
         return allowed_tensions(self.checks, self.solution, self.load_case)
 
-    def swarm_document(self) -> dict[str, Any] | None:
-        """Say what came of the particle swarm, in SI, as part of the document catopt.report/1."""
-        report = None if self.swarm is None else self.swarm.swarm
-        if report is None:
-            return None
-        names = ("objective", "evaluations", "runs", "converged_runs")
-        document = {name: getattr(report, name) for name in names}
-        return document | {"closed_form_difference": dict(report.closed_form_difference)}
-
 
 def read_note(
     path: Path,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from catopt.checks.criteria import criteria_of
 from catopt.notes.origin import SourceFile, read_source
@@ -97,32 +97,6 @@ def in_motion(
     wanted = criteria_of(case, analysis="dynamic").all
     codes = dict.fromkeys(each.source.code for each in wanted if each.analysis == "dynamic")
     return InMotion(found, drive, uses, solutions, tuple(codes))
-
-
-def motion_document(moved: InMotion | DynamicVerification | None) -> dict[str, Any] | None:
-    """Say what came of the line in motion that governs, as part of catopt.report/1."""
-    if moved is None:
-        return None
-    if isinstance(moved, InMotion):
-        part, used = moved.found.parts[moved.governing], moved.used(moved.governing)
-    else:
-        part, used = moved.governing, None
-    fairlead = part.of("fairlead_tension")
-    extreme = None if fairlead.tail is None else fairlead.tail.extreme
-    return {
-        "load_case": part.name,
-        "line": part.line,
-        "runs": len(part.runs),
-        "max_tension_N": part.max_tension,
-        "max_fairlead_tension_N": fairlead.maximum,
-        "most_probable_max_N": fairlead.most_probable_maximum,
-        "duration_of_interest_s": part.duration_of_interest,
-        "most_probable_low_N": None if extreme is None else extreme.low,
-        "most_probable_high_N": None if extreme is None else extreme.high,
-        "amplification": part.dynamic_amplification,
-        "slack_time_s": part.slack_time,
-        "utilisation": used,
-    }
 
 
 def checks_in_motion(

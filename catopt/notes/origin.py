@@ -6,7 +6,7 @@ import hashlib
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 from catopt._version import __version__
 from catopt.casefile import case_digest, read_case, read_mooring
@@ -18,6 +18,7 @@ from catopt.documents import Path as Keys
 from catopt.errors import InputError, Problem
 from catopt.model import Case
 from catopt.model.kinds import Kind, Measured
+from catopt.records import Matching
 from catopt.schemas import CASE_DIGEST, is_ours, read_any, read_document
 from catopt.units import as_written
 from catopt.verify.convergence_check import ConvergenceCheck
@@ -47,11 +48,13 @@ class Input:
 
 @dataclass(frozen=True)
 class SourceFile:
-    """A file that the note rests on: its name, its text and the SHA-256 of its bytes."""
+    """A file that the note rests on."""
 
     name: str
+    """Without its folder."""
     text: str
-    sha256: str
+    sha256: Annotated[str, Matching("^[0-9a-f]{64}$")]
+    """SHA-256 of its bytes."""
 
 
 @dataclass(frozen=True)

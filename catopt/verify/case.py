@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 from catopt.catenary.case import as_found, solve_case
 from catopt.catenary.solution import check_buoys, named_line
@@ -12,11 +12,19 @@ from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.model import Case
 from catopt.model.network import Network
 from catopt.patience import paced
+from catopt.records import Counted, Record
 from catopt.units import as_written
 from catopt.verify.convergence_check import ELEMENTS, TOLERANCE, check_settings
 from catopt.verify.line import verify_line, verify_system
 from catopt.verify.network import verify_network
-from catopt.verify.result import VERDICTS, StaticComparison, Verification, least_agreeing
+from catopt.verify.result import (
+    SCHEMA,
+    VERDICTS,
+    StaticComparison,
+    Verdict,
+    Verification,
+    least_agreeing,
+)
 from catopt.words import Message
 
 LOAD = "load"
@@ -155,39 +163,51 @@ def _verified(name: str, case: Case, elements: int, tolerance: float) -> StaticC
 class Design:
     """One design of a front.
 
-    `number`: counted from 1, as in the tables of the front; `case`: of this design; `load_case`:
-    name of the load case that governs it; None: all of them.
+    `case`: of this design; `load_case`: name of the load case that governs it; None: all of them.
     """
 
-    number: int
+    number: Counted
+    """Its number on the front, as in its tables."""
     case: Case
     load_case: str | None = None
 
 
 @dataclass(frozen=True)
-class DesignVerification:
-    """What came of one design.
+class DesignVerification(Record):
+    """What came of one design."""
 
-    `design`: which; `verification`: None where a model gave no answer; `failure`: why there is
-    none; empty where there is one; `did_not_converge`: whether that was a solver that stopped
-    short.
-    """
+    DOCUMENT = "design.number=design verdict failure load_cases"
 
     design: Design
     verification: Verification | None
+    """None where a model gave no answer."""
     failure: str = ""
+    """Why there is no answer; empty where there is one."""
     did_not_converge: bool = False
+    """Whether that was a solver that stopped short."""
+
+    @property
+    def verdict(self) -> Verdict | Literal["no answer"]:
+        """Of all that was verified."""
+        return "no answer" if self.verification is None else self.verification.verdict
+
+    @property
+    def load_cases(self) -> tuple[StaticComparison, ...]:
+        """As of a case; empty without an answer."""
+        return () if self.verification is None else self.verification.parts
 
 
 @dataclass(frozen=True)
-class FrontVerification:
-    """A front by both models.
+class FrontVerification(Record):
+    """A front by both models."""
 
-    `title`: of the search; `designs`: in the order of the front.
-    """
+    SCHEMA = SCHEMA
+    DOCUMENT = "title verdict static designs"
 
     title: str
+    """Title of the search."""
     designs: tuple[DesignVerification, ...]
+    """Of a front: every design, in its governing load case."""
 
     @property
     def verified(self) -> tuple[Verification, ...]:
@@ -202,7 +222,7 @@ class FrontVerification:
         return least_agreeing(parts) if parts else None
 
     @property
-    def verdict(self) -> str:
+    def verdict(self) -> Verdict | Literal["no answer"]:
         """The one of a design that outweighs the others; ``"no answer"`` where one has none."""
         verdicts = [each.verdict for each in self.verified]
         if len(verdicts) < len(self.designs):
@@ -222,9 +242,7 @@ class FrontVerification:
 
     def to_dict(self) -> dict[str, Any]:
         """Build the document that ``catopt verify DIR --all --json`` prints."""
-        from catopt.verify.document import front_document
-
-        return front_document(self)
+        return super().to_dict() | {"dynamic": None}
 
 
 def verify_front(

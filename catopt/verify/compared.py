@@ -13,8 +13,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Annotated, Literal
 
+from catopt.model.kinds import NotNegative, Positive
+from catopt.records import From, Record
 from catopt.ties import largest
 
 Unit = Literal["N", "m", "rad", "Nm"]
@@ -33,28 +35,39 @@ NOISE = 10.0 * ROUNDING
 
 
 @dataclass(frozen=True)
-class Compared:
-    """One quantity by both models.
+class Compared(Record):
+    """One quantity by both models."""
 
-    `quantity`: such as ``"fairlead_tension"``; keys of documents are this and the unit;
-    `closed_form`: its value; `fem`: by the truss model on each mesh, from the coarsest; `scale`:
-    what a difference is measured by: the fairlead tension, the line's length; `tolerance`: allowed
-    difference over the scale; `line`: of a system: which of its lines, from 0; None for the body,
-    or where there is one line; `point`: of a network: name of the joint or body; `limit`:
-    extrapolated in another way than from the values themselves (the shape: node by node); `theory`:
-    order by which the error should fall.
-    """
+    DOCUMENT = (
+        "quantity line+1 named_point=point? unit closed_form fem order is_smooth extrapolated "
+        "difference_before difference scale allowed agrees"
+    )
 
     quantity: str
+    """Such as fairlead_tension; shape is the largest distance of a node from the closed form's
+    point of the same arc length. Keys of documents are this and the unit."""
     unit: Unit
+    """Of the numbers below."""
     closed_form: float
-    fem: tuple[float, ...]
-    scale: float
-    tolerance: float
+    """In unit."""
+    fem: Annotated[tuple[float, ...], From(2)]
+    """In unit: on each mesh, from the coarsest."""
+    scale: Positive
+    """In unit: what the difference is measured by: the fairlead tension, the line's length."""
+    tolerance: Positive
+    """Allowed difference over the scale."""
     line: int | None = None
+    """Of several lines: which one; None for a body or a joint, or where there is one line."""
     limit: float | None = None
+    """Extrapolated in another way than from the values themselves (the shape: node by node)."""
     theory: float = ORDER
+    """Order by which the error should fall."""
     point: str = ""
+
+    @property
+    def named_point(self) -> str | None:
+        """Name of the joint or body, of points joined by lines."""
+        return self.point or None
 
     @property
     def key(self) -> str:
@@ -63,18 +76,18 @@ class Compared:
 
     @property
     def order(self) -> float | None:
-        """Observed order of the last three meshes; None where their change is rounding."""
+        """Observed, from the last three meshes; None where their change is rounding."""
         return observed_order(self.fem, NOISE * self.scale)
 
     @property
     def is_smooth(self) -> bool:
-        """Whether the error falls as theory says, so that meshes may be extrapolated."""
+        """Whether the order is that of theory, so that the meshes are extrapolated."""
         order = self.order
         return order is None or abs(order - self.theory) <= SMOOTH
 
     @property
     def extrapolated(self) -> float:
-        """The truss model's answer: Richardson's estimate; the finest mesh where not smooth."""
+        """In unit: Richardson's estimate, or the finest mesh's value where not smooth."""
         if not self.is_smooth or self.order is None:
             return self.fem[-1]
         return extrapolated(self.fem, self.theory) if self.limit is None else self.limit
@@ -88,21 +101,21 @@ class Compared:
 
     @property
     def difference_before(self) -> float:
-        """Finest mesh minus closed form."""
+        """In unit: finest mesh minus closed form."""
         return self.fem[-1] - self.closed_form
 
     @property
     def difference(self) -> float:
-        """Truss model's answer minus closed form."""
+        """In unit: extrapolated minus closed form."""
         return self.extrapolated - self.closed_form
 
     @property
-    def allowed(self) -> float:
-        """Largest difference that counts as agreement."""
+    def allowed(self) -> Positive:
+        """In unit: tolerance times scale."""
         return self.tolerance * self.scale
 
     @property
-    def gap(self) -> float:
+    def gap(self) -> NotNegative:
         """Size of the difference over the scale."""
         return abs(self.difference) / self.scale
 
@@ -128,7 +141,7 @@ class Compared:
 
     @property
     def agrees(self) -> bool:
-        """Whether the gap is within the tolerance."""
+        """Whether the difference is within what is allowed."""
         return self.gap <= self.tolerance
 
 

@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Final, Literal
 
-from catopt.model.kinds import Findings
+from catopt.model.kinds import Findings, NotNegative, Time
+from catopt.records import Counted, Record
 
 if TYPE_CHECKING:
     from catopt.checks.fatigue import Cycles
@@ -42,22 +43,25 @@ FINER: Mapping[Way, tuple[int, int]] = MappingProxyType({"step": (2, 1), "bars":
 
 
 @dataclass(frozen=True)
-class Again:
-    """One run again.
+class Again(Record):
+    """One run again."""
 
-    `way`: at half the step, or at half the step with twice the bars; `step`: s; `maxima`: as
-    `DynamicRun.maxima`; empty where it did not converge itself; `failure`: why it did not;
-    `cycles`: of each bar's tension, empty unless they were asked for; `run`: itself, without its
-    samples; None where it failed.
-    """
+    DOCUMENT = "way step=time_step_s elements maxima failure"
 
     way: Way
-    step: float
-    elements: int
+    """step: at half the step; bars: so, with twice the bars; a change is from the run before."""
+    step: Time
+    """Of it."""
+    elements: Counted
+    """Bars."""
     maxima: Mapping[str, float]
+    """N or m, by quantity, as `DynamicRun.maxima`; empty where it failed."""
     failure: str = ""
+    """Why it has no answer; empty where it has one."""
     cycles: tuple[Cycles, ...] = ()
+    """Of each bar's tension, empty unless they were asked for."""
     run: DynamicRun | None = field(default=None, compare=False, repr=False)
+    """Itself, without its samples; None where it failed."""
 
 
 @dataclass(frozen=True)
@@ -72,20 +76,23 @@ class Damped:
 
 
 @dataclass(frozen=True)
-class Change:
-    """How far a maximum moved when a run was made again, from that of the run before.
+class Change(Record):
+    """How far a maximum moved when a run was made again, from that of the run before."""
 
-    `quantity`: a key of `DynamicRun.maxima`; `way`: how it was run again; "both" where the changes
-    by the two are added, and a third more; `size`: over the maximum of the finer run; over the
-    line's length of a grounded length; `amount`: itself, N or m; `chance`: of a most probable
-    maximum in a random sea, half its interval over seeds; None of what has none.
-    """
+    DOCUMENT = "quantity way size=change"
 
     quantity: str
+    """A key of `DynamicRun.maxima`; largest_tension: anywhere along the line."""
     way: Way | Literal["both"]
-    size: float
+    """step: at half the step; bars: so, with twice the bars; both: the changes by the two added,
+    and a third more."""
+    size: NotNegative
+    """Over the maximum of the finer run; of a grounded length over the line's."""
     amount: float
+    """Itself, N or m."""
     chance: float | None = None
+    """Of a most probable maximum in a random sea, half its interval over seeds; None of what has
+    none."""
 
     @property
     def is_by_chance(self) -> bool:

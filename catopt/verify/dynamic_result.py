@@ -7,11 +7,12 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, Final, Literal, NamedTuple
+from typing import Annotated, Final, Literal, NamedTuple, TypedDict
 
 import numpy as np
 
 from catopt.arrays import Array
+from catopt.checks.result import ChecksInMotion
 from catopt.fem.course import taken_together
 from catopt.fem.extremes import (
     Extreme,
@@ -24,8 +25,10 @@ from catopt.fem.extremes import (
 from catopt.fem.extremes import gumbel as gumbel_of
 from catopt.model import Case, Line
 from catopt.model.dynamics import InitialFriction
+from catopt.model.kinds import Duration, Height, NotNegative, SomeForce
 from catopt.model.network import Network
 from catopt.old_names import OldName
+from catopt.records import Counted, From, Record
 from catopt.shown import Displayable
 from catopt.ties import largest
 from catopt.verify.convergence_check import (
@@ -97,38 +100,67 @@ class BeyondMBL(NamedTuple):
 
 
 class Between(NamedTuple):
-    """A line between points: its name, those of the points, and whether the first is an anchor."""
+    """A line between points."""
 
     name: str
+    """Of the line, of points joined by lines."""
     start: str
+    """Point at which a line between points begins; its forces are the anchor's."""
     end: str
+    """And at which it ends; its forces are the fairlead's."""
     is_anchored: bool
+    """Whether the first is an anchor."""
+
+
+class AnchorAtRest(TypedDict):
+    """Tension at the anchor at rest by the past of the bed."""
+
+    pulled_N: SomeForce
+    """N."""
+    none_N: SomeForce
+    """N."""
+    laid_N: SomeForce
+    """N."""
 
 
 @dataclass(frozen=True)
-class DynamicPart:
-    """A line in motion under one load.
+class DynamicPart(Record):
+    """A line in motion under one load."""
 
-    `name`: of the load case; `drive`: what drove it; `runs`: one a seed; `own_line`: which line;
-    `convergence_check`: how the runs were to be proven; `remarks`: what to know before the figures
-    are used; `line`: of a body with several lines, which one, from 1; `anchor_at_rest`: tension at
-    the anchor at rest, N, by the initial friction; empty where nothing rubs;
-    `undecided`: checks whose verdict is another when it is run again; `governs`: whether it is the
-    line of a body that is used furthest; `between`: of a line between points, which.
-    """
+    DOCUMENT = (
+        "name=load_case line is_complete elements between.name? between.start=from? "
+        "between.end=to? quantities max_tension quasi_static_max=quasi_static_max_tension_N "
+        "dynamic_amplification=amplification slack_time longest_slack verdict "
+        "convergence_check=proof changes tension_at_rest=anchor_at_rest numerical_part runs remarks"
+    )
 
     name: str
+    """Its name; load where the case has only that."""
     drive: Excitation
-    runs: tuple[DynamicRun, ...]
+    """What drove it."""
+    runs: Annotated[tuple[DynamicRun, ...], From(1)]
+    """One a seed."""
     own_line: Line
     convergence_check: ConvergenceCheck
+    """none: run once (--once); step: again at half the step, and with twice the bars where the line
+    goes slack; bars: with both in any case."""
     remarks: tuple[str, ...] = ()
-    line: int | None = None
+    """What to know before the figures are used."""
+    line: Counted | None = None
+    """Of several lines, which one; None where there is one."""
     anchor_at_rest: Mapping[InitialFriction, float] = field(default_factory=dict)
+    """Tension at the anchor at rest, N, by the initial friction; empty where nothing rubs."""
     undecided: tuple[str, ...] = ()
+    """Checks whose verdict is another when it is run again."""
     governs: bool = False
+    """Whether it is the line of a body that is used furthest."""
     beyond_MBL: BeyondMBL | None = None
     between: Between | None = None
+
+    @property
+    def tension_at_rest(self) -> Annotated[Mapping[str, float], AnchorAtRest] | None:
+        """Tension at the anchor at rest by initial_friction; None where nothing rubs."""
+        return {f"{key}_N": value for key, value in self.anchor_at_rest.items()} or None
 
     @property
     def is_anchored(self) -> bool:
@@ -142,7 +174,7 @@ class DynamicPart:
 
     @property
     def is_complete(self) -> bool:
-        """Whether no run was stopped, nor its convergence check."""
+        """Whether none of its runs was stopped, nor its convergence check."""
         return all(run.is_complete(self.convergence_check) for run in self.runs)
 
     @property
@@ -304,7 +336,7 @@ class DynamicPart:
         return next((a for run in self.runs for a in run.again if a.failure), None)
 
     @property
-    def numerical_part(self) -> float:
+    def numerical_part(self) -> NotNegative:
         """Largest part of the work put into a run that its steps lost."""
         return max(run.history.balance.numerical_part for run in self.runs)
 
@@ -345,23 +377,23 @@ class DynamicPart:
         return next(each for each in self.quantities if each.quantity == quantity)
 
     @property
-    def max_tension(self) -> float:
+    def max_tension(self) -> SomeForce:
         """Largest tension, at an end or anywhere along the line, N."""
         return max(run.maxima["largest_tension"] for run in self.runs)
 
     @property
-    def slack_time(self) -> float:
+    def slack_time(self) -> Duration:
         """Time in all that a bar of the line had no tension in one run, after the ramp, s."""
         return max(run.history.line_slack_time() for run in self.runs)
 
     @property
-    def longest_slack(self) -> float:
+    def longest_slack(self) -> Duration:
         """Longest time at a stretch that a bar of the line had no tension, after the ramp, s."""
         return max(run.history.line_longest_slack() for run in self.runs)
 
     @property
-    def quasi_static_max(self) -> float | None:
-        """Largest tension at the fairlead, had the line moved infinitely slowly, N."""
+    def quasi_static_max(self) -> SomeForce | None:
+        """Largest at the fairlead in closed form at the same places of it, N; None without any."""
         known = [run.quasi_static_max for run in self.runs]
         found = [value for value in known if value is not None]
         return max(found) if len(found) == len(known) else None
@@ -387,8 +419,8 @@ class DynamicPart:
         return self.drive.is_led_at_random if quantity == "offset" else self.drive.is_random
 
     @property
-    def elements(self) -> int:
-        """Bars of a line."""
+    def elements(self) -> Counted:
+        """Bars of the line."""
         return self.drive.dynamics.bars
 
     @property
@@ -436,29 +468,50 @@ class DynamicPart:
         return gumbel_of(maxima, whole[0].duration, self.duration_of_interest)
 
 
-class JointInMotion(NamedTuple):
-    """Where a joint was in all runs, m: at rest; least and largest x, y, height; farthest way."""
+@dataclass(frozen=True)
+class JointInMotion(Record):
+    """Where a joint was in all runs."""
+
+    DOCUMENT = "name rest=rest_m least=least_m largest=largest_m way"
 
     name: str
-    rest: tuple[float, ...]
-    least: tuple[float, ...]
-    largest: tuple[float, ...]
-    way: float
-    """From where it rests, in any direction."""
+    """Of the point."""
+    rest: tuple[float, float, float]
+    """m: x, y and height where it rests."""
+    least: tuple[float, float, float]
+    """m: least x, y and height, each by itself."""
+    largest: tuple[float, float, float]
+    """m: largest x, y and height, each by itself."""
+    way: Height
+    """Farthest from where it rests, in any direction, m."""
 
 
 @dataclass(frozen=True, repr=False)
-class DynamicVerification(Displayable):
-    """A case in motion.
+class DynamicVerification(Displayable, Record):
+    """A case in motion. Series are in the files of ``--out``."""
 
-    `case`: what was run; `parts`: one a load case; of a body with several lines, one a line;
-    `is_complete`: False when it was stopped (Ctrl-C): the last run is short, and others may be
-    missing.
-    """
+    DOCUMENT = (
+        "is_complete verdict drag_axial_area initial_friction body joints? parts=load_cases checks?"
+    )
 
     case: Case | Network
-    parts: tuple[DynamicPart, ...]
+    parts: Annotated[tuple[DynamicPart, ...], From(1)]
+    """Every load case that was run; of several lines, every line."""
     is_complete: bool
+    """False: it was stopped (Ctrl-C); what is here was computed until then: the last run is short,
+    and others may be missing."""
+    checks: ChecksInMotion | None = None
+    """In motion, by the factors for dynamic analysis; None where they were not made."""
+
+    @property
+    def drag_axial_area(self) -> Literal["D"]:
+        """Area per length that drag along the line goes with: pi D of a file is converted."""
+        return "D"
+
+    @property
+    def initial_friction(self) -> InitialFriction | None:
+        """Of the bed at rest, by what the line did last."""
+        return None if self.case.dynamics is None else self.case.dynamics.initial_friction
 
     @property
     def verdict(self) -> Verdict:
@@ -489,7 +542,7 @@ class DynamicVerification(Displayable):
 
     @cached_property
     def joints(self) -> tuple[JointInMotion, ...]:
-        """Where joints were, by the samples after the ramp; empty where there are none."""
+        """Of points and lines: where joints were in all runs, after the ramp."""
         if not isinstance(self.case, Network):
             return ()
         names, runs = [p.name for p in self.case.points if p.kind == "joint"], self.parts[0].runs
@@ -498,13 +551,13 @@ class DynamicVerification(Displayable):
         ways = np.linalg.norm(places - rest, axis=2).max(axis=0)
         where = zip(*(each.tolist() for each in (rest, places.min(0), places.max(0))), strict=True)
         return tuple(
-            JointInMotion(name, tuple(at), tuple(least), tuple(most), way)
+            JointInMotion(name, (*at,), (*least,), (*most,), way)
             for name, (at, least, most), way in zip(names, where, ways.tolist(), strict=True)
         )
 
     @cached_property
     def body(self) -> tuple[OverRuns, ...]:
-        """Where the origin of a moored body was, m, or how a buoy floated; empty without one."""
+        """Where a moored body or a buoy was in all runs, after the ramp; empty without one."""
         part, found = self.parts[0], []
         tracks = [(run, run.track) for run in part.runs if run.track is not None]
         for quantity in TRACK if tracks else ():
@@ -516,9 +569,3 @@ class DynamicVerification(Displayable):
             for quantity in (quantities_of_hull(hulls[0][1]) if hulls else ())
         ]
         return tuple(found)
-
-    def to_dict(self) -> dict[str, Any]:
-        """Build what ``catopt verify --dynamic --json`` has under ``dynamic``."""
-        from catopt.verify.document import dynamic_document
-
-        return dynamic_document(self)

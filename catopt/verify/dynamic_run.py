@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from types import MappingProxyType
+from typing import Literal
 
 import numpy as np
 
@@ -23,7 +24,9 @@ from catopt.fem.extremes import (
 from catopt.fem.history import History
 from catopt.floater.alone import HullHistory
 from catopt.model import Case
+from catopt.model.kinds import Duration, NotNegative, SomeForce
 from catopt.model.network import Network
+from catopt.records import Record
 from catopt.verify.convergence_check import (
     Again,
     ConvergenceCheck,
@@ -73,63 +76,108 @@ HULL: Mapping[str, tuple[Callable[[HullHistory], Array], int]] = MappingProxyTyp
 
 _WAYS = ("floater_x", "floater_y")
 """Counted from where the buoy is at rest."""
-_UNITS = MappingProxyType(
-    dict.fromkeys(("grounded_length", "offset", *TRACK, *_WAYS, "floater_z"), "m")
-    | dict.fromkeys(("floater_roll", "floater_pitch", "floater_yaw"), "rad")
-    | {"floater_wet": ""}
-)
+SeriesUnit = Literal["N", "m", "rad", ""]
+_IN_METRES = ("grounded_length", "offset", *TRACK, *_WAYS, "floater_z")
+_IN_RADIANS = ("floater_roll", "floater_pitch", "floater_yaw")
 
 
 @dataclass(frozen=True)
-class OverRuns:
-    """Statistics of one quantity over all runs of a load case, SI.
+class OverRuns(Record):
+    """Statistics of one quantity over all runs of a load case, SI."""
 
-    `quantity`: a key of `SERIES`, or of where a body is; `mean` to `minimum`: of all runs together;
-    `tail`: of the peaks of all runs, with the most probable maximum in the duration of interest;
-    None where the quantity is not random, or for too few peaks; `gumbel`: the same by the maxima of
-    the runs; None for fewer than five.
-    """
+    DOCUMENT = (
+        "quantity unit mean std maximum=max minimum=min most_probable_maximum=most_probable_max "
+        "tail gumbel"
+    )
 
     quantity: str
+    """A key of `SERIES` such as fairlead_tension, or of where a body is."""
     mean: float
-    std: float
+    """In unit, of all runs together, as all others."""
+    std: NotNegative
+    """In unit: standard deviation."""
     maximum: float
+    """In unit."""
     minimum: float
+    """In unit."""
     tail: TailFit | None = None
+    """Weibull's distribution of the highest peaks of all runs; None where the quantity is not
+    random, or for too few peaks."""
     gumbel: GumbelFit | None = None
+    """Gumbel's distribution of the maxima of the runs; None for fewer than five, or what is not
+    random."""
 
     @property
-    def unit(self) -> str:
-        """SI unit."""
-        return _UNITS.get(self.quantity, "N")
+    def unit(self) -> SeriesUnit:
+        """SI, of the numbers below; empty for a part of a whole."""
+        if self.quantity in _IN_METRES:
+            return "m"
+        if self.quantity in _IN_RADIANS:
+            return "rad"
+        return "" if self.quantity == "floater_wet" else "N"
 
     @property
     def most_probable_maximum(self) -> float | None:
-        """In the duration of interest, by the tail; None without one."""
+        """In unit, in the duration of interest, by the tail; None without one."""
         return None if self.tail is None else self.tail.extreme.most_probable
 
 
 @dataclass(frozen=True, eq=False)
-class DynamicRun:
-    """One run of one line.
+class DynamicRun(Record):
+    """One run of one line."""
 
-    `history`: what it did; `quasi_static` (samples,): tension at the fairlead in closed form for
-    each of its places, without current, N; nan where the closed form has none; `number`: from 0;
-    with the case's seed it gives the sea; `again`: the same run again, at half the step and then
-    with twice the bars, too; empty when it was run once; `damped`: with other dampings, where a
-    line snaps; `track`: place of the origin of the body that the line moors with others, shape
-    (samples, 3), m; `cycles`: of each bar's tension, from the anchor; empty unless they were asked
-    for; `hull`: how the buoy moved that floats at its end.
-    """
+    DOCUMENT = (
+        "number+1=run history.is_complete reached history.since history.step=time_step_s "
+        "history.shortest_step history.steps history.iterations history.halvings "
+        "max_fairlead_tension time_of_max slack_time longest_slack history.refinements "
+        "history.balance=energy(put_in=put_in_J ends=ends_J water=water_J kinetic=kinetic_J "
+        "elastic=elastic_J potential=potential_J drag=drag_J bed=bed_J friction=friction_J "
+        "damping=line_damping_J numerical=numerical_J) again"
+    )
 
     history: History
+    """What it did."""
     quasi_static: Array
+    """Tension at the fairlead in closed form for each of its places, without current, (samples,),
+    N; nan where the closed form has none."""
     number: int = 0
+    """Number; with the case's seed it gives the sea."""
     again: tuple[Again, ...] = ()
+    """The same run again, at half the step and then with twice the bars, too; empty when it was run
+    once."""
     damped: tuple[Damped, ...] = ()
+    """With other dampings, where a line snaps."""
     track: Array | None = None
+    """Place of the origin of the body that the line moors with others, shape (samples, 3), m."""
     cycles: tuple[Cycles, ...] = ()
+    """Of each bar's tension, from the anchor; empty unless they were asked for."""
     hull: HullHistory | None = None
+    """How the buoy moved that floats at its end."""
+
+    @property
+    def reached(self) -> Duration:
+        """Where it ended, s."""
+        return float(self.history.time[-1])
+
+    @property
+    def max_fairlead_tension(self) -> SomeForce:
+        """Largest tension at the fairlead, N."""
+        return self.statistics("fairlead_tension").maximum
+
+    @property
+    def time_of_max(self) -> Duration:
+        """When that was, s."""
+        return self.statistics("fairlead_tension").time_of_maximum
+
+    @property
+    def slack_time(self) -> Duration:
+        """That a bar of the line had no tension, in all, s."""
+        return self.history.line_slack_time()
+
+    @property
+    def longest_slack(self) -> Duration:
+        """The same at a stretch, s."""
+        return self.history.line_longest_slack()
 
     def is_complete(self, convergence_check: ConvergenceCheck) -> bool:
         """Whether neither it nor its check was stopped."""

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal, NamedTuple
+from typing import Annotated, Any, Literal, NamedTuple, NotRequired, TypedDict
 
 import numpy as np
 
@@ -15,7 +15,9 @@ from catopt.catenary.solution import Solution
 from catopt.fem import SystemSolution, TrussSolution
 from catopt.fem.network import NetworkSolution
 from catopt.model import Case
+from catopt.model.kinds import Angle, Force, Height, Moment, NotNegative, Place, Positive
 from catopt.model.network import Network
+from catopt.records import Counted, From, FromZero, Record
 from catopt.shown import Displayable
 from catopt.ties import largest
 from catopt.verify.compared import ORDER, ROUNDING, Compared, worst_of
@@ -31,6 +33,7 @@ __all__ = [
     "least_agreeing",
 ]
 
+SCHEMA = "catopt.verify/1"
 Verdict = Literal["agrees", "differs", "not resolved", "not compared"]
 VERDICTS: tuple[Verdict, ...] = ("differs", "not resolved", "agrees")
 """From the one that outweighs all others."""
@@ -80,16 +83,18 @@ def largest_distances(
 
 
 @dataclass(frozen=True)
-class Mesh:
+class Mesh(Record):
     """One solution of the truss model."""
 
-    elements: int
+    DOCUMENT = "elements iterations residual penetration"
+
+    elements: Counted
     """Bars of all lines."""
-    iterations: int
+    iterations: FromZero
     """Of Newton's method, from a straight start."""
-    residual: float
+    residual: NotNegative
     """Largest force left over at a node, over the largest tension."""
-    penetration: float
+    penetration: Height
     """Largest depth of a node below the bed, m."""
 
     @classmethod
@@ -145,27 +150,138 @@ class LinePair:
         return Gap(truss.arc, distance, middles, np.abs(truss.tension - tension))
 
 
+class PointValues(TypedDict):
+    """Values of a joint or a free body."""
+
+    place_x_m: NotRequired[Place]
+    """m: of a joint."""
+    place_y_m: NotRequired[Place]
+    """m."""
+    place_z_m: NotRequired[Place]
+    """m, above the seabed."""
+    position_x_m: NotRequired[Place]
+    """m: of a body, under its load."""
+    position_y_m: NotRequired[Place]
+    """m."""
+    moment_of_lines_Nm: NotRequired[Moment]
+    """N m: of a body that yaws; of its lines about the vertical, counter-clockwise."""
+
+
+class LineValues(TypedDict):
+    """Values of one of several lines."""
+
+    horizontal_force_N: Force
+    """N: at the fairlead."""
+    span_m: Place
+    """m: horizontal distance between the ends."""
+    grounded_length_m: Place
+    """m, unstretched: on the seabed."""
+    from_tension_N: NotRequired[Force]
+    """N: effective tension, of a line between points, at the anchor or the first point of the
+    case."""
+    to_tension_N: NotRequired[Force]
+    """N: the same at its other end."""
+    fairlead_tension_N: NotRequired[Force]
+    """N: effective tension."""
+    anchor_tension_N: NotRequired[Force]
+    """N: effective tension, after seabed friction."""
+
+
+class ComparedValues(TypedDict):
+    """The quantities of one line; or position, moment and lines of a body."""
+
+    span_m: NotRequired[Place]
+    """m: horizontal distance between the ends; where the force is given."""
+    horizontal_force_N: NotRequired[Force]
+    """N: at the fairlead; where the span is given, and of a system's lines."""
+    fairlead_tension_N: NotRequired[Force]
+    """N: effective tension."""
+    fairlead_vertical_force_N: NotRequired[Force]
+    """N: positive where the line rises towards the fairlead."""
+    fairlead_angle_rad: NotRequired[Angle]
+    """rad: inclination above the horizontal."""
+    anchor_tension_N: NotRequired[Force]
+    """N: effective tension, after seabed friction."""
+    anchor_vertical_force_N: NotRequired[Force]
+    """N: positive where the line pulls the anchor up."""
+    anchor_angle_rad: NotRequired[Angle]
+    """rad: inclination above the horizontal."""
+    grounded_length_m: NotRequired[Place]
+    """m, unstretched: on the seabed."""
+    shape_m: NotRequired[Place]
+    """m: largest distance between a node and the closed form's point of the same arc length; 0 in
+    closed_form."""
+    position_x_m: NotRequired[Place]
+    """m: of a body, under its load."""
+    position_y_m: NotRequired[Place]
+    """m."""
+    moment_of_lines_Nm: NotRequired[Moment]
+    """N m: of a body that yaws; of its lines about the vertical, counter-clockwise."""
+    points: NotRequired[Mapping[str, Annotated[Mapping[str, float], PointValues]]]
+    """Of points joined by lines: joints and free bodies, by name."""
+    lines: NotRequired[tuple[Annotated[Mapping[str, float], LineValues], ...]]
+    """Of a body, or of points: the lines, in the order of the case."""
+
+
 @dataclass(frozen=True)
-class StaticComparison:
+class StaticComparison(Record):
     """Closed form and truss model at rest under one load."""
 
+    DOCUMENT = (
+        "name=load_case kind verdict tolerance closed_form fem difference "
+        "worst(quantity line+1 named_point=point? unit gap) meshes quantities remarks"
+    )
+
     name: str
+    """Its name; load where the case has only that."""
     kind: Literal["line", "system", "network"]
-    quantities: tuple[Compared, ...]
+    """One line, a body moored by several, or points joined by lines."""
+    quantities: Annotated[tuple[Compared, ...], From(1)]
     """Every one that both models know."""
-    meshes: tuple[Mesh, ...]
-    """From the coarsest."""
+    meshes: Annotated[tuple[Mesh, ...], From(2)]
+    """From the coarsest; each has twice the bars of the one before."""
     lines: tuple[LinePair, ...]
-    tolerance: float
-    """Allowed difference over each quantity's scale."""
+    tolerance: Positive
+    """Allowed difference over the scale of each quantity, a pure number."""
     remarks: tuple[str, ...] = ()
     """What to know before the verdict is used."""
     line_names: tuple[str, ...] = ()
     """Of a network."""
 
     @property
+    def closed_form(self) -> Annotated[Mapping[str, Any], ComparedValues]:
+        """By the closed form."""
+        return self._by_key(lambda each: each.closed_form)
+
+    @property
+    def fem(self) -> Annotated[Mapping[str, Any], ComparedValues]:
+        """By the truss model: extrapolated, or of the finest mesh where it is not smooth."""
+        return self._by_key(lambda each: each.extrapolated)
+
+    @property
+    def difference(self) -> Annotated[Mapping[str, Any], ComparedValues]:
+        """Fem minus closed_form."""
+        return self._by_key(lambda each: each.difference)
+
+    def _by_key(self, value: Callable[[Compared], float]) -> dict[str, Any]:
+        """Lay values out by quantity, of lines in a list, of joints and bodies by name."""
+        alone = [each for each in self.quantities if each.line is None]
+        found: dict[str, Any] = {each.key: value(each) for each in alone if not each.point}
+        if self.kind == "network":
+            named: dict[str, dict[str, float]] = {}
+            for each in alone:
+                named.setdefault(each.point, {})[each.key] = value(each)
+            found["points"] = named
+        if self.kind != "line":
+            found["lines"] = [
+                {each.key: value(each) for each in self.quantities if each.line == k}
+                for k in range(len(self.lines))
+            ]
+        return found
+
+    @property
     def worst(self) -> Compared:
-        """The quantity with the largest gap over its tolerance; of those alike the first."""
+        """The quantity with the largest gap; of those alike the first."""
         return worst_of(self.quantities)
 
     def worst_of(self, line: int) -> Compared:
@@ -184,7 +300,7 @@ class StaticComparison:
 
     @property
     def verdict(self) -> Verdict:
-        """Whether the two models agree, or the meshes do not resolve what is between them."""
+        """Of it: not resolved, where the truss model itself may still be off by what differs."""
         if self.is_settled:
             return "agrees"
         off = [each for each in self.quantities if not each.agrees]
@@ -222,12 +338,16 @@ def least_agreeing(parts: Sequence[StaticComparison]) -> StaticComparison:
 
 
 @dataclass(frozen=True, repr=False)
-class Verification(Displayable):
-    """A case by both models."""
+class Verification(Displayable, Record):
+    """Closed form beside truss model: a case in all its load cases, or the designs of a front."""
+
+    SCHEMA = SCHEMA
+    DOCUMENT = "case.title verdict worst_case=static parts=load_cases"
 
     case: Case | Network
     parts: tuple[StaticComparison, ...]
-    """One a load case; none where there is no closed form to compare with."""
+    """Of a case: every load case that was verified; empty where there is no closed form to compare
+    with."""
 
     @property
     def is_named(self) -> bool:
@@ -240,8 +360,13 @@ class Verification(Displayable):
         return least_agreeing(self.parts)
 
     @property
+    def worst_case(self) -> StaticComparison | None:
+        """The load case, or design, in which the models agree least; None without any."""
+        return self.static if self.parts else None
+
+    @property
     def verdict(self) -> Verdict:
-        """The one of a load case that outweighs the others; ``"agrees"`` where all do."""
+        """Of all that was verified; not compared, on a bed that slopes; of a design, no answer."""
         verdicts = [part.verdict for part in self.parts]
         return next((v for v in VERDICTS if v in verdicts), "not compared")
 
@@ -252,6 +377,4 @@ class Verification(Displayable):
 
     def to_dict(self) -> dict[str, Any]:
         """Build the document that ``catopt verify --json`` prints (schema catopt.verify/1)."""
-        from catopt.verify.document import verification_document
-
-        return verification_document(self)
+        return super().to_dict() | {"dynamic": None}

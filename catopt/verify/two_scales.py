@@ -5,11 +5,11 @@ from __future__ import annotations
 import itertools
 import math
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Final
+from typing import Annotated, Any, Final, TypedDict
 
 import numpy as np
 
@@ -20,7 +20,7 @@ from catopt.checks.criteria import Criteria, criteria_of, motion_profile
 from catopt.checks.evaluation import evaluate, of_criteria
 from catopt.checks.kinds import Criterion, Place, State
 from catopt.checks.profiles import profiles_of
-from catopt.checks.result import CheckReport, CheckResult
+from catopt.checks.result import CheckReport, CheckResult, ChecksInMotion
 from catopt.checks.system import for_line_out, lost_results, of_line_out, state_words
 from catopt.errors import InputError, NoAnswerError, Problem
 from catopt.fem.extremes import Extreme, weibull_tail
@@ -35,7 +35,9 @@ from catopt.floater.two_scales import (
 )
 from catopt.model import Case, System
 from catopt.model.dynamics import Dynamics, JudgedBy
+from catopt.model.kinds import Angle, Duration, SomeForce, Strength, Time
 from catopt.mooring.zero_load import zero_load_position
+from catopt.records import Counted, Record
 from catopt.ties import first_largest, largest
 from catopt.units import lasting
 from catopt.verify.dynamic_setup import Excitation, read_drive
@@ -57,19 +59,51 @@ _LEFT_OUT: Final = 0.01
 """Part of the waves' energy beyond a table of RAOs from which it is remarked on."""
 
 
+class InStorm(TypedDict):
+    """The largest tension of a line in the storm."""
+
+    most_probable_tension_N: SomeForce
+    """N, at the fairlead, by the tail of its peaks."""
+    interval_N: tuple[float, float]
+    """N: its 90 % interval."""
+
+
 @dataclass(frozen=True)
-class LineOfShip:
-    """What a line carries: from 1, its scales of tension at both ends, and its MBL, N, if known.
+class LineOfShip(Record):
+    """What a line of the ship carries."""
 
-    `storm`: the largest tension at the fairlead in the storm, by the tail of its peaks; None where
-    the runs have too few of them.
-    """
+    DOCUMENT = (
+        "number=line fairlead=fairlead_tension_N anchor=anchor_tension_N MBL "
+        "in_storm=storm judged_tension"
+    )
 
-    number: int
+    number: Counted
+    """Number, from 1."""
     fairlead: Scales
+    """N, at the fairlead."""
     anchor: Scales
-    MBL: float | None
+    """N, at the anchor."""
+    MBL: Strength | None
+    """Least of its segments, N; None where none is known."""
     storm: Extreme | None = None
+    """The largest tension at the fairlead in the storm, by the tail of its peaks; None where the
+    runs have too few of them."""
+    judged_by: JudgedBy = "largest"
+
+    @property
+    def in_storm(self) -> Annotated[Mapping[str, Any], InStorm] | None:
+        """The largest tension in the storm; None where the runs have too few peaks."""
+        if self.storm is None:
+            return None
+        return {
+            "most_probable_tension_N": self.storm.most_probable,
+            "interval_N": (self.storm.low, self.storm.high),
+        }
+
+    @property
+    def judged_tension(self) -> SomeForce:
+        """At the fairlead, N: what the checks are held against."""
+        return self.judged(self.judged_by)
 
     def judged(self, by: JudgedBy) -> float:
         """Tension at the fairlead that the checks are held against, N.
@@ -83,19 +117,21 @@ class LineOfShip:
 
 
 @dataclass(frozen=True, eq=False)
-class ShipWithoutLine:
-    """A ship that has lost a line and rests anew, in the seas that she was run in with all there.
+class ShipWithoutLine(Record):
+    """A ship that has lost a line and rests anew, in the seas of the runs with all there."""
 
-    `missing`: the line, from 1; `lines`, `hanging`: the others, numbered as with all there, none
-    where there is no answer; `offset`: of the origin from the zero-load position with all there, m;
-    `refusal`: why there is no answer.
-    """
+    DOCUMENT = "missing=missing_line refusal offset=offset_m lines"
 
-    missing: int
+    missing: Counted
+    """Line that is gone, from 1."""
     lines: tuple[LineOfShip, ...] = ()
+    """The others, numbered as with all there; none without an answer."""
     hanging: tuple[Solution, ...] = ()
+    """Each of them under the tension that it is judged by."""
     offset: Scales | None = None
+    """m: of the origin from the zero-load position with all there."""
     refusal: str = ""
+    """Why there is no answer; else empty."""
 
     @property
     def most_loaded(self) -> int:
@@ -109,8 +145,14 @@ class ShipWithoutLine:
 
 
 @dataclass(frozen=True, eq=False)
-class ShipVerification:
-    """A case's ship in motion: every run, what they come to, and the checks."""
+class ShipVerification(Record):
+    """A ship on its lines on two time scales: every run, what they come to, and the checks."""
+
+    DOCUMENT = (
+        "count=runs duration since storm rest.force=mean_force_N rest.mean_loads "
+        "rest.of_document=rest heading offset=offset_m yaw=yaw_rad lines lost=lines_out "
+        "report=checks remarks"
+    )
 
     case: Case
     moored: MooredShip
@@ -118,37 +160,61 @@ class ShipVerification:
     """Of the first run's waves."""
     runs: tuple[ShipHistory, ...]
     lines: tuple[LineOfShip, ...]
-    """What every line carries."""
+    """Of the mooring, in the order of the case."""
     hanging: tuple[Solution, ...]
     """Each line under the tension that it is judged by."""
     checks: CheckReport
     remarks: tuple[Message, ...]
+    """What the answer rests on, and where it does not hold."""
     directions: Array
     """Of the waves of the first run, where they travel to, rad."""
     lost: tuple[ShipWithoutLine, ...] = ()
-    """With lines gone, one at a time, the one first whose loss is hardest at rest."""
+    """With a line gone, of those without which another carries more at rest in the mean weather,
+    the hardest first; none of one line, or where no check is on it."""
 
     @property
-    def _storm(self) -> float:
+    def count(self) -> Counted:
+        """Runs that differ in their seed."""
+        return len(self.runs)
+
+    @property
+    def duration(self) -> Time:
+        """Of each run, s."""
+        assert self.case.dynamics is not None
+        return self.case.dynamics.duration
+
+    @property
+    def since(self) -> Duration:
+        """From which statistics are taken, s."""
+        return float(self.runs[0].time[0])
+
+    @property
+    def report(self) -> ChecksInMotion:
+        """Of each line as it hangs under its largest tension, all lines there and with one gone."""
+        return self.checks.in_motion
+
+    @property
+    def storm(self) -> Time:
+        """For which the largest of a normal process is taken, s."""
         assert self.case.dynamics is not None
         return self.case.dynamics.duration_of_interest
 
     def _scales(self, slow: list[Array], whole: list[Array]) -> Scales:
-        return scales_of(slow, whole, self.runs[0].time, self._storm)
+        return scales_of(slow, whole, self.runs[0].time, self.storm)
 
     @cached_property
     def offset(self) -> Scales:
-        """Of the origin from the zero-load position, m."""
-        return _offset(self.runs, self.rest.zero, self._storm)
+        """m: of the origin from the zero-load position."""
+        return _offset(self.runs, self.rest.zero, self.storm)
 
     @cached_property
-    def heading(self) -> float:
-        """Mean yaw, rad."""
+    def heading(self) -> Angle:
+        """Mean yaw in motion, rad."""
         return float(np.mean([each.slow[:, 2] for each in self.runs]))
 
     @cached_property
     def yaw(self) -> Scales:
-        """Of the yaw beside its mean, rad, to the side where it is larger."""
+        """rad: beside its mean, to the side where it is larger."""
         both = [
             self._scales(
                 [side * (each.slow[:, 2] - self.heading) for each in self.runs],
@@ -179,8 +245,9 @@ def _offset(runs: tuple[ShipHistory, ...], zero: tuple[float, float], storm: flo
 
 
 def _lines(
-    moored: MooredShip, numbers: Sequence[int], runs: tuple[ShipHistory, ...], storm: float
+    moored: MooredShip, numbers: Sequence[int], runs: tuple[ShipHistory, ...], dynamics: Dynamics
 ) -> Iterator[LineOfShip]:
+    storm, by = dynamics.duration_of_interest, dynamics.judged_by
     for k, (number, leg) in enumerate(zip(numbers, moored.system.legs, strict=True)):
         fairlead, anchor = (
             scales_of(
@@ -195,7 +262,7 @@ def _lines(
         time = math.fsum(float(each.time[-1] - each.time[0]) for each in runs)
         tail = weibull_tail([each.tension[:, k, 0] for each in runs], time, storm)
         extreme = None if tail is None else tail.extreme
-        yield LineOfShip(number, fairlead, anchor, min(known, default=None), extreme)
+        yield LineOfShip(number, fairlead, anchor, min(known, default=None), extreme, by)
 
 
 def verify_ship(
@@ -245,8 +312,7 @@ def verify_ship(
     missing, needless = _losses(moored, rest) if damaged else ((), ())
     tell = _counted(progress, dynamics.runs * (1 + len(missing)))
     histories = _histories(moored, drive, tell)
-    storm = dynamics.duration_of_interest
-    lines = tuple(_lines(moored, range(1, len(legs) + 1), histories, storm))
+    lines = tuple(_lines(moored, range(1, len(legs) + 1), histories, dynamics))
     lost = tuple(_without(case, moored, drive, number, tell) for number in missing)
     asked = case.system is not None and case.system.judged_line_out
     remarks = (
@@ -320,7 +386,7 @@ def _without(
     storm, neutral = drive.dynamics.duration_of_interest, moored.zero_load.neutral
     try:
         histories = _histories(left, drive, tell)
-        lines = tuple(_lines(left, numbers, histories, storm))
+        lines = tuple(_lines(left, numbers, histories, drive.dynamics))
         hanging = hang_judged(case, lines, left)
     except NoAnswerError as error:
         return ShipWithoutLine(number, refusal=error.args[0])

@@ -164,13 +164,13 @@ def test_a_buoy_that_would_float_up_is_refused_by_the_name_of_its_load_case() ->
 def test_no_result_has_no_place_among_the_results() -> None:
     nothing = CheckReport("", (), ())
     assert nothing.brief.governing is None
-    assert nothing.motion_document()["governing"] is None
-    assert nothing.motion_document()["passes"] is None
+    assert nothing.in_motion.to_dict()["governing"] is None
+    assert nothing.in_motion.to_dict()["passes"] is None
     result = CheckResult("tension", "tension", "load", 50e3, 40e3, "N", 0.25, SOURCE)
     verdict = CheckReport("", (result,), ()).brief.to_dict()
     assert (verdict["checks"], verdict["failed"], verdict["passes"]) == (1, 1, False)
     assert verdict["governing"]["excess"] == 0.25
-    moved = CheckReport("", (replace(result, exceedance=-0.1), result), ()).motion_document()
+    moved = CheckReport("", (replace(result, exceedance=-0.1), result), ()).in_motion.to_dict()
     assert (moved["passes"], moved["governing"]) == (False, 1)
 
 

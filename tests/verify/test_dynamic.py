@@ -33,7 +33,6 @@ from catopt.model import (
 )
 from catopt.model.dynamics import INITIAL_FRICTION
 from catopt.verify.case import verify_case
-from catopt.verify.document import dynamic_document
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
 from catopt.verify.dynamic_setup import Excitation, read_drive
@@ -370,7 +369,7 @@ def test_gumbel_is_fitted_from_five_runs_on() -> None:
 def test_the_document_has_the_extremes_with_their_interval() -> None:
     part = storm(5)
     case = chain(Motion(period=8.0, surge=0.1))
-    quantities = dynamic_document(DynamicVerification(case, (part,), True))
+    quantities = DynamicVerification(case, (part,), is_complete=True).to_dict()
     tension, _, grounded, offset = quantities["load_cases"][0]["quantities"]
     tail = part.of("fairlead_tension").tail
     assert tail is not None

@@ -23,7 +23,6 @@ from catopt.render.card import card_lines
 from catopt.render.files import csv_files
 from catopt.schemas import schema
 from catopt.schemas.validation import inconsistencies
-from catopt.verify.document import ship_document
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.result import Verification
 from catopt.verify.ship_files import drift_csv, led_case, raos_csv
@@ -179,7 +178,7 @@ def test_where_nothing_asks_for_it_no_line_is_out() -> None:
         assert found.lost == ()
         assert {each.place.state for each in found.checks.results} == {"intact"}
         assert any(each.key.endswith(key) for each in found.remarks)
-        assert ship_document(found)["lines_out"] == []
+        assert found.to_dict()["lines_out"] == []
         assert "ship_lines_out.csv" not in csv_files(ship_answer(found))
 
 
@@ -199,7 +198,7 @@ def test_where_the_others_do_not_hold_the_ship_that_is_a_failed_check(
     assert {each.place.missing for each in failed} == {1, 2, 3}
     assert not any(each.passes for each in failed)
     assert "floater.line_out_refused" in {each.key for each in found.remarks}
-    document = Verification(found.case, ()).to_dict() | {"ship": ship_document(found)}
+    document = Verification(found.case, ()).to_dict() | {"ship": found.to_dict()}
     assert list(inconsistencies(document, schema("catopt.verify/1"))) == []
     assert document["ship"]["lines_out"][0]["lines"] == []
     assert "ship_lines_out.csv" not in csv_files(ship_answer(found))
@@ -217,7 +216,7 @@ def test_the_excursion_is_checked_by_the_span_of_the_largest_tension() -> None:
 
 def test_the_document_fits_its_schema() -> None:
     found = loaded()
-    document = Verification(found.case, ()).to_dict() | {"ship": ship_document(found)}
+    document = Verification(found.case, ()).to_dict() | {"ship": found.to_dict()}
     assert list(inconsistencies(document, schema("catopt.verify/1"))) == []
     lines = document["ship"]["lines"]
     assert lines[1]["fairlead_tension_N"]["combined"] == found.lines[1].fairlead.combined
