@@ -131,9 +131,15 @@ def motion(anchors: int, rows: tuple[tuple[float, ...], ...], **of: float) -> Ru
         sections, _damping(), Fluid(1025.0, G), Seabed(3e6 * wide[0], 3e5 * wide[0])
     )
     stepping = TimeStepping(20.0, 0.1, ramp_time=of["period"], since=0.0)
-    led = Harmonic(of["period"], (of["amplitude"], 0.0, 0.0), (-math.pi / 2, 0.0, 0.0))
+    prescribed_motion = Harmonic(
+        of["period"], (of["amplitude"], 0.0, 0.0), (-math.pi / 2, 0.0, 0.0)
+    )
     bars = [int(row[6]) for row in rows]
-    shared: dict[str, Any] = {"properties": properties, "motion": led, "elements": bars}
+    shared: dict[str, Any] = {
+        "properties": properties,
+        "motion": prescribed_motion,
+        "elements": bars,
+    }
     if anchors == 1:
         return lambda: run_dynamics(line, stepping, height=of["height"], span=of["span"], **shared)
     angles = [math.radians(angle) for angle in (-3, 0, 3, 117, 120, 123, 237, 240, 243)]
@@ -171,7 +177,7 @@ def storm() -> Run:
     waves = random_waves(jonswap(8.0, 12.0), 200, np.random.default_rng(2), direction=math.pi)
     amplitude = np.zeros((200, 3))
     amplitude[:, 0] = 0.5 * waves.amplitude
-    led = Harmonic(tuple(2.0 * math.pi / waves.omega), amplitude)
+    prescribed_motion = Harmonic(tuple(2.0 * math.pi / waves.omega), amplitude)
     wide = math.sqrt(4.0 / math.pi * (115.0 - 1000.0 / G) / 1025.0)
     properties = LineProperties(
         [MorisonSection(wide, 1.33, 0.0, 1.0)], _damping(), Fluid(1025.0, G),
@@ -180,7 +186,7 @@ def storm() -> Run:
     line = Line([Segment(600.0, 1000.0, EA=8e8, mass=115.0)])
     stepping = TimeStepping(300.0, 0.1, ramp_time=60.0, output_interval=0.5)
     return lambda: run_dynamics(
-        line, stepping, height=195.0, span=554.5, motion=led, properties=properties,
+        line, stepping, height=195.0, span=554.5, motion=prescribed_motion, properties=properties,
         sea=Sea(200.0, waves), elements=40,
     )  # fmt: skip
 

@@ -48,6 +48,7 @@ from catopt.catenary.suspended import (
     Part,
     grounded_guess,
     grounded_part,
+    is_inside,
     part_reach,
     suspended_part,
     vertical_force,
@@ -141,7 +142,7 @@ def hung_state(
     else:
         regime = GROUNDED if V > 0.0 else ON_BED
         piece, rest, H_bed = bottom, pieces.length[bottom] - hung.bottom_length, H
-        if hung.touchdown % 2 == 1:
+        if not is_inside(hung.touchdown):
             piece, rest = bottom - 1, pieces.length[bottom - 1]
             H_bed = tension_past_clump(H, pieces, bottom, friction, pieces.load[bottom] - hung.V)
         grounded = length_between(pieces, piece, rest, 0, 0.0)

@@ -24,7 +24,15 @@ from catopt.catenary.sliding import (
     tight_above,
 )
 from catopt.catenary.state import IN_PARTS, LOOSE, SLACK, TURNED, State
-from catopt.catenary.suspended import NO_TOUCHDOWN, Part, part_reach, share, with_force
+from catopt.catenary.suspended import (
+    NO_TOUCHDOWN,
+    Part,
+    at_clump,
+    inside,
+    part_reach,
+    share,
+    with_force,
+)
 from catopt.catenary.upper_part import lying_end, upper_part
 from catopt.model.kinds import Force, Place
 from catopt.records import From, Record
@@ -129,7 +137,7 @@ def _descending(state: State, problem: LineProblem, runs: LineIntervals) -> int:
     row = 0
     for k in range(len(pieces.length) - 1, -1, -1):
         length = pieces.length[k]
-        if state.touchdown == 2 * k:
+        if state.touchdown == inside(k):
             hanging = max(V, 0.0) / pieces.weight[k] if pieces.weight[k] > 0.0 else 0.0
             hanging = min(hanging, length)
             _write(runs, row, k, hanging, H, 0.0, 0.0, 0.0, 0)
@@ -138,7 +146,7 @@ def _descending(state: State, problem: LineProblem, runs: LineIntervals) -> int:
         V -= pieces.weight[k] * length
         _write(runs, row, k, length, H, V, 0.0, 0.0, 0)
         row += 1
-        if state.touchdown == 2 * k + 1:
+        if state.touchdown == at_clump(k):
             down = Touchdown(H, k - 1, pieces.length[k - 1], k, pieces.load[k] - V)
             return _lying(down, 0, 0.0, problem, runs, row)
         V -= pieces.load[k]

@@ -42,20 +42,29 @@ from catopt.catenary.state import (
     State,
     failed,
 )
-from catopt.catenary.suspended import NO_PART, NO_TOUCHDOWN, Part, part_reach
+from catopt.catenary.suspended import (
+    NO_PART,
+    NO_TOUCHDOWN,
+    Part,
+    at_clump,
+    inside,
+    is_inside,
+    part_reach,
+    piece_of,
+)
 from catopt.catenary.upper_part import WELL_HUNG, lying_end, upper_part
 
 
 class Onset(NamedTuple):
     """Where the tight part of a line begins, on the bed.
 
-    code is 2 k inside piece k, 2 k + 1 at the clump weight on the joint below piece k, -1 nowhere;
+    place is `inside` a piece, `at_clump` below one, or -1: nowhere;
     x how much of the piece lies below the place (m), or the part of the clump weight's friction
     that does not act; `part` what leaves the bed there, or further down if its horizontal force is
     0.
     """
 
-    code: int
+    place: int
     x: float
     part: Part
 
@@ -102,9 +111,9 @@ def onset_of(span: float, problem: LineProblem) -> Onset:
         down = touchdown_of(part, part_reach(part, pieces).V_bottom, pieces)
         part = lower_part(down, problem)
         onset = _where_it_lies(span, problem, down, part)
-        if onset.code < 0 <= part.bottom:
+        if onset.place < 0 <= part.bottom:
             onset = _where_it_leaves(span, problem, down, part)
-        if onset.code >= 0:
+        if onset.place >= 0:
             return onset
     return NOWHERE
 
@@ -115,12 +124,12 @@ def _where_it_lies(span: float, problem: LineProblem, down: Touchdown, part: Par
     for k in range(down.piece, max(part.top, 0) - 1, -1):
         rest = down.rest if k == down.piece else pieces.length[k]
         if rest == pieces.length[k] and k + 1 < len(pieces.length):
-            onset = _between(span, problem, 2 * k + 3, 1.0, 0.0, part)
-            if onset.code >= 0:
+            onset = _between(span, problem, at_clump(k + 1), 1.0, 0.0, part)
+            if onset.place >= 0:
                 return onset
         end = part.top_length if k == part.top else 0.0
-        onset = _between(span, problem, 2 * k, rest, end, part)
-        if onset.code >= 0:
+        onset = _between(span, problem, inside(k), rest, end, part)
+        if onset.place >= 0:
             return onset
     return NOWHERE
 
@@ -131,23 +140,23 @@ def _where_it_leaves(span: float, problem: LineProblem, down: Touchdown, part: P
     for k in range(part.top, down.piece + 1):
         low = part.top_length if k == part.top else 0.0
         rest = down.rest if k == down.piece else pieces.length[k]
-        onset = _between(span, problem, 2 * k, low, rest, NO_PART)
-        if onset.code < 0 and rest == pieces.length[k] and k + 1 < len(pieces.length):
+        onset = _between(span, problem, inside(k), low, rest, NO_PART)
+        if onset.place < 0 and rest == pieces.length[k] and k + 1 < len(pieces.length):
             lifted = _lifted_at(k + 1, part, pieces)
-            onset = _between(span, problem, 2 * k + 3, lifted, pieces.load[k + 1], NO_PART)
-        if onset.code >= 0:
+            onset = _between(span, problem, at_clump(k + 1), lifted, pieces.load[k + 1], NO_PART)
+        if onset.place >= 0:
             return onset
     return NOWHERE
 
 
 def _between(
-    span: float, problem: LineProblem, code: int, first: float, last: float, part: Part
+    span: float, problem: LineProblem, place: int, first: float, last: float, part: Part
 ) -> Onset:
     """Find the onset with a span between two places, of which the last has the larger; or NOWHERE.
 
     `part` is that which leaves the bed further down; NO_PART where it does so at the onset.
     """
-    onset = _onset(code, last, part, problem)
+    onset = _onset(place, last, part, problem)
     f = _beyond(span, onset, problem)
     if first == last or f < 0.0:
         return NOWHERE
@@ -155,7 +164,7 @@ def _between(
     around = bracket(sense * first, sense * last, -math.inf, f)
     while abs(f) > 1e-15 * span and not is_closed(around):
         x = trial(around, math.nan)
-        onset = _onset(code, sense * x, part, problem)
+        onset = _onset(place, sense * x, part, problem)
         f = _beyond(span, onset, problem)
         around = narrowed(around, x, f)
     return onset if abs(f) <= WELL_HUNG * max(span, total_length(problem.pieces)) else NOWHERE
@@ -167,15 +176,15 @@ def _beyond(span: float, onset: Onset, problem: LineProblem) -> float:
     return math.inf if math.isnan(reached) else reached - span
 
 
-def _onset(code: int, x: float, part: Part, problem: LineProblem) -> Onset:
+def _onset(place: int, x: float, part: Part, problem: LineProblem) -> Onset:
     if part.top >= 0:
-        return Onset(code, x, part)
-    return Onset(code, x if code % 2 == 0 else 0.0, just_clear(code, x, problem))
+        return Onset(place, x, part)
+    return Onset(place, x if is_inside(place) else 0.0, just_clear(place, x, problem))
 
 
 def loose(onset: Onset, problem: LineProblem) -> State:
     """State of a line whose tight part begins at a place on the bed."""
-    if onset.code < 0 or onset.part.top < 0:
+    if onset.place < 0 or onset.part.top < 0:
         return failed(NOT_CONVERGED)
     other_way = tight_above(onset, problem)
     tight = in_parts(lying_end(onset.part.H, other_way.pieces), other_way)
@@ -207,8 +216,8 @@ def loose(onset: Onset, problem: LineProblem) -> State:
 
 def tight_above(onset: Onset, problem: LineProblem) -> LineProblem:
     """Return what lies and hangs above an onset, counted from there."""
-    k = onset.code // 2
-    if onset.code % 2 == 0:
+    k = piece_of(onset.place)
+    if is_inside(onset.place):
         pieces = above(problem.pieces, k, onset.x)
     else:
         # On the bed by a piece without length, with what is not lifted from below of its weight.
@@ -222,12 +231,12 @@ def tight_above(onset: Onset, problem: LineProblem) -> LineProblem:
 
 def loose_below(onset: Onset, problem: LineProblem) -> LineProblem:
     """Return what lies and hangs below an onset; a clump weight belongs to both parts."""
-    k = onset.code // 2
+    k = piece_of(onset.place)
     if onset.part.H > 0.0:
         pieces = below(problem.pieces, onset.part.top, onset.part.top_length)
     else:
-        pieces = below(problem.pieces, k, onset.x if onset.code % 2 == 0 else 0.0)
-        if onset.code % 2 == 1:
+        pieces = below(problem.pieces, k, onset.x if is_inside(onset.place) else 0.0)
+        if not is_inside(onset.place):
             pieces.weight[k] = 0.0
     return LineProblem(pieces, problem.anchor_height, 0.0, problem.friction)
 

@@ -1,12 +1,12 @@
 """The suspended part of a line below its fairlead, and the part on the bed below that.
 
 The suspended part is followed down from the forces H and V at the fairlead, one piece after the
-other. Where it ends is said by a touchdown code:
+other. Where it ends is said by its place of touchdown, a whole number that rises up the line:
 
     NO_TOUCHDOWN      at the anchor, whatever the line passes through
     FIRST_TOUCHDOWN   where V first falls to 0: inside a piece, or at a clump weight
-    2 k               inside piece k, where V falls to 0
-    2 k + 1           at the clump weight on the joint below piece k, which the bed carries in part
+    inside(k)         inside piece k, where V falls to 0
+    at_clump(k)       at the clump weight on the joint below piece k, which the bed carries in part
 
 A hanging part of the line: what lies between two places where it is held or rests on the bed.
 
@@ -26,6 +26,30 @@ from catopt.compiled import inlined
 NO_TOUCHDOWN = -1
 
 
+@inlined
+def at_clump(piece: int) -> int:
+    """Return the place at the clump weight on the joint below a piece."""
+    return 2 * piece + 1
+
+
+@inlined
+def inside(piece: int) -> int:
+    """Return the place inside a piece."""
+    return 2 * piece
+
+
+@inlined
+def is_inside(place: int) -> bool:
+    """Whether it is inside a piece."""
+    return place % 2 == 0
+
+
+@inlined
+def piece_of(place: int) -> int:
+    """Return the piece that it is inside, or on whose lower joint."""
+    return place // 2
+
+
 class Part(NamedTuple):
     """A hanging part; the line's pieces are counted from the anchor.
 
@@ -33,8 +57,7 @@ class Part(NamedTuple):
     pieces that have neither weight nor force. It ends above in piece `top`, top_length (m) of which
     lies below the end, and below in piece `bottom`, bottom_length (m) of which lies above the end.
     V (N) is the vertical force at the lower end of its share in `piece`. `touchdown` says how it
-    ends below: NO_TOUCHDOWN at the anchor, 2 k inside piece k, 2 k + 1 at the clump weight below
-    piece k.
+    ends below: NO_TOUCHDOWN at the anchor, `inside` a piece, or `at_clump` below one.
     """
 
     H: float
@@ -100,7 +123,7 @@ def part_reach(part: Part, pieces: Pieces) -> PartReach:
     # Upwards; heights are above the lower end of the share in `part.piece`.
     z = low = 0.0
     V = part.V
-    smallest, least = part.piece, math.inf if part.touchdown % 2 == 0 else abs(V)
+    smallest, least = part.piece, math.inf if is_inside(part.touchdown) else abs(V)
     for k in range(part.piece, part.top + 1):
         if k > part.piece:
             V += pieces.load[k]
@@ -158,8 +181,8 @@ class SuspendedPart(NamedTuple):
     """The suspended part: reach (m), derivatives by H and V at the fairlead (m/N; dx/dV = dz/dH).
 
     It ends in piece `bottom`, of which bottom_length (unstretched, m) hangs, with the vertical
-    force V (N) at the anchor or just above the clump weight; touchdown is NO_TOUCHDOWN, 2 k or 2 k
-    + 1.
+    force V (N) at the anchor or just above the clump weight; touchdown is NO_TOUCHDOWN, `inside` or
+    `at_clump`.
     """
 
     x: float
@@ -222,8 +245,8 @@ def suspended_part(H: float, V: float, pieces: Pieces, touchdown: int) -> Suspen
     for k in range(len(pieces.length) - 1, -1, -1):
         length = pieces.length[k]
         V1 = V - pieces.weight[k] * length
-        inside = touchdown == 2 * k or (touchdown == FIRST_TOUCHDOWN and V1 < 0.0)
-        if inside:
+        falls_here = touchdown == inside(k) or (touchdown == FIRST_TOUCHDOWN and V1 < 0.0)
+        if falls_here:
             length = max(V, 0.0) / pieces.weight[k] if pieces.weight[k] > 0.0 else 0.0
             V1 = 0.0
         T1 = math.sqrt(H * H + V1 * V1)
@@ -233,11 +256,13 @@ def suspended_part(H: float, V: float, pieces: Pieces, touchdown: int) -> Suspen
         x_H += part.x_H
         z_H += part.z_H
         z_V += part.z_V
-        if inside:
-            return SuspendedPart(x, z, x_H, z_H, z_V, 2 * k, k, min(length, pieces.length[k]), 0.0)
+        if falls_here:
+            return SuspendedPart(
+                x, z, x_H, z_H, z_V, inside(k), k, min(length, pieces.length[k]), 0.0
+            )
         below = V1 - pieces.load[k]
-        if touchdown == 2 * k + 1 or (touchdown == FIRST_TOUCHDOWN and below < 0.0):
-            return SuspendedPart(x, z, x_H, z_H, z_V, 2 * k + 1, k, length, V1)
+        if touchdown == at_clump(k) or (touchdown == FIRST_TOUCHDOWN and below < 0.0):
+            return SuspendedPart(x, z, x_H, z_H, z_V, at_clump(k), k, length, V1)
         V = below
         T = T1 if pieces.load[k] == 0.0 else math.sqrt(H * H + V * V)
     return SuspendedPart(x, z, x_H, z_H, z_V, NO_TOUCHDOWN, 0, pieces.length[0], V)

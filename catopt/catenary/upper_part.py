@@ -16,7 +16,10 @@ from catopt.catenary.suspended import (
     NO_TOUCHDOWN,
     Part,
     PartReach,
+    inside,
+    is_inside,
     part_reach,
+    piece_of,
     share,
     with_force,
     with_slope,
@@ -64,8 +67,8 @@ def upper_part(H: float, problem: LineProblem) -> Part:
             if pulled_down == 0.0:
                 return free
     start = _from_fairlead(H, pieces, 0, pieces.length[0], 0, 0.0, NO_TOUCHDOWN)
-    for code in range(2 * len(pieces.length)):
-        part = to_touchdown(start, height, pieces, code)
+    for place in range(inside(len(pieces.length))):
+        part = to_touchdown(start, height, pieces, place)
         if part.top >= 0 and part_reach(part, pieces).low >= -tolerance:
             return part
     if pulled_down <= 4.0 * rounding_of_V(free, pieces):
@@ -95,8 +98,8 @@ def _lying_slack(problem: LineProblem) -> Part:
     if height <= 0.0 or above <= reaches:
         return NO_PART
     start = _from_fairlead(0.0, pieces, 0, pieces.length[0], 0, 0.0, NO_TOUCHDOWN)
-    for code in range(2 * first, 2 * len(pieces.length)):
-        part = to_touchdown(start, height, pieces, code)
+    for place in range(inside(first), inside(len(pieces.length))):
+        part = to_touchdown(start, height, pieces, place)
         if part.top >= 0 and part_reach(part, pieces).low >= -CLEARANCE * above:
             return part
     return NO_PART
@@ -105,7 +108,7 @@ def _lying_slack(problem: LineProblem) -> Part:
 def lying_end(H: float, pieces: Pieces) -> Part:
     """Return the part without length of a line that lies on the bed from its fairlead on."""
     top = len(pieces.length) - 1
-    return Part(H, 0.0, top, pieces.length[top], top, 0.0, top, 0.0, 2 * top)
+    return Part(H, 0.0, top, pieces.length[top], top, 0.0, top, 0.0, inside(top))
 
 
 def _from_fairlead(
@@ -252,25 +255,25 @@ def _inclined(part: Part, rise: float, pieces: Pieces) -> Part:
 # ------------------------------------------------------------------ to a touchdown
 
 
-def to_touchdown(start: Part, height: float, pieces: Pieces, code: int) -> Part:
+def to_touchdown(start: Part, height: float, pieces: Pieces, place: int) -> Part:
     """Hang a part from its upper end, `height` above the bed, down to one place of touchdown.
 
     NO_PART if it cannot touch down there.
     """
-    k = code // 2
-    most = pieces.load[k] if code % 2 == 1 else pieces.length[k]
-    if most <= 0.0 or (code % 2 == 0 and pieces.weight[k] <= 0.0):
+    k = piece_of(place)
+    most = pieces.load[k] if not is_inside(place) else pieces.length[k]
+    if most <= 0.0 or (is_inside(place) and pieces.weight[k] <= 0.0):
         return NO_PART
-    lying = _touching(start, pieces, code, 0.0)
+    lying = _touching(start, pieces, place, 0.0)
     f_low = part_reach(lying, pieces).z - height
-    whole = _touching(start, pieces, code, most)
+    whole = _touching(start, pieces, place, most)
     f_high = part_reach(whole, pieces).z - height
     scale = max(total_length(pieces), height)
     if f_low > CONTACT * scale or f_high < -CONTACT * scale:
         return NO_PART
     if f_high <= 0.0 or f_low >= -EXACT * scale:
         return whole if f_high <= 0.0 else lying
-    by_V = pieces.weight[k] if code % 2 == 0 else 1.0
+    by_V = pieces.weight[k] if is_inside(place) else 1.0
     around = bracket(0.0, most, f_low, f_high)
     guess = math.nan
     part = lying
@@ -278,7 +281,7 @@ def to_touchdown(start: Part, height: float, pieces: Pieces, code: int) -> Part:
         if is_closed(around):
             break
         x = trial(around, guess)
-        part = _touching(start, pieces, code, x)
+        part = _touching(start, pieces, place, x)
         reach = part_reach(part, pieces)
         f = reach.z - height
         if abs(f) <= EXACT * scale:
@@ -310,8 +313,8 @@ def _within_rounding(part: Part, rise: float, pieces: Pieces) -> Part:
     return closed if fits and moved <= rounding_of_V(part, pieces) else NO_PART
 
 
-def _touching(start: Part, pieces: Pieces, code: int, x: float) -> Part:
+def _touching(start: Part, pieces: Pieces, place: int, x: float) -> Part:
     """Touch down inside a piece, x m of which hang, or at a clump weight lifted by x N."""
-    k = code // 2
-    length, V = (pieces.length[k], x) if code % 2 == 1 else (x, 0.0)
-    return Part(start.H, 0.0, start.top, start.top_length, k, length, k, V, code)
+    k = piece_of(place)
+    length, V = (pieces.length[k], x) if not is_inside(place) else (x, 0.0)
+    return Part(start.H, 0.0, start.top, start.top_length, k, length, k, V, place)

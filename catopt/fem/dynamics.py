@@ -95,10 +95,10 @@ def run_dynamics(
         properties=properties,
         sea=ramped(sea, stepping),
     )
-    ends, led = simulation.state.x[-1:], [motion]
+    ends, prescribed_motion = simulation.state.x[-1:], [motion]
     if anchor_motion is not None:
-        ends, led = simulation.state.x[[-1, 0]], [motion, anchor_motion]
-    simulation.led = series_rows(ends, led, stepping.ramp_time)
+        ends, prescribed_motion = simulation.state.x[[-1, 0]], [motion, anchor_motion]
+    simulation.prescribed_motion = series_rows(ends, prescribed_motion, stepping.ramp_time)
     broken = None if anchor_lost is None else (0, anchor_lost, True)
     return run_from_rest(simulation, stepping, [cut], warnings, progress, broken)
 
@@ -214,8 +214,10 @@ def run_system_dynamics(
     is_led = position is not None
     _check_system(is_led, motion, force, mean_force)
     cuts = [mesh_line(leg.line, elements) for leg in legs] if meshes is None else list(meshes)
-    led = [motion] * len(cuts) if motion is None or isinstance(motion, _SERIES) else list(motion)
-    warnings = check_run(stepping, *(led if is_led else [force]), sea=sea)
+    prescribed_motion = (
+        [motion] * len(cuts) if motion is None or isinstance(motion, _SERIES) else list(motion)
+    )
+    warnings = check_run(stepping, *(prescribed_motion if is_led else [force]), sea=sea)
     simulation = body_at_rest(
         legs,
         cuts,
@@ -227,7 +229,9 @@ def run_system_dynamics(
         sea=ramped(sea, stepping),
     )
     ramp_time = stepping.ramp_time
-    simulation.led = series_rows(simulation.led.base, led or [None] * len(cuts), ramp_time)
+    simulation.prescribed_motion = series_rows(
+        simulation.prescribed_motion.base, prescribed_motion or [None] * len(cuts), ramp_time
+    )
     simulation.load = series_rows(simulation.load.base, [force], ramp_time)
     parted = None if broken is None else (*broken, at_anchor)
     return run_from_rest(simulation, stepping, cuts, warnings, progress, parted)
@@ -266,7 +270,7 @@ def body_at_rest(
         lines,
         rest.rest.state.x,
         body=BodyNode(free, np.full(3, inertia.mass), np.full(3, inertia.damping)),
-        led=series_rows(ends, [None] * len(cuts), 0.0),
+        prescribed_motion=series_rows(ends, [None] * len(cuts), 0.0),
         load=series_rows(np.array([[*mean_force, 0.0]]), [None], 0.0),
         sea=sea,
     )
@@ -303,15 +307,15 @@ def run_network_dynamics(
     InputError, NotConvergedError
         As for `run_dynamics`.
     """
-    led = motions or [(None, None)] * len(meshes)
-    warnings = check_run(stepping, *(each for pair in led for each in pair), sea=sea)
+    prescribed_motion = motions or [(None, None)] * len(meshes)
+    warnings = check_run(stepping, *(each for pair in prescribed_motion for each in pair), sea=sea)
     simulation = network_at_rest(
         meshes, ends, joints, properties=properties, sea=ramped(sea, stepping)
     )
     x, (first, last) = simulation.state.x, end_nodes(simulation.lines.start)
-    of_ends = [pair[1] for pair in led] + [pair[0] for pair in led]
+    of_ends = [pair[1] for pair in prescribed_motion] + [pair[0] for pair in prescribed_motion]
     base = x[np.concatenate([last, first])]
-    simulation.led = series_rows(base, of_ends, stepping.ramp_time)
+    simulation.prescribed_motion = series_rows(base, of_ends, stepping.ramp_time)
     kept = replace(stepping, nodes=tuple(range(len(x) - len(joints), len(x))))
     return run_from_rest(simulation, kept, meshes, warnings, progress)
 
@@ -340,14 +344,14 @@ def network_at_rest(
 
 def _check_beginning(simulation: Simulation) -> None:
     """Refuse a motion that begins away from rest; one at speed takes its line along."""
-    led, out = simulation.led, np.zeros((3, 3))
-    for end in range(led.base.shape[0]):
-        fill_series(0.0, led, end, out)
-        away = float(np.linalg.norm(out[0] - led.base[end]))
-        if away > SAME_PLACE * max(1.0, float(np.abs(led.base[end]).max())):
+    prescribed_motion, out = simulation.prescribed_motion, np.zeros((3, 3))
+    for end in range(prescribed_motion.base.shape[0]):
+        fill_series(0.0, prescribed_motion, end, out)
+        away = float(np.linalg.norm(out[0] - prescribed_motion.base[end]))
+        if away > SAME_PLACE * max(1.0, float(np.abs(prescribed_motion.base[end]).max())):
             found = Findings("TimeStepping")
             wanted = Message("refused_motion.motion_begins_m_away_from", away=away)
-            found.add("ramp_time", f"{led.ramp_time:g} s", wanted)
+            found.add("ramp_time", f"{prescribed_motion.ramp_time:g} s", wanted)
             found.raise_if_any()
 
 

@@ -116,11 +116,11 @@ class LinearMotion:
 
 
 def linear_motion(
-    model: LinearModel, sea: Sea, led: Complex, body: LinearBody | None = None
+    model: LinearModel, sea: Sea, prescribed_motion: Complex, body: LinearBody | None = None
 ) -> LinearMotion:
     """Find the standard deviations of all tensions in a sea with the current of the model.
 
-    `led` (lines, waves, 3): where each wave leads the last node of each line, m
+    `prescribed_motion` (lines, waves, 3): where each wave leads the last node of each line, m
     (`Harmonic.amplitudes`); of no account with a `body`, which floats at the ends of all lines.
     Raises NotConvergedError where the drag does not come to fit the velocities.
     """
@@ -145,7 +145,7 @@ def linear_motion(
         if body is not None:
             afloat = Afloat(*body.equations(motion), body.arm, motion)
         turned = model._replace(stiffness=stiffness)
-        solve(waves.omega, flow, led, turned, drag, dashpot, room, afloat)
+        solve(waves.omega, flow, prescribed_motion, turned, drag, dashpot, room, afloat)
         deviation = np.sqrt(0.5 * (np.abs(tension[:, fairleads]) ** 2).sum(axis=0))
         largest = float(deviation.max())
         change = float(np.abs(deviation - last).max()) / largest if largest > 0.0 else 0.0
@@ -209,7 +209,7 @@ def _dashpots(rubs: Rubs, slip: Array) -> Array:
 def respond_linearly(
     omega: Any,
     flow: Any,
-    led: Any,
+    prescribed_motion: Any,
     model: LinearModel,
     drag: Any,
     dashpot: Any,
@@ -239,7 +239,7 @@ def respond_linearly(
         for k in range(start.shape[0] - 1):
             first, last = start[k] + k, start[k + 1] + k
             for i in range(3):
-                y[last, i] = _way(w, k, i, afloat) if floats else led[k, w, i]
+                y[last, i] = _way(w, k, i, afloat) if floats else prescribed_motion[k, w, i]
             back_substitute_blocks(equations, first + 1, last)
             _stretch(w, k, model, y, omega[w], tension)
         _add_squares(omega[w], y, flow[w], rubs, dashpot, spread, slip)

@@ -328,16 +328,16 @@ def accept(
 
 def lead_accelerations(t: float, setting: Setting, a: Any, room: Room) -> None:
     """Put the accelerations of led ends at t, s, into `a`."""
-    lines, led, free = setting.lines, setting.led, setting.body.free
+    lines, prescribed_motion, free = setting.lines, setting.prescribed_motion, setting.body.free
     count = lines.start.shape[0] - 1
     for k in range(count):
         first, last = lines.start[k] + k, lines.start[k + 1] + k
-        if count + k < led.base.shape[0] and not lines.lower_free[k]:
-            fill_series(t, led, count + k, room.small[0])
+        if count + k < prescribed_motion.base.shape[0] and not lines.lower_free[k]:
+            fill_series(t, prescribed_motion, count + k, room.small[0])
             for i in range(3):
                 a[first, i] = room.small[0, 2, i]
         if free[0] * free[1] * free[2] == 0.0 and lines.of_end[k, 1] < 0:
-            fill_series(t, led, k, room.small[0])
+            fill_series(t, prescribed_motion, k, room.small[0])
             for i in range(3):
                 if free[i] == 0.0:
                     a[last, i] = room.small[0, 2, i]

@@ -70,7 +70,12 @@ def predict(t: float, h: float, setting: Setting, before: Moving, room: Room) ->
 
     They change as `room.change` expects; led ends go to where they are led.
     """
-    rules, lines, led, free = setting.rules, setting.lines, setting.led, setting.body.free
+    rules, lines, prescribed_motion, free = (
+        setting.rules,
+        setting.lines,
+        setting.prescribed_motion,
+        setting.body.free,
+    )
     shift = (rules.alpha_m - rules.alpha_f) * h
     beta, gamma = rules.beta, rules.gamma
     x, v, a, small, change = room.now.x, room.now.v, room.now.a, room.small, room.change
@@ -86,9 +91,9 @@ def predict(t: float, h: float, setting: Setting, before: Moving, room: Room) ->
         if not lines.lower_free[k]:
             _lead_first(k, first, t + h, shift, setting, before, room)
         if free[0] * free[1] * free[2] == 0.0 and lines.of_end[k, 1] < 0:
-            fill_series(t + h, led, k, small[0])
+            fill_series(t + h, prescribed_motion, k, small[0])
             if shift != 0.0:
-                fill_series(t + h + shift, led, k, small[1])
+                fill_series(t + h + shift, prescribed_motion, k, small[1])
             else:
                 copy_rows(small[0], small[1])
             for i in range(3):
@@ -102,11 +107,11 @@ def _lead_first(
     k: int, first: int, t: float, shift: float, setting: Setting, before: Moving, room: Room
 ) -> None:
     """Put the first node of line k where it is led, or leave it where it is held."""
-    led, now, small = setting.led, room.now, room.small
+    prescribed_motion, now, small = setting.prescribed_motion, room.now, room.small
     row = setting.lines.start.shape[0] - 1 + k
-    if row < led.base.shape[0]:
-        fill_series(t, led, row, small[0])
-        fill_series(t + shift, led, row, small[1])
+    if row < prescribed_motion.base.shape[0]:
+        fill_series(t, prescribed_motion, row, small[0])
+        fill_series(t + shift, prescribed_motion, row, small[1])
         for i in range(3):
             now.x[first, i], now.v[first, i] = small[0, 0, i], small[0, 1, i]
             now.a[first, i] = small[1, 2, i]

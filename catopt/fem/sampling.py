@@ -44,7 +44,7 @@ class Setting(NamedTuple):
     rules: Rules
     lines: MovingLines
     body: BodyNode
-    led: SeriesRows  # where the ends are led
+    prescribed_motion: SeriesRows  # where the ends are led
     load: SeriesRows  # force on the body, of one end
     flow: Flow
     has_sea: bool

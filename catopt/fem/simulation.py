@@ -90,7 +90,7 @@ class Simulation:
         What moves, and where its nodes start, (nodes, 3), m.
     body : BodyNode, optional
         What the last nodes are fixed to; held or led in all directions by default.
-    led : SeriesRows, optional
+    prescribed_motion : SeriesRows, optional
         Where the last nodes are led, and after them the first ones, if these are; else they stay.
     load, sea : SeriesRows and Sea, optional
         Force on the body, N; still water everywhere by default.
@@ -102,7 +102,7 @@ class Simulation:
         x: Array,
         *,
         body: BodyNode = _HELD,
-        led: SeriesRows | None = None,
+        prescribed_motion: SeriesRows | None = None,
         load: SeriesRows | None = None,
         sea: Sea | None = None,
     ) -> None:
@@ -112,7 +112,7 @@ class Simulation:
         self._held, self._ends = end_nodes(lines.start)
         joints = 3 * (x.shape[0] - first_joint(lines))
         stays, unloaded = self._undriven(x)
-        self.led, self.load = led or stays, load or unloaded
+        self.prescribed_motion, self.load = prescribed_motion or stays, load or unloaded
         self.afloat: Afloat | None = None  # what floats at the last nodes, to which `body` is free
         self.state = _moving(lines, np.array(x, dtype=float))  # where the lines are now
         self.counts = StepCounts()  # what all steps so far took
@@ -145,8 +145,8 @@ class Simulation:
 
     def _undriven(self, x: Array) -> tuple[SeriesRows, SeriesRows]:
         """Series that leave the last nodes where they are in x, and no force on the body."""
-        led = series_rows(x[self._ends], [None] * self._ends.size, 0.0)
-        return led, series_rows(np.zeros((1, 3)), [None], 0.0)
+        prescribed_motion = series_rows(x[self._ends], [None] * self._ends.size, 0.0)
+        return prescribed_motion, series_rows(np.zeros((1, 3)), [None], 0.0)
 
     def _form(self, function: Callable[..., Any], visits: int = 1) -> Callable[..., Any]:
         """Give a kernel function for some visits to every bar, plain or compiled."""
@@ -227,7 +227,7 @@ class Simulation:
     def hold_ends(self) -> None:
         """Hold the last nodes where they are now, whatever they were free to do or pushed by."""
         self.body = _HELD
-        self.led, self.load = self._undriven(self.state.x)
+        self.prescribed_motion, self.load = self._undriven(self.state.x)
         self.assemble(_AT_REST)
 
     def _stand_still(self) -> None:
@@ -377,7 +377,9 @@ class Simulation:
 
     def _setting(self, rules: Rules, blocks: Array) -> Setting:
         flow, has_sea = (self.sea or _STILL).flow, self.sea is not None
-        return Setting(rules, self.lines, self.body, self.led, self.load, flow, has_sea, blocks)
+        return Setting(
+            rules, self.lines, self.body, self.prescribed_motion, self.load, flow, has_sea, blocks
+        )
 
     def _stored(self, record: Record) -> Array:
         """Energies as of `sampling.fill_energy` at the present state, J."""
@@ -467,14 +469,14 @@ class Simulation:
 
     def _lead_ends(self) -> None:
         """Put the ends to where they are led in the first moment, with speed and acceleration."""
-        at, out, led = self.state, np.zeros((3, 3)), self.body.free == 0.0
-        nodes = np.concatenate([self._ends, self._held])[: self.led.base.shape[0]]
+        at, out, prescribed_motion = self.state, np.zeros((3, 3)), self.body.free == 0.0
+        nodes = np.concatenate([self._ends, self._held])[: self.prescribed_motion.base.shape[0]]
         joint = self.lines.of_end[:, ::-1].T.ravel()
         for row, node in enumerate(nodes):
             if joint[row] >= 0:
                 continue
-            fill_series(0.0, self.led, row, out)
-            which = led if row < self._ends.size else slice(None)
+            fill_series(0.0, self.prescribed_motion, row, out)
+            which = prescribed_motion if row < self._ends.size else slice(None)
             at.x[node, which], at.v[node, which], at.a[node, which] = out[:, which]
 
     def _set_moving(self) -> None:

@@ -104,8 +104,8 @@ class OneLine:
 
     def driven_by(self, sea: Sea) -> list[Series]:
         """Motion of the line's ends."""
-        led = (self.drive.motion(sea, self.span), self.drive.anchor_motion)
-        return [each for each in led if each is not None]
+        prescribed_motion = (self.drive.motion(sea, self.span), self.drive.anchor_motion)
+        return [each for each in prescribed_motion if each is not None]
 
     def run(
         self, sea: Sea, stepping: TimeStepping, elements: int, progress: Progress
@@ -360,14 +360,14 @@ class LinesOfPoints:
             k: LineEnd((0.0, 0.0, 0.0), joints.index(k)) if k in joints else LineEnd(place)
             for k, place in enumerate(self.rest.joints.places)
         }
-        led = [motion if point.kind == "fairlead" else None for point in points]
+        prescribed_motion = [motion if point.kind == "fairlead" else None for point in points]
         sections = [[section_of(segment) for segment in run.line.segments] for run in runs]
         history = run_network_dynamics(
             [mesh_line(run.line, elements) for run in runs],
             [(ends[run.first], ends[run.second]) for run in runs],
             [points[k] for k in joints],
             stepping,
-            motions=[(led[run.first], led[run.second]) for run in runs],
+            motions=[(prescribed_motion[run.first], prescribed_motion[run.second]) for run in runs],
             properties=replace(self.drive.properties, of_lines=sections),
             sea=sea,
             progress=progress,

@@ -91,12 +91,12 @@ def linear_lines(case: Case) -> tuple[LinearLine, ...]:
         body = linear_hull(lines.hull, rest, sea)
     else:
         model = _model(calm)
-    led = np.zeros((model.start.size - 1, sea.waves.omega.size, 3), dtype=complex)
+    prescribed_motion = np.zeros((model.start.size - 1, sea.waves.omega.size, 3), dtype=complex)
     if case.motion is not None:
         for k, series in enumerate(lines.driven_by(sea)):
             assert isinstance(series, Harmonic)
-            led[k] = series.amplitudes
-    found = linear_motion(model, sea, led, body)
+            prescribed_motion[k] = series.amplitudes
+    found = linear_motion(model, sea, prescribed_motion, body)
     deviation, period = found.deviation, found.zero_crossing_period
     moved = np.sqrt(0.5 * (np.abs(found.motion) ** 2).sum(axis=0)).tolist()
     return tuple(

@@ -87,7 +87,7 @@ def _smooth_line(elements: int, motion: Harmonic) -> Simulation:
     lines = lay_out_moving([mesh_line(line, elements)], of)
     x = np.linspace([0.0, 0.0, 80.0], [80.0, 0.0, 100.0], elements + 1)
     x[:, 2] -= 25.0 * np.sin(np.linspace(0.0, math.pi, elements + 1))
-    simulation = Simulation(lines, x, led=series_rows(x[-1:], [motion], 4.0))
+    simulation = Simulation(lines, x, prescribed_motion=series_rows(x[-1:], [motion], 4.0))
     simulation.settle()
     simulation.start()
     return simulation
@@ -137,8 +137,10 @@ def test_axial_wave_in_a_bar() -> None:
             ((0.0, 0.0, 0.0), (1.001 * L, 0.0, 0.0)), L, elements, EA=EA, mass=mass
         )
         # Grown so slowly that it brings no vibration of its own with it.
-        led = series_rows(simulation.state.x[-1:], [Harmonic(period, (A, 0.0, 0.0))], 60 * period)
-        simulation.led = led
+        prescribed_motion = series_rows(
+            simulation.state.x[-1:], [Harmonic(period, (A, 0.0, 0.0))], 60 * period
+        )
+        simulation.prescribed_motion = prescribed_motion
         simulation.start()
         record = run(simulation, 7000, 1, period / 100, since=60 * period)
         late = record.time > 60 * period
@@ -221,7 +223,7 @@ def test_line_dragged_along_a_rough_bed() -> None:
     lines = lay_out_moving([mesh_line(line, 20)], of)
     x = np.linspace([0.0, 0.0, -0.01], [L, 0.0, -0.01], 21)
     slow = Harmonic(1e3, (-2.0, 0.0, 0.0), (math.pi / 2, 0.0, 0.0))
-    simulation = Simulation(lines, x, led=series_rows(x[-1:], [slow], 0.0))
+    simulation = Simulation(lines, x, prescribed_motion=series_rows(x[-1:], [slow], 0.0))
     simulation.settle(rubbed=True)
     simulation.start()
     record = run(simulation, 200, 5, 0.01)

@@ -144,7 +144,7 @@ def test_a_line_dragged_up_and_let_down_the_slope() -> None:
     simulation = hung_on_slope(friction, angle)
     settle_on_slope(simulation, "none")
     way = (math.cos(angle), 0.0, math.sin(angle))
-    simulation.led = series_rows(
+    simulation.prescribed_motion = series_rows(
         simulation.state.x[-1:], [Harmonic(period, way, (0.5 * math.pi,) * 3)], 0.25 * period
     )
     simulation.start()

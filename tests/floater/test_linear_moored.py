@@ -48,8 +48,8 @@ def linear(
 ) -> LinearMotion:
     meshes = [mesh_line(leg.line, 20) for leg in legs]
     rest = moored_at_rest(hull, legs, meshes, sea=sea, properties=properties)
-    led, body = np.zeros((len(legs), 1, 3), complex), linear_hull(hull, rest, sea)
-    return linear_motion(linear_model(rest.simulation), sea, led, body)
+    prescribed_motion, body = np.zeros((len(legs), 1, 3), complex), linear_hull(hull, rest, sea)
+    return linear_motion(linear_model(rest.simulation), sea, prescribed_motion, body)
 
 
 def in_time(

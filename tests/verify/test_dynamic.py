@@ -518,8 +518,8 @@ def test_drag_along_the_line_on_the_circumference() -> None:
 
 def test_a_line_whose_lower_end_is_led_or_lost() -> None:
     """Led in heave it says that nothing is quasi-static; lost, its anchor holds nothing more."""
-    led = chain(Motion(period=6.0), anchor_motion=Motion(period=6.0, heave=0.3))
-    (part,) = verify_dynamic(led, convergence_check="none").parts
+    prescribed_motion = chain(Motion(period=6.0), anchor_motion=Motion(period=6.0, heave=0.3))
+    (part,) = verify_dynamic(prescribed_motion, convergence_check="none").parts
     assert np.ptp(part.runs[0].history.anchor_tension) > 0.0
     assert part.dynamic_amplification is None
     assert any(each.startswith("the lower end is led") for each in part.remarks)

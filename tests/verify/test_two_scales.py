@@ -374,8 +374,8 @@ def test_its_lines_in_the_truss_model_are_led_the_same_way(tmp_path: Path, is_tu
     ship = verify_ship(parse_case(text))
     (tmp_path / "ship_raos.csv").write_text(raos_csv(ship))
     (tmp_path / "ship_drift.csv").write_text(drift_csv(ship))
-    led = parse_case(write_case(led_case(ship)), folder=str(tmp_path))
-    parts = verify_dynamic(led, convergence_check="none").parts
+    prescribed_motion = parse_case(write_case(led_case(ship)), folder=str(tmp_path))
+    parts = verify_dynamic(prescribed_motion, convergence_check="none").parts
     run, own = parts[0].runs[0], ship.runs[0]
     assert run.track is not None
     time = run.history.time
