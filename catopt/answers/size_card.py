@@ -171,8 +171,10 @@ def runs_words(of: InMotion) -> Message:
         states=of.load_cases,
         judged=Message(f"sizing.judged_{of.how.judged_by.replace('-', '_')}", time=storm),
     )
-    count = len(of.how.periods)
-    return Message("sizing.runs_of_seas", runs=said, count=count) if count > 1 else said
+    for key, count in (("seas", len(of.how.periods)), ("directions", of.directions)):
+        if count > 1:
+            said = Message(f"sizing.runs_of_{key}", runs=said, count=count)
+    return said
 
 
 def seas_words(of: InMotion) -> Message:

@@ -219,7 +219,7 @@ class InMotion(Record):
     DOCUMENT = (
         "how.seeds how.duration how.judged_by elements case.dynamics.duration_of_interest "
         f"{within('storm', STORM)} factor allowance checks.results=checks "
-        "checks.nearest=governing how.periods~ how.heights~ seas~ "
+        "checks.nearest=governing how.periods~ how.heights~ seas~ directions~ "
         "counted=lines(considered at_rest excluded run runs) tried by_length checks.warnings"
     )
 
@@ -237,6 +237,8 @@ class InMotion(Record):
     """Lengths of the recommended size that were run beside it, and itself, the shortest first;
     empty where none was asked for."""
     load_cases: int = 1  # that every line was run in
+    directions: FromOne = 1
+    """Sets of directions of wind, current and waves that every line was run in."""
     # the next shorter and the next thinner line, which fail; of a ship
     less: tuple[LineTried, ...] = ()
     seas: tuple[TightestSea, ...] = ()

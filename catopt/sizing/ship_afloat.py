@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import Final
+from functools import lru_cache
+from typing import Final, Literal
 
 from catopt.checks.profiles import profiles_of
-from catopt.loads.environment import HEAD_ON
+from catopt.loads.environment import HEAD_ON, Headings
+from catopt.loads.weathervane import YAW_TYPES, Afloat, ShipHeading, Turning, every_lying
 from catopt.model import (
     Case,
     CurrentProfile,
@@ -19,7 +22,7 @@ from catopt.model import (
     WaveState,
 )
 from catopt.sizing.afloat import MOTION_CODE
-from catopt.sizing.environment import WIND_MEAN, mean_over
+from catopt.sizing.environment import WIND_MEAN, Environment, Weathervaning, mean_over
 from catopt.sizing.in_motion import RunsAfloat, Sea
 from catopt.sizing.pattern import Pattern, system_case
 from catopt.sizing.settle import ConvergedSizing
@@ -31,15 +34,64 @@ _RUN: Final = 3600.0
 """s, of a run: slow motion has periods of minutes."""
 _RUNS: Final = 3
 _COMPONENTS: Final = 200
+_AHEAD: Final = 1e-9
+"""rad, up to which a direction is from ahead."""
 
 
 def runs_afloat(request: TankerRequest) -> bool:
-    """Whether the ship can be run in motion: at her bow, all weather from ahead, in waves.
+    """Whether the ship can be run in motion: on her own lines, in waves, free to turn to weather.
 
-    Not a ship at a buoy, one whose loads come from several directions, or a sea without waves.
+    Not a ship at a buoy, one whose moment of the current is of figures of her own, or a sea without
+    waves.
     """
+    turning, env = request.weathervaning.turning, request.environment
+    turns = turning is not None and _yaw_of(turning) != ""
     is_head_on = request.weathervaning.directions == (HEAD_ON,)
-    return request.buoy is None and is_head_on and request.environment.sea.hs > 0.0
+    return request.buoy is None and (turns or is_head_on) and env.sea.hs > 0.0
+
+
+def _yaw_of(turning: Turning) -> Literal["", "series-60", "FFG"]:
+    """Name the hull whose figures turn a ship; empty where they are her own."""
+    names: tuple[Literal["series-60", "FFG"], ...] = ("series-60", "FFG")
+    return next((each for each in names if turning.yaw == YAW_TYPES[each]), "")
+
+
+def worst_lying(
+    request: TankerRequest, moored: MooredShip, depth: float, directions: Sequence[Headings]
+) -> ShipHeading:
+    """Find how the ship lies under the largest force; the line has no part in that."""
+    return _worst_lying(
+        Afloat(moored.condition, moored.ship, moored.wind_on, moored.coefficients),
+        request.environment,
+        depth,
+        request.weathervaning._replace(directions=tuple(directions)),
+        request.load_methods,
+        request.wave_coefficient,
+    )
+
+
+@lru_cache(maxsize=64)
+def _worst_lying(
+    afloat: Afloat,
+    env: Environment,
+    depth: float,
+    vane: Weathervaning,
+    methods: tuple[str, ...],
+    wave_coefficient: float | None,
+) -> ShipHeading:
+    every = every_lying(
+        [afloat],
+        env.wind,
+        env.current,
+        env.sea,
+        [depth],
+        vane.directions,
+        methods=methods,
+        turning=vane.turning,
+        wave_coefficient=wave_coefficient,
+        water_density=env.water_density,
+    )
+    return largest(every, lambda each: each.loads.horizontal_force)
 
 
 def ship_afloat(
@@ -50,13 +102,16 @@ def ship_afloat(
     *,
     line_out: bool = False,
     sea: Sea | None = None,
+    directions: Headings | None = None,
 ) -> Case | None:
     """Add ship, wind, waves and current to the case of her lines in a load case, or the hardest.
 
     A single line is a system of one, its anchor where the everyday force has it. Several are turned
     so that the weather, along x, comes from the side that is hardest on a line at rest: with all
-    there, or with `line_out` without line 1. `sea`: in the place of that of the place. The ship
-    turns about the bow, to which her lines go.
+    there, or with `line_out` without line 1. `sea`: in the place of that of the place.
+    `directions`: where wind, current and waves come from; of those of the request that of the
+    largest force when left out. They are turned so that what she pulls at rest is along x. She
+    turns about the bow, to which her lines go, or the request's own point.
     None where she cannot be run: `runs_afloat`.
     """
     env = request.environment
@@ -78,6 +133,9 @@ def ship_afloat(
         made = system_case(case, replace(around, states=(there,)))
         held = _turned(made, rest.solution.system.force)
     moored = next(each for each in request.ships if each.condition == at.condition)
+    vane = request.weathervaning
+    lies = worst_lying(request, moored, at.depth, (directions,) if directions else vane.directions)
+    off = _along_x(lies)
     wind = mean_over(env.wind.speed, WIND_MEAN, _AN_HOUR) if env.wind.speed > 0.0 else 0.0
     flows = env.current.speed > 0.0
     checks = held.checks
@@ -87,11 +145,22 @@ def ship_afloat(
         held,
         site=replace(held.site, water_depth=at.depth),
         checks=checks,
-        waves=WaveState("jonswap", height, period, components=_COMPONENTS),
-        current=CurrentProfile("power", speed=env.current.speed) if flows else None,
-        floater=Floater(ship=_ship(moored, env.water_density), wind_speed=wind),
+        waves=WaveState("jonswap", height, period, direction=off.waves, components=_COMPONENTS),
+        current=CurrentProfile("power", speed=env.current.speed, direction=off.current)
+        if flows
+        else None,
+        floater=Floater(ship=_ship(moored, env.water_density, off, vane.turning), wind_speed=wind),
         dynamics=_dynamics(request.in_motion),
     )
+
+
+def _along_x(lies: ShipHeading) -> Headings:
+    """Turn directions until what the ship pulls at rest is along x; where they go to, from x."""
+    seen, pull = lies.headings, math.atan2(lies.loads.all_sway, -lies.loads.all_surge)
+    ways = (each - pull for each in (seen.wind, seen.current, seen.waves))
+    turned = (math.remainder(each, 2.0 * math.pi) for each in ways)
+    # What the search for a heading leaves of a direction from ahead is no direction.
+    return Headings(*(each if abs(each) > _AHEAD else 0.0 for each in turned))
 
 
 def _dynamics(how: RunsAfloat | None) -> Dynamics:
@@ -137,16 +206,20 @@ def _turned(case: Case, force: tuple[float, float]) -> Case:
     return replace(case, system=system.under((math.hypot(*system.force), 0.0)), design=design)
 
 
-def _ship(moored: MooredShip, water_density: float) -> ShipAfloat:
-    ship = moored.ship
+def _ship(
+    moored: MooredShip, water_density: float, off: Headings, turning: Turning | None
+) -> ShipAfloat:
+    ship, point = moored.ship, None if turning is None else turning.mooring_point
     return ShipAfloat(
         length=ship.length_overall,
         breadth=ship.breadth,
         draught=ship.draught,
         moulded_depth=ship.draught + moored.fairlead,
         condition="ballast" if moored.condition == "ballast" else "loaded",
-        mooring_point=0.5 * ship.length_overall,
+        mooring_point=0.5 * ship.length_overall if point is None else point,
         displacement=ship.displacement * water_density,
         frontal_area=ship.frontal_area,
         lateral_area=ship.lateral_area,
+        wind_direction=off.wind,
+        current_yaw="" if turning is None else _yaw_of(turning),
     )

@@ -12,12 +12,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from operator import itemgetter
 from typing import Any, Final, NamedTuple
 
 from catopt.catalogue.family import chain_words
-from catopt.catenary.solution import Solution
 from catopt.checks.case import check_case
 from catopt.checks.profiles import profiles_of
 from catopt.checks.result import CheckReport, CheckResult
@@ -25,8 +24,9 @@ from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import NearMiss
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.loads.drag_anchor import DragAnchorSize
+from catopt.loads.environment import Headings
 from catopt.loads.sinker import SinkerSize
-from catopt.model import Anchor, Case, Line, Segment
+from catopt.model import Case, Line, Segment
 from catopt.patience import expect
 from catopt.sizing.afloat import MOTION_CODE
 from catopt.sizing.in_motion import (
@@ -37,7 +37,6 @@ from catopt.sizing.in_motion import (
     RunsAfloat,
     Sea,
     Storm,
-    TightestSea,
     in_sea,
     sea_of,
     tightest_seas,
@@ -46,10 +45,10 @@ from catopt.sizing.line_choice import sold
 from catopt.sizing.pattern import DragGround, Pattern, PatternState
 from catopt.sizing.settle import ConvergedSizing, best_of
 from catopt.sizing.ship_afloat import runs_afloat, ship_afloat
+from catopt.sizing.ship_runs import JudgedLine, ShipLost, ShipRun, ShipState
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.ties import largest
 from catopt.verify.two_scales import (
-    LineOfShip,
     ShipWithoutLine,
     check_hanging,
     run_without,
@@ -84,92 +83,6 @@ class ShipMoved(NamedTuple):
     span: tuple[str, float]
 
 
-class _State(NamedTuple):
-    """A load case in a sea, in weather that is hardest on a line with all there, or without one."""
-
-    load_case: str
-    sea: Sea
-    line_out: bool  # line 1 is out
-
-
-class _Run(NamedTuple):
-    """A load case of a line that was run with all there, and without those whose loss matters."""
-
-    load_case: str
-    case: Case
-    lines: tuple[LineOfShip, ...]
-    every: tuple[Solution, ...]  # line under the tension that it is judged by
-    most_loaded: int
-    at_rest: Solution  # the most loaded line under the steady load of that load case
-    lost: _Lost
-
-    @property
-    def line(self) -> LineOfShip:
-        """What the most loaded line carries."""
-        return self.lines[self.most_loaded]
-
-    @property
-    def hanging(self) -> Solution:
-        """The most loaded line under the tension that it is judged by."""
-        return self.every[self.most_loaded]
-
-    @property
-    def factor(self) -> float:
-        """What an allowance for motion would have to be.
-
-        By what the runs reached, or what is most probable, where an interval of few peaks is wide.
-        """
-        own = _asked(self.line, self.hanging) / self.at_rest.horizontal_force
-        return max(own, self.lost.factor)
-
-
-class _Lost(NamedTuple):
-    """A load case that was run without lines, one at a time."""
-
-    load_case: str
-    case: Case
-    lost: tuple[ShipWithoutLine, ...]
-    at_rest: float  # horizontal force of the most loaded line at rest, from its hardest side, N
-    offset: float  # of the ship: the largest with one of them lost, or with all there, m
-
-    @property
-    def factor(self) -> float:
-        """What an allowance for motion would have to be; infinite where one has no answer."""
-        if any(each.refusal for each in self.lost):
-            return math.inf
-        pulls = (_asked(e.lines[e.most_loaded], e.hanging[e.most_loaded]) for e in self.lost)
-        return max((each / self.at_rest for each in pulls), default=0.0)
-
-
-def _asked(line: LineOfShip, hanging: Solution) -> float:
-    """Horizontal force that a line is to be sized for, N."""
-    reached = max(line.fairlead.seen, line.judged("most-probable"))
-    return min(1.0, reached / hanging.fairlead.tension) * hanging.horizontal_force
-
-
-@dataclass(frozen=True)
-class _Judged:
-    """What the runs of a line came to."""
-
-    tried: LineTried
-    line: Line
-    settled: ConvergedSizing | None = None  # None: it fails at rest
-    around: Pattern | None = None
-    runs: tuple[_Run, ...] = ()
-    lost: tuple[_Lost, ...] = ()
-    anchor: Anchor | None = None
-    drag_anchor: DragAnchorSize | None = None
-    sinker: SinkerSize | None = None
-    checks: CheckReport | None = None
-    seas: tuple[TightestSea, ...] = ()
-
-    @property
-    def factor(self) -> float:
-        """The largest allowance for motion of its load cases; infinite where it has no run."""
-        factors = (*(each.factor for each in self.runs), *(each.factor for each in self.lost))
-        return max(factors, default=math.inf)
-
-
 def search_ship_in_motion(
     request: TankerRequest, start: ConvergedSizing, settle: Settle, around: Around
 ) -> ShipMoved:
@@ -185,6 +98,7 @@ def search_ship_in_motion(
         problem = Problem("in_motion", "true", Message("refused.no_ship_afloat"))
         raise InputError([problem], "TankerRequest")
     states = len(start.posed.loads) * max(1, len(how.periods))
+    states *= len(request.weathervaning.directions)
     hours = _LINES * how.seeds * how.duration / 3600.0 * states * request.lines
     expect(Message("sizing.running_ship"), _HOUR * hours)
     found = _Search(request, how, start, settle, around)
@@ -207,14 +121,16 @@ class _Search:
     ) -> None:
         self.request, self.how, self.start = request, how, start
         self._settle, self._around = settle, around
-        self.judged: dict[Line, _Judged] = {}
+        self.judged: dict[Line, JudgedLine] = {}
         self._settled: dict[Line, ConvergedSizing] = {}
-        self._ships: dict[str, Any] = {}  # by load case, with tables that their lines share
+        # By load case and directions, with tables that their lines share.
+        self._ships: dict[tuple[str, Headings], Any] = {}
         # The one that stopped the last line first.
         outs = (True, False) if request.lines > 1 else (False,)
         self._order = [
-            _State(each.load_case, sea, out)
+            ShipState(each.load_case, sea, directions, out)
             for out in outs
+            for directions in request.weathervaning.directions
             for sea in how.seas(request.environment.sea.hs, request.environment.sea.period)
             for each in start.posed.loads
         ]
@@ -229,7 +145,7 @@ class _Search:
 
     # ------------------------------------------------------------------ lines
 
-    def passing(self, line: Line) -> _Judged | None:
+    def passing(self, line: Line) -> JudgedLine | None:
         """Size lines for what the runs of the one before ask for, until one passes its own."""
         factor = 1.0
         while True:
@@ -250,7 +166,7 @@ class _Search:
                 return None
             line = sized
 
-    def best(self, passing: _Judged) -> _Judged:
+    def best(self, passing: JudgedLine) -> JudgedLine:
         """Run less, then thinner lines that are longer and thicker ones that are shorter.
 
         Until none of these that passes is preferred.
@@ -267,7 +183,7 @@ class _Search:
             if passing is before:
                 return passing
 
-    def lessened(self, passing: _Judged) -> _Judged:
+    def lessened(self, passing: JudgedLine) -> JudgedLine:
         """Run shorter and thinner lines as long as they pass and are preferred.
 
         In the end the next shorter and the next thinner one were both run, and are no better.
@@ -279,7 +195,7 @@ class _Search:
             if passing is before:
                 return passing
 
-    def _last_of(self, lines: tuple[Line, ...], passing: _Judged) -> _Judged:
+    def _last_of(self, lines: tuple[Line, ...], passing: JudgedLine) -> JudgedLine:
         """Find the last of lines, each less than the one before, that passes and is preferred.
 
         Steps double as long as they do, and are halved from the first that does not: taken that a
@@ -349,7 +265,7 @@ class _Search:
             if judged is not None and not judged.tried.passes:
                 yield judged.tried
 
-    def _is_better(self, line: Line, than: _Judged) -> bool:
+    def _is_better(self, line: Line, than: JudgedLine) -> bool:
         """Whether a line passes at rest and is preferred."""
         assert than.settled is not None
         try:
@@ -360,7 +276,7 @@ class _Search:
 
     # ------------------------------------------------------------------ one line
 
-    def tried(self, line: Line) -> _Judged:
+    def tried(self, line: Line) -> JudgedLine:
         """Run a line in every load case; those after one that fails are left out."""
         if line not in self.judged:
             self.judged[line] = self._run(line)
@@ -389,16 +305,16 @@ class _Search:
         )
         return self._settle(own)
 
-    def _run(self, line: Line) -> _Judged:
+    def _run(self, line: Line) -> JudgedLine:
         try:
             settled = self._at_rest(line)
             around = self._around(self.request_of_one, settled)
         except NoFeasibleDesignError as error:
             failing = () if error.near_miss is None else error.near_miss.failing
-            return _Judged(_tried(line, 0, failing, "" if failing else error.message), line)
+            return JudgedLine(_tried(line, 0, failing, "" if failing else error.message), line)
         except NoAnswerError as error:
-            return _Judged(_tried(line, 0, (), error.message), line)
-        judged = _Judged(_tried(line, 0, ()), line, settled, around)
+            return JudgedLine(_tried(line, 0, (), error.message), line)
+        judged = JudgedLine(_tried(line, 0, ()), line, settled, around)
         for state in tuple(self._order):
             try:
                 if state.line_out:
@@ -422,11 +338,13 @@ class _Search:
         """The request without an allowance for motion."""
         return replace(self.request, line=replace(self.request.line, dynamic_factor=1.0))
 
-    def _in_state(self, state: _State, settled: ConvergedSizing, around: Pattern | None) -> _Run:
-        name, said = state.load_case, in_sea(state.load_case, self.how, state.sea)
-        case = self._afloat(state, settled, around)
-        found = verify_ship(self._as_judged(case), ship=self._ships.get(name))
-        self._ships[name] = found.moored.ship
+    def _in_state(
+        self, state: ShipState, settled: ConvergedSizing, around: Pattern | None
+    ) -> ShipRun:
+        name, said = state.load_case, self._said(state)
+        case, weather = self._afloat(state, settled, around), (name, state.directions)
+        found = verify_ship(self._as_judged(case), ship=self._ships.get(weather))
+        self._ships[weather] = found.moored.ship
         offset = max(found.offset.judged, _offset(found.lost))
         if around is None:
             at_rest, without = dict(settled.point.checks.solutions)[name], 0.0
@@ -435,19 +353,29 @@ class _Search:
             lines = (each.solution for each in rest.solution.lines)
             at_rest = largest(list(lines), lambda each: each.fairlead.tension)
             without = rest.line_out.line_force
-        lost = _Lost(said, case, found.lost, without, offset)
-        return _Run(said, case, found.lines, found.hanging, found.most_loaded, at_rest, lost)
+        lost = ShipLost(said, case, found.lost, without, offset)
+        return ShipRun(said, case, found.lines, found.hanging, found.most_loaded, at_rest, lost)
 
-    def _without_line(self, state: _State, settled: ConvergedSizing, around: Pattern) -> _Lost:
+    def _without_line(
+        self, state: ShipState, settled: ConvergedSizing, around: Pattern
+    ) -> ShipLost:
         """Run it without line 1, in weather from the side that is then hardest at rest."""
-        name, said = state.load_case, in_sea(state.load_case, self.how, state.sea)
-        case = self._afloat(state, settled, around)
-        found, moored = run_without(self._as_judged(case), 1, ship=self._ships.get(name))
-        self._ships[name] = moored.ship
+        name, said = state.load_case, self._said(state)
+        case, weather = self._afloat(state, settled, around), (name, state.directions)
+        found, moored = run_without(self._as_judged(case), 1, ship=self._ships.get(weather))
+        self._ships[weather] = moored.ship
         without = _state_of(around, name).line_out.line_force
-        return _Lost(said, case, (found,), without, _offset((found,)))
+        return ShipLost(said, case, (found,), without, _offset((found,)))
 
-    def _afloat(self, state: _State, settled: ConvergedSizing, around: Pattern | None) -> Case:
+    def _said(self, state: ShipState) -> str:
+        """Name a load case with its sea and directions, where there are several."""
+        said = in_sea(state.load_case, self.how, state.sea)
+        if len(self.request.weathervaning.directions) == 1:
+            return said
+        angles = {key: math.degrees(angle) for key, angle in vars(state.directions).items()}
+        return Message("sizing.from_directions", load_case=said, **angles)
+
+    def _afloat(self, state: ShipState, settled: ConvergedSizing, around: Pattern | None) -> Case:
         case = ship_afloat(self.request, settled, around, **state._asdict())
         assert case is not None
         return case
@@ -456,7 +384,7 @@ class _Search:
         assert case.dynamics is not None
         return replace(case, dynamics=replace(case.dynamics, judged_by=self.how.judged_by))
 
-    def _held(self, judged: _Judged) -> _Judged:
+    def _held(self, judged: JudgedLine) -> JudgedLine:
         """Size what holds the line for its runs, and check it; NoAnswerError: nothing does."""
         settled, ground = judged.settled, self.request.ground
         assert settled is not None
@@ -530,7 +458,9 @@ def _counted(found: _Search) -> Counted:
     )
 
 
-def _moved(request: TankerRequest, how: RunsAfloat, found: _Search, chosen: _Judged) -> ShipMoved:
+def _moved(
+    request: TankerRequest, how: RunsAfloat, found: _Search, chosen: JudgedLine
+) -> ShipMoved:
     assert chosen.settled is not None
     assert chosen.checks is not None
     hardest = largest(chosen.runs, lambda each: each.hanging.fairlead.tension)
@@ -555,6 +485,7 @@ def _moved(request: TankerRequest, how: RunsAfloat, found: _Search, chosen: _Jud
             _counted(found),
             tuple(each.tried for each in found.judged.values()),
             load_cases=len(found.start.posed.loads),
+            directions=len(request.weathervaning.directions),
             seas=chosen.seas,
             less=tuple(found.failing_below(chosen.line)),
         ),
@@ -564,10 +495,10 @@ def _moved(request: TankerRequest, how: RunsAfloat, found: _Search, chosen: _Jud
     )
 
 
-def _storm(of: _Judged) -> Storm:
+def _storm(of: JudgedLine) -> Storm:
     """Find the load case of the largest tension at the fairlead, and what the storm comes to."""
 
-    def tension(each: _Run) -> float:
+    def tension(each: ShipRun) -> float:
         return each.line.judged("most-probable")
 
     hardest = largest(of.runs, tension)
@@ -585,7 +516,7 @@ def _storm(of: _Judged) -> Storm:
 def _nothing_passes(found: _Search) -> NoLineInMotionError:
     """Say which line fails by the least."""
 
-    def miss(of: _Judged) -> float:
+    def miss(of: JudgedLine) -> float:
         return of.tried.failing[0].exceedance if of.tried.failing else math.inf
 
     every = [each for each in found.judged.values() if each.tried.runs]

@@ -5,14 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import replace
-from functools import lru_cache
 from typing import Final, NamedTuple
 
 from catopt.design.result import DesignPoint
 from catopt.errors import NoAnswerError
 from catopt.loads.component import Loads
 from catopt.loads.environment import WaterLevels
-from catopt.loads.weathervane import Afloat, ShipHeading, every_lying
 from catopt.model import Buoy, ClumpWeightChoice, Design, LoadCase
 from catopt.sizing.answer import (
     case_of,
@@ -22,13 +20,13 @@ from catopt.sizing.answer import (
     sizing_of,
     worn_name,
 )
-from catopt.sizing.environment import Environment, Weathervaning, turning_words
+from catopt.sizing.environment import turning_words
 from catopt.sizing.line_choice import longest_useful
 from catopt.sizing.pattern import BodyState, DragGround, Pattern, pattern, shared_force
 from catopt.sizing.posed import Assumed, LoadsAt, SizingCase, Water, rounded_up
 from catopt.sizing.result import Sizing, SwingPart, SwingRadius
 from catopt.sizing.settle import ConvergedSizing, point_diameter, point_pull, settle
-from catopt.sizing.ship_afloat import ship_afloat
+from catopt.sizing.ship_afloat import ship_afloat, worst_lying
 from catopt.sizing.tanker_request import MooredShip, TankerRequest
 from catopt.ties import largest
 from catopt.words import Measure, Message
@@ -230,44 +228,12 @@ def _fairlead(request: TankerRequest, moored: MooredShip) -> float:
 def _loads_at(request: TankerRequest, state: _State, assumed: Assumed) -> LoadsAt:
     env = request.environment
     moored, vane = state.moored, request.weathervaning
-    lying = _worst_lying(
-        Afloat(moored.condition, moored.ship, moored.wind_on, moored.coefficients),
-        env,
-        state.depth,
-        vane,
-        request.load_methods,
-        request.wave_coefficient,
-    )
+    lying = worst_lying(request, moored, state.depth, vane.directions)
     parts: list[Loads] = [lying.loads]
     if request.buoy is not None:
         parts.append(loads_on(request.buoy, env, WaterLevels.steady(state.depth), assumed))
     where = state.name, state.depth, state.water, moored.condition
     return LoadsAt(*where, parts=tuple(parts), lying=lying)
-
-
-@lru_cache(maxsize=64)
-def _worst_lying(
-    afloat: Afloat,
-    env: Environment,
-    depth: float,
-    vane: Weathervaning,
-    methods: tuple[str, ...],
-    wave_coefficient: float | None,
-) -> ShipHeading:
-    """Find how the ship lies under the largest force; the line has no part in that."""
-    every = every_lying(
-        [afloat],
-        env.wind,
-        env.current,
-        env.sea,
-        [depth],
-        vane.directions,
-        methods=methods,
-        turning=vane.turning,
-        wave_coefficient=wave_coefficient,
-        water_density=env.water_density,
-    )
-    return largest(every, lambda each: each.loads.horizontal_force)
 
 
 def _line_forces(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
@@ -111,7 +112,7 @@ def test_where_nothing_holds_the_nearest_is_named(monkeypatch: pytest.MonkeyPatc
     "other",
     [
         {"hs": "0 m"},
-        {"current_angle": "90 deg", "current_yaw": "series-60", "recalled": True},
+        {"current_angle": "90 deg", "current_yaw": "-0.2, 0.003", "recalled": True},
         {"buoy": "mooring buoy 5.0 m", "hawser": "40 m"},
     ],
 )
@@ -133,6 +134,54 @@ def test_at_rest_the_first_screen_says_that_it_was_not_run() -> None:
     assert "--in-motion" in said
     (said,) = (each for each in at_buoy if each.startswith("In motion:"))
     assert "--in-motion" not in said
+
+
+# ------------------------------------------------------------------ weather from several sides
+
+ASIDE: dict[str, Any] = {
+    "wind": "14 m/s",
+    "current": "0.5 m/s",
+    "hs": "1.5 m",
+    "current_yaw": "series-60",
+    "recalled": True,
+    "in_motion": True,
+    "seeds": 1,
+    "run_time": "1 h",
+}
+
+
+@pytest.mark.slow
+def test_weather_from_two_sides() -> None:
+    """The line passes in it; what is written has what the ship pulls at rest along x."""
+    with alone():
+        of = size_tanker(**SHIP, **ASIDE, current_angle="30 deg")
+    moved = of.in_motion
+    assert moved is not None
+    assert moved.directions == 1
+    case = written(of)
+    assert case.current is not None
+    assert case.waves is not None
+    assert case.floater is not None
+    ship = case.floater.ship
+    assert ship is not None
+    assert ship.current_yaw == "series-60"
+    # Wind and waves come from one side, the current from 30 deg off that.
+    assert ship.wind_direction == pytest.approx(case.waves.direction)
+    off = math.degrees(case.current.direction - case.waves.direction)
+    assert math.remainder(off - 30.0, 360.0) == pytest.approx(0.0, abs=1e-6)
+    found = verify_ship(case)
+    along, across = found.rest.force
+    # The wind's mean of an hour in the place of the design wind, and drift in that of wave force.
+    assert along > 3.0 * abs(across)
+    assert found.checks.passes
+
+
+def test_the_directions_that_decide_are_named() -> None:
+    """Current from either side of a line on which the ship fishtails: none holds."""
+    with alone(), pytest.raises(NoLineInMotionError) as caught:
+        size_tanker(**SHIP, **ASIDE, scan="180 deg", diameter_max="62 mm")
+    said = str(caught.value)
+    assert "wind from 0, current 0, waves 0 deg" in said or "current 180," in said
 
 
 # ------------------------------------------------------------------ README's ship, run
