@@ -16,7 +16,7 @@ from catopt.fem.run_settings import TimeStepping
 from catopt.fem.sampling import Rules
 from catopt.floater.freedoms import freedoms
 from catopt.floater.scene import Scene
-from catopt.hydro.build import FloatingHull, record_of, room_of, state_of
+from catopt.hydro.build import AnyHull, record_of, room_of, state_of
 from catopt.hydro.hull import PARTS
 from catopt.waves import Sea
 from catopt.words import Message
@@ -36,7 +36,7 @@ class HullHistory:
     and N m; `extreme` (7, 2): least and largest of place and volume of every step; `works`: of
     weight and pressure, diffraction, the waves that it makes, drag, wind, linear damping and lines,
     J; `numerical_part`: energy that the steps lost or gained, over what was put in; `volume`: of
-    all its slices, m3; `scene`: how it looked around the largest tension of its lines.
+    all its slices, m3, 0 without any; `scene`: how it looked around its lines' largest tension.
     """
 
     time: Array
@@ -53,7 +53,9 @@ class HullHistory:
     scene: Scene | None = None
 
 
-def history_of(body: Afloat, time: Array, depth: float, kinetic_at_first: float) -> HullHistory:
+def history_of(
+    body: Afloat, time: Array, depth: float, kinetic_at_first: float, volume: float
+) -> HullHistory:
     """Take out of a hull that was stepped what is kept of it."""
     record = body.record
     gained = hull_kinetic_energy(body.hull, body.before) - kinetic_at_first
@@ -71,12 +73,12 @@ def history_of(body: Afloat, time: Array, depth: float, kinetic_at_first: float)
         record.extreme - np.append(level, 0.0)[:, np.newaxis],
         record.works[: PARTS + 1].copy(),
         off / put_in if put_in > 0.0 else 0.0,
-        float((np.pi * body.hull.radius**2 * (body.hull.top - body.hull.foot)).sum()),
+        volume,
     )
 
 
 def run_alone(
-    hull: FloatingHull,
+    hull: AnyHull,
     stepping: TimeStepping,
     *,
     sea: Sea,
@@ -86,7 +88,7 @@ def run_alone(
 
     Parameters
     ----------
-    hull : FloatingHull
+    hull : FloatingHull or HullOfCoefficients
         At its draught at rest.
     stepping : TimeStepping
         Steps all as long as its `step`; samples at its output interval.
@@ -103,7 +105,7 @@ def run_alone(
     flow = sea.flow
     laid = hull.lay_out(flow, freedoms(hull, (), sea))
     x, z, turn = offset
-    height = flow.depth - hull.draught + hull.centre
+    height = flow.depth + hull.level
     samples, every, how = stepping.samples, stepping.every, stepping.scheme
     none = np.zeros(3)
     body = Afloat(
@@ -138,4 +140,4 @@ def run_alone(
         reached = done * every * stepping.step
         raise NotConvergedError(Message("truss.not_closed", time=reached))
     time = np.asarray(every * float(stepping.step) * np.arange(samples + 1.0))
-    return history_of(body, time, flow.depth, 0.0)
+    return history_of(body, time, flow.depth, 0.0, hull.volume_of_all)

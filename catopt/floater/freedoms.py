@@ -9,7 +9,7 @@ from typing import Final
 import numpy as np
 
 from catopt.fem.solve import Leg
-from catopt.hydro.build import IN_PLANE, FloatingHull
+from catopt.hydro.build import IN_PLANE, AnyHull, FloatingHull
 from catopt.waves import Sea
 
 _ALONG: Final = 1e-9
@@ -18,12 +18,14 @@ _SAME_PLACE: Final = 1e-6
 """Part of the anchors' radius within which places mirror each other."""
 
 
-def freedoms(hull: FloatingHull, legs: Sequence[Leg], sea: Sea) -> tuple[bool, ...]:
+def freedoms(hull: AnyHull, legs: Sequence[Leg], sea: Sea) -> tuple[bool, ...]:
     """Say which freedoms a hull has: all six, or those of the plane of x and z.
 
     Weather along x, and lines that x mirrors, leave it in that plane. Nothing turns a body of
     revolution about its axis but lines that are fast to it away from that.
     """
+    if not isinstance(hull, FloatingHull):
+        return (True,) * 6
     if not any((waves_across(sea), current_across(sea), wind_across(hull), unmirrored(hull, legs))):
         return IN_PLANE
     yaws = any(math.hypot(x, y) > 0.0 for x, y, _ in hull.eyes)

@@ -76,8 +76,7 @@ def linear_hull(hull: FloatingHull, rest: AtRest, sea: Sea) -> LinearHull:
     accelerates = -1j * omega[:, np.newaxis, np.newaxis] * flow[:, :, [0, 2]]
     push += np.einsum("wjk,ijk->wi", accelerates, by_acceleration)
     diffracted = hull.lay_out(sea.flow).excited
-    diffraction = diffracted[:, 0::2] + 1j * diffracted[:, 1::2]
-    diffraction[:, [0, 2]] *= ahead[:, np.newaxis]
+    diffraction = (diffracted[:, 0::2] + 1j * diffracted[:, 1::2])[:, _PLANE]
     push += diffraction * (here / waves.amplitude)[:, np.newaxis]
 
     memory = hull.radiation.memory

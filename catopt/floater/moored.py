@@ -24,7 +24,7 @@ from catopt.fem.simulation import Simulation
 from catopt.fem.solve import Leg
 from catopt.floater.alone import HullHistory, history_of
 from catopt.floater.freedoms import freedoms
-from catopt.hydro.build import FloatingHull, record_of, room_of, state_of
+from catopt.hydro.build import AnyHull, record_of, room_of, state_of
 from catopt.hydro.hull import (
     Hull,
     HullRoom,
@@ -106,7 +106,9 @@ class _Calm(NamedTuple):
         state.v[:] = 0.0
         fill_sea(0.0, hull, state, flow, room)
         room.sea[:2] = surface
-        room.acceleration[acceleration[0], acceleration[1]] += acceleration[2]
+        of_slice, direction, size = acceleration
+        if size != 0.0:
+            room.acceleration[of_slice, direction] += size
         room.carried[:] = room.by_speed[:] = 0.0
         fill_forces_on_hull(hull, state, flow.depth, room)
         return state.force.copy()
@@ -195,7 +197,7 @@ class _Lines(NamedTuple):
 
 
 def moored_at_rest(
-    hull: FloatingHull,
+    hull: AnyHull,
     legs: Sequence[Leg],
     meshes: Sequence[LineMesh],
     *,
@@ -211,7 +213,7 @@ def moored_at_rest(
     flow = sea.flow_at_rest
     free = freedoms(hull, legs, sea)
     laid = hull.lay_out(sea.flow, free)
-    state = state_of(laid, (0.0, 0.0, flow.depth - hull.draught + hull.centre))
+    state = state_of(laid, (0.0, 0.0, flow.depth + hull.level))
     calm = _Calm(hull.lay_out(flow, free), state, flow, room_of(laid))
     pushed, lines = calm.pushed, _Lines(legs, meshes, laid, sea)
     at = _Pose(state.q.copy(), state.axes.copy())
@@ -221,7 +223,7 @@ def moored_at_rest(
     at = lines.start(smooth, at, drift)
     scale = hull.mass * hull.gravity
     long = math.sqrt(max(hull.inertia, 1e-12) / hull.mass)
-    size = max(hull.draught, 2.0 * float(hull.radius.max()))
+    size = hull.size
     ways = np.array([size, size, size, 1.0, 1.0, 1.0])
     is_rubbed, matrix, last, part = False, np.eye(6), math.inf, 1.0
     for _ in range(_ROUNDS):
@@ -254,8 +256,7 @@ def moored_at_rest(
         move = part * np.linalg.solve(matrix, left)
         far = max(float(np.linalg.norm(move[:3])), float(np.linalg.norm(move[3:])) * size)
         at = at.moved(move * min(1.0, _MOST_MOVE * size / max(far, 1e-300)))
-        top = at.q[2] + float(hull.top.max() - hull.centre)
-        if top < flow.depth - 3.0 * size:
+        if at.q[2] + hull.above < flow.depth - 3.0 * size:
             raise NoEquilibriumError(Message("floater.drawn_under"), "force", 0.0)
     raise NotConvergedError(Message("floater.not_at_rest", rounds=_ROUNDS))
 
@@ -292,7 +293,7 @@ def _of_lines(simulation: Simulation) -> tuple[Array, Array]:
 
 
 def run_moored(
-    hull: FloatingHull,
+    hull: AnyHull,
     legs: Sequence[Leg],
     meshes: Sequence[LineMesh],
     stepping: TimeStepping,
@@ -305,7 +306,7 @@ def run_moored(
 
     Parameters
     ----------
-    hull : FloatingHull
+    hull : FloatingHull or HullOfCoefficients
         With a mooring eye for each line.
     legs, meshes
         The lines, as for `moored_at_rest`.
@@ -338,5 +339,5 @@ def run_moored(
     simulation.body = BodyNode(ones, none, none)
     sample_hull(0, body)
     history = run_from_rest(simulation, stepping, meshes, warnings, progress)
-    of = history_of(body, history.time, in_sea.depth, 0.0)
+    of = history_of(body, history.time, in_sea.depth, 0.0, hull.volume_of_all)
     return history, of

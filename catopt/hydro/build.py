@@ -13,7 +13,7 @@ from scipy.interpolate import CubicSpline
 
 from catopt.arrays import Array, Codes, Flags
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
-from catopt.hydro.coefficients import Memory
+from catopt.hydro.coefficients import Coefficients, Memory, infinite_added_mass
 from catopt.hydro.cylinder import FloatingCylinder
 from catopt.hydro.hull import PARTS, Hull, HullRecord, HullRoom, HullState, turn_axes
 from catopt.model.kinds import Findings
@@ -31,6 +31,8 @@ COLUMNS: Final = 9
 """In which a slice that is cut by the surface is divided across."""
 _LOWEST, _HIGHEST, _COUNT = 0.05, 3.6, 60
 """Frequencies of a cylinder's radiation, over sqrt(g/a), and how many."""
+_OF_A_SHIP: Final = 24
+"""Exponentials of each entry of a ship's memory, at most."""
 _LASTS: Final = 40.0
 """After which its memory is over, over sqrt(a/g)."""
 
@@ -205,6 +207,26 @@ class FloatingHull:
         found: Complex = -over * (up - down) if upwards else -1.0j * over * (up + down)
         return found + 0j
 
+    @property
+    def size(self) -> float:
+        """Largest of its draught and its breadth, m."""
+        return max(self.draught, 2.0 * float(self.radius.max()))
+
+    @property
+    def level(self) -> float:
+        """Height of its centre of gravity over still water at rest, m."""
+        return self.centre - self.draught
+
+    @property
+    def above(self) -> float:
+        """How far it reaches above its centre of gravity, m."""
+        return float(self.top.max() - self.centre)
+
+    @property
+    def volume_of_all(self) -> float:
+        """Of all its slices, m3."""
+        return float((math.pi * self.radius**2 * (self.top - self.foot)).sum())
+
     def lay_out(self, flow: Flow, free: tuple[bool, ...] = (True,) * 6) -> Hull:
         """Arrays for the kernels, in a sea; of its freedoms those that are left `free`."""
         of, moves = self.radiation, np.logical_and(self.free, free)
@@ -247,6 +269,8 @@ class FloatingHull:
             damping=np.array([surge, surge, heave, pitch, pitch, 0.0], dtype=float),
             constant=constant,
             stiffness=_all_round(self.stiffness),
+            restoring=np.zeros((6, 6)),
+            level=np.zeros(3),
             eye=np.ascontiguousarray(eyes - [0.0, 0.0, self.centre]),
             free=moves.astype(float),
             mode=mode,
@@ -256,8 +280,11 @@ class FloatingHull:
         )
 
     def _excited(self, flow: Flow) -> Array:
-        """Diffraction of each wave, beyond what the kernels find by slices."""
-        of, waves, out = self.radiation, flow.waves, np.zeros((flow.waves.shape[0], 6))
+        """Diffraction of each wave, beyond what the kernels find by slices.
+
+        A wave pushes along its own way, and turns the hull about the level axis across that.
+        """
+        of, waves, out = self.radiation, flow.waves, np.zeros((flow.waves.shape[0], 12))
         if of.excitation is None or waves.shape[0] == 0:
             return out
         k = np.empty(of.omega.size)
@@ -269,9 +296,134 @@ class FloatingHull:
         at[omega < of.omega[0]] *= (omega[omega < of.omega[0], np.newaxis] / of.omega[0]) ** 2
         short = omega > of.omega[-1]
         at[short] = -self.long_wave(omega[short], waves[short, 3], flow.depth)
-        at *= waves[:, 7, np.newaxis]
-        out[:, 0::2], out[:, 1::2] = at.real, at.imag
-        return out
+        push, heave, turn = (at * waves[:, 7, np.newaxis]).T
+        cosine, sine = waves[:, 5], waves[:, 6]
+        force = cosine * push, sine * push, heave, -sine * turn, cosine * turn, 0.0 * turn
+        return _parts(np.stack(force, axis=1)).reshape(-1, 12)
+
+
+@dataclass(frozen=True, eq=False)
+class HullOfCoefficients:
+    """A body whose coefficients are known, about their point, which is in still water at rest.
+
+    Parameters
+    ----------
+    coefficients : Coefficients
+        With added mass, damping and excitation.
+    mass_matrix, stiffness : array, shape (6, 6)
+        Of the body alone; of weight and buoyancy.
+    memory_length : float
+        After which the waves that it made have gone, s.
+    displacement : float
+        Of the water at the draught of the coefficients, kg.
+    force : tuple of float
+        Steady, along x and y at the point, N.
+    damping : tuple of float
+        Linear, N s/m and N m s.
+    eyes : tuple of tuple of float
+        Place of each mooring eye, m.
+    """
+
+    coefficients: Coefficients
+    mass_matrix: Array
+    stiffness: Array
+    memory_length: float
+    displacement: float
+    force: tuple[float, float] = (0.0, 0.0)
+    damping: tuple[float, ...] = (0.0,) * 6
+    eyes: tuple[tuple[float, float, float], ...] = ()
+    density: float = SEA_WATER_DENSITY
+    gravity: float = STANDARD_GRAVITY
+
+    @property
+    def mass(self) -> float:
+        """Of the body, kg."""
+        return float(self.mass_matrix[0, 0])
+
+    @property
+    def inertia(self) -> float:
+        """In pitch about the point, kg m2."""
+        return float(self.mass_matrix[4, 4])
+
+    @property
+    def size(self) -> float:
+        """Edge of a cube that displaces as much, m."""
+        return float((self.displacement / self.density) ** (1.0 / 3.0))
+
+    @property
+    def level(self) -> float:
+        """Height of the point over still water at rest, m."""
+        return 0.0
+
+    @property
+    def above(self) -> float:
+        """Taken as how far it reaches above the point, m."""
+        return self.size
+
+    @property
+    def volume_of_all(self) -> float:
+        """None is known: it has no slices."""
+        return 0.0
+
+    @cached_property
+    def memory(self) -> Memory:
+        """Its memory as exponentials."""
+        damping = self.coefficients.damping
+        assert damping is not None
+        if not damping.any():
+            return Memory.none()
+        return Memory.of(self.coefficients.omega, damping, self.memory_length, most=_OF_A_SHIP)
+
+    @cached_property
+    def infinite(self) -> Array:
+        """Added mass of motion much faster than its waves, (6, 6), by Ogilvie's relation."""
+        of = self.coefficients
+        assert of.added_mass is not None
+        return infinite_added_mass(of.omega, of.added_mass, self.memory)
+
+    def lay_out(self, flow: Flow, free: tuple[bool, ...] = (True,) * 6) -> Hull:
+        """Arrays for the kernels, in a sea."""
+        of, memory = self.coefficients, self.memory
+        own = self.mass_matrix - self.mass * np.diag([1.0, 1.0, 1.0, 0.0, 0.0, 0.0])
+        waves, none = flow.waves, np.zeros(0)
+        excited = np.zeros((waves.shape[0], 12))
+        if waves.shape[0] > 0:
+            direction = np.arctan2(waves[:, 6], waves[:, 5])
+            at = of.at("excitation", waves[:, 0], direction) * waves[:, 7, np.newaxis]
+            excited = _parts(at).reshape(-1, 12)
+        mode = np.stack([memory.row, memory.column], axis=1).reshape(-1, 2)
+        lift = self.displacement * self.gravity
+        return Hull(
+            mass=self.mass,
+            inertia=0.0,
+            spin_inertia=0.0,
+            added=np.ascontiguousarray(self.infinite + own),
+            density=float(self.density),
+            gravity=float(self.gravity),
+            foot=none,
+            top=none,
+            radius=none,
+            drag=none,
+            bottom=0.0,
+            bottom_drag=0.0,
+            bottom_radius=0.0,
+            column=np.zeros((0, 2)),
+            wind=np.zeros(3),
+            damping=np.array(self.damping, dtype=float),
+            constant=np.array([*self.force, lift, 0.0, 0.0, 0.0]),
+            stiffness=np.ascontiguousarray(self.stiffness, dtype=float),
+            restoring=np.ascontiguousarray(self.stiffness, dtype=float),
+            level=np.array([0.0, 0.0, flow.depth]),
+            eye=np.array(self.eyes, dtype=float).reshape(-1, 3),
+            free=np.array(free, dtype=float),
+            mode=np.ascontiguousarray(mode),
+            rate=_parts(memory.rate),
+            strength=_parts(memory.strength),
+            excited=excited,
+        )
+
+
+AnyHull = FloatingHull | HullOfCoefficients
 
 
 def _all_round(of: Array) -> Array:
@@ -303,7 +455,8 @@ def _around(memory: Memory, free: Flags) -> tuple[Codes, Complex, Complex]:
 
 
 def _parts(values: Complex) -> Array:
-    return np.ascontiguousarray(np.stack([values.real, values.imag], axis=1).reshape(-1, 2))
+    """Put real and imaginary parts beside one another, (..., 2)."""
+    return np.ascontiguousarray(np.stack([values.real, values.imag], axis=-1))
 
 
 def state_of(hull: Hull, place: tuple[float, float, float], pitch: float = 0.0) -> HullState:
@@ -332,9 +485,9 @@ def room_of(hull: Hull) -> HullRoom:
         velocity=np.zeros((slices, 3)),
         acceleration=np.zeros((slices, 3)),
         surface=np.zeros(slices),
-        sea=np.zeros(8),
+        sea=np.zeros(9),
         ends=water_ends(slices),
-        sea_ends=np.zeros((2, 8)),
+        sea_ends=np.zeros((2, 9)),
         carried=np.zeros((modes, 2)),
         by_speed=np.zeros((modes, 2)),
         matrix=np.zeros((6, 6)),

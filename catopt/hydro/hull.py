@@ -49,13 +49,15 @@ class Hull(NamedTuple):
     damping: Array  # (6,): linear, N s/m and N m s
     constant: Array  # (6,): other constant forces, N and N m
     stiffness: Array  # (6, 6): derivative of the restoring forces at rest, for Newton's steps
+    restoring: Array  # (6, 6): of a hull without slices, whose weight and buoyancy are linear
+    level: Array  # (3,): place from which these count, m
     eye: Array  # (lines, 3): place of each mooring eye, two across and one along the axis, m
     free: Array  # (6,): 1.0 for each freedom that it has
     mode: Codes  # (modes, 2): force and motion of each exponential of the memory
     rate: Array  # (modes, 2): its rate, real and imaginary, 1/s
     strength: Array  # (modes, 2)
-    excited: Array  # (waves, 6): diffraction of each wave of the sea, real and imaginary parts: the
-    # force along the wave and upwards, the moment that turns it along; with its amplitude, N, N m
+    excited: Array  # (waves, 12): force and moment of each wave of the sea beyond the pressure of
+    # the wave itself on the slices, real and imaginary parts, with its amplitude: N and N m
 
 
 @packed
@@ -82,9 +84,9 @@ class HullRoom(NamedTuple):
     velocity: Array  # (slices, 3)
     acceleration: Array  # (slices, 3)
     surface: Array  # (slices,)
-    sea: Array  # (8,): elevation, m, its slopes along x and y, diffraction in five freedoms
+    sea: Array  # (9,): elevation, m, its slopes along x and y, and what `Hull.excited` comes to
     ends: WaterEnds  # of the slices, over the whole step
-    sea_ends: Array  # (2, 8): the sea at its start and its end
+    sea_ends: Array  # (2, 9): the sea at its start and its end
     carried: Array  # (modes, 2): memory at the step's end by what was before
     by_speed: Array  # (modes, 2): and by each m/s at the step's end
     matrix: Array  # (6, 6): of Newton's step
@@ -187,29 +189,21 @@ def _place_slices(hull: Hull, place: Any, axis: Any, depth: float, to: Any) -> N
 
 
 def _look_at_sea(t: float, x: float, y: float, hull: Hull, flow: Flow, sea: Any) -> None:
-    """Write elevation and slopes over a hull at x, y, m, and what it diffracts, as `HullRoom.sea`.
-
-    A wave pushes along its own way, and turns the hull about the level axis across that.
-    """
-    eta = slope_x = slope_y = surge = sway = heave = roll = pitch = 0.0
+    """Write the surface over a hull at x, y, m, and the waves' force, as `HullRoom.sea`."""
+    for j in range(9):
+        sea[j] = 0.0
     waves, excited = flow.waves, hull.excited
     for i in range(waves.shape[0]):
         k_x, k_y = waves[i, 1], waves[i, 2]
         cos, sin = cos_sin(k_x * x + k_y * y - (waves[i, 0] * t) % (2.0 * math.pi) + waves[i, 4])
-        eta += waves[i, 7] * cos
-        slope_x -= waves[i, 7] * k_x * sin
-        slope_y -= waves[i, 7] * k_y * sin
-        push = excited[i, 0] * cos - excited[i, 1] * sin
-        moment = excited[i, 4] * cos - excited[i, 5] * sin
-        surge += waves[i, 5] * push
-        sway += waves[i, 6] * push
-        heave += excited[i, 2] * cos - excited[i, 3] * sin
-        roll -= waves[i, 6] * moment
-        pitch += waves[i, 5] * moment
+        sea[0] += waves[i, 7] * cos
+        sea[1] -= waves[i, 7] * k_x * sin
+        sea[2] -= waves[i, 7] * k_y * sin
+        for j in range(6):
+            sea[3 + j] += excited[i, 2 * j] * cos - excited[i, 2 * j + 1] * sin
     ramp, _ = smooth_ramp(t, flow.ramp_time)
-    sea[0], sea[1], sea[2] = ramp * eta, ramp * slope_x, ramp * slope_y
-    sea[3], sea[4], sea[5] = ramp * surge, ramp * sway, ramp * heave
-    sea[6], sea[7] = ramp * roll, ramp * pitch
+    for j in range(9):
+        sea[j] *= ramp
 
 
 def fill_forces_on_hull(hull: Hull, now: HullState, depth: float, room: HullRoom) -> None:
@@ -228,8 +222,9 @@ def fill_forces_on_hull(hull: Hull, now: HullState, depth: float, room: HullRoom
         parts[PRESSURE, i] += hull.constant[i]
         parts[DAMPING, i] = -hull.damping[i] * v[i]
         by_v[i, i] += hull.damping[i]
-    for i in range(5):
         parts[DIFFRACTION, i] = sea[3 + i]
+    if hull.foot.shape[0] == 0:
+        _restore(hull, now)
     _remember(hull, now, room)
     wind = hull.wind[0], hull.wind[1], 0.0
     turn = cross(n, wind)
@@ -242,6 +237,16 @@ def fill_forces_on_hull(hull: Hull, now: HullState, depth: float, room: HullRoom
             total += parts[i, j]
         now.force[j] = total
     _keep_spin(hull, now, n)
+
+
+def _restore(hull: Hull, now: HullState) -> None:
+    """Add weight and buoyancy of a hull without slices: linear in its way from where it floats."""
+    roll, pitch, yaw = attitude(now.axes)
+    q, level = now.q, hull.level
+    way = q[0] - level[0], q[1] - level[1], q[2] - level[2], roll, pitch, yaw
+    for i in range(6):
+        for j in range(6):
+            now.parts[PRESSURE, i] -= hull.restoring[i, j] * way[j]
 
 
 def _keep_spin(hull: Hull, now: HullState, n: Any) -> None:

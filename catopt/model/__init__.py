@@ -16,7 +16,7 @@ from catopt.model.load import Checks, Load, LoadCase, Site
 from catopt.model.sea import CurrentProfile, Motion, WaveState, WaveTrain
 from catopt.model.service import Service
 from catopt.model.strain_table import StrainTable
-from catopt.model.system import Body, Buoy, Floater, Leg, ShipAfloat, System
+from catopt.model.system import Body, Buoy, Floater, HullAfloat, Leg, ShipAfloat, System
 
 __all__ = [
     "Anchor",
@@ -34,6 +34,7 @@ __all__ = [
     "FatigueSeaState",
     "Find",
     "Floater",
+    "HullAfloat",
     "Leg",
     "Line",
     "Load",

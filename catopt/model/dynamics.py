@@ -237,6 +237,8 @@ def _of_a_floater(present: Collection[str], given: Collection[str]) -> Iterator[
             yield Problem(key, "", allowed)
     if "waves" not in present:
         yield Problem("waves", "", Message("refused_case.missing_nothing_moves_floater_but"))
+    if "floater.hull" in given and "system" not in present:
+        yield Problem("system", "", Message("refused_case.ship_needs_system"))
     if "dynamics.broken_line" in given:
         yield Problem("dynamics.broken_line", "", Message("refused_case.does_not_go_with_floater"))
 

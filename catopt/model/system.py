@@ -116,8 +116,42 @@ class ShipAfloat(Checked):
         found.problems += ship_misfits([key for key in _OF_DRIFT if getattr(self, key)])
 
 
+@dataclass(frozen=True)
+class HullAfloat(Checked):
+    """A body on several lines whose coefficients a panel program computed.
+
+    It moves in six freedoms about the point of its files, which lies at the origin of the system,
+    in still water, its x axis along that of the system.
+    """
+
+    file: Annotated[str, File(example='"hull.1"')]
+    """Path of WAMIT's .1 file, with .3 and .hst beside it, or of capytaine's netCDF file."""
+    mass: Mass
+    centre_of_gravity: Annotated[tuple[Place, ...], Size(3, 3)]
+    """x, y and z from the point, m."""
+    gyration: Annotated[tuple[Length, ...], Size(3, 3)]
+    """Radii of gyration in roll, pitch and yaw about it, m."""
+    ulen: Length | None = None
+    """The length ULEN of WAMIT's files, m."""
+    displacement: Mass | None = None
+    """Of the water at the draught of the files, kg; None: the mass, and it floats deeper by what
+    its lines pull down."""
+    damping: Annotated[
+        tuple[Annotated[float, Measured(Dimension.DAMPING, at_least=0.0)], ...], Size(3, 3)
+    ] = ()
+    """Linear, in surge, sway and heave beyond the waves that it makes, N s/m; empty for none."""
+    roll_damping: NotNegative = 0.0
+    pitch_damping: NotNegative = 0.0
+    """Likewise, as a part of critical."""
+    memory: Time = 100.0
+    """After which the waves that it made have gone, s."""
+    weightless: bool = False
+    """Whether the stiffness of the files is that of the water alone, without the weight."""
+
+
 HEAVE_DRAG: Final = 1.0
 _OF_DRIFT: Final = ("drift_file", "ulen")
+_FLOATERS: Final = ("buoy", "ship", "hull")
 _OF_A_BUOY: Final[Mapping[str, object]] = {
     "file": "",
     "wind_direction": 0.0,
@@ -126,7 +160,7 @@ _OF_A_BUOY: Final[Mapping[str, object]] = {
     "pitch_damping": None,
     "heave_drag": HEAVE_DRAG,
 }
-"""What a ship has none of, with what it is where it is not used."""
+"""What others have none of, with what it is where it is not used."""
 
 
 def ship_misfits(given: Collection[str]) -> list[Problem]:
@@ -139,35 +173,42 @@ def ship_misfits(given: Collection[str]) -> list[Problem]:
 
 def floater_misfits(given: Mapping[str, object]) -> list[Problem]:
     """List what does not go together in what floats: of its keys, those that are given."""
-    if ("buoy" in given) == ("ship" in given):
-        wanted = Message("refused.exactly_one", ways="buoy, ship")
-        if "buoy" in given:
-            return [Problem("ship", Message("refused_case.beside_a_buoy"), wanted)]
-        return [Problem("buoy", Message("refused_file.none_of_them"), wanted)]
+    first, *others = [key for key in _FLOATERS if key in given] or [""]
+    if not first or others:
+        wanted = Message("refused.exactly_one", ways=", ".join(_FLOATERS))
+        if not first:
+            return [Problem("buoy", Message("refused_file.none_of_them"), wanted)]
+        return [Problem(key, Message("refused_case.beside_another"), wanted) for key in others]
     if "buoy" in given:
         return []
     allowed = Message("refused_case.of_a_buoy")
-    return [
+    problems = [
         Problem(key, "", allowed)
         for key, unused in _OF_A_BUOY.items()
         if given.get(key, unused) != unused
     ]
+    if first == "hull" and "wind_speed" in given:
+        problems.append(Problem("wind_speed", "", Message("refused_case.no_wind_on_a_hull")))
+    return problems
 
 
 @dataclass(frozen=True)
 class Floater(Checked):
-    """What floats: a buoy at the upper end of its line, or of several, or a ship on several lines.
+    """What floats: a buoy on its line, or several; a ship, or a hull of files, on several lines.
 
     A buoy moves with its lines: in surge, heave and pitch where waves, current and wind go along x
     and the lines are mirrored by it, else in all six freedoms. Of one line x goes from the anchor
     to the fairlead, of several it is that of the system. `load`, the line's `fairlead_height` and
-    the force of a system are for the answers at rest. All but `ship` and `wind_speed` is of a buoy.
+    the force of a system are for the answers at rest. All but `ship`, `hull` and
+    `wind_speed` is of a buoy; a hull has no wind.
     """
 
     buoy: Source = ""
     """Name of the buoy, of the library or of `file`."""
     ship: ShipAfloat | None = None
     """In its place."""
+    hull: HullAfloat | None = None
+    """Likewise."""
     file: Annotated[str, File(example='"buoys.toml"')] = ""
     """Path of a file of buoys of one's own; empty when not used."""
     wind_speed: SomeSpeed = 0.0

@@ -34,8 +34,9 @@ from catopt.floater.alone import HullHistory
 from catopt.floater.buoy import buoy_hull, floating_buoy
 from catopt.floater.freedoms import freedoms
 from catopt.floater.moored import AtRest, moored_at_rest, run_moored
+from catopt.floater.of_files import hull_of_files
 from catopt.floater.scene import kept_nodes, scene_of
-from catopt.hydro.build import IN_PLANE, FloatingHull
+from catopt.hydro.build import IN_PLANE, AnyHull, FloatingHull, HullOfCoefficients
 from catopt.model import Case, Load
 from catopt.model.dynamics import InitialFriction
 from catopt.model.network import Network
@@ -44,6 +45,7 @@ from catopt.mooring.solve import solve_system
 from catopt.verify.dynamic_result import Between
 from catopt.verify.dynamic_setup import Excitation, section_of
 from catopt.verify.line import truss_legs
+from catopt.verify.motion_file import energy_beyond
 from catopt.waves import Sea, Waves, wavelength
 from catopt.words import Message
 
@@ -393,6 +395,8 @@ def _turned(x: float, y: float, angle: float) -> tuple[float, float]:
     return cosine * x - sine * y, sine * x + cosine * y
 
 
+_LEFT_OUT: Final = 0.01
+"""Part of the waves' energy beyond a table from which it is remarked on."""
 _SMALL: Final = 0.2
 """Part of the wave length above which a hull is not small beside it."""
 
@@ -405,7 +409,7 @@ class LinesOfAFloater:
     """
 
     drive: Excitation
-    hull: FloatingHull
+    hull: AnyHull
 
     @classmethod
     def at_rest(cls, drive: Excitation) -> LinesOfAFloater:
@@ -442,7 +446,7 @@ class LinesOfAFloater:
         """Run all; of the nodes' places what the scene takes is kept."""
         legs = self.legs
         meshes = [mesh_line(leg.line, elements) for leg in legs]
-        kept = kept_nodes(meshes)
+        kept = kept_nodes(meshes) if isinstance(self.hull, FloatingHull) else ()
         history, hull = run_moored(
             self.hull,
             legs,
@@ -452,6 +456,8 @@ class LinesOfAFloater:
             properties=self.drive.properties,
             progress=progress,
         )
+        if not isinstance(self.hull, FloatingHull):
+            return history, hull
         in_sea = ramped(sea, stepping)
         assert in_sea is not None
         scene = scene_of(history, kept, hull, self.hull, in_sea)
@@ -462,10 +468,25 @@ class LinesOfAFloater:
         return {}
 
     def remarks(self) -> Iterator[str]:
-        """Yield what is assumed of the buoy, and where the method ends."""
+        """Yield what is assumed of what floats, and where the method ends."""
+        if isinstance(self.hull, FloatingHull):
+            yield from self._of_buoy(self.hull)
+        else:
+            yield from self._of_files(self.hull)
+
+    def _of_files(self, hull: HullOfCoefficients) -> Iterator[Message]:
+        known, waves = hull.coefficients, self.drive.sea(0).waves
+        yield Message("floater.by_coefficients", mass=hull.mass / 1e3, source=known.source)
+        yield from known.remarks
+        yield Message("floater.no_drift", given=math.hypot(*hull.force) / 1e3)
+        beyond = 0.0 if waves is None else energy_beyond(known.omega, waves)
+        if beyond > _LEFT_OUT:
+            yield Message("floater.beyond_coefficients", part=beyond)
+
+    def _of_buoy(self, hull: FloatingHull) -> Iterator[Message]:
         case, of = self.drive.one, self.drive.one.floater
         assert of is not None
-        hull, shape = self.hull, floating_buoy(of)
+        shape = floating_buoy(of)
         moves = "floater.moves" if self.in_plane else "floater.moves_all"
         yield Message(moves, buoy=shape.name, draught=hull.draught)
         if of.centre_of_gravity is None or of.pitch_radius is None:
@@ -484,14 +505,17 @@ class LinesOfAFloater:
             yield Message("floater.own_force_of_buoy", given=given)
 
 
-def hull_of(case: Case) -> FloatingHull:
-    """Make the hull of a case's buoy; InputError where it would not float upright on its line.
+def hull_of(case: Case) -> AnyHull:
+    """Make the hull of what floats in a case; InputError where it would not float upright.
 
-    On several lines each has an eye, at the height of the buoy's own and off its axis by where the
-    system has the fairlead.
+    On several lines each has an eye: of a buoy at the height of its own and off its axis by where
+    the system has the fairlead, of a hull at the fairlead itself.
     """
     of, site, system = case.floater, case.site, case.system
     assert of is not None
+    if of.hull is not None:
+        assert system is not None
+        return hull_of_files(of.hull, system, site.water_depth, site.water_density)
     lines = [case.line] if system is None else [leg.line for leg in system.legs]
     pull = 0.0
     for line in lines:

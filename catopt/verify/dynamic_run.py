@@ -257,8 +257,10 @@ def of_track(
 
 
 def quantities_of_hull(hull: HullHistory) -> tuple[str, ...]:
-    """Which of `HULL` a buoy has: those in which it is free, and how far it is under."""
-    return tuple(key for key, (_, row) in HULL.items() if row == 6 or hull.free[row])
+    """Which of `HULL` it has: those in which it is free, and how far it is under, if known."""
+    return tuple(
+        key for key, (_, row) in HULL.items() if (hull.volume > 0.0 if row == 6 else hull.free[row])
+    )
 
 
 def of_hull(quantity: str, run: DynamicRun, hull: HullHistory) -> SeriesStatistics:

@@ -16,6 +16,7 @@ from catopt.fem.series import Harmonic
 from catopt.floater.freedoms import current_across, unmirrored, waves_across, wind_across
 from catopt.floater.linear_moored import linear_hull
 from catopt.floater.moored import AtRest
+from catopt.hydro.build import FloatingHull
 from catopt.model import Case, WaveState
 from catopt.verify.dynamic_lines import LinesOfABody, LinesOfAFloater, OneLine, lines_at_rest
 from catopt.verify.dynamic_setup import check_for_motion, read_drive
@@ -85,7 +86,8 @@ def linear_lines(case: Case) -> tuple[LinearLine, ...]:
     assert sea.waves is not None
     calm = replace(case, waves=WaveState("regular", 1.0, 10.0), title="")
     if isinstance(lines, LinesOfAFloater):
-        if problems := list(_out_of_plane(lines)):
+        assert isinstance(lines.hull, FloatingHull)
+        if problems := list(_out_of_plane(lines, lines.hull)):
             raise InputError(problems, "linear motion")
         rest, model = _afloat(calm)
         body = linear_hull(lines.hull, rest, sea)
@@ -133,17 +135,17 @@ def _afloat(case: Case) -> tuple[AtRest, LinearModel]:
     return rest, linear_model(rest.simulation)
 
 
-def _out_of_plane(of: LinesOfAFloater) -> Iterator[Problem]:
+def _out_of_plane(of: LinesOfAFloater, hull: FloatingHull) -> Iterator[Problem]:
     """Yield what takes a buoy out of the plane of x and z, in which alone it is linear."""
     sea, allowed = of.drive.sea(0), Message("refused_motion.linear_along_x")
     if waves_across(sea):
         yield Problem("waves.direction", "", allowed)
     if current_across(sea):
         yield Problem("current.direction", "", allowed)
-    if wind_across(of.hull):
-        found = f"{math.degrees(of.hull.wind_direction):.4g} deg"
+    if wind_across(hull):
+        found = f"{math.degrees(hull.wind_direction):.4g} deg"
         yield Problem("floater.wind_direction", found, allowed)
-    for number in unmirrored(of.hull, of.legs):
+    for number in unmirrored(hull, of.legs):
         mirrored = Message("refused_motion.mirrored_lines_of_a_buoy", number=number + 1)
         yield Problem(f"system.lines[{number}].azimuth", "", mirrored)
 
@@ -162,6 +164,8 @@ def _not_linear(case: Case) -> Iterator[Problem]:
         )
     if case.anchor_motion is not None:
         yield Problem("anchor_motion", "", Message("refused_motion.leave_out_lower_end_held"))
+    if case.floater is not None and case.floater.hull is not None:
+        yield Problem("floater.hull", "", Message("refused_motion.linear_hull"))
     if case.body is not None:
         yield Problem("body", "", Message("refused_motion.leave_out_body_led_by"))
     if case.current is not None and case.current.series_file:

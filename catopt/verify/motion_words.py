@@ -135,12 +135,12 @@ DYNAMIC_QUANTITY_OF: Mapping[str, Quantity] = MappingProxyType(
         "body_x": named("offset", "Body x", ""),
         "body_y": named("offset", "Body y", ""),
         "body_offset": named("offset", "Body's way from rest", ""),
-        "floater_x": named("offset", "Buoy's way along x", ""),
-        "floater_y": named("offset", "Buoy's way along y", ""),
-        "floater_z": named("offset", "Buoy's centre over still water", ""),
-        "floater_roll": named("angle", "Buoy's roll", ""),
-        "floater_pitch": named("angle", "Buoy's pitch", ""),
-        "floater_yaw": named("angle", "Buoy's yaw", ""),
+        "floater_x": named("offset", "Floater's way along x", ""),
+        "floater_y": named("offset", "Floater's way along y", ""),
+        "floater_z": named("offset", "Floater's centre over still water", ""),
+        "floater_roll": named("angle", "Floater's roll", ""),
+        "floater_pitch": named("angle", "Floater's pitch", ""),
+        "floater_yaw": named("angle", "Floater's yaw", ""),
         "floater_wet": Quantity("part", "Part of the buoy under water", "", "", "-", 1.0, 2),
     }
 )

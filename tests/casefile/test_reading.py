@@ -305,7 +305,7 @@ def test_a_key_with_odd_characters_is_quoted_in_its_path() -> None:
             "[site]",
             "mass",
             "move it to [[line.segments]], [[line.point_loads]], [anchor], "
-            "[[design.clump_weights]], [design.sinker] or [body]",
+            "[[design.clump_weights]], [design.sinker], [body] or [floater.hull]",
         ),
         ("[load]", "segments", "move it to [[line.segments]] or [[design.segments]]"),
         ("[load]", "water_level", "move it to [[load_cases]] or [[design.loads]]"),
