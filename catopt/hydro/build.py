@@ -384,7 +384,10 @@ class HullOfCoefficients:
     def lay_out(self, flow: Flow, free: tuple[bool, ...] = (True,) * 6) -> Hull:
         """Arrays for the kernels, in a sea."""
         of, memory = self.coefficients, self.memory
-        own = self.mass_matrix - self.mass * np.diag([1.0, 1.0, 1.0, 0.0, 0.0, 0.0])
+        # What a body of revolution has of it the kernels add themselves.
+        turns = self.inertia
+        plain = np.diag([self.mass, self.mass, self.mass, turns, turns, turns])
+        own = self.mass_matrix - plain
         waves, none = flow.waves, np.zeros(0)
         excited = np.zeros((waves.shape[0], 12))
         if waves.shape[0] > 0:
@@ -395,8 +398,8 @@ class HullOfCoefficients:
         lift = self.displacement * self.gravity
         return Hull(
             mass=self.mass,
-            inertia=0.0,
-            spin_inertia=0.0,
+            inertia=turns,
+            spin_inertia=turns,
             added=np.ascontiguousarray(self.infinite + own),
             density=float(self.density),
             gravity=float(self.gravity),
