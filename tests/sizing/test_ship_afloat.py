@@ -90,7 +90,7 @@ def test_a_code_without_factors_for_motion_leaves_it_to_another() -> None:
     "other",
     [
         {"hs": "0 m"},
-        {"current_angle": "90 deg", "current_yaw": "series-60", "recalled": True},
+        {"current_angle": "90 deg", "current_yaw": "-0.2, 0.003", "recalled": True},
         {"buoy": "mooring buoy 5.0 m", "hawser": "40 m"},
     ],
 )

@@ -382,7 +382,10 @@ def test_the_document_has_the_extremes_with_their_interval() -> None:
     for each in (grounded, offset):
         assert (each["most_probable_max"], each["tail"], each["gumbel"]) == (None, None, None)
     whole = schemas.schema("catopt.verify/1")
-    item = {"$defs": whole["$defs"], **whole["$defs"]["dynamic"]["properties"]["load_cases"]}
+    item = {
+        "$defs": whole["$defs"],
+        **whole["$defs"]["dynamic_verification"]["properties"]["load_cases"],
+    }
     jsonschema.Draft202012Validator(item).validate(quantities["load_cases"])
 
 
