@@ -293,7 +293,7 @@ TEMPLATES: Mapping[str, Template] = MappingProxyType(
         "points": Template("bridle and lines between points, some of them free joints", "system"),
         "design": Template("search for the chain, length and sinker of a buoy", "design"),
         "motion": Template("line in waves, current and motion", "verify --dynamic"),
-        "floater": Template("buoy afloat on its line, in waves, wind and current", "verify --dynamic"),
+        "floater": Template("buoy afloat on its line, in wind and waves", "verify --dynamic"),
         "study": Template("a case again and again, with what varies in it", "study", "buoy"),
         "size-buoy": Template("buoy in its weather, in place of options", "size buoy"),
         "size-tanker": Template("tanker in its weather, in place of options", "size tanker"),
