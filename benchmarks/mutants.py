@@ -4,9 +4,9 @@
 
 A fault is one comparison, operator, number, constant or condition changed in a file of
 ``catopt/PART``, at random, outside decorators, docstrings and messages; the tests are those of
-``tests/PART`` and of the parts named beside it below, stopped at the first failure. It works on a
-copy of the checkout. A survivor is either a fault that no test notices or a change that makes no
-difference: read it.
+``tests/PART`` and of the parts named beside it below, the quick ones first and then the longer
+ones, stopped at the first failure. It works on a copy of the checkout. A survivor is either a fault
+that no test notices or a change that makes no difference: read it.
 """
 
 from __future__ import annotations
@@ -164,9 +164,14 @@ def _report(copy: Path, part: str, count: int, seed: int) -> None:
 
 
 def _passes(copy: Path, part: str, longest: float) -> bool:
-    """Whether the tests of a part pass."""
+    """Whether the tests of a part pass, quick ones and longer ones."""
+    return all(_pass(copy, part, mark, longest) for mark in ("not slow", "slow"))
+
+
+def _pass(copy: Path, part: str, mark: str, longest: float) -> bool:
     tests = [f"tests/{part}", *BESIDE[part]]
-    words = [sys.executable, "-m", "pytest", "-q", "-x", "-n", "0", "-p", "no:cacheprovider"]
+    words = [sys.executable, "-m", "pytest", "-q", "-x", "-n", "0", "-m", mark]
+    words += ["-p", "no:cacheprovider"]
     environment = {**os.environ, "PYTHONPATH": str(copy), "PYTHONDONTWRITEBYTECODE": "1"}
     try:
         ran = subprocess.run(
