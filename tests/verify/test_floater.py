@@ -15,6 +15,7 @@ from catopt.answers.motion import motion_answer
 from catopt.casefile import parse_case, read_case, write_case
 from catopt.errors import InputError
 from catopt.floater.buoy import buoy_hull
+from catopt.hydro.build import FloatingHull
 from catopt.model.dynamics import JudgedBy
 from catopt.notes.motion import checks_in_motion
 from catopt.render.files import csv_files
@@ -191,6 +192,7 @@ def test_four_lines_in_weather_from_three_sides() -> None:
     assert loaded[worst, 0, 0] < loaded[worst, -1, 0]
     arm = math.hypot(*(loaded[worst, -1] - scene.place[worst, :2]))
     laid = hull_of(case)
+    assert isinstance(laid, FloatingHull)
     x, y, height = laid.eyes[scene.loaded]
     assert laid.centre - height < arm <= math.hypot(x, y, laid.centre - height) + 1e-9
     assert "film.html" in motion_pictures(found, "en")
