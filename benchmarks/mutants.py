@@ -164,7 +164,7 @@ def _report(copy: Path, part: str, count: int, seed: int) -> None:
 
 
 def _passes(copy: Path, part: str, longest: float) -> bool:
-    """Whether the tests of a part pass: the quick ones, those beside it too, and its longer ones."""
+    """Whether the tests of a part pass: the quick ones, with those beside it, and the longer."""
     own = f"tests/{part}"
     quick = _pass(copy, [own, *BESIDE[part]], "not slow", longest)
     return quick and _pass(copy, [own], "slow", longest)
