@@ -19,6 +19,7 @@ from pathlib import Path
 from benchmarks.common import RESULTS, ROOT, stamp
 
 SIZES = {
+    "afloat": "--seeds 2",
     "catenary": "",
     "cold_start": "--rounds 5",
     "design": "--rounds 3",

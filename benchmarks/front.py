@@ -1,9 +1,10 @@
 """A front of designs in motion: every design in every seed, the recommended one proven.
 
-    python -m benchmarks.front [--out benchmarks/results/front.md]
+    python -m benchmarks.front [--twice 30] [--out benchmarks/results/front.md]
 
 A chain in 56 m of water, led by a ship in a random sea of 3 m (cases/dynamic-chain-56m), with size
-and length free: the whole front, five seeds of ten minutes each, on all cores.
+and length free: the whole front, five seeds of ten minutes each, on all cores. With ``--twice N``
+the first N members are run again with twice the bars, beside their dynamic factors with one time.
 """
 
 from __future__ import annotations
@@ -11,14 +12,16 @@ from __future__ import annotations
 import argparse
 import os
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
 from benchmarks.common import page
 from catopt import design_case
 from catopt.casefile import parse_case
-from catopt.notes.front_in_motion import front_in_motion
+from catopt.notes.front_in_motion import DesignInMotion, front_in_motion
+from catopt.notes.motion import checks_in_motion
+from catopt.verify.dynamic import verify_dynamic
 
 FOLDER = Path(__file__).parents[1] / "cases" / "dynamic-chain-56m"
 LIMIT = 120.0
@@ -64,14 +67,15 @@ def main() -> None:
     """Run the front and print what it took."""
     page(
         argparse.ArgumentParser(description=__doc__),
-        lambda of: table(of.members, of.seeds, of.duration),
+        lambda of: table(of.members, of.seeds, of.duration, of.twice),
         members=(30, 2),
         seeds=(5, 2),
         duration=(600.0, 20.0),
+        twice=(0, 1),
     )
 
 
-def table(members: int, seeds: int, duration: float) -> Iterator[str]:
+def table(members: int, seeds: int, duration: float, twice: int) -> Iterator[str]:
     """Yield the lines of the table."""
     yield "# A front in motion"
     yield ""
@@ -103,6 +107,31 @@ def table(members: int, seeds: int, duration: float) -> Iterator[str]:
         f"| {len(chosen)} | {runs} | {passing} | {proven} | {wall:.0f} s | {LIMIT:g} s "
         f"| {wall / LIMIT:.2f} | {spent:.0f} s |"
     )
+    if twice:
+        yield from with_twice_the_bars(found.designs[:twice])
+
+
+def with_twice_the_bars(designs: Sequence[DesignInMotion]) -> Iterator[str]:
+    """Yield by how much the dynamic factor of members that pass differs with twice the bars."""
+    ratios, passing = [], 0
+    for each in designs:
+        if each.found is None or each.amplification is None or not each.passes:
+            continue
+        case = each.found.case
+        assert case.dynamics is not None
+        finer = replace(case.dynamics, elements=2 * case.dynamics.bars)
+        again = verify_dynamic(replace(case, dynamics=finer), convergence_check="none")
+        factor = again.governing.dynamic_amplification
+        assert factor is not None
+        ratios.append(factor / each.amplification)
+        passing += checks_in_motion(again).passes
+    yield ""
+    yield "Dynamic factors with twice the bars, over those with one time the bars:"
+    yield ""
+    yield "| members that pass | pass again | least | largest | limit |"
+    yield "|---|---|---|---|---|"
+    ends = (f"{min(ratios):.4f}", f"{max(ratios):.4f}") if ratios else ("-", "-")
+    yield f"| {len(ratios)} | {passing} | {ends[0]} | {ends[1]} | 1.05 |"
 
 
 def processor_time() -> float:

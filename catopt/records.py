@@ -36,6 +36,8 @@ class OrNull:
     """Stands in ``Annotated`` of an array that may have nan: null in documents."""
 
 
+Digest = Annotated[str, Matching("^[0-9a-f]{64}$")]
+"""SHA-256."""
 Counted = Annotated[int, From(1)]
 FromZero = Annotated[int, From(0)]
 

@@ -14,7 +14,7 @@ from warnings import warn
 from catopt._version import __version__
 from catopt.catenary.solution import Solution
 from catopt.export.exported_line import ExportedLines
-from catopt.records import Counted, From, Matching, Record, laid_out
+from catopt.records import Counted, Digest, From, Record, laid_out
 
 _WITHOUT_MARKS = str.maketrans({"đ": "d", "Đ": "D"})
 
@@ -61,9 +61,6 @@ def significant(value: float) -> str:
 
 
 Format = Literal["moordyn", "map", "moorpy", "ontology", "orcaflex", "dxf"]
-
-
-Digest = Annotated[str, Matching("^[0-9a-f]{64}$")]
 
 
 @dataclass(frozen=True)

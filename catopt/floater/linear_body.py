@@ -14,7 +14,7 @@ from scipy.linalg import eig, expm
 
 from catopt.arrays import Array
 from catopt.errors import NotConvergedError
-from catopt.hydro.coefficients import FREEDOMS, Coefficients, Complex, Memory, infinite_added_mass
+from catopt.hydro.coefficients import FREEDOMS, Coefficients, Complex, Memory
 from catopt.model.kinds import Findings
 from catopt.waves import Waves
 from catopt.words import Message
@@ -24,9 +24,6 @@ _SAME: Final = 1e-6
 """Change of a natural frequency, over itself, at which it is found."""
 _SHIFTED: Final = 0.5
 """Part of the way to the next frequency that an iteration goes: A may change quickly."""
-
-_EXPONENTIALS: Final = 24
-"""Of each entry of the memory: a hull of 186 m wants some 20 for added mass within 1 %."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -156,15 +153,8 @@ class LinearBody:
         `step`, s: between samples of the force, which is linear between them; then the motion is
         exact. `longest`, s: after which the memory is over. Returns places, (n, 6).
         """
-        added, damping = self.coefficients.added_mass, self.coefficients.damping
-        assert added is not None
-        assert damping is not None
-        memory = Memory.none()
-        if damping.any():
-            memory = Memory.of(self.coefficients.omega, damping, longest, most=_EXPONENTIALS)
-        # By Ogilvie's relation even where the files give it: from a mesh it is less exact than the
-        # table, and the waves are where the table is.
-        limit = infinite_added_mass(self.coefficients.omega, added, memory)
+        memory = self.coefficients.memory(longest)
+        limit = self.coefficients.infinite(memory)
         return self.run_with(memory, limit, force, step, start)
 
     def run_with(

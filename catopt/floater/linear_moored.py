@@ -63,16 +63,13 @@ def linear_hull(hull: FloatingHull, rest: AtRest, sea: Sea) -> LinearHull:
     omega, k, ahead = waves.omega, sea.wave_numbers, np.cos(waves.direction)
     x, _, z = rest.state.q.tolist()
     sine, cosine = rest.state.axes[[0, 2], 2].tolist()
-    by_surface, by_acceleration = (
-        rest.by_surface[_PLANE],
-        rest.by_acceleration[_PLANE][:, :, [0, 2]],
-    )
+    by_acceleration = rest.by_acceleration[_PLANE][:, :, [0, 2]]
     middle = 0.5 * (laid.foot + laid.top)
     places = np.stack([x + middle * sine, 0.0 * middle, np.minimum(z + middle * cosine, depth)], 1)
     flow = velocities_at(places, sea)
     shape = np.stack([np.ones_like(k), 1j * k * ahead], axis=1)  # of the surface: height and slope
     here = waves.amplitude * np.exp(1j * (k * x * ahead + waves.phase))
-    push = (shape @ by_surface.T + 0j) * here[:, np.newaxis]
+    push = (shape @ rest.by_surface[_PLANE].T + 0j) * here[:, np.newaxis]
     accelerates = -1j * omega[:, np.newaxis, np.newaxis] * flow[:, :, [0, 2]]
     push += np.einsum("wjk,ijk->wi", accelerates, by_acceleration)
     diffracted = hull.lay_out(sea.flow).excited
@@ -83,9 +80,8 @@ def linear_hull(hull: FloatingHull, rest: AtRest, sea: Sea) -> LinearHull:
     damping, free = laid.damping[_PLANE], laid.free[_PLANE]
     inertia = np.diag([hull.mass, hull.mass, hull.inertia]) + hull.radiation.infinite
     square, turn = omega[:, np.newaxis, np.newaxis] ** 2, 1j * omega
-    matrix: Complex = (rest.stiffness[np.ix_(_PLANE, _PLANE)] - square * inertia).astype(
-        np.complex128
-    )
+    stiffness = rest.stiffness[np.ix_(_PLANE, _PLANE)]
+    matrix: Complex = (stiffness - square * inertia).astype(np.complex128)
     for i in range(3):
         matrix[:, i, i] -= turn * damping[i]
         for j in range(3):

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -51,22 +52,6 @@ _SMALL, _WIDE = 1e-5, 0.03
 for the motion in waves."""
 _LEAST_PULL: Final = 0.02
 """Pull by which the line is first laid out, over its weight from the bed to the eye."""
-
-
-class AtRest(NamedTuple):
-    """A hull at rest on its lines, in the current and the wind.
-
-    Derivatives are over a way as waves move it, not at a point: what a hull that leans has under
-    water is summed in columns.
-    """
-
-    simulation: Simulation
-    hull: Hull
-    state: HullState
-    line: Array  # (6,): force and moment of the lines on it, N and N m
-    stiffness: Array  # (6, 6): of the hull alone, its eyes pulled as by the lines: N/m and N m
-    by_surface: Array  # (6, 2): force by a surface that is higher, N/m, or slopes along x, N
-    by_acceleration: Array  # (6, slices, 3): by the water's about each slice, kg
 
 
 class _Pose(NamedTuple):
@@ -139,6 +124,44 @@ class _Calm(NamedTuple):
             for i in range(3):
                 out[:, j, i] = self.pushed(at, acceleration=(j, i, 1.0)) - calm
         return out
+
+
+@dataclass(frozen=True, eq=False)
+class AtRest:
+    """A hull at rest on its lines, in the current and the wind.
+
+    `line` (6,): force and moment of the lines on it, N and N m. Derivatives, that linear motion
+    takes, are over a way as waves move it, not at a point: what a hull that leans has under water
+    is summed in columns.
+    """
+
+    simulation: Simulation
+    hull: Hull
+    state: HullState
+    line: Array
+    calm: _Calm
+    ways: Array  # (6,): that stand for the motion in waves, m and rad
+    pulls: Array  # (lines, 3): of the lines at their eyes, N
+
+    @property
+    def _at(self) -> _Pose:
+        return _Pose(self.state.q, self.state.axes)
+
+    @cached_property
+    def stiffness(self) -> Array:
+        """Of the hull alone, its eyes pulled as by the lines: (6, 6), N/m and N m."""
+        arms = arms_of(self.hull, self.state.axes)
+        return self.calm.stiffness(self._at, self.ways, arms, self.pulls)
+
+    @cached_property
+    def by_surface(self) -> Array:
+        """Force by a surface that is higher, N/m, or slopes along x, N: (6, 2)."""
+        return self.calm.by_surface(self._at, self.ways)
+
+    @cached_property
+    def by_acceleration(self) -> Array:
+        """Force by the water's acceleration about each slice: (6, slices, 3), kg."""
+        return self.calm.by_acceleration(self._at)
 
 
 class _Lines(NamedTuple):
@@ -244,11 +267,8 @@ def moored_at_rest(
         left = (pushed(at) + line) * laid.free
         worst = float(np.abs(left / ([scale] * 3 + [scale * long] * 3)).max())
         if worst <= _CLOSED and is_rubbed:
-            state.q[:], state.axes[:] = at
-            own = calm.stiffness(at, _WIDE * ways, arms, pulls)
-            of_water = calm.by_surface(at, _WIDE * ways), calm.by_acceleration(at)
-            pushed(at)
-            return AtRest(simulation, laid, state, line, own, *of_water)
+            found = HullState(*(each.copy() for each in state))
+            return AtRest(simulation, laid, found, line, calm, _WIDE * ways, pulls)
         is_rubbed = is_rubbed or worst <= _CLOSED
         # To and fro over the place where a node of a coarse line comes off the bed: half as far.
         part = min(2.0 * part, 1.0) if worst < last else max(0.5 * part, _LEAST_PART)

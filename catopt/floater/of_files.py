@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -44,24 +43,25 @@ def hull_of_files(
             found = f"{key}: {stiffness[freedom, freedom]:.3g}"
             allowed = Message("refused_motion.stiffness_above_0")
             raise InputError([Problem("floater.hull.file", found, allowed)], "--dynamic")
-    mass = mass_about_point(of)
-    hull = HullOfCoefficients(
+    mass, memory = mass_about_point(of), known.memory(of.memory)
+    infinite = known.infinite(memory)
+    turning = (
+        2.0 * part * math.sqrt(stiffness[i, i] * (mass[i, i] + infinite[i, i]))
+        for i, part in ((3, of.roll_damping), (4, of.pitch_damping))
+    )
+    return HullOfCoefficients(
         known,
         mass,
         stiffness,
-        of.memory,
+        memory,
+        infinite,
         of.mass if of.displacement is None else of.displacement,
         force=system.force,
+        damping=(*(of.damping or (0.0, 0.0, 0.0)), *turning, 0.0),
         eyes=tuple((*leg.fairlead, leg.fairlead_height - depth) for leg in system.legs),
         density=density,
         gravity=STANDARD_GRAVITY,
     )
-    inertia = mass + hull.infinite
-    turning = (
-        2.0 * part * math.sqrt(stiffness[i, i] * inertia[i, i])
-        for i, part in ((3, of.roll_damping), (4, of.pitch_damping))
-    )
-    return replace(hull, damping=(*(of.damping or (0.0, 0.0, 0.0)), *turning, 0.0))
 
 
 def _read(of: HullAfloat, density: float) -> Coefficients:

@@ -13,7 +13,7 @@ from scipy.interpolate import CubicSpline
 
 from catopt.arrays import Array, Codes, Flags
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
-from catopt.hydro.coefficients import Coefficients, Memory, infinite_added_mass
+from catopt.hydro.coefficients import Coefficients, Memory
 from catopt.hydro.cylinder import FloatingCylinder
 from catopt.hydro.hull import PARTS, Hull, HullRecord, HullRoom, HullState, turn_axes
 from catopt.model.kinds import Findings
@@ -31,8 +31,6 @@ COLUMNS: Final = 9
 """In which a slice that is cut by the surface is divided across."""
 _LOWEST, _HIGHEST, _COUNT = 0.05, 3.6, 60
 """Frequencies of a cylinder's radiation, over sqrt(g/a), and how many."""
-_OF_A_SHIP: Final = 24
-"""Exponentials of each entry of a ship's memory, at most."""
 _LASTS: Final = 40.0
 """After which its memory is over, over sqrt(a/g)."""
 
@@ -312,8 +310,10 @@ class HullOfCoefficients:
         With added mass, damping and excitation.
     mass_matrix, stiffness : array, shape (6, 6)
         Of the body alone; of weight and buoyancy.
-    memory_length : float
-        After which the waves that it made have gone, s.
+    memory : Memory
+        Of its coefficients.
+    infinite : array, shape (6, 6)
+        Added mass of motion much faster than its waves.
     displacement : float
         Of the water at the draught of the coefficients, kg.
     force : tuple of float
@@ -327,7 +327,8 @@ class HullOfCoefficients:
     coefficients: Coefficients
     mass_matrix: Array
     stiffness: Array
-    memory_length: float
+    memory: Memory
+    infinite: Array
     displacement: float
     force: tuple[float, float] = (0.0, 0.0)
     damping: tuple[float, ...] = (0.0,) * 6
@@ -364,22 +365,6 @@ class HullOfCoefficients:
     def volume_of_all(self) -> float:
         """None is known: it has no slices."""
         return 0.0
-
-    @cached_property
-    def memory(self) -> Memory:
-        """Its memory as exponentials."""
-        damping = self.coefficients.damping
-        assert damping is not None
-        if not damping.any():
-            return Memory.none()
-        return Memory.of(self.coefficients.omega, damping, self.memory_length, most=_OF_A_SHIP)
-
-    @cached_property
-    def infinite(self) -> Array:
-        """Added mass of motion much faster than its waves, (6, 6), by Ogilvie's relation."""
-        of = self.coefficients
-        assert of.added_mass is not None
-        return infinite_added_mass(of.omega, of.added_mass, self.memory)
 
     def lay_out(self, flow: Flow, free: tuple[bool, ...] = (True,) * 6) -> Hull:
         """Arrays for the kernels, in a sea."""

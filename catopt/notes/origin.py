@@ -6,7 +6,7 @@ import hashlib
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
 from catopt._version import __version__
 from catopt.casefile import case_digest, read_case, read_mooring
@@ -18,7 +18,7 @@ from catopt.documents import Path as Keys
 from catopt.errors import InputError, Problem
 from catopt.model import Case
 from catopt.model.kinds import Kind, Measured
-from catopt.records import Matching
+from catopt.records import Digest
 from catopt.schemas import CASE_DIGEST, is_ours, read_any, read_document
 from catopt.units import as_written
 from catopt.verify.convergence_check import ConvergenceCheck
@@ -53,7 +53,7 @@ class SourceFile:
     name: str
     """Without its folder."""
     text: str
-    sha256: Annotated[str, Matching("^[0-9a-f]{64}$")]
+    sha256: Digest
     """SHA-256 of its bytes."""
 
 

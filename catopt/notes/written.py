@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Literal
 
 from catopt.catenary.solution import SwarmReport
 from catopt.model.kinds import NotNegative, SomeForce, Time
@@ -13,7 +13,7 @@ from catopt.notes.line import Note, SizeNote
 from catopt.notes.motion import InMotion
 from catopt.notes.origin import SourceFile
 from catopt.notes.system import NetworkNote, SystemNote
-from catopt.records import Counted, Matching, Record
+from catopt.records import Counted, Digest, Record
 from catopt.verify.compared import Compared
 from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
 from catopt.verify.dynamic_run import OverRuns
@@ -21,7 +21,6 @@ from catopt.verify.result import Verdict, Verification
 from catopt.words import Language
 
 AnyNote = Note | SizeNote | SystemNote | NetworkNote
-SHA256 = Annotated[str, Matching("^[0-9a-f]{64}$")]
 
 
 @dataclass(frozen=True)
@@ -34,7 +33,7 @@ class WrittenFile(Record):
     """Where it was written."""
     bytes: Counted
     """Its size."""
-    sha256: SHA256
+    sha256: Digest
     """SHA-256 of it."""
 
 

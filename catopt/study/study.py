@@ -19,7 +19,7 @@ from catopt.arrays import Array, Codes
 from catopt.constants import YEAR
 from catopt.model.kinds import Measured
 from catopt.quantities import Quantity
-from catopt.records import Counted, From, Matching
+from catopt.records import Counted, Digest, From
 from catopt.study.base import Base
 from catopt.study.member import kind_of_key
 
@@ -282,7 +282,7 @@ class Study:
         return min(number * self._piece, len(self))
 
     @cached_property
-    def digest(self) -> Annotated[str, Matching("^[0-9a-f]{64}$")]:
+    def digest(self) -> Digest:
         """SHA-256 of all that decides the numbers: case, files, values, version."""
         base = self.base
         own = [__version__, base.compute, base.moored, base.convergence_check, base.document]

@@ -116,11 +116,11 @@ class AnchorAtRest(TypedDict):
     """Tension at the anchor at rest by the past of the bed."""
 
     pulled_N: SomeForce
-    """N."""
+    """N: the line was last pulled towards the fairlead; one bound of any past."""
     none_N: SomeForce
-    """N."""
+    """N: without friction."""
     laid_N: SomeForce
-    """N."""
+    """N: it was laid under more tension; the other bound."""
 
 
 @dataclass(frozen=True)
@@ -510,7 +510,7 @@ class DynamicVerification(Displayable, Record):
 
     @property
     def initial_friction(self) -> InitialFriction | None:
-        """Of the bed at rest, by what the line did last."""
+        """Of the bed at rest: the line was last pulled, or laid under more tension, or neither."""
         return None if self.case.dynamics is None else self.case.dynamics.initial_friction
 
     @property

@@ -260,7 +260,7 @@ class StaticComparison(Record):
 
     @property
     def difference(self) -> Annotated[Mapping[str, Any], ComparedValues]:
-        """Fem minus closed_form."""
+        """By the truss model minus by the closed form."""
         return self._by_key(lambda each: each.difference)
 
     def _by_key(self, value: Callable[[Compared], float]) -> dict[str, Any]:
@@ -281,7 +281,7 @@ class StaticComparison(Record):
 
     @property
     def worst(self) -> Compared:
-        """The quantity with the largest gap; of those alike the first."""
+        """The quantity with the largest gap over its tolerance; of those alike the first."""
         return worst_of(self.quantities)
 
     def worst_of(self, line: int) -> Compared:
@@ -300,7 +300,7 @@ class StaticComparison(Record):
 
     @property
     def verdict(self) -> Verdict:
-        """Of it: not resolved, where the truss model itself may still be off by what differs."""
+        """Whether they agree; not resolved: the truss model itself may be off by the difference."""
         if self.is_settled:
             return "agrees"
         off = [each for each in self.quantities if not each.agrees]
@@ -366,7 +366,7 @@ class Verification(Displayable, Record):
 
     @property
     def verdict(self) -> Verdict:
-        """Of all that was verified; not compared, on a bed that slopes; of a design, no answer."""
+        """Of all that was verified; not compared where the bed slopes: there is no closed form."""
         verdicts = [part.verdict for part in self.parts]
         return next((v for v in VERDICTS if v in verdicts), "not compared")
 

@@ -33,11 +33,13 @@ def test_alone_it_answers_regular_waves_as_by_frequency(row: int) -> None:
     """
     body, rao = hull()
     assert body.damping is not None
+    memory = body.coefficients.memory(120.0)
     laid = HullOfCoefficients(
         body.coefficients,
         body.mass,
         body.stiffness,
-        memory_length=120.0,
+        memory,
+        body.coefficients.infinite(memory),
         displacement=float(body.mass[0, 0]),
         damping=tuple(np.diag(body.damping)),
         gravity=9.81,

@@ -180,8 +180,7 @@ def test_the_directions_that_decide_are_named() -> None:
     """Current from either side of a line on which the ship fishtails: none holds."""
     with alone(), pytest.raises(NoLineInMotionError) as caught:
         size_tanker(**SHIP, **ASIDE, scan="180 deg", diameter_max="62 mm")
-    said = str(caught.value)
-    assert "wind from 0, current 0, waves 0 deg" in said or "current 180," in said
+    assert "wind from 0, current 0, waves 0 deg" in str(caught.value)
 
 
 # ------------------------------------------------------------------ README's ship, run
