@@ -94,18 +94,19 @@ FLOOR = 1e-9
 """Smaller differences are not told apart: they are rounding, which is another on each machine."""
 
 _PART = re.compile(
-    r"(<!-- (?P<name>[a-z]+): python -m tests\.validation_page -->\n).*?(<!-- end -->)", re.DOTALL
+    r"(<!-- (?P<name>[a-z]+): python -m tests\.validation_page -->\n)(?P<text>.*?)(<!-- end -->)",
+    re.DOTALL,
 )
 
 
 def up_to_date(page: str) -> str:
     """Put the real tables in the place of what a page shows."""
-    return _PART.sub(lambda found: f"{found[1]}\n{PARTS[found['name']]()}\n{found[3]}", page)
+    return _PART.sub(lambda found: f"{found[1]}\n{PARTS[found['name']]()}\n{found[4]}", page)
 
 
-def parts(page: str) -> list[str]:
-    """Names of the parts that a page has."""
-    return [found["name"] for found in _PART.finditer(page)]
+def parts(page: str) -> list[tuple[str, str]]:
+    """Names of the parts that a page has, each with what it shows."""
+    return [(found["name"], found["text"].strip("\n")) for found in _PART.finditer(page)]
 
 
 # ------------------------------------------------------------------ published results
