@@ -10,6 +10,7 @@ from catopt.answers.blocks import Answer, Brief, Text
 from catopt.answers.check import demand_and_capacity
 from catopt.catalogue.choice import chosen
 from catopt.catalogue.family import chain_words
+from catopt.checks.kinds import is_wanted
 from catopt.model import CatalogueChoice
 from catopt.words import Message, Several
 
@@ -60,7 +61,7 @@ def _worst(miss: NearMiss) -> Iterator[tuple[str, str]]:
         yield "", miss.reason
     for kind, check in _kinds(miss).items():
         values = {"load_case": check.load_case, **demand_and_capacity(check)}
-        wants = "wanted" if kind == "grounded_length" else "allowed"
+        wants = "wanted" if is_wanted(check.kind) else "allowed"
         yield Message(f"checks.{kind}_short"), Message(f"sizing.miss_{wants}", **values)
 
 

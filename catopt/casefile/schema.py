@@ -224,7 +224,7 @@ class ChecksTable(TableSchema):
     model = model.Checks
     keys = """safety_factor safety_factor_line_out code codes proof_load_factor
         max_anchor_uplift_angle max_anchor_uplift_force min_grounded_length max_span max_offset
-        allow_recalled motion_code ..."""
+        min_tension allow_recalled motion_code ..."""
     symbols: ClassVar = {"SF": "safety_factor", "factor_of_safety": "safety_factor"}
 
     code: Code | None = None

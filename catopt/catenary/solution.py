@@ -246,6 +246,11 @@ class Solution(Displayable, Record):
         """Horizontal force at the fairlead; the same along everything that hangs from it."""
         return self.fairlead.horizontal_force
 
+    @property
+    def least_tension(self) -> SomeForce:
+        """At the fairlead; at rest there is one, in motion the least of all is judged."""
+        return self.fairlead.tension
+
     def profile(self, points: int = 101) -> Profile:
         """Sample the shape and the tension at about so many points, evenly along the arc.
 

@@ -44,6 +44,7 @@ UPLIFT: tuple[CheckKind, ...] = ("uplift_angle", "uplift_force")
 
 SEARCHED: tuple[CheckKind, ...] = (
     "tension",
+    "least_tension",
     *UPLIFT,
     "grounded_length",
     "span",
@@ -86,6 +87,8 @@ class Limits(NamedTuple):
     """Of a sinker; 0 when there is none."""
     holding_factor: float = 0.0
     """Of a drag anchor; 0 when there is none."""
+    least_tension: float = 0.0
+    """At the fairlead, N; 0 when not asked for."""
 
 
 @dataclass(frozen=True)
@@ -223,6 +226,7 @@ class Criteria:
             reserve_buoyancy=min(values("buoyancy"), default=math.inf),
             sliding_factor=max(values("sliding"), default=0.0),
             holding_factor=max(values("holding"), default=0.0),
+            least_tension=max(values("least_tension"), default=0.0),
         )
 
 

@@ -24,6 +24,7 @@ __all__ = [
     "ROUNDING",
     "grounded_exceedance",
     "holding_exceedance",
+    "least_tension_exceedance",
     "ratio_exceedance",
     "uplift_angle_exceedance",
     "uplift_force_exceedance",
@@ -169,8 +170,17 @@ def holding_exceedance(horizontal: float, factor: float, capacity: float) -> flo
     return factor * horizontal / capacity - 1.0
 
 
+@inlined
+def least_tension_exceedance(tension: float, wanted: float) -> float:
+    """Tension of a line short of the least that is wanted, by that; N. 0 wants nothing."""
+    if wanted == 0.0:
+        return -1.0
+    return 1.0 - tension / wanted
+
+
 CheckKind = Literal[
     "tension",
+    "least_tension",
     "uplift_angle",
     "uplift_force",
     "grounded_length",
@@ -222,6 +232,10 @@ class Judged(Protocol):
         """Pull at its upper end."""
 
     @property
+    def least_tension(self) -> float:
+        """At the fairlead, N: at rest the tension there, in motion the least."""
+
+    @property
     def grounded_length(self) -> float:
         """Unstretched, m."""
 
@@ -271,6 +285,13 @@ def _uplift_force(limit: float, solution: Judged, _: Anchor | None) -> Demand:
     return Demand(pull.vertical_force, limit, exceedance)
 
 
+def _least_tension(wanted: float, solution: Judged, _: Anchor | None) -> Demand:
+    """Wanted tension <= tension at the fairlead, N."""
+    there = solution.least_tension
+    exceedance = least_tension_exceedance(there, wanted)
+    return Demand(wanted, there, exceedance, Message("checks.wanted_tension"))
+
+
 def _grounded_length(wanted: float, solution: Judged, _: Anchor | None) -> Demand:
     """Wanted length <= unstretched length that lies on the bed, m."""
     lies = solution.grounded_length
@@ -317,6 +338,8 @@ class LineCheck(NamedTuple):
     own: Callable[[Asks], float | None] | None = None
     """The limit that a case gives itself, None where it gives none."""
     is_factor: bool = False
+    is_wanted: bool = False
+    """Whether its demand is the least that is wanted of the line, not what the line asks for."""
 
 
 def _longest_span(case: Asks) -> float | None:
@@ -330,6 +353,12 @@ def _reserve(case: Asks) -> float | None:
 
 OF_LINE: Mapping[CheckKind, LineCheck] = MappingProxyType(
     {
+        "least_tension": LineCheck(
+            "tension",
+            _least_tension,
+            lambda case: case.checks.min_tension or None,
+            is_wanted=True,
+        ),
         "uplift_angle": LineCheck(
             "angle", _uplift_angle, lambda case: case.checks.max_anchor_uplift_angle
         ),
@@ -340,6 +369,7 @@ OF_LINE: Mapping[CheckKind, LineCheck] = MappingProxyType(
             "grounded_length",
             _grounded_length,
             lambda case: case.checks.min_grounded_length or None,
+            is_wanted=True,
         ),
         "span": LineCheck("span", _span, _longest_span),
         "buoyancy": LineCheck("vertical_force", _buoyancy, _reserve),
@@ -365,6 +395,11 @@ QUANTITY_OF: Mapping[str, Quantity] = MappingProxyType(
 
 CHECK_UNITS = tuple(sorted({quantity.si_unit.strip("-") for quantity in QUANTITY_OF.values()}))
 """SI units of demand and capacity; that of a count is empty."""
+
+
+def is_wanted(kind: CheckKind) -> bool:
+    """Whether the demand of a check is the least that is wanted, not the largest that comes."""
+    return kind in OF_LINE and OF_LINE[kind].is_wanted
 
 
 def limit_quantity(kind: CheckKind) -> Quantity:

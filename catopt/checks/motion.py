@@ -35,6 +35,8 @@ class Carried(NamedTuple):
     """Least unstretched length on the bed, m."""
     span: float
     """Largest horizontal distance of its ends, m."""
+    least_tension: float
+    """At the fairlead, the least of all, N."""
     slide: float | None = None
     """Way that what holds it slides in the storm, m; None where that was not followed."""
 

@@ -14,6 +14,7 @@ from catopt.checks.kinds import (
     ROUNDING,
     grounded_exceedance,
     holding_exceedance,
+    least_tension_exceedance,
     ratio_exceedance,
     uplift_angle_exceedance,
     uplift_force_exceedance,
@@ -167,6 +168,7 @@ OFFSET: Final = 1
 EXCURSION: Final = 2
 COST: Final = 3
 LENGTH: Final = 4
+ANCHOR_LOAD: Final = 5
 """Columns of the objectives."""
 
 UPLIFT_ANGLE: Final = Limits._fields.index("uplift_angle")
@@ -176,6 +178,7 @@ SPAN: Final = Limits._fields.index("span")
 RESERVE: Final = Limits._fields.index("reserve_buoyancy")
 SLIDING: Final = Limits._fields.index("sliding_factor")
 HOLDING: Final = Limits._fields.index("holding_factor")
+LEAST_TENSION: Final = Limits._fields.index("least_tension")
 """Columns of the limits."""
 
 NO_EQUILIBRIUM: Final = 1e3
@@ -200,15 +203,14 @@ def assess(
     """Build, solve and check designs number `first` to `end` (not included) of shape (n, genes).
 
     With `stops_early` a design that has failed one check is left: its objectives are nan then, and
-    its exceedance is above ROUNDING but not the largest. Written to: `objectives`, shape (n, 5):
-    mass, offset, excursion, cost and length, nan where there is no equilibrium; `exceedance`, shape
-    (n,): the largest of all checks, -1 where there is none; `sinker`, shape (n,): the lightest that
-    holds, or the heaviest, -1 where there is none; `unsolved`, shape (1,), raised by the number of
-    lines that did not converge.
+    its exceedance is above ROUNDING but not the largest. Written to: `objectives`, shape (n, 6):
+    mass, offset, excursion, cost, length and load of the anchor, nan where there is no equilibrium;
+    `exceedance`, shape (n,): the largest of all checks, -1 where there is none; `sinker`, shape
+    (n,): the lightest that holds, or the heaviest, -1 where there is none; `unsolved`, shape (1,),
+    raised by the number of lines that did not converge.
     """
     for i in range(first, end):
-        for k in range(5):
-            objectives[i, k] = math.nan
+        objectives[i, :] = math.nan
         sinker[i] = -1
         segments = take_segments(genes[i], tables, room)
         weights, beyond = take_weights(genes[i], tables, room, segments)
@@ -229,6 +231,7 @@ def assess(
             if found.reference < math.inf:
                 excursion = found.largest - found.reference
                 objectives[i, EXCURSION] = rounded(excursion, tables.step[EXCURSION])
+            objectives[i, ANCHOR_LOAD] = rounded(found.anchor_load, tables.step[ANCHOR_LOAD])
 
 
 class _Found(NamedTuple):
@@ -237,6 +240,7 @@ class _Found(NamedTuple):
     worst: float  # the largest excess
     largest: float  # the largest span, m; nan when a load case was left out
     reference: float  # the least span of the reference load cases, m; infinite without
+    anchor_load: float  # the largest tension at the anchor, N
     sinker: int
     unsolved: int  # lines that did not converge
 
@@ -252,6 +256,7 @@ def _in_all_load_cases(
     needed = -math.inf
     largest = 0.0
     reference = math.inf
+    anchor_load = 0.0
     unsolved = 0
     for c in range(len(tables.force)):
         if tables.is_worn[c] != is_worn:
@@ -275,13 +280,20 @@ def _in_all_load_cases(
             largest = math.nan
             break
         largest = max(largest, state.span)
+        anchor_load = max(anchor_load, tension_at_anchor(state))
         if tables.is_reference[c] == 1:
             reference = min(reference, state.span)
     sinker = -1
     if needed > -math.inf:
         sinker = _lightest(needed, tables.sinker_weight)
         worst = max(worst, ratio_exceedance(needed, tables.sinker_weight[sinker]))
-    return _Found(worst, largest, reference, sinker, unsolved)
+    return _Found(worst, largest, reference, anchor_load, sinker, unsolved)
+
+
+@inlined
+def tension_at_anchor(state: State) -> float:
+    """Pull of a line on its anchor, N."""
+    return math.sqrt(state.H_anchor * state.H_anchor + state.V_anchor * state.V_anchor)
 
 
 @inlined
@@ -411,6 +423,9 @@ def largest_exceedance(
     if limit[HOLDING] > 0.0:
         capacity = tables.holding_capacity
         worst = max(worst, holding_exceedance(state.H_anchor, limit[HOLDING], capacity))
+    if limit[LEAST_TENSION] > 0.0:
+        tension = math.sqrt(state.H * state.H + state.V * state.V)
+        worst = max(worst, least_tension_exceedance(tension, limit[LEAST_TENSION]))
     return worst
 
 

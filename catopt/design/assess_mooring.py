@@ -15,6 +15,7 @@ from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT, failed
 from catopt.checks.kinds import ROUNDING, ratio_exceedance
 from catopt.compiled import inlined
 from catopt.design.assess import (
+    ANCHOR_LOAD,
     LEAST_OFFSET,
     MARGIN,
     NO_DESIGN,
@@ -34,6 +35,7 @@ from catopt.design.assess import (
     rounded,
     take_segments,
     take_weights,
+    tension_at_anchor,
     weigh,
 )
 from catopt.design.tables import BodyRoom, MooringTables, Room, Tables
@@ -69,8 +71,9 @@ def assess_moorings(
 ) -> None:
     """Solve and check moorings number `first` to `end` (not included), their layout the last genes.
 
-    Written to, as by `catopt.design.assess.assess`: `objectives`, with mass and cost of all lines
-    and the largest offset of the body from its zero-load position with all lines; `exceedance`, of
+    Written to, as by `catopt.design.assess.assess`: `objectives`, with mass and cost of all lines,
+    the largest offset of the body from its zero-load position with all lines and the largest load
+    of an anchor; `exceedance`, of
     all lines in all states; `excluded`, shape (n,): the bound that excludes a design, NONE where it
     was solved; `unsolved`, raised by the number of states that did not converge.
     """
@@ -116,6 +119,7 @@ def assess_moorings(
             exceedance[i] = found.worst if found.worst > -math.inf else -1.0
             unsolved[0] += found.unsolved
             objectives[i, OFFSET] = rounded(found.largest, line.step[OFFSET])
+            objectives[i, ANCHOR_LOAD] = rounded(found.anchor_load, line.step[ANCHOR_LOAD])
         if excluded[i] != NONE:
             exceedance[i] = 1.0
         if math.isnan(objectives[i, OFFSET]):
@@ -139,6 +143,7 @@ class _Found(NamedTuple):
     excluded: int  # the bound that excludes it
     worst: float  # the largest excess
     largest: float  # offset, m; nan where a state has no equilibrium or was left out
+    anchor_load: float  # the largest tension at an anchor, N
     unsolved: int  # states that did not converge
 
 
@@ -162,9 +167,9 @@ def _in_all_states(
     origin = unloaded.rest
     if search.is_bounded and origin.status == CONVERGED:
         far = least_offset(forces, tables, problem, unloaded.known.span.max())
-        if _is_needless(far, line, search, body.least, objectives):
-            return _Found(LEAST_OFFSET, -math.inf, math.nan, 0)
-    worst, largest = -math.inf, 0.0
+        if _is_needless(far, 0.0, line, search, body.least, objectives):
+            return _Found(LEAST_OFFSET, -math.inf, math.nan, 0.0, 0)
+    worst, largest, anchor_load = -math.inf, 0.0, 0.0
     for state in range(tables.first[layout], tables.first[layout + 1]):
         if tables.missing[state] != missing or tables.height[state] != height:
             missing, height = tables.missing[state], tables.height[state]
@@ -174,22 +179,25 @@ def _in_all_states(
                 origin = unloaded.rest
         damage = 1 if missing >= 0 else 0
         end = _under_load(unloaded, tables, state)
-        status, exceedance = end.status, NO_EQUILIBRIUM
+        status, exceedance, pull = end.status, NO_EQUILIBRIUM, 0.0
         if status == CONVERGED:
             reserve = tables.reserve[damage]
-            status, exceedance = _of_lines(
+            status, exceedance, pull = _of_lines(
                 unloaded.lines, reserve, problem, segments, damage, line, room
             )
         worst = max(worst, exceedance)
         if status != CONVERGED:
-            return _Found(NONE, worst, math.nan, 1 if status == NOT_CONVERGED else 0)
+            return _Found(NONE, worst, math.nan, 0.0, 1 if status == NOT_CONVERGED else 0)
         if search.stops_early and worst > ROUNDING:
-            return _Found(NONE, worst, math.nan, 0)
+            return _Found(NONE, worst, math.nan, 0.0, 0)
         x, y = end.x - origin.x, end.y - origin.y
         largest = max(largest, math.sqrt(x * x + y * y))
-        if search.is_bounded and _is_needless(largest, line, search, body.least, objectives):
-            return _Found(OFFSET_SO_FAR, worst, math.nan, 0)
-    return _Found(NONE, worst, largest, 0)
+        anchor_load = max(anchor_load, pull)
+        if search.is_bounded and _is_needless(
+            largest, anchor_load, line, search, body.least, objectives
+        ):
+            return _Found(OFFSET_SO_FAR, worst, math.nan, 0.0, 0)
+    return _Found(NONE, worst, largest, anchor_load, 0)
 
 
 class _Unloaded(NamedTuple):
@@ -247,17 +255,21 @@ def _of_lines(
     damage: int,
     line: Tables,
     room: Room,
-) -> tuple[int, float]:
-    """Status, and the largest excess of all checks of all lines where the body has come to rest."""
-    worst, pull_down = -math.inf, 0.0
+) -> tuple[int, float, float]:
+    """Status, the largest excess of all checks of all lines where the body has come to rest.
+
+    With the largest tension at an anchor, N.
+    """
+    worst, pull_down, anchor_load = -math.inf, 0.0, 0.0
     for k in range(len(lines.H)):
         span = max(lines.span[k], 1e-9)
         H = lines.H[k] if lines.H[k] > 0.0 else math.nan
         V = lines.V[k] if lines.H[k] > 0.0 else math.nan
         state = given_span(span, problem, H, V)
         if state.status != CONVERGED:
-            return NOT_CONVERGED, worst
+            return NOT_CONVERGED, worst, anchor_load
         pull_down += state.V
+        anchor_load = max(anchor_load, tension_at_anchor(state))
         worst = max(worst, largest_exceedance(state, problem, line, room, segments, damage))
         if len(line.sinker_weight) > 0:
             factor = line.limit[damage, SLIDING]
@@ -265,16 +277,20 @@ def _of_lines(
             worst = max(worst, ratio_exceedance(pull, line.sinker_weight[0]))
     if reserve < math.inf:
         worst = max(worst, ratio_exceedance(pull_down, reserve))
-    return CONVERGED, worst
+    return CONVERGED, worst, anchor_load
 
 
 @inlined
-def _is_needless(offset: float, line: Tables, search: Search, least: Any, objectives: Any) -> bool:
-    """Whether a design of at least some offset is beaten by a known one."""
+def _is_needless(
+    offset: float, anchor_load: float, line: Tables, search: Search, least: Any, objectives: Any
+) -> bool:
+    """Whether a design of at least some offset and load of an anchor is beaten by a known one."""
     for column in range(len(search.columns)):
         least[column] = objectives[search.columns[column]]
         if search.columns[column] == OFFSET:
             least[column] = rounded(offset, line.step[OFFSET])
+        elif search.columns[column] == ANCHOR_LOAD:
+            least[column] = rounded(anchor_load, line.step[ANCHOR_LOAD])
     return is_beaten(least, search.best)
 
 

@@ -15,7 +15,7 @@ from catopt.checks.case import LOAD, check_line
 from catopt.checks.criteria import criteria_of
 from catopt.checks.evaluation import NO_CHECK
 from catopt.compiled import compiled
-from catopt.design.assess import COST, EXCURSION, LENGTH, MASS, OFFSET, assess
+from catopt.design.assess import ANCHOR_LOAD, COST, EXCURSION, LENGTH, MASS, OFFSET, assess
 from catopt.design.problem import Evaluated, Floats, Genes
 from catopt.design.result import OBJECTIVES_MADE, DesignPoint, Neighbour
 from catopt.design.space import DesignSpace, resolve
@@ -26,7 +26,7 @@ from catopt.model.kinds import Findings
 from catopt.model.line import weight_in_water
 from catopt.words import Message
 
-OBJECTIVE_KEYS: Final = {key.partition("_")[0]: key for key in OBJECTIVES_MADE}
+OBJECTIVE_KEYS: Final = {key.rpartition("_")[0]: key for key in OBJECTIVES_MADE}
 """Key of each objective in results and documents."""
 
 _A_PIECE = 4e-5
@@ -38,6 +38,7 @@ _COLUMNS: Final = {
     "excursion": EXCURSION,
     "cost": COST,
     "length": LENGTH,
+    "anchor_load": ANCHOR_LOAD,
 }
 
 AGREEMENT = 1e-8
@@ -56,7 +57,8 @@ def objective_words(name: str) -> Message:
 class Assessed(NamedTuple):
     """All that one pass over designs gives."""
 
-    # shape (n, 5): mass (kg), offset, excursion (m), cost (USD), length (m), wanted or not
+    # shape (n, 6): mass (kg), offset, excursion (m), cost (USD), length (m) and the
+    # anchor's load (N), wanted or not
     objectives: Floats
     exceedance: Floats  # shape (n,): as in `Evaluated`
     # shape (n,): the lightest that holds, or the heaviest; -1: there is none
@@ -213,11 +215,12 @@ class DesignProblem:
             if state.kind == "reference"
         ]
         excursion = max(spans) - min(at_rest) if at_rest else None
-        objectives = self._by_key(line, max(spans), excursion)
+        pull = max(solution.anchor.tension for _, solution in checks.solutions)
+        objectives = self._by_key(line, max(spans), excursion, pull)
         return DesignPoint(line, anchor, genes, objectives, checks)
 
     def _by_key(
-        self, line: Line, offset: float, excursion: float | None, lines: int = 1
+        self, line: Line, offset: float, excursion: float | None, anchor_load: float, lines: int = 1
     ) -> Mapping[str, float]:
         """List all known objectives of a number of equal lines, the wanted ones first.
 
@@ -229,7 +232,7 @@ class DesignProblem:
             cost = lines * math.fsum(length * price for length, price in priced)
         mass = None if line.mass is None else lines * line.mass
         values = {"mass": mass, "offset": offset, "excursion": excursion, "cost": cost}
-        values["length"] = lines * line.length
+        values |= {"length": lines * line.length, "anchor_load": anchor_load}
         named = ((OBJECTIVE_KEYS[name], values[name]) for name in self.known)
         return {key: value for key, value in named if value is not None}
 

@@ -137,7 +137,8 @@ class MooringProblem(DesignProblem):
     def point(self, genes: tuple[int, ...]) -> DesignPoint:
         """Solve and check a mooring in plain closed form; errors as for `solve_system`."""
         line, found = self.space.line(genes), mooring_point(self, genes)
-        objectives = self._by_key(line, found.offset, None, len(found.system.legs))
+        lines = len(found.system.legs)
+        objectives = self._by_key(line, found.offset, None, found.anchor_load, lines)
         return DesignPoint(line, self.case.anchor, genes, objectives, found.checks, found)
 
     def present(self) -> DesignPoint:

@@ -34,6 +34,7 @@ class MooringPoint:
         CheckReport  # of each check the hardest: over all lines, headings and states of its kind
     )
     offset: float  # the largest, from the zero-load position with all lines, m
+    anchor_load: float  # the largest tension at an anchor, of any line in any state, N
     farthest: SystemSolution  # the body with all lines under the force of that heading
     state: Message
     """State and heading, in words."""
@@ -98,6 +99,7 @@ def mooring_point(problem: MooringProblem, genes: tuple[int, ...]) -> MooringPoi
         system,
         report,
         far.offset,
+        max(_anchor_load(each.state) for each in solved),
         farthest,
         far.state.name,
         far.load,
@@ -130,6 +132,11 @@ def _solved(problem: MooringProblem, genes: tuple[int, ...]) -> Iterator[_Solved
         )
         neutral = positions[load.lift, -1].neutral
         yield _Solved(state, math.hypot(rest.x - neutral.x, rest.y - neutral.y), load)
+
+
+def _anchor_load(state: InState) -> float:
+    assert state.solution is not None
+    return max(leg.solution.anchor.tension for leg in state.solution.lines)
 
 
 def under(load: DesignLoad, direction: float) -> Message:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from catopt.checks.kinds import is_wanted
 from catopt.checks.result import CheckResult
 from catopt.design.evaluation import OBJECTIVE_KEYS, DesignProblem, design_point, objective_words
 from catopt.design.front import Outcome
@@ -91,7 +92,7 @@ def near_miss(problem: DesignProblem, genes: tuple[int, ...]) -> NearMiss:
 
 def _check_words(result: CheckResult) -> str:
     demand, capacity = (_shown(value, result.unit) for value in (result.demand, result.capacity))
-    key = "design.beside_wanted" if result.kind == "grounded_length" else "design.beside_allowed"
+    key = "design.beside_wanted" if is_wanted(result.kind) else "design.beside_allowed"
     how = Message(key, demand=demand, capacity=capacity)
     if result.utilisation is not None:
         how = Message("design.used", beside=how, used=result.utilisation)

@@ -29,7 +29,7 @@ from catopt.words.saved import messages_in
 
 __all__ = ["DesignPoint", "DesignResult", "InDraws", "NearMiss", "Neighbour"]
 
-OBJECTIVES_MADE = ("mass_kg", "offset_m", "excursion_m", "cost_USD", "length_m")
+OBJECTIVES_MADE = ("mass_kg", "offset_m", "excursion_m", "cost_USD", "length_m", "anchor_load_N")
 """Keys of what is made small."""
 
 
@@ -64,7 +64,7 @@ class DesignPoint(Displayable, Record):
     """One line of the front."""
 
     DOCUMENT = (
-        "mass largest_span=offset_m excursion? cost=cost_USD? length? "
+        "mass largest_span=offset_m excursion? cost=cost_USD? length? anchor_load? "
         "line.segments(name catalogued=component nominal_diameter length "
         "submerged_weight mass EA MBL proof_load price wear_rate wear_zone~) "
         "line.point_loads(name position submerged_weight mass) "
@@ -79,8 +79,8 @@ class DesignPoint(Displayable, Record):
     anchor: Anchor | None  # the sinker that was chosen for it, or the anchor of the case
     genes: tuple[FromZero, ...]
     """Its place in the design space."""
-    # ``mass_kg``, ``offset_m``, ``excursion_m``, ``cost_USD``: all that are known, wanted as
-    # objective or not
+    # by the keys of OBJECTIVES_MADE: mass, offset, excursion and cost where they are known, wanted
+    # as objective or not; the others where they are wanted
     objectives: Mapping[str, float]
     checks: CheckReport
     """As catopt check gives them, by load case; of a whole mooring the hardest of each over all
@@ -132,6 +132,11 @@ class DesignPoint(Displayable, Record):
         return self.objectives.get("length_m")
 
     @property
+    def anchor_load(self) -> SomeForce | None:
+        """The largest tension at an anchor, of any line in any state; where it is made small."""
+        return self.objectives.get("anchor_load_N")
+
+    @property
     def sinker(self) -> Anchor | None:
         """The sinker at the anchor; None when there is none."""
         is_sinker = self.anchor is not None and self.anchor.kind == "sinker"
@@ -159,7 +164,7 @@ class Neighbour(Record):
 
     DOCUMENT = (
         "change point.mass~ point.largest_span=offset_m~ point.excursion~ point.cost=cost_USD~ "
-        "point.length~ feasible governing utilisation reason"
+        "point.length~ point.anchor_load~ feasible governing utilisation reason"
     )
 
     change: str

@@ -71,7 +71,8 @@ class Tables(NamedTuple):
     holding_capacity: float  # of the drag anchor, N, infinite when there is none
     anchor_height: float  # m above the bed
     friction: float  # Coulomb coefficient of the bed
-    # shape (5,): what mass (kg), offset, excursion (m), cost (USD) and length (m) are rounded to
+    # shape (6,): what mass (kg), offset, excursion (m), cost (USD), length (m) and the
+    # anchor's load (N) are rounded to
     step: Any
 
 
@@ -236,7 +237,7 @@ def tables_of(
         holding_capacity=capacity,
         anchor_height=float(case.anchor_height),
         friction=float(case.site.seabed_friction),
-        step=_steps(space),
+        step=_steps(space, states),
     )
     assert tables.limit.shape == (len(states), len(Limits._fields))
     return tables
@@ -336,7 +337,7 @@ def _allowed(states: Sequence[LoadCase], space: DesignSpace, criteria: Criteria)
     return allowed
 
 
-def _steps(space: DesignSpace) -> Floats:
+def _steps(space: DesignSpace, states: Sequence[LoadCase]) -> Floats:
     """Choose what each objective is rounded to: a power of 2, RESOLUTION of its largest or less."""
     lengths = [max(variable.lengths) for variable in space.segments]
     masses = [max((s.mass or 0.0) for s in variable.options) for variable in space.segments]
@@ -346,5 +347,6 @@ def _steps(space: DesignSpace) -> Floats:
     mass = lines * (sum(m * length for m, length in zip(masses, lengths, strict=True)) + clumps)
     cost = lines * sum(p * length for p, length in zip(prices, lengths, strict=True))
     largest = [mass, sum(lengths), sum(lengths), cost, lines * sum(lengths)]
+    largest.append(max(state.horizontal_force for state in states))
     powers = [2.0 ** math.floor(math.log2(x)) if x > 0.0 else 1.0 for x in largest]
     return np.array(powers) * RESOLUTION

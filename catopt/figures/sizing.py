@@ -32,6 +32,7 @@ OBJECTIVES: Mapping[str, Quantity] = MappingProxyType(
         "excursion_m": QUANTITIES["excursion"],
         "cost_USD": QUANTITIES["cost"],
         "length_m": QUANTITIES["length"],
+        "anchor_load_N": replace(QUANTITIES["tension"], name="Anchor load", symbol=""),
     }
 )
 """What each objective is called and measured in, by its key in the document of a search."""

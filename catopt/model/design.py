@@ -144,7 +144,7 @@ def _strength(found: Findings, segment: int | None, MBL_known: Sequence[bool]) -
         found.add(f"line.segments[{segment - 1}].MBL", "", Message("refused.limit_force_needs"))
 
 
-Objective = Literal["mass", "offset", "excursion", "cost", "length"]
+Objective = Literal["mass", "offset", "excursion", "cost", "length", "anchor_load"]
 OBJECTIVES: tuple[str, ...] = get_args(Objective)
 
 FoundBy = Literal["enumeration", "nsga2", "swarm"]
@@ -294,7 +294,8 @@ class Design(Checked):
     objectives: tuple[Annotated[str, OneOf(OBJECTIVES)], ...] = ("mass", "offset")
     """Two or three of: "mass", in air, of segments and clump weights; "offset", the largest span
     over the load cases; "excursion", the largest span less that of the reference case; "cost", of
-    the segments' material; "length", of the line."""
+    the segments' material; "length", of the line; "anchor_load", the largest tension at an anchor
+    over the load cases."""
     method: SearchMethod = "auto"
     """"enumeration" of every design, "nsga2", "swarm", or "auto"."""
     evaluations: Annotated[int, Whole("evaluations", example=10_000)] = 10_000

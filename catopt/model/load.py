@@ -206,9 +206,11 @@ class Checks(Checked):
     of `codes` that have none; None: these do, by their factors for lines at rest."""
     safety_factor_line_out: Factor | None = None
     """In the place of `safety_factor` where one line of several is gone; None: the same."""
+    min_tension: SomeForce | None = None
+    """Least tension of every line at its fairlead, N: that of the leeward lines of several."""
 
     def _check(self, found: Findings) -> None:
-        found.check("safety_factor", "proof_load_factor", "safety_factor_line_out")
+        found.check("safety_factor", "proof_load_factor", "safety_factor_line_out", "min_tension")
         found.check("max_anchor_uplift_angle", "max_anchor_uplift_force", "min_grounded_length")
         found.check("max_span", "max_offset", "motion_code")
         if None not in (self.max_span, self.max_offset):

@@ -162,14 +162,17 @@ def _carried(case: Case | Network, part: DynamicPart, runs: Sequence[DynamicRun]
         return most(quantity) * _higher(part, runs, quantity)
 
     anchor = Pull(storm("anchor_horizontal"), storm("uplift_force"), most("uplift_angle"))
-    lies = min(each.course("grounded_length").minimum for each in of)
+    lies, slackest = (
+        min(each.course(quantity).minimum for each in of)
+        for quantity in ("grounded_length", "fairlead_tension")
+    )
     unknown = math.nan  # no check asks for it yet; not 0, lest one that does pass unseen
     pull = storm("fairlead_vertical")
     if case.floater is not None:
         pull = taken_together([each.course("fairlead_vertical") for each in of])
     of_line = [each for each in part.drive.sinkers if each == case.anchor]
     slide = way_of(of_line[0], part, runs) if of_line else None
-    return Carried(anchor, Pull(unknown, pull, unknown), lies, storm("span"), slide)
+    return Carried(anchor, Pull(unknown, pull, unknown), lies, storm("span"), slackest, slide)
 
 
 def way_of(anchor: Anchor, part: DynamicPart, runs: Sequence[DynamicRun]) -> float:

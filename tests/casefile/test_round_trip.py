@@ -130,6 +130,7 @@ CHECKS = st.builds(
     proof_load_factor=st.none() | FACTOR,
     max_anchor_uplift_force=st.none() | NOT_NEGATIVE,
     min_grounded_length=st.none() | NOT_NEGATIVE,
+    min_tension=st.none() | NOT_NEGATIVE,
     max_span=st.none() | POSITIVE,
     allow_recalled=st.booleans(),
 )

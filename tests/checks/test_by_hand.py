@@ -89,6 +89,12 @@ def test_uplift_force() -> None:
     agrees(result, demand=22.5e3, capacity=25e3, utilisation=0.9, exceedance=-2.5 / 30.0)
 
 
+def test_least_tension() -> None:
+    """H = 30 kN and V = 40 kN: 50 kN at the fairlead; of 60 kN wanted a sixth is missing."""
+    result = only(asking(checks=Checks(min_tension=60e3)))
+    agrees(result, demand=60e3, capacity=50e3, utilisation=1.2, exceedance=1.0 / 6.0)
+
+
 def test_grounded_length() -> None:
     """20 m lie on the bed; of 25 m wanted a fifth is missing, and 25 / 20 = 1.25."""
     result = only(asking(checks=Checks(min_grounded_length=25.0)))

@@ -34,6 +34,7 @@ BAND = 4.0 * ROUNDING
         max_anchor_uplift_angle=st.floats(0.0, 1.5),
         max_anchor_uplift_force=st.floats(0.0, 1e5),
         min_grounded_length=st.floats(0.1, 100.0),
+        min_tension=st.floats(1.0, 2e5),
         max_span=st.floats(1.0, 200.0),
     ),
     reserve=st.floats(1e3, 1e6),
@@ -58,7 +59,7 @@ def test_a_check_is_passed_exactly_when_demand_is_within_capacity(
     )
     case = LIFTED if lifted else GROUNDED
     report = check_case(asking(case, checks, anchor=anchor, buoy=Buoy(reserve)))
-    assert len(report.results) == 8
+    assert len(report.results) == 9
     for result in report.results:
         distance = abs(result.demand - result.capacity)
         if distance > BAND * max(result.demand, result.capacity, 30e3 * (result.unit == "N"), 1.0):
@@ -86,6 +87,7 @@ def test_what_is_not_asked_for_is_never_overrun() -> None:
     assert exceedance.uplift_angle_exceedance(1.5, math.inf) < 0.0
     assert exceedance.uplift_force_exceedance(1e9, 1.0, math.inf) < 0.0
     assert exceedance.grounded_exceedance(0.0, 0.0) < 0.0
+    assert exceedance.least_tension_exceedance(0.0, 0.0) < 0.0
     assert exceedance.ratio_exceedance(1e9, math.inf) < 0.0
 
 

@@ -235,12 +235,22 @@ def test_the_case_s_factor_holds_as_a_line_breaks(line_out: float | None) -> Non
 
 
 def test_what_is_no_tension_is_judged_by_its_least_favourable_value() -> None:
-    """Pulled up by 30 kN at 6 deg, 17.2 m left on the bed, 118 m from end to end, 80 kN down."""
+    """Pulled up by 30 kN at 6 deg, 17.2 m left on the bed, 118 m from end to end, 80 kN down.
+
+    Of 10 kN that are wanted at the fairlead 8 kN were there at the least.
+    """
     carried = Carried(
-        Pull(290e3, 30e3, math.radians(6.0)), Pull(0.0, 80e3, 0.0), grounded_length=17.2, span=118.0
+        Pull(290e3, 30e3, math.radians(6.0)),
+        Pull(0.0, 80e3, 0.0),
+        grounded_length=17.2,
+        span=118.0,
+        least_tension=8e3,
     )
     asked = Checks(
-        max_anchor_uplift_angle=math.radians(5.0), min_grounded_length=27.4, max_span=120.0
+        max_anchor_uplift_angle=math.radians(5.0),
+        min_grounded_length=27.4,
+        max_span=120.0,
+        min_tension=10e3,
     )
     anchor = Anchor("drag", holding_capacity=500e3, safety_factor=2.0)
     case = replace(ALONE, checks=asked, anchor=anchor)
@@ -252,6 +262,7 @@ def test_what_is_no_tension_is_judged_by_its_least_favourable_value() -> None:
     assert used["grounded_length"][1] is False
     assert used["span"][0] == pytest.approx(118.0 / 120.0, rel=CLOSE)
     assert used["span"][1] is True
+    assert used["least_tension"] == (pytest.approx(1.25, rel=CLOSE), False)
     assert used["holding"][0] == pytest.approx(2.0 * 290.0 / 500.0, rel=CLOSE)
     assert used["holding"][1] is False
     assert all(each.kind == "tension" for each in check_motion(case, [MOVED]).results)
@@ -262,7 +273,7 @@ def test_what_is_no_tension_is_judged_by_its_least_favourable_value() -> None:
 SINKER = Anchor(
     "sinker", submerged_weight=50e3, friction=0.5, mass=9000.0, safety_factor=1.5, max_slide=1.0
 )
-CARRIED = Carried(Pull(20e3, 5e3, 0.2), Pull(20e3, 30e3, 1.0), 0.0, 100.0, slide=0.25)
+CARRIED = Carried(Pull(20e3, 5e3, 0.2), Pull(20e3, 30e3, 1.0), 0.0, 100.0, 1e3, slide=0.25)
 
 
 def test_a_code_that_has_no_factors_for_motion_leaves_it_to_another_one() -> None:

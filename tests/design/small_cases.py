@@ -84,6 +84,7 @@ def plain_value(
         "offset": max(spans.values()),
         "excursion": max(spans.values()) - spans.get("everyday", 0.0),
         "cost": sum(s.length * (s.price or 0.0) for s in line.segments),
+        "anchor_load": max(solution.anchor.tension for _, solution in report.solutions),
     }
     exceedance = max((result.exceedance for result in report.results), default=-1.0)
     assert problem.case.design is not None

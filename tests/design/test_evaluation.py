@@ -96,6 +96,7 @@ def demanding_case(**changes: object) -> Case:
             max_anchor_uplift_angle=math.radians(2.0),
             max_anchor_uplift_force=5e3,
             min_grounded_length=10.0,
+            min_tension=60e3,
             max_span=400.0,
         ),
         buoy=Buoy(150e3),
@@ -108,6 +109,7 @@ SINKERS = SinkerChoice((50e3, 150e3, 250e3, 400e3), 2400.0, 0.6, 1.5)
 VARIANTS = {
     "plain": small_case(),
     "three objectives": small_case(objectives=("mass", "excursion", "cost")),
+    "load of the anchor": small_case(objectives=("mass", "anchor_load")),
     "every check": demanding_case(anchor=Anchor("drag", holding_capacity=9e5, safety_factor=1.5)),
     "raised anchor": demanding_case(anchor_height=5.0),
     "sinkers": replace(demanding_case(), design=small_case(sinker=SINKERS).design),
@@ -118,6 +120,12 @@ VARIANTS = {
     "no check": replace(small_case(), checks=Checks()),
     "weight at the joint": small_case(
         clump_weights=(ClumpWeightChoice((5e3, 20e3), 7850.0, joint=1, optional=True),)
+    ),
+    "two weights, the farther one first": small_case(
+        clump_weights=(
+            ClumpWeightChoice((5e3, 20e3), 7850.0, (150.0,), friction=0.2),
+            ClumpWeightChoice((9e3,), 2400.0, (20.0, 60.0), optional=True),
+        )
     ),
 }
 

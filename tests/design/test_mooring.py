@@ -101,18 +101,24 @@ def test_a_design_is_worth_what_checking_the_body_says(fairlead_radius: float) -
     for genes in ((3, 1, 1, 0), (4, 0, 0, 1), (5, 2, 0, 0), (1, 0, 1, 1)):
         system = problem.system(genes)
         line = system.legs[0].line
-        worst, offset = -math.inf, 0.0
+        worst, offset, anchor_load = -math.inf, 0.0, 0.0
         for angle in DesignLoad("", 1.5e6, headings=12).directions:
             loaded = system.under((1.5e6 * math.cos(angle), 1.5e6 * math.sin(angle)))
             report = check_system(replace(problem.case, line=line, system=loaded, design=None))
             worst = max(worst, *(each.exceedance for each in report.results))
-            offset = max(offset, math.hypot(*solve_system(loaded).offset))
+            whole = solve_system(loaded)
+            offset = max(offset, math.hypot(*whole.offset))
+            anchor_load = max(anchor_load, *(each.solution.anchor.tension for each in whole.lines))
             for out in one_line_out(loaded):
                 assert out.response is not None
                 offset = max(offset, out.response.offset)
+                assert out.solution is not None
+                pulls = (each.solution.anchor.tension for each in out.solution.lines)
+                anchor_load = max(anchor_load, *pulls)
         assessed = problem.assess(np.array([genes]))
         assert assessed.exceedance[0] == pytest.approx(worst, rel=1e-8, abs=1e-9)
         assert assessed.objectives[0, 1] == pytest.approx(offset, rel=1e-8)
+        assert assessed.objectives[0, 5] == pytest.approx(anchor_load, rel=1e-8)
         segment = line.segments[0]
         assert segment.mass is not None
         mass = len(system.legs) * segment.length * segment.mass
@@ -260,6 +266,7 @@ def same(one: Outcome, other: Outcome) -> bool:
         {"lines": (), "headings": 3, "azimuths": (0.0, 0.9, 2.5, 3.9)},
         {"objectives": ("cost", "mass"), "headings": 2},
         {"loads": LOADS[1:], **ONE_LOAD},
+        {"objectives": ("mass", "anchor_load"), "headings": 2},
         {"anchor_radii": (), "pretensions": (100e3, 300e3), "headings": 2},
         *(
             pytest.param(changes, marks=pytest.mark.slow)
