@@ -14,7 +14,7 @@ from catopt.checks.kinds import CheckKind, CheckSource, Criterion, Place
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.errors import FloatsUpError, InputError
 from catopt.model import Anchor, CatalogueChoice, Checks, Line, LoadCase, PointLoad
-from catopt.words import Message
+from catopt.words import Message, say
 
 from .lines import CLOSE, GROUNDED, LIFTED, PLAIN, asking
 
@@ -272,3 +272,8 @@ def test_of_two_lifted_lines_the_steeper_that_nothing_checks_is_told() -> None:
     (worst,) = of_uplift(lines, keeping(), None)
     assert worst.values["where"] == "whole"
     assert list(of_uplift(lines[:1], criteria, None)) == []
+
+
+@pytest.mark.parametrize("check", [each for each in SEARCHED if each != "equilibrium"])
+def test_a_front_can_say_that_it_ends_at_a_check(check: CheckKind) -> None:
+    assert "storm" in say(Message(f"design.stop_{check}", load_case="storm"), "vi")
