@@ -50,7 +50,7 @@ from catopt.verify.case import FrontVerification
 from catopt.verify.dynamic_result import DynamicVerification
 from catopt.verify.fatigue import FatigueReport
 from catopt.verify.result import Verification
-from catopt.verify.two_scales import ShipVerification
+from catopt.verify.ship_result import ShipVerification
 from catopt.words import Message
 
 FOLDER = Path(str(files("catopt.schemas")))

@@ -32,6 +32,8 @@ ALL_BUT_CLI = (
     | {"mooring", "loads", "schemas", "verify", "reproduce", "sizing", "study", "export", "report"}
     | {"answers", "figures", "notes", "render", "page_api", "web"}
 )
+MOST_LINES = 600
+"""Of one file."""
 RESULTS = {
     *("model", "catenary", "mooring", "design", "verify", "reproduce", "study"),
     *("sizing", "loads", "floater"),
@@ -244,6 +246,11 @@ SAID = (
     "catopt.checks.kinds.",
 )
 """What results say of themselves in words, are rounded to or measured in."""
+
+
+def test_no_file_is_too_long_to_be_read_as_a_whole() -> None:
+    lines = {path: path.read_text("utf-8").count("\n") for path in PACKAGE.rglob("*.py")}
+    assert {path.name: count for path, count in lines.items() if count > MOST_LINES} == {}
 
 
 def test_answers_solve_nothing() -> None:

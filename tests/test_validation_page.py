@@ -6,7 +6,6 @@ import pytest
 
 from tests.validation_page import EVIDENCE, PAGE, PARTS, ROOT, below, first_words, parts
 
-
 LONG = ("studies",)
 """Parts that take seconds: every printed example is solved for them."""
 

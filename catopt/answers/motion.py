@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, JointInMotion
     from catopt.verify.dynamic_run import DynamicRun, OverRuns
-    from catopt.verify.two_scales import LineOfShip, ShipVerification
+    from catopt.verify.ship_result import LineOfShip, ShipVerification
 
 _TIME = Quantity("time", "Time", "", "s", "s", 1.0, 4)
 _SLACK = replace(_TIME, digits=1)

@@ -50,7 +50,7 @@ if TYPE_CHECKING:
     from catopt.verify.case import Design, FrontVerification
     from catopt.verify.dynamic_result import DynamicVerification
     from catopt.verify.result import Verification
-    from catopt.verify.two_scales import ShipVerification
+    from catopt.verify.ship_result import ShipVerification
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ from catopt.model import Anchor, Case, Line
 from catopt.sizing.in_motion import LineTried, Sea, TightestSea
 from catopt.sizing.pattern import Pattern
 from catopt.sizing.settle import ConvergedSizing
-from catopt.verify.two_scales import LineOfShip, ShipWithoutLine
+from catopt.verify.ship_result import LineOfShip, ShipWithoutLine
 
 
 class ShipState(NamedTuple):

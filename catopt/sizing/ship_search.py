@@ -48,12 +48,8 @@ from catopt.sizing.ship_afloat import runs_afloat, ship_afloat
 from catopt.sizing.ship_runs import JudgedLine, ShipLost, ShipRun, ShipState
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.ties import largest
-from catopt.verify.two_scales import (
-    ShipWithoutLine,
-    check_hanging,
-    run_without,
-    verify_ship,
-)
+from catopt.verify.ship_result import ShipWithoutLine
+from catopt.verify.two_scales import check_hanging, run_without, verify_ship
 from catopt.words import Message
 
 _MOST_FACTOR: Final = 100.0

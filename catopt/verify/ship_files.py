@@ -11,7 +11,7 @@ import numpy as np
 from catopt.floater.two_scales import SLOW_STEP
 from catopt.hydro.coefficients import FREEDOMS
 from catopt.model import Case, Motion
-from catopt.verify.two_scales import ShipVerification
+from catopt.verify.ship_result import ShipVerification
 
 RAOS: Final = "ship_raos.csv"
 DRIFT: Final = "ship_drift.csv"

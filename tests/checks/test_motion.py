@@ -262,7 +262,8 @@ def test_what_is_no_tension_is_judged_by_its_least_favourable_value() -> None:
     assert used["grounded_length"][1] is False
     assert used["span"][0] == pytest.approx(118.0 / 120.0, rel=CLOSE)
     assert used["span"][1] is True
-    assert used["least_tension"] == (pytest.approx(1.25, rel=CLOSE), False)
+    assert used["least_tension"][0] == pytest.approx(10.0 / 8.0, rel=CLOSE)
+    assert used["least_tension"][1] is False
     assert used["holding"][0] == pytest.approx(2.0 * 290.0 / 500.0, rel=CLOSE)
     assert used["holding"][1] is False
     assert all(each.kind == "tension" for each in check_motion(case, [MOVED]).results)

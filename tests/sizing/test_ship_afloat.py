@@ -15,7 +15,8 @@ from catopt.report.bundle import size_files
 from catopt.sizing.result import Sizing
 from catopt.sizing.ship_afloat import ship_afloat
 from catopt.sizing.tanker_request import TankerRequest
-from catopt.verify.two_scales import ShipVerification, verify_ship
+from catopt.verify.ship_result import ShipVerification
+from catopt.verify.two_scales import verify_ship
 from tests.sizing.alone import alone
 from tests.sizing.test_consistency import LOADED, deep
 from tests.sizing.test_thresholds import ONE_SIZE
