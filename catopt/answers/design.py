@@ -15,15 +15,23 @@ from catopt.answers.check import (
     tightest_checks,
     tightest_table,
     verdict_blocks,
+    verdict_sentence,
 )
+from catopt.answers.motion import FORCE, RATIO
 from catopt.checks.kinds import QUANTITY_OF
+from catopt.design.made_of import (
+    anchor_words,
+    clump_weight_words,
+    layout_words,
+    made_of,
+    segment_words,
+)
 from catopt.figures.sizing import objective
 from catopt.quantities import Quantity
-from catopt.words import Measure, Message, Several, term
+from catopt.words import Message, Several, term
 
 if TYPE_CHECKING:
     from catopt.design.result import DesignPoint, DesignResult, Neighbour
-    from catopt.model import Line
 
 _MOST = 25
 """Designs of a front that people see all of; of a longer one they see some."""
@@ -71,8 +79,9 @@ _NEAR = 2
 def _card(result: DesignResult) -> Iterator[blocks.CardBlock]:
     """Say which design is recommended, what it comes to, its neighbours, and how it was found."""
     own, count, number = result.best, len(result.front), result.recommended
-    yield blocks.Text(Message("design.card", number=number, count=count, line=_composition(own)))
+    yield blocks.Text(Message("design.card", number=number, count=count, line=made_of(own)))
     yield from verdict_blocks(own.checks)
+    yield from _short_in_motion(result)
     of = Rows(result.front)
     near = range(max(number - 1 - _NEAR, 0), min(number + _NEAR, count))
     yield tabulate(
@@ -80,7 +89,8 @@ def _card(result: DesignResult) -> Iterator[blocks.CardBlock]:
         texts("design", range(1, count + 1)),
         *_objectives(result, of),
         *_drawn(of),
-        of.texts("line_from_the_anchor", _composition),
+        *list(_moved(of))[-1:],
+        of.texts("line_from_the_anchor", made_of),
         shown=tuple(sorted({0, *near, count - 1})),
         marked=result.recommended - 1,
     )
@@ -144,13 +154,15 @@ def _front(result: DesignResult) -> Iterator[blocks.Block]:
         texts("recommended", best, only="files"),
         *_objectives(result, of),
         *_drawn(of),
-        of.texts("line_from_the_anchor", _composition, only="people"),
+        *_moved(of),
+        of.texts("line_from_the_anchor", made_of, only="people"),
         *_of_files(of),
         caption=caption,
         shown=shown,
         marked=result.recommended - 1,
     )
     yield blocks.Graph(Message("captions.front"), "front", x=2, y=(3,), points=True)
+    yield from _fails_in_motion(result)
 
 
 def _how(result: DesignResult) -> Message:
@@ -185,6 +197,64 @@ def _drawn(of: Rows) -> Iterator[blocks.Column]:
         yield of.texts("fails_in_draws", lambda each: f"{each.draws.failing:.3g}")
 
 
+def _moved(of: Rows) -> Iterator[blocks.Column]:
+    """Say what each design came to in motion, where it has to pass there."""
+    if all(of.read("in_motion")):
+        yield of.measured(FORCE, "in_motion.largest_tension", "design.largest_in_motion")
+        yield of.measured(RATIO, "in_motion.amplification", "motion.front_allowance", priority=1)
+        yield of.measured(
+            "utilisation", "in_motion.tightest.utilisation", "design.used_in_motion", priority=1
+        )
+
+
+def _short_in_motion(result: DesignResult) -> Iterator[blocks.Verdict]:
+    """Say in one sentence what `_in_motion` says."""
+    search, own = result.in_motion, result.best.in_motion
+    if search is None or own is None or own.checks is None:
+        return
+    worst = own.checks.governing
+    assert worst is not None
+    used = "-" if worst.utilisation is None else f"{worst.utilisation:.3f}"
+    values = {"check": worst.name, "used": used, "count": search.run}
+    key = "design.short_in_motion" if search.complete else "design.short_of_some"
+    said = Message(key, **values, failing=len(search.failing))
+    yield blocks.Verdict(said, own.checks.passes and search.complete)
+
+
+def _in_motion(result: DesignResult) -> Iterator[blocks.Verdict | blocks.Text]:
+    """Say what the recommended design came to in motion, and how many were run."""
+    search, own = result.in_motion, result.best.in_motion
+    if search is None or own is None or own.checks is None:
+        return
+    yield blocks.Verdict(
+        Message("design.passes_in_motion", verdict=verdict_sentence(own.checks)), own.checks.passes
+    )
+    yield blocks.Text(Message("design.governs_in_motion", said=governing_sentence(own.checks)))
+    fails = Message("design.run_of_which_fail", count=search.run, failing=len(search.failing))
+    proof = Message("design.run_again" if search.proven else "design.not_run_again")
+    yield blocks.Text(Several((fails, proof), " "))
+    if not search.complete:
+        yield blocks.Verdict(Message("design.more_to_run"), passes=False)
+
+
+def _fails_in_motion(result: DesignResult) -> Iterator[blocks.Block]:
+    """Tabulate the designs that pass at rest and fail in motion."""
+    search = result.in_motion
+    if search is None:
+        return
+    yield from _in_motion(result)
+    if search.failing:
+        of = Rows(search.failing)
+        yield tabulate(
+            "fails_in_motion",
+            *_objectives(result, Rows(of.read("point"))),
+            of.texts("line_from_the_anchor", "made"),
+            of.texts("verdict", "reason"),
+            caption=Message("design.fails_in_motion"),
+            shown=shown_designs(len(search.failing)),
+        )
+
+
 def _known_objectives(result: DesignResult) -> list[tuple[str, Quantity]]:
     known = result.front[0].objectives
     keys = dict.fromkeys((*result.objectives, *known))
@@ -200,74 +270,15 @@ def _of_files(of: Rows) -> Iterator[blocks.Column]:
     only: dict[str, Any] = {"only": "files"}
     yield of.texts("segments_from_the_anchor", lambda at: Several(segment_words(at.line)), **only)
     yield of.texts("clump_weights", lambda at: Several(clump_weight_words(at.line)), **only)
-    yield of.texts("anchor", _anchor_words, **only)
+    yield of.texts("anchor", anchor_words, **only)
     if all(of.read("mooring")):
-        yield of.texts("layout", lambda point: Several(_layout_words(point)), **only)
+        yield of.texts("layout", lambda point: Several(layout_words(point)), **only)
         yield of.texts("farthest_in", "mooring.state", **only)
     tightest = Rows(tightest_checks(each) for each in of.read("checks"))
     for kind in (kind for kind in QUANTITY_OF if any(kind in each for each in tightest.rows)):
         checks = Rows(tightest.read(methodcaller("get", kind)))
         yield checks.measured("utilisation", "utilisation", f"{kind}_utilisation", **only)
     yield of.texts("governing_check", "checks.nearest", **only)
-
-
-def segment_words(line: Line) -> list[str]:
-    """Say what each segment is: ``"chain studless R3 76 mm, 45 m"``."""
-    return [
-        Message(
-            "design.segment_words",
-            segment=segment.name or Message("checks.segment", number=number),
-            length=segment.length,
-        )
-        for number, segment in enumerate(line.segments, start=1)
-    ]
-
-
-def clump_weight_words(line: Line) -> list[str]:
-    """Say what hangs on the line: ``"2 t at 7 m"``, with the mass in air."""
-    return [
-        Message("design.weight_at", mass=load.mass / 1e3, position=load.position)
-        if load.mass is not None
-        else Message(
-            "design.force_at",
-            force=Measure("point_weight", load.submerged_weight),
-            position=load.position,
-        )
-        for load in line.point_loads
-    ]
-
-
-def _anchor_words(point: DesignPoint) -> str:
-    """Say what holds the line; empty when the case has no anchor."""
-    anchor = point.anchor
-    if anchor is None:
-        return ""
-    if anchor.kind != "sinker":
-        return Message("design.drag_anchor")
-    if anchor.mass is not None:
-        return Message("design.sinker", mass=anchor.mass / 1e3)
-    force = Measure("point_weight", anchor.submerged_weight or 0.0)
-    return Message("design.sinker_force", force=force)
-
-
-def _layout_words(point: DesignPoint) -> Iterator[Message]:
-    """Say how many lines there are and how far away their anchors; nothing of a single line."""
-    if point.mooring is not None:
-        legs = point.mooring.system.legs
-        yield Message("design.around", count=len(legs), radius=legs[0].anchor_radius)
-        if point.mooring.pretension is not None:
-            force = Measure("horizontal_force", point.mooring.pretension)
-            yield Message("design.at_pretension", force=force)
-
-
-def _composition(point: DesignPoint) -> Several:
-    parts = (
-        *_layout_words(point),
-        *segment_words(point.line),
-        *clump_weight_words(point.line),
-        _anchor_words(point),
-    )
-    return Several(part for part in parts if part)
 
 
 # ------------------------------------------------------------------ the recommended design
@@ -291,14 +302,14 @@ def _recommended(result: DesignResult) -> Iterator[blocks.Block]:
 
 def _made_of(result: DesignResult, point: DesignPoint) -> Iterator[blocks.Fact]:
     """List the parts of a design and what its objectives come to."""
-    for layout in _layout_words(point):
+    for layout in layout_words(point):
         yield stated("layout", layout)
     for number, said in enumerate(segment_words(point.line), start=1):
         yield stated(Message("columns.segment_number", number=number), said)
     for said in clump_weight_words(point.line):
         yield stated("clump_weight", said)
     if point.anchor is not None:
-        yield stated("anchor", _anchor_words(point))
+        yield stated("anchor", anchor_words(point))
     for key, quantity in _known_objectives(result):
         yield blocks.Fact(term(quantity.name), point.objectives[key], quantity)
 

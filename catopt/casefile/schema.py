@@ -299,7 +299,7 @@ class DesignTable(TableSchema):
 
     model = model.Design
     keys = """objectives method evaluations population seed max_enumerated segments clump_weights
-        sinker lines anchor_radii pretensions headings line_out loads"""
+        sinker lines anchor_radii pretensions headings line_out loads in_motion max_run"""
     choices = (RADII, PRETENSIONS)
 
     clump_weights: Annotated[list[ClumpWeightChoice], Size(0, MOST_TABLES)] | None = None

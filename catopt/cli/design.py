@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
@@ -14,7 +14,11 @@ from catopt.cli.answering import INTERRUPTED, Asked, answering, refuse_own_case
 from catopt.cli.options import CaseArgument, CountOption, OutOption
 from catopt.cli.values import by_option, given_ones
 from catopt.errors import InputError, Problem
+from catopt.model import Case
 from catopt.words import Message
+
+if TYPE_CHECKING:
+    from catopt.design.result import DesignResult
 
 SearchMethod = Literal["auto", "enumeration", "nsga2", "swarm"]
 
@@ -26,12 +30,14 @@ def design(
     method: Annotated[SearchMethod | None, typer.Option(metavar="METHOD")] = None,
     evaluations: CountOption = None,
     seed: CountOption = None,
+    in_motion: Annotated[bool, typer.Option("--in-motion")] = False,
 ) -> None:
     """Search the lines that are best in mass and offset at once."""
     asked.check_place()
     if asked.out is not None:
         refuse_own_case(asked.out)
     how = given_ones(method=method, evaluations=evaluations, seed=seed)
+    how |= {"in_motion": True} if in_motion else {}
     read = read_case(case)
     if read.design is None:
         allowed = Message("refused_command.missing_table_design_says_what")
@@ -39,11 +45,9 @@ def design(
     with by_option():
         read = replace(read, design=replace(read.design, **how))
     from catopt.design.neighbours import NoFeasibleDesignError
-    from catopt.design.search import design_case
 
     try:
-        with asked.output.progress("Designs") as tell:
-            result = design_case(read, progress=tell, announce=asked.output.note)
+        result = _found(asked, read)
     except NoFeasibleDesignError as error:
         if not error.interrupted:
             raise
@@ -52,6 +56,8 @@ def design(
         raise typer.Exit(INTERRUPTED) from None
     # Beside the answer, not in it: the same seed is to give the same answer to the last byte.
     asked.output.note(f"{result.evaluations:,} designs evaluated in {result.seconds:.1f} s")
+    if result.in_motion is not None:
+        asked.output.note(f"{result.in_motion.run:,} of them run in motion")
 
     def further() -> dict[str, bytes]:  # with the case, which catopt solve DIR --design K needs
         from catopt.report.bundle import design_pictures
@@ -62,3 +68,17 @@ def design(
     if result.interrupted:
         asked.output.note("The front is that of the designs evaluated so far.")
         raise typer.Exit(INTERRUPTED)
+
+
+def _found(asked: Asked, case: Case) -> DesignResult:
+    """Search designs that pass at rest or, where the case says so, in motion, too."""
+    assert case.design is not None
+    if not case.design.in_motion:
+        from catopt.design.search import design_case
+
+        with asked.output.progress("Designs") as tell:
+            return design_case(case, progress=tell, announce=asked.output.note)
+    from catopt.study.design_in_motion import design_in_motion
+
+    with asked.output.progress("Designs in motion") as tell:
+        return design_in_motion(case, progress=tell, announce=asked.output.note)

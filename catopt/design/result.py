@@ -7,7 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Any, TypedDict
 
-from catopt.checks.result import CheckReport, CheckResult
+from catopt.checks.result import CheckReport, CheckResult, ChecksInMotion
+from catopt.design.made_of import made_of
 from catopt.design.mooring_point import MooringPoint, under
 from catopt.model import Anchor, Case, Line
 from catopt.model.design import FoundBy, loads_of
@@ -31,6 +32,11 @@ __all__ = ["DesignPoint", "DesignResult", "InDraws", "NearMiss", "Neighbour"]
 
 OBJECTIVES_MADE = ("mass_kg", "offset_m", "excursion_m", "cost_USD", "length_m", "anchor_load_N")
 """Keys of what is made small."""
+_WORTH = (
+    "point.mass~ point.largest_span=offset_m~ point.excursion~ point.cost=cost_USD~ "
+    "point.length~ point.anchor_load~"
+)
+"""Of a design beside the front; those that the front has are kept (`DesignResult.to_dict`)."""
 
 
 @dataclass(frozen=True)
@@ -54,6 +60,71 @@ class InDraws(Record):
         return round((1.0 - self.failing) * self.samples) >= needed(self.share, self.samples)
 
 
+@dataclass(frozen=True)
+class PointInMotion(Record):
+    """What a design came to in motion."""
+
+    DOCUMENT = "largest_tension quasi_static_tension amplification runs verdict in_motion=checks"
+
+    largest_tension: SomeForce | None
+    """At the fairlead, N, in the load case or the line where it is largest."""
+    quasi_static_tension: SomeForce | None
+    """The largest, N, had the line moved infinitely slowly."""
+    amplification: float | None
+    """The former over the latter: the allowance for motion of this design."""
+    runs: FromZero
+    """Seeds in which it was run; one alone where it fails there."""
+    verdict: str
+    """Whether a second run bears out the maxima: of the recommended design, which is run again."""
+    checks: CheckReport | None
+    """Of it in motion; None where there is no answer."""
+    failure: str = ""
+    """Why there is no answer; empty where there is one."""
+
+    @property
+    def in_motion(self) -> ChecksInMotion | None:
+        """Its checks; None where there is no answer."""
+        return None if self.checks is None else self.checks.in_motion
+
+    @property
+    def tightest(self) -> CheckResult | None:
+        """The check in motion that is nearest to its limit; None where there is none."""
+        return None if self.checks is None else self.checks.governing
+
+
+@dataclass(frozen=True)
+class FailsInMotion(Record):
+    """A design that passes at rest, and fails in motion."""
+
+    DOCUMENT = f"{_WORTH} made reason"
+
+    point: DesignPoint
+    """As it is at rest."""
+    reason: str
+    """The check that it overruns most, or why it has no answer."""
+
+    @property
+    def made(self) -> str:
+        """Of what it is made, from the anchor."""
+        return made_of(self.point)
+
+
+@dataclass(frozen=True)
+class SearchInMotion(Record):
+    """How a front came about whose designs pass in motion, too."""
+
+    DOCUMENT = "run complete proven failing"
+
+    run: Counted
+    """Designs that were run: each that no design beats which passes in motion."""
+    failing: tuple[FailsInMotion, ...]
+    """Those of them that fail there, in the order in which they were run."""
+    complete: bool
+    """False: `max_run` or Ctrl-C ended it, and others might have been better."""
+    proven: bool
+    """Whether the recommended design was run again, which bears out its maxima."""
+
+
 def needed(share: float, samples: int) -> int:
     """Return how many of some draws a share of them is, at least."""
     return max(1, math.ceil(share * samples - 1e-9))
@@ -70,7 +141,7 @@ class DesignPoint(Displayable, Record):
         "line.point_loads(name position submerged_weight mass) "
         "sinker(mass submerged_weight friction safety_factor) checks.results=checks "
         "checks.nearest=governing passes=feasible spans genes "
-        "mooring=system(azimuths anchor_radius pretension? state=farthest_state "
+        "in_motion? mooring=system(azimuths anchor_radius pretension? state=farthest_state "
         "farthest.system.force=farthest_force_N load.water_level=farthest_water_level_m~ "
         "load.fairlead_rise=farthest_fairlead_rise_m~ load.line_out=farthest_line_out~)? draws?"
     )
@@ -89,6 +160,8 @@ class DesignPoint(Displayable, Record):
     """Only of whole moorings: the layout of its equal lines, and what takes the body farthest."""
     draws: InDraws | None = None
     """Only where values of the case are drawn: all else is by its own values."""
+    in_motion: PointInMotion | None = None
+    """Only where designs have to pass in motion: what it came to there."""
 
     @property
     def passes(self) -> bool:
@@ -162,10 +235,7 @@ class DesignPoint(Displayable, Record):
 class Neighbour(Record):
     """What one step of one variable would do to a design."""
 
-    DOCUMENT = (
-        "change point.mass~ point.largest_span=offset_m~ point.excursion~ point.cost=cost_USD~ "
-        "point.length~ point.anchor_load~ feasible governing utilisation reason"
-    )
+    DOCUMENT = f"change {_WORTH} feasible governing utilisation reason"
 
     change: str
     """In words: ``"segment 1: chain studless R3 81 mm for 76 mm"``."""
@@ -247,7 +317,7 @@ class DesignResult(Displayable, Record):
     DOCUMENT = (
         "case.title objectives load_cases front recommended_index=recommended recommendation ends "
         "neighbours present method is_exact designs evaluations feasible hypervolume "
-        "reference_point seed interrupted warnings excluded?"
+        "reference_point seed interrupted warnings excluded? in_motion?"
     )
 
     case: Case  # what was asked
@@ -289,6 +359,8 @@ class DesignResult(Displayable, Record):
     excluded: Annotated[Mapping[str, int], Excluded] = field(default_factory=dict)
     """Only of whole moorings: how many designs each bound proves needless
     (`catopt.design.assess.BOUNDS`); these were not evaluated."""
+    in_motion: SearchInMotion | None = None
+    """Only where designs have to pass in motion, too: which were run, and which fail."""
 
     @property
     def best(self) -> DesignPoint:
@@ -335,15 +407,15 @@ class DesignResult(Displayable, Record):
         document = super().to_dict()
         document["neighbours"] = [self._beside(each) for each in self.neighbours]
         document["present"] = self._beside(self.present)
+        if self.in_motion is not None:
+            failing = [self._beside(each) for each in self.in_motion.failing]
+            document["in_motion"]["failing"] = failing
         front = [{"governing": point["governing"]} for point in document["front"]]
         return document | {"messages": messages_in(document | {"front": front})}
 
-    def _beside(self, each: Neighbour) -> dict[str, Any]:
-        """Lay a neighbour out by the objectives of the front, in their order."""
+    def _beside(self, each: Neighbour | FailsInMotion) -> dict[str, Any]:
+        """Lay a design out by the objectives of the front, in their order."""
         found = each.to_dict()
         values = {key: found.pop(key, None) for key in OBJECTIVES_MADE}
-        return {
-            "change": each.change,
-            **{key: values[key] for key in self.front[0].objectives},
-            **found,
-        }
+        first = {key: found.pop(key) for key in ("change",) if key in found}
+        return first | {key: values[key] for key in self.front[0].objectives} | found

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import replace
 from typing import Final, NamedTuple
 
 import numpy as np
 
+from catopt.checks.kinds import ROUNDING
 from catopt.design.assess import BOUNDS
 from catopt.design.evaluation import (
     OBJECTIVE_KEYS,
@@ -83,12 +84,14 @@ def enumerate_designs(
     chunk: int = CHUNK,
     workers: int = 1,
     bounds: bool = True,
+    without: Collection[bytes] = (),
 ) -> Outcome:
     """Evaluate every design, `chunk` of them at once, and keep the front.
 
     Whole moorings come in batches of their own, and those that bounds prove needless are left out;
     with `bounds` off the front is the same, to the last digit. Threads change nothing in the
-    answer. Ctrl-C ends it early, with the front of the designs evaluated until then.
+    answer. Ctrl-C ends it early, with the front of the designs evaluated until then. Designs whose
+    genes, as bytes, are in `without` count as failing.
     """
 
     def evaluate(tally: Tally, *, stops_early: bool, bounds: bool) -> None:
@@ -96,8 +99,12 @@ def enumerate_designs(
             best = tally.front.objectives if bounds else None
             found = problem.assess(genes, stops_early=stops_early, workers=workers, best=best)
             objectives, is_whole = found.objectives[:, problem.columns], not stops_early
-            excluded = found.excluded
-            tally.count(genes, objectives, found.exceedance, is_whole=is_whole, excluded=excluded)
+            exceedance, excluded = found.exceedance, found.excluded
+            if without:
+                passing = np.flatnonzero(exceedance <= ROUNDING)
+                failing = [k for k in passing.tolist() if genes[k].tobytes() in without]
+                exceedance[failing] = 1.0
+            tally.count(genes, objectives, exceedance, is_whole=is_whole, excluded=excluded)
             tally.unsolved += found.unsolved
             if progress is not None:
                 progress(tally.evaluations + sum(tally.excluded), problem.space.count)
@@ -264,13 +271,20 @@ def design_case(
     NoFeasibleDesignError
         No design passes every check; it names the one that fails by the least.
     """
+    if case.design is not None and case.design.in_motion:
+        allowed = Message("refused_case.designs_in_motion_by")
+        raise InputError([Problem("design.in_motion", "true", allowed)], "design")
+    return search_design(
+        problem_of(_with_settings(case, method, seed, evaluations)), progress, announce
+    )
+
+
+def problem_of(case: Case) -> DesignProblem:
+    """Make the problem of a case: of lines, or of whole moorings; errors as for `design_case`."""
     case.site.check_level()
     case.check_still_water()
-    case = _with_settings(case, method, seed, evaluations)
     is_mooring = case.design is not None and case.system is not None
-    return search_design(
-        (MooringProblem if is_mooring else DesignProblem).of(case), progress, announce
-    )
+    return (MooringProblem if is_mooring else DesignProblem).of(case)
 
 
 def search_design(

@@ -71,6 +71,10 @@ def front(document: Document, chosen: int | None = None) -> Chart:
         marks.append(Mark("end", across[end], up[end], label))
     recommended = Message("figures.recommended", number=best + 1)
     marks.append(Mark("recommended", across[best], up[best], recommended))
+    failing = document.get("in_motion", {}).get("failing", ())
+    if failing:
+        said = Message("figures.fails_in_motion", count=len(failing))
+        marks += [Mark("fails-in-motion", each[first], each[second], said) for each in failing]
     present = document.get("present")
     if present and None not in (present[first], present[second]):
         label = present["change"]

@@ -320,6 +320,10 @@ class Design(Checked):
     """Of a body: whether each line is gone in turn, beside all being there."""
     loads: tuple[DesignLoad, ...] = ()
     """Of a body: what it has to meet, in the place of its system's force; empty: that force."""
+    in_motion: bool = False
+    """Whether designs on the front have to pass in motion, too, as the case has it move."""
+    max_run: Annotated[int, Whole("max_run", example=300)] = 300
+    """Designs that are run in motion at most."""
 
     def _check(self, found: Findings) -> None:
         if not self.segments:
@@ -342,7 +346,7 @@ class Design(Checked):
         elif not 2 <= len(set(self.objectives)) == len(self.objectives) <= 3:
             named = ", ".join(self.objectives) or "none"
             found.add("objectives", named, Message("refused.two_or_three"))
-        found.check("method", "evaluations", "population", "seed", "max_enumerated")
+        found.check("method", "evaluations", "population", "seed", "max_enumerated", "max_run")
         self._check_joints(found)
         fewest, most = COUNTS["lines"]
         for index, number in enumerate(self.lines):

@@ -223,6 +223,7 @@ COUNTS: Mapping[str, tuple[int, int]] = MappingProxyType(
         "population": (4, 10_000),
         "evaluations": (1, 10_000_000),
         "max_enumerated": (1, 100_000_000),
+        "max_run": (1, 100_000),
         "elements": (4, 5_000),
         "components": (1, 10_000),
         "spreading_directions": (1, 360),

@@ -14,12 +14,12 @@ import numpy as np
 from catopt.checks.criteria import criteria_of
 from catopt.checks.result import CheckReport, ChecksInMotion
 from catopt.design.front import knee
+from catopt.design.result import PointInMotion
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.interrupt import waiting_interrupt
 from catopt.model.kinds import SomeForce
 from catopt.notes.motion import Progress, checks_in_motion
 from catopt.records import Counted, FromZero, Record
-from catopt.ties import largest
 from catopt.verify.dynamic_result import DynamicVerification, Verdict
 from catopt.words import Message
 
@@ -28,6 +28,9 @@ if TYPE_CHECKING:
     from catopt.model import Case
     from catopt.verify.convergence_check import ConvergenceCheck
     from catopt.verify.dynamic_result import DynamicPart
+
+Asked = tuple[int, "Case", tuple[float, ...]]
+"""A design's number, its case, and its objectives in SI."""
 
 _LOOK = 0.1
 """Seconds between two looks at what an executor has done."""
@@ -100,15 +103,27 @@ class DesignInMotion(Record):
         return self.found is not None and self.found.verdict == "not proven"
 
     @property
+    def in_brief(self) -> PointInMotion:
+        """What the design of a search came to."""
+        return PointInMotion(
+            self.largest_tension,
+            self.quasi_static_tension,
+            self.amplification,
+            self.run_count,
+            self.verdict,
+            self.checks,
+            self.failure,
+        )
+
+    @property
     def governing(self) -> DynamicPart | None:
         """The load case, or the line of a body, with the largest tension at the fairlead."""
         return None if self.found is None else self.found.governing
 
     @property
     def tightest(self) -> CheckResult | None:
-        """The check that is nearest to its limit."""
-        results = () if self.checks is None else self.checks.results
-        return largest(results, lambda each: each.utilisation or 0.0) if results else None
+        """The check that fails by most, or else that is nearest to its limit."""
+        return None if self.checks is None else self.checks.governing
 
 
 @dataclass(frozen=True)
@@ -147,7 +162,7 @@ class FrontInMotion(Record):
 
 
 def front_in_motion(
-    cases: Sequence[tuple[int, Case, tuple[float, ...]]],
+    cases: Sequence[Asked],
     of_search: int,
     *,
     convergence_check: ConvergenceCheck = "step",
@@ -172,12 +187,7 @@ def front_in_motion(
     from catopt.verify.side_by_side import Crew, share_of
 
     for _, case, _ in cases[:1]:
-        if not any(each.check == "tension" for each in criteria_of(case, analysis="dynamic").all):
-            allowed = Message("refused_command.codes_or_safety_factor_are")
-            raise InputError(
-                [Problem("checks", Message("refused_command.no_tension_limit"), allowed)],
-                "case file",
-            )
+        refuse_without_tension(case)
     with waiting_interrupt() as ask:
 
         def tell(at: int, end: int) -> None:
@@ -186,9 +196,9 @@ def front_in_motion(
                 progress(at, end)
 
         once, proof = share_of(tell, 0, 2), share_of(tell, 1, 2)
-        task = partial(_once, cases)
+        task = partial(design_once, cases)
         if executor is None:
-            with Crew(min(_side(cases, workers), len(cases))) as crew:
+            with Crew(min(processes_of(cases, workers), len(cases))) as crew:
                 designs = crew.each(task, len(cases), once)
         else:
             designs = _on(executor, task, len(cases), once)
@@ -199,7 +209,9 @@ def front_in_motion(
         try:
             while (wanted := _to_prove(front, convergence_check, proven)) is not None:
                 number, case, objectives = cases[wanted]
-                again = _design(number, objectives, case, convergence_check, workers, None, proof)
+                again = run_design(
+                    number, objectives, case, convergence_check, workers, None, proof
+                )
                 proven.add(number)
                 kept = (again if each.number == number else each for each in front.designs)
                 front = replace(front, designs=tuple(kept))
@@ -208,7 +220,15 @@ def front_in_motion(
         return front
 
 
-def _side(cases: Sequence[tuple[int, Case, tuple[float, ...]]], workers: int | None) -> int:
+def refuse_without_tension(case: Case) -> None:
+    """Refuse designs in motion that no check of a tension judges."""
+    if not any(each.check == "tension" for each in criteria_of(case, analysis="dynamic").all):
+        allowed = Message("refused_command.codes_or_safety_factor_are")
+        found = Message("refused_command.no_tension_limit")
+        raise InputError([Problem("checks", found, allowed)], "case file")
+
+
+def processes_of(cases: Sequence[Asked], workers: int | None) -> int:
     """Say how many processes run the designs, at most: one where there is little to do."""
     from catopt.verify.case import load_states
     from catopt.verify.dynamic import processes_for, work_of
@@ -253,25 +273,23 @@ def _to_prove(
     return None
 
 
-def _once(
-    cases: Sequence[tuple[int, Case, tuple[float, ...]]], at: int, progress: Progress
-) -> DesignInMotion:
+def design_once(cases: Sequence[Asked], at: int, progress: Progress) -> DesignInMotion:
     """Run a design in one seed and, where it passes that, in the others."""
     from catopt.verify.side_by_side import share_of
 
     number, case, objectives = cases[at]
     assert case.dynamics is not None
     runs = case.dynamics.runs
-    first = _design(
+    first = run_design(
         number, objectives, case, "none", 1, range(min(1, runs)), share_of(progress, 0, runs)
     )
     if runs == 1 or not first.passes:
         return first
     rest = share_of(progress, 1, runs, runs - 1)
-    return _design(number, objectives, case, "none", 1, range(1, runs), rest, first.found)
+    return run_design(number, objectives, case, "none", 1, range(1, runs), rest, first.found)
 
 
-def _design(
+def run_design(
     number: int,
     objectives: tuple[float, ...],
     case: Case,

@@ -197,6 +197,9 @@ def drawn_problem(study: Study) -> DrawnProblem:
     if case.design is None:
         allowed = Message("refused_case.missing_table_design_says_what")
         problems.append(Problem("design", "", allowed))
+    if case.design is not None and case.design.in_motion:
+        said = Message("refused_study.no_motion_in_draws")
+        problems.append(Problem("design.in_motion", "true", said))
     if case.system is not None:
         problems.append(Problem("system", "", Message("refused_study.no_mooring_in_draws")))
     if problems:
