@@ -80,22 +80,27 @@ def _card(report: SystemReport, checks: CheckReport, solved: Message) -> Iterato
     known = [fact for fact in body_facts(report.solution) if fact.only != "files" and fact.value]
     named = (each for each in known if each.quantity is not None)
     yield from verdict_blocks(checks)
-    yield blocks.Facts("body", tuple(map(_with_symbol, named)))
-    yield lines_table(report.solution, checks)
+    body = blocks.Facts("body", tuple(map(_with_symbol, named)), Message("captions.body"))
+    asked, lines = list(_asked(report)), lines_table(report.solution, checks)
+    yield from asked
+    own: tuple[blocks.CardBlock, ...] = (lines, body) if asked else (body, lines)
+    yield from own
+    for block in _closing(report, checks):
+        if isinstance(block, blocks.Warnings) and block.said:
+            yield blocks.Brief(block.said, Message("answers.card_to_be_known"), 3)
+    yield blocks.Brief((solved,))
+
+
+def _asked(report: SystemReport) -> Iterator[blocks.Table]:
+    """Yield the tables of what was asked beside the equilibrium."""
     if report.line_out:
         yield line_out_table(report)
     if report.circle is not None:
         yield circle_table(report.circle)
     yield from (curve_table(number, each) for number, each in enumerate(report.curves, start=1))
-    for of in _levels(report):
+    held = (held_section(*each) for each in enumerate(report.at_displacement, start=1))
+    for of in (*_levels(report), *held):
         yield from (each for each in of.blocks if isinstance(each, blocks.Table))
-    for number, each in enumerate(report.at_displacement, start=1):
-        tables = (of for of in held_section(number, each).blocks if isinstance(of, blocks.Table))
-        yield from tables
-    for block in _closing(report, checks):
-        if isinstance(block, blocks.Warnings) and block.said:
-            yield blocks.Brief(block.said, Message("answers.card_to_be_known"), 3)
-    yield blocks.Brief((solved,))
 
 
 def _with_symbol(fact: blocks.Fact) -> blocks.Fact:
@@ -181,7 +186,7 @@ def line_out_table(report: SystemReport) -> blocks.Table:
         "line_out",
         of.texts("line_out", lambda each: each.missing + 1),
         *_responses(of.read("response")),
-        of.texts("refusal", only="files"),
+        of.texts("refusal", only="all" if any(of.read("refusal")) else "files"),
         caption=Message("captions.one_line_out"),
     )
 
@@ -353,20 +358,17 @@ def network_answer(
             blocks.Warnings(checks.warnings),
         ),
     )
-    if not line_out and circle is None and not curves:
-        return whole
-    to_be_known = (
-        blocks.Brief((said,), Message("answers.card_to_be_known"), 3)
-        for said in checks.warnings[:1]
-    )
+    known = Message("answers.card_to_be_known")
     card: tuple[blocks.CardBlock, ...] = (
         *verdict_blocks(checks),
         *([network_out_table(line_out, checks)] if line_out else []),
         *([circle_table(circle)] if circle else []),
         *(curve_table(number, each) for number, each in enumerate(curves, start=1)),
-        *([bodies_table(rest)] if rest.bodies else []),
+        *floats_tables(rest),
         meeting_table(rest, "lines", checks),
-        *to_be_known,
+        *([bodies_table(rest)] if rest.bodies else []),
+        joints_table(rest, "joints"),
+        *([blocks.Brief(checks.warnings, known, 3)] if checks.warnings else []),
         blocks.Brief((solved,)),
     )
     return replace(whole, card=card)
@@ -390,7 +392,7 @@ def network_out_table(gone: Sequence[NetworkOut], checks: CheckReport) -> blocks
             measured("utilisation", [checks.used(missing=each.missing + 1) for each in gone])
         ),
         of.texts("loose", lambda each: ", ".join(map(str, each.loose_lines))),
-        of.texts("refusal", only="files"),
+        of.texts("refusal", only="all" if any(of.read("refusal")) else "files"),
         caption=Message("captions.one_line_out"),
     )
 

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import cache
-from itertools import count, islice
+from itertools import islice
 from textwrap import wrap
 from typing import NamedTuple, Protocol
 
@@ -29,9 +29,12 @@ LINES, WIDTH = 22, 80
 
 _GAP = 2
 """Columns between a name and its value; twice as many between two of them."""
-_MOST_FACTS, _MOST_LINES, _LEAST_ROWS = 12, 2, 3
-"""Of an answer without a card: facts of a list, lines of a text, and rows that a table keeps."""
+_MOST_FACTS, _MOST_LINES = 12, 2
+"""Of an answer without a card: facts of a list, and lines of a text."""
+_LEAST_ROWS = 3
+"""That a table or a list of facts keeps."""
 _CUT = "..."
+_TO_BE_KNOWN = Message("answers.card_to_be_known")
 _NO_BREAK = "\u00a0"
 """Between a number and its unit."""
 
@@ -68,34 +71,54 @@ def card_lines(answer: Answer, language: Language = "en", further: str = "") -> 
     """Lay the card of an answer out, under its title.
 
     Tables and what is brief get fewer lines where there is no room for all of it, the longest
-    first; what comes last is left out where that is not enough.
+    first, and then facts. Where that is not enough blocks are left out, `_left_out_first`, and the tables
+    among them named.
     """
     wanted = as_wanted(answer)
     card = list(wanted.card or islice(_screen(wanted), LINES))  # each takes a line at least
 
     @cache
-    def laid(place: int, room: int) -> list[Line]:
-        return _laid(card[place], room, language)
+    def laid(block: CardBlock, room: int) -> list[Line]:
+        return _laid(block, room, language)
 
     (title,) = _cut(say(answer.title, language), 1)
     below = [Line(each) for part in say(further, language).split("\n") for each in folded(part)]
-    rooms = [_room(each) for each in card]
+    left_out: list[str] = []
+    rooms = [_room(each, language) for each in card]
     while True:
-        lines = [Line(title, is_bold=True), *_joined(map(laid, count(), rooms)), *below]
+        named = [Brief(tuple(left_out), Message("answers.card_left_out"))] if left_out else []
+        blocks = map(laid, [*card, *named], [*rooms, 1])
+        lines = [Line(title, is_bold=True), *_joined(blocks), *below]
         if len(lines) <= LINES:
             return lines
         spare = [room - _least(each) for each, room in zip(card, rooms, strict=True)]
         first = next((k for k, each in enumerate(card) if isinstance(each, Table)), None)
+        facts = {k for k, each in enumerate(card) if isinstance(each, Facts)}
         longest = max(
-            range(len(rooms)), key=lambda k: (spare[k] > 0, rooms[k] / (1 + (k == first)), k)
+            range(len(rooms)),
+            key=lambda k: (spare[k] > 0, k not in facts, rooms[k] / (1 + (k == first)), k),
         )
         if spare[longest] > 0:
             rooms[longest] -= 1
-        elif isinstance(card[-1], Verdict) or len(card) == 1:
+            continue
+        place = _left_out_first(card)
+        if place is None:
             return lines
-        else:
-            card.pop()
-            rooms = [_room(each) for each in card]
+        gone = card.pop(place)
+        if isinstance(gone, Table | Facts) and gone.caption:
+            left_out.append(gone.caption)
+        rooms = [_room(each, language) for each in card]
+
+
+def _left_out_first(card: list[CardBlock]) -> int | None:
+    """Choose what a screen can do without: the last of what is brief, then of tables and facts.
+
+    Never verdicts and other texts, the first table or facts, and the first of what is to be known.
+    """
+    briefs = [k for k, e in enumerate(card) if isinstance(e, Brief) and e.label != _TO_BE_KNOWN]
+    tables = [k for k, each in enumerate(card) if isinstance(each, Table | Facts)]
+    known = [k for k, e in enumerate(card) if isinstance(e, Brief) and e.label == _TO_BE_KNOWN]
+    return next((places[-1] for places in (briefs, tables[1:], known[1:]) if places), None)
 
 
 def _screen(answer: Answer) -> Iterator[CardBlock]:
@@ -111,7 +134,7 @@ def _screen(answer: Answer) -> Iterator[CardBlock]:
             yield block
     for block in seen:
         if isinstance(block, Warnings) and block.said:
-            yield Brief(block.said, Message("answers.card_to_be_known"), _MOST_LINES)
+            yield Brief(block.said, _TO_BE_KNOWN, _MOST_LINES)
     for block in seen:
         if isinstance(block, Text) and not block.is_small:
             yield Brief((block.said,), block.caption, _MOST_LINES)
@@ -119,15 +142,17 @@ def _screen(answer: Answer) -> Iterator[CardBlock]:
             yield Brief(block.said, block.caption, _MOST_LINES)
 
 
-def _room(block: CardBlock) -> int:
+def _room(block: CardBlock, language: Language) -> int:
     """How many lines a block may take, as far as that is up to the card."""
     if isinstance(block, Table):
         return min(sum(len(rows) for _, rows in parts_of(block)), LINES)
+    if isinstance(block, Facts):
+        return len(_facts(block, LINES, language))
     return block.lines if isinstance(block, Brief) else 1
 
 
 def _least(block: CardBlock) -> int:
-    return _LEAST_ROWS if isinstance(block, Table) else 1
+    return _LEAST_ROWS if isinstance(block, Table | Facts) else 1
 
 
 def _joined(laid: Iterable[list[Line]]) -> Iterator[Line]:
@@ -152,29 +177,37 @@ def _laid(block: CardBlock, lines: int, language: Language) -> list[Line]:
             rows = table_lines(block, lines, language)
             return [Line(""), *map(Line, rows), Line("")]
         case Facts():
-            return [Line(""), *map(Line, _facts(block, language)), Line("")]
+            return [Line(""), *map(Line, _facts(block, lines, language)), Line("")]
         case Brief():
             return [Line(each) for each in _brief(block, lines, language)]
     bold = isinstance(block, Verdict)
     return [Line(each, bold) for each in folded(say(block.said, language))]
 
 
-def _facts(block: Facts, language: Language) -> Iterator[str]:
-    """Set facts in two columns, or one below the other where two are too wide."""
+def _facts(block: Facts, lines: int, language: Language) -> list[str]:
+    """Set as many facts as there is room for, and how many more there are."""
     cells = [
         (say(each.name, language), say(shown(each.value, each.quantity, unit=True), language))
         for each in block.facts
     ]
+    rows = _rows(cells)
+    for many in range(len(cells) - 1, 0, -1):
+        if len(rows) <= lines:
+            break
+        more = say(Message("answers.more_facts", count=len(cells) - many), language)
+        rows = [*_rows(cells[:many]), more]
+    return rows
+
+
+def _rows(cells: list[tuple[str, str]]) -> list[str]:
+    """Set facts in two columns, or one below the other where two are too wide."""
     half = -(-len(cells) // 2)
     columns = [_column(cells[:half]), _column(cells[half:])]
     rows = [
         f"{left}{' ' * 2 * _GAP}{right}".rstrip()
         for left, right in zip(columns[0], [*columns[1], ""], strict=False)
     ]
-    if max(map(len, rows)) <= WIDTH:
-        yield from rows
-    else:
-        yield from _column(cells)
+    return rows if max(map(len, rows), default=0) <= WIDTH else _column(cells)
 
 
 def _column(cells: list[tuple[str, str]]) -> list[str]:

@@ -4,8 +4,20 @@ from __future__ import annotations
 
 from time import process_time
 
-from catopt.answers.blocks import Answer, Points, Section, Warnings
+from catopt.answers.blocks import (
+    Answer,
+    Brief,
+    Column,
+    Fact,
+    Facts,
+    Points,
+    Section,
+    Table,
+    Verdict,
+    Warnings,
+)
 from catopt.render.card import LINES, WIDTH, card_lines
+from catopt.words import Message
 
 WARNING = " ".join(["a remark on a figure that was printed"] * 8)
 """Of some fifty words: more than a line of the card has room for."""
@@ -23,3 +35,39 @@ def test_an_answer_of_many_remarks_is_laid_out_at_once() -> None:
     assert lines[0] == "Prints"
     assert 3 < len(lines) <= LINES
     assert max(map(len, lines)) <= WIDTH
+
+
+def numbers(name: str, rows: int, caption: str) -> Table:
+    return Table(name, (Column("x", tuple(range(rows))),), caption)
+
+
+def test_what_a_screen_does_without_is_named_and_what_is_to_be_known_stays() -> None:
+    known = Brief((WARNING,), Message("answers.card_to_be_known"), 3)
+    facts = Facts("body", tuple(Fact(f"fact {k}", "x" * 60) for k in range(12)), "Body")
+    card = (
+        Verdict("It holds.", True),
+        numbers("out", 9, "One line out"),
+        numbers("circle", 9, "Watch circle"),
+        numbers("lines", 9, "Lines"),
+        facts,
+        known,
+        Brief(("Solved.",)),
+    )
+    lines = [each.text for each in card_lines(Answer("system", "Body", (), card=card))]
+    assert len(lines) <= LINES
+    assert lines[:2] == ["Body", "It holds."]
+    assert any(each.startswith("To be known: ") for each in lines)
+    (named,) = (each for each in lines if each.startswith("Not on this screen (--full): "))
+    assert named.endswith(": Body")
+    assert not any("Solved" in each or "fact" in each for each in lines)
+
+
+def test_facts_are_cut_after_tables_and_counted() -> None:
+    facts = Facts("body", tuple(Fact(f"fact {k}", "x" * 60) for k in range(18)), "Body")
+    card = (facts, numbers("lines", 9, "Lines"))
+    lines = [each.text.strip() for each in card_lines(Answer("system", "Body", (), card=card))]
+    assert len(lines) <= LINES
+    shown = [each for each in lines if each.startswith("fact ")]
+    assert len(shown) > 3
+    assert f"and {18 - len(shown)} more" in lines
+    assert "and 7 more rows" in lines
