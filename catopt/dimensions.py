@@ -14,17 +14,18 @@ class Dimension(Enum):
     """What a quantity is: its noun for messages, its SI unit, and a value as a case file has it.
 
     The smallest and the largest value (SI, without sign) between which every plausible one lies
-    that is not 0 keep apart what a file can mean from slips of the unit or of a power of ten.
+    that is not 0 keep apart what a file can mean from slips of the unit or of a power of ten: an
+    angle of more than a turn is one in degrees. Of what has a direction, rounding leaves 1e-14.
     """
 
-    LENGTH = ("a length", "m", '"9.5 m"', 1e-9, 1e6)
-    FORCE = ("a force", "N", '"50 kN"', 1e-9, 1e12)
+    LENGTH = ("a length", "m", '"9.5 m"', 1e-18, 1e6)
+    FORCE = ("a force", "N", '"50 kN"', 1e-18, 1e12)
     FORCE_PER_LENGTH = ("a weight per length", "N/m", '"9.5 kgf/m"', 1e-9, 1e7)
     MASS = ("a mass", "kg", '"5 t"', 1e-9, 1e10)
     MASS_PER_LENGTH = ("a mass per length", "kg/m", '"10.9 kg/m"', 1e-9, 1e6)
     DENSITY = ("a density", "kg/m^3", '"1025 kg/m^3"', 1e-3, 3e4)
-    MOMENT = ("a moment", "N*m", '"5 MN*m"', 1e-9, 1e15)
-    ANGLE = ("an angle", "rad", '"5 deg"', 1e-12, 100.0)
+    MOMENT = ("a moment", "N*m", '"5 MN*m"', 1e-18, 1e15)
+    ANGLE = ("an angle", "rad", '"5 deg"', 1e-18, 7.0)
     SPEED = ("a speed", "m/s", '"1.2 m/s"', 1e-15, 200.0)
     ACCELERATION = ("an acceleration", "m/s^2", '"9.81 m/s^2"', 1e-9, 1e4)
     TIME = ("a time", "s", '"8 s"', 1e-6, 1e11)

@@ -86,6 +86,10 @@ class NoEquilibriumError(NoAnswerError):
         return type(self), (self.message, self.quantity, self.missing)
 
 
+class TableEndsError(NoEquilibriumError):
+    """A rope has a tension beyond the last row of its table of strains."""
+
+
 class FloatsUpError(NoAnswerError):
     """A buoy would float above the water surface, where nothing lifts it."""
 

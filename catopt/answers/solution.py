@@ -472,7 +472,7 @@ def curve_answer(result: CaseCurve) -> blocks.Answer:
         "curve",
         case.title or Message("captions.mooring_line"),
         section("captions.curve", *_opening(result), points, graph),
-        section("captions.marks", marks, *none),
+        section("captions.marks", marks, *none, blocks.Warnings(reference.warnings)),
         section("captions.inputs", inputs, *map(_for_files, given_tables(case.line))),
         section("captions.results", summary, *map(_for_files, carried)),
     )

@@ -321,7 +321,9 @@ def network_answer(
     network = rest.network
     joints = sum(point.kind == "joint" for point in network.points)
     counts = {"lines": len(network.lines), "joints": joints, "bodies": len(rest.bodies)}
-    solved = Message(f"mooring.{'network' if rest.bodies else 'joints'}_solved", **counts)
+    is_held = any(point.kind == "fairlead" for point in network.points)
+    kind = "network" if rest.bodies else "joints" if is_held else "joints_alone"
+    solved = Message(f"mooring.{kind}_solved", **counts)
     if network.current_at_rest is not None:
         said = current_in_words(network.current_at_rest, network.site.water_depth)
         solved = Message("mooring.floats_solved", lines=len(network.lines), current=said)

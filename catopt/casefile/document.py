@@ -100,6 +100,9 @@ def nearest(table: type[TableSchema], key: str, top: type[TableSchema] = CaseTab
     if _plain(key) in by_plain:
         return by_plain[_plain(key)]
     plain = _plain(key)
+    alike = [own for own in by_plain if plain in (f"{own}s", own.removesuffix("s"))]
+    if len(alike) == 1:
+        return by_plain[alike[0]]  # one of several, or several of one
     longer = [known for known in own if known.endswith(f"_{plain}")]
     if len(longer) == 1:
         return longer[0]  # friction for seabed_friction

@@ -17,7 +17,7 @@ from typing import Final
 
 from catopt.catenary.layout import Stretch, tension_at
 from catopt.catenary.solution import SegmentState, Solution, plausibility
-from catopt.errors import NoEquilibriumError, NotConvergedError
+from catopt.errors import NotConvergedError, TableEndsError
 from catopt.model import Line, PointLoad, Segment
 from catopt.model.strain_table import StrainTable
 from catopt.words import Measure, Message
@@ -38,7 +38,7 @@ def solve_by_table(line: Line, solve: Callable[[Line], Solution]) -> tuple[Solut
     """Solve a line with such ropes by a solver of lines that stretch in proportion.
 
     Returns the line of parts that hangs and gives way as it does, too. NotConvergedError where the
-    strains of the parts are not found, NoEquilibriumError where a table ends below its tension.
+    strains of the parts are not found, TableEndsError where a table ends below its tension.
     """
     owner = [k for k, segment in enumerate(line.segments) for _ in range(_count(segment))]
     laws = [(0.0, 1.0 / _stiffness(line.segments[k])) for k in owner]
@@ -167,4 +167,4 @@ def _check_ends(line: Line, largest: Sequence[float]) -> None:
             last = segment.EA.tension[-1]
             values = {"tension": Measure("tension", tension), "last": Measure("tension", last)}
             reported = Message("catenary.table_ends", number=k, **values)
-            raise NoEquilibriumError(reported, "force", tension - last)
+            raise TableEndsError(reported, "force", tension - last)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import replace
 from typing import Literal
 
@@ -11,6 +12,7 @@ from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve, under_case
 from catopt.errors import InputError, Problem
 from catopt.model import Case, Load
+from catopt.model.wear import diameter_loss
 from catopt.words import Message
 
 Method = Literal["closed-form", "pso"]
@@ -40,7 +42,19 @@ def solve_case(
     if method == "pso":
         case.check_still_water()
     case, warnings = under_a_load(case)
-    return _solved(case, method, progress).with_warnings(warnings)
+    return _solved(case, method, progress).with_warnings((*warnings, *of_wear(case)))
+
+
+def of_wear(case: Case) -> Iterator[Message]:
+    """Say that strengths are those of the new line, where the checks take wear off them."""
+    with suppress(InputError):  # a rate that is missing is for the checks to ask for
+        lost = [
+            diameter_loss(each, case.service)
+            for each in case.line.segments
+            if each.MBL is not None or each.proof_load is not None
+        ]
+        if any(lost):
+            yield Message("catenary.strength_of_new", loss=1e3 * max(lost))
 
 
 def as_found(case: Case) -> Case:

@@ -17,7 +17,13 @@ from typing import Literal, NamedTuple
 
 from catopt.catenary.roots import root
 from catopt.catenary.solution import FoundQuantity, Solution
-from catopt.errors import InputError, NoAnswerError, NoEquilibriumError, NotConvergedError
+from catopt.errors import (
+    InputError,
+    NoAnswerError,
+    NoEquilibriumError,
+    NotConvergedError,
+    TableEndsError,
+)
 from catopt.shown import Tabled
 from catopt.words import Message, Several
 
@@ -87,6 +93,8 @@ class Sought:
             return self.condition.miss(self.line(value))[0]
         except (NotConvergedError, InputError):
             return math.nan  # digits may not carry a line so far from all that is built
+        except TableEndsError:
+            return math.inf  # it is pulled beyond all that is known of it
         except NoEquilibriumError as stop:
             if self.quantity == "horizontal_force":
                 raise  # no force mends what is missing

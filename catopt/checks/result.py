@@ -121,7 +121,7 @@ class CheckReport(Displayable, Record):
     """
 
     SCHEMA = "catopt.check/1"
-    DOCUMENT = "title passes _governing_index=governing hanging=load_cases results=checks warnings"
+    DOCUMENT = "title verdict=passes _governing_index=governing hanging=load_cases results=checks warnings"
 
     title: str
     """Title of the case; empty when it has none."""
@@ -290,7 +290,7 @@ class ChecksInBrief(Record):
     The command catopt check has them all.
     """
 
-    DOCUMENT = "checks failed report.passes governing report.warnings"
+    DOCUMENT = "checks failed report.verdict=passes governing report.warnings"
 
     report: CheckReport
 

@@ -43,5 +43,5 @@ def check(
     of_points = isinstance(read, Network)
     report = check_network(read) if isinstance(read, Network) else check_case(read)
     asked.give(check_answer(report, of_points=of_points), report.to_dict, read)
-    if strict and not report.passes:
+    if strict and not report.verdict:
         asked.leave(FAILED, verdict_sentence(report))

@@ -71,7 +71,8 @@ def take_steps(
         report = _look(net, body, water)
         used += 1
         if _is_settled(report, tolerance):
-            if law.ease > 0.0:
+            # Forces that balance where no step is defined, in a line that hangs straight, are it.
+            if law.ease > 0.0 or report.singular:
                 return StepsReport(True, False, used, report)
             # The step that is at hand: near the answer it leaves rounding errors only.
             take_step(net, 1.0)

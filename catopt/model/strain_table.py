@@ -120,4 +120,4 @@ class StrainTable:
 
     # What reckons with one axial stiffness does not know this rope.
     __float__ = __rtruediv__ = __truediv__ = __mul__ = __rmul__ = _refuse
-    __lt__ = __gt__ = __le__ = __ge__ = _refuse
+    __lt__ = __gt__ = __le__ = __ge__ = __abs__ = __neg__ = _refuse

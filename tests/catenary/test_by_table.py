@@ -12,9 +12,10 @@ import pytest
 
 from catopt import Line, PointLoad, Segment, StrainTable, load_curve, solve, verify_case
 from catopt.casefile import parse_case, write_case
+from catopt.catenary.find import find_limit_force
 from catopt.catenary.solution import Solution
 from catopt.decks.reading import read_any_deck
-from catopt.errors import InputError, NoEquilibriumError
+from catopt.errors import InputError, NoAnswerError, NoEquilibriumError
 
 STIFFENS = StrainTable([0.0, 0.05, 0.1, 0.2], [0.0, 20e3, 60e3, 220e3])
 SOFTENS = StrainTable([0.0, 0.02, 0.1, 0.3], [0.0, 30e3, 50e3, 70e3])
@@ -201,3 +202,21 @@ def test_moordyn_comes_to_rest_there(tmp_path: Path) -> None:
     low, high = settled_by_moordyn(tmp_path, 440.0, 100)
     assert found.anchor.tension == pytest.approx(low, rel=1e-3)
     assert found.fairlead.tension == pytest.approx(high, rel=1e-3)
+
+
+@pytest.mark.parametrize("factor", [2.0, 2.5, 5.0, 10.0])
+def test_the_force_at_which_it_reaches_its_limit(factor: float) -> None:
+    """The table ends at 60 kN: what is beyond that is too much, not without an answer."""
+    table = StrainTable([0.0, 0.05, 0.1], [0.0, 20e3, 60e3])
+    line = Line([Segment(150.0, 20.0, EA=table, MBL=100e3)])
+    found = find_limit_force(line, height=100.0, safety_factor=factor)
+    assert found.solution.fairlead.tension == pytest.approx(100e3 / factor, rel=1e-9)
+    known = solve(line, height=100.0, fairlead_tension=100e3 / factor)
+    assert found.value == pytest.approx(known.horizontal_force, rel=1e-9)
+
+
+def test_a_limit_beyond_the_last_row_has_no_force() -> None:
+    table = StrainTable([0.0, 0.05, 0.1], [0.0, 20e3, 60e3])
+    line = Line([Segment(150.0, 20.0, EA=table, MBL=100e3)])
+    with pytest.raises(NoAnswerError, match="table of strains ends"):
+        find_limit_force(line, height=100.0, safety_factor=1.5)

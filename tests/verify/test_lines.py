@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from dataclasses import replace
 
@@ -9,6 +10,7 @@ import numpy as np
 import pytest
 
 import catopt
+from catopt.casefile import parse_case
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
 from catopt.errors import InputError, NoEquilibriumError, NotConvergedError
@@ -262,3 +264,31 @@ def test_a_plain_case_takes_well_below_a_second_after_compilation() -> None:
     start = time.process_time()
     catopt.verify_case(CASES["on the bed"])
     assert time.process_time() - start < 0.3
+
+
+STRETCHED = """
+[site]
+water_depth = "50 m"
+[line]
+[[line.segments]]
+length = "{length} m"
+submerged_weight = "100 N/m"
+EA = "100 kN"
+[load]
+span = "0 m"
+"""
+
+
+@pytest.mark.parametrize("length", [49.0, 50.0])
+def test_a_line_that_reaches_the_bed_by_its_stretch_alone_is_known_on_every_mesh(
+    length: float,
+) -> None:
+    """It hangs straight down: there the last step is not defined, and is not taken."""
+    (part,) = catopt.verify_case(parse_case(STRETCHED.format(length=length))).parts
+    assert part.verdict == "agrees"
+    assert all(math.isfinite(value) for each in part.quantities for value in each.fem)
+    assert all(math.isfinite(each.penetration) for each in part.meshes)
+    # The weight of what hangs: w l with l (1 + w l / 2 EA) = 50 m.
+    hangs = (math.sqrt(1.0 + 2.0 * 100.0 * 50.0 / 1e5) - 1.0) * 1e5 / 100.0
+    (tension,) = (each for each in part.quantities if each.quantity == "fairlead_tension")
+    assert tension.fem[-1] == pytest.approx(100.0 * hangs, rel=1e-3)
