@@ -74,12 +74,9 @@ def _run(arguments: Sequence[str] | None, output: Printer) -> None:
     if HELP_ALL in (sys.argv if typed is None else typed):
         typed = ["--help" if each == HELP_ALL else each for each in typed or sys.argv[1:]]
         WHOLE.set(True)
-    if output.language == "en":
-        command(args=typed, prog_name="catopt", obj=output)
-    else:
-        from catopt.cli.typed_wrong import run_in_vietnamese
+    from catopt.cli.typed_wrong import run
 
-        raise SystemExit(run_in_vietnamese(command, args=typed, prog_name="catopt", obj=output))
+    raise SystemExit(run(command, output.language, args=typed, prog_name="catopt", obj=output))
 
 
 def _failed(error: Exception, output: Printer) -> int:

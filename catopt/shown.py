@@ -77,7 +77,8 @@ def _is_short(value: Any) -> bool:
     if isinstance(value, str):
         return 0 < len(value) <= LONGEST
     if hasattr(value, "__dataclass_fields__"):
-        return all(isinstance(each, float) for _, each in _own(value))
+        own = [each for _, each in _own(value)]
+        return all(isinstance(each, (int, float)) and not isinstance(each, bool) for each in own)
     return isinstance(value, (bool, int, float))
 
 

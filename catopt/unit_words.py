@@ -61,6 +61,7 @@ _WORDS: Final[tuple[tuple[str, float, Powers], ...]] = (
     ("N newton newtons niutơn", 1.0, _NEWTON),
     ("kN kilonewton kilonewtons kilôniutơn", 1e3, _NEWTON),
     ("MN meganewton meganewtons", 1e6, _NEWTON),
+    ("GN giganewton giganewtons", 1e9, _NEWTON),
     ("kgf", STANDARD_GRAVITY, _NEWTON),
     ("tf tấn_lực tonne_force tonnes_force", _TONNE_FORCE, _NEWTON),
     ("lbf", _POUND_FORCE, _NEWTON),

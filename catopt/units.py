@@ -230,7 +230,8 @@ class _Reading:
         if meant:
             instead = Message("refused.noun_and", noun=noun, instead=meant[0])
         elif self.dimension is Dimension.FORCE and unit in _AS_FORCE:
-            one, other = f'"{digits} {_AS_FORCE[unit]}"', f'"{digits} kN"'
+            weight = float(digits) * factor * STANDARD_GRAVITY / 1e3
+            one, other = f'"{digits} {_AS_FORCE[unit]}"', f'"{weight:.4g} kN"'
             instead = Message("refused.as_force", noun=noun, one=one, other=other)
         raise self.error(instead, kind)
 

@@ -25,7 +25,7 @@ from catopt.catenary.solution import Solution, check_buoys
 from catopt.catenary.solve import solve
 from catopt.errors import FloatsUpError, InputError, Problem
 from catopt.model import Case
-from catopt.model.kinds import Place, SomeForce
+from catopt.model.kinds import Findings, Place, SomeForce
 from catopt.records import Record
 from catopt.shown import Displayable
 from catopt.words import Measure, Message
@@ -146,6 +146,13 @@ def curve_case(
             [Problem("over", repr(over), Message("refused.of_these", words=", ".join(STEPPED)))],
             "curve",
         )
+    found = Findings("curve")
+    unit = "N" if over == "force" else "m"
+    start, stop = (
+        found.taken(key, value, unit) if isinstance(value, str) else value
+        for key, value in (("start", start), ("stop", stop))
+    )
+    found.raise_if_any()
     case.check_still_water()
     case, warnings = under_a_load(case)
     reference = solve_case(case).with_warnings(warnings)
@@ -162,7 +169,7 @@ def curve_case(
         if first == last and start is None and stop is None:
             reported = Message("refused_motion.span_this_line_does_not")
             raise InputError([Problem("over", over, reported)], "curve")
-    check_range(first, last, points, "N" if over == "force" else "m", zero)
+    check_range(first, last, points, unit, zero)
     kernel_over: Over = "horizontal_force" if over == "force" else "span"
     curve = _load_curve(case, reference, kernel_over, first, last, points)
     if any(load.submerged_weight < 0.0 for load in reference.line.point_loads):

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
-from typing import Annotated, Literal
+from typing import Annotated, Literal, get_args
 
 import numpy as np
 
@@ -151,6 +151,7 @@ def load_curve(
     height = found.taken("height", height, "m", at_least=0.0)
     anchor_height = found.taken("anchor_height", anchor_height, "m", at_least=0.0)
     seabed_friction = found.taken("seabed_friction", seabed_friction, "", at_least=0.0)
+    found.word("over", over, get_args(Over))
     unit = "m" if over == "span" else "N"
     if isinstance(start, str):
         start = found.taken("start", start, unit, at_least=0.0)

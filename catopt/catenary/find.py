@@ -10,12 +10,14 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 from itertools import takewhile
+from typing import Any
 
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
 from catopt.catenary.sought import Condition, Found, Sought, find
 from catopt.errors import CatoptError, InputError, NoAnswerError, Problem
 from catopt.model import Case, Line, Load, PointLoad, Segment
+from catopt.model.kinds import Findings
 from catopt.units import plain
 from catopt.words import Message
 
@@ -28,6 +30,28 @@ __all__ = [
     "find_touchdown_force",
     "with_segment_length",
 ]
+
+
+_UNITS = {
+    **dict.fromkeys(("height", "span", "grounded_length", "anchor_height"), "m"),
+    **dict.fromkeys(("horizontal_force", "fairlead_tension"), "N"),
+    "anchor_angle": "rad",
+}
+"""Of what a function is given; what is not there is a pure number."""
+
+
+def _taken(source: str, **given: Any) -> tuple[Any, ...]:
+    """Read text with a unit where it is one; InputError with all that is no number."""
+    found = Findings(source)
+    least = {"safety_factor": {"at_least": 1.0}}
+    read = tuple(
+        None
+        if value is None
+        else found.taken(name, value, _UNITS.get(name, ""), **least.get(name, {}))
+        for name, value in given.items()
+    )
+    found.raise_if_any()
+    return read
 
 
 def find_length(
@@ -66,6 +90,19 @@ def find_length(
     NoAnswerError
         When no length gives it.
     """
+    height, horizontal_force, fairlead_tension = _taken(
+        "find_length",
+        height=height,
+        horizontal_force=horizontal_force,
+        fairlead_tension=fairlead_tension,
+    )
+    anchor_angle, grounded_length, seabed_friction, anchor_height = _taken(
+        "find_length",
+        anchor_angle=anchor_angle,
+        grounded_length=grounded_length,
+        seabed_friction=seabed_friction,
+        anchor_height=anchor_height,
+    )
     index = _index("segment", segment, len(line.segments))
     _one_of(anchor_angle=anchor_angle, grounded_length=grounded_length)
 
@@ -105,6 +142,9 @@ def find_touchdown_force(line: Line, *, height: float, seabed_friction: float = 
     height, seabed_friction
         As for `solve`.
     """
+    height, seabed_friction = _taken(
+        "find_touchdown_force", height=height, seabed_friction=seabed_friction
+    )
 
     def at(force: float) -> Solution:
         return solve(line, height=height, horizontal_force=force, seabed_friction=seabed_friction)
@@ -147,6 +187,19 @@ def find_clump_weight(
     NoAnswerError
         When the angle is no larger without it, or no weight brings it down.
     """
+    height, horizontal_force, span, fairlead_tension = _taken(
+        "find_clump_weight",
+        height=height,
+        horizontal_force=horizontal_force,
+        span=span,
+        fairlead_tension=fairlead_tension,
+    )
+    anchor_angle, seabed_friction, anchor_height = _taken(
+        "find_clump_weight",
+        anchor_angle=anchor_angle,
+        seabed_friction=seabed_friction,
+        anchor_height=anchor_height,
+    )
     index = _index("point_load", point_load, len(line.point_loads))
 
     def at(weight: float) -> Solution:
@@ -259,6 +312,13 @@ def find_limit_force(
     NoAnswerError
         When what hangs from the fairlead takes a segment beyond its limit at any force.
     """
+    height, safety_factor, seabed_friction, anchor_height = _taken(
+        "find_limit_force",
+        height=height,
+        safety_factor=safety_factor,
+        seabed_friction=seabed_friction,
+        anchor_height=anchor_height,
+    )
     count = len(line.segments)
     chosen = range(count) if segment is None else [_index("segment", segment, count)]
     MBL = {k: line.segments[k].MBL for k in chosen}

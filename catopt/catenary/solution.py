@@ -280,6 +280,9 @@ OPEN_FORCE = 1e-6
 LARGE_STRAIN = 0.05
 """Beyond a few percent, chain and rope no longer stretch in proportion to the tension."""
 
+IN_AIR = 0.05
+"""Part of the water depth by which a fairlead is above the water and is remarked on."""
+
 ROUNDING = 1e-9
 """How far above the surface, over the water depth, a buoy may be by rounding."""
 
@@ -321,6 +324,12 @@ def above_water(solution: Solution, water_depth: float) -> tuple[Message, ...]:
     if top <= limit * (1.0 + 1e-9):
         return ()
     return (Message("catenary.rises", height=top - limit),)
+
+
+def weighs_as_in_water(fairlead_height: float, water_depth: float) -> tuple[Message, ...]:
+    """Remark on a fairlead well above the water, m: a line weighs there what it weighs below."""
+    over = fairlead_height - water_depth
+    return (Message("catenary.fairlead_above_water", height=over),) * (over > IN_AIR * water_depth)
 
 
 def check_buoys(line: Line, heights: Iterable[float], water_depth: float) -> None:

@@ -27,6 +27,7 @@ from catopt.catenary.solution import (
     Solution,
     above_water,
     plausibility,
+    weighs_as_in_water,
 )
 from catopt.catenary.span_or_tension import given_span, given_tension, least_tension, other_forces
 from catopt.catenary.state import (
@@ -97,7 +98,11 @@ def under_case(solution: Solution, case: Case) -> Solution:
         solution,
         title=case.title,
         safety_factor=case.checks.safety_factor,
-        warnings=(*solution.warnings, *above_water(solution, case.site.water_depth)),
+        warnings=(
+            *solution.warnings,
+            *above_water(solution, case.site.water_depth),
+            *weighs_as_in_water(solution.fairlead_height, case.site.water_depth),
+        ),
     )
 
 

@@ -121,7 +121,9 @@ class CheckReport(Displayable, Record):
     """
 
     SCHEMA = "catopt.check/1"
-    DOCUMENT = "title verdict=passes _governing_index=governing hanging=load_cases results=checks warnings"
+    DOCUMENT = (
+        "title verdict=passes _governing_index=governing hanging=load_cases results=checks warnings"
+    )
 
     title: str
     """Title of the case; empty when it has none."""

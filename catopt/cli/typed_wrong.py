@@ -1,4 +1,4 @@
-"""What typer says of a command line that it cannot read, in Vietnamese."""
+"""What typer says of a command line that it cannot read, in plain words of each language."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import Any, Final
 import typer
 
 from catopt.cli.help_words import usage_in_vietnamese
+from catopt.words import Language
 
 _REFUSED: Final = (
     (r"No such option: (\S+)", r"Không có tùy chọn \1"),
@@ -17,7 +18,6 @@ _REFUSED: Final = (
     (r"Missing (?:argument|option|parameter) ('.*?')\.?", r"Thiếu \1."),
     (r"Choose from:", r"Chọn một trong:"),
     (r"\(env var: (.*?)\)", r"(biến môi trường: \1)"),
-    (r"Value error, ", ""),
     (r"Invalid value for (.*?): ", r"Giá trị sai của \1: "),
     (r"('.*?') is not one of (.*)", r"\1 không phải là một trong \2"),
     (r"Input should be a valid integer\b.*", r"cần số nguyên"),
@@ -29,8 +29,8 @@ _REFUSED: Final = (
 """What typer says of a command line that it cannot read."""
 
 
-def run_in_vietnamese(command: Any, **options: Any) -> int:
-    """Run the command line; returns the exit status, with what typer refuses said in Vietnamese."""
+def run(command: Any, language: Language, **options: Any) -> int:
+    """Run the command line; returns the exit status, with what typer refuses said in a language."""
     try:
         status = command(standalone_mode=False, **options)
     except typer.Abort:
@@ -38,19 +38,21 @@ def run_in_vietnamese(command: Any, **options: Any) -> int:
     except Exception as error:
         if not hasattr(error, "format_message"):
             raise
-        return _tell(error)
+        return _tell(error, language)
     return status if isinstance(status, int) else 0
 
 
-def _tell(error: Any) -> int:
+def _tell(error: Any, language: Language) -> int:
     context = getattr(error, "ctx", None)
     if type(error).__name__ == "NoArgsIsHelpError" or context is None:
         error.show()
     else:
-        said = error.format_message()
-        for english, vietnamese in _REFUSED:
-            said = re.sub(english, vietnamese, said)
-        usage = usage_in_vietnamese(context.get_usage())
-        hint = f"Gõ '{context.command_path} --help' để xem hướng dẫn."
-        typer.echo(f"{usage}\n{hint}\n\nLỗi: {said}", err=True)
+        said, usage = error.format_message().replace("Value error, ", ""), context.get_usage()
+        hint, label = f"Try '{context.command_path} -h' for help.", "Error"
+        if language == "vi":
+            for english, vietnamese in _REFUSED:
+                said = re.sub(english, vietnamese, said)
+            usage = usage_in_vietnamese(usage)
+            hint, label = f"Gõ '{context.command_path} --help' để xem hướng dẫn.", "Lỗi"
+        typer.echo(f"{usage}\n{hint}\n\n{label}: {said}", err=True)
     return int(error.exit_code)

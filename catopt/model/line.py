@@ -6,7 +6,7 @@ import math
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, fields
 from itertools import pairwise
-from typing import TYPE_CHECKING, Annotated, Any, Final, Literal, get_args
+from typing import TYPE_CHECKING, Annotated, Any, Final, Literal, TypeVar, get_args
 
 from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import Problem
@@ -320,6 +320,22 @@ END_ROUNDING = 1e-14
 """Of a line's length, which is a sum of lengths: nearer to its ends no place is told from them."""
 
 
+T = TypeVar("T")
+
+
+def _all(kind: type[T], key: str, items: Iterable[T]) -> tuple[T, ...]:
+    """Return items of one kind; InputError for what is none."""
+    if isinstance(items, kind):
+        items = (items,)
+    found, read = Findings("Line"), tuple(items)
+    for k, each in enumerate(read):
+        if not isinstance(each, kind):
+            allowed = Message("refused_case.kind_wanted", kind=kind.__name__)
+            found.add(f"{key}[{k}]", repr(each)[:40], allowed)
+    found.raise_if_any()
+    return read
+
+
 @dataclass(frozen=True)
 class Line:
     """A mooring line."""
@@ -330,9 +346,9 @@ class Line:
     """In any order; they are kept sorted by position."""
 
     def __init__(self, segments: Iterable[Segment], point_loads: Iterable[PointLoad] = ()) -> None:
-        loads = tuple(sorted(point_loads, key=lambda load: load.position))
-        object.__setattr__(self, "segments", tuple(segments))
-        object.__setattr__(self, "point_loads", loads)
+        loads = sorted(_all(PointLoad, "point_loads", point_loads), key=lambda load: load.position)
+        object.__setattr__(self, "segments", _all(Segment, "segments", segments))
+        object.__setattr__(self, "point_loads", tuple(loads))
         found = Findings(of=self)
         if not self.segments:
             found.add(

@@ -286,6 +286,15 @@ class Leg(Checked):
 
         The fairlead's are in the body's axes; heights count from the seabed, m.
         """
+        found = Findings("Leg.between")
+        at: dict[str, tuple[float, ...]] = {}
+        for key, place in (("anchor", anchor), ("fairlead", fairlead)):
+            if len(place) != 2:
+                said = Message("refused_case.x_and_y", count=len(place))
+                found.add(key, f"{tuple(place)}", said)
+            at[key] = tuple(found.taken(f"{key}[{k}]", each, "m") for k, each in enumerate(place))
+        found.raise_if_any()
+        anchor, fairlead = at["anchor"][:2], at["fairlead"][:2]  # type: ignore[assignment]
         radius = math.hypot(*fairlead)
         return cls(
             line,

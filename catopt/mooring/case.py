@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from catopt.catenary.solution import above_water, named_line
+from catopt.catenary.solution import above_water, named_line, weighs_as_in_water
 from catopt.errors import InputError, Problem
 from catopt.model import Case, System
 from catopt.mooring.circle import WatchCircle, watch_circle
@@ -84,7 +84,7 @@ def report_system(
         wanted = Message("refused_motion.missing_table_system_with_anchor")
         raise InputError([Problem("system", "", wanted)])
     solution = solve_system(system)
-    above: list[str] = []
+    above: list[str] = [*weighs_as_in_water(case.fairlead_height, case.site.water_depth)]
     for number, line in enumerate(solution.lines, start=1):
         with named_line(number):
             warnings = above_water(line.solution, case.site.water_depth)

@@ -71,8 +71,8 @@ def card_lines(answer: Answer, language: Language = "en", further: str = "") -> 
     """Lay the card of an answer out, under its title.
 
     Tables and what is brief get fewer lines where there is no room for all of it, the longest
-    first, and then facts. Where that is not enough blocks are left out, `_left_out_first`, and the tables
-    among them named.
+    first, and then facts. Where that is not enough blocks are left out, `_left_out_first`, and the
+    tables among them named.
     """
     wanted = as_wanted(answer)
     card = list(wanted.card or islice(_screen(wanted), LINES))  # each takes a line at least

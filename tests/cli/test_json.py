@@ -40,7 +40,9 @@ def test_a_body_rests_where_python_has_it(run: Run) -> None:
     system = catopt.read_case(FSO).system
     assert system is not None
     of_case = {key: document[key] for key in ("title", "sharing_rule", "checks")}
-    assert document == catopt.solve_system(system).to_dict() | of_case
+    (said,) = document["warnings"]
+    assert said.startswith("the fairlead is 15.4 m above the water")
+    assert document == catopt.solve_system(system).to_dict() | of_case | {"warnings": [said]}
 
 
 def test_a_case_is_solved_under_its_first_load_case() -> None:
