@@ -105,6 +105,8 @@ def _governs(check: CheckResult | None) -> str:
     if check is None:
         return ""
     name = Message(f"checks.{check.kind}_short")
+    if check.place.missing is not None:
+        name = Message("sizing.with_a_line_lost", check=name)
     if check.utilisation is None:
         return Message("sizing.governs", check=name)
     return Message("sizing.governs_at", check=name, used=check.utilisation)
@@ -116,7 +118,14 @@ def _numbers(of: Sizing) -> Iterator[Fact]:
     force = largest(each.horizontal_force for _, each in of.intact)
     swing = "swing" if of.pattern is None else "swing_line_out"
     yield _measured(swing, "length", of.swing.total)
-    yield _measured("force" if of.pattern is None else "line_force", "horizontal_force", force)
+    rest = "" if of.in_motion is None else "rest_"
+    if of.pattern is None:
+        yield _measured(f"{rest}force", "horizontal_force", force)
+    else:
+        lost = max(each.line_out.line_force for each in of.pattern.states)
+        own, without = (about("horizontal_force", each) for each in (force, lost))
+        said = Message("sizing.and_with_a_line_lost", value=own, lost=without)
+        yield _worded(f"{rest}line_force", said)
     if of.in_motion is not None:
         yield from _in_motion(of.in_motion)
         yield _measured("mass", "mass", of.point.line.mass)

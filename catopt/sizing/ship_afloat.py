@@ -21,6 +21,7 @@ from catopt.model import (
     System,
     WaveState,
 )
+from catopt.model.wear import worn_line
 from catopt.sizing.afloat import MOTION_CODE
 from catopt.sizing.environment import WIND_MEAN, Environment, Weathervaning, mean_over
 from catopt.sizing.in_motion import RunsAfloat, Sea
@@ -103,6 +104,7 @@ def ship_afloat(
     line_out: bool = False,
     sea: Sea | None = None,
     directions: Headings | None = None,
+    worn: bool = False,
 ) -> Case | None:
     """Add ship, wind, waves and current to the case of her lines in a load case, or the hardest.
 
@@ -111,7 +113,8 @@ def ship_afloat(
     there, or with `line_out` without line 1. `sea`: in the place of that of the place.
     `directions`: where wind, current and waves come from; of those of the request that of the
     largest force when left out. They are turned so that what she pulls at rest is along x. She
-    turns about the bow, to which her lines go, or the request's own point.
+    turns about the bow, to which her lines go, or the request's own point. `worn`: the lines weigh
+    what wear leaves of them at the end of their life.
     None where she cannot be run: `runs_afloat`.
     """
     env = request.environment
@@ -132,6 +135,8 @@ def ship_afloat(
         rest = there.line_out if line_out else there
         made = system_case(case, replace(around, states=(there,)))
         held = _turned(made, rest.solution.system.force)
+    if worn:
+        held = _worn(held)
     moored = next(each for each in request.ships if each.condition == at.condition)
     vane = request.weathervaning
     lies = worst_lying(request, moored, at.depth, (directions,) if directions else vane.directions)
@@ -152,6 +157,12 @@ def ship_afloat(
         floater=Floater(ship=_ship(moored, env.water_density, off, vane.turning), wind_speed=wind),
         dynamics=_dynamics(request.in_motion),
     )
+
+
+def _worn(case: Case) -> Case:
+    assert case.system is not None
+    legs = (replace(leg, line=worn_line(leg.line, case.service)) for leg in case.system.legs)
+    return replace(case, system=replace(case.system, legs=tuple(legs)))
 
 
 def _along_x(lies: ShipHeading) -> Headings:

@@ -19,12 +19,16 @@ from catopt.verify.ship_result import LineOfShip, ShipWithoutLine
 
 
 class ShipState(NamedTuple):
-    """A load case in a sea, in weather that is hardest on a line with all there, or without one."""
+    """A load case in a sea, in weather that is hardest on a line with all there, or without one.
+
+    Its lines as they were laid, or worn; strengths are those that wear leaves in either.
+    """
 
     load_case: str
     sea: Sea
     directions: Headings
     line_out: bool  # line 1 is out
+    worn: bool = False  # lines weigh what wear leaves of them
 
 
 class ShipRun(NamedTuple):
@@ -37,6 +41,7 @@ class ShipRun(NamedTuple):
     most_loaded: int
     at_rest: Solution  # the most loaded line under the steady load of that load case
     lost: ShipLost
+    worn: bool = False  # whether its lines weigh what wear leaves of them
 
     @property
     def line(self) -> LineOfShip:

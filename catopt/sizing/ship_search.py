@@ -29,6 +29,7 @@ from catopt.loads.sinker import SinkerSize
 from catopt.model import Case, Line, Segment
 from catopt.patience import expect
 from catopt.sizing.afloat import MOTION_CODE
+from catopt.sizing.answer import worn_name
 from catopt.sizing.in_motion import (
     Counted,
     InMotion,
@@ -123,8 +124,11 @@ class _Search:
         self._ships: dict[tuple[str, Headings], Any] = {}
         # The one that stopped the last line first.
         outs = (True, False) if request.lines > 1 else (False,)
+        service = start.posed.case.service
+        wears = service is not None and service.life > 0.0
         self._order = [
-            ShipState(each.load_case, sea, directions, out)
+            ShipState(each.load_case, sea, directions, out, worn)
+            for worn in ((False, True) if wears else (False,))
             for out in outs
             for directions in request.weathervaning.directions
             for sea in how.seas(request.environment.sea.hs, request.environment.sea.period)
@@ -146,8 +150,10 @@ class _Search:
         factor = 1.0
         while True:
             judged = self.tried(line)
-            if judged.tried.passes or factor >= _MOST_FACTOR:
-                return judged if judged.tried.passes else None
+            if judged.tried.passes:
+                return judged
+            if factor >= _MOST_FACTOR:
+                return self._longer(line)
             needed = judged.factor if judged.tried.runs else 0.0
             low, factor = factor, min(max(needed, _RISE * factor), _LEAP * factor, _MOST_FACTOR)
             sized = self._sized(factor)
@@ -159,8 +165,23 @@ class _Search:
                 factor = 0.5 * (low + factor)
                 sized = self._sized(factor)
             if sized is None or sized in self.judged:
-                return None
+                return self._longer(judged.line)
             line = sized
+
+    def _longer(self, line: Line) -> JudgedLine | None:
+        """Run ever longer lines of the thickest size, where nothing can be sized for the runs."""
+        (segment,) = line.segments
+        thick = [each for each in self._sizes if each.component == segment.component]
+        thickest = max(thick, key=lambda each: each.nominal_diameter or 0.0)
+        lengths = [each for each in self.lengths if each >= segment.length * (1.0 - 1e-9)]
+        at, leap = 0, 1
+        while lengths:
+            own = replace(thickest, length=lengths[at])
+            judged = self.tried(replace(line, segments=(own,)))
+            if judged.tried.passes or at == len(lengths) - 1:
+                return judged if judged.tried.passes else None
+            at, leap = min(at + leap, len(lengths) - 1), 2 * leap
+        return None
 
     def best(self, passing: JudgedLine) -> JudgedLine:
         """Run less, then thinner lines that are longer and thicker ones that are shorter.
@@ -350,7 +371,9 @@ class _Search:
             at_rest = largest(list(lines), lambda each: each.fairlead.tension)
             without = rest.line_out.line_force
         lost = ShipLost(said, case, found.lost, without, offset)
-        return ShipRun(said, case, found.lines, found.hanging, found.most_loaded, at_rest, lost)
+        return ShipRun(
+            said, case, found.lines, found.hanging, found.most_loaded, at_rest, lost, state.worn
+        )
 
     def _without_line(
         self, state: ShipState, settled: ConvergedSizing, around: Pattern
@@ -366,6 +389,8 @@ class _Search:
     def _said(self, state: ShipState) -> str:
         """Name a load case with its sea and directions, where there are several."""
         said = in_sea(state.load_case, self.how, state.sea)
+        if state.worn:
+            said = worn_name(said)
         if len(self.request.weathervaning.directions) == 1:
             return said
         angles = {key: math.degrees(angle) for key, angle in vars(state.directions).items()}
@@ -459,7 +484,8 @@ def _moved(
 ) -> ShipMoved:
     assert chosen.settled is not None
     assert chosen.checks is not None
-    hardest = largest(chosen.runs, lambda each: each.hanging.fairlead.tension)
+    as_laid = [each for each in chosen.runs if not each.worn]
+    hardest = largest(as_laid, lambda each: each.hanging.fairlead.tension)
     case = replace(hardest.case, anchor=chosen.anchor)
     settled = chosen.settled
     still = check_case(replace(settled.case, anchor=chosen.anchor, design=None))
@@ -480,7 +506,7 @@ def _moved(
             request.line.allowance,
             _counted(found),
             tuple(each.tried for each in found.judged.values()),
-            load_cases=len(found.start.posed.loads),
+            load_cases=len({(each.load_case, each.worn) for each in found._order}),
             directions=len(request.weathervaning.directions),
             seas=chosen.seas,
             less=tuple(found.failing_below(chosen.line)),
