@@ -122,24 +122,32 @@ def checks_in_motion(report: CheckReport) -> Iterator[blocks.Block]:
     of_a_body = any(each.place.line is not None for each in results)
     if results:
         shown = report.tightest_by_state if of_a_body else tuple(range(len(results)))
-        names = dict.fromkeys(results[row].load_case for row in shown)
-        yield blocks.Table(
-            "dynamic_checks",
-            check_columns(results, of_a_body=of_a_body),
-            Message("captions.checks_in_motion"),
-            shown=shown if of_a_body else None,
-            parts=tuple(
-                (
-                    Message("captions.checks_in_motion_of", name=name),
-                    tuple(row for row in shown if results[row].load_case == name),
-                )
-                for name in (names if len(names) > 1 else ())
-            ),
-        )
+        yield motion_table("dynamic_checks", report, shown, of_a_body=of_a_body)
         yield _criteria([results[row] for row in shown])
         yield from _confidence(report)
     yield from verdict_blocks(report, report.verdict is True)
     yield blocks.Warnings(report.warnings)
+
+
+def motion_table(
+    name: str, report: CheckReport, shown: tuple[int, ...], *, of_a_body: bool
+) -> blocks.Table:
+    """Tabulate checks in motion; people see some rows, by load case where there are several."""
+    results = report.results
+    names = dict.fromkeys(results[row].load_case for row in shown)
+    return blocks.Table(
+        name,
+        check_columns(results, of_a_body=of_a_body),
+        Message("captions.checks_in_motion"),
+        shown=shown if of_a_body else None,
+        parts=tuple(
+            (
+                Message("captions.checks_in_motion_of", name=each),
+                tuple(row for row in shown if results[row].load_case == each),
+            )
+            for each in (names if len(names) > 1 else ())
+        ),
+    )
 
 
 def check_columns(

@@ -108,20 +108,25 @@ def opening(
     reach: Number,
     tension: float,
     in_motion: bool = False,
+    in_storm: Sequence[Number] = (),
     verdict: Verdict | None = None,
 ) -> Iterator[Section]:
     """Begin a note: the first page, who answers for it, and what is to be known.
 
     A fact is the key of what it is called, and what is said; one that says nothing is left out. The
     answer is `said` in sentences, `force` pulls, `reach` is how far the mooring lets go, `tension`
-    the largest at a fairlead (N). `in_motion` says whether the lines were run in time, too, and
+    the largest at a fairlead (N). `in_motion` says whether the lines were run in time, too,
+    `in_storm` what they came to there, beside which the others are said to be at rest, and
     `verdict` goes in the place of that of the checks, in words of the answer's own.
     """
     sheet, report = note.sheet, note.sheet.report
     words = [each for each in (verdict_sentence(report), governing_sentence(report)) if each]
     verdict = verdict or Verdict(Several(words, " "), report.passes if report.results else None)
     largest = (Message("columns.largest_tension"), "tension", tension)
-    four = (force, largest, reach, _reserve(sheet))
+    still: list[Number] = [force, largest, _reserve(sheet)]
+    if in_storm:
+        still = [(Message("note_first.at_rest", name=each[0]), *each[1:]) for each in still]
+    four = (*in_storm, *still[:2], reach, still[2])
     rows = [(name, (value, rounded(key, value))) for name, key, value in four]
     answer = (
         *(Text(each) for each in said),
@@ -327,12 +332,14 @@ def basis_section(
     combined: str = "",
     return_period: str = "",
     levels: Sequence[float] | None = None,
+    *,
+    analysis: str = "",
 ) -> Section:
     """State what the mooring is judged by, and under what.
 
     `combined`, a message, says how wind, current and waves are combined (as the user gave the force
     when empty), `return_period` is theirs (not stated when empty); `levels` are water levels in m,
-    of the load cases when left out.
+    of the load cases when left out; `analysis` is at rest alone when empty.
     """
     case, site = sheet.case, sheet.case.site
     if levels is None:
@@ -341,7 +348,7 @@ def basis_section(
     fairlead = Measure("height", site.height_above_seabed(case.fairlead_height))
     density = Measure("density", site.water_density)
     rows = {
-        "analysis": Message("note_sheet.quasi_static"),
+        "analysis": analysis or Message("note_sheet.quasi_static"),
         "return_period": return_period or Message("note_sheet.not_stated"),
         "combination": combined or Message("note_sheet.combined_by_user"),
         "datum": Message("note_sheet.datum_is", depth=depth),

@@ -25,8 +25,9 @@ from catopt.answers.blocks import (
     named,
     texts,
 )
-from catopt.answers.check import failing_checks
+from catopt.answers.check import failing_checks, tightest_table
 from catopt.answers.note import (
+    Number,
     basis_section,
     components,
     described,
@@ -47,6 +48,7 @@ from catopt.constants import STANDARD_GRAVITY, YEAR
 from catopt.figures.sizing import elevation, swing_circle
 from catopt.model.anchor import sinker_needed
 from catopt.quantities import GREEK, QUANTITIES
+from catopt.units import lasting
 from catopt.words import Cited, Measure, Message, Sentence, Several, Told, say, term
 
 if TYPE_CHECKING:
@@ -71,7 +73,8 @@ def size_note_answer(note: SizeNote) -> blocks.Answer:
     line = note.line
     sections = (
         *_opening(note),
-        basis_section(note.sheet, *_combined(note), _levels(note)),
+        basis_section(note.sheet, *_combined(note), _levels(note), analysis=_analysis(note)),
+        _section("in_motion", _in_motion(note)),
         *of_the_line(line, "checks", "load_cases"),
         _section("identity", _identity(note)),
         _section("candidates", _candidates(note)),
@@ -105,8 +108,44 @@ def _opening(note: SizeNote) -> Iterator[Section]:
         force=(Message("note_size.identity_force"), "horizontal_force", _hardest(note)[0]),
         reach=(Message("note_size.identity_radius"), "length", of.swing.total),
         tension=of.largest_tension,
+        in_motion=of.in_motion is not None,
+        in_storm=tuple(_in_storm(of)),
         verdict=verdict(of),
     )
+
+
+def _in_storm(of: Sizing) -> Iterator[Number]:
+    """Yield what the recommended line comes to in motion."""
+    if of.in_motion is None:
+        return
+    storm, dynamics = of.in_motion.storm, of.in_motion.case.dynamics
+    assert dynamics is not None
+    time = lasting(dynamics.duration_of_interest)
+    yield Message("sizing.card_tension_in_storm", time=time), "tension", storm.tension
+    if storm.high is not None:
+        yield Message("note_size.upper_end"), "tension", storm.high
+    worst = of.in_motion.checks.governing
+    if worst is not None and worst.utilisation is not None:
+        yield Message("note_size.used_in_motion"), "safety_factor", worst.utilisation
+
+
+def _analysis(note: SizeNote) -> str:
+    """Say of what lines the answer is: at rest alone, or run with what floats."""
+    if note.sizing.in_motion is None:
+        return ""
+    return Message(f"note_size.analysis_{note.sizing.kind}")
+
+
+def _in_motion(note: SizeNote) -> Iterator[Block]:
+    """Say how lines were run, and check the recommended one in motion."""
+    of = note.sizing.in_motion
+    if of is None:
+        return
+    yield tightest_table(of.checks)
+    yield sized.checks_of(of)
+    yield from sized.tried_blocks(of)
+    if of.checks.warnings:
+        yield blocks.Warnings(of.checks.warnings)
 
 
 def _drawn(of: Sizing) -> Iterator[Block]:

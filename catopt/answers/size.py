@@ -8,7 +8,13 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from catopt.answers import blocks
 from catopt.answers.blocks import Rows, answered, largest, named, section, tabulate, texts
-from catopt.answers.check import check_columns, kind_name, tightest_table, verdict_column
+from catopt.answers.check import (
+    check_columns,
+    kind_name,
+    motion_table,
+    tightest_table,
+    verdict_column,
+)
 from catopt.answers.loads import forces_table, notes_table, numbers_table
 from catopt.answers.size_card import runs_words, size_card, verdict
 from catopt.constants import YEAR
@@ -269,10 +275,18 @@ def _verdict(of: Candidate) -> str:
 
 def _run_afloat(of: InMotion) -> blocks.Section:
     """Say how lines were run, what the recommended one came to, and which were tried."""
-    checks = blocks.Table("checks_in_motion", check_columns(of.checks.results), only="files")
+    checks = replace(checks_of(of), only="files")
     warned = blocks.Warnings(of.checks.warnings, "people")
     own = (tightest_table(of.checks), checks)
     return section("captions.checks_in_motion", *own, *tried_blocks(of), warned)
+
+
+def checks_of(of: InMotion) -> blocks.Table:
+    """Tabulate every check of the recommended line in motion."""
+    report = of.checks
+    lines = {each.place.line for each in report.results}
+    every = tuple(range(len(report.results)))
+    return motion_table("checks_in_motion", report, every, of_a_body=len(lines) > 1)
 
 
 def tried_blocks(of: InMotion) -> tuple[blocks.Block, ...]:

@@ -123,7 +123,7 @@ def _numbers(of: Sizing) -> Iterator[Fact]:
         yield _measured(f"{rest}force", "horizontal_force", force)
     else:
         lost = max(each.line_out.line_force for each in of.pattern.states)
-        own, without = (about("horizontal_force", each) for each in (force, lost))
+        own, without = (about("horizontal_force", each) for each in (force or 0.0, lost))
         said = Message("sizing.and_with_a_line_lost", value=own, lost=without)
         yield _worded(f"{rest}line_force", said)
     if of.in_motion is not None:
