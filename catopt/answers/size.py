@@ -16,7 +16,7 @@ from catopt.answers.check import (
     verdict_column,
 )
 from catopt.answers.loads import forces_table, notes_table, numbers_table
-from catopt.answers.size_card import runs_words, size_card, verdict
+from catopt.answers.size_card import heel_words, runs_words, size_card, verdict
 from catopt.constants import YEAR
 from catopt.figures.sizing import tension_by_length
 from catopt.quantities import QUANTITIES, Quantity
@@ -302,8 +302,9 @@ def tried_blocks(of: InMotion) -> tuple[blocks.Block, ...]:
         every.texts("fails", "words"),
         caption=Message("sizing.lines_tried"),
     )
-    reported = blocks.Text(runs_words(of)), blocks.Text(of.counted.words), tried
-    return (*reported, *_seas(of), *_by_length(of))
+    heels = (blocks.Text(Sentence(each, capital=True)) for each in heel_words(of))
+    said = blocks.Text(runs_words(of)), blocks.Text(of.counted.words)
+    return (*said, *heels, tried, *_seas(of), *_by_length(of))
 
 
 def _seas(of: InMotion) -> Iterator[blocks.Table]:

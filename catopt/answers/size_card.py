@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
@@ -303,8 +304,17 @@ def _assumed(of: Sizing) -> Iterator[str]:
             yield each
 
 
+def heel_words(moved: InMotion | None) -> Iterator[Message]:
+    """Say how far the buoy heels in its runs, and by which centre of gravity where none is given."""
+    if moved is not None and moved.heel is not None:
+        is_given = moved.how.centre_of_gravity is not None
+        key = "sizing.heels_by_own" if is_given else "sizing.heels"
+        yield Message(key, heel=math.degrees(moved.heel))
+
+
 def _to_be_known(of: Sizing) -> Iterator[str]:
     """Yield what decides whether the answer may be used; what decides most comes first."""
+    yield from heel_words(of.in_motion)
     yield from (each for each in of.defaults if is_said(each, "sizing.beyond_scope"))
     if any(is_said(each, "sizing.estimated_dimensions") for each in of.warnings):
         yield Message("sizing.card_estimated")

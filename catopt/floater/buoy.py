@@ -140,6 +140,8 @@ def _mass_of(of: Floater, shape: BuoyShape, slices: _Slices) -> tuple[float, flo
     total = shape.total_mass
     centre = of.centre_of_gravity
     if centre is None:
+        centre = shape.centre_of_gravity
+    if centre is None:
         centre = float((share @ middle + shape.ballast * shape.lowest) / total)
     if of.pitch_radius is not None:
         return centre, of.pitch_radius

@@ -144,6 +144,9 @@ class BuoyShape:
     """Of topmark, lantern and radar reflector as the wind sees them, m2."""
     tube_diameter: float = 0.0
     tube_length: float = 0.0
+    centre_of_gravity: float | None = None
+    """Above the bottom of the hull, with everything on it but the mooring, m; None: as if the mass
+    were spread over what displaces, with the ballast at the lowest point."""
     origin: str = "the user's own"
     """Whose geometry this is."""
     hull: tuple[BuoySlice, ...] = ()

@@ -44,7 +44,9 @@ def buoy_afloat(case: Case, request: BuoyRequest) -> Case | None:
         source=source,
         waves=WaveState("jonswap", sea.hs, sea.period, components=COMPONENTS),
         current=CurrentProfile("power", speed=env.current.speed) if flows else None,
-        floater=Floater(shape.name, wind_speed=env.wind.speed),
+        floater=Floater(
+            shape.name, wind_speed=env.wind.speed, centre_of_gravity=how.centre_of_gravity
+        ),
         dynamics=Dynamics(how.duration, elements=how.elements),
     )
 

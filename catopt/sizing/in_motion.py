@@ -12,7 +12,17 @@ from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import NearMiss
 from catopt.model import Case
 from catopt.model.dynamics import JudgedBy
-from catopt.model.kinds import Factor, Findings, Force, Length, Positive, SomeForce, SomeMass, Time
+from catopt.model.kinds import (
+    Angle,
+    Factor,
+    Findings,
+    Force,
+    Length,
+    Positive,
+    SomeForce,
+    SomeMass,
+    Time,
+)
 from catopt.records import Counted as FromOne
 from catopt.records import FromZero, Record, within
 from catopt.sizing.kinds import usual
@@ -50,6 +60,7 @@ class RunsAfloat:
     """Of the peak of the seas that every line is run in; empty: that of the place alone."""
     heights: tuple[Length, ...] = ()
     """Significant, of these seas; empty: all have that of the place."""
+    centre_of_gravity: float | None = None  # of a buoy, above the bottom of its hull, m
 
     def __post_init__(self) -> None:
         found = Findings("RunsAfloat")
@@ -58,6 +69,7 @@ class RunsAfloat:
         found.number("duration", self.duration, "s", at_least=LEAST_DURATION, at_most=36000.0)
         found.count("elements", self.elements)
         found.numbers(self, "m", "max_slide", above=0.0)
+        found.numbers(self, "m", "centre_of_gravity")
         for k, each in enumerate(self.periods):
             found.number(f"periods[{k}]", each, "s", above=0.0, at_most=30.0)
         for k, each in enumerate(self.heights):
@@ -218,7 +230,7 @@ class InMotion(Record):
 
     DOCUMENT = (
         "how.seeds how.duration how.judged_by elements case.dynamics.duration_of_interest "
-        f"{within('storm', STORM)} factor allowance checks.results=checks "
+        f"{within('storm', STORM)} factor allowance heel? checks.results=checks "
         "checks.nearest=governing how.periods~ how.heights~ seas~ directions~ "
         "counted=lines(considered at_rest excluded run runs) tried by_length checks.warnings"
     )
@@ -243,6 +255,8 @@ class InMotion(Record):
     less: tuple[LineTried, ...] = ()
     seas: tuple[TightestSea, ...] = ()
     """What decides each kind of check, where periods are given."""
+    heel: Angle | None = None
+    """Largest heel of the buoy in its runs; None of a ship."""
 
     @property
     def is_of_ship(self) -> bool:

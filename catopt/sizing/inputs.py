@@ -343,6 +343,10 @@ INPUTS: Final = (
         only_with="in_motion", left_out="left_out.max_slide",
     ),
     Input(
+        "centre_of_gravity", "buoy.centre_of_gravity", "LENGTH", "0.4 m", of=_BUOY,
+        only_with="in_motion", left_out="left_out.centre_of_gravity",
+    ),
+    Input(
         "dynamic_factor", "service.dynamic_factor", "NUMBER", 1.5, at_least=1.0, most="10",
         left_out="left_out.dynamic_factor",
     ),

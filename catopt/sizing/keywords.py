@@ -67,6 +67,7 @@ class BuoyInputs(_Inputs, total=False):
     chain_waves: bool
     other_lengths: int
     max_slide: float | str
+    centre_of_gravity: float | str
     growth: float | str
     scope_min: float | str
     scope: float | str

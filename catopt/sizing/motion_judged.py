@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Final
 
 from catopt.catenary.solution import Solution
 from catopt.checks.case import check_case
@@ -28,6 +30,12 @@ from catopt.verify.judged import (
     solutions_at_rest,
     way_of,
 )
+from catopt.words import Message
+
+_ROLL, _PITCH = 3, 4
+"""Rows of the extremes of a hull."""
+_TURNED_OVER: Final = 0.5 * math.pi
+"""Heel of a buoy from which it has turned over, rad."""
 
 NoAnswer = NoAnswerError | NotConvergedError
 """Why a load case has none."""
@@ -59,6 +67,10 @@ def judged(
         return Judged(line_tried(settled, runs, (), failed[0].message), settled, case)
     assert case.dynamics is not None
     parts = tuple(judged_as(each, case.dynamics) for each in found if isinstance(each, DynamicPart))
+    heel = largest_heel(parts)
+    if heel >= _TURNED_OVER:
+        reason = Message("sizing.turns_over", heel=math.degrees(heel))
+        return Judged(line_tried(settled, runs, (), reason), settled, case, parts)
     solved = solutions_at_rest(case, parts)
     at_rest = tuple(each for each in solved if each is not None)
     checked: tuple[CheckReport, tuple[Sea, ...]] | None = None
@@ -86,6 +98,13 @@ def judged(
     every = zip(checks.results, of_sea, strict=True)
     tightest = tightest_seas(every) if how.periods else ()
     return Judged(tried, settled, case, parts, at_rest, checks, tightest)
+
+
+def largest_heel(parts: Sequence[DynamicPart]) -> float:
+    """Return how far a buoy heels or pitches at most, rad; 0 where there is none."""
+    hulls = (run.hull for part in parts for run in part.runs if run.hull is not None)
+    angles = (abs(each.extreme[row]).max() for each in hulls for row in (_ROLL, _PITCH))
+    return float(max((each for each in angles if math.isfinite(each)), default=0.0))
 
 
 def _checked(

@@ -39,7 +39,7 @@ from catopt.sizing.in_motion import (
     sea_of,
 )
 from catopt.sizing.line_choice import LineChoice, sold
-from catopt.sizing.motion_judged import Judged, NoAnswer, judged
+from catopt.sizing.motion_judged import Judged, NoAnswer, judged, largest_heel
 from catopt.sizing.pattern import HEAVY_SINKERS
 from catopt.sizing.settle import ConvergedSizing, best_of
 from catopt.ties import largest
@@ -120,6 +120,7 @@ def search_in_motion(
             by_length,
             len(chosen.case.load_cases),
             seas=chosen.seas,
+            heel=largest_heel(chosen.parts),
         ),
         _sinker_size(request, chosen),
     )

@@ -448,7 +448,11 @@ def _without_samples(run: DynamicRun) -> DynamicRun:
     of, none = run.history, slice(0, 0)
     sampled = ("fairlead_force", "anchor_force", "bar_tension", "fairlead", "grounded_length")
     cut = {key: getattr(of, key)[none] for key in (*sampled, "nodes", "energy", "tension")}
-    return DynamicRun(replace(of, **cut), run.quasi_static[none], run.number)
+    hull = run.hull
+    if hull is not None:
+        samples = ("time", "place", "velocity", "wet", "surface", "lines")
+        hull = replace(hull, scene=None, **{key: getattr(hull, key)[none] for key in samples})
+    return DynamicRun(replace(of, **cut), run.quasi_static[none], run.number, hull=hull)
 
 
 def _run(

@@ -51,7 +51,7 @@ BASE: dict[Moored, dict[str, object]] = {
 STILL: dict[str, object] = dict.fromkeys(
     (
         *("in_motion", "seeds", "run_time", "peak_period", "sea_height", "period_range"),
-        *("other_lengths", "max_slide"),
+        *("other_lengths", "max_slide", "centre_of_gravity"),
     )
 )
 """Of what is run in time there are tests of their own: it takes minutes."""
