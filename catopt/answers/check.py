@@ -320,6 +320,8 @@ def verdict_sentence(report: CheckReport) -> Message:
     count, failed = len(report.results), len(report.failed)
     if failed:
         return Message("checks.some_fail", count=failed, checks=count)
+    if count and report.is_doubted:
+        return Message("checks.pass_in_doubt", count=count)
     return Message("checks.all_pass", count=count) if count else Message("checks.nothing")
 
 

@@ -18,7 +18,7 @@ from catopt.answers.blocks import (
     texts,
     yes_or_no,
 )
-from catopt.answers.check import checks_in_motion, verdict_blocks
+from catopt.answers.check import checks_in_motion, tightest_table, verdict_blocks
 from catopt.answers.verification import label, remarks
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.units import lasting
@@ -79,7 +79,36 @@ def motion_answer(
         *([section("captions.checks_in_motion", *judged)] if judged else []),
         *_files(found, with_series=with_series),
     )
-    return replace(whole, next="verify_points") if found.joints else whole
+    if found.joints:
+        return replace(whole, next="verify_points")
+    if len(found.parts) > 1 and checks is not None and not found.case.several_lines:
+        return replace(whole, card=tuple(_card_of_load_cases(found, checks)))
+    return whole
+
+
+def _card_of_load_cases(
+    found: DynamicVerification, checks: CheckReport
+) -> Iterator[blocks.CardBlock]:
+    """Say what the checks come to, what is not proven, and what the hardest load case is like."""
+    yield from verdict_blocks(checks, checks.verdict is True)
+    unproven: dict[str, list[str]] = {}
+    for part in found.parts:
+        if part.verdict != "converged":
+            first, *_ = proof_sentences(part)
+            unproven.setdefault(first, []).append(part.name)
+    for said, names in unproven.items():
+        name = '", "'.join(names)
+        is_all = len(names) == len(found.parts)
+        whole = said if is_all else Message("checks.in_load_case", name=name, said=said)
+        yield blocks.Verdict(whole, passes=False)
+    if checks.results:
+        yield tightest_table(checks)
+    hardest = found.governing
+    yield _quantities(hardest, Message("motion.title_of_load_case", name=hardest.name))
+    if found.body:
+        yield tabulate("motion_body", *_over_runs(found.body), caption=Message("motion.the_buoy"))
+    remarked = dict.fromkeys(each for part in found.parts for each in part.remarks)
+    yield blocks.Brief((*checks.warnings, *remarked), Message("answers.card_to_be_known"), 3)
 
 
 # ------------------------------------------------------------------ for people
@@ -124,7 +153,8 @@ def _said(
 
 def _of_line(part: DynamicPart, said: str) -> str:
     if part.line is None:
-        return said
+        several = len(part.drive.case.load_cases) > 1 or part.name != "load"
+        return Message("checks.in_load_case", name=part.name, said=said) if several else said
     return Message("motion.said_of_line", number=part.shown, said=said)
 
 

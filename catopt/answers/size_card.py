@@ -95,6 +95,8 @@ def verdict(of: Sizing) -> Verdict:
             states=Message("sizing.new_and_worn" if is_worn else "sizing.as_new_alone"),
             governs=_governs(report.governing),
         )
+    if report.results and not any(each.kind == "tension" for each in report.results):
+        said = Message("sizing.no_tension_check", verdict=said)
     # Of the codes some have no allowance for motion, and say why: that is another thing.
     if of.dynamic_factor == 1.0 and is_said(of.motion, "sizing.factor_given"):
         said = Message("sizing.steady_first", verdict=said)
@@ -272,7 +274,8 @@ def _others(of: Sizing) -> Iterator[Brief]:
 def other_words(of: Sizing, each: Alternative) -> str:
     """Say in a line what another preference would recommend."""
     if each.settled is None or each.swing is None:
-        return Message("sizing.card_none")
+        no_less = is_said(each.reason, "sizing.swings_no_less")
+        return each.reason if no_less else Message("sizing.card_none")
     point, own = each.settled.point, of.point
     if (each.swing, point.line.mass) == (of.swing.total, own.line.mass):
         return Message("sizing.same_line")
@@ -305,11 +308,12 @@ def _assumed(of: Sizing) -> Iterator[str]:
 
 
 def heel_words(moved: InMotion | None) -> Iterator[Message]:
-    """Say how far the buoy heels in its runs, and by which centre of gravity where none is given."""
+    """Say how far the buoy heels in its runs, and whether its centre of gravity is assumed."""
     if moved is not None and moved.heel is not None:
         is_given = moved.how.centre_of_gravity is not None
         key = "sizing.heels_by_own" if is_given else "sizing.heels"
         yield Message(key, heel=math.degrees(moved.heel))
+        yield Message("sizing.runs_made_once")
 
 
 def _to_be_known(of: Sizing) -> Iterator[str]:

@@ -137,11 +137,12 @@ def check_state(
 
 
 def for_line_out(criteria: Criteria, lines: int) -> tuple[Criterion, ...]:
-    """List the criteria for one line out; of one line, those that are for nothing else."""
+    """List the criteria for one line out; of one line, those that codes have for nothing else."""
     return tuple(
         each
         for each in criteria.all
-        if "one_line_out" in each.states and (lines > 1 or "intact" not in each.states)
+        if "one_line_out" in each.states
+        and (lines > 1 or ("intact" not in each.states and each.source != HORIZONTAL_PULL))
     )
 
 

@@ -178,6 +178,8 @@ def alternatives(
     def alternative(prefer: Prefer) -> Alternative:
         try:
             found = sized(prefer)
+            if prefer == "least-swing" and found[1] > beside[1]:
+                return Alternative(prefer, None, reason=Message("sizing.swings_no_less"))
             return Alternative(
                 prefer, *found, trade=trade(*objectives(*found), *objectives(*beside))
             )

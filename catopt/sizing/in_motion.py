@@ -101,7 +101,7 @@ class LineTried(Record):
     """Unstretched."""
     mass: SomeMass
     """In air."""
-    runs: FromOne
+    runs: FromZero
     """Made of it: it is left at the first load case that fails."""
     failing: tuple[CheckResult, ...]  # the worst first
     reason: str = ""  # why a run has no answer; else empty

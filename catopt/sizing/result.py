@@ -24,7 +24,7 @@ from catopt.sizing.pattern import Pattern, system_case
 from catopt.sizing.settle import ConvergedSizing, point_diameter
 from catopt.ties import largest
 from catopt.units import UNITS, Dimension
-from catopt.words import Cited, Measure, Message, Sentence, Several, term
+from catopt.words import Cited, Measure, Message, Sentence, Several, is_said, term
 
 SHOT: Final = UNITS[Dimension.LENGTH]["shot"]
 """m: a shot of chain."""
@@ -361,7 +361,13 @@ class Sizing(Displayable, Record):
     def warnings(self) -> tuple[str, ...]:
         """What an engineer should know before using the answer, each once."""
         parts = (part for each in self.settled.posed.loads for part in each.parts)
+        open_ends = (
+            each
+            for each in self.point.checks.warnings
+            if is_said(each, "checks.no_strength_criterion")
+        )
         notes = [
+            *(Sentence(each, capital=True) for each in open_ends),
             *estimated_dimensions(self.inputs),
             *(warning for part in parts for warning in part.warnings),
             *map(Sentence, self.settled.warnings),
