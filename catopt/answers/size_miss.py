@@ -11,6 +11,7 @@ from catopt.answers.check import demand_and_capacity
 from catopt.catalogue.choice import chosen
 from catopt.catalogue.family import chain_words
 from catopt.checks.kinds import is_wanted
+from catopt.loads.buoy import buoys
 from catopt.model import CatalogueChoice
 from catopt.words import Message, Several
 
@@ -34,7 +35,8 @@ def miss_answer(error: NoFeasibleDesignError, of: ResolvedInputs) -> Answer:
         chain = chain_words(first.component, first.nominal_diameter)
         card.append(Text(Message("sizing.miss_nearest", chain=chain, length=miss.line.length)))
         card += [Brief((said,), name, 2) for name, said in _worst(miss)]
-        helping = [said for kind in _kinds(miss) for said in _helps(kind, of)]
+        thin = first.nominal_diameter or 0.0
+        helping = [said for kind in _kinds(miss) for said in _helps(kind, of, thin)]
         if error.in_motion is not None and of.moored == "tanker":
             options = {name: of.errors.spell(name) for name in ("lines", "seeds")}
             helping.append(Message("sizing.miss_helps_ship", **options))
@@ -68,8 +70,11 @@ def _worst(miss: NearMiss) -> Iterator[tuple[str, str]]:
 # ------------------------------------------------------------------ what would help
 
 
-def _helps(kind: str, of: ResolvedInputs) -> Iterator[Message]:
-    """Yield what would help against a kind of check, of inputs that are not at their end."""
+def _helps(kind: str, of: ResolvedInputs, size: float) -> Iterator[Message]:
+    """Yield what would help against a kind of check, of inputs that are not at their end.
+
+    A higher grade is lighter only where the nearest line, of a size in m, might be thinner.
+    """
     weight = ("clump_weight",) if of.moored == "tanker" else ()
     ways = {
         "tension": ("diameter_max", "chain", "life"),
@@ -80,7 +85,8 @@ def _helps(kind: str, of: ResolvedInputs) -> Iterator[Message]:
         "sliding": ("anchor", "soil", "sinker"),
     }
     for name in ways.get(kind, ()):
-        if _is_open(name, of):
+        is_thinnest = kind == "buoyancy" and name == "chain" and size <= _thinnest(of) + _SAME_SIZE
+        if _is_open(name, of) and not is_thinnest:
             yield Message(f"sizing.try_{name}", option=of.errors.spell(name))
 
 
@@ -109,14 +115,29 @@ def _is_open(name: str, of: ResolvedInputs) -> bool:
     return True
 
 
+def _sold(of: ResolvedInputs) -> list[float]:
+    catalogue = chosen(CatalogueChoice(allow_recalled=bool(of["recalled"])), of["water_density"])
+    return [each.nominal_diameter for name in of["chain"] for each in catalogue.sold(name)]
+
+
+def _made_for(of: ResolvedInputs) -> tuple[float, float]:
+    """Least and largest size of chain that the named buoy is made for, m; none where not known."""
+    shape = next((each for each in buoys() if each.name == of["buoy"]), None)
+    return (
+        (0.0, math.inf) if shape is None else (shape.chain_min or 0.0, shape.chain_max or math.inf)
+    )
+
+
 def _is_sold_above(of: ResolvedInputs) -> bool:
     """Whether a larger size is sold than those that were tried."""
-    catalogue = chosen(CatalogueChoice(allow_recalled=bool(of["recalled"])), of["water_density"])
-    sizes: list[float] = [
-        each.nominal_diameter for name in of["chain"] for each in catalogue.sold(name)
-    ]
-    most: float = of["diameter_max"] or math.inf
-    return max(sizes) > most + _SAME_SIZE
+    most: float = of["diameter_max"] or _made_for(of)[1]
+    return max(_sold(of)) > most + _SAME_SIZE
+
+
+def _thinnest(of: ResolvedInputs) -> float:
+    """Return the least size that was tried, m."""
+    least: float = of["diameter_min"] or _made_for(of)[0]
+    return min(each for each in _sold(of) if each >= least - _SAME_SIZE)
 
 
 def _has_higher_grade(of: ResolvedInputs) -> bool:

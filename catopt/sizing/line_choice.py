@@ -206,6 +206,12 @@ class LineChoice:
             return None
         return Service(self.life, self.wear_rate)
 
+    @property
+    def least_size(self) -> float | None:
+        """The thinnest that is looked at, m: no thinner than what wear leaves anything of."""
+        loss = self.life * self.wear_rate
+        return max(self.diameter_min or 0.0, loss * (1.0 + 1e-9)) or None
+
     def has_factor(self, check: Literal["sliding", "holding"]) -> bool:
         """Say whether the code has a factor of its own on a sinker or a drag anchor."""
         criteria = (each for profile in profiles_of(self.checks) for each in profile.criteria)
@@ -244,7 +250,7 @@ class LineChoice:
             lengths=every if self.length is None else (self.length,),
             components=self.components,
             diameters=self.diameters,
-            diameter_min=self.diameter_min,
+            diameter_min=self.least_size,
             diameter_max=self.diameter_max,
         )
 
@@ -275,7 +281,7 @@ def sold(choice: LineChoice, water_density: float) -> tuple[Segment, ...]:
 
     Refused when there is no such component, or no size of any of them is sold within the bounds.
     """
-    limits = (choice.diameter_min or 0.0, choice.diameter_max or math.inf)
+    limits = (choice.least_size or 0.0, choice.diameter_max or math.inf)
     there = [
         each
         for name in choice.components
