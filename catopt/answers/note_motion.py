@@ -529,7 +529,8 @@ def _known(note: Note, moved: InMotion, part: DynamicPart) -> Iterator[Message]:
     else:
         factor = f"{note.solution.safety_factor:g}"
         yield Message("note_motion.allowed_by_mbl", factor=factor)
-    yield from (Message(f"note_motion.{key}") for key in ("led", "ends", "grounded"))
+    led = () if note.case.floater is not None else ("led",)
+    yield from (Message(f"note_motion.{key}") for key in (*led, "ends", "grounded"))
 
 
 # ------------------------------------------------------------------ a body's lines

@@ -230,10 +230,14 @@ def _governing(of: Sizing) -> Iterator[Message]:
     """Say what each step to less runs into, and which check is nearest to its limit."""
     for each in of.limits:
         yield Message("sizing.step_fails", change=each.change, check=each.words)
-    governing = of.point.governing
-    if governing is not None and governing.utilisation is not None:
-        values = {"check": governing.in_case, "used": governing.utilisation}
-        yield Message("sizing.nearest", **values)
+    still, moved = of.point.governing, of.in_motion
+    for key, governing in (
+        ("nearest" if moved is None else "nearest_at_rest", still),
+        ("moved_nearest", None if moved is None else moved.checks.governing),
+    ):
+        if governing is not None and governing.utilisation is not None:
+            values = {"check": governing.in_case, "used": governing.utilisation}
+            yield Message(f"sizing.{key}", **values)
 
 
 def alternatives_table(of: Sizing) -> blocks.Table:

@@ -28,7 +28,7 @@ from catopt.answers.check import verdict_column, verdict_sentence
 from catopt.catalogue.family import chain_words
 from catopt.constants import YEAR
 from catopt.units import lasting
-from catopt.words import Measure, Message, Several, is_said, term
+from catopt.words import Measure, Message, Sentence, Several, is_said, term
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckResult
@@ -318,11 +318,15 @@ def heel_words(moved: InMotion | None) -> Iterator[Message]:
 
 def _to_be_known(of: Sizing) -> Iterator[str]:
     """Yield what decides whether the answer may be used; what decides most comes first."""
+    yield from of.breaking_seas()
     yield from heel_words(of.in_motion)
     yield from (each for each in of.defaults if is_said(each, "sizing.beyond_scope"))
     if any(is_said(each, "sizing.estimated_dimensions") for each in of.warnings):
         yield Message("sizing.card_estimated")
     yield from of.advice
-    yield from (each for each in of.warnings if not is_said(each, "sizing.estimated_dimensions"))
+    said = [Sentence(each, capital=True) for each in of.breaking_seas()]
+    for each in of.warnings:
+        if not is_said(each, "sizing.estimated_dimensions") and each not in said:
+            yield each
     if of.recalled:
         yield Message("loads.recalled", names=Several(of.recalled, ", "))

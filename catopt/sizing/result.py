@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Final, Literal, NamedTuple
 
@@ -24,8 +25,11 @@ from catopt.sizing.pattern import Pattern, system_case
 from catopt.sizing.settle import ConvergedSizing, point_diameter
 from catopt.ties import largest
 from catopt.units import UNITS, Dimension
+from catopt.waves import breaking_height
 from catopt.words import Cited, Measure, Message, Sentence, Several, is_said, term
 
+_MEAN_OF_PEAK: Final = 0.834
+"""Mean period over that of the peak, of a JONSWAP sea of peak enhancement 3.3."""
 SHOT: Final = UNITS[Dimension.LENGTH]["shot"]
 """m: a shot of chain."""
 
@@ -368,6 +372,7 @@ class Sizing(Displayable, Record):
         )
         notes = [
             *(Sentence(each, capital=True) for each in open_ends),
+            *(Sentence(each, capital=True) for each in self.breaking_seas()),
             *estimated_dimensions(self.inputs),
             *(warning for part in parts for warning in part.warnings),
             *map(Sentence, self.settled.warnings),
@@ -382,6 +387,19 @@ class Sizing(Displayable, Record):
         if self.drag_anchor is not None:
             notes.append(Message("sizing.holding_after", note=self.drag_anchor.capacity.note))
         return tuple(dict.fromkeys(notes))
+
+    def breaking_seas(self) -> Iterator[Message]:
+        """Say of the seas that lines were run in which cannot be, where waves break first."""
+        moved = self.in_motion
+        if moved is None or moved.case.waves is None:
+            return
+        waves, depth = moved.case.waves, moved.case.site.water_depth
+        for sea in moved.how.seas(waves.height or 0.0, waves.period or 0.0):
+            period = _MEAN_OF_PEAK * sea.period
+            limit = breaking_height(period, depth)
+            if limit < sea.height:
+                values = {"height": sea.height, "limit": limit, "period": period, "depth": depth}
+                yield Message("motion.waves_break", **values)
 
     def _factor(self, strength: str) -> float | None:
         strengths = [getattr(segment, strength) for segment in self.point.line.segments]
