@@ -8,6 +8,7 @@ from typing import Any, Protocol, TypeVar
 
 from catopt.errors import InputError, Problem
 from catopt.sizing.inputs import Input
+from catopt.units import as_written
 
 Made = TypeVar("Made")
 
@@ -29,7 +30,8 @@ class ErrorCollector:
 
     `spell` writes a name as the caller does, `source` is who is told, for the error; of inputs in
     `reported` a fault is known, and no more is said. `called` has further names by what the model
-    calls them: a key, or ``source.key``.
+    calls them: a key, or ``source.key``. `written`: inputs as they were given; text with a unit is
+    shown so, not in SI.
     """
 
     def __init__(
@@ -39,7 +41,9 @@ class ErrorCollector:
         source: str = "",
         reported: Collection[str] = (),
         called: Mapping[str, str] | None = None,
+        written: Mapping[str, object] | None = None,
     ) -> None:
+        self._written = written or {}
         self.spell, self.source = spell, source
         self._reported = set(reported)
         self._names = {name: name for name in inputs}
@@ -89,8 +93,16 @@ class ErrorCollector:
                 if name is None:
                     self._problems.append(each)
                 else:
-                    self.add(name, each.found, each.allowed, index)
+                    self.add(name, self._as_given(name, index, each.found), each.allowed, index)
         return None
+
+    def _as_given(self, name: str, index: int | None, found: str) -> str:
+        """Return text with a unit as the caller wrote it where a bare number was found."""
+        value = self._written.get(name)
+        if index is not None and isinstance(value, (list, tuple)) and index < len(value):
+            value = value[index]
+        is_bare = re.fullmatch(r"-?[\d.]+(e[-+]?\d+)?", found) is not None
+        return as_written(value) if isinstance(value, str) and is_bare else found
 
     def made(self, maker: Callable[..., Made], *parts: Any) -> Made:
         """Make a value as `make` does; raise with all that was kept where anything is wrong."""

@@ -154,7 +154,7 @@ def known(
     """
     given = {name: value for name, value in given.items() if value is not None}
     inputs = inputs_of(moored, held_by=_held_by(moored, given))
-    errors = ErrorCollector(inputs, spell, source, reported, called)
+    errors = ErrorCollector(inputs, spell, source, reported, called, given)
     values: dict[str, Any] = {}
     for name, value in given.items():
         if name not in inputs:

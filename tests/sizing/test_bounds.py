@@ -164,7 +164,7 @@ def test_a_fairlead_is_refused_beyond_its_bounds(height: float) -> None:
     [
         ({"components": ()}, "components", "one family with its grade is wanted, or several"),
         ({"diameter_min": 0.0}, "diameter_min", "must be above 0 m"),
-        ({"diameter_min": 0.05, "diameter_max": 0.04}, "diameter_max", "below diameter_min, 50"),
+        ({"diameter_min": 0.05, "diameter_max": 0.04}, "diameter_max", "below diameter_min, 50 mm"),
         ({"length_step": 0.0}, "length_step", "must be above 0 m"),
         ({"max_swing": 0.0}, "max_swing", "must be above 0 m"),
         ({"swing_price": -1.0, "prefer": "cheapest"}, "swing_price", "must be 0 USD/m or more"),
