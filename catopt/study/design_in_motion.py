@@ -115,6 +115,7 @@ def design_in_motion(
     refuse_without_tension(case)
     problem = problem_of(case)
     _refuse_search(problem)
+    _refuse_rigid(problem)
     tell, said = progress or silent, announce or (lambda _: None)
     begun, size = perf_counter(), estimate(problem, workers=os.cpu_count() or 1)
     said(f"enumeration of {size}")
@@ -134,6 +135,21 @@ def _refuse_search(problem: DesignProblem) -> None:
     if designs > most:
         allowed = Message("refused_case.too_many_in_motion", most=most)
         raise InputError([Problem("design.max_enumerated", f"{designs:,}", allowed)], "design")
+
+
+def _refuse_rigid(problem: DesignProblem) -> None:
+    """Refuse options that do not stretch: a bar of the truss model has an axial stiffness."""
+    allowed = Message("refused_case.no_EA_in_motion")
+    problems = []
+    for index, variable in enumerate(problem.space.segments):
+        rigid = dict.fromkeys(
+            each.component or each.name for each in variable.options if each.is_inextensible
+        )
+        if rigid:
+            names = ", ".join(each or "a segment" for each in rigid)
+            problems.append(Problem(f"design.segments[{index}]", names, allowed))
+    if problems:
+        raise InputError(problems, "design")
 
 
 @dataclass

@@ -171,6 +171,16 @@ def test_what_cannot_be_run_or_judged_is_refused(case: Case) -> None:
     )
 
 
+def test_what_does_not_stretch_is_refused_by_its_segment(case: Case) -> None:
+    assert case.design is not None
+    (chain,) = case.design.segments
+    rigid = asking(
+        case, segments=(replace(chain, components=("chain open-link 4D Q2",), diameters=(0.03,)),)
+    )
+    said = refusal(rigid)
+    assert "design.segments[0]: found chain open-link 4D Q2; no EA is known of it" in said
+
+
 def test_a_search_at_rest_does_not_pass_it_over(case: Case) -> None:
     with pytest.raises(InputError, match=r"design.in_motion: found true; .*design_in_motion"):
         design_case(case)
