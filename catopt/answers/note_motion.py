@@ -460,7 +460,10 @@ def _extremes(part: DynamicPart) -> Iterator[Table]:
     every = [each for each in part.quantities if each.tail is not None]
     if not every:
         return
-    listed = dict(_EXTREMES)
+    by_minute = any(each.storm is not each.tail.extreme for each in every if each.tail)
+    listed = {"judged": "storm.most_probable"} if by_minute else {}
+    listed |= {"judged_from": "storm.low", "judged_to": "storm.high"} if by_minute else {}
+    listed |= _EXTREMES
     if every[0].gumbel is not None:
         listed |= {"by_gumbel": "gumbel.extreme.most_probable"}
         listed |= {"gumbel_from": "gumbel.extreme.low", "gumbel_to": "gumbel.extreme.high"}

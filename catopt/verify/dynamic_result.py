@@ -369,7 +369,7 @@ class DynamicPart(Record):
         for quantity in SERIES:
             each = [run.statistics(quantity) for run in self.runs]
             tail, gumbel = self.tail(quantity, self.runs), self._gumbel(quantity, each)
-            found.append(over_runs(quantity, each, tail, gumbel))
+            found.append(over_runs(quantity, each, tail, gumbel, self.storm(quantity, self.runs)))
         return tuple(found)
 
     def of(self, quantity: str) -> OverRuns:

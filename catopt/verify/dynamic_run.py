@@ -15,6 +15,7 @@ import numpy as np
 from catopt.arrays import Array, Flags
 from catopt.checks.fatigue import Cycles
 from catopt.fem.extremes import (
+    Extreme,
     GumbelFit,
     SeriesStatistics,
     TailFit,
@@ -106,6 +107,9 @@ class OverRuns(Record):
     gumbel: GumbelFit | None = None
     """Gumbel's distribution of the maxima of the runs; None for fewer than five, or what is not
     random."""
+    storm: Extreme | None = None
+    """What checks are held against: that of the tail, of a line that goes slack by Gumbel's
+    distribution of the maxima of every minute."""
 
     @property
     def unit(self) -> SeriesUnit:
@@ -118,8 +122,8 @@ class OverRuns(Record):
 
     @property
     def most_probable_maximum(self) -> float | None:
-        """In unit, in the duration of interest, by the tail; None without one."""
-        return None if self.tail is None else self.tail.extreme.most_probable
+        """In unit, in the duration of interest, as `storm` has it; None without a tail."""
+        return None if self.storm is None else self.storm.most_probable
 
 
 @dataclass(frozen=True, eq=False)
@@ -233,12 +237,13 @@ def over_runs(
     each: Sequence[SeriesStatistics],
     tail: TailFit | None = None,
     gumbel: GumbelFit | None = None,
+    storm: Extreme | None = None,
 ) -> OverRuns:
     """Put the statistics of several runs together."""
     means = np.array([one.mean for one in each])
     std = math.sqrt(float(np.mean([one.std**2 for one in each]) + means.var()))
     ends = max(one.maximum for one in each), min(one.minimum for one in each)
-    return OverRuns(quantity, float(means.mean()), std, *ends, tail, gumbel)
+    return OverRuns(quantity, float(means.mean()), std, *ends, tail, gumbel, storm)
 
 
 def of_track(

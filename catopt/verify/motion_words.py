@@ -219,7 +219,10 @@ def _extremes(part: DynamicPart) -> Iterator[str]:
             threshold=Measure(quantity.key, tail.threshold),
             time=lasting(tail.time),
         )
-        if each.maximum > tail.extreme.most_probable:
+        judged = each.storm or tail.extreme
+        if judged is not tail.extreme:
+            yield Message("motion.by_minute", what=what, interval=interval(quantity, judged))
+        if each.maximum > judged.most_probable:
             yield Message("motion.above_probable", largest=Measure(quantity.key, each.maximum))
         if runs is not None:
             found = interval(quantity, runs.extreme)
