@@ -83,7 +83,7 @@ def mooring_point(problem: MooringProblem, genes: tuple[int, ...]) -> MooringPoi
     rest, lines = zero.under(zero.system.force, system.moment)
     report = CheckReport(
         title=case.title,
-        results=tuple(_hardest(results)),
+        results=tuple(hardest_of(results)),
         solutions=((far.state.name, far.state.solution.lines[most].solution),),
         warnings=tuple(
             dict.fromkeys(
@@ -145,7 +145,7 @@ def under(load: DesignLoad, direction: float) -> Message:
     return Message("checks.state_under", state=load.name, load=heading) if load.name else heading
 
 
-def _hardest(results: Iterable[CheckResult]) -> Iterator[CheckResult]:
+def hardest_of(results: Iterable[CheckResult]) -> Iterator[CheckResult]:
     """Keep of each check, by source and kind of state, the one that is nearest to its limit."""
     worst: dict[tuple[object, ...], CheckResult] = {}
     for each in results:

@@ -9,11 +9,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from catopt.checks.kinds import ROUNDING
+from catopt.checks.kinds import ROUNDING, USER, Place
+from catopt.checks.result import CheckResult
 from catopt.checks.system import check_system
 from catopt.design.assess import BOUNDS, least_forces
 from catopt.design.front import Outcome
 from catopt.design.mooring import MooringProblem
+from catopt.design.mooring_point import hardest_of
 from catopt.design.search import design_case, enumerate_designs
 from catopt.design.symmetry import distinct_states, widest_gap
 from catopt.design.tables import room
@@ -490,3 +492,20 @@ def test_what_is_of_a_body_wants_a_system() -> None:
         replace(mooring_case(), system=None, checks=Checks())
     keys = {problem.key for problem in caught.value.problems} - {"load"}
     assert keys == {f"design.{key}" for key in ("lines", "anchor_radii", "headings", "line_out")}
+
+
+# ------------------------------------------------------------------ the hardest of many
+
+
+@pytest.mark.parametrize(("more", "kept"), [(1e-12, 1), (1e-6, 2), (-0.1, 1)])
+def test_the_first_of_those_that_rounding_alone_tells_apart_is_kept(more: float, kept: int) -> None:
+    first, second = (
+        CheckResult(
+            name="tension", kind="tension", load_case="intact", demand=1.2 * (1.0 + more * k),
+            capacity=1.0, unit="N", exceedance=0.2 * (1.0 + more * k), source=USER,
+            place=Place("intact", line=k + 1),
+        )
+        for k in (0, 1)
+    )  # fmt: skip
+    (worst,) = hardest_of([first, second])
+    assert worst.place.line == kept
