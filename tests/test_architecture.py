@@ -242,8 +242,8 @@ LAID_OUT = BASE | {"model", "catalogue", "answers", "figures"}
 LAID_OUT -= {"arrays", "compiled", "interrupt", "patience", "ties"}
 """All that runs to lay an answer out; results are read, and nothing is solved."""
 SAID = (
-    *("catopt.verify.motion_words.", "catopt.verify.motion_words.", "catopt.verify.compared."),
-    "catopt.checks.kinds.",
+    *("catopt.verify.motion_words.", "catopt.verify.compared."),
+    *("catopt.checks.kinds.", "catopt.design.made_of."),
 )
 """What results say of themselves in words, are rounded to or measured in."""
 

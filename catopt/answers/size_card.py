@@ -121,14 +121,14 @@ def _numbers(of: Sizing) -> Iterator[Fact]:
     force = largest(each.horizontal_force for _, each in of.intact)
     swing = "swing" if of.pattern is None else "swing_line_out"
     yield _measured(swing, "length", of.swing.total)
-    rest = "" if of.in_motion is None else "rest_"
+    is_still = of.in_motion is None
     if of.pattern is None:
-        yield _measured(f"{rest}force", "horizontal_force", force)
+        yield _measured("force" if is_still else "rest_force", "horizontal_force", force)
     else:
         lost = max(each.line_out.line_force for each in of.pattern.states)
         own, without = (about("horizontal_force", each) for each in (force or 0.0, lost))
         said = Message("sizing.and_with_a_line_lost", value=own, lost=without)
-        yield _worded(f"{rest}line_force", said)
+        yield _worded("line_force" if is_still else "rest_line_force", said)
     if of.in_motion is not None:
         yield from _in_motion(of.in_motion)
         yield _measured("mass", "mass", of.point.line.mass)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -11,7 +10,6 @@ from catopt.answers.check import demand_and_capacity
 from catopt.catalogue.choice import chosen
 from catopt.catalogue.family import chain_words
 from catopt.checks.kinds import is_wanted
-from catopt.loads.buoy import buoys
 from catopt.model import CatalogueChoice
 from catopt.words import Message, Several
 
@@ -120,23 +118,15 @@ def _sold(of: ResolvedInputs) -> list[float]:
     return [each.nominal_diameter for name in of["chain"] for each in catalogue.sold(name)]
 
 
-def _made_for(of: ResolvedInputs) -> tuple[float, float]:
-    """Least and largest size of chain that the named buoy is made for, m; none where not known."""
-    shape = next((each for each in buoys() if each.name == of["buoy"]), None)
-    return (
-        (0.0, math.inf) if shape is None else (shape.chain_min or 0.0, shape.chain_max or math.inf)
-    )
-
-
 def _is_sold_above(of: ResolvedInputs) -> bool:
     """Whether a larger size is sold than those that were tried."""
-    most: float = of["diameter_max"] or _made_for(of)[1]
+    most: float = of["diameter_max"] or of.made_for[1]
     return max(_sold(of)) > most + _SAME_SIZE
 
 
 def _thinnest(of: ResolvedInputs) -> float:
     """Return the least size that was tried, m."""
-    least: float = of["diameter_min"] or _made_for(of)[0]
+    least: float = of["diameter_min"] or of.made_for[0]
     return min(each for each in _sold(of) if each >= least - _SAME_SIZE)
 
 

@@ -88,8 +88,8 @@ def _card(
     if parting:
         yield blocks.Verdict(Message("solution.parts", said=Several(parting)), passes=False)
     on_card = _ON_CARD - bool(parting)
-    numbers = (*result_facts(solution)[:on_card], *_lying(solution), *_of_current(solution))
-    facts = (*found_facts(solution), *numbers)
+    numbers = (*result_facts(solution)[:on_card], *_lying(solution))
+    facts = (*found_facts(solution), *_of_current(solution), *numbers)
     known = (replace(each, also=()) for each in facts if each.value is not None)
     yield blocks.Facts("summary", tuple(known))
     carried = profile_table(solution) if with_profile else segments_table(solution)

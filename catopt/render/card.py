@@ -71,8 +71,8 @@ def card_lines(answer: Answer, language: Language = "en", further: str = "") -> 
     """Lay the card of an answer out, under its title.
 
     Tables and what is brief get fewer lines where there is no room for all of it, the longest
-    first, and then facts. Where that is not enough blocks are left out, `_left_out_first`, and the
-    tables among them named.
+    first. Where that is not enough blocks are left out, `_left_out_first`, and the tables among
+    them named; facts get fewer lines once nothing brief is left.
     """
     wanted = as_wanted(answer)
     card = list(wanted.card or islice(_screen(wanted), LINES))  # each takes a line at least
@@ -98,10 +98,11 @@ def card_lines(answer: Answer, language: Language = "en", further: str = "") -> 
             range(len(rooms)),
             key=lambda k: (spare[k] > 0, k not in facts, rooms[k] / (1 + (k == first)), k),
         )
-        if spare[longest] > 0:
+        place = _left_out_first(card)
+        is_brief = place is not None and isinstance(card[place], Brief)
+        if spare[longest] > 0 and not (longest in facts and is_brief):
             rooms[longest] -= 1
             continue
-        place = _left_out_first(card)
         if place is None:
             return lines
         gone = card.pop(place)

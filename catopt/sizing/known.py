@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
@@ -9,6 +10,7 @@ from typing import Any, Literal
 
 from catopt.casefile.reading import Moored
 from catopt.catalogue.family import nearest
+from catopt.loads.buoy import buoys
 from catopt.loads.ship_dimensions import DIMENSIONS_SOURCE, ship_dimensions
 from catopt.records import Record
 from catopt.sizing.error_collector import ErrorCollector, Spelling, as_keyword
@@ -113,6 +115,13 @@ class ResolvedInputs:
                 other = self.errors.spell(known_by)
                 allowed = Message("refused.or_estimated", wanted=allowed, other=other)
             self.errors.add(name, "", allowed)
+
+    @property
+    def made_for(self) -> tuple[float, float]:
+        """Least and largest size of chain that the named buoy is made for, m; any if not known."""
+        shape = next((each for each in buoys() if each.name == self["buoy"]), None)
+        least, most = (None, None) if shape is None else (shape.chain_min, shape.chain_max)
+        return least or 0.0, most or math.inf
 
     @property
     def read(self) -> tuple[ReadInput, ...]:

@@ -276,8 +276,9 @@ def test_what_would_help_are_options_of_the_command(moored: Moored, more: dict[s
 
 
 def test_no_size_is_asked_for_where_every_size_was_tried() -> None:
-    """A buoy's chain has all sizes that are sold, a ship's those up to 120 mm of 185."""
-    assert "diameter" not in " ".join(said_of("buoy"))
+    """A buoy's chain has the sizes that it is made for, a ship's those up to 120 mm of 185."""
+    assert "(--diameter-max)" in " ".join(said_of("buoy"))
+    assert "diameter" not in " ".join(said_of("buoy", diameter_max="60 mm"))
     assert "(--diameter-max)" in " ".join(said_of("buoy", diameter_max="16 mm"))
     assert "(--diameter-max)" in " ".join(said_of("tanker"))
     assert "diameter" not in " ".join(said_of("tanker", diameter_max="185 mm"))

@@ -49,6 +49,8 @@ POSITIVE = st.floats(min_value=1e-3, max_value=100.0)
 """Plausible of every quantity."""
 NOT_NEGATIVE = st.just(0.0) | POSITIVE
 ANY = NOT_NEGATIVE | POSITIVE.map(lambda value: -value)
+ANGLES = st.just(0.0) | st.floats(1e-3, 6.5) | st.floats(-6.5, -1e-3)
+"""Up to about a turn."""
 TEXT = st.text(st.characters(exclude_categories=["Cs", "Cc"]), max_size=20).filter(
     lambda text: not unfit(text)
 )
@@ -249,7 +251,7 @@ def trains(draw: st.DrawFn) -> WaveTrain:
         draw(POSITIVE),
         draw(POSITIVE),
         draw(GAMMA) if spectrum == "jonswap" else None,
-        draw(ANY),
+        draw(ANGLES),
         7 * draw(st.integers(1, 1000)),
         **spread,
     )
@@ -269,7 +271,7 @@ WAVES: st.SearchStrategy[WaveState] = st.one_of(
         elevation_file=st.just("/data/elevation.csv"),
         elevation_x=ANY,
         shortest_period=st.none() | POSITIVE,
-        direction=ANY,
+        direction=ANGLES,
         stretching=SEA["stretching"],
     ),
 )
@@ -280,11 +282,14 @@ CURRENTS = st.one_of(
         profile=st.just("power"),
         speed=NOT_NEGATIVE,
         exponent=st.none() | POSITIVE,
-        direction=ANY,
+        direction=ANGLES,
     ),
     st.builds(CurrentProfile, profile=st.just("wind"), speed=NOT_NEGATIVE, depth=POSITIVE),
     st.builds(
-        CurrentProfile, profile=st.just("power"), direction=ANY, series_file=st.just("/data/c.csv")
+        CurrentProfile,
+        profile=st.just("power"),
+        direction=ANGLES,
+        series_file=st.just("/data/c.csv"),
     ),
     st.builds(
         CurrentProfile,
@@ -305,7 +310,7 @@ LOWER_MOTIONS = st.one_of(
         Motion,
         period=POSITIVE,
         **dict.fromkeys(("surge", "sway", "heave"), NOT_NEGATIVE),
-        **dict.fromkeys(("surge_phase", "sway_phase", "heave_phase"), ANY),
+        **dict.fromkeys(("surge_phase", "sway_phase", "heave_phase"), ANGLES),
     ),
     st.builds(Motion, file=st.just("/data/motion.csv")),
 )

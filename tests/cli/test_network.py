@@ -73,7 +73,7 @@ def test_bodies_are_in_every_answer(run: Run, tmp_path: Path) -> None:
     assert held["load"][0] == pytest.approx(-150e3, rel=1e-6)
     assert held["displacement"][5] == pytest.approx(body["position"]["yaw_rad"])
     shown = run("system", place, "--full").out
-    assert "1 bodies free in x, y" in shown
+    assert "bodies: 1, free in x, y" in shown
     page = run("report", place, "--out", tmp_path / "note.html", "--lang", "vi")
     assert page.status == 0, page.err
     assert "Các vật nổi" in (tmp_path / "note.html").read_text("utf-8")
