@@ -6,9 +6,13 @@ from pathlib import Path
 
 import pytest
 
+from catopt.threads import one_thread
+
 from .longer import LONGER, names_of, read
 
 ROOT = Path(__file__).parents[1]
+
+one_thread()  # as the command does, or the last digits of a run are another's than its worker's
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:

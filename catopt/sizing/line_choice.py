@@ -250,7 +250,7 @@ class LineChoice:
             lengths=every if self.length is None else (self.length,),
             components=self.components,
             diameters=self.diameters,
-            diameter_min=self.least_size,
+            diameter_min=None if self.diameters else self.least_size,
             diameter_max=self.diameter_max,
         )
 

@@ -388,9 +388,8 @@ class _Search:
 
     def _said(self, state: ShipState) -> str:
         """Name a load case with its sea and directions, where there are several."""
-        said = in_sea(state.load_case, self.how, state.sea)
-        if state.worn:
-            said = worn_name(said)
+        name = worn_name(state.load_case) if state.worn else state.load_case
+        said = in_sea(name, self.how, state.sea)
         if len(self.request.weathervaning.directions) == 1:
             return said
         angles = {key: math.degrees(angle) for key, angle in vars(state.directions).items()}

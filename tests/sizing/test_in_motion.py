@@ -76,7 +76,9 @@ def searched(
     patched.setattr(
         searching,
         "InMotion",
-        lambda *found, seas: SimpleNamespace(counted=found[5], by_length=found[7], seas=seas),
+        lambda *found, seas, heel: SimpleNamespace(
+            counted=found[5], by_length=found[7], seas=seas, heel=heel
+        ),
     )
     patched.setattr(searching, "_sinker_size", lambda *_: None)
     own = searching.search_in_motion

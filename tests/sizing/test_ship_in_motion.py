@@ -177,9 +177,9 @@ def test_weather_from_two_sides() -> None:
 
 
 def test_the_directions_that_decide_are_named() -> None:
-    """Current from either side of a line on which the ship fishtails: none holds."""
+    """Current from either side of a line on which the ship fishtails: no thin one holds."""
     with alone(), pytest.raises(NoLineInMotionError) as caught:
-        size_tanker(**SHIP, **ASIDE, scan="180 deg", diameter_max="62 mm")
+        size_tanker(**SHIP, **ASIDE, scan="180 deg", diameter_max="48 mm")
     assert "wind from 0, current 0, waves 0 deg" in str(caught.value)
 
 
