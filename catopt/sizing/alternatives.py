@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterator, Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any, Final, Literal
@@ -163,13 +163,12 @@ def alternatives(
     sized: Callable[[Prefer], tuple[ConvergedSizing, float]],
     beside: tuple[ConvergedSizing, float],
     *,
-    priced: bool,
+    but: Container[Prefer],
 ) -> tuple[Alternative, ...]:
     """Settle the lines of the preferences other than that of the recommended line.
 
     `sized` settles a line by a preference, and gives its swing radius, m; `beside` is the
-    recommended line with its own. Where not every price is known none is the cheapest, and of one
-    component the lightest is.
+    recommended line with its own; no line is looked for by what is in `but`.
     """
 
     def objectives(of: ConvergedSizing, swing: float) -> tuple[float, float]:
@@ -186,8 +185,8 @@ def alternatives(
         except (NoAnswerError, InputError) as error:
             return Alternative(prefer, None, reason=_why_none(error))
 
-    others = (each for each in _LOOKED_AT[moored] if each != own)
-    return tuple(alternative(each) for each in others if priced or each != "cheapest")
+    others = (each for each in _LOOKED_AT[moored] if each != own and each not in but)
+    return tuple(map(alternative, others))
 
 
 def trade(swing: float, mass: float, own_swing: float, own_mass: float) -> Message:

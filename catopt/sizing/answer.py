@@ -126,13 +126,17 @@ def sizing_of(
             other = of_line(line.by(prefer))
             return other, swing(other).total
 
-        priced = request.is_priced and len(line.components) > 1
+        but: set[Prefer] = set()
+        if not request.is_priced or len(line.components) == 1:
+            but.add("cheapest")  # not known, or the lightest
+        if isinstance(request, TankerRequest) and request.lines > 1:
+            but.add("least-swing")
         own |= {
             "candidates": candidates(
                 settled, lambda name, size: of_size(line.only(name, size), size)
             ),
             "alternatives": alternatives(
-                kind, line.looks_for, by, (settled, swing(settled).total), priced=priced
+                kind, line.looks_for, by, (settled, swing(settled).total), but=but
             ),
             "limits": limits(settled),
         }

@@ -187,6 +187,8 @@ class TankerRequest:
                 found.add("max_swing", f"{most:g} m", allowed)
             if self.line.swing_price:
                 found.add("swing_price", f"{self.line.swing_price:g} USD/m", allowed)
+            if self.line.prefer == "least-swing":
+                found.add("prefer", '"least-swing"', allowed)
         elif most is not None and most <= rest:
             allowed = Message("refused_sizing.ship_hawser_alone_are_m", rest=rest)
             found.add("max_swing", f"{most:g} m", allowed)

@@ -38,7 +38,8 @@ def drawn(number: int) -> dict[str, Any]:
     given["hs"] = draw.uniform(0.3, 3.0)
     if not number % 2:
         given["lines"] = draw.choice((1, 1, 1, 3, 4))
-        given["prefer"] = draw.choice((None, "balanced", "lightest", "least-swing"))
+        prefer = draw.choice((None, "balanced", "lightest", "least-swing"))
+        given["prefer"] = None if (prefer, given["lines"] > 1) == ("least-swing", True) else prefer
     if draw.random() < 0.2:
         given["peak_period"] = tuple(part * given["hs"] ** 0.5 for part in (3.6, 4.3))
     return given

@@ -144,6 +144,10 @@ def test_where_no_line_keeps_the_bound_the_key_and_ways_out_are_told() -> None:
             ),
         ),
         (
+            {"prefer": "least-swing", "lines": 6},
+            {"prefer": "leave it out: it is of one line, and several hold the ship in its place"},
+        ),
+        (
             {"swing_price": 10, "prefer": "balanced"},
             {
                 "swing_price": 'leave it out: prefer = "cheapest" alone weighs it, and wants known '
@@ -169,6 +173,11 @@ def test_what_cannot_be_weighed_or_kept_is_refused(
     with pytest.raises(InputError) as caught:
         sized(**inputs)
     assert {each.key: each.allowed for each in caught.value.problems} == told
+
+
+def test_of_several_lines_none_is_looked_for_by_its_own_swing() -> None:
+    """What six lines let a ship swing is no sum of what each spans."""
+    assert [each.prefer for each in sized(lines=6).alternatives] == ["balanced"]
 
 
 @pytest.mark.parametrize("ship", [SHIP, {"dwt": "3000 t", "depth": "7 m"}])
