@@ -191,8 +191,12 @@ def _give(asked: Asked, found: Sizing, answer: Answer, save: Path | None, given:
         from catopt.casefile import write_case
         from catopt.report.bundle import write_files
 
-        write_files(save.parent, {save.name: write_case(found.whole_case).encode()})
-        asked.output.note(f"{save} written; refine it with: catopt design {save}")
+        case = found.whole_case
+        write_files(save.parent, {save.name: write_case(case).encode()})
+        onward = f"run it with: catopt verify {save} --dynamic"
+        if case.design is not None:
+            onward = f"refine it with: catopt design {save}"
+        asked.output.note(f"{save} written; {onward}")
     asked.show(answer, found.to_dict)
 
 

@@ -191,10 +191,10 @@ class Sizing(Displayable, Record):
 
     @property
     def whole_case(self) -> Case:
-        """The case to keep: of several lines that of the whole pattern, else of the one line."""
-        if self.pattern is None:
-            return self.line_case
-        return self.ship_case or system_case(self.case, self.pattern)
+        """The case to keep: of several lines all of them, of a ship that was run she and the sea."""
+        if self.ship_case is not None and (self.pattern is not None or self.in_motion is not None):
+            return self.ship_case
+        return self.line_case if self.pattern is None else system_case(self.case, self.pattern)
 
     @property
     def line_case(self) -> Case:
