@@ -191,7 +191,7 @@ class Sizing(Displayable, Record):
 
     @property
     def whole_case(self) -> Case:
-        """The case to keep: of several lines all of them, of a ship that was run she and the sea."""
+        """The case to keep: of several lines all, of a ship that was run she and the sea."""
         if self.ship_case is not None and (self.pattern is not None or self.in_motion is not None):
             return self.ship_case
         return self.line_case if self.pattern is None else system_case(self.case, self.pattern)
