@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Final, Literal
 
 from catopt.figures.chart import Chart
 from catopt.quantities import QUANTITIES, Quantity
@@ -225,6 +225,10 @@ class Brief:
     label: str = ""
     lines: int = 1
     """That it takes at most."""
+
+
+TO_BE_KNOWN: Final = Message("answers.card_to_be_known")
+"""Label of what decides whether an answer may be used: a card keeps the first of it."""
 
 
 @dataclass(frozen=True)

@@ -103,7 +103,7 @@ def _card(result: DesignResult) -> Iterator[blocks.CardBlock]:
         yield blocks.Brief(worse, Message("answers.card_limits"), 3)
     yield blocks.Brief((_how(result),), Message("answers.card_search"), 2)
     if result.warnings:
-        yield blocks.Brief(tuple(result.warnings), Message("answers.card_to_be_known"), 3)
+        yield blocks.Brief(tuple(result.warnings), blocks.TO_BE_KNOWN, 3)
 
 
 def _short_verdict(step: Neighbour) -> str:
@@ -113,10 +113,7 @@ def _short_verdict(step: Neighbour) -> str:
         return step.reason
     if step.point.checks.passes and step.point.draws is not None:
         return Message("design.fails_in_draws", failing=100.0 * step.point.draws.failing)
-    name = Message(f"checks.{worst.kind}_short")
-    if worst.utilisation is None:
-        return Message("checks.fails", check=name)
-    return Message("checks.fails_used", check=name, used=worst.utilisation)
+    return worst.fails_as(Message(f"checks.{worst.kind}_short"))
 
 
 def shown_designs(count: int, *named: int) -> tuple[int, ...]:
@@ -337,9 +334,7 @@ def _verdict(step: Neighbour) -> str:
     worst = report.governing
     if report.passes or worst is None:
         return Message("answers.passes")
-    if worst.utilisation is None:
-        return Message("checks.fails", check=worst.in_case)
-    return Message("checks.fails_used", check=worst.in_case, used=worst.utilisation)
+    return worst.fails_as(worst.in_case)
 
 
 # ------------------------------------------------------------------ in files alone

@@ -68,7 +68,7 @@ def _card(whole: blocks.Answer, every: Sequence[Loads]) -> Iterator[blocks.CardB
     notes = list(_notes(every))
     for each in reversed(notes):
         if isinstance(each, blocks.Warnings) and each.said:
-            yield blocks.Brief(each.said, Message("answers.card_to_be_known"), 3)
+            yield blocks.Brief(each.said, blocks.TO_BE_KNOWN, 3)
     assumed = tuple(each.said for each in notes if isinstance(each, blocks.Text))
     if assumed:
         yield blocks.Brief(assumed, Message("answers.card_assumed"), 3)

@@ -108,7 +108,7 @@ def _card_of_load_cases(
     if found.body:
         yield tabulate("motion_body", *_over_runs(found.body), caption=Message("motion.the_buoy"))
     remarked = dict.fromkeys(each for part in found.parts for each in part.remarks)
-    yield blocks.Brief((*checks.warnings, *remarked), Message("answers.card_to_be_known"), 3)
+    yield blocks.Brief((*checks.warnings, *remarked), blocks.TO_BE_KNOWN, 3)
 
 
 # ------------------------------------------------------------------ for people
@@ -484,7 +484,7 @@ def _card(found: ShipVerification) -> Iterator[blocks.CardBlock]:
     yield _body(found)
     yield _lines(found, most=_ON_CARD)
     yield from _hardest_out(found)
-    yield blocks.Brief(tuple(found.remarks), Message("answers.card_to_be_known"), 4)
+    yield blocks.Brief(tuple(found.remarks), blocks.TO_BE_KNOWN, 4)
 
 
 def _means(found: ShipVerification) -> Iterator[blocks.Text]:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from catopt.answers.blocks import (
+    TO_BE_KNOWN,
     Answer,
     Brief,
     CardBlock,
@@ -52,7 +53,7 @@ def size_card(of: Sizing, *, with_others: bool = True) -> tuple[CardBlock, ...]:
         Brief(of.fittings, Message("sizing.card_fittings")),
         *(_others(of) if with_others else ()),
         Brief(tuple(_assumed(of)), Message("sizing.card_assumed"), 3),
-        Brief(tuple(_to_be_known(of)), Message("sizing.card_known"), 2),
+        Brief(tuple(_to_be_known(of)), TO_BE_KNOWN, 2),
     )
     return (
         Text(of.one_line),

@@ -98,7 +98,7 @@ def _card(
         yield point_loads_table(solution)
     others = tuple(each for each in solution.warnings if each not in parting)
     if others:
-        yield blocks.Brief(others, Message("answers.card_to_be_known"), 3)
+        yield blocks.Brief(others, blocks.TO_BE_KNOWN, 3)
     if solution.found is not None:
         sought = Message("captions.found_for", condition=solution.found.condition)
         yield blocks.Brief((sought,))

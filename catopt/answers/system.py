@@ -87,7 +87,7 @@ def _card(report: SystemReport, checks: CheckReport, solved: Message) -> Iterato
     yield from own
     for block in _closing(report, checks):
         if isinstance(block, blocks.Warnings) and block.said:
-            yield blocks.Brief(block.said, Message("answers.card_to_be_known"), 3)
+            yield blocks.Brief(block.said, blocks.TO_BE_KNOWN, 3)
     yield blocks.Brief((solved,))
 
 
@@ -321,8 +321,8 @@ def network_answer(
     network = rest.network
     joints = sum(point.kind == "joint" for point in network.points)
     counts = {"lines": len(network.lines), "joints": joints, "bodies": len(rest.bodies)}
-    is_held = any(point.kind == "fairlead" for point in network.points)
-    kind = "network" if rest.bodies else "joints" if is_held else "joints_alone"
+    kind = "joints" if network.has_fairlead else "joints_alone"
+    kind = "network" if rest.bodies else kind
     solved = Message(f"mooring.{kind}_solved", **counts)
     if network.current_at_rest is not None:
         said = current_in_words(network.current_at_rest, network.site.water_depth)
@@ -360,7 +360,6 @@ def network_answer(
             blocks.Warnings(checks.warnings),
         ),
     )
-    known = Message("answers.card_to_be_known")
     card: tuple[blocks.CardBlock, ...] = (
         *verdict_blocks(checks),
         *([network_out_table(line_out, checks)] if line_out else []),
@@ -370,7 +369,7 @@ def network_answer(
         meeting_table(rest, "lines", checks),
         *([bodies_table(rest)] if rest.bodies else []),
         joints_table(rest, "joints"),
-        *([blocks.Brief(checks.warnings, known, 3)] if checks.warnings else []),
+        *([blocks.Brief(checks.warnings, blocks.TO_BE_KNOWN, 3)] if checks.warnings else []),
         blocks.Brief((solved,)),
     )
     return replace(whole, card=card)

@@ -145,7 +145,7 @@ def load_curve(
     >>> from catopt import Line, Segment, load_curve
     >>> curve = load_curve(Line([Segment(200.0, 1500.0, MBL=6e6)]), height=30.0, safety_factor=2.0)
     >>> round(float(curve.horizontal_force[-1]) / 1e3), len(curve.marks)
-    (3102, 2)
+    (3087, 2)
     """
     found = Findings("load_curve")
     height = found.taken("height", height, "m", at_least=0.0)

@@ -43,15 +43,13 @@ _UNITS = {
 def _taken(source: str, **given: Any) -> tuple[Any, ...]:
     """Read text with a unit where it is one; InputError with all that is no number."""
     found = Findings(source)
-    least = {"safety_factor": {"at_least": 1.0}}
-    read = tuple(
-        None
-        if value is None
-        else found.taken(name, value, _UNITS.get(name, ""), **least.get(name, {}))
-        for name, value in given.items()
-    )
+    read: list[float | None] = []
+    for name, value in given.items():
+        least = 1.0 if name == "safety_factor" else None
+        unit = _UNITS.get(name, "")
+        read.append(None if value is None else found.taken(name, value, unit, at_least=least))
     found.raise_if_any()
-    return read
+    return tuple(read)
 
 
 def find_length(
@@ -90,19 +88,17 @@ def find_length(
     NoAnswerError
         When no length gives it.
     """
-    height, horizontal_force, fairlead_tension = _taken(
+    height, horizontal_force, fairlead_tension, *on_the_bed = _taken(
         "find_length",
         height=height,
         horizontal_force=horizontal_force,
         fairlead_tension=fairlead_tension,
-    )
-    anchor_angle, grounded_length, seabed_friction, anchor_height = _taken(
-        "find_length",
         anchor_angle=anchor_angle,
         grounded_length=grounded_length,
         seabed_friction=seabed_friction,
         anchor_height=anchor_height,
     )
+    anchor_angle, grounded_length, seabed_friction, anchor_height = on_the_bed
     index = _index("segment", segment, len(line.segments))
     _one_of(anchor_angle=anchor_angle, grounded_length=grounded_length)
 
@@ -187,19 +183,17 @@ def find_clump_weight(
     NoAnswerError
         When the angle is no larger without it, or no weight brings it down.
     """
-    height, horizontal_force, span, fairlead_tension = _taken(
+    height, horizontal_force, span, fairlead_tension, *on_the_bed = _taken(
         "find_clump_weight",
         height=height,
         horizontal_force=horizontal_force,
         span=span,
         fairlead_tension=fairlead_tension,
-    )
-    anchor_angle, seabed_friction, anchor_height = _taken(
-        "find_clump_weight",
         anchor_angle=anchor_angle,
         seabed_friction=seabed_friction,
         anchor_height=anchor_height,
     )
+    anchor_angle, seabed_friction, anchor_height = on_the_bed
     index = _index("point_load", point_load, len(line.point_loads))
 
     def at(weight: float) -> Solution:

@@ -72,6 +72,12 @@ class CheckResult(Record):
         """Its name with that of the load case: ``"tension, segment 1 (storm)"``."""
         return Message("checks.in_case", check=self.name, load_case=self.where)
 
+    def fails_as(self, name: str) -> Message:
+        """Say that it fails, under a name, and how far it is used where that is known."""
+        if self.utilisation is None:
+            return Message("checks.fails", check=name)
+        return Message("checks.fails_used", check=name, used=self.utilisation)
+
     @property
     def where(self) -> str:
         """Its load case; of a line of a body its number and the state: ``"line 2, intact"``."""

@@ -99,8 +99,7 @@ def _network(asked: Asked, network: Network, wanted: Wanted) -> None:
     from catopt.mooring.network_out import each_line_out
     from catopt.mooring.network_rest import LinesAtRest, NetworkReport
 
-    is_held = wanted.stiffness or bool(wanted.displacements)
-    is_held = is_held or any(each.kind == "fairlead" for each in network.points)
+    is_held = wanted.stiffness or bool(wanted.displacements) or network.has_fairlead
     if network.bodies or network.current_at_rest is not None or not is_held:
         free = at_rest(network)
         here = [each.moved for each in free.bodies if wanted.stiffness]

@@ -334,7 +334,7 @@ def program_input(
     >>> load = catopt.Load(horizontal_force=1e5)
     >>> case = catopt.Case(catopt.Site(20.0), catopt.Line([chain]), load, 20.0)
     >>> program_input("map", exported_lines(case)).text.splitlines()[3][:15]
-    'chain 0.1802653'
+    'chain 0.1989359'
     """
     program = PROGRAMS[to]
     model = model_of(solved, true_depth=program.true_depth, program=program.name)

@@ -64,7 +64,8 @@ def read_wamit(
     >>> read_wamit("nowhere/ship", ulen=1.0, density=1025.0, gravity=9.80665)
     Traceback (most recent call last):
     ...
-    catopt.errors.InputError: nowhere/ship: files: none found; .1, .2, .3, .4, .8 or .hst is wanted
+    catopt.errors.InputError: nowhere/ship: 1 error
+      files: found none; .1, .2, .3, .4, .8 or .hst is wanted
     """
     found = Findings("read_wamit")
     for key, value, unit in (("ulen", ulen, "m"), ("density", density, "kg/m3")):
@@ -79,9 +80,7 @@ def read_wamit(
         there.pop(".2", None)
     if not there:
         allowed = Message("refused_motion.wamit_files_wanted")
-        raise InputError(
-            [Problem("files", Message("refused_motion.none_found"), allowed)], str(path)
-        )
+        raise InputError([Problem("files", Message("refused.none"), allowed)], str(path))
     problems: list[Problem] = []
     rows = {end: wamit_rows(each, end, problems) for end, each in there.items()}
     if problems:

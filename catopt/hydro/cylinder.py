@@ -63,7 +63,7 @@ class FloatingCylinder:
     --------
     >>> answer = FloatingCylinder(0.9, 0.5, 12.0, density=1.0, gravity=9.81).at([2.0])
     >>> round(float(answer.added_mass[0, 1, 1]), 2), round(float(answer.damping[0, 1, 1]) / 2.0, 2)
-    (1.46, 0.48)
+    (1.45, 0.48)
     """
 
     radius: float

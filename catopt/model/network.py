@@ -233,11 +233,15 @@ class Network(Checked):
         if self.anchor is not None:
             self._check_anchors(found, ends)
 
+    @property
+    def has_fairlead(self) -> bool:
+        """Whether lines end at a body, held or free; else at anchors and joints alone."""
+        return any(point.kind == "fairlead" for point in self.points)
+
     def _check_motion(self, found: Findings) -> None:
         """Find what does not go together of the parts for lines in motion."""
         present = [key for key in ("waves", "motion", "dynamics") if getattr(self, key) is not None]
-        has_fairlead = any(point.kind == "fairlead" for point in self.points)
-        found.problems += network_motion_misfits(present, has_fairlead=has_fairlead)
+        found.problems += network_motion_misfits(present, has_fairlead=self.has_fairlead)
         if self.motion is not None and (self.motion.rao_file or self.motion.of_a_body):
             allowed = Message("refused_case.give_period_or_file")
             found.add("motion", "RAOs or a drift", allowed)

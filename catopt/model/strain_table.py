@@ -69,7 +69,7 @@ class StrainTable:
     --------
     >>> from catopt import StrainTable
     >>> rope = StrainTable([0.0, 0.05, 0.1], ["0 kN", "20 kN", "60 kN"])
-    >>> rope.strain_at(40e3)
+    >>> round(rope.strain_at(40e3), 9)
     0.075
     """
 

@@ -181,7 +181,7 @@ def at_rest(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> L
     >>> barge = MooredBody("barge", force=(50e3, 0.0), moment=1e5)
     >>> (body,) = at_rest(Network(Site(50.0), points, lines, bodies=(barge,))).bodies
     >>> round(body.offset[0], 3)
-    0.0
+    9.866
     """
     if (current := network.current_at_rest) is not None:
         return _in_current(network, current)

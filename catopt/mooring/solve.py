@@ -56,7 +56,7 @@ def solve_system(system: System) -> SystemSolution:
     ...                      anchor_radius=560.0, fairlead_height=50.0, force=(1e6, 0.0))
     >>> solution = solve_system(four)
     >>> solution.most_loaded, round(solution.offset[0], 2)
-    (2, 20.25)
+    (2, 35.53)
     """
     zero_load = zero_load_position(system)
     return solution_at(zero_load, *zero_load.under(system.force, system.moment))

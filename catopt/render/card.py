@@ -11,6 +11,7 @@ from textwrap import wrap
 from typing import NamedTuple, Protocol
 
 from catopt.answers.blocks import (
+    TO_BE_KNOWN,
     Answer,
     Brief,
     CardBlock,
@@ -34,7 +35,6 @@ _MOST_FACTS, _MOST_LINES = 12, 2
 _LEAST_ROWS = 3
 """That a table or a list of facts keeps."""
 _CUT = "..."
-_TO_BE_KNOWN = Message("answers.card_to_be_known")
 _NO_BREAK = "\u00a0"
 """Between a number and its unit."""
 
@@ -116,9 +116,9 @@ def _left_out_first(card: list[CardBlock]) -> int | None:
 
     Never verdicts and other texts, the first table or facts, and the first of what is to be known.
     """
-    briefs = [k for k, e in enumerate(card) if isinstance(e, Brief) and e.label != _TO_BE_KNOWN]
+    briefs = [k for k, e in enumerate(card) if isinstance(e, Brief) and e.label != TO_BE_KNOWN]
     tables = [k for k, each in enumerate(card) if isinstance(each, Table | Facts)]
-    known = [k for k, e in enumerate(card) if isinstance(e, Brief) and e.label == _TO_BE_KNOWN]
+    known = [k for k, e in enumerate(card) if isinstance(e, Brief) and e.label == TO_BE_KNOWN]
     return next((places[-1] for places in (briefs, tables[1:], known[1:]) if places), None)
 
 
@@ -135,7 +135,7 @@ def _screen(answer: Answer) -> Iterator[CardBlock]:
             yield block
     for block in seen:
         if isinstance(block, Warnings) and block.said:
-            yield Brief(block.said, _TO_BE_KNOWN, _MOST_LINES)
+            yield Brief(block.said, TO_BE_KNOWN, _MOST_LINES)
     for block in seen:
         if isinstance(block, Text) and not block.is_small:
             yield Brief((block.said,), block.caption, _MOST_LINES)

@@ -295,8 +295,7 @@ def size_files(
     files = {DESIGN_CASE: write_case(of.line_case).encode(), **_pictures(drawn)}
     if given is not None:
         files["note.html"] = _size_page(of, given, language)
-    whole = of.ship_case if of.pattern is None else of.whole_case
-    if whole is not None:
+    if (whole := of.system_case) is not None:
         files[SYSTEM_CASE] = write_case(whole).encode()
     return files
 

@@ -95,7 +95,7 @@ def mean_over(speed: float, given: float, wanted: float) -> float:
     Examples
     --------
     >>> round(mean_over(25.0, 600.0, 30.0), 2)
-    28.5
+    28.37
     """
     found = Findings("wind mean")
     for key, time in (("given", given), ("wanted", wanted)):

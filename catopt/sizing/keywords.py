@@ -134,7 +134,7 @@ def size_buoy(request: BuoyRequest | str | None = None, /, **inputs: Unpack[Buoy
     >>> import catopt
     >>> sizing = catopt.size_buoy("pillar 1.8 m", depth="12 m")
     >>> [segment.name for segment in sizing.point.line.segments]
-    ['chain open-link 4D Q2 20 mm']
+    ['chain open-link 4D Q2 30 mm']
     """
     if isinstance(request, str) and "buoy" not in inputs:
         return _sized("buoy", None, {"buoy": request, **inputs})

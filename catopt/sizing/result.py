@@ -25,11 +25,9 @@ from catopt.sizing.pattern import Pattern, system_case
 from catopt.sizing.settle import ConvergedSizing, point_diameter
 from catopt.ties import largest
 from catopt.units import UNITS, Dimension
-from catopt.waves import breaking_height
+from catopt.waves import breaking_warning
 from catopt.words import Cited, Measure, Message, Sentence, Several, is_said, term
 
-_MEAN_OF_PEAK: Final = 0.834
-"""Mean period over that of the peak, of a JONSWAP sea of peak enhancement 3.3."""
 SHOT: Final = UNITS[Dimension.LENGTH]["shot"]
 """m: a shot of chain."""
 
@@ -192,9 +190,16 @@ class Sizing(Displayable, Record):
     @property
     def whole_case(self) -> Case:
         """The case to keep: of several lines all, of a ship that was run she and the sea."""
-        if self.ship_case is not None and (self.pattern is not None or self.in_motion is not None):
+        whole = self.system_case
+        is_whole = self.pattern is not None or self.in_motion is not None
+        return self.line_case if whole is None or not is_whole else whole
+
+    @property
+    def system_case(self) -> Case | None:
+        """The case of a ship in her sea, or else of all lines around a body; None without."""
+        if self.ship_case is not None or self.pattern is None:
             return self.ship_case
-        return self.line_case if self.pattern is None else system_case(self.case, self.pattern)
+        return system_case(self.case, self.pattern)
 
     @property
     def line_case(self) -> Case:
@@ -388,18 +393,19 @@ class Sizing(Displayable, Record):
             notes.append(Message("sizing.holding_after", note=self.drag_anchor.capacity.note))
         return tuple(dict.fromkeys(notes))
 
-    def breaking_seas(self) -> Iterator[Message]:
+    def breaking_seas(self) -> Iterator[str]:
         """Say of the seas that lines were run in which cannot be, where waves break first."""
         moved = self.in_motion
         if moved is None or moved.case.waves is None:
             return
-        waves, depth = moved.case.waves, moved.case.site.water_depth
+        from catopt.verify.dynamic_setup import read_drive
+
+        waves = moved.case.waves
         for sea in moved.how.seas(waves.height or 0.0, waves.period or 0.0):
-            period = _MEAN_OF_PEAK * sea.period
-            limit = breaking_height(period, depth)
-            if limit < sea.height:
-                values = {"height": sea.height, "limit": limit, "period": period, "depth": depth}
-                yield Message("motion.waves_break", **values)
+            own = replace(waves, height=sea.height, period=sea.period)
+            said = breaking_warning(read_drive(replace(moved.case, waves=own)).sea(0))
+            if said is not None:
+                yield said
 
     def _factor(self, strength: str) -> float | None:
         strengths = [getattr(segment, strength) for segment in self.point.line.segments]

@@ -124,8 +124,7 @@ class _Search:
         self._ships: dict[tuple[str, Headings], Any] = {}
         # The one that stopped the last line first.
         outs = (True, False) if request.lines > 1 else (False,)
-        service = start.posed.case.service
-        wears = service is not None and service.life > 0.0
+        wears = start.posed.case.service is not None
         self._order = [
             ShipState(each.load_case, sea, directions, out, worn)
             for worn in ((False, True) if wears else (False,))

@@ -105,7 +105,7 @@ def design_in_motion(
     --------
     >>> from catopt import read_case
     >>> from catopt.study.design_in_motion import design_in_motion
-    >>> found = design_in_motion(read_case("cases/design-in-motion/case.toml"))
+    >>> found = design_in_motion(read_case("cases/dynamic-chain-56m/design.toml"))
     >>> all(each.in_motion.checks.passes for each in found.front)
     True
     """
@@ -342,6 +342,4 @@ def reason_of(run: DesignInMotion) -> str:
         return run.failure
     if run.checks is not None and run.checks.passes:
         return Message("design.not_borne_out")
-    if worst.utilisation is None:
-        return Message("checks.fails", check=worst.name)
-    return Message("checks.fails_used", check=worst.name, used=worst.utilisation)
+    return worst.fails_as(worst.name)

@@ -351,3 +351,9 @@ def test_numbers_of_numpy_are_numbers() -> None:
     assert Segment(np.int64(5), 1.0).length == 5  # type: ignore[arg-type]
     with pytest.raises(InputError, match="found -1; must be above 0 m"):
         Segment(np.int64(-1), 1.0)  # type: ignore[arg-type]
+
+
+def test_all_that_is_wrong_is_said_at_once() -> None:
+    with pytest.raises(InputError) as caught:
+        find_length(TANKER, height="20 kN", horizontal_force=450e3, anchor_angle="5 m")  # type: ignore[arg-type]
+    assert [each.key for each in caught.value.problems] == ["height", "anchor_angle"]

@@ -12,6 +12,7 @@ from typing import Any
 import jsonschema
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 import catopt.sizing.motion_judged as judging
 import catopt.sizing.motion_search as searching
@@ -238,6 +239,28 @@ def calm() -> Sizing:
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(searching, "processes_for", lambda *_: 2)
         return size_buoy(replace(request, in_motion=SHORT))
+
+
+def test_a_sea_that_breaks_is_said_and_no_other(calm: Sizing) -> None:
+    """By 0.142 lambda tanh(k d) of Miche at the mean period of the waves that are run.
+
+    m0/m1 of JONSWAP is at 0.834 Tp; of a run's random components it is 2 or 3 % about that.
+    """
+    of = calm.in_motion
+    assert of is not None
+    assert of.case.waves is not None
+    assert not list(calm.breaking_seas())
+    depth, height = of.case.site.water_depth, 3.0
+    higher = replace(of.case, waves=replace(of.case.waves, height=height))
+    (said,) = replace(calm, in_motion=replace(of, case=higher)).breaking_seas()
+    assert isinstance(said, Message)
+    period: Any = said.values["period"]
+    assert period == pytest.approx(0.834 * 3.0, rel=0.05)
+    k = brentq(lambda k: 9.80665 * k * np.tanh(k * depth) - (2.0 * np.pi / period) ** 2, 0.01, 9.0)
+    limit = 0.142 * 2.0 * np.pi / k * np.tanh(k * depth)
+    assert said.values["limit"] == pytest.approx(limit, rel=1e-9)
+    assert said.values["height"] == pytest.approx(height, rel=1e-3)  # tails are cut off
+    assert limit < height
 
 
 def test_what_is_recommended_passes_as_its_case_is_verified(calm: Sizing) -> None:

@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from catopt.casefile import parse_case
 from catopt.design.front import non_dominated
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import DesignResult
@@ -21,31 +20,9 @@ from catopt.notes.front_in_motion import design_once
 from catopt.schemas import schema
 from catopt.schemas.validation import inconsistencies
 from catopt.study.design_in_motion import case_of, design_in_motion
+from tests.chain_in_a_sea import chain_in_a_sea, raos_in
 
-CASE = """
-title = "A chain in a sea"
-[site]
-water_depth = "20 m"
-[line]
-[[line.segments]]
-component = "chain studless R3"
-diameter = "84 mm"
-length = "110 m"
-[load]
-horizontal_force = "100 kN"
-[waves]
-spectrum = "jonswap"
-height = "2 m"
-period = "7 s"
-components = 60
-[motion]
-rao_file = "{raos}"
-[dynamics]
-duration = "60 s"
-elements = 10
-runs = 2
-[checks]
-safety_factor = 2.0
+SPACE = """
 max_anchor_uplift_angle = "0 deg"
 [design]
 in_motion = true
@@ -54,14 +31,11 @@ components = ["chain studless R3"]
 diameters = ["32 mm", "40 mm", "54 mm", "70 mm"]
 lengths = ["80 m", "95 m", "110 m", "130 m", "155 m"]
 """
-RAOS = "period (s),surge (m/m),surge_phase (deg)\n2,0.4,0\n30,1.0,0\n"
 
 
 @pytest.fixture(scope="module")
 def case(tmp_path_factory: pytest.TempPathFactory) -> Case:
-    path = tmp_path_factory.mktemp("raos") / "rao.csv"
-    path.write_text(RAOS, "utf-8")
-    return parse_case(CASE.format(raos=path))
+    return chain_in_a_sea(raos_in(tmp_path_factory.mktemp("raos")), 84, 110, 2, 2.0, SPACE)
 
 
 def asking(case: Case, **changes: Any) -> Case:

@@ -8,51 +8,23 @@ from pathlib import Path
 
 import pytest
 
-from catopt.casefile import parse_case
 from catopt.model import Case
 from catopt.notes.front_in_motion import FrontInMotion, front_in_motion
 from catopt.notes.motion import checks_in_motion
 from catopt.verify.dynamic import verify_dynamic
+from tests.chain_in_a_sea import chain_in_a_sea, raos_in
 
-OF_SIZE = """
-title = "A chain in a sea"
-[site]
-water_depth = "20 m"
-[line]
-[[line.segments]]
-component = "chain studless R3"
-diameter = "{size} mm"
-length = "120 m"
-[load]
-horizontal_force = "100 kN"
-[waves]
-spectrum = "jonswap"
-height = "2 m"
-period = "7 s"
-components = 60
-[motion]
-rao_file = "{raos}"
-[dynamics]
-duration = "60 s"
-elements = 10
-runs = 3
-[checks]
-safety_factor = {factor}
-"""
-RAOS = "period (s),surge (m/m),surge_phase (deg)\n2,0.4,0\n30,1.0,0\n"
 DESIGNS = [(40, (1.0, 3.0)), (60, (2.0, 2.0)), (84, (3.0, 1.0))]
 
 
 @pytest.fixture(scope="module")
 def raos(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    path = tmp_path_factory.mktemp("raos") / "rao.csv"
-    path.write_text(RAOS, "utf-8")
-    return path
+    return raos_in(tmp_path_factory.mktemp("raos"))
 
 
 def designs(raos: Path, factor: float) -> list[tuple[int, Case, tuple[float, ...]]]:
     return [
-        (k, parse_case(OF_SIZE.format(size=size, raos=raos, factor=factor)), own)
+        (k, chain_in_a_sea(raos, size, 120, 3, factor), own)
         for k, (size, own) in enumerate(DESIGNS, start=1)
     ]
 
