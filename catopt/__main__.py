@@ -74,7 +74,7 @@ def _run(arguments: Sequence[str] | None, output: Printer) -> None:
     if HELP_ALL in (sys.argv if typed is None else typed):
         typed = ["--help" if each == HELP_ALL else each for each in typed or sys.argv[1:]]
         WHOLE.set(True)
-    from catopt.cli.typed_wrong import run
+    from catopt.cli.help_words import run
 
     raise SystemExit(run(command, output.language, args=typed, prog_name="catopt", obj=output))
 

@@ -115,7 +115,7 @@ def _afloat() -> None:
     """Run a buoy with its line, and by itself."""
     from catopt.fem import TimeStepping
     from catopt.floater.alone import run_alone
-    from catopt.floater.buoy import buoy_hull
+    from catopt.floater.hulls import buoy_hull
     from catopt.model import Floater, WaveState
     from catopt.verify.dynamic import verify_dynamic
     from catopt.waves import Sea, regular_wave

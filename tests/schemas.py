@@ -35,10 +35,9 @@ from catopt.loads.document import ComparedLoads
 from catopt.loads.sinker import AnchorHeld, SinkerHeld
 from catopt.model.kinds import OneOf, Size
 from catopt.mooring.case import SystemReport
-from catopt.mooring.circle import WatchCircle
 from catopt.mooring.network_out import NetworkOut
 from catopt.mooring.network_rest import NetworkReport
-from catopt.mooring.restoring import RestoringCurve
+from catopt.mooring.restoring import RestoringCurve, WatchCircle
 from catopt.notes.front_in_motion import FrontInMotion
 from catopt.notes.written import WrittenNote
 from catopt.records import From, Key, Matching, OrNull, Record, parts, unit_of

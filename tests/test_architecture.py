@@ -17,7 +17,7 @@ import catopt
 PACKAGE = Path(catopt.__file__).parent
 
 BASE = {
-    "errors", "constants", "documents", "numerals", "dimensions", "unit_words", "units",
+    "errors", "constants", "documents", "numerals", "dimensions", "units",
     "quantities", "words",
     "arrays", "compiled", "interrupt", "patience", "threads", "ties", "shown", "records",
     "old_names",
@@ -47,9 +47,8 @@ MAY_IMPORT: dict[str, set[str]] = {
     "arrays": set(),
     "documents": {"errors", "words"},
     "numerals": set(),
-    "unit_words": {"constants"},
     "dimensions": {"constants"},
-    "units": {"errors", "constants", "numerals", "dimensions", "unit_words", "words"},
+    "units": {"errors", "constants", "numerals", "dimensions", "words"},
     "quantities": {"constants", "dimensions"},
     "words": {"quantities"},
     "compiled": {"errors", "machine_code"},
@@ -243,7 +242,7 @@ LAID_OUT -= {"arrays", "compiled", "interrupt", "patience", "ties"}
 """All that runs to lay an answer out; results are read, and nothing is solved."""
 SAID = (
     *("catopt.verify.motion_words.", "catopt.verify.compared."),
-    *("catopt.checks.kinds.", "catopt.design.made_of."),
+    *("catopt.checks.kinds.", "catopt.design.result."),
 )
 """What results say of themselves in words, are rounded to or measured in."""
 

@@ -17,8 +17,7 @@ from hypothesis import strategies as st
 
 from catopt import Line, Segment, solve
 from catopt.errors import InputError
-from catopt.unit_words import known
-from catopt.units import UNITS, Dimension, as_written, to_si
+from catopt.units import UNITS, Dimension, as_written, known, to_si
 
 # Both sides are a handful of rounded products: a few units in the last place.
 ROUNDING = 8 * sys.float_info.epsilon

@@ -59,7 +59,7 @@ if TYPE_CHECKING:
     from catopt.notes.line import SizeNote
     from catopt.sizing import Sizing
     from catopt.sizing.pattern import Pattern
-    from catopt.sizing.posed import LoadsAt
+    from catopt.sizing.settle import LoadsAt
 
 _DIGITS = 5
 """Of the numbers of loads: more than any of them is known to."""

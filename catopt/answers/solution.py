@@ -19,7 +19,7 @@ from catopt.answers.blocks import (
     tabulate,
     texts,
 )
-from catopt.model.strain_table import StrainTable
+from catopt.model.line import StrainTable
 from catopt.words import Measure, Message, Several, is_said, term
 
 if TYPE_CHECKING:

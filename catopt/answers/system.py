@@ -26,11 +26,10 @@ from catopt.words import Measure, Message
 if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
     from catopt.mooring.case import SystemReport
-    from catopt.mooring.circle import WatchCircle
     from catopt.mooring.network_out import NetworkOut
     from catopt.mooring.network_rest import FloatsInCurrent, HeldBody, LinesAtRest, NetworkAtRest
     from catopt.mooring.response import Response
-    from catopt.mooring.restoring import RestoringCurve
+    from catopt.mooring.restoring import RestoringCurve, WatchCircle
     from catopt.mooring.solution import SystemSolution
 
 _EVERY = 10

@@ -26,11 +26,10 @@ from catopt.documents import Path
 from catopt.errors import InputError
 from catopt.model import Case, CatalogueChoice, Checks, Line, Segment, SegmentChoice, Site, System
 from catopt.model.kinds import File
-from catopt.model.line import weight_in_water
-from catopt.model.strain_table import StrainTable
+from catopt.model.line import StrainTable, weight_in_water
 from catopt.units import as_written
 from catopt.words import Message
-from catopt.words.refusals import problem_words
+from catopt.words.labels import problem_words
 
 if TYPE_CHECKING:
     from catopt.catalogue import Component

@@ -19,9 +19,14 @@ from catopt.model import Anchor, ClumpWeightChoice, Design, Find, Load, SegmentC
 from catopt.model.anchor import ANCHOR_KINDS
 from catopt.model.design import FIND_QUANTITIES, FORCES, body_misfits, inconsistencies
 from catopt.model.dynamics import OF_MOTION
-from catopt.model.line import END_ROUNDING, break_test_misfits, drag_misfits, point_drag_misfits
+from catopt.model.line import (
+    END_ROUNDING,
+    break_test_misfits,
+    drag_misfits,
+    point_drag_misfits,
+    table_misfits,
+)
 from catopt.model.service import wear_misfits
-from catopt.model.strain_table import table_misfits
 from catopt.model.system import system_misfits
 from catopt.units import Dimension
 from catopt.words import Message

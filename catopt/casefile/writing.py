@@ -40,9 +40,9 @@ from catopt.model import (
     WaveState,
 )
 from catopt.model.kinds import Measured
+from catopt.model.line import StrainTable
 from catopt.model.network import LineBetween, MooredBody, Network, Point
 from catopt.model.sea import HARMONIC
-from catopt.model.strain_table import StrainTable
 from catopt.units import UNITS, Dimension, as_written
 from catopt.words import Message
 

@@ -7,11 +7,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Final, TypeAlias
 
-from catopt.catalogue.anchors import AnchorType, anchor_types
 from catopt.catalogue.collection import NO_VARIANTS, Catalogue
 from catopt.catalogue.components import SPECS, Component, within
 from catopt.catalogue.family import Family, in_mm, nearest, words_of
-from catopt.catalogue.fittings import Fitting, fittings
+from catopt.catalogue.fittings import AnchorType, Fitting, anchor_types, fittings
 from catopt.catalogue.standard import standard
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import InputError, Problem

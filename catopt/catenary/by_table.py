@@ -19,7 +19,7 @@ from catopt.catenary.layout import Stretch, tension_at
 from catopt.catenary.solution import SegmentState, Solution, plausibility
 from catopt.errors import NotConvergedError, TableEndsError
 from catopt.model import Line, PointLoad, Segment
-from catopt.model.strain_table import StrainTable
+from catopt.model.line import StrainTable
 from catopt.words import Measure, Message
 
 PARTS: Final = 32

@@ -14,8 +14,7 @@ from catopt.catenary.state import Regime
 from catopt.errors import FloatsUpError
 from catopt.model import Line
 from catopt.model.kinds import Angle, Factor, Force, Height, Length, NotNegative, Place, SomeForce
-from catopt.model.line import INEXTENSIBLE
-from catopt.model.strain_table import StrainTable
+from catopt.model.line import INEXTENSIBLE, StrainTable
 from catopt.records import Counted, From, FromZero, Record
 from catopt.shown import Displayable
 from catopt.words import Measure, Message

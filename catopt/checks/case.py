@@ -1,34 +1,44 @@
-"""Check a case in every load case, and how far its segments may wear."""
+"""Check a case in every load case, its lines in motion, and how far its segments may wear."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from catopt.catenary.case import as_found, solve_case
 from catopt.catenary.solution import Solution
-from catopt.checks.criteria import Criteria, allowed_by, criteria_of
+from catopt.checks.criteria import Criteria, allowed_by, criteria_of, motion_profile
 from catopt.checks.evaluation import (
     IN_LOAD_CASE,
     Lifted,
+    check_buoyancy,
+    check_tensions,
     evaluate,
     in_load_case,
     of_criteria,
     of_other_states,
     of_uplift,
+    result_of,
 )
 from catopt.checks.kinds import (
+    OF_LINE,
     ROUNDING,
+    USER,
     Criterion,
+    Demand,
     Place,
     State,
+    ratio_exceedance,
 )
+from catopt.checks.profiles import profiles_of
 from catopt.checks.result import CheckReport, CheckResult
-from catopt.errors import FloatsUpError, NoEquilibriumError, NotConvergedError
+from catopt.errors import FloatsUpError, InputError, NoEquilibriumError, NotConvergedError, Problem
 from catopt.model import Anchor, Case, Line, LoadCase, Segment, Service
 from catopt.model.load import LoadCaseKind
-from catopt.words import Message
+from catopt.model.network import Network
+from catopt.words import Listed, Message
 
 LOAD = "load"
 """Name of the load case of a case that has only its ``[load]``."""
@@ -228,3 +238,202 @@ def _least(
         middle = 0.5 * (low + high)
         low, high = (low, middle) if passes(middle) else (middle, high)
     return high
+
+
+class Pull(NamedTuple):
+    """Largest forces at an end of a line, each by itself, N, and the largest angle, rad."""
+
+    horizontal_force: float
+    vertical_force: float
+    angle: float
+
+
+class Carried(NamedTuple):
+    """What a line came to in motion: largest values each by itself, and the least on the bed."""
+
+    anchor: Pull
+    fairlead: Pull
+    grounded_length: float
+    """Least unstretched length on the bed, m."""
+    span: float
+    """Largest horizontal distance of its ends, m."""
+    least_tension: float
+    """At the fairlead, the least of all, N."""
+    slide: float | None = None
+    """Way that what holds it slides in the storm, m; None where that was not followed."""
+
+
+@dataclass(frozen=True)
+class LineInMotion:
+    """What a line that was run in time came to."""
+
+    line: Line
+    """Its segments from the anchor to the fairlead."""
+    largest: tuple[float, ...]
+    """Largest tension of each segment, N."""
+    mean: tuple[float, ...] | None
+    """Mean tension of each, that under the mean loads, N; None where it is not known, and the whole
+    then takes the factor on what is dynamic."""
+    load_case: str
+    number: int | None = None
+    """Of a body with several lines: which, from 1."""
+    carried: Carried | None = None
+    """What else is judged; None: its tensions alone."""
+
+    @property
+    def tensions(self) -> Iterator[tuple[float, float]]:
+        """Largest tension of each segment, N, with the mean over it, from 0 to 1."""
+        for largest, mean in zip(
+            self.largest, self.mean or (0.0,) * len(self.largest), strict=True
+        ):
+            yield largest, min(1.0, mean / largest) if largest > 0.0 else 0.0
+
+
+def check_motion(case: Case | Network, lines: Sequence[LineInMotion]) -> CheckReport:
+    """Check lines in motion by the numbers of a case and the factors of the codes it names.
+
+    A code's factors for dynamic analysis are taken; where it has none, those for lines at rest, or
+    the case's `motion_code` in its place.
+    Uplift, length on the bed, span, buoyancy and what holds the line are judged by the least
+    favourable value of each at any step, as if they came together. A load case is judged in its own
+    state and condition, as at rest; a run in which a line breaks in the transient state, and the
+    broken line not at all.
+
+    The lines are every line under every load case. InputError as for `check_case`.
+    """
+    criteria = criteria_of(case, analysis="dynamic")
+    broken = _broken(case)
+    judged = [each for each in lines if broken is None or (each.number or broken) != broken]
+    load_cases = {each.name: each for each in case.load_cases}
+    results: list[CheckResult] = []
+    for moved in judged:
+        load_case = load_cases.get(moved.load_case)
+        kind = "extreme" if load_case is None else load_case.kind
+        condition = None if load_case is None else load_case.condition
+        state = _state(load_case, broken)
+        place = Place(state, moved.number, broken)
+        results += check_tensions(
+            moved.line,
+            list(criteria.of("tension", kind, state)),
+            criteria.in_condition(condition).strengths(moved.line, {kind}, {state}),
+            moved.tensions,
+            load_case=moved.load_case,
+            place=place,
+        )
+        results += _others(case, criteria, moved, kind, place)
+    if case.system is not None:
+        results += _of_the_body(criteria, judged, _state(None, broken), broken)
+    warnings = (
+        *_of_codes(case, criteria),
+        *_of_a_break(broken, bool(judged)),
+        *_of_the_mean(criteria, judged),
+    )
+    return CheckReport(case.title, tuple(results), (), warnings)
+
+
+def _others(
+    case: Case | Network, criteria: Criteria, moved: LineInMotion, kind: LoadCaseKind, place: Place
+) -> Iterator[CheckResult]:
+    """Check what is not a tension, as of a line at rest."""
+    for check, row in OF_LINE.items():
+        if moved.carried is None or (check == "buoyancy" and place.line is not None):
+            continue
+        for criterion in criteria.of(check, kind, place.state):
+            found = row.measure(criterion.value, moved.carried, case.anchor)
+            yield result_of(check, criterion, found, moved.load_case, place)
+    slide = None if moved.carried is None else moved.carried.slide
+    if slide is None:
+        return
+    for criterion in criteria.of("slide", kind, place.state):
+        found = Demand(slide, criterion.value, ratio_exceedance(slide, criterion.value))
+        yield result_of("slide", criterion, found, moved.load_case, place)
+
+
+def _of_the_body(
+    criteria: Criteria, lines: Sequence[LineInMotion], state: State, broken: int | None
+) -> Iterator[CheckResult]:
+    """Hold the largest vertical pulls of all lines, as if at one time, against the buoyancy."""
+    pulls = [each.carried.fairlead.vertical_force for each in lines if each.carried is not None]
+    if len(pulls) < len(lines) or not lines:
+        return
+    yield from check_buoyancy(pulls, criteria, lines[0].load_case, Place(state, None, broken))
+
+
+def check_strengths(case: Case | Network) -> None:
+    """Refuse, before lines are run in time, a case whose tensions cannot be judged.
+
+    Raises what `check_motion` raises.
+    """
+    criteria = criteria_of(case, analysis="dynamic")
+    kinds = {each.kind for each in case.load_cases} or {"extreme"}
+    if isinstance(case, Network):
+        problems: list[Problem] = []
+        for k, each in enumerate(case.lines):
+            try:
+                criteria.strengths(each.line, kinds, _states(case))
+            except InputError as error:
+                problems += (
+                    replace(p, key=p.key.replace("line.", f"lines[{k}].", 1))
+                    for p in error.problems
+                )
+        if problems:
+            raise InputError(tuple(problems), "checks")
+        return
+    legs = () if case.system is None else case.system.legs
+    for line in dict.fromkeys(leg.line for leg in legs) or (case.line,):
+        criteria.strengths(line, kinds, _states(case))
+
+
+def _states(case: Case | Network) -> set[State]:
+    """States of the mooring in which a case in motion is judged."""
+    broken = _broken(case)
+    return {_state(each, broken) for each in case.load_cases or (None,)}
+
+
+def _state(load_case: LoadCase | None, broken: int | None) -> State:
+    """State in which a run is judged: that of its load case, unless a line breaks in it."""
+    if broken is not None:
+        return "transient"
+    return "intact" if load_case is None else load_case.state
+
+
+def _broken(case: Case | Network) -> int | None:
+    return None if case.dynamics is None else case.dynamics.broken_line
+
+
+def _of_codes(case: Case | Network, criteria: Criteria) -> Iterator[Message]:
+    """Say that no code is named, or which of those named have nothing for this."""
+    if not case.checks.codes:
+        yield Message("checks.motion_no_code")
+        return
+    at_rest_alone = [each.name for each in profiles_of(case.checks) if not each.is_for_motion]
+    by = motion_profile(case.checks)
+    if by is not None and at_rest_alone:
+        codes = Listed(at_rest_alone, "and")
+        yield Message("checks.motion_by_other", codes=codes, code=by.name)
+    tensions = [each for each in criteria.all if each.check == "tension" and each.source != USER]
+    at_rest = _codes(each.source.code for each in tensions if each.analysis != "dynamic")
+    if at_rest:
+        yield Message("checks.motion_at_rest", codes=Listed(at_rest, "and"))
+    states = _states(case)
+    judging = {each.source.code for each in tensions if states & set(each.states)}
+    silent = [code for code in _codes(e.source.code for e in tensions) if code not in judging]
+    if silent:
+        yield Message("checks.motion_not_transient", codes=Listed(silent, "and"))
+
+
+def _codes(codes: Iterable[str]) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(codes))
+
+
+def _of_a_break(broken: int | None, is_judged: bool) -> Iterator[Message]:
+    """Say what a run in which a line breaks is judged by, and what it is not."""
+    if broken is not None:
+        yield Message("checks.motion_breaks" if is_judged else "checks.motion_all_lost")
+
+
+def _of_the_mean(criteria: Criteria, lines: Sequence[LineInMotion]) -> Iterator[Message]:
+    """Say where a factor on the mean tension finds none."""
+    on_mean = any(each.mean_factor is not None for each in criteria.all)
+    if on_mean and any(each.mean is None for each in lines):
+        yield Message("checks.motion_no_mean")

@@ -22,9 +22,8 @@ from catopt.checks.strength import Strength
 from catopt.errors import InputError, Problem
 from catopt.model import Anchor, Case, Line
 from catopt.model.network import Network
-from catopt.mooring.case import SystemReport, report_system
+from catopt.mooring.case import LineOut, SystemReport, one_line_out, report_system
 from catopt.mooring.held import at_rest
-from catopt.mooring.line_out import LineOut, one_line_out
 from catopt.mooring.network_out import NetworkOut, each_line_out
 from catopt.mooring.network_rest import LinesAtRest
 from catopt.mooring.solution import SystemSolution

@@ -41,7 +41,7 @@ def export(
 ) -> None:
     """Write the line of a case, or the lines of its body, for another program."""
     from catopt.export.dxf import dxf_drawing
-    from catopt.export.exported_line import exported_lines
+    from catopt.export.exported import exported_lines
     from catopt.export.moordyn import moordyn_input
     from catopt.export.moordyn_model import ELEMENTS
     from catopt.export.programs import program_input
@@ -52,7 +52,7 @@ def export(
     files = [read_source(path) for path in paths]
     sources = tuple(Source(file.name, file.sha256) for file in files)
     # Refuse a line without EA where it needs one, and an EA that no segment needs.
-    from catopt.export.exported_line import rigid_segments
+    from catopt.export.exported import rigid_segments
 
     rigid = rigid_segments(read)
     if EA is not None and not rigid:

@@ -14,8 +14,7 @@ import typer
 from catopt.cli.answering import Asked, answering
 from catopt.cli.help_words import WithWords, group
 from catopt.cli.options import LengthOption, TablesOutOption
-from catopt.cli.size import BuoyArgument, is_file
-from catopt.cli.size_options import as_option, by_option, typed, with_inputs
+from catopt.cli.size import BuoyArgument, as_option, by_option, is_file, typed, with_inputs
 from catopt.cli.values import given_ones, in_si
 from catopt.errors import InputError, Problem
 from catopt.ties import largest
@@ -25,9 +24,8 @@ from catopt.words import Cited, Measure, Message, term
 if TYPE_CHECKING:
     from catopt.casefile.reading import Moored
     from catopt.loads import Afloat, Loads, SeaState, ShipHeading, Turning
-    from catopt.loads.ship_dimensions import Condition
-    from catopt.sizing.error_collector import Spelling
-    from catopt.sizing.known import ResolvedInputs
+    from catopt.loads.ship import Condition
+    from catopt.sizing.known import ResolvedInputs, Spelling
 
 loads = group("loads")
 
@@ -155,7 +153,7 @@ def ship(
 ) -> None:
     """Compute the loads on a ship, from wind, current and waves."""
     from catopt.loads import METHODS, WaterLevels, every_lying, every_method
-    from catopt.loads.ship_dimensions import MIDSHIP, WATERLINE, box_estimates, estimates
+    from catopt.loads.ship import MIDSHIP, WATERLINE, box_estimates, estimates
     from catopt.sizing.environment import DIRECTIONS, directions_of, read_turning, turned_round
     from catopt.sizing.known import estimated_dimensions
     from catopt.sizing.requests import (
@@ -335,7 +333,7 @@ class _Form(NamedTuple):
 def _ships_afloat(of: ResolvedInputs, form: _Form) -> Iterator[Afloat]:
     """Make the ship at each draught that is known."""
     from catopt.loads import Afloat, Ship
-    from catopt.loads.ship_dimensions import BLOCK
+    from catopt.loads.ship import BLOCK
     from catopt.sizing.requests import TAKEN_FOR, draughts_of, own_tables, ship_at
     from catopt.sizing.tanker_request import check_deadweight
 

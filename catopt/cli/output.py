@@ -136,7 +136,7 @@ class Printer:
         """Say why there is no answer, in the language that was asked for."""
         from catopt.errors import InputError
         from catopt.words import say
-        from catopt.words.refusals import say_refusal
+        from catopt.words.labels import say_refusal
 
         said = str(error)
         if self.language != "en":

@@ -94,10 +94,10 @@ def _network(asked: Asked, network: Network, wanted: Wanted) -> None:
     """Bring points, lines and bodies to rest, and hold their body where that is asked for."""
     from catopt.checks.system import check_network
     from catopt.mooring.case import network_curves
-    from catopt.mooring.circle import network_circle
     from catopt.mooring.held import at_rest, hold
     from catopt.mooring.network_out import each_line_out
     from catopt.mooring.network_rest import LinesAtRest, NetworkReport
+    from catopt.mooring.restoring import network_circle
 
     is_held = wanted.stiffness or bool(wanted.displacements) or network.has_fairlead
     if network.bodies or network.current_at_rest is not None or not is_held:

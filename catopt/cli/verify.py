@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from catopt.answers.blocks import Answer
-from catopt.answers.front_in_motion import front_in_motion_answer
+from catopt.answers.design import front_in_motion_answer
 from catopt.answers.motion import motion_answer
 from catopt.answers.verification import (
     front_answer,
@@ -250,7 +250,7 @@ def _ship(asked: Asked, case: Case, load_case: str | None, moving: dict[str, Any
 def _led_files(moved: ShipVerification) -> dict[str, bytes]:
     """Write what leads the ship's lines in the truss model, and the case that does so."""
     from catopt.casefile import write_case
-    from catopt.verify.ship_files import DRIFT, RAOS, drift_csv, led_case, raos_csv
+    from catopt.verify.ship_result import DRIFT, RAOS, drift_csv, led_case, raos_csv
 
     texts = {RAOS: raos_csv(moved), DRIFT: drift_csv(moved)}
     texts["lines_in_motion.toml"] = write_case(led_case(moved))
@@ -266,7 +266,7 @@ def stop_in_doubt(asked: Asked, moved: DynamicVerification) -> None:
 
 
 def _check_for_motion(case: Case | Network) -> None:
-    from catopt.checks.motion import check_strengths
+    from catopt.checks.case import check_strengths
     from catopt.verify.dynamic_setup import check_for_motion, read_drive
 
     check_for_motion(case)

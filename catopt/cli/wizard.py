@@ -7,12 +7,11 @@ from collections.abc import Mapping
 
 from catopt.casefile.reading import Moored
 from catopt.errors import InputError, Problem
-from catopt.sizing.error_collector import Spelling
 from catopt.sizing.inputs import Input, inputs_of
 from catopt.sizing.kinds import choices_of, from_text, kind_of
-from catopt.sizing.known import is_needless
+from catopt.sizing.known import Spelling, is_needless
 from catopt.words import Cited, Language, Message, say, term
-from catopt.words.refusals import problem_words
+from catopt.words.labels import problem_words
 
 _OWN = "own"
 """Answer of one whose buoy is not in the library."""

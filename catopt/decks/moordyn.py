@@ -16,7 +16,7 @@ from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.decks.deck import Deck, DeckPiece, End, Limits, LineType, Notes, Point, Row, refusal
 from catopt.documents import read_text
 from catopt.errors import InputError
-from catopt.model.strain_table import StrainTable
+from catopt.model.line import StrainTable
 
 _SECTIONS = (
     (r"ROD\s+(TYPES|DICTIONARY)", "rod types"),

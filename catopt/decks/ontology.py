@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 
 from catopt.decks.deck import Deck, DeckPiece, LineType, Notes, Point, refusal
 from catopt.decks.moordyn import settled
-from catopt.decks.strung import DeckSection, PointMass, from_sections
+from catopt.decks.to_case import DeckSection, PointMass, from_sections
 from catopt.decks.tree import YamlTable, parse_yaml
 
 _UNREAD = {

@@ -12,7 +12,7 @@ from dataclasses import replace
 
 from catopt.constants import STANDARD_GRAVITY
 from catopt.decks.deck import Deck, DeckPiece, LineType, Notes, Point
-from catopt.decks.strung import DeckSection, PointMass, from_sections
+from catopt.decks.to_case import DeckSection, PointMass, from_sections
 from catopt.decks.tree import YamlTable, parse_yaml
 
 TONNE, KILO = 1e3, 1e3

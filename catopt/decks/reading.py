@@ -9,8 +9,15 @@ from pathlib import PurePath
 from typing import Final
 
 from catopt.decks.deck import Deck, Notes
-from catopt.decks.strung import Chain, check_meeting, is_joint
-from catopt.decks.to_case import height_of, site_of, site_of_chains, weight_of
+from catopt.decks.to_case import (
+    Chain,
+    check_meeting,
+    height_of,
+    is_joint,
+    site_of,
+    site_of_chains,
+    weight_of,
+)
 from catopt.documents import unfit
 from catopt.errors import InputError, Problem
 from catopt.model import Case, Line, Segment, Site
@@ -186,8 +193,7 @@ def read_any_deck(
     from catopt.decks.moordyn import parse_moordyn
     from catopt.decks.ontology import parse_ontology
     from catopt.decks.orcaflex import parse_orcaflex
-    from catopt.decks.strung import chains_of
-    from catopt.decks.to_case import case_of, is_radial, lines_of
+    from catopt.decks.to_case import case_of, chains_of, is_radial, lines_of
 
     given = {key: value for key, value in asdict(asked or Asked()).items() if value is not None}
     line = given.pop("line", None)

@@ -6,9 +6,8 @@ import math
 
 from catopt.constants import STANDARD_GRAVITY
 from catopt.decks.deck import Deck, DeckPiece, End, LineType, Point
-from catopt.export.moordyn_model import ROUNDING, Model
+from catopt.export.moordyn_model import ADDED_MASS, DRAG, ROUNDING, Model, has_drag
 from catopt.export.moordyn_model import LineType as Kind
-from catopt.export.moordyn_remarks import ADDED_MASS, DRAG, has_drag
 
 
 def deck_of(model: Model) -> Deck:

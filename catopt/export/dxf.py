@@ -16,8 +16,7 @@ from types import MappingProxyType
 from catopt._version import __version__
 from catopt.catenary.layout import Profile, end_of
 from catopt.catenary.solution import Solution
-from catopt.export.exported import Exported, Source, exported, heading
-from catopt.export.exported_line import ExportedLine, ExportedLines
+from catopt.export.exported import Exported, ExportedLine, ExportedLines, Source, exported, heading
 
 Group = tuple[int, str]
 Point = tuple[float, float, float]

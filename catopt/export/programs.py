@@ -10,14 +10,11 @@ from typing import Literal
 
 from catopt.constants import STANDARD_GRAVITY
 from catopt.decks.deck import Deck, LineType, Notes, Point
-from catopt.decks.strung import Chain, chains_of
-from catopt.decks.to_case import weight_of
+from catopt.decks.to_case import Chain, chains_of, weight_of
 from catopt.errors import InputError, Problem
 from catopt.export.deck import deck_of
-from catopt.export.exported import Exported, Source, exact, exported, heading
-from catopt.export.exported_line import ExportedLines
-from catopt.export.moordyn_model import Model, is_above, model_of
-from catopt.export.moordyn_remarks import common_remarks
+from catopt.export.exported import Exported, ExportedLines, Source, exact, exported, heading
+from catopt.export.moordyn_model import Model, common_remarks, is_above, model_of
 from catopt.words import Message
 
 _TOLERANCES = ("inner_ftol 1e-12", "inner_gtol 1e-12", "inner_xtol 1e-12", "outer_tol 1e-5")
@@ -328,7 +325,7 @@ def program_input(
     Examples
     --------
     >>> import catopt
-    >>> from catopt.export.exported_line import exported_lines
+    >>> from catopt.export.exported import exported_lines
     >>> from catopt.export.programs import program_input
     >>> chain = catopt.Segment(60.0, 2100.0, EA=2e8, mass=246.0, name="chain")
     >>> load = catopt.Load(horizontal_force=1e5)

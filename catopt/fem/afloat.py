@@ -23,8 +23,7 @@ from catopt.fem.banded import (
 from catopt.fem.moving import Blend, BodyNode, Moving, MovingLines
 from catopt.fem.moving_assembly import assemble_moving
 from catopt.fem.newmark import predict
-from catopt.fem.sampling import Room, Setting
-from catopt.fem.water_in_step import take_water
+from catopt.fem.sampling import Room, Setting, take_water
 from catopt.hydro.hull import (
     PARTS,
     Hull,

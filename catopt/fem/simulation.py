@@ -14,7 +14,7 @@ from catopt.errors import NotConvergedError
 from catopt.fem.afloat import Afloat
 from catopt.fem.course import FOLLOWED, STATE
 from catopt.fem.energy_balance import EnergyBalance
-from catopt.fem.march import StepCounts, march
+from catopt.fem.march import SLIDING, StepCounts, march
 from catopt.fem.mesh import bar_nodes, end_nodes
 from catopt.fem.morison import fill_water
 from catopt.fem.moving import Blend, BodyNode, Equations, Moving, MovingLines, WaterAt
@@ -32,10 +32,9 @@ from catopt.fem.sampling import (
 )
 from catopt.fem.seabed import drag_feet
 from catopt.fem.series import SeriesRows, fill_series, series_rows
-from catopt.fem.sliding import SLIDING
 from catopt.interrupt import waiting_interrupt
 from catopt.waves import Sea
-from catopt.waves.between import water_ends
+from catopt.waves.kinematics import water_ends
 from catopt.words import Message, Several
 
 _HELD = BodyNode(np.zeros(3), np.zeros(3), np.zeros(3))

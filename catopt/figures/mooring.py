@@ -27,11 +27,10 @@ from catopt.ties import first_largest, largest
 from catopt.words import Measure, Message
 
 if TYPE_CHECKING:
-    from catopt.mooring.circle import WatchCircle
     from catopt.mooring.line_ends import Vector
     from catopt.mooring.network_rest import LinesAtRest
     from catopt.mooring.position import Position
-    from catopt.mooring.restoring import RestoringCurve
+    from catopt.mooring.restoring import RestoringCurve, WatchCircle
     from catopt.mooring.solution import LegState, SystemSolution
 
 _ALONG = 21

@@ -1,6 +1,7 @@
 """A ship in wind, current and waves, as what its slow motion is stepped by.
 
 Axes of the ship: x forwards, y to port, moments counter-clockwise, about the origin of the system.
+The state is x, y and yaw of the origin, and its speeds along and across the ship and of the turn.
 """
 
 from __future__ import annotations
@@ -9,25 +10,190 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
 from catopt.arrays import Array
+from catopt.catenary.pieces import LineProblem, Pieces
+from catopt.catenary.span_or_tension import given_span
+from catopt.catenary.state import CONVERGED
 from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError
 from catopt.hydro.coefficient_files import read_wamit
 from catopt.hydro.coefficients import Coefficients
 from catopt.loads.environment import drag
-from catopt.loads.ship import Ship
+from catopt.loads.ship import BLOCK, Ship, estimated_tanker
 from catopt.loads.ship_coefficients import coefficients, pressure_centre, wind_type
-from catopt.loads.ship_dimensions import BLOCK, estimated_tanker
 from catopt.loads.ship_loads import AIR_DENSITY, depth_factor, share_above, width_across
 from catopt.loads.ufc import longitudinal_loads, transverse_load, yaw_moment
 from catopt.loads.weathervane import YAW_TYPES
 from catopt.model import ShipAfloat
+from catopt.mooring.arrangement import Arrangement, Lines
+from catopt.mooring.balance import pull_at
 from catopt.waves import Waves
 from catopt.words import Message
+
+
+class SlowShip(NamedTuple):
+    """What drives a ship; arrays in compiled code. Axes as in `catopt.floater.ship`.
+
+    `inverse` (3, 3): of the inertia; `lever`: of the centre of gravity, m ahead of the origin;
+    `damping` (3,): about midships; tables (n + 1, 3) over the square of the speed; `turns`: whether
+    the lines turn with the ship; `wind` (n, 2), `drift` (n, headings, 3): over time, of headings
+    evenly all round from 0.
+    """
+
+    inverse: Any
+    mass: float
+    lever: float
+    damping: Any
+    crossflow: float
+    wind_table: Any
+    current_table: Any
+    current_x: float
+    current_y: float
+    turns: bool
+    wind: Any
+    drift: Any
+
+
+def blow(table: Any, across: float, along: float, out: Any) -> None:
+    """Add the force of a stream that goes along and across the ship, m/s, to `out` (3,)."""
+    square = along * along + across * across
+    if square == 0.0:
+        return
+    count = table.shape[0] - 1
+    place = (math.atan2(-across, -along) + math.pi) / (2.0 * math.pi) * count
+    below = min(int(place), count - 1)
+    part = place - below
+    for i in range(3):
+        out[i] += square * (table[below, i] + part * (table[below + 1, i] - table[below, i]))
+
+
+def rates(
+    at: float, state: Any, ship: SlowShip, arrangement: Arrangement, lines: Lines, out: Any
+) -> int:
+    """Put the rates of the state into `out` (6,), `at` a place between samples; a line's status."""
+    force = out[3:6]
+    yaw, u, v, r = state[2], state[3], state[4], state[5]
+    cosine, sine = math.cos(yaw), math.sin(yaw)
+    turned = yaw if ship.turns else 0.0
+    pull = pull_at(state[0], state[1], turned, arrangement, lines, True)
+    if pull.status != CONVERGED:
+        return pull.line
+    force[0] = pull.x * cosine + pull.y * sine
+    force[1] = pull.y * cosine - pull.x * sine
+    force[2] = pull.moment if ship.turns else 0.0
+    # Speeds of midships, where wind and current are met.
+    middle = v + r * ship.lever
+    first = min(int(at), ship.wind.shape[0] - 2)
+    part = at - first
+    wind_x = ship.wind[first, 0] + part * (ship.wind[first + 1, 0] - ship.wind[first, 0])
+    wind_y = ship.wind[first, 1] + part * (ship.wind[first + 1, 1] - ship.wind[first, 1])
+    blow(
+        ship.wind_table,
+        wind_y * cosine - wind_x * sine - middle,
+        wind_x * cosine + wind_y * sine - u,
+        force,
+    )
+    blow(
+        ship.current_table,
+        ship.current_y * cosine - ship.current_x * sine - middle,
+        ship.current_x * cosine + ship.current_y * sine - u,
+        force,
+    )
+    headings = ship.drift.shape[1]
+    place = (yaw / (2.0 * math.pi) % 1.0) * headings
+    left = int(place) % headings
+    right, aside = (left + 1) % headings, place - int(place)
+    for i in range(3):
+        now = ship.drift[first, left, i] * (1.0 - aside) + ship.drift[first, right, i] * aside
+        then = ship.drift[first + 1, left, i] * (1.0 - aside)
+        then += ship.drift[first + 1, right, i] * aside
+        force[i] += now + part * (then - now)
+    across = -ship.damping[1] * middle
+    force[0] -= ship.damping[0] * u
+    force[1] += across
+    force[2] += across * ship.lever - (ship.damping[2] + ship.crossflow * abs(r)) * r
+    # What turning axes add, of the ship's own mass.
+    force[0] += ship.mass * (v * r + ship.lever * r * r)
+    force[1] -= ship.mass * u * r
+    force[2] -= ship.mass * ship.lever * u * r
+    a, b, c = force[0], force[1], force[2]
+    out[0], out[1], out[2] = u * cosine - v * sine, u * sine + v * cosine, r
+    for i in range(3):
+        force[i] = ship.inverse[i, 0] * a + ship.inverse[i, 1] * b + ship.inverse[i, 2] * c
+    return -1
+
+
+def step_slowly(
+    h: float, ship: SlowShip, arrangement: Arrangement, lines: Lines, room: Any, path: Any
+) -> tuple[int, int]:
+    """Step from `path[0]` on by Runge and Kutta's fourth order; samples done, and a line at fault.
+
+    `path` (n, 6) is written to, `room` (5, 6) is work space; h in s.
+    """
+    for n in range(path.shape[0] - 1):
+        for i in range(6):
+            room[4, i] = path[n, i]
+        for stage in range(4):
+            late = 0.0 if stage == 0 else (1.0 if stage == 3 else 0.5)
+            wrong = rates(n + late, room[4], ship, arrangement, lines, room[stage])
+            if wrong >= 0:
+                return n, wrong
+            if stage < 3:
+                ahead = h if stage == 2 else 0.5 * h
+                for i in range(6):
+                    room[4, i] = path[n, i] + ahead * room[stage, i]
+        for i in range(6):
+            slope = room[0, i] + 2.0 * room[1, i] + 2.0 * room[2, i] + room[3, i]
+            path[n + 1, i] = path[n, i] + h / 6.0 * slope
+    return path.shape[0] - 1, -1
+
+
+def hang_lines(
+    path: Any, ways: Any, turns: bool, arrangement: Arrangement, out: Any
+) -> tuple[int, int]:
+    """Solve every line at every place of its fairlead; samples done, and a line at fault.
+
+    `path` (n, 3): x, y and yaw of the origin; `ways` (n, lines, 3): how far the fairlead is off
+    that, along x, y and upwards, m; `out` (n, lines, 2): tension at fairlead and anchor, N.
+    """
+    for k in range(out.shape[1]):
+        start, end = arrangement.first[k], arrangement.first[k + 1]
+        pieces = Pieces(
+            arrangement.length[start:end],
+            arrangement.weight[start:end],
+            arrangement.compliance[start:end],
+            arrangement.load[2 * (start + k) : 2 * (end + k + 1)],
+        )
+        H = V = math.nan
+        for n in range(out.shape[0]):
+            yaw = path[n, 2] if turns else 0.0
+            cosine, sine = math.cos(yaw), math.sin(yaw)
+            arm_x, arm_y = arrangement.arm_x[k], arrangement.arm_y[k]
+            x = path[n, 0] + cosine * arm_x - sine * arm_y + ways[n, k, 0]
+            y = path[n, 1] + sine * arm_x + cosine * arm_y + ways[n, k, 1]
+            to_x, to_y = arrangement.anchor_x[k] - x, arrangement.anchor_y[k] - y
+            span = math.sqrt(to_x * to_x + to_y * to_y)
+            problem = LineProblem(
+                pieces,
+                arrangement.anchor_height[k],
+                arrangement.fairlead_height[k] + ways[n, k, 2],
+                arrangement.friction,
+            )
+            state = given_span(max(span, 1e-9), problem, H, V)
+            if state.status != CONVERGED:
+                state = given_span(max(span, 1e-9), problem, math.nan, math.nan)
+            if state.status != CONVERGED:
+                return n, k
+            H, V = (state.H, state.V) if state.H > 0.0 else (math.nan, math.nan)
+            out[n, k, 0] = math.sqrt(state.H * state.H + state.V * state.V)
+            H_anchor, V_anchor = state.H_anchor, state.V_anchor
+            out[n, k, 1] = math.sqrt(H_anchor * H_anchor + V_anchor * V_anchor)
+    return out.shape[0], -1
+
 
 ANGLES: Final = 720
 """Of wind and current off the bow, all round, between which forces are interpolated."""

@@ -19,8 +19,7 @@ import numpy as np
 from catopt.arrays import Array
 from catopt.compiled import compiled
 from catopt.errors import NoEquilibriumError, NotConvergedError
-from catopt.floater.ship import ShipInWeather
-from catopt.floater.slow_motion import SlowShip, hang_lines, step_slowly
+from catopt.floater.ship import ShipInWeather, SlowShip, hang_lines, step_slowly
 from catopt.hydro.coefficients import Coefficients
 from catopt.hydro.hull import monohull_response
 from catopt.loads.environment import gust_series

@@ -17,8 +17,7 @@ from catopt.hydro.coefficients import Coefficients, Memory
 from catopt.hydro.cylinder import FloatingCylinder
 from catopt.hydro.hull import PARTS, Hull, HullRecord, HullRoom, HullState, turn_axes
 from catopt.model.kinds import Findings
-from catopt.waves.between import water_ends
-from catopt.waves.kinematics import Flow
+from catopt.waves.kinematics import Flow, water_ends
 from catopt.waves.random_surface import fill_wave_numbers
 from catopt.words import Message
 

@@ -12,8 +12,16 @@ from catopt.compiled import inlined, packed
 from catopt.constants import STANDARD_GRAVITY
 from catopt.hydro.coefficients import Complex
 from catopt.model.kinds import Findings
-from catopt.waves.between import WaterEnds, fill_between, keep_start, look_ahead
-from catopt.waves.kinematics import Flow, cos_sin, fill_kinematics, smooth_ramp
+from catopt.waves.kinematics import (
+    Flow,
+    WaterEnds,
+    cos_sin,
+    fill_between,
+    fill_kinematics,
+    keep_start,
+    look_ahead,
+    smooth_ramp,
+)
 from catopt.waves.random_surface import fill_wave_numbers
 
 PRESSURE, DIFFRACTION, MEMORY, DRAG, WIND, DAMPING = range(6)

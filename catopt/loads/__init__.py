@@ -21,13 +21,12 @@ from catopt.loads.drag_anchor import (
     size_drag_anchor,
 )
 from catopt.loads.environment import HEAD_ON, Headings, SeaState, SurfaceCurrent, WaterLevels, Wind
-from catopt.loads.ship import Ship
+from catopt.loads.ship import Ship, estimated_tanker
 from catopt.loads.ship_coefficients import (
     ShipCoefficients,
     parse_ship_coefficients,
     read_ship_coefficients,
 )
-from catopt.loads.ship_dimensions import estimated_tanker
 from catopt.loads.ship_loads import METHODS, every_method, governing_loads, ship_loads
 from catopt.loads.sinker import SinkerSize, size_sinker
 from catopt.loads.tanker_20m import TankerComparison, compare_tanker

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Final, Literal, cast, get_args
 
-from catopt.catalogue.anchors import AnchorType, Holding, anchor_types
+from catopt.catalogue.fittings import AnchorType, Holding, anchor_types
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.errors import NoAnswerError
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.component import DTOCEAN, MOORPY, UFC, LoadSource, refuse_recalled
-from catopt.loads.ship_dimensions import NextSize, neighbours, next_size
+from catopt.loads.ship import NextSize, neighbours, next_size
 from catopt.model.kinds import Findings, SomeForce
 from catopt.records import Record
 from catopt.shown import Tabled

@@ -17,8 +17,7 @@ from catopt.catalogue.table import TomlTable
 from catopt.documents import read_text
 from catopt.loads.component import BLENDERMANN, Axis, LoadComponent, LoadSource, Number
 from catopt.loads.environment import Wind, drag, drag_component, wind_on_ship
-from catopt.loads.ship import Ship
-from catopt.loads.ship_dimensions import Condition
+from catopt.loads.ship import Condition, Ship
 from catopt.model.kinds import Findings
 from catopt.words import Cited, Message, term
 

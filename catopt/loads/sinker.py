@@ -7,14 +7,14 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Annotated, Final, Literal, NamedTuple, TypeAlias, cast
 
-from catopt.catalogue.anchors import AnchorType, anchor_types
 from catopt.catalogue.components import Confidence, Source
 from catopt.catalogue.family import meant, words_of
+from catopt.catalogue.fittings import AnchorType, anchor_types
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import InputError, Problem
 from catopt.loads.component import CALMAR, NAVFAC, LoadSource
 from catopt.loads.drag_anchor import CURVES, default_factor, holding_capacity
-from catopt.loads.ship_dimensions import SINKER_MASSES, NextSize, neighbours, next_size
+from catopt.loads.ship import SINKER_MASSES, NextSize, neighbours, next_size
 from catopt.model.anchor import sinker_needed
 from catopt.model.kinds import (
     Density,

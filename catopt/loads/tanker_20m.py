@@ -11,8 +11,7 @@ from typing import Final
 
 from catopt.loads.component import Loads
 from catopt.loads.environment import SeaState, SurfaceCurrent, Wind
-from catopt.loads.ship import Ship
-from catopt.loads.ship_dimensions import Condition, estimated_tanker, estimates
+from catopt.loads.ship import Condition, Ship, estimated_tanker, estimates
 from catopt.loads.ship_loads import METHODS, DriftWave, ship_loads
 from catopt.shown import Tabled
 from catopt.words import Message, Sentence

@@ -11,11 +11,10 @@ from catopt.model.design import (
     SinkerChoice,
 )
 from catopt.model.dynamics import Dynamics, Fatigue, FatigueSeaState, SegmentCurve
-from catopt.model.line import Line, PointLoad, Segment
+from catopt.model.line import Line, PointLoad, Segment, StrainTable
 from catopt.model.load import Checks, Load, LoadCase, Site
 from catopt.model.sea import CurrentProfile, Motion, WaveState, WaveTrain
 from catopt.model.service import Service
-from catopt.model.strain_table import StrainTable
 from catopt.model.system import Body, Buoy, Floater, HullAfloat, Leg, ShipAfloat, System
 
 __all__ = [

@@ -6,7 +6,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from catopt.mooring.circle import watch_circle as watch_circle
+    from catopt.mooring.restoring import watch_circle as watch_circle
 
 __all__ = ["watch_circle"]
 
@@ -17,6 +17,6 @@ if not TYPE_CHECKING:  # so that a type checker still finds a misspelt name
         """Load a public name on first use (PEP 562)."""
         if name not in __all__:
             raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-        from catopt.mooring import circle
+        from catopt.mooring import restoring
 
-        return getattr(circle, name)
+        return getattr(restoring, name)

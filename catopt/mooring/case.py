@@ -7,22 +7,121 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from catopt.catenary.solution import above_water, named_line, weighs_as_in_water
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, NoAnswerError, Problem
 from catopt.model import Case, System
-from catopt.mooring.circle import WatchCircle, watch_circle
+from catopt.model.kinds import Findings, Place, Stiffness
 from catopt.mooring.held import at_displacement
-from catopt.mooring.line_out import LineOut, one_line_out
 from catopt.mooring.network_rest import HeldBody, LinesAtRest
-from catopt.mooring.restoring import RestoringCurve, network_curve, restoring_curve
+from catopt.mooring.response import Response, response_of
+from catopt.mooring.restoring import (
+    RestoringCurve,
+    WatchCircle,
+    network_curve,
+    restoring_curve,
+    watch_circle,
+)
 from catopt.mooring.sharing_rule import SharingRule, sharing_rule
 from catopt.mooring.solution import SystemSolution
-from catopt.mooring.solve import of_line, solve_system
-from catopt.mooring.water_level import AtLevel, at_levels
+from catopt.mooring.solve import of_line, solution_at, solve_system
+from catopt.mooring.zero_load import zero_load_position
 from catopt.old_names import OldName
 from catopt.patience import paced
 from catopt.records import Record, within
 from catopt.shown import Displayable
 from catopt.words import Message
+
+
+@dataclass(frozen=True)
+class AtLevel(Record):
+    """The system under its own load at one water level."""
+
+    DOCUMENT = "level response stiffness"
+
+    level: Place
+    """Above that of the case."""
+    response: Response
+    """The body and its lines at that level, from the zero-load position there."""
+    stiffness: tuple[tuple[Stiffness, Stiffness], tuple[Stiffness, Stiffness]]
+    """-d(Fx, Fy)/d(x, y)."""
+
+
+def at_levels(system: System, levels: Sequence[float]) -> tuple[AtLevel, ...]:
+    """Solve a system at several water levels; every fairlead rises and falls with the water.
+
+    The system is under its load; levels are above that of the case, m.
+
+    Raises
+    ------
+    InputError
+        When a level brings a fairlead below the bed.
+    NoEquilibriumError, NotConvergedError
+        As for `solve_system`.
+    """
+    found = Findings("water levels")
+    lowest = min(leg.fairlead_height for leg in system.legs)
+    for index, level in enumerate(levels):
+        found.number(f"levels[{index}]", float(level), "m", at_least=-lowest)
+    found.raise_if_any()
+    answers = []
+    for level in paced(Message("words.levels", total=len(levels)), levels):
+        zero_load = zero_load_position(system.raised(float(level)))
+        rest, lines = zero_load.under(system.force, system.moment)
+        stiffness = ((rest.pull.xx, rest.pull.xy), (rest.pull.xy, rest.pull.yy))
+        response = response_of(zero_load, rest, lines)
+        answers.append(AtLevel(float(level), response, stiffness))
+    return tuple(answers)
+
+
+@dataclass(frozen=True)
+class LineOut(Record):
+    """The system without one of its lines, under its own load; in Python lines count from 0."""
+
+    DOCUMENT = "missing+1=missing_line response refusal"
+
+    missing: int
+    """The line that is gone."""
+    response: Response | None
+    """The body and its lines at rest: the offset counts from the intact system's zero-load
+    position, lines as the intact system's; None where there is no equilibrium."""
+    refusal: str = ""
+    """Why there is no equilibrium; empty where there is one."""
+    solution: SystemSolution | None = None
+    """The lines that are left, in their order; None where there is no equilibrium."""
+
+    def intact_number(self, index: int) -> int:
+        """Turn the number of a line among those left into that of the intact system, from 0."""
+        return index + (index >= self.missing)
+
+
+def one_line_out(system: System) -> tuple[LineOut, ...]:
+    """Take each line away in turn, the load as it is, and let the body come to rest anew.
+
+    What happens on the way there, when the line parts, is dynamics and not looked at.
+
+    Raises
+    ------
+    NoEquilibriumError, NotConvergedError
+        When the intact system has no zero-load position, or a solver stopped short.
+    """
+    zero = zero_load_position(system).neutral
+    found = []
+    count = len(system.legs)
+    for missing in paced(Message("words.lines_out", total=count), range(count)):
+        if len(system.legs) == 1:
+            found.append(LineOut(missing, None, Message("mooring.no_line_left")))
+            continue
+        try:
+            left = zero_load_position(system.without([missing]))
+            rest, lines = left.under(system.force, system.moment)
+        except NoAnswerError as error:
+            found.append(LineOut(missing, None, error.args[0]))
+            continue
+        response = response_of(left, rest, lines, zero)
+        out = LineOut(missing, response, solution=solution_at(left, rest, lines))
+        most_loaded = out.intact_number(response.most_loaded)
+        found.append(replace(out, response=replace(response, most_loaded=most_loaded)))
+    return tuple(found)
+
 
 CURVE_POINTS = 41
 

@@ -16,7 +16,7 @@ from catopt.shown import Displayable
 from catopt.ties import first_largest
 
 if TYPE_CHECKING:
-    from catopt.mooring.circle import WatchCircle
+    from catopt.mooring.restoring import WatchCircle
 
 __all__ = ["LegState", "Position", "SystemResidual", "SystemSolution"]
 
@@ -173,7 +173,7 @@ class SystemSolution(Displayable, Record):
         >>> len(circle.responses)
         12
         """
-        from catopt.mooring.circle import watch_circle
+        from catopt.mooring.restoring import watch_circle
 
         return watch_circle(self.system, force=force, directions=directions)
 

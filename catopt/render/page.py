@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import base64
 import hashlib
+import json
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cache
 from importlib.resources import files
-from typing import Any, NamedTuple
+from typing import Any, Final, NamedTuple
 
 from jinja2 import Environment, PackageLoader, StrictUndefined, Template
 
@@ -32,6 +33,7 @@ from catopt.answers.blocks import (
     Warnings,
     exact,
 )
+from catopt.figures.chart import Film
 from catopt.quantities import GREEK, Quantity
 from catopt.render.svg import stylesheet, svg
 from catopt.render.values import SEEN, as_wanted, cell, in_language, is_seen, parts_of, shown
@@ -342,3 +344,36 @@ def _result(step: Step, value: float | None, unknown: str) -> _Cell:
     if value is None:
         return _Cell(unknown)
     return _Cell(step.quantity.format(value, unit=True), si=value)
+
+
+_WIDTH: Final = 960
+"""Of the drawing, in its own units."""
+_BELOW: Final = 0.05
+"""Of the bed that is drawn, over the height of what is above it."""
+
+
+def film_page(film: Film, title: str, language: Language = "en") -> bytes:
+    """Make the page of a film."""
+    unit = film.wide / _WIDTH
+    words = {
+        "said": film.title,
+        "tension": Message("figures.film_tension"),
+        "play": Message("figures.film_play"),
+        "pause": Message("figures.film_pause"),
+        "moment": Message("figures.film_moment"),
+    }
+    scene = {"frame": [film.left, film.top, unit], **film.values}
+    return whole_page(
+        "film.html",
+        language,
+        script=file_text("film.js"),
+        title=title,
+        kind="",
+        scene=json.dumps(scene, separators=(",", ":")),
+        width=_WIDTH,
+        height=round((1.0 + _BELOW) * film.top / unit),
+        bed=round(film.top / unit),
+        last=len(film.values["time"]) - 1,
+        worst=film.worst,
+        **{key: say(text, language) for key, text in words.items()},
+    )

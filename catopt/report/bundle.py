@@ -388,7 +388,7 @@ def _afloat(found: DynamicVerification, language: Language) -> dict[str, bytes]:
     if hull is None or hull.scene is None:
         return {}
     from catopt.figures.motion import film_of, worst_moment
-    from catopt.render.film import film_page
+    from catopt.render.page import film_page
 
     title = ", ".join(filter(None, (found.case.title, found.governing.where)))
     drawn = {"moment": Drawing((worst_moment(hull.scene),), title)}
@@ -418,7 +418,7 @@ def _of_moved(found: DynamicVerification) -> Drawing:
 
 def _of_study(result: StudyResult) -> Drawing:
     """Draw how often values are exceeded: of the quantities with limits, or else of the first."""
-    from catopt.figures.study import share_worse
+    from catopt.figures.studies import share_worse
 
     known = [each for each in result.statistics if each.least < each.largest]
     drawn = [each for each in known if each.limit is not None] or known[:1]

@@ -11,8 +11,7 @@ from catopt.catalogue.components import weakest
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.loads.component import Loads
 from catopt.loads.environment import Headings, SeaState, SurfaceCurrent, Wind
-from catopt.loads.ship import Ship
-from catopt.loads.ship_dimensions import BLOCK, MIDSHIP
+from catopt.loads.ship import BLOCK, MIDSHIP, Ship
 from catopt.loads.ship_loads import METHODS, TCN, ship_loads
 from catopt.loads.tanker_20m import compare_tanker
 from catopt.loads.tcn_222_95 import wave_height

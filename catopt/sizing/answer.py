@@ -18,9 +18,8 @@ from catopt.sizing.environment import Environment
 from catopt.sizing.in_motion import InMotion
 from catopt.sizing.line_choice import LineChoice, Prefer, first_line
 from catopt.sizing.pattern import SinkerGround
-from catopt.sizing.posed import Assumed
 from catopt.sizing.result import Sizing, SwingRadius
-from catopt.sizing.settle import ConvergedSizing
+from catopt.sizing.settle import Assumed, ConvergedSizing
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.words import Message, Several, is_said, term
 

@@ -24,9 +24,18 @@ from catopt.sizing.answer import (
 )
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.line_choice import sold
-from catopt.sizing.posed import Assumed, LoadsAt, SizingCase, Water, rounded_up
 from catopt.sizing.result import Sizing, SwingPart, SwingRadius
-from catopt.sizing.settle import ConvergedSizing, point_diameter, point_pull, settle
+from catopt.sizing.settle import (
+    Assumed,
+    ConvergedSizing,
+    LoadsAt,
+    SizingCase,
+    Water,
+    point_diameter,
+    point_pull,
+    rounded_up,
+    settle,
+)
 from catopt.ties import largest
 from catopt.words import Measure, Message
 

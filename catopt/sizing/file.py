@@ -24,10 +24,9 @@ from catopt.casefile.schema import TableSchema, entries
 from catopt.documents import Path, dotted, parse_toml, read_text
 from catopt.errors import InputError, Problem
 from catopt.sizing.buoy_request import BuoyRequest
-from catopt.sizing.error_collector import Spelling, as_keyword
 from catopt.sizing.inputs import SINKER, Input, inputs_of
 from catopt.sizing.kinds import schema_of
-from catopt.sizing.known import ResolvedInputs, known
+from catopt.sizing.known import ResolvedInputs, Spelling, as_keyword, known
 from catopt.sizing.requests import request_of, size
 from catopt.sizing.result import Sizing
 from catopt.sizing.tanker_request import TankerRequest

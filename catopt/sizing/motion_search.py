@@ -21,7 +21,7 @@ from catopt.design.evaluation import sinker_of
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import DesignPoint, NearMiss
 from catopt.errors import InputError, Problem
-from catopt.loads.ship_dimensions import neighbours
+from catopt.loads.ship import neighbours
 from catopt.loads.sinker import SinkerSize
 from catopt.model import Anchor, Case
 from catopt.patience import expect

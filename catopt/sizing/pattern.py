@@ -10,7 +10,7 @@ from typing import Annotated, Any, Final, Literal, NamedTuple
 from catopt.catenary.solve import solve
 from catopt.errors import InputError, NoAnswerError
 from catopt.loads.drag_anchor import DataSet, DragAnchorSize, size_drag_anchor
-from catopt.loads.ship_dimensions import SINKER_MASSES
+from catopt.loads.ship import SINKER_MASSES
 from catopt.loads.sinker import (
     DENSITIES,
     FACTOR_SOURCE,

@@ -14,17 +14,17 @@ from catopt.loads import BuoyShape, SeaState, SurfaceCurrent, WaterLevels, Wind,
 from catopt.loads.buoy import buoy as look_up
 from catopt.loads.calmar_file import SUFFIX, read_calmar_buoy
 from catopt.loads.environment import HMAX_OVER_HS
-from catopt.loads.ship import Ship
-from catopt.loads.ship_coefficients import SQUARE_ENDED, ShipCoefficients, read_ship_coefficients
-from catopt.loads.ship_dimensions import (
+from catopt.loads.ship import (
     BALLAST_SOURCE,
     MOULDED,
     Condition,
+    Ship,
     ballast_draught,
     box_estimates,
     estimated_tanker,
     estimates,
 )
+from catopt.loads.ship_coefficients import SQUARE_ENDED, ShipCoefficients, read_ship_coefficients
 from catopt.loads.sinker import AS_CLAY, MUD
 from catopt.loads.weathervane import Afloat
 from catopt.model import Checks

@@ -23,9 +23,18 @@ from catopt.sizing.answer import (
 from catopt.sizing.environment import turning_words
 from catopt.sizing.line_choice import longest_useful
 from catopt.sizing.pattern import BodyState, DragGround, Pattern, pattern, shared_force
-from catopt.sizing.posed import Assumed, LoadsAt, SizingCase, Water, rounded_up
 from catopt.sizing.result import Sizing, SwingPart, SwingRadius
-from catopt.sizing.settle import ConvergedSizing, point_diameter, point_pull, settle
+from catopt.sizing.settle import (
+    Assumed,
+    ConvergedSizing,
+    LoadsAt,
+    SizingCase,
+    Water,
+    point_diameter,
+    point_pull,
+    rounded_up,
+    settle,
+)
 from catopt.sizing.ship_afloat import ship_afloat, worst_lying
 from catopt.sizing.tanker_request import MooredShip, TankerRequest
 from catopt.ties import largest

@@ -7,9 +7,8 @@ from dataclasses import dataclass, field
 from typing import Final, get_args
 
 from catopt.loads.buoy_shape import BuoyShape
-from catopt.loads.ship import Ship
+from catopt.loads.ship import Condition, Ship
 from catopt.loads.ship_coefficients import ShipCoefficients
-from catopt.loads.ship_dimensions import Condition
 from catopt.loads.ship_loads import METHODS, TCN
 from catopt.model.kinds import Findings
 from catopt.sizing.environment import SERVICE_TYPES, Environment, ServiceType, Weathervaning

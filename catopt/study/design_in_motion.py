@@ -12,10 +12,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from catopt.checks.motion import check_strengths
+from catopt.checks.case import check_strengths
 from catopt.design.evaluation import OBJECTIVE_KEYS, DesignProblem, design_point
 from catopt.design.front import Outcome, Progress
-from catopt.design.made_of import made_of
 from catopt.design.neighbours import NoFeasibleDesignError, no_feasible_design
 from catopt.design.problem import Genes
 from catopt.design.result import (
@@ -24,6 +23,7 @@ from catopt.design.result import (
     FailsInMotion,
     NearMiss,
     SearchInMotion,
+    made_of,
 )
 from catopt.design.search import (
     MOST_ENUMERATED,

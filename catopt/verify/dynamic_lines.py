@@ -31,10 +31,9 @@ from catopt.fem.series import Harmonic, Series, Together, series_rows, series_va
 from catopt.fem.simulation import Simulation
 from catopt.fem.solve import Leg
 from catopt.floater.alone import HullHistory
-from catopt.floater.buoy import buoy_hull, floating_buoy
 from catopt.floater.freedoms import freedoms
+from catopt.floater.hulls import buoy_hull, floating_buoy, hull_of_files
 from catopt.floater.moored import AtRest, moored_at_rest, run_moored
-from catopt.floater.of_files import hull_of_files
 from catopt.floater.scene import kept_nodes, scene_of
 from catopt.hydro.build import IN_PLANE, AnyHull, FloatingHull, HullOfCoefficients
 from catopt.model import Case, Load

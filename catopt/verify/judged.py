@@ -12,7 +12,7 @@ from scipy.special import stdtrit
 
 from catopt.catenary.case import solve_case
 from catopt.catenary.solution import Solution
-from catopt.checks.motion import Carried, LineInMotion, Pull, check_motion
+from catopt.checks.case import Carried, LineInMotion, Pull, check_motion
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.fem.course import taken_together
 from catopt.model import Anchor, Case, Dynamics, Line

@@ -20,7 +20,7 @@ from catopt.fem import LineMesh, TrussSolution, mesh_line, solve_line
 from catopt.fem import SystemSolution as TrussSystem
 from catopt.fem import solve_system as solve_truss
 from catopt.model import Case, Line, System
-from catopt.model.strain_table import StrainTable
+from catopt.model.line import StrainTable
 from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import solve_system
 from catopt.verify.compared import ORDER, Compared, Unit

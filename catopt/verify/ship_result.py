@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Annotated, Any, TypedDict
+from typing import Annotated, Any, Final, TypedDict
 
 import numpy as np
 
@@ -13,12 +14,25 @@ from catopt.arrays import Array
 from catopt.catenary.solution import Solution
 from catopt.checks.result import CheckReport, ChecksInMotion
 from catopt.fem.extremes import Extreme
-from catopt.floater.two_scales import MooredShip, Scales, ShipAtRest, ShipHistory, scales_of
-from catopt.model import Case
-from catopt.model.dynamics import JudgedBy
+from catopt.floater.ship import ShipInWeather
+from catopt.floater.two_scales import (
+    SLOW_STEP,
+    MooredShip,
+    Scales,
+    ShipAtRest,
+    ShipHistory,
+    scales_of,
+)
+from catopt.hydro.coefficients import FREEDOMS
+from catopt.model import Case, Motion
+from catopt.model.dynamics import Dynamics, JudgedBy
 from catopt.model.kinds import Angle, Duration, SomeForce, Strength, Time
 from catopt.records import Counted, Record
 from catopt.ties import first_largest, largest
+from catopt.units import lasting
+from catopt.verify.motion_file import energy_beyond
+from catopt.waves import Sea, Waves, breaking_warning
+from catopt.waves.random_surface import wave_number
 from catopt.words import Message
 
 
@@ -207,3 +221,195 @@ def offset_of(runs: tuple[ShipHistory, ...], zero: tuple[float, float], storm: f
 
     slow, whole = [off(each.slow) for each in runs], [off(each.whole) for each in runs]
     return scales_of(slow, whole, runs[0].time, storm)
+
+
+_WIDE: Final = 0.2
+"""Breadth over the wave length above which a hull changes the waves."""
+_CYCLES: Final = 50
+"""Slow cycles from which a deviation is known to some 10 %."""
+_LEFT_OUT: Final = 0.01
+"""Part of the waves' energy beyond a table of RAOs from which it is remarked on."""
+
+
+def remarks_of(case: Case, moored: MooredShip, sea: Sea, rest: ShipAtRest) -> Iterator[Message]:
+    """Yield what the answer rests on, and where it does not hold."""
+    waves = sea.waves
+    assert waves is not None
+    breaks = breaking_warning(sea)
+    if isinstance(breaks, Message):
+        yield breaks
+    if rest.others:
+        others = ", ".join(f"{math.degrees(each):.0f}" for each in rest.others)
+        yield Message("floater.other_headings", others=others)
+    yield from _of_waves(moored, waves)
+    yield Message("floater.quasi_static_lines")
+    yield from _of_slow_motion(moored.ship)
+    assert case.system is not None
+    if any(case.system.force):
+        given = math.hypot(*case.system.force)
+        yield Message("floater.own_force", given=given / 1e3, own=math.hypot(*rest.force) / 1e3)
+
+
+def judged_by_words(lines: tuple[LineOfShip, ...], dynamics: Dynamics) -> Iterator[Message]:
+    """Yield by what the most loaded line is judged, where that is not the combined largest."""
+    by = dynamics.judged_by
+    most = largest(lines, lambda each: each.judged(by))
+    seen, judged = most.fairlead.seen / 1e3, most.judged(by) / 1e3
+    if by == "largest" or most.storm is None:
+        over = [each for each in lines if each.fairlead.seen > each.fairlead.combined]
+        if over:
+            most = largest(over, lambda each: each.fairlead.seen - each.fairlead.combined)
+            seen = most.fairlead.seen / 1e3
+            yield Message("floater.seen_more", number=most.number, seen=seen, count=len(over))
+        return
+    storm = lasting(dynamics.duration_of_interest)
+    said = {"number": most.number, "judged": judged, "seen": seen, "storm": storm}
+    yield Message(f"floater.judged_{by.replace('-', '_')}", **said)
+
+
+def few_cycles(runs: tuple[ShipHistory, ...], rest: ShipAtRest) -> Iterator[Message]:
+    """Yield that slow motion was too short to know its deviation."""
+    count = 0
+    for each in runs:
+        off = np.hypot(*(each.slow[:, :2] - np.array(rest.zero)).T)
+        off -= off.mean()
+        count += int(((off[:-1] < 0.0) & (off[1:] >= 0.0)).sum())
+    if count < _CYCLES:
+        yield Message("floater.few_cycles", count=count, wanted=_CYCLES)
+
+
+def _of_waves(moored: MooredShip, waves: Waves) -> Iterator[Message]:
+    """Yield what drift and response in waves rest on."""
+    of, ship = moored.ship.of, moored.ship
+    k = wave_number(float(waves.omega[np.argmax(_density(waves))]), ship.depth)
+    length = 2.0 * math.pi / k
+    if of.drift_file:
+        yield Message("floater.drift_of_file")
+        yield from ship.remarks
+    elif of.reflection is None:
+        yield Message("floater.drift_above_keel")
+    else:
+        yield Message("floater.drift_by_reflection", part=of.reflection)
+    if k * ship.depth < 0.5 * math.pi:
+        yield Message("floater.shallow_drift", depth=ship.depth, length=length)
+    if moored.response is not None:
+        beyond = energy_beyond(moored.response.omega, waves)
+        if beyond > _LEFT_OUT:
+            yield Message("floater.beyond_raos", part=beyond)
+        return
+    yield Message("floater.closed_raos")
+    if ship.ship.breadth > _WIDE * length:
+        yield Message("floater.wide_hull", breadth=ship.ship.breadth, length=length)
+    if of.roll_period is None:
+        yield Message("floater.no_roll")
+    else:
+        yield Message("floater.roll_damping", part=of.roll_damping)
+
+
+def _of_slow_motion(ship: ShipInWeather) -> Iterator[Message]:
+    """Yield what damps slow motion, and what wind and current rest on."""
+    of = ship.of
+    dampings = {"surge": of.surge_damping, "sway": of.sway_damping, "yaw": of.yaw_damping}
+    yield Message("floater.slow_damping", **dampings)
+    if math.hypot(*ship.wind) > 0.0:
+        yield Message("floater.gusts_npd" if of.gusts == "NPD" else "floater.gusts_none")
+    if of.current_yaw:
+        yield Message("floater.current_recalled", hull=of.current_yaw)
+    elif math.hypot(*ship.current) > 0.0:
+        yield Message("floater.current_amidships")
+
+
+def _density(waves: Waves) -> Array:
+    """Energy of the waves over the width between their neighbours, smoothed; for the peak."""
+    order = np.argsort(waves.omega)
+    energy = waves.amplitude[order] ** 2
+    if energy.size < 20:
+        return np.asarray(waves.amplitude**2)
+    width = np.gradient(waves.omega[order])
+    window = np.ones(9)
+    smooth = np.convolve(energy, window, "same") / np.convolve(width, window, "same")
+    out = np.empty_like(energy)
+    out[order] = smooth
+    return out
+
+
+RAOS: Final = "ship_raos.csv"
+DRIFT: Final = "ship_drift.csv"
+LONGEST: Final = 1200.0
+"""s of the run that the truss model is given: it takes minutes of processor a minute."""
+_AROUND: Final = math.radians(5.0)
+"""Between headings, and beyond those of the waves."""
+
+
+def led_case(found: ShipVerification) -> Case:
+    """Make the case of its lines in motion, led by RAOs and drift of the first run.
+
+    Its files are those of `raos_csv` and `drift_csv`, by the names `RAOS` and `DRIFT`; its mean
+    load is that of the weather, its waves are the same. The slow yaw is not in it.
+    """
+    case, rest = found.case, found.rest
+    assert case.system is not None
+    assert case.dynamics is not None
+    moment = float(np.sum(rest.parts, axis=0)[2]) if case.system.turns else 0.0
+    _, reference, crest = found.moored.raos
+    motion = Motion(
+        rao_file=RAOS,
+        rao_phase="lag",
+        rao_reference=(*_turned(found, reference[0], reference[1]), reference[2]),
+        rao_rotation="rad/m",
+        rao_per="amplitude",
+        rao_crest=_turned(found, crest[0], crest[1]),
+        drift_file=DRIFT,
+    )
+    duration = min(case.dynamics.duration, LONGEST)
+    ramp = case.dynamics.ramp if case.dynamics.ramp and case.dynamics.ramp < duration else None
+    return replace(
+        case,
+        system=replace(case.system, force=rest.force, moment=moment),
+        floater=None,
+        motion=motion,
+        dynamics=replace(case.dynamics, duration=duration, ramp=ramp, runs=1),
+    )
+
+
+def _axis(found: ShipVerification) -> float:
+    """Angle from the axes of the lines' body at rest to the ship's: of one that turns freely."""
+    return 0.0 if found.moored.system.turns else found.rest.place[2]
+
+
+def _turned(found: ShipVerification, x: float, y: float) -> tuple[float, float]:
+    turned = complex(x, y) * np.exp(1j * _axis(found))
+    return float(turned.real), float(turned.imag)
+
+
+def raos_csv(found: ShipVerification) -> str:
+    """Tabulate the ship's response around the headings of the waves, in the axes of the lines."""
+    answer, _, _ = found.moored.raos
+    yaw, axis = found.rest.place[2], _axis(found)
+    seen = found.directions - yaw
+    low, high = float(seen.min()) - _AROUND, float(seen.max()) + _AROUND
+    count = max(3, math.ceil((high - low) / _AROUND) + 1)
+    omega = answer.omega
+    names = [f"{name} ({'m/m' if k < 3 else 'rad/m'})" for k, name in enumerate(FREEDOMS)]
+    names += [f"{name}_phase (deg)" for name in FREEDOMS]
+    lines = [",".join(["heading (deg)", "frequency (rad/s)", *names])]
+    for heading in np.linspace(low, high, count).tolist():
+        six = answer.at("response", omega, np.full(omega.size, heading))
+        cosine, sine = math.cos(axis), math.sin(axis)
+        for first in (0, 3):  # ways, and turns, along x and y
+            a, b = six[:, first].copy(), six[:, first + 1].copy()
+            six[:, first], six[:, first + 1] = a * cosine - b * sine, a * sine + b * cosine
+        for w, row in zip(omega.tolist(), six, strict=True):
+            cells = [math.degrees(heading + axis), w]
+            cells += [*np.abs(row).tolist(), *np.degrees(np.angle(row)).tolist()]
+            lines.append(",".join(f"{each:.8g}" for each in cells))
+    return "\n".join(lines) + "\n"
+
+
+def drift_csv(found: ShipVerification) -> str:
+    """Tabulate the slow motion of the first run from where it rests."""
+    course, rest = found.runs[0].course, found.rest.place
+    lines = ["t (s),x (m),y (m)"]
+    for n, (x, y, _) in enumerate(course.tolist()):
+        lines.append(f"{n * SLOW_STEP:g},{x - rest[0]:.9g},{y - rest[1]:.9g}")
+    return "\n".join(lines) + "\n"

@@ -34,8 +34,15 @@ from catopt.model import Case, System
 from catopt.model.dynamics import Dynamics
 from catopt.mooring.zero_load import zero_load_position
 from catopt.verify.dynamic_setup import Excitation, read_drive
-from catopt.verify.ship_remarks import few_cycles, judged_by_words, remarks_of
-from catopt.verify.ship_result import LineOfShip, ShipVerification, ShipWithoutLine, offset_of
+from catopt.verify.ship_result import (
+    LineOfShip,
+    ShipVerification,
+    ShipWithoutLine,
+    few_cycles,
+    judged_by_words,
+    offset_of,
+    remarks_of,
+)
 from catopt.verify.side_by_side import Progress
 from catopt.waves import Waves
 from catopt.words import Message

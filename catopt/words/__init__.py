@@ -27,7 +27,7 @@ The groups of texts that are no sentences:
 
 `heading` puts a name, the quantity's symbol and its unit together: ``Fairlead tension T (kN)``.
 
-What is wrong with an input is said by `catopt.words.refusals.say_refusal`.
+What is wrong with an input is said by `catopt.words.labels.say_refusal`.
 
 Not messages yet: the formulas of loads (`catopt.loads.component`), names of drawings of a
 reproduction, texts of plots.

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import cache
+from typing import Protocol
 
 from catopt.quantities import Quantity
-from catopt.words.message import Message, say, shown_name
+from catopt.words.message import Message, Several, say, shown_name
 from catopt.words.texts import Language, group
 
 
@@ -75,3 +76,28 @@ def heading(name: str, quantity: Quantity, language: Language = "en", *, si: boo
     """
     unit = quantity.si_unit if si else quantity.field_unit
     return f"{f'{say(name, language)} {quantity.symbol}'.rstrip()} ({unit})"
+
+
+class _Problem(Protocol):
+    @property
+    def key(self) -> str: ...
+    @property
+    def found(self) -> str: ...
+    @property
+    def allowed(self) -> str: ...
+
+
+def say_refusal(source: str, problems: Iterable[_Problem], language: Language = "en") -> str:
+    """Say all that is wrong with an input, as its error does in English."""
+    every = tuple(problems)
+    head = Message(
+        "refused.head", source=Several((term(source), ": "), "") if source else "", count=len(every)
+    )
+    lines = (say(problem_words(each), language).replace("\n", "\\n") for each in every)
+    return "\n".join([say(head, language), *(f"  {each}" for each in lines)])
+
+
+def problem_words(problem: _Problem) -> Message:
+    """Say one thing that is wrong: where, what is there, and what would be right."""
+    key = "refused.found" if problem.found else "refused.not_found"
+    return Message(key, key=problem.key, found=problem.found, allowed=problem.allowed)

@@ -14,8 +14,7 @@ import catopt
 from catopt.answers.check import check_answer
 from catopt.answers.design import design_answer, shown_designs
 from catopt.checks.kinds import CHECK_KINDS
-from catopt.design.made_of import clump_weight_words, segment_words
-from catopt.design.result import DesignResult
+from catopt.design.result import DesignResult, clump_weight_words, segment_words
 from catopt.figures.sizing import ends, front, front_lines
 from catopt.render.workbook import workbook
 from catopt.words import Message

@@ -30,7 +30,7 @@ from catopt.answers.blocks import (
     Verdict,
     Warnings,
 )
-from catopt.answers.front_in_motion import front_in_motion_answer
+from catopt.answers.design import front_in_motion_answer
 from catopt.answers.size import size_answer
 from catopt.answers.verification import front_answer
 from catopt.casefile import parse_case

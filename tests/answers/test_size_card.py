@@ -15,11 +15,10 @@ import catopt
 from catopt.answers.blocks import Answer, Brief, Facts, Table, Text, Verdict
 from catopt.answers.note_size import size_note_answer
 from catopt.answers.size import size_answer
-from catopt.answers.size_card import size_card, verdict
-from catopt.answers.size_miss import miss_answer
+from catopt.answers.size_card import miss_answer, size_card, verdict
 from catopt.casefile.reading import Moored
+from catopt.cli.size import as_option, by_option
 from catopt.cli.size import size as size_commands
-from catopt.cli.size_options import as_option, by_option
 from catopt.constants import YEAR
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.notes.line import Given, size_note

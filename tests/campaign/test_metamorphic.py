@@ -15,7 +15,7 @@ import pytest
 
 from catopt.model import Line, Segment
 from catopt.model.system import Leg, System
-from catopt.mooring.circle import watch_circle
+from catopt.mooring.restoring import watch_circle
 
 pytestmark = pytest.mark.slow
 

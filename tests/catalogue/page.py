@@ -11,10 +11,9 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 
 from catopt import catalogue
-from catopt.catalogue.anchors import anchor_types
 from catopt.catalogue.components import SPECS
 from catopt.catalogue.document import Answer
-from catopt.catalogue.fittings import fittings
+from catopt.catalogue.fittings import anchor_types, fittings
 from catopt.loads.sinker import ADHESION, SOIL_FRICTION
 
 from .reread import entries, read_verdicts

@@ -26,9 +26,8 @@ from pathlib import Path
 from typing import Any
 
 from catopt import catalogue
-from catopt.catalogue.anchors import anchor_types
 from catopt.catalogue.components import Figure
-from catopt.catalogue.fittings import fittings
+from catopt.catalogue.fittings import anchor_types, fittings
 from catopt.catalogue.formula import (
     ChainLoad,
     ChainModulus,

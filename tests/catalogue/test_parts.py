@@ -7,8 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from catopt import catalogue
-from catopt.catalogue.anchors import anchor_types
-from catopt.catalogue.fittings import OF_A_CHAIN, fittings, fittings_for
+from catopt.catalogue.fittings import OF_A_CHAIN, anchor_types, fittings, fittings_for
 from catopt.errors import InputError
 from catopt.words import say
 

@@ -11,7 +11,7 @@ import pytest
 from catopt import check_case
 from catopt.casefile import parse_case
 from catopt.casefile.writing import write_case
-from catopt.checks.motion import LineInMotion, check_motion
+from catopt.checks.case import LineInMotion, check_motion
 from catopt.checks.result import CheckReport
 from catopt.design.evaluation import DesignProblem
 from catopt.errors import InputError

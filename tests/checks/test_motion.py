@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import pytest
 
-from catopt.checks.motion import Carried, LineInMotion, Pull, check_motion, check_strengths
+from catopt.checks.case import Carried, LineInMotion, Pull, check_motion, check_strengths
 from catopt.checks.result import CheckReport
 from catopt.errors import InputError
 from catopt.model import (

@@ -15,13 +15,12 @@ from catopt.checks.system import check_system
 from catopt.design.assess import BOUNDS, least_forces
 from catopt.design.front import Outcome
 from catopt.design.mooring import MooringProblem
-from catopt.design.mooring_point import hardest_of
+from catopt.design.mooring_point import distinct_states, hardest_of, widest_gap
 from catopt.design.search import design_case, enumerate_designs
-from catopt.design.symmetry import distinct_states, widest_gap
 from catopt.design.tables import room
 from catopt.errors import InputError
 from catopt.model import Case, Checks, DesignLoad, SegmentChoice, System
-from catopt.mooring.line_out import one_line_out
+from catopt.mooring.case import one_line_out
 from catopt.mooring.solve import solve_system
 from tests.design.mooring_by_hand import Chain, Pull, all_round, mooring
 from tests.design.mooring_cases import HEIGHT, SIX, mooring_case, random_case

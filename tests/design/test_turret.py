@@ -12,7 +12,7 @@ import pytest
 import catopt
 from catopt.checks.system import check_system
 from catopt.model import System
-from catopt.mooring.line_out import one_line_out
+from catopt.mooring.case import one_line_out
 from catopt.mooring.solve import solve_system
 from catopt.mooring.zero_load import zero_load_position
 

@@ -10,11 +10,11 @@ import numpy.typing as npt
 import pytest
 
 from catopt.fem import Bed, Current, DragSection, Water, mesh_line
-from catopt.fem.assembly import assemble
 from catopt.fem.banded import DIAGONAL, REACH, WIDTH, back_substitute, eliminate
 from catopt.fem.loads import bar_loads
 from catopt.fem.problem import Problem, build, one_point, straight
 from catopt.fem.resting import BarLoads, Law, Net, State
+from catopt.fem.step import assemble
 from catopt.model import Line, PointLoad, Segment
 
 Array = npt.NDArray[np.float64]

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from catopt.arrays import Array
-from catopt.fem.sliding import SLIDING, slide
+from catopt.fem.march import SLIDING, slide
 
 MASS, WEIGHT, FRICTION = 2000.0, 11e3, 0.5
 HELD = FRICTION * WEIGHT

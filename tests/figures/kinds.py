@@ -15,7 +15,7 @@ from catopt.figures import line as curve
 from catopt.figures import sizing as front
 from catopt.figures.chart import Chart
 from catopt.model import Case, Line, Load, PointLoad, Segment, Site
-from catopt.mooring.circle import WatchCircle
+from catopt.mooring.restoring import WatchCircle
 from catopt.mooring.solution import SystemSolution
 from tests.answers.results import report_with
 from tests.report.notes import TURRET, body_note

@@ -7,7 +7,7 @@ import math
 import pytest
 
 from catopt.errors import InputError
-from catopt.floater.buoy import buoy_hull, floating_buoy
+from catopt.floater.hulls import buoy_hull, floating_buoy
 from catopt.model import Floater
 
 

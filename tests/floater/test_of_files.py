@@ -14,7 +14,7 @@ from catopt.errors import InputError
 from catopt.fem.newmark import Scheme
 from catopt.fem.run_settings import TimeStepping
 from catopt.floater.alone import run_alone
-from catopt.floater.of_files import mass_about_point
+from catopt.floater.hulls import mass_about_point
 from catopt.hydro.build import HullOfCoefficients
 from catopt.model import HullAfloat
 from catopt.verify.dynamic import verify_dynamic

@@ -11,8 +11,7 @@ import pytest
 from catopt import Line, Segment, System, solve_system
 from catopt.errors import InputError
 from catopt.floater import two_scales
-from catopt.floater.ship import ShipInWeather
-from catopt.floater.slow_motion import SlowShip, rates
+from catopt.floater.ship import ShipInWeather, SlowShip, rates
 from catopt.floater.two_scales import (
     MooredShip,
     Scales,

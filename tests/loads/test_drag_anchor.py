@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from catopt.errors import InputError, NoAnswerError
 from catopt.loads import holding_capacity, size_drag_anchor
 from catopt.loads.drag_anchor import ANCHORS, CURVES, masses_sold
-from catopt.loads.ship_dimensions import next_size
+from catopt.loads.ship import next_size
 
 KIP = 4448.2216152605
 TF = 9806.65

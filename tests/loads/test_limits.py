@@ -30,7 +30,7 @@ from catopt.loads import (
     size_drag_anchor,
     size_sinker,
 )
-from catopt.loads.ship_dimensions import next_size
+from catopt.loads.ship import next_size
 from catopt.loads.ship_loads import flat_side_drift
 from catopt.loads.tcn_222_95 import tcn_loads
 from catopt.loads.ufc import transverse_coefficient

@@ -25,7 +25,7 @@ from catopt.loads import (
     size_sinker,
     surface_speed,
 )
-from catopt.loads.ship_dimensions import Condition
+from catopt.loads.ship import Condition
 from catopt.loads.ship_loads import depth_factor
 from catopt.loads.tanker_20m import CURRENT, SEA, WATER_DEPTH, WIND, tanker
 from catopt.loads.ufc import propeller_area, wetted_surface

@@ -9,9 +9,8 @@ import pytest
 
 from catopt.errors import NoAnswerError
 from catopt.loads.drag_anchor import CURVES, HoldingCurve
-from catopt.loads.ship import PROPELLER_AREA_RATIOS
+from catopt.loads.ship import PROPELLER_AREA_RATIOS, SINKER_MASSES, next_size
 from catopt.loads.ship_coefficients import TYPES, coefficients
-from catopt.loads.ship_dimensions import SINKER_MASSES, next_size
 from catopt.loads.sinker import DENSITIES
 from catopt.loads.weathervane import YAW_TYPES
 

@@ -7,7 +7,7 @@ import math
 import pytest
 
 from catopt.errors import InputError
-from catopt.loads.ship_dimensions import MOULDED, ship_dimensions
+from catopt.loads.ship import MOULDED, ship_dimensions
 
 FITS = {
     "tanker": {

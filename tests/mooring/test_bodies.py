@@ -15,11 +15,10 @@ from catopt.casefile.writing import write_case
 from catopt.checks.system import check_network
 from catopt.model import Checks, Site
 from catopt.model.network import LineBetween, MooredBody, Network, Point
-from catopt.mooring.circle import network_circle, watch_circle
 from catopt.mooring.held import at_rest, hold
 from catopt.mooring.network_out import each_line_out
 from catopt.mooring.network_rest import LinesAtRest
-from catopt.mooring.restoring import network_curve, restoring_curve
+from catopt.mooring.restoring import network_circle, network_curve, restoring_curve, watch_circle
 from catopt.mooring.solve import solve_system
 
 from .layouts import CHAIN, fso, spread, unequal_legs

@@ -17,11 +17,9 @@ from catopt import (
     solve_system,
 )
 from catopt.model import Leg
-from catopt.mooring.circle import watch_circle
-from catopt.mooring.line_out import one_line_out
-from catopt.mooring.restoring import offset_curve, restoring_curve
+from catopt.mooring.case import at_levels, one_line_out
+from catopt.mooring.restoring import offset_curve, restoring_curve, watch_circle
 from catopt.mooring.sharing_rule import sharing_rule
-from catopt.mooring.water_level import at_levels
 from catopt.words import Message
 from tests.mooring.layouts import CHAIN, fso, spread
 

@@ -24,7 +24,7 @@ from catopt.sizing import (
     size_tanker,
 )
 from catopt.sizing.kinds import usual
-from catopt.sizing.posed import Assumed
+from catopt.sizing.settle import Assumed
 from tests.sizing.test_consistency import LOADED, deep, place
 
 SOLVED = 1e-9

@@ -14,7 +14,7 @@ from catopt.checks.profiles import profiles
 from catopt.errors import CatoptError, InputError, NoAnswerError
 from catopt.loads import buoys
 from catopt.loads.drag_anchor import masses_sold
-from catopt.loads.ship_dimensions import ship_dimensions
+from catopt.loads.ship import ship_dimensions
 from catopt.loads.sinker import SOIL_FRICTION
 from catopt.model import Case
 from catopt.sizing import Sizing

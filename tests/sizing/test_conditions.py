@@ -9,7 +9,7 @@ import pytest
 
 import catopt
 from catopt.errors import InputError
-from catopt.sizing.posed import Assumed
+from catopt.sizing.settle import Assumed
 from catopt.sizing.tanker import pose_tanker
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.words import is_said, say

@@ -36,7 +36,7 @@ from catopt.sizing import (
 )
 from catopt.sizing.kinds import usual
 from catopt.sizing.line_choice import PREFERENCES
-from catopt.sizing.posed import Assumed, rounded_up
+from catopt.sizing.settle import Assumed, rounded_up
 from tests.sizing.alone import alone
 
 ROUNDING = 1e-9

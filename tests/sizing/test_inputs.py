@@ -12,12 +12,12 @@ import typer.main
 import catopt
 from catopt.casefile.reading import Moored
 from catopt.casefile.schema import entries
+from catopt.cli.size import as_option, by_option, typed
 from catopt.cli.size import size as size_commands
-from catopt.cli.size_options import as_option, by_option, typed
 from catopt.errors import InputError
 from catopt.loads import METHODS, WaterLevels
 from catopt.loads.buoy import WaveHeight
-from catopt.loads.ship_dimensions import Condition, ShipKind
+from catopt.loads.ship import Condition, ShipKind
 from catopt.loads.sinker import DENSITIES
 from catopt.model.kinds import Measured
 from catopt.sizing import Environment, SinkerGround, TankerRequest

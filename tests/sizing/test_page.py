@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from catopt.loads import SeaState, SurfaceCurrent, WaterLevels, Wind, buoy
-from catopt.loads.ship_dimensions import estimated_tanker, estimates
+from catopt.loads.ship import estimated_tanker, estimates
 from catopt.sizing import (
     BuoyRequest,
     Environment,

@@ -11,8 +11,7 @@ import pytest
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.errors import NotConvergedError
 from catopt.sizing import LineChoice
-from catopt.sizing.posed import Assumed
-from catopt.sizing.settle import ConvergedSizing, settle
+from catopt.sizing.settle import Assumed, ConvergedSizing, settle
 
 CHOICE = LineChoice(("chain studless R3",), "break/5")
 Needs = Callable[[float], float | None]

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from catopt.figures.study import share_worse
+from catopt.figures.studies import share_worse
 from catopt.study.base import Base
 from catopt.study.result import StudyResult
 from catopt.study.store import Computed, Store

@@ -14,7 +14,7 @@ import pytest
 from catopt.answers.motion import motion_answer
 from catopt.casefile import parse_case, read_case, write_case
 from catopt.errors import InputError
-from catopt.floater.buoy import buoy_hull
+from catopt.floater.hulls import buoy_hull
 from catopt.hydro.build import FloatingHull
 from catopt.model.dynamics import JudgedBy
 from catopt.notes.motion import checks_in_motion

@@ -10,7 +10,7 @@ import pytest
 from catopt import InputError
 from catopt.casefile import write_case
 from catopt.casefile.reading import parse_mooring, parse_network
-from catopt.checks.motion import check_strengths
+from catopt.checks.case import check_strengths
 from catopt.model.network import Network
 from catopt.mooring.held import at_rest
 from catopt.mooring.network_out import each_line_out

@@ -25,8 +25,7 @@ from catopt.schemas import schema
 from catopt.schemas.validation import inconsistencies
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.result import Verification
-from catopt.verify.ship_files import drift_csv, led_case, raos_csv
-from catopt.verify.ship_result import LineOfShip, ShipVerification
+from catopt.verify.ship_result import LineOfShip, ShipVerification, drift_csv, led_case, raos_csv
 from catopt.verify.two_scales import moored_ship, verify_ship
 from catopt.words import Message
 

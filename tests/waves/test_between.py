@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from catopt.waves import Sea, regular_wave
-from catopt.waves.between import fill_between, keep_start, look_ahead, water_ends
+from catopt.waves.kinematics import fill_between, keep_start, look_ahead, water_ends
 
 OMEGA, STEP, START = 1.3, 0.05, 4.0
 
