@@ -19,7 +19,7 @@ from catopt.answers.blocks import (
     yes_or_no,
 )
 from catopt.answers.check import checks_in_motion, tightest_table, verdict_blocks
-from catopt.answers.verification import label, remarks
+from catopt.answers.verification import label, quantity_in_note, remarks
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.units import lasting
 from catopt.verify.motion_words import DYNAMIC_QUANTITY_OF, motion_sentences, proof_sentences
@@ -104,9 +104,9 @@ def _card_of_load_cases(
     if checks.results:
         yield tightest_table(checks)
     hardest = found.governing
-    yield _quantities(hardest, Message("motion.title_of_load_case", name=hardest.name))
+    yield quantities_table(hardest, Message("motion.title_of_load_case", name=hardest.name))
     if found.body:
-        yield tabulate("motion_body", *_over_runs(found.body), caption=Message("motion.the_buoy"))
+        yield tabulate("motion_body", *over_runs(found.body), caption=Message("motion.the_buoy"))
     remarked = dict.fromkeys(each for part in found.parts for each in part.remarks)
     yield blocks.Brief((*checks.warnings, *remarked), blocks.TO_BE_KNOWN, 3)
 
@@ -120,10 +120,10 @@ def _of_load_cases(found: DynamicVerification) -> Iterator[blocks.Block]:
         title = Message("motion.title")
         if found.case.load_cases:
             title = Message("motion.title_of_load_case", name=part.name)
-        yield _quantities(part, title)
+        yield quantities_table(part, title)
         if part is found.parts[0] and found.body:
             caption = Message("motion.the_buoy")
-            yield tabulate("motion_body", *_over_runs(found.body), caption=caption, only="people")
+            yield tabulate("motion_body", *over_runs(found.body), caption=caption, only="people")
         yield from _said(part, part, part.remarks)
         yield from _beyond_MBL([part] if part.beyond_MBL else [])
 
@@ -158,8 +158,12 @@ def _of_line(part: DynamicPart, said: str) -> str:
     return Message("motion.said_of_line", number=part.shown, said=said)
 
 
-def _quantities(part: DynamicPart, caption: str) -> blocks.Table:
-    of, (*columns, largest) = Rows(part.quantities), _over_runs(part.quantities)
+def quantities_table(
+    part: DynamicPart, caption: str, at_rest: Sequence[float] = ()
+) -> blocks.Table:
+    """Tabulate what each quantity came to; in a note beside what it is at rest."""
+    of = Rows(part.quantities)
+    *columns, largest = over_runs(part.quantities, at_rest, in_note=bool(at_rest))
     probable = Message("columns.most_prob_in", time=lasting(part.duration_of_interest))
     return tabulate(
         "motion",
@@ -172,11 +176,15 @@ def _quantities(part: DynamicPart, caption: str) -> blocks.Table:
     )
 
 
-def _over_runs(found: Sequence[OverRuns]) -> Iterator[blocks.Column]:
-    """List mean, deviation and ends of quantities, a row each."""
-    of = Rows(found)
-    units = tuple(blocks.bare(DYNAMIC_QUANTITY_OF[each.quantity]) for each in found)
-    yield of.texts("quantity", lambda each: label(DYNAMIC_QUANTITY_OF[each.quantity]))
+def over_runs(
+    found: Sequence[OverRuns], at_rest: Sequence[float] = (), *, in_note: bool = False
+) -> Iterator[blocks.Column]:
+    """List mean, deviation and ends of quantities, a row each; in a note with units beside them."""
+    of, own = Rows(found), [DYNAMIC_QUANTITY_OF[each.quantity] for each in found]
+    units = tuple(own if in_note else map(blocks.bare, own))
+    yield texts("quantity", map(quantity_in_note if in_note else label, own))
+    if at_rest:
+        yield texts("note_motion.rest", at_rest, units=units)
     yield of.texts("mean", units=units)
     yield of.texts("standard_deviation", "std", units=units)
     yield of.texts("min", "minimum", units=units)
@@ -188,7 +196,7 @@ def _of_lines(found: DynamicVerification) -> Iterator[blocks.Block]:
     if found.body:
         yield lines_of_body(found.parts)
         caption = Message("motion.the_body")
-        yield tabulate("motion_body", *_over_runs(found.body), caption=caption, only="people")
+        yield tabulate("motion_body", *over_runs(found.body), caption=caption, only="people")
     else:
         yield from lines_of_points(found)
     remarked = dict.fromkeys(each for part in found.parts for each in part.remarks)
@@ -215,16 +223,25 @@ def _beyond_MBL(parts: Sequence[DynamicPart]) -> Iterator[blocks.Block]:
     yield blocks.Verdict(_of_line(part, reported), False)
 
 
-def lines_of_body(parts: Sequence[DynamicPart]) -> blocks.Table:
-    """Tabulate what every line of a body came to, both ends."""
+def lines_of_body(parts: Sequence[DynamicPart], at_rest: Sequence[float] = ()) -> blocks.Table:
+    """Tabulate what every line of a body, or a line in every load case, came to at both ends.
+
+    In a note beside the tension at its fairlead at rest, N.
+    """
     of, fairlead = Rows(parts), Rows(part.of("fairlead_tension") for part in parts)
     anchor = Rows(part.of("anchor_tension") for part in parts)
+    probable = Message("columns.most_prob_in", time=lasting(parts[0].duration_of_interest))
     return tabulate(
         "motion_lines",
-        of.texts("line"),
+        of.texts("load_case", "name") if parts[0].line is None else of.texts("line"),
+        *([measured("tension", at_rest, "note_motion.rest", symbol="")] if at_rest else []),
         fairlead.measured("tension", "mean", "mean", symbol=""),
         fairlead.measured("tension", "std", "standard_deviation", symbol=""),
+        fairlead.measured("tension", "minimum", "min", symbol="", priority=3),
         fairlead.measured("tension", "maximum", "max", symbol=""),
+        *blocks.if_known(
+            fairlead.measured("tension", "most_probable_maximum", probable, symbol="", priority=3)
+        ),
         *_by_damping(
             parts, "fairlead_tension", "motion.least_by_damping", "motion.most_by_damping"
         ),

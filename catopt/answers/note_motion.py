@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import replace
 from operator import attrgetter, methodcaller
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from catopt.answers import blocks
 from catopt.answers.blocks import (
     Block,
-    Column,
     Fact,
     Facts,
     Figure,
@@ -25,7 +24,13 @@ from catopt.answers.blocks import (
     texts,
 )
 from catopt.answers.check import checks_in_motion
-from catopt.answers.motion import ENERGIES, lines_of_points
+from catopt.answers.motion import (
+    ENERGIES,
+    lines_of_body,
+    lines_of_points,
+    over_runs,
+    quantities_table,
+)
 from catopt.answers.note import small
 from catopt.answers.verification import quantity_in_note
 from catopt.figures.motion import envelope_chart, history, peaks_above, track
@@ -38,7 +43,7 @@ from catopt.verify.motion_words import (
     proof_sentences,
     stopped_sentence,
 )
-from catopt.words import Cited, Listed, Measure, Message, Several, Unit, term
+from catopt.words import Cited, Listed, Measure, Message, Several, term
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
@@ -374,56 +379,23 @@ def _statistics(part: DynamicPart, solution: Solution) -> Table:
         "grounded_length": solution.grounded_length,
         "offset": 0.0,
     }
-    names = [each.quantity for each in part.quantities]
-    return tabulate(
-        "motion_statistics",
-        *_numbers(part, Rows(part.quantities), [rest[name] for name in names], **_own(names)),
-        measured(PERCENT, map(part.change_of, names), "note_motion.change"),
-        caption=Message("note_motion.statistics"),
-    )
-
-
-def _own(names: Iterable[str]) -> dict[str, Any]:
-    """Return the quantity of each row."""
-    return {"units": tuple(DYNAMIC_QUANTITY_OF[name] for name in names)}
-
-
-def _numbers(
-    part: DynamicPart, of: Rows, rest: Sequence[float] | None, **what: Any
-) -> Iterator[Column]:
-    """Yield the columns of statistics, named where each row is of a quantity of its own.
-
-    `what` is the quantity of all, or those of the rows.
-    """
-    if "units" in what:
-        yield texts("quantity", map(quantity_in_note, what["units"]))
-    if rest is not None:
-        yield texts("note_motion.rest", rest, **what)
-    for key, name in (("mean", "mean"), ("std", "std"), ("min", "minimum"), ("max", "maximum")):
-        yield of.texts(f"note_motion.{key}", name, **what)
-    if rest is not None:
-        probable = Message("note_motion.most_probable", time=lasting(part.duration_of_interest))
-        yield of.texts(probable, "most_probable_maximum", **what)
-
-
-def _fairleads(parts: Sequence[DynamicPart], rest: Sequence[float]) -> Iterator[Column]:
-    """Yield what is known of each part's tension at the fairlead, beside that at rest."""
-    of = Rows(part.of("fairlead_tension") for part in parts)
-    yield from _numbers(parts[0], of, rest, quantity=_BARE)
-    changes = (part.change_of("fairlead_tension") for part in parts)
-    yield measured(PERCENT, changes, "note_motion.change")
+    values = [rest[each.quantity] for each in part.quantities]
+    table = quantities_table(part, _said("statistics"), values)
+    return replace(table, name="motion_statistics", only="all")
 
 
 def _cases(moved: InMotion) -> Table:
-    of = Rows(moved.found.parts)
-    return tabulate(
-        "motion_cases",
-        of.texts("load_case", "name"),
-        *_fairleads(of.rows, [solution.fairlead.tension for solution in moved.solutions]),
-        of.measured(_FACTOR, "dynamic_amplification", "note_motion.amplification"),
-        measured("utilisation", map(moved.used, range(len(of.rows)))),
-        caption=Message("note_motion.cases", unit=Unit(_BARE)),
+    """Tabulate the load cases, the one that is shown marked."""
+    parts = moved.found.parts
+    table = lines_of_body(parts, [solution.fairlead.tension for solution in moved.solutions])
+    used = measured("utilisation", map(moved.used, range(len(parts))))
+    return replace(
+        table,
+        name="motion_cases",
+        columns=(*table.columns, used),
+        caption=_said("cases"),
         marked=moved.governing,
+        only="all",
     )
 
 
@@ -553,12 +525,15 @@ def body_motion_blocks(note: SystemNote | NetworkNote) -> Iterator[Block]:
     if note.motion_checks is not None and note.motion_checks.results:
         yield from checks_in_motion(note.motion_checks)
     at_rest = [line.tension for line in note.at_rest]
-    yield from lines_of_points(found) if of_points else (_lines(at_rest, found),)
+    if of_points:
+        yield from lines_of_points(found)
+    else:
+        marked = found.parts.index(governing)
+        lines = replace(lines_of_body(found.parts, at_rest), name="system_motion_lines")
+        yield replace(lines, marked=marked, only="all")
     if found.body:
-        numbers = _numbers(
-            governing, Rows(found.body), None, **_own(each.quantity for each in found.body)
-        )
-        yield tabulate("system_motion_body", *numbers, caption=Message("note_motion.body"))
+        numbers = over_runs(found.body, in_note=True)
+        yield tabulate("system_motion_body", *numbers, caption=Message("motion.the_body"))
     if governing.governing.track is not None:
         yield Figure(track(found), Message("note_system.motion_track"))
     caption = Message("note_system.motion_history", line=governing.shown)
@@ -576,18 +551,3 @@ def _body_said(found: DynamicVerification) -> Iterator[Message]:
     ):
         for sentence in sentences(part):
             yield Message("note_motion.of_line", number=part.shown, said=sentence)
-
-
-def _lines(at_rest: Sequence[float], found: DynamicVerification) -> Table:
-    """Tabulate the fairlead tension of every line, the governing one marked."""
-    of = Rows(found.parts)
-    return tabulate(
-        "system_motion_lines",
-        of.texts("line"),
-        *_fairleads(of.rows, at_rest),
-        of.measured(_BARE, "quasi_static_max", "quasi_static_fairlead_tension"),
-        of.measured(_FACTOR, "dynamic_amplification", "note_motion.amplification"),
-        of.measured(fixed("s", 1), "slack_time", "slack_in_all"),
-        caption=Message("note_motion.lines", unit=Unit(_BARE)),
-        marked=of.rows.index(found.governing),
-    )

@@ -6,7 +6,6 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import partial
-from operator import itemgetter
 from typing import TYPE_CHECKING
 
 from catopt.answers import blocks
@@ -98,6 +97,7 @@ def size_note_answer(note: SizeNote) -> blocks.Answer:
 
 def _opening(note: SizeNote) -> Iterator[Section]:
     of = note.sizing
+    force = max(each.horizontal_force for _, each in of.intact)
     return opening(
         note,
         (),
@@ -105,7 +105,7 @@ def _opening(note: SizeNote) -> Iterator[Section]:
         sized.motion_sentence(of),
         *((Sentence(of.practice, capital=True),) if of.practice else ()),
         drawing=_drawn(of),
-        force=(Message("note_size.identity_force"), "horizontal_force", _hardest(note)[0]),
+        force=(Message("note_size.identity_force"), "horizontal_force", force),
         reach=(Message("note_size.identity_radius"), "length", of.swing.total),
         tension=of.largest_tension,
         in_motion=of.in_motion is not None,
@@ -171,23 +171,14 @@ def _levels(note: SizeNote) -> tuple[float, ...]:
     return tuple(each.depth - still for each in note.sizing.settled.posed.loads)
 
 
-def _hardest(note: SizeNote) -> tuple[float, str]:
-    """Return the largest horizontal force on a line, N, and its load case."""
-    at, solution = max(note.sizing.intact, key=lambda found: found[1].horizontal_force)
-    return solution.horizontal_force, at
-
-
 def _identity(note: SizeNote) -> Iterator[Block]:
-    """List what governs, and tabulate what came out, each with the load case that it is of."""
+    """List what governs, and tabulate what came out."""
     governs = [
         Message("note_size.identity_step", change=each.change, check=each.words)
         for each in note.sizing.limits
     ]
     yield blocks.Points(tuple(governs), Message("note_size.identity_governs"))
-    rows = (
-        (name, (value, QUANTITIES[key]), term(at)) for name, key, value, at in _found_rows(note)
-    )
-    yield from_rows("size_found", ("what", "value", "load_case"), rows)
+    yield sized.summary_table(note.sizing)
 
 
 def _recommendation(note: SizeNote) -> Message:
@@ -215,31 +206,6 @@ def _recommendation(note: SizeNote) -> Message:
     if pattern is None:
         return Message("note_size.identity_one", **values)
     return Message("note_size.identity_several", lines=pattern.lines, **values)
-
-
-def _found_rows(note: SizeNote) -> Iterator[tuple[str, str, float | None, str]]:
-    """Yield name, key of the quantity, value and load case."""
-    of = note.sizing
-    line, (name, solution) = of.point.line, of.hardest
-    diameter = line.segments[0].nominal_diameter
-    yield Message("quantities.nominal_diameter"), "nominal_diameter", diameter, ""
-    yield Message("quantities.length"), "length", line.length, ""
-    yield Message("columns.line_mass_in_air"), "mass", line.mass, ""
-    yield Message("note_size.identity_radius"), "length", of.swing.total, of.swing.load_case
-    if of.excursion is not None:
-        yield Message("quantities.excursion"), "length", of.excursion, ""
-    H, at = _hardest(note)
-    yield Message("note_size.identity_force"), "tension", H, at
-    yield Message("columns.fairlead_tension"), "tension", solution.fairlead.tension, name
-    yield Message("columns.largest_tension"), "tension", of.largest_tension, ""
-    lifts = ((each.fairlead.vertical_force, at) for at, each in of.point.checks.solutions)
-    lift, at = max(lifts, key=itemgetter(0))
-    yield Message("columns.fairlead_vertical_force"), "tension", lift, at
-    if of.reserve_buoyancy is not None:
-        yield Message("columns.reserve_buoyancy"), "tension", of.reserve_buoyancy, ""
-    for key, over in (("mbl", of.break_factor), ("proof", of.proof_factor)):
-        if over is not None:
-            yield Message(f"note_size.identity_{key}"), "safety_factor", over, ""
 
 
 # ------------------------------------------------------------------ loads

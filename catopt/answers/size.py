@@ -56,7 +56,7 @@ def size_answer(of: Sizing) -> blocks.Answer:
             blocks.Text(of.one_line),
             verdict(of),
             *map(blocks.Text, _beside(of)),
-            _summary(of),
+            summary_table(of),
             why,
             *([alternatives_table(of)] if of.alternatives or of.in_motion is None else []),
         ),
@@ -106,7 +106,7 @@ def _beside(of: Sizing) -> Iterator[str]:
     yield from of.fittings
 
 
-def _summary(of: Sizing) -> blocks.Table:
+def summary_table(of: Sizing) -> blocks.Table:
     """Tabulate what was found; people see what is said in words."""
     rows = [*_line(of), *_holding(of), *_positions(of), *_forces_found(of), *_pattern_found(of)]
     found = Rows(rows)

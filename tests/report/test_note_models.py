@@ -178,7 +178,7 @@ def test_of_several_load_cases_the_one_that_is_used_most_is_shown() -> None:
     parts = found.found.to_dict()["load_cases"]
     for row, part, share in zip(table.rows, parts, used, strict=True):
         wanted = (part["quantities"][0]["max"], part["amplification"], share)
-        assert (row[5].value, row[8].value, row[9].value) == wanted
+        assert (row[5].value, row[9].value, row[13].value) == wanted
     assert not page_named("harmonic").all("motion_cases")
 
 
