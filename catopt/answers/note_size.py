@@ -178,7 +178,10 @@ def _identity(note: SizeNote) -> Iterator[Block]:
         for each in note.sizing.limits
     ]
     yield blocks.Points(tuple(governs), Message("note_size.identity_governs"))
-    yield sized.summary_table(note.sizing)
+    table = sized.summary_table(note.sizing)
+    yield replace(
+        table, columns=tuple(replace(each, only="all") for each in table.columns), shown=None
+    )
 
 
 def _recommendation(note: SizeNote) -> Message:
