@@ -30,9 +30,6 @@ from catopt.words import Cited, Message, is_said
 WEIGHT_SOURCE = Source("CATOPT", "catopt, from mass and volume", Cited("catopt.catalogue"))
 """The submerged weight is no printed figure: it follows from two of them."""
 
-_WEIGHT_FORMULA = "(m - rho_w pi D^2/4) g0 N/m"
-
-
 _VALUES = ("MBL", "proof_load", "wet_strength_factor", "EA", "price")
 _COEFFICIENTS = ("drag_normal", "drag_axial", "added_mass_normal", "added_mass_axial")
 
@@ -115,7 +112,7 @@ class Evaluation:
             sources=(WEIGHT_SOURCE,),
             place="from the mass and the volume-equivalent diameter above",
             confidence=weakest([mass.confidence, volume.confidence]),
-            formula=Message("catalogue.by_volume", weight=_WEIGHT_FORMULA),
+            formula=Message("catalogue.by_volume", weight="(m - rho_w pi D^2/4) g0 N/m"),
             range=(max(mass.range[0], volume.range[0]), min(mass.range[1], volume.range[1])),
         )
         return Component(

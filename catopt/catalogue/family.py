@@ -184,8 +184,7 @@ def split_size(name: str) -> tuple[str, str | None]:
 
     A number is a size with its unit or with DN, or where it stands alone.
     """
-    alone = re.fullmatch(r"\s*\d+(?:[.,]\d+)?\s*", name)
-    if alone:
+    if re.fullmatch(r"\s*\d+(?:[.,]\d+)?\s*", name):
         return "", name.strip()
     found = _SIZE.search(name)
     if found is None:

@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
-from importlib.resources import files
 from types import MappingProxyType
 from typing import Any, Final
 
 from catopt.catalogue.components import CONFIDENCES, Confidence, Source
 from catopt.catalogue.family import in_mm
-from catopt.catalogue.reading import own_sources
+from catopt.catalogue.reading import own_sources, own_text
 from catopt.catalogue.table import TomlTable
 from catopt.constants import STANDARD_GRAVITY
 from catopt.model.kinds import Findings, Length, Mass, Positive, Strength
@@ -23,8 +22,7 @@ def read_own(
     name: str, schema: str, keys: Sequence[str]
 ) -> tuple[TomlTable, Findings, dict[str, Source]]:
     """Open one of catopt's own data files, with what is wrong with it and the sources by key."""
-    text = files("catopt.catalogue").joinpath("data", name).read_text(encoding="utf-8")
-    document, findings = TomlTable.of_file(text, f"catopt's {name}", schema, keys)
+    document, findings = TomlTable.of_file(own_text(name), f"catopt's {name}", schema, keys)
     return document, findings, own_sources()
 
 
@@ -165,8 +163,8 @@ def fittings_for(
     thinnest = diameter * (1.0 - _ROUNDING)
     found: dict[str, Fitting] = {}
     missing: dict[str, Message] = {}
-    for use, kind in ((use, OF_A_CHAIN[use]) for use in uses):
-        of_kind = [each for each in fittings() if each.kind == kind]
+    for use in uses:
+        of_kind = [each for each in fittings() if each.kind == OF_A_CHAIN[use]]
         strong = [e for e in of_kind if e.MBL >= MBL and (e.name in _BY_PIN or e.size >= thinnest)]
         if strong:
             found[use] = min(strong, key=lambda each: (each.MBL, each.size))

@@ -357,13 +357,11 @@ def _of_mappp(model: Model) -> Iterator[str]:
         density=site.water_density,
         depth=site.water_depth,
     )
-    bed = [point.name for point in deck_of(model).points.values() if _lies(point, model.surface)]
+    depth = model.surface
+    free = (point for point in deck_of(model).points.values() if point.end == "free")
+    bed = [point.name for point in free if point.z + depth <= 1e-9 * depth]
     if bed:
         yield Message("export.map_bed", nodes=", ".join(bed))
-
-
-def _lies(point: Point, depth: float) -> bool:
-    return point.end == "free" and point.z + depth <= 1e-9 * depth
 
 
 def _of_moorpy(model: Model) -> Iterator[str]:

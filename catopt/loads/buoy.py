@@ -324,11 +324,8 @@ def _check(
         limit = Message("refused_sizing.calmar_holds_down_m_water", deepest=DEEPEST)
         found.add("levels.high", f"{levels.high:g} m", limit)
     if current.speed > FASTEST:
-        found.add(
-            "current.speed",
-            f"{current.speed:g} m/s",
-            Message("refused_sizing.calmar_holds_up_m_s", fastest=FASTEST),
-        )
+        limit = Message("refused_sizing.calmar_holds_up_m_s", fastest=FASTEST)
+        found.add("current.speed", f"{current.speed:g} m/s", limit)
     found.raise_if_any()
 
 

@@ -196,18 +196,13 @@ def friction_of(soil: str, material: Material = "concrete") -> tuple[float, Load
         found.add("soil", repr(soil), Message("loads.mud", low=low, high=high))
     elif soil not in SOIL_FRICTION:
         listed = "; ".join(SOIL_FRICTION)
-        found.add(
-            "soil", repr(soil), Message("refused_sizing.one_others_soft_mud_too", listed=listed)
-        )
+        others = Message("refused_sizing.one_others_soft_mud_too", listed=listed)
+        found.add("soil", repr(soil), others)
     check_material(found, material)
     of = SOIL_FRICTION[soil].of(material)
     if of is None:
-        refused = Problem(
-            "soil",
-            repr(soil),
-            Message("refused_sizing.no_figure_on_give_friction", material=material),
-        )
-        raise InputError([refused], "sinker")
+        give = Message("refused_sizing.no_figure_on_give_friction", material=material)
+        raise InputError([Problem("soil", repr(soil), give)], "sinker")
     return of
 
 
@@ -222,9 +217,8 @@ def adhesion_holding(
     found = Findings("sinker")
     name = AS_CLAY.get(soil, soil)
     if name not in ADHESION:
-        found.add(
-            "soil", repr(soil), Message("refused_sizing.one_mud", adhesion=", ".join(ADHESION))
-        )
+        clays = Message("refused_sizing.one_mud", adhesion=", ".join(ADHESION))
+        found.add("soil", repr(soil), clays)
     found.number("base_area", base_area, "m^2", above=0.0)
     check_material(found, material)
     row = ADHESION[name]
@@ -299,11 +293,8 @@ _SINKERS: Final = {
 def check_material(found: Findings, material: str) -> None:
     """Raise InputError for what was found, and for an unknown material."""
     if material not in DENSITIES:
-        found.add(
-            "material",
-            as_written(material),
-            Message("refused.of_these", words=", ".join(DENSITIES)),
-        )
+        allowed = Message("refused.of_these", words=", ".join(DENSITIES))
+        found.add("material", as_written(material), allowed)
     found.raise_if_any()
 
 
@@ -337,9 +328,8 @@ def _check_density(density: float, water_density: float) -> None:
     found.number("water_density", water_density, "kg/m3", at_least=900.0, at_most=1100.0)
     found.number("density", density, "kg/m3", at_most=20e3)
     if not found.problems and density <= water_density:
-        found.add(
-            "density", f"{density:g} kg/m3", Message("refused_sizing.floats_above_water_wanted")
-        )
+        allowed = Message("refused_sizing.floats_above_water_wanted")
+        found.add("density", f"{density:g} kg/m3", allowed)
     found.raise_if_any()
 
 

@@ -172,11 +172,8 @@ def equilibrium_headings(
         return sum(moment - force * lever for force, moment in pushes) + by_waves(seen.waves)
 
     if wind.speed == current.speed == sea.hmax == 0.0:
-        found.add(
-            "wind",
-            Message("refused_sizing.nothing_pushes"),
-            Message("refused_sizing.something_has_push_ship"),
-        )
+        nothing = Message("refused_sizing.nothing_pushes")
+        found.add("wind", nothing, Message("refused_sizing.something_has_push_ship"))
         found.raise_if_any()
     return _stable(turned)
 
