@@ -7,7 +7,6 @@ import unicodedata
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cache
-from types import MappingProxyType
 from typing import Final, NamedTuple
 
 from catopt.catalogue.components import RECALLED, Confidence, Figure, Source
@@ -204,13 +203,11 @@ def _letters(name: str) -> str:
     return re.sub(r"[\s_-]+", " ", plain).strip()
 
 
-_LINKS: Final = MappingProxyType(
-    {
-        "open-link": "catalogue.open_link",
-        "studless": "catalogue.studless",
-        "stud-link": "catalogue.stud_link",
-    }
-)
+_LINKS: Final = {
+    "open-link": "catalogue.open_link",
+    "studless": "catalogue.studless",
+    "stud-link": "catalogue.stud_link",
+}
 """How the links of chains are called."""
 
 

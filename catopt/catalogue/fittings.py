@@ -6,11 +6,11 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from types import MappingProxyType
-from typing import Any, Final
+from typing import Final
 
-from catopt.catalogue.components import CONFIDENCES, Confidence, Source
+from catopt.catalogue.components import Confidence, Source
 from catopt.catalogue.family import in_mm
-from catopt.catalogue.reading import own_sources, own_text
+from catopt.catalogue.reading import cited, own_sources, own_text
 from catopt.catalogue.table import TomlTable
 from catopt.constants import STANDARD_GRAVITY
 from catopt.model.kinds import Findings, Length, Mass, Positive, Strength
@@ -26,21 +26,12 @@ def read_own(
     return document, findings, own_sources()
 
 
-def cited(table: TomlTable, sources: dict[str, Source]) -> dict[str, Any]:
-    """Read where an entry comes from: sources, place and confidence."""
-    return {
-        "sources": tuple(sources[key] for key in table.texts("source", required=True)),
-        "place": table.cited("place") or "",
-        "confidence": table.word("confidence", CONFIDENCES) or CONFIDENCES[-1],
-    }
-
-
 _ROUNDING = 1e-9
 """Relative, of sizes."""
 
 SCHEMA: Final = "catopt.fittings/1"
 
-_COLUMNS: Final = MappingProxyType({"mass_kg": 1.0, "WLL_t": 1e3, "proof_kN": 1e3, "MBL_kN": 1e3})
+_COLUMNS: Final = {"mass_kg": 1.0, "WLL_t": 1e3, "proof_kN": 1e3, "MBL_kN": 1e3}
 """What a row may have beside its size, and its unit in SI."""
 
 _BY_PIN: Final = frozenset({"bow shackle"})
@@ -218,9 +209,7 @@ def _sizes(table: TomlTable, sources: dict[str, Source]) -> list[Fitting]:
 
 ANCHORS_SCHEMA: Final = "catopt.anchors/1"
 
-_UNITS: Final = MappingProxyType(
-    {"kip": 4448.2216152605, "tf": 1e3 * STANDARD_GRAVITY, "kN": 1e3, "N": 1.0}
-)
+_UNITS: Final = {"kip": 4448.2216152605, "tf": 1e3 * STANDARD_GRAVITY, "kN": 1e3, "N": 1.0}
 
 
 @dataclass(frozen=True)

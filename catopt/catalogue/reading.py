@@ -10,7 +10,7 @@ from dataclasses import replace
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
-from types import MappingProxyType
+from typing import Any
 
 from catopt.catalogue.collection import Catalogue
 from catopt.catalogue.components import CONFIDENCES, SPECS, Figure, Source, within
@@ -36,18 +36,18 @@ from catopt.words import Message
 _POWER = re.compile(r"d([0-3])")
 _DIAMETER = re.compile(r"(?:(\d+(?:\.\d+)?) )?d(/pi)?")
 
-_UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
-    {
-        "kg/m": UNITS[Dimension.MASS_PER_LENGTH],
-        "N": UNITS[Dimension.FORCE],
-        "USD/m": {"USD/m": 1.0},
-    }
-)
+_UNITS: Mapping[str, Mapping[str, float]] = {
+    "kg/m": UNITS[Dimension.MASS_PER_LENGTH],
+    "N": UNITS[Dimension.FORCE],
+    "USD/m": {"USD/m": 1.0},
+}
 """Units that rows may be in, by the SI unit of the quantity."""
 
-_OF_ONE_NUMBER: Mapping[str, Callable[[float], Formula]] = MappingProxyType(
-    {"chain_load": ChainLoad, "density": Density, "value": Constant}
-)
+_OF_ONE_NUMBER: Mapping[str, Callable[[float], Formula]] = {
+    "chain_load": ChainLoad,
+    "density": Density,
+    "value": Constant,
+}
 
 _EXTRA = {"rows": ("unit",), "times": ("of",), "coefficient": ("diameter",)}
 
@@ -235,15 +235,19 @@ def _sizes(family: TomlTable, sources: Mapping[str, Source], span: tuple[float, 
     outside = [in_mm(diameter) for diameter in diameters if span[1] and not within(diameter, span)]
     if outside:
         table.problem("mm", Message("refused_file.outside_range", key="range_mm", size=outside[0]))
-    return Sizes(
-        diameters,
-        _cited(table, sources),
-        table.cited("place") or "",
-        table.word("confidence", CONFIDENCES) or CONFIDENCES[-1],
-    )
+    return Sizes(diameters, **cited(table, sources))
 
 
-def _cited(table: TomlTable, sources: Mapping[str, Source]) -> tuple[Source, ...]:
+def cited(table: TomlTable, sources: Mapping[str, Source]) -> dict[str, Any]:
+    """Read where an entry comes from: sources, place and confidence."""
+    return {
+        "sources": _named_sources(table, sources),
+        "place": table.cited("place") or "",
+        "confidence": table.word("confidence", CONFIDENCES) or CONFIDENCES[-1],
+    }
+
+
+def _named_sources(table: TomlTable, sources: Mapping[str, Source]) -> tuple[Source, ...]:
     """Read the sources that a figure names."""
     keys = table.texts("source", required=True)
     for key in keys:
@@ -264,11 +268,11 @@ def _figure(
     families = [drafts[n] for n in table.texts("family", required=True) if _knows(table, drafts, n)]
     grades = _figure_grades(table, families)
     formula = read_formula(table, quantity) if quantity else None
-    cited = _cited(table, sources)
+    named = _named_sources(table, sources)
     place, confidence = table.cited("place"), table.word("confidence", CONFIDENCES)
     default = table.flag("default")
     span = _span(table, formula, families)
-    if not (quantity and families and formula and cited and place and confidence and span):
+    if not (quantity and families and formula and named and place and confidence and span):
         return None
     return Figure(
         quantity=quantity,
@@ -277,7 +281,7 @@ def _figure(
         grades=grades,
         formula=formula,
         range=span,
-        sources=cited,
+        sources=named,
         place=place,
         confidence=confidence,
         default=True if default is None else default,

@@ -206,8 +206,9 @@ class TomlTable:
     def named(self, key: str) -> Iterator[tuple[str, TomlTable]]:
         """Go into a table of tables."""
         within = self.table(key)
-        for name in within.values if within else ():
-            assert within is not None
+        if within is None:
+            return
+        for name in within.values:
             table = within.table(name)
             if table is not None:
                 yield name, table

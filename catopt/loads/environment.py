@@ -15,9 +15,6 @@ from catopt.loads.ship import Ship
 from catopt.model.kinds import Angle, Findings
 from catopt.words import Message
 
-GustSpectrum = Literal["none", "NPD"]
-"""Steady wind, or that of the Norwegian Petroleum Directorate, which API and ISO 19901-1 have."""
-
 _N: Final = 0.468
 _HEIGHT: Final = 10.0
 

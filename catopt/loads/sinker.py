@@ -13,7 +13,7 @@ from catopt.catalogue.fittings import AnchorType, anchor_types
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import InputError, Problem
 from catopt.loads.component import CALMAR, NAVFAC, LoadSource
-from catopt.loads.drag_anchor import CURVES, default_factor, holding_capacity
+from catopt.loads.drag_anchor import default_factor, holding_capacity
 from catopt.loads.ship import SINKER_MASSES, NextSize, neighbours, next_size
 from catopt.model.anchor import sinker_needed
 from catopt.model.kinds import (
@@ -449,13 +449,9 @@ def anchors_held(
     return tuple(
         _held(kind, each, of, allow_recalled=allow_recalled)
         for kind in kinds
-        for each in ([soil] if soil else _soils(kind))
+        for each in ([soil] if soil else dict.fromkeys(of.soil for of in kind.holdings))
         for of in ([mass] if mass is not None else kind.masses)
     )
-
-
-def _soils(kind: AnchorType) -> Sequence[str]:
-    return list(dict.fromkeys(each.soil for each in CURVES if each.anchor == kind.name))
 
 
 def _held(kind: AnchorType, soil: str, mass: float, *, allow_recalled: bool) -> AnchorHeld:

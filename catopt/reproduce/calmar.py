@@ -110,7 +110,6 @@ def moored(
     given = source.inputs
     shape = shape or buoy_of(source)
     chain = component(f"chain open-link 5D Q{given['chain_quality']:.0f}", given["chain_m"])
-    assert chain.mass is not None
     assert chain.proof_load is not None
     density = given["water_density_kg_per_m3"]
     weight = weight_in_water(chain.mass, release.steel_density, density)
