@@ -258,22 +258,21 @@ def anchor_types() -> tuple[AnchorType, ...]:
     document, findings, sources = read_own("anchors.toml", ANCHORS_SCHEMA, ("price", "anchor"))
     price = document.table("price")
     per_mass = (price.number("per_mass", above=0.0) if price else None) or 0.0
-    read = tuple(_anchor(table, sources, per_mass) for table in document.tables("anchor"))
+    read = tuple(
+        AnchorType(
+            name=table.text("name") or "",
+            title=table.said("title") or "",
+            also=table.texts("also"),
+            masses=table.rising("masses_kg"),
+            **cited(table, sources),
+            holdings=tuple(_holding(each, sources) for each in table.tables("holding")),
+            price_per_mass=per_mass,
+            note=table.said("note", required=False) or "",
+        )
+        for table in document.tables("anchor")
+    )
     findings.raise_if_any()
     return read
-
-
-def _anchor(table: TomlTable, sources: dict[str, Source], per_mass: float) -> AnchorType:
-    return AnchorType(
-        name=table.text("name") or "",
-        title=table.said("title") or "",
-        also=table.texts("also"),
-        masses=table.rising("masses_kg"),
-        **cited(table, sources),
-        holdings=tuple(_holding(each, sources) for each in table.tables("holding")),
-        price_per_mass=per_mass,
-        note=table.said("note", required=False) or "",
-    )
 
 
 def _holding(table: TomlTable, sources: dict[str, Source]) -> Holding:

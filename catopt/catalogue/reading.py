@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from importlib.resources import files
@@ -179,8 +179,15 @@ def _parse(
     by_name = {draft.name: draft for draft in drafts if draft.name}
     figures = [_figure(t, sources, by_name) for t in document.tables("figure", required=False)]
     findings.raise_if_any()
-    known_figures = [figure for figure in figures if figure]
-    families = [_with_figures(draft, known_figures) for draft in drafts]
+    families = []
+    for draft in drafts:
+        first, last = draft.range
+        own = (  # each ends at the latest where the family ends
+            replace(each, range=(max(each.range[0], first), min(each.range[1], last)))
+            for each in figures
+            if each and draft.name in each.families
+        )
+        families.append(replace(draft, figures=tuple(own)))
     for index, family in enumerate(families):
         _check_family(findings, f"family[{index}]", family)
     findings.raise_if_any()
@@ -188,17 +195,6 @@ def _parse(
 
 
 # ------------------------------------------------------------------ parts of a file
-
-
-def _with_figures(draft: Family, figures: Iterable[Figure]) -> Family:
-    """Add the figures that hold for a family, each ending at the latest where the family ends."""
-    first, last = draft.range
-    own = (
-        replace(each, range=(max(each.range[0], first), min(each.range[1], last)))
-        for each in figures
-        if draft.name in each.families
-    )
-    return replace(draft, figures=tuple(own))
 
 
 def _sources(document: TomlTable) -> dict[str, Source]:

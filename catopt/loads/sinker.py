@@ -260,7 +260,13 @@ def size_sinker(
     if density is None:
         check_material(Findings("sinker"), material)
     rho = DENSITIES[material] if density is None else density
-    _check_density(rho, water_density)
+    found = Findings("sinker")
+    found.number("water_density", water_density, "kg/m3", at_least=900.0, at_most=1100.0)
+    found.number("density", rho, "kg/m3", at_most=20e3)
+    if not found.problems and rho <= water_density:
+        floats = Message("refused_sizing.floats_above_water_wanted")
+        found.add("density", f"{rho:g} kg/m3", floats)
+    found.raise_if_any()
     weight = sinker_needed(horizontal_force, vertical_force, mu, safety_factor)
     needed = weight / weight_in_water(1.0, rho, water_density)
     mass = next_size(needed, series, Message(_SINKERS[material]))
@@ -320,16 +326,6 @@ def _check(
         found.add("soil", given, Message("refused_sizing.one_soil_friction_wanted"))
     if friction is not None:
         found.number("friction", friction, "", above=0.0, at_most=1.5)
-    found.raise_if_any()
-
-
-def _check_density(density: float, water_density: float) -> None:
-    found = Findings("sinker")
-    found.number("water_density", water_density, "kg/m3", at_least=900.0, at_most=1100.0)
-    found.number("density", density, "kg/m3", at_most=20e3)
-    if not found.problems and density <= water_density:
-        allowed = Message("refused_sizing.floats_above_water_wanted")
-        found.add("density", f"{density:g} kg/m3", allowed)
     found.raise_if_any()
 
 
