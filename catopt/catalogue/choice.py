@@ -7,13 +7,12 @@ from dataclasses import dataclass
 from typing import Any
 
 from catopt import catalogue
-from catopt.catalogue.collection import ALL, Catalogue
+from catopt.catalogue.collection import ALL, Catalogue, one_of_variants
 from catopt.catalogue.components import Component
 from catopt.catalogue.finding import held_by
 from catopt.errors import Problem
 from catopt.model import CatalogueChoice
 from catopt.units import as_written
-from catopt.words import Message
 
 
 @dataclass(frozen=True)
@@ -53,11 +52,7 @@ class ChosenCatalogue:
                 for figure in family.figures
                 if quantity in (ALL, figure.quantity) and figure.holds_for(grade) and figure.variant
             }
-            listed = ", ".join(there)
-            allowed = (
-                Message("refused.one_of", words=listed) if there else Message("refused.one_figure")
-            )
-            problems.append(Problem(quantity, as_written(variant), allowed))
+            problems.append(Problem(quantity, as_written(variant), one_of_variants(there)))
         return problems
 
     def _figures(self, name: str) -> dict[str, Any]:

@@ -75,7 +75,7 @@ class Catalogue:
         check.number("water_density", density, "kg/m3", above=0.0)
         chosen = _choose(check, found, grade, variants, allow_recalled)
         check.raise_if_any()
-        asked = _asked(variants)
+        asked = frozenset(variants) - {ALL}
         evaluation = Evaluation(found, grade, nominal, chosen, asked, allow_recalled)
         return evaluation.component(density)
 
@@ -103,16 +103,13 @@ class Catalogue:
         check.number("water_density", water_density, "kg/m3", above=0.0)
         chosen = {each: _choose(check, found, each, variants, allow_recalled) for each in grades}
         check.raise_if_any()
+        asked = frozenset(variants) - {ALL}
         made = (
-            Evaluation(found, each, diameter, chosen[each], _asked(variants), allow_recalled)
+            Evaluation(found, each, diameter, chosen[each], asked, allow_recalled)
             for each in grades
             for diameter in found.sizes.diameters
         )
         return tuple(each.component(water_density) for each in made if each.is_made)
-
-
-def _asked(variants: Mapping[str, str]) -> frozenset[str]:
-    return frozenset(variants) - {ALL}
 
 
 def _grade(check: Findings, family: Family, grade: str | None) -> str | None:
@@ -148,10 +145,9 @@ def _check_diameter(
     if len(check.problems) > before:
         return
     if not within(diameter, family.range):
-        meant_mm = within(diameter / 1e3, family.range)
         low, high = map(in_mm, family.range)
         allowed = Message("refused.known", name=family.name, low=low, high=high)
-        if meant_mm:
+        if within(diameter / 1e3, family.range):  # meant in mm
             allowed = Message("refused.known_in_m", known=allowed, meant=diameter / 1e3)
         else:
             others = ", ".join(
@@ -199,9 +195,13 @@ def _choose(
 
 
 def _no_variant(check: Findings, quantity: str, variant: str, names: Iterable[str]) -> None:
+    check.add(f"variants.{quantity}", as_written(variant), one_of_variants(names))
+
+
+def one_of_variants(names: Iterable[str]) -> Message:
+    """Say which variants there are to choose from, or that there is one figure only."""
     listed = ", ".join(names)
-    allowed = Message("refused.one_of", words=listed) if listed else Message("refused.one_figure")
-    check.add(f"variants.{quantity}", as_written(variant), allowed)
+    return Message("refused.one_of", words=listed) if listed else Message("refused.one_figure")
 
 
 def _bar_recalled(check: Findings, figure: Figure, allow_recalled: bool) -> None:

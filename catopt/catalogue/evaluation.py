@@ -30,9 +30,6 @@ from catopt.words import Cited, Message, is_said
 WEIGHT_SOURCE = Source("CATOPT", "catopt, from mass and volume", Cited("catopt.catalogue"))
 """The submerged weight is no printed figure: it follows from two of them."""
 
-_WEIGHT_FORMULA = "(m - rho_w pi D^2/4) g0 N/m"
-
-
 _VALUES = ("MBL", "proof_load", "wet_strength_factor", "EA", "price")
 _COEFFICIENTS = ("drag_normal", "drag_axial", "added_mass_normal", "added_mass_axial")
 
@@ -70,7 +67,11 @@ class Evaluation:
         """Say why a quantity is not known here; empty when it is."""
         figure = self.chosen.get(quantity)
         if figure is None:
-            return self._no_default(quantity)
+            others = self.family.alternatives(quantity, self.grade)
+            if not others:
+                return Message(NO_FIGURE)
+            names = ", ".join(each.variant for each in others)
+            return Message("catalogue.no_default", variants=names)
         if figure.confidence == RECALLED and not self.allow_recalled:
             return Message("catalogue.only_recalled")
         if not figure.covers(self.diameter):
@@ -101,7 +102,12 @@ class Evaluation:
         none.
         """
         lacking = {key: why for key in SPECS if (why := self.why_not(key))}
-        self._refuse(lacking)
+        needed = {key for key, spec in SPECS.items() if spec.needed} | self.asked
+        if "MBL" in lacking and "MBL" in self.chosen and not self._is_barred("MBL"):
+            needed |= {"MBL"}  # a strength is known, but not here
+        problems = [Problem(key, "", why) for key, why in lacking.items() if key in needed]
+        if problems:
+            raise InputError(problems, self._name)
         origins = {key: self._provenance(key) for key in SPECS if key not in lacking}
         missing = {
             key: why
@@ -115,16 +121,17 @@ class Evaluation:
             sources=(WEIGHT_SOURCE,),
             place="from the mass and the volume-equivalent diameter above",
             confidence=weakest([mass.confidence, volume.confidence]),
-            formula=Message("catalogue.by_volume", weight=_WEIGHT_FORMULA),
+            formula=Message("catalogue.by_volume", weight="(m - rho_w pi D^2/4) g0 N/m"),
             range=(max(mass.range[0], volume.range[0]), min(mass.range[1], volume.range[1])),
         )
+        section = math.pi * self.value("volume_diameter") ** 2 / 4.0
         return Component(
             name=self._name,
             family=self.family.name,
             grade=self.grade,
             nominal_diameter=self.diameter,
             mass=self.value("mass"),
-            submerged_weight=self._submerged_weight(water_density),
+            submerged_weight=(self.value("mass") - water_density * section) * STANDARD_GRAVITY,
             volume_diameter=self.value("volume_diameter"),
             water_density=water_density,
             EA_dynamic_terms=self._dynamic_terms(),
@@ -163,31 +170,11 @@ class Evaluation:
         parts = (self.family.name, self.grade, in_mm(self.diameter))
         return " ".join(part for part in parts if part)
 
-    def _refuse(self, missing: Mapping[str, str]) -> None:
-        """Raise where what is missing was asked for, or no component can do without it."""
-        needed = {key for key, spec in SPECS.items() if spec.needed} | self.asked
-        if "MBL" in missing and "MBL" in self.chosen and not self._is_barred("MBL"):
-            needed |= {"MBL"}  # a strength is known, but not here
-        problems = [Problem(key, "", why) for key, why in missing.items() if key in needed]
-        if problems:
-            raise InputError(problems, self._name)
-
     def _is_barred(self, quantity: str) -> bool:
         """Whether a quantity is held back only because it, or what it rests on, is recalled."""
         if self.allow_recalled or not self.why_not(quantity):
             return False
         return not replace(self, allow_recalled=True, _known={}).why_not(quantity)
-
-    def _no_default(self, quantity: str) -> str:
-        others = self.family.alternatives(quantity, self.grade)
-        if not others:
-            return Message(NO_FIGURE)
-        names = ", ".join(figure.variant for figure in others)
-        return Message("catalogue.no_default", variants=names)
-
-    def _submerged_weight(self, water_density: float) -> float:
-        volume = math.pi * self.value("volume_diameter") ** 2 / 4.0
-        return (self.value("mass") - water_density * volume) * STANDARD_GRAVITY
 
     def _hydrodynamic(self, quantity: str) -> Hydrodynamic | None:
         if self.why_not(quantity):

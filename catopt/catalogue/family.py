@@ -7,7 +7,6 @@ import unicodedata
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cache
-from types import MappingProxyType
 from typing import Final, NamedTuple
 
 from catopt.catalogue.components import RECALLED, Confidence, Figure, Source
@@ -184,8 +183,7 @@ def split_size(name: str) -> tuple[str, str | None]:
 
     A number is a size with its unit or with DN, or where it stands alone.
     """
-    alone = re.fullmatch(r"\s*\d+(?:[.,]\d+)?\s*", name)
-    if alone:
+    if re.fullmatch(r"\s*\d+(?:[.,]\d+)?\s*", name):
         return "", name.strip()
     found = _SIZE.search(name)
     if found is None:
@@ -205,13 +203,11 @@ def _letters(name: str) -> str:
     return re.sub(r"[\s_-]+", " ", plain).strip()
 
 
-_LINKS: Final = MappingProxyType(
-    {
-        "open-link": "catalogue.open_link",
-        "studless": "catalogue.studless",
-        "stud-link": "catalogue.stud_link",
-    }
-)
+_LINKS: Final = {
+    "open-link": "catalogue.open_link",
+    "studless": "catalogue.studless",
+    "stud-link": "catalogue.stud_link",
+}
 """How the links of chains are called."""
 
 

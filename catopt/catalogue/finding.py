@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Final, TypeAlias
 
-from catopt.catalogue.collection import NO_VARIANTS, Catalogue
+from catopt.catalogue.collection import ALL, NO_VARIANTS, Catalogue
 from catopt.catalogue.components import SPECS, Component, within
 from catopt.catalogue.family import Family, in_mm, nearest, words_of
 from catopt.catalogue.fittings import AnchorType, Fitting, anchor_types, fittings
@@ -124,14 +124,12 @@ def _wanted(
     if families is None:
         named = [(family, None) for family in catalogue.families]
     possible = {grade.casefold(): grade for family, _ in named for grade in family.grades}
+    allowed = Message("refused_sizing.no_grades")
+    if possible:
+        allowed = Message("refused.one_of", words=", ".join(possible.values()))
     for grade in grades or ():
         if grade.casefold() not in possible:
-            listed = (
-                Message("refused.one_of", words=", ".join(possible.values()))
-                if possible
-                else Message("refused_sizing.no_grades")
-            )
-            check.add("grade", as_written(grade), listed)
+            check.add("grade", as_written(grade), allowed)
     asked = None if grades is None else {grade.casefold() for grade in grades}
     for family, of_name in named:
         for each in [of_name] if of_name else (family.grades or (None,)):
@@ -145,13 +143,10 @@ def _check_variants(
     """Note a problem for each variant that none of the families has."""
     for quantity, variant in variants.items():
         if not any(held_by(family, grade, {quantity: variant}) for family, grade in wanted):
-            known = quantity in SPECS or quantity == "all"
-            what = (
-                Message("refused_sizing.none_these_families_has")
-                if known
-                else Message("refused.of_these", words=", ".join(SPECS))
-            )
-            check.add(f"variants.{quantity}", as_written(variant), what)
+            allowed = Message("refused_sizing.none_these_families_has")
+            if quantity not in (*SPECS, ALL):
+                allowed = Message("refused.of_these", words=", ".join(SPECS))
+            check.add(f"variants.{quantity}", as_written(variant), allowed)
 
 
 def held_by(family: Family, grade: str | None, variants: Mapping[str, str]) -> dict[str, str]:
@@ -161,7 +156,7 @@ def held_by(family: Family, grade: str | None, variants: Mapping[str, str]) -> d
     return {
         quantity: variant
         for quantity, variant in variants.items()
-        if (quantity, variant) in own or (quantity == "all" and variant in names)
+        if (quantity, variant) in own or (quantity == ALL and variant in names)
     }
 
 
@@ -174,26 +169,11 @@ _APART: Final = re.compile(
 """A number apart from its unit, or DN apart from its number."""
 
 _UNITS: Final = {"mm": 1e-3, "cm": 1e-2, "in": 25.4e-3, '"': 25.4e-3, "": 1e-3}
-_MASSES: Final = {"kg": 1.0}
 
-_FILLERS: Final = frozenset(
-    {
-        "for",
-        "of",
-        "a",
-        "an",
-        "the",
-        "in",
-        "on",
-        "size",
-        "sizes",
-        "grade",
-        "class",
-        "dia",
-        "diameter",
-    }
-    | {"cỡ", "cấp", "loại", "đường", "kính", "trong", "trên", "nền", "bằng", "cho"}
-)
+_FILLERS: Final = frozenset({
+    "for", "of", "a", "an", "the", "in", "on", "size", "sizes", "grade", "class", "dia",
+    "diameter", "cỡ", "cấp", "loại", "đường", "kính", "trong", "trên", "nền", "bằng", "cho",
+})  # fmt: skip
 """Words that name nothing; Vietnamese with their accents, without which cap is a rope, too."""
 
 SOILS: Final[Mapping[str, str]] = {
@@ -209,6 +189,9 @@ MOST_ROWS: Final = 60
 
 _Asked: TypeAlias = tuple[Family, tuple[str | None, ...]]
 """A family with the grades that were asked for."""
+
+_Named: TypeAlias = Family | AnchorType | Fitting
+"""What goes by a name, a title and other names."""
 
 
 @dataclass(frozen=True)
@@ -247,7 +230,7 @@ def find(text: str, among: Catalogue | None = None) -> Found:
     query = read_query(text)
     catalogue = among or standard()
     families = [] if query.mass is not None else _matching(query, catalogue.families)
-    anchors = () if query.size is not None else tuple(_by_words(query.words, anchor_types()))
+    anchors = () if query.size is not None else tuple(_anchors(query))
     parts = () if query.mass is not None else tuple(_fittings(query))
     components = [
         c for family, grades in families for c in _sized(catalogue, family, grades, query)
@@ -268,7 +251,7 @@ def read_query(text: str) -> Query:
         plain = words_of(word)[0] if words_of(word) else ""
         of_mass, of_size = _MASS.fullmatch(plain), _SIZE.fullmatch(word.strip(",;"))
         if of_mass:
-            mass = _value(of_mass[1]) * _MASSES.get(of_mass[2], 1e3)
+            mass = _value(of_mass[1]) * (1.0 if of_mass[2] == "kg" else 1e3)
         elif of_size and (of_size[2] or not word[0].isdigit()):
             size = _value(of_size[1]) * _UNITS[of_size[2] or ""]
         elif of_size:
@@ -288,17 +271,17 @@ def _value(number: str) -> float:
     return float(top) / float(bottom or 1.0)
 
 
-def _words(name: str, title: str, also: Iterable[str]) -> frozenset[str]:
+def _words(of: _Named) -> frozenset[str]:
     """List what a thing may be called by: the words of its names and of its title."""
-    titles = (say(title, language) for language in LANGUAGES)
-    return frozenset(word for each in (name, *also, *titles) for word in words_of(each))
+    titles = (say(of.title, language) for language in LANGUAGES)
+    return frozenset(word for each in (of.name, *of.also, *titles) for word in words_of(each))
 
 
 def _matching(query: Query, families: Iterable[Family]) -> list[_Asked]:
     """Find families that have every word, with the grades that were asked for."""
     found: list[_Asked] = []
     for family in families:
-        known = _words(family.name, family.title, family.also)
+        known = _words(family)
         by_plain = {each.casefold(): each for each in family.grades}
         asked = tuple(by_plain[w] for w in (*query.words, *query.numbers) if w in by_plain)
         rest = [word for word in query.words if word not in by_plain]
@@ -326,18 +309,18 @@ def _sized(
                 continue
 
 
-def _by_words(words: tuple[str, ...], things: Iterable[AnchorType]) -> Iterator[AnchorType]:
+def _anchors(query: Query) -> Iterator[AnchorType]:
     """Find kinds that have every word, but those of a soil."""
-    wanted = [word for word in words if word not in SOILS]
-    for each in things:
-        known = _words(each.name, each.title, each.also) | {"anchor", "neo"}
+    wanted = [word for word in query.words if word not in SOILS]
+    for each in anchor_types():
+        known = _words(each) | {"anchor", "neo"}
         if wanted and all(word in known for word in wanted):
             yield each
 
 
 def _fittings(query: Query) -> Iterator[Fitting]:
     for each in fittings():
-        known = _words(each.name, each.title, each.also)
+        known = _words(each)
         right = query.size is None or abs(each.size - query.size) <= _HALF_A_MM
         if query.words and right and all(word in known for word in query.words):
             yield each
@@ -357,12 +340,7 @@ def _sizes_of(parts: Iterable[Fitting]) -> Iterator[Message]:
         yield Message("catalogue.sizes_of", name=term(name), count=len(sizes), **ends)
 
 
-def _problem(
-    text: str,
-    query: Query,
-    families: list[_Asked],
-    catalogue: Catalogue,
-) -> Problem:
+def _problem(text: str, query: Query, families: list[_Asked], catalogue: Catalogue) -> Problem:
     """Say why nothing was found, with the nearest."""
     if query.size is not None:
         known = [
@@ -372,9 +350,8 @@ def _problem(
         if known:
             allowed = Message("catalogue.not_this_size", known=Several(known, "; "))
             return Problem("size", in_mm(query.size), allowed)
-    things: tuple[Family | AnchorType | Fitting, ...]
-    things = (*catalogue.families, *anchor_types(), *fittings())
-    every = {word for each in things for word in _words(each.name, each.title, each.also)}
+    things: tuple[_Named, ...] = (*catalogue.families, *anchor_types(), *fittings())
+    every = {word for each in things for word in _words(each)}
     odd = [word for word in query.words if word not in every]
     near = [(word, nearest(word, every)) for word in odd]
     hints = [Message("catalogue.for_word", good=good, word=word) for word, good in near if good]

@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
-from importlib.resources import files
 from types import MappingProxyType
-from typing import Any, Final
+from typing import Final
 
-from catopt.catalogue.components import CONFIDENCES, Confidence, Source
+from catopt.catalogue.components import Confidence, Source
 from catopt.catalogue.family import in_mm
-from catopt.catalogue.reading import own_sources
+from catopt.catalogue.reading import cited, own_sources, own_text
 from catopt.catalogue.table import TomlTable
 from catopt.constants import STANDARD_GRAVITY
 from catopt.model.kinds import Findings, Length, Mass, Positive, Strength
@@ -23,18 +22,8 @@ def read_own(
     name: str, schema: str, keys: Sequence[str]
 ) -> tuple[TomlTable, Findings, dict[str, Source]]:
     """Open one of catopt's own data files, with what is wrong with it and the sources by key."""
-    text = files("catopt.catalogue").joinpath("data", name).read_text(encoding="utf-8")
-    document, findings = TomlTable.of_file(text, f"catopt's {name}", schema, keys)
+    document, findings = TomlTable.of_file(own_text(name), f"catopt's {name}", schema, keys)
     return document, findings, own_sources()
-
-
-def cited(table: TomlTable, sources: dict[str, Source]) -> dict[str, Any]:
-    """Read where an entry comes from: sources, place and confidence."""
-    return {
-        "sources": tuple(sources[key] for key in table.texts("source", required=True)),
-        "place": table.cited("place") or "",
-        "confidence": table.word("confidence", CONFIDENCES) or CONFIDENCES[-1],
-    }
 
 
 _ROUNDING = 1e-9
@@ -42,7 +31,7 @@ _ROUNDING = 1e-9
 
 SCHEMA: Final = "catopt.fittings/1"
 
-_COLUMNS: Final = MappingProxyType({"mass_kg": 1.0, "WLL_t": 1e3, "proof_kN": 1e3, "MBL_kN": 1e3})
+_COLUMNS: Final = {"mass_kg": 1.0, "WLL_t": 1e3, "proof_kN": 1e3, "MBL_kN": 1e3}
 """What a row may have beside its size, and its unit in SI."""
 
 _BY_PIN: Final = frozenset({"bow shackle"})
@@ -165,8 +154,8 @@ def fittings_for(
     thinnest = diameter * (1.0 - _ROUNDING)
     found: dict[str, Fitting] = {}
     missing: dict[str, Message] = {}
-    for use, kind in ((use, OF_A_CHAIN[use]) for use in uses):
-        of_kind = [each for each in fittings() if each.kind == kind]
+    for use in uses:
+        of_kind = [each for each in fittings() if each.kind == OF_A_CHAIN[use]]
         strong = [e for e in of_kind if e.MBL >= MBL and (e.name in _BY_PIN or e.size >= thinnest)]
         if strong:
             found[use] = min(strong, key=lambda each: (each.MBL, each.size))
@@ -220,9 +209,7 @@ def _sizes(table: TomlTable, sources: dict[str, Source]) -> list[Fitting]:
 
 ANCHORS_SCHEMA: Final = "catopt.anchors/1"
 
-_UNITS: Final = MappingProxyType(
-    {"kip": 4448.2216152605, "tf": 1e3 * STANDARD_GRAVITY, "kN": 1e3, "N": 1.0}
-)
+_UNITS: Final = {"kip": 4448.2216152605, "tf": 1e3 * STANDARD_GRAVITY, "kN": 1e3, "N": 1.0}
 
 
 @dataclass(frozen=True)
@@ -271,22 +258,21 @@ def anchor_types() -> tuple[AnchorType, ...]:
     document, findings, sources = read_own("anchors.toml", ANCHORS_SCHEMA, ("price", "anchor"))
     price = document.table("price")
     per_mass = (price.number("per_mass", above=0.0) if price else None) or 0.0
-    read = tuple(_anchor(table, sources, per_mass) for table in document.tables("anchor"))
+    read = tuple(
+        AnchorType(
+            name=table.text("name") or "",
+            title=table.said("title") or "",
+            also=table.texts("also"),
+            masses=table.rising("masses_kg"),
+            **cited(table, sources),
+            holdings=tuple(_holding(each, sources) for each in table.tables("holding")),
+            price_per_mass=per_mass,
+            note=table.said("note", required=False) or "",
+        )
+        for table in document.tables("anchor")
+    )
     findings.raise_if_any()
     return read
-
-
-def _anchor(table: TomlTable, sources: dict[str, Source], per_mass: float) -> AnchorType:
-    return AnchorType(
-        name=table.text("name") or "",
-        title=table.said("title") or "",
-        also=table.texts("also"),
-        masses=table.rising("masses_kg"),
-        **cited(table, sources),
-        holdings=tuple(_holding(each, sources) for each in table.tables("holding")),
-        price_per_mass=per_mass,
-        note=table.said("note", required=False) or "",
-    )
 
 
 def _holding(table: TomlTable, sources: dict[str, Source]) -> Holding:

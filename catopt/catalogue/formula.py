@@ -36,7 +36,8 @@ class Polynomial:
 
     def text(self, unit: str) -> str:
         """Write the formula with its unit."""
-        words = [f"{number(c)}{_power(n)}" for n, c in self.terms]
+        powers = {0: "", 1: " d"}
+        words = [number(c) + powers.get(n, f" d^{n}") for n, c in self.terms]
         formula = f"{' + '.join(words).replace('+ -', '- ')} {unit}"
         return Message("catalogue.in_metres", formula=formula)
 
@@ -241,7 +242,3 @@ Formula = (
     Polynomial | ChainLoad | ChainModulus | Rows | Multiple | Density | Coefficient | MeanLoad
     | Constant
 )  # fmt: skip
-
-
-def _power(n: int) -> str:
-    return {0: "", 1: " d"}.get(n, f" d^{n}")

@@ -197,10 +197,13 @@ def practice_of_buoy(
         said.append(Message("practice.no_table", depth=depth, current=current))
     else:
         least, most = laid.lengths
+        lengths = Message("practice.lengths", least=least, most=most)
+        if least == most:
+            lengths = Message("practice.length", length=least)
         values = {
             "size": laid.buoy_diameter,
             "chain": laid.chain / _MM,
-            "lengths": _lengths(least, most),
+            "lengths": lengths,
             "verdict": _verdict(
                 _compared(diameter, laid.chain, laid.chain, _SAME_CHAIN, "chain"),
                 _compared(length, least, most, _ROUNDING, "length"),
@@ -212,12 +215,6 @@ def practice_of_buoy(
         low, high = chain_limits
         said.append(Message("practice.limits", least=low / _MM, most=high / _MM))
     return Practice(Several(said), laid)
-
-
-def _lengths(least: float, most: float) -> Message:
-    if least == most:
-        return Message("practice.length", length=least)
-    return Message("practice.lengths", least=least, most=most)
 
 
 def _compared(own: float, least: float, most: float, same: float, what: str) -> Message | None:

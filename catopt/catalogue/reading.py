@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 import os
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
-from types import MappingProxyType
+from typing import Any
 
 from catopt.catalogue.collection import Catalogue
 from catopt.catalogue.components import CONFIDENCES, SPECS, Figure, Source, within
@@ -36,18 +36,18 @@ from catopt.words import Message
 _POWER = re.compile(r"d([0-3])")
 _DIAMETER = re.compile(r"(?:(\d+(?:\.\d+)?) )?d(/pi)?")
 
-_UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
-    {
-        "kg/m": UNITS[Dimension.MASS_PER_LENGTH],
-        "N": UNITS[Dimension.FORCE],
-        "USD/m": {"USD/m": 1.0},
-    }
-)
+_UNITS: Mapping[str, Mapping[str, float]] = {
+    "kg/m": UNITS[Dimension.MASS_PER_LENGTH],
+    "N": UNITS[Dimension.FORCE],
+    "USD/m": {"USD/m": 1.0},
+}
 """Units that rows may be in, by the SI unit of the quantity."""
 
-_OF_ONE_NUMBER: Mapping[str, Callable[[float], Formula]] = MappingProxyType(
-    {"chain_load": ChainLoad, "density": Density, "value": Constant}
-)
+_OF_ONE_NUMBER: Mapping[str, Callable[[float], Formula]] = {
+    "chain_load": ChainLoad,
+    "density": Density,
+    "value": Constant,
+}
 
 _EXTRA = {"rows": ("unit",), "times": ("of",), "coefficient": ("diameter",)}
 
@@ -72,9 +72,9 @@ def read_formula(figure: TomlTable, quantity: str) -> Formula | None:
     kind = kinds[0]
     match kind:
         case "rows":
-            return _rows(table, SPECS[quantity].unit)
+            return _rows(table, spec.unit)
         case "times":
-            factor, other = table.number("times", above=0.0), table.word("of", SPECS[quantity].of)
+            factor, other = table.number("times", above=0.0), table.word("of", spec.of)
             return None if factor is None or other is None else Multiple(factor, other)
         case "coefficient":
             return _coefficient(table)
@@ -131,12 +131,10 @@ _OWN = ("sources.toml", "chain.toml", "buoy_chain.toml", "wire.toml", "fibre.tom
 
 def read_standard() -> Catalogue:
     """Read the families that come with catopt."""
-    folder = files("catopt.catalogue").joinpath("data")
     sources: dict[str, Source] = {}
     families: list[Family] = []
     for name in _OWN:
-        text = folder.joinpath(name).read_text(encoding="utf-8")
-        found, sources = _parse(text, f"catopt's {name}", sources)
+        found, sources = _parse(own_text(name), f"catopt's {name}", sources)
         families += found
     return Catalogue(tuple(families))
 
@@ -144,8 +142,12 @@ def read_standard() -> Catalogue:
 @cache
 def own_sources() -> dict[str, Source]:
     """Read the documents that catopt's own data files name, by key."""
-    text = files("catopt.catalogue").joinpath("data", _OWN[0]).read_text(encoding="utf-8")
-    return _parse(text, f"catopt's {_OWN[0]}", {})[1]
+    return _parse(own_text(_OWN[0]), f"catopt's {_OWN[0]}", {})[1]
+
+
+def own_text(name: str) -> str:
+    """Read one of catopt's own data files."""
+    return files("catopt.catalogue").joinpath("data", name).read_text(encoding="utf-8")
 
 
 def read_families(
@@ -177,8 +179,15 @@ def _parse(
     by_name = {draft.name: draft for draft in drafts if draft.name}
     figures = [_figure(t, sources, by_name) for t in document.tables("figure", required=False)]
     findings.raise_if_any()
-    known_figures = [figure for figure in figures if figure]
-    families = [_with_figures(draft, known_figures) for draft in drafts]
+    families = []
+    for draft in drafts:
+        first, last = draft.range
+        own = (  # each ends at the latest where the family ends
+            replace(each, range=(max(each.range[0], first), min(each.range[1], last)))
+            for each in figures
+            if each and draft.name in each.families
+        )
+        families.append(replace(draft, figures=tuple(own)))
     for index, family in enumerate(families):
         _check_family(findings, f"family[{index}]", family)
     findings.raise_if_any()
@@ -186,17 +195,6 @@ def _parse(
 
 
 # ------------------------------------------------------------------ parts of a file
-
-
-def _with_figures(draft: Family, figures: Iterable[Figure]) -> Family:
-    """Add the figures that hold for a family, each ending at the latest where the family ends."""
-    first, last = draft.range
-    own = (
-        replace(each, range=(max(each.range[0], first), min(each.range[1], last)))
-        for each in figures
-        if draft.name in each.families
-    )
-    return replace(draft, figures=tuple(own))
 
 
 def _sources(document: TomlTable) -> dict[str, Source]:
@@ -233,24 +231,25 @@ def _sizes(family: TomlTable, sources: Mapping[str, Source], span: tuple[float, 
     outside = [in_mm(diameter) for diameter in diameters if span[1] and not within(diameter, span)]
     if outside:
         table.problem("mm", Message("refused_file.outside_range", key="range_mm", size=outside[0]))
-    return Sizes(
-        diameters,
-        _cited(table, sources),
-        table.cited("place") or "",
-        table.word("confidence", CONFIDENCES) or CONFIDENCES[-1],
-    )
+    return Sizes(diameters, **cited(table, sources))
 
 
-def _cited(table: TomlTable, sources: Mapping[str, Source]) -> tuple[Source, ...]:
+def cited(table: TomlTable, sources: Mapping[str, Source]) -> dict[str, Any]:
+    """Read where an entry comes from: sources, place and confidence."""
+    return {
+        "sources": _named_sources(table, sources),
+        "place": table.cited("place") or "",
+        "confidence": table.word("confidence", CONFIDENCES) or CONFIDENCES[-1],
+    }
+
+
+def _named_sources(table: TomlTable, sources: Mapping[str, Source]) -> tuple[Source, ...]:
     """Read the sources that a figure names."""
     keys = table.texts("source", required=True)
     for key in keys:
         if key not in sources:
-            listed = ", ".join(sources) or Message("refused_file.none_yet")
-            table.problem(
-                "source",
-                Message("refused_file.no_source", table="[sources]", name=key, listed=listed),
-            )
+            values = {"name": key, "listed": ", ".join(sources) or Message("refused_file.none_yet")}
+            table.problem("source", Message("refused_file.no_source", table="[sources]", **values))
     return tuple(sources[key] for key in keys if key in sources)
 
 
@@ -265,11 +264,11 @@ def _figure(
     families = [drafts[n] for n in table.texts("family", required=True) if _knows(table, drafts, n)]
     grades = _figure_grades(table, families)
     formula = read_formula(table, quantity) if quantity else None
-    cited = _cited(table, sources)
+    named = _named_sources(table, sources)
     place, confidence = table.cited("place"), table.word("confidence", CONFIDENCES)
     default = table.flag("default")
     span = _span(table, formula, families)
-    if not (quantity and families and formula and cited and place and confidence and span):
+    if not (quantity and families and formula and named and place and confidence and span):
         return None
     return Figure(
         quantity=quantity,
@@ -278,7 +277,7 @@ def _figure(
         grades=grades,
         formula=formula,
         range=span,
-        sources=cited,
+        sources=named,
         place=place,
         confidence=confidence,
         default=True if default is None else default,
@@ -327,10 +326,8 @@ def _figure_grades(table: TomlTable, families: Sequence[Family]) -> tuple[str, .
         for draft in families:
             if grade not in draft.grades:
                 listed = ", ".join(draft.grades) or Message("refused.none")
-                table.problem(
-                    "grade",
-                    Message("refused_file.no_grade", name=draft.name, grade=grade, listed=listed),
-                )
+                values = {"name": draft.name, "grade": grade, "listed": listed}
+                table.problem("grade", Message("refused_file.no_grade", **values))
     return grades
 
 
@@ -344,11 +341,8 @@ def _check_family(findings: Findings, path: str, family: Family) -> None:
             what = f"{quantity} of grade {grade}" if grade else quantity
             found = family.alternatives(quantity, grade)
             if spec.needed and family.default(quantity, grade) is None:
-                findings.add(
-                    path,
-                    "",
-                    Message("refused_sizing.has_no_default_figure", name=family.name, what=what),
-                )
+                lacks = Message("refused_sizing.has_no_default_figure", name=family.name, what=what)
+                findings.add(path, "", lacks)
             if len(found) > 1:
                 _check_choice(findings, path, what, found)
             for figure in found:
@@ -360,25 +354,16 @@ def _check_choice(findings: Findings, path: str, what: str, found: Sequence[Figu
     names = [figure.variant for figure in found]
     defaults = [figure for figure in found if figure.default]
     if not all(names) or len(set(names)) < len(names):
-        findings.add(
-            path,
-            "",
-            Message("refused_sizing.has_figures_give_each_variant", what=what, found=len(found)),
-        )
+        wrong = Message("refused_sizing.has_figures_give_each_variant", what=what, found=len(found))
     elif len(defaults) > 1:
-        findings.add(
-            path,
-            "",
-            Message(
-                "refused_sizing.has_defaults_set_default_false", what=what, defaults=len(defaults)
-            ),
-        )
+        key = "refused_sizing.has_defaults_set_default_false"
+        wrong = Message(key, what=what, defaults=len(defaults))
     elif defaults and not defaults[0].reason:
-        findings.add(
-            path,
-            "",
-            Message("refused_sizing.has_choice_give_default_reason", what=what, value=names[0]),
-        )
+        key = "refused_sizing.has_choice_give_default_reason"
+        wrong = Message(key, what=what, value=names[0])
+    else:
+        return
+    findings.add(path, "", wrong)
 
 
 def _check_positive(findings: Findings, path: str, figure: Figure, what: str) -> None:
@@ -389,11 +374,8 @@ def _check_positive(findings: Findings, path: str, figure: Figure, what: str) ->
         value = figure.formula.value(end, _nothing)
         if not value > 0.0:
             found = f"{value:g} {SPECS[figure.quantity].unit}".rstrip()
-            findings.add(
-                path,
-                found,
-                Message("refused_sizing.must_be_positive_not_at", what=what, end=in_mm(end)),
-            )
+            key = "refused_sizing.must_be_positive_not_at"
+            findings.add(path, found, Message(key, what=what, end=in_mm(end)))
 
 
 def _nothing(quantity: str) -> float:
@@ -405,8 +387,5 @@ def _check_rests(
 ) -> None:
     for other in figure.formula.rests_on:
         if not family.alternatives(other, grade):
-            findings.add(
-                path,
-                "",
-                Message("refused_sizing.taken_from_which_there_no", what=what, other=other),
-            )
+            lacks = Message("refused_sizing.taken_from_which_there_no", what=what, other=other)
+            findings.add(path, "", lacks)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any, TypeVar
 
-from catopt.catalogue.family import nearest
+from catopt.catalogue.family import meant, nearest
 from catopt.documents import parse_toml
 from catopt.model.kinds import Findings
 from catopt.units import as_written
@@ -98,10 +98,7 @@ class TomlTable:
             if value == each:
                 return each
         allowed = Message("refused.one_of", words=", ".join(words))
-        near = nearest(value, words) if isinstance(value, str) else None
-        if near:
-            allowed = Message("refused.and_meant", wanted=allowed, near=near)
-        self.problem(key, allowed)
+        self.problem(key, meant(allowed, value, words) if isinstance(value, str) else allowed)
         return None
 
     def flag(self, key: str) -> bool | None:
@@ -152,9 +149,8 @@ class TomlTable:
         """Read an array of rising numbers above 0."""
         value = self.values.get(key)
         if not isinstance(value, list) or not value:
-            self.problem(
-                key, Message("refused_file.an_array", what=what or Message("refused_file.numbers"))
-            )
+            what = what or Message("refused_file.numbers")
+            self.problem(key, Message("refused_file.an_array", what=what))
             return ()
         read = self.numbers(key, len(value)) or ()
         if any(not low < high for low, high in zip((0.0, *read), read, strict=False)):
@@ -163,9 +159,8 @@ class TomlTable:
 
     def rising_mm(self, key: str) -> tuple[float, ...]:
         """Read an array of rising diameters in mm; returned in m."""
-        return tuple(
-            each / _MM for each in self.rising(key, Message("refused_file.diameters_in_mm"))
-        )
+        diameters = self.rising(key, Message("refused_file.diameters_in_mm"))
+        return tuple(each / _MM for each in diameters)
 
     def rows(self, key: str) -> list[tuple[float, float]]:
         """Read an array of at least two pairs of positive numbers, the first of each rising."""
@@ -177,16 +172,14 @@ class TomlTable:
         for index, row in enumerate(value):
             at = f"{self.at(key)}[{index}]"
             if not isinstance(row, list) or len(row) != 2:
-                self._findings.add(
-                    at, as_written(row), Message("refused_sizing.row_diameter_mm_value_wanted")
-                )
+                allowed = Message("refused_sizing.row_diameter_mm_value_wanted")
+                self._findings.add(at, as_written(row), allowed)
                 continue
             first, second = (self._number(each, at, above=0.0) for each in row)
             if first is not None and second is not None:
                 if read and not first > read[-1][0]:
-                    self._findings.add(
-                        at, f"{first:g} mm", Message("refused_sizing.diameters_rows_must_rise")
-                    )
+                    allowed = Message("refused_sizing.diameters_rows_must_rise")
+                    self._findings.add(at, f"{first:g} mm", allowed)
                 read.append((first, second))
         return read
 
@@ -213,8 +206,9 @@ class TomlTable:
     def named(self, key: str) -> Iterator[tuple[str, TomlTable]]:
         """Go into a table of tables."""
         within = self.table(key)
-        for name in within.values if within else ():
-            assert within is not None
+        if within is None:
+            return
+        for name in within.values:
             table = within.table(name)
             if table is not None:
                 yield name, table

@@ -58,6 +58,11 @@ class Point:
     added_mass: float = 0.0
     force: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
+    @property
+    def body(self) -> tuple[float, float, float, float]:
+        """M, V, Cd A and Ca of what hangs there."""
+        return self.mass, self.volume, self.drag_area, self.added_mass
+
 
 @dataclass(frozen=True)
 class DeckPiece:

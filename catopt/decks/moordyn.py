@@ -87,9 +87,6 @@ _LAYOUTS = {
 _LINES = "id linetype attacha attachb unstrlen", "id linetype unstrlen ? attacha attachb"
 """Of LINES, in version 2 and 1."""
 
-Columns = Mapping[str, int]
-"""Places of columns, from 0, by their names."""
-
 
 def parse_moordyn(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
     """Read a deck; what is wrong with it is noted.
@@ -101,10 +98,9 @@ def parse_moordyn(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
         for row in sections.get(name, ()):
             found = f"{name.upper()}: {' '.join(row.words)[:40]}"
             notes.refuse(row.number, found, key)
-    if sections.get("outputs"):
-        notes.say("outputs", line=sections["outputs"][0].number)
-    if sections.get("failures"):
-        notes.say("failures", line=sections["failures"][0].number)
+    for name in ("outputs", "failures"):
+        if sections.get(name):
+            notes.say(name, line=sections[name][0].number)
     for row in sections.get("rod types", ()):
         notes.say("rod_type", line=row.number, name=row.words[0])
     notes.require(sections)
@@ -158,8 +154,10 @@ def _sections(text: str, notes: Notes) -> tuple[dict[str, list[Row]], dict[str, 
     return found, heads
 
 
-def _columns(section: str, row: Row, heads: Mapping[str, Row], notes: Notes, v: int = 2) -> Columns:
-    """Return where the columns of a row stand: by their heads, or by their number.
+def _columns(
+    section: str, row: Row, heads: Mapping[str, Row], notes: Notes, v: int = 2
+) -> Mapping[str, int]:
+    """Return where the columns of a row stand, from 0: by their heads, or by their number.
 
     Heads count where all that are wanted are there; where they contradict the place, it is said.
     """
@@ -209,13 +207,8 @@ def _options(rows: list[Row], notes: Notes, given: Mapping[str, float]) -> dict[
             notes.refuse(row.number, f"{key} {value}", "level_bed_for_WtrDpth")
         elif meaning == "run":
             run.setdefault(key, row.number)
-        elif meaning == "water":
-            if value != "0":
-                notes.say("water", line=row.number, key=key, value=value)
-        elif meaning:
-            notes.say("bed", line=row.number, key=key, value=value)
-        else:
-            notes.say("option", line=row.number, key=key, value=value)
+        elif meaning != "water" or value != "0":
+            notes.say(meaning or "option", line=row.number, key=key, value=value)
     if run:
         listed = ", ".join(f"{key} ({number})" for key, number in run.items())
         notes.say("run", keys=listed)

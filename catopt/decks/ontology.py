@@ -50,7 +50,11 @@ def parse_ontology(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
     site_values = settled(found, notes, given)
     friction = general.number("seabed_friction", 0.0, at_least=0.0)
     types = {name: _type(row, notes) for name, row in top.named("mooring_line_types")}
-    connectors = {name: _hung(row) for name, row in top.named("mooring_connector_types")}
+    of_body = ("m", "v", "CdA", "Ca")
+    connectors = {
+        name: PointMass(row.row, *(row.number(key, 0.0, at_least=0.0) for key in of_body))
+        for name, row in top.named("mooring_connector_types")
+    }
     configs = dict(top.named("mooring_line_configs"))
     systems = dict(top.named("mooring_systems"))
     points: dict[str, Point] = {}
@@ -99,11 +103,6 @@ def _of_family(part: YamlTable) -> LineType | None:
     EA = EA2 * d**2 + EA3 * d**3 + EA_MBL * MBL
     part.notes.say("family", line=part.row, name=name, EA=EA, MBL=MBL)
     return LineType(part.row, volume * d, mass * d**2, EA, None, None, MBL, d)
-
-
-def _hung(row: YamlTable) -> PointMass:
-    numbers = (row.number(key, 0.0, at_least=0.0) for key in ("m", "v", "CdA", "Ca"))
-    return PointMass(row.row, *numbers)
 
 
 Fairleads = list[tuple[complex, float]]

@@ -62,7 +62,11 @@ def parse_orcaflex(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
             notes.refuse(line.row, line.text("Name"), "two_ends")
             continue
         lower = sections[0 if ends[0].z < ends[1].z else -1]
-        lying |= {0.5 * _contact(kinds[lower.type])} if lower.type in kinds else set()
+        if lower.type in kinds:
+            kind = kinds[lower.type]
+            # The contact diameter is by default the outer one.
+            key = "OuterContactDiameter" if "OuterContactDiameter" in kind else "OD"
+            lying.add(0.5 * kind.number(key, at_least=0.0))
         more = from_sections(line.text("Name"), (ends[0], ends[1]), parts)
         points, pieces = points | more[0], pieces + more[1]
     if not pieces:
@@ -121,12 +125,6 @@ def _sea(sea: YamlTable) -> tuple[float, float, float]:
     surface = sea.number("WaterSurfaceZ", 0.0)
     key = "SeabedOriginDepth" if "SeabedOriginDepth" in sea else "WaterDepth"  # 11.6, or before
     return surface, sea.number(key, above=0.0), density
-
-
-def _contact(kind: YamlTable) -> float:
-    """Return the contact diameter, by default the outer one."""
-    key = "OuterContactDiameter" if "OuterContactDiameter" in kind else "OD"
-    return kind.number(key, at_least=0.0)
 
 
 def _type(kind: YamlTable) -> LineType:

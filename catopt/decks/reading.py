@@ -11,9 +11,13 @@ from typing import Final
 from catopt.decks.deck import Deck, Notes
 from catopt.decks.to_case import (
     Chain,
+    case_of,
+    chains_of,
     check_meeting,
     height_of,
     is_joint,
+    is_radial,
+    lines_of,
     site_of,
     site_of_chains,
     weight_of,
@@ -188,12 +192,10 @@ def read_any_deck(
     text: str, source: str = "", asked: Asked | None = None
 ) -> tuple[Case | Network, tuple[Message, ...]]:
     """Read a deck, with remarks; as a Network where its lines meet in joints, or differ."""
-    from catopt.decks.deck import Notes
     from catopt.decks.mappp import parse_mappp
     from catopt.decks.moordyn import parse_moordyn
     from catopt.decks.ontology import parse_ontology
     from catopt.decks.orcaflex import parse_orcaflex
-    from catopt.decks.to_case import case_of, chains_of, is_radial, lines_of
 
     given = {key: value for key, value in asdict(asked or Asked()).items() if value is not None}
     line = given.pop("line", None)
@@ -215,7 +217,6 @@ def read_any_deck(
     else:
         chains = chains_of(deck, notes, notes.only)
         lines = lines_of(deck, chains)
-        alike = is_radial(deck, chains, lines)
-        make = case_of if alike else network_of_lines
+        make = case_of if is_radial(deck, chains, lines) else network_of_lines
         case = make(deck, chains, lines, notes, title)
     return case, tuple(notes.remarks)

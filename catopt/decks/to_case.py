@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby
 from operator import attrgetter
@@ -35,6 +35,11 @@ class Chain:
         """The other end."""
         return self.points[-1]
 
+    @property
+    def hung(self) -> list[Point]:
+        """Points between its ends at which something hangs."""
+        return [point for point in self.points[1:-1] if point.mass or point.volume]
+
 
 def chains_of(deck: Deck, notes: Notes, only: int | None = None) -> list[Chain]:
     """Follow the pieces of a deck; what is no chain is noted.
@@ -43,7 +48,10 @@ def chains_of(deck: Deck, notes: Notes, only: int | None = None) -> list[Chain]:
     no line between two ends.
     """
     meeting = check_meeting(deck, notes)
-    _refuse_joints(deck, meeting, notes)
+    for name, pieces in meeting.items():
+        if pieces and is_joint(deck.points[name], len(pieces)):
+            of_lines = refusal("point_of_lines", name=name, count=len(pieces))
+            notes.refuse(deck.points[name].row, of_lines, "joint")
     notes.raise_if_any()
     left = list(deck.pieces)
     found = []
@@ -76,14 +84,6 @@ def check_meeting(deck: Deck, notes: Notes) -> dict[str, list[DeckPiece]]:
         elif point.end != "free" and (point.mass or point.volume):
             notes.say("held_mass", line=point.row, name=name)
     return meeting
-
-
-def _refuse_joints(deck: Deck, meeting: Mapping[str, Sequence[DeckPiece]], notes: Notes) -> None:
-    """Refuse a free point that does not hang in one line, of which one alone is wanted."""
-    for name, pieces in meeting.items():
-        if pieces and is_joint(deck.points[name], len(pieces)):
-            found = refusal("point_of_lines", name=name, count=len(pieces))
-            notes.refuse(deck.points[name].row, found, "joint")
 
 
 def is_joint(point: Point, lines: int) -> bool:
@@ -187,8 +187,7 @@ def from_sections(
             points[-1] = _with(points[-1], part)
     end = points[-1]
     if pieces:
-        body = (end.mass, end.volume, end.drag_area, end.added_mass)
-        points[-1] = Point(last.row, end.name, last.end, last.x, last.y, last.z, *body)
+        points[-1] = Point(last.row, end.name, last.end, last.x, last.y, last.z, *end.body)
     return {point.name: point for point in points}, pieces
 
 

@@ -143,12 +143,13 @@ class YamlTable:
                     group = found.setdefault(next(fits, "unread_unknown"), {})
                     group.setdefault(first, []).append(item.row)
         for name, keys in sorted(found.items()):
-            listed = (f"{key} ({_lines(rows)})" for key, rows in keys.items())
+            listed = (
+                f"{key} ({rows[0]})"
+                if len(rows) == 1
+                else f"{key} ({rows[0]} and {len(rows) - 1} more)"
+                for key, rows in keys.items()
+            )
             self.notes.say(name, keys=", ".join(listed))
-
-
-def _lines(rows: list[int]) -> str:
-    return f"{rows[0]}" if len(rows) == 1 else f"{rows[0]} and {len(rows) - 1} more"
 
 
 def parse_yaml(text: str, notes: Notes) -> YamlTable:

@@ -20,9 +20,13 @@ def deck_of(model: Model) -> Deck:
         for index, joint in enumerate(part.joints):
             name, body = str(len(points) + 1), joint.body
             x, y, height = part.line.at(joint.arc)
+            # Without rounding at the water and at the bed: MoorPy lets a line weigh more whose end
+            # is 1e-15 m above the water.
+            z = height - model.surface
+            levels = (0.0, -model.surface)
+            z = next((each for each in levels if abs(z - each) <= ROUNDING * model.surface), z)
             end: End = "fixed" if index == 0 else "coupled" if index == last else "free"
             of_body = (body.mass, body.volume, body.drag_area, body.added_mass)
-            z = _level(height, model.surface)
             points[name] = Point(0, name, end, x, y, z, *of_body)
         first = len(points) - last
         for number, piece in enumerate(part.pieces, start=first):
@@ -31,16 +35,6 @@ def deck_of(model: Model) -> Deck:
     types = {each.name: _line_type(each, friction) for each in model.types}
     density = model.solved.case.site.water_density
     return Deck(STANDARD_GRAVITY, density, model.surface, types, points, pieces, friction)
-
-
-def _level(height: float, surface: float) -> float:
-    """Return z of a height above the bed, m; without rounding at the water and at the bed.
-
-    MoorPy lets a line weigh more whose end is 1e-15 m above the water.
-    """
-    z = height - surface
-    near = (level for level in (0.0, -surface) if abs(z - level) <= ROUNDING * surface)
-    return next(near, z)
 
 
 def _line_type(each: Kind, friction: float) -> LineType:

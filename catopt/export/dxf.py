@@ -72,7 +72,10 @@ def circle(layer: str, place: Point, radius: float) -> Iterator[Group]:
 
 def text(layer: str, place: Point, words: str, height: float) -> Iterator[Group]:
     """Write a text that begins at a place; m."""
-    yield from _entity("TEXT", layer, [*_xyz(place), (40, _number(height)), (1, _escaped(words))])
+    one_line = " ".join(words.split())
+    # In ASCII, other letters by their numbers as CAD programs read them.
+    ascii_text = "".join(each if each.isascii() else f"\\U+{ord(each):04X}" for each in one_line)
+    yield from _entity("TEXT", layer, [*_xyz(place), (40, _number(height)), (1, ascii_text)])
 
 
 def _entity(kind: str, layer: str, groups: Iterable[Group]) -> Iterator[Group]:
@@ -89,12 +92,6 @@ def _xyz(place: Point) -> Iterator[Group]:
 def _number(value: float) -> str:
     """Return a length to the micrometre, a zero without sign."""
     return f"{round(value, 6) + 0.0:.6f}"
-
-
-def _escaped(words: str) -> str:
-    """Return a text in ASCII, other letters by their numbers as CAD programs read them."""
-    one_line = " ".join(words.split())
-    return "".join(each if each.isascii() else f"\\U+{ord(each):04X}" for each in one_line)
 
 
 LAYERS = MappingProxyType(
@@ -164,7 +161,7 @@ class Mark:
     """Something on a line.
 
     `layer`: one of LAYERS; `distance`, `height`: from the anchor, and above the bed, m; `row`:
-    where the words stand (`Sheet.beside`).
+    where the words stand (`Drawing.beside`).
     """
 
     layer: str
@@ -179,8 +176,9 @@ def dxf_drawing(solved: ExportedLines, *, sources: Sequence[Source] = ()) -> Exp
     size = max(max(line.solution.span, line.solution.line.length) for line in solved.lines)
     sheet = Drawing(solved, size)
     remarks = tuple(_remarks(solved))
+    said = heading("DXF R12 drawing in metres", solved, (), remarks, sources)
     groups: list[Group] = [
-        *_comments(solved, remarks, sources),
+        *((999, line.strip()) for line in said if line.strip()),  # CAD programs pass over comments
         *tables(LAYERS),
         *section("ENTITIES", _entities(sheet, remarks)),
         (0, "EOF"),
@@ -194,15 +192,6 @@ def _remarks(solved: ExportedLines) -> Iterator[str]:
         yield f"drawn with the EA of {solved.EA:.6g} N that was given, not as the case has it"
     if any(line.solution.regime == "slack" for line in solved.lines):
         yield "what lies in bights on the bed is drawn straight"
-
-
-def _comments(
-    solved: ExportedLines, remarks: Sequence[str], sources: Sequence[Source]
-) -> Iterator[Group]:
-    """Yield what the file says of itself; CAD programs pass over it."""
-    first = "DXF R12 drawing in metres"
-    for line in filter(str.strip, heading(first, solved, (), remarks, sources)):
-        yield 999, line.strip()
 
 
 def _entities(sheet: Drawing, remarks: Sequence[str]) -> Iterator[Group]:
@@ -230,8 +219,13 @@ def _entities(sheet: Drawing, remarks: Sequence[str]) -> Iterator[Group]:
             yield from polyline("LINE", points, in_space=sheet.in_space)
         for mark in _marks(line, in_space=sheet.in_space):
             yield from _drawn(sheet, mark, sheet.at(line, mark.distance, mark.height))
-    if sheet.solved.system is not None:
-        yield from _body(sheet)
+    system = sheet.solved.system
+    if system is not None:
+        # Mark the body's origin at the height of the first fairlead.
+        height = sheet.solved.lines[0].solution.fairlead_height
+        words = f"body under {_force(math.hypot(*system.system.force))}"
+        mark = Mark("BODY", 0.0, height, words)
+        yield from _drawn(sheet, mark, (system.position.x, system.position.y, height))
     yield from _legend(sheet, remarks)
 
 
@@ -286,16 +280,6 @@ def _joints(solution: Solution) -> Iterator[tuple[float, str]]:
     for lower, upper in pairwise(solution.line.segments):
         arc += lower.length
         yield arc, f"{lower.name} / {upper.name}" if lower.name and upper.name else "joint"
-
-
-def _body(sheet: Drawing) -> Iterator[Group]:
-    """Mark the body's origin at the height of the first fairlead."""
-    system = sheet.solved.system
-    assert system is not None
-    height = sheet.solved.lines[0].solution.fairlead_height
-    words = f"body under {_force(math.hypot(*system.system.force))}"
-    mark = Mark("BODY", 0.0, height, words)
-    yield from _drawn(sheet, mark, (system.position.x, system.position.y, height))
 
 
 def _legend(sheet: Drawing, remarks: Sequence[str]) -> Iterator[Group]:

@@ -225,7 +225,6 @@ def in_words(solved: ExportedLines) -> Iterator[str]:
         if line.at_rest is not None:
             yield f"    on a bed without friction: {_sentence(line.at_rest)}"
     if solved.system is not None:
-        assert solved.system is not None
         where, force = solved.system.position, solved.system.system.force
         yield (
             f"  body at x {significant(where.x)} m, y {significant(where.y)} m, yaw "

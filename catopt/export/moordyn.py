@@ -104,8 +104,7 @@ def _points(deck: Deck) -> Iterator[str]:
     yield "ID Attachment X Y Z Mass Volume CdA Ca"
     yield "(#) (-) (m) (m) (m) (kg) (m^3) (m^2) (-)"
     for each in deck.points.values():
-        of_body = (each.mass, each.volume, each.drag_area, each.added_mass)
-        numbers = map(significant, (each.x, each.y, each.z, *of_body))
+        numbers = map(significant, (each.x, each.y, each.z, *each.body))
         yield " ".join([each.name, each.end.capitalize(), *numbers])
 
 
@@ -121,14 +120,11 @@ def _lines(deck: Deck, model: Model) -> Iterator[str]:
 def _options(deck: Deck, model: Model) -> Iterator[str]:
     stiffness = _bed_stiffness(model)
     step, damping = _step(model, stiffness), _bed_damping(model, stiffness)
+    of_step = f"time step (s): {STEP:g} of a tension wave through an element"
     yield "--- OPTIONS ---"
     for value, key, words in (
         (0.0, "writeLog", "no log file"),
-        (
-            _rounded_down(step),
-            "dtM",
-            f"time step (s): {STEP:g} of a tension wave through an element",
-        ),
+        (_rounded_down(step), "dtM", of_step),
         (deck.gravity, "g", "standard gravity (m/s^2)"),
         (deck.density, "rho", "water density (kg/m^3)"),
         (deck.depth, "WtrDpth", "water depth (m)"),

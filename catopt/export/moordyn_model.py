@@ -278,8 +278,16 @@ def remarks_of(model: Model) -> Iterator[str]:
 
 def common_remarks(model: Model) -> Iterator[str]:
     """Say what holds for any program that lets its lines stretch and takes mass and diameter."""
-    yield from model.solved.warnings
-    yield from _on_stiffness(model.solved)
+    solved = model.solved
+    yield from solved.warnings
+    if solved.EA is not None:
+        changes = [line.solution.fairlead.tension / line.own_tension - 1.0 for line in solved.lines]
+        yield (
+            f"EA {significant(solved.EA)} N is not of the case, in which the line does not "
+            "stretch: it was given for this file, and the closed form here is that of the line "
+            "that has it. It changes the fairlead tension by "
+            f"{100.0 * max(changes, key=abs):.2g} %."
+        )
     unknown = [each.name for each in model.types if not each.body.is_known]
     if unknown:
         yield (
@@ -298,35 +306,6 @@ def common_remarks(model: Model) -> Iterator[str]:
             f"{ADDED_MASS:g} across, 0 along stand in. At rest they change nothing; give your own "
             "before a run in waves."
         )
-    yield from _on_the_rest(model.solved)
-    own = {
-        f"{load.friction:g}"
-        for line in model.solved.lines
-        for load in line.solution.line.point_loads
-        if load.friction is not None
-    }
-    if own:
-        yield Message("export.load_friction", values=", ".join(sorted(own)))
-
-
-def _on_stiffness(solved: ExportedLines) -> Iterator[str]:
-    if solved.EA is None:
-        return
-    changes = [line.solution.fairlead.tension / line.own_tension - 1.0 for line in solved.lines]
-    largest = max(changes, key=abs)
-    yield (
-        f"EA {significant(solved.EA)} N is not of the case, in which the line does not stretch: it "
-        "was given for this file, and the closed form here is that of the line that has it. It "
-        f"changes the fairlead tension by {100.0 * largest:.2g} %."
-    )
-
-
-def has_drag(segment: Segment) -> bool:
-    """Whether the coefficients of a segment are known, with the diameter that they refer to."""
-    return segment.drag_normal is not None and segment.drag_diameter is not None
-
-
-def _on_the_rest(solved: ExportedLines) -> Iterator[str]:
     if solved.system is not None:
         yield (
             "the body is not in the file: each fairlead is held where it is under the load, and "
@@ -335,3 +314,16 @@ def _on_the_rest(solved: ExportedLines) -> Iterator[str]:
     left = [key for key in ("waves", "current", "motion") if getattr(solved.case, key) is not None]
     if left:
         yield f"not in the file: {', '.join(left)} of the case. It is the line at rest."
+    own = {
+        f"{load.friction:g}"
+        for line in solved.lines
+        for load in line.solution.line.point_loads
+        if load.friction is not None
+    }
+    if own:
+        yield Message("export.load_friction", values=", ".join(sorted(own)))
+
+
+def has_drag(segment: Segment) -> bool:
+    """Whether the coefficients of a segment are known, with the diameter that they refer to."""
+    return segment.drag_normal is not None and segment.drag_diameter is not None

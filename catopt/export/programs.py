@@ -105,8 +105,8 @@ def moorpy_lines(deck: Deck, said: Iterable[str]) -> Iterator[str]:
     yield "POINTS = [  # 1 fixed, -1 held on the body, 0 free; place (m), kg, m3, Cd A (m2), Ca"
     for point in deck.points.values():
         at = ", ".join(map(exact, (point.x, point.y, point.z)))
-        body = (point.mass, point.volume, point.drag_area, point.added_mass)
-        yield f"    ({_MOORPY_SCRIPT_KINDS[point.end]}, ({at}), {', '.join(map(exact, body))}),"
+        body = ", ".join(map(exact, point.body))
+        yield f"    ({_MOORPY_SCRIPT_KINDS[point.end]}, ({at}), {body}),"
     yield "]"
     yield "LINES = [  # unstretched length (m), type, points at its ends"
     for piece in deck.pieces:
@@ -146,12 +146,12 @@ def ontology_lines(deck: Deck, said: Iterable[str]) -> Iterator[str]:
         }  # fmt: skip
         pairs = (f"{key}: {exact(value)}" for key, value in values.items() if value is not None)
         yield f'  "{name}": {{{", ".join(pairs)}}}'
-    hung = [point for chain in chains for point in chain.points[1:-1] if point.mass or point.volume]
+    hung = [point for chain in chains for point in chain.hung]
     if hung:
         yield "mooring_connector_types:"
     for point in hung:
-        body = (point.mass, point.volume, point.drag_area, point.added_mass)
-        pairs = (f"{k}: {exact(v)}" for k, v in zip(("m", "v", "CdA", "Ca"), body, strict=True))
+        keys = ("m", "v", "CdA", "Ca")
+        pairs = (f"{key}: {exact(of)}" for key, of in zip(keys, point.body, strict=True))
         yield f"  connector_{point.name}: {{{', '.join(pairs)}}}"
     yield "anchor_types:"
     yield "  anchor: {type: unspecified}"
@@ -226,7 +226,7 @@ def orcaflex_lines(deck: Deck, said: Iterable[str]) -> Iterator[str]:
     for name, kind in deck.types.items():
         yield from _type(name, kind, contact)
     chains = chains_of(deck, Notes())
-    hung = [point for chain in chains for point in chain.points[1:-1] if point.mass or point.volume]
+    hung = [point for chain in chains for point in chain.hung]
     if hung:
         yield "ClumpTypes:"
     for point in hung:
@@ -357,13 +357,11 @@ def _of_mappp(model: Model) -> Iterator[str]:
         density=site.water_density,
         depth=site.water_depth,
     )
-    bed = [point.name for point in deck_of(model).points.values() if _lies(point, model.surface)]
+    depth = model.surface
+    free = (point for point in deck_of(model).points.values() if point.end == "free")
+    bed = [point.name for point in free if point.z + depth <= 1e-9 * depth]
     if bed:
         yield Message("export.map_bed", nodes=", ".join(bed))
-
-
-def _lies(point: Point, depth: float) -> bool:
-    return point.end == "free" and point.z + depth <= 1e-9 * depth
 
 
 def _of_moorpy(model: Model) -> Iterator[str]:

@@ -269,7 +269,7 @@ def _above_and_on_hull(
     of: Floating, water: Stream, air: Stream, growth: float, source: LoadSource
 ) -> Iterator[LoadComponent]:
     """Make the current on the hull, and the wind on what of the buoy is above the water."""
-    wet, note = of.hull_area_in_water(growth), next(iter(_grown(growth)), "")
+    wet, note = of.hull_area_in_water(growth), _grown(growth)
     shape, in_air = of.shape, of.shape.drag_in_air
     in_water = shape.drag_in_water
     what = "loads.hull_in_water"
@@ -286,14 +286,13 @@ def _chain(
 ) -> LoadComponent:
     area = (CHAIN_WIDTH * diameter + 2.0 * growth) * height
     said = Message("loads.chain_note", diameter=diameter * 1e3, height=height)
-    note = Several((said, *_grown(growth)))
-    return _drag(
-        "loads.current_on_chain", water, area, "loads.chain_area", source=source, note=note
-    )
+    note = Several(filter(None, (said, _grown(growth))))
+    what = "loads.chain_area"
+    return _drag("loads.current_on_chain", water, area, what, source=source, note=note)
 
 
-def _grown(growth: float) -> list[Message]:
-    return [Message("loads.growth")] if growth > 0.0 else []
+def _grown(growth: float) -> str:
+    return Message("loads.growth") if growth > 0.0 else ""
 
 
 def _drag(
@@ -324,11 +323,8 @@ def _check(
         limit = Message("refused_sizing.calmar_holds_down_m_water", deepest=DEEPEST)
         found.add("levels.high", f"{levels.high:g} m", limit)
     if current.speed > FASTEST:
-        found.add(
-            "current.speed",
-            f"{current.speed:g} m/s",
-            Message("refused_sizing.calmar_holds_up_m_s", fastest=FASTEST),
-        )
+        limit = Message("refused_sizing.calmar_holds_up_m_s", fastest=FASTEST)
+        found.add("current.speed", f"{current.speed:g} m/s", limit)
     found.raise_if_any()
 
 

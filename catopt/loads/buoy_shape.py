@@ -49,11 +49,8 @@ class BuoySlice:
             allowed = Message("refused_sizing.wider_than_one_end_narrower")
             found.add("inner", f"{self.inner:g} m", allowed)
         if self.volume and not wide:
-            found.add(
-                "volume",
-                f"{self.volume:g} m3",
-                Message("refused_sizing.has_no_width_displace_water"),
-            )
+            allowed = Message("refused_sizing.has_no_width_displace_water")
+            found.add("volume", f"{self.volume:g} m3", allowed)
         found.raise_if_any()
 
     def _width(self, height: float) -> float:
@@ -207,13 +204,10 @@ class BuoyShape:
         if not self.hull:
             found.number("hull_diameter", self.hull_diameter, "m", at_least=0.1, at_most=30.0)
             found.number("hull_depth", self.hull_depth, "m", at_least=0.1, at_most=60.0)
+            allowed = Message("refused_sizing.belongs_hull_slices_which_missing")
             for key in ("structure", "structure_depth", "eye_offset"):
                 if value := getattr(self, key):
-                    found.add(
-                        key,
-                        f"{value!r}",
-                        Message("refused_sizing.belongs_hull_slices_which_missing"),
-                    )
+                    found.add(key, f"{value!r}", allowed)
             return
         for key in ("hull_diameter", "hull_depth", "tube_diameter", "tube_length"):
             if value := getattr(self, key):
@@ -224,11 +218,8 @@ class BuoyShape:
             allowed = Message("refused_sizing.not_below_chain_min_m", chain_min=self.chain_min)
             found.add("chain_max", f"{self.chain_max:g} m", allowed)
         if not self.hull and self.tube_diameter > self.hull_diameter:
-            found.add(
-                "tube_diameter",
-                f"{self.tube_diameter:g} m",
-                Message("refused_sizing.wider_than_hull"),
-            )
+            wide = Message("refused_sizing.wider_than_hull")
+            found.add("tube_diameter", f"{self.tube_diameter:g} m", wide)
         draught = self._draught(SEA_WATER_DENSITY, 0.0)
         freeboard = self.deck - draught
         if draught <= 0.0:
@@ -264,6 +255,10 @@ class BuoyShape:
         """Hull, and structure."""
         return self._hull, self._structure
 
+    @cached_property
+    def _slices(self) -> Stack:
+        return (*self._hull, *self._structure)
+
     @property
     def parts(self) -> Stack:
         """What is seen of it from the side, each with the level of its foot above the hull's."""
@@ -294,9 +289,7 @@ class BuoyShape:
 
     def volume_below(self, level: float) -> float:
         """Volume of hull and structure below a level above the hull's bottom, m3."""
-        return math.fsum(
-            each.displaced(level - foot) for foot, each in (*self._hull, *self._structure)
-        )
+        return math.fsum(each.displaced(level - foot) for foot, each in self._slices)
 
     @cached_property
     def volume(self) -> float:
@@ -305,16 +298,14 @@ class BuoyShape:
 
     def waterplane_at(self, level: float) -> float:
         """Area of the waterline at a level above the hull's bottom, m2."""
-        stacks = (*self._hull, *self._structure)
-        return math.fsum(each.waterplane(level - foot) for foot, each in stacks)
+        return math.fsum(each.waterplane(level - foot) for foot, each in self._slices)
 
     def outline(self, low: float = -math.inf, high: float = math.inf) -> float:
         """Area of hull and structure from the side between two levels, m2.
 
         What of the structure is inside the hull counts too, as CALMAR's printed results have it.
         """
-        stacks = (*self._hull, *self._structure)
-        return math.fsum(each.outline(low - foot, high - foot) for foot, each in stacks)
+        return math.fsum(each.outline(low - foot, high - foot) for foot, each in self._slices)
 
     # ---------------------------------------------------------------- afloat
 
@@ -361,8 +352,7 @@ class BuoyShape:
     @cached_property
     def _table(self) -> tuple[tuple[float, ...], tuple[float, ...]]:
         """Levels of all ends of slices, rising, and the volume below each."""
-        stacks = (*self._hull, *self._structure)
-        ends = sorted({foot + h for foot, each in stacks for h in (0.0, each.height)})
+        ends = sorted({foot + h for foot, each in self._slices for h in (0.0, each.height)})
         return tuple(ends), tuple(map(self.volume_below, ends))
 
     def _level(self, volume: float) -> float:
@@ -403,11 +393,8 @@ class BuoyShape:
         found.raise_if_any()
         draught = self._draught(water_density, pull)
         if draught <= 0.0:
-            found.add(
-                "water_density",
-                f"{water_density:g} kg/m3",
-                Message("refused_sizing.hull_floats_clear"),
-            )
+            clear = Message("refused_sizing.hull_floats_clear")
+            found.add("water_density", f"{water_density:g} kg/m3", clear)
         found.raise_if_any()
         return Floating(self, pull, water_density, draught)
 

@@ -98,17 +98,11 @@ def parse_calmar_buoy(
     least, most = (int(_number(buoy, f"NombreLest{end}")) for end in ("Min", "Max"))
     pieces = least if ballast_pieces is None else ballast_pieces
     if not floats and not frame:
-        found.add(
-            "Buoy.Flotteur",
-            Message("refused_sizing.no_element"),
-            Message("refused_sizing.float_or_structure_wants_one"),
-        )
+        allowed = Message("refused_sizing.float_or_structure_wants_one")
+        found.add("Buoy.Flotteur", Message("refused_sizing.no_element"), allowed)
     if not least <= pieces <= most:
-        found.add(
-            "ballast_pieces",
-            f"{pieces}",
-            Message("refused_sizing.this_buoy_has", least=least, most=most),
-        )
+        allowed = Message("refused_sizing.this_buoy_has", least=least, most=most)
+        found.add("ballast_pieces", f"{pieces}", allowed)
     found.raise_if_any()
 
     depth = _number(tail, "OffsetFlotteur") if frame else 0.0
@@ -143,19 +137,15 @@ def _parsed(text: str, source: str) -> Element:
     from xml.etree import ElementTree
 
     if declared := re.search(r"<!(?!--)\w*", text):
-        refused = Problem(
-            "file", declared[0], Message("refused_sizing.buoy_calmar_declares_nothing_take")
-        )
-        raise InputError([refused], source)
+        allowed = Message("refused_sizing.buoy_calmar_declares_nothing_take")
+        raise InputError([Problem("file", declared[0], allowed)], source)
     try:
         return ElementTree.fromstring(text)
     except ElementTree.ParseError as error:
         line, column = error.position
         place = f"line {line}, column {column + 1}"
-        said = str(error).partition(":")[0]
-        raise InputError(
-            [Problem(place, "", Message("refused_sizing.no_xml", said=said))], source
-        ) from None
+        reason = Message("refused_sizing.no_xml", said=str(error).partition(":")[0])
+        raise InputError([Problem(place, "", reason)], source) from None
 
 
 def _check(of: Element, path: str, found: Findings) -> None:
@@ -164,18 +154,12 @@ def _check(of: Element, path: str, found: Findings) -> None:
     _check_attributes(of, path, tag, found)
     for text in (of.text, *(each.tail for each in of)):
         if text and text.strip():
-            found.add(
-                path or of.tag,
-                Message("refused_sizing.text_between"),
-                Message("refused_sizing.take_out"),
-            )
+            between = Message("refused_sizing.text_between")
+            found.add(path or of.tag, between, Message("refused_sizing.take_out"))
     for name in tag.one:
         if (count := len(of.findall(name))) != 1:
-            found.add(
-                _at(path, name),
-                Message("refused_motion.of_them", count=count),
-                Message("refused_sizing.one_wanted"),
-            )
+            there = Message("refused_motion.of_them", count=count)
+            found.add(_at(path, name), there, Message("refused_sizing.one_wanted"))
     inside = tag.one + tag.several
     counts: dict[str, int] = {}
     for each in of:
@@ -195,21 +179,16 @@ def _check_attributes(of: Element, path: str, tag: _Tag, found: Findings) -> Non
         if key in tag.numbers:
             _check_number(_at(path, key), value, found)
         elif key not in tag.texts:
-            found.add(
-                _at(path, key),
-                Message("refused_sizing.unknown_attribute"),
-                _allowed(tag.texts + tag.numbers),
-            )
+            unknown = Message("refused_sizing.unknown_attribute")
+            found.add(_at(path, key), unknown, _allowed(tag.texts + tag.numbers))
         elif unfit(value):
             found.add(_at(path, key), unfit(value), Message("refused.out_of_text"))
 
 
 def _allowed(names: Sequence[str]) -> str:
-    return (
-        Message("refused_sizing.allowed_here", names=", ".join(names))
-        if names
-        else Message("refused_sizing.none_allowed_here")
-    )
+    if not names:
+        return Message("refused_sizing.none_allowed_here")
+    return Message("refused_sizing.allowed_here", names=", ".join(names))
 
 
 def _check_number(at: str, value: str, found: Findings) -> None:

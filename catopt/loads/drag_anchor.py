@@ -20,10 +20,10 @@ from catopt.shown import Tabled
 from catopt.words import Measure, Message, Several, term
 
 Soil = Literal["soft clay", "medium clay", "sand"]
-SOILS: Final = ("soft clay", "medium clay", "sand")
+SOILS: Final[tuple[Soil, ...]] = get_args(Soil)
 
 DataSet = Literal["UFC", "DTOcean", "Vryhof"]
-DATA_SETS: Final = ("UFC", "DTOcean", "Vryhof")
+DATA_SETS: Final[tuple[DataSet, ...]] = get_args(DataSet)
 
 
 @dataclass(frozen=True)
@@ -246,9 +246,8 @@ def _curves(anchor: str, soil: str, data: str, allow_recalled: bool) -> tuple[Ho
     own = [curve for curve in of_anchor if curve.soil == soil and data in ("lower", curve.data)]
     if not own:
         there = ", ".join(f"{curve.data} in {curve.soil}" for curve in of_anchor)
-        lacks = Message(
-            "refused_sizing.no_figures_data_there_are", anchor=anchor, data=data, there=there
-        )
+        values = {"anchor": anchor, "data": data, "there": there}
+        lacks = Message("refused_sizing.no_figures_data_there_are", **values)
         found.add("soil", repr(soil), lacks)
         found.raise_if_any()
     if all(curve.source.recalled for curve in own):
@@ -261,10 +260,10 @@ def _curves(anchor: str, soil: str, data: str, allow_recalled: bool) -> tuple[Ho
 def _check_masses(key: str, masses: Sequence[float], curves: Sequence[HoldingCurve]) -> None:
     """Refuse masses of which no source says anything, with the nearest that is sold."""
     found = Findings("holding capacity")
+    low, high = curves[0].masses
+    values = {"anchor": curves[0].anchor, "low": low, "high": high}
     for mass in masses:
-        low, high = curves[0].masses
         if not low <= mass <= high:
-            values = {"anchor": curves[0].anchor, "low": low, "high": high}
             nearest = min(max(mass, low), high)
             allowed = Message("loads.anchor_sold", nearest=nearest, **values)
             found.add(key, f"{mass:g} kg", allowed)

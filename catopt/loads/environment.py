@@ -15,9 +15,6 @@ from catopt.loads.ship import Ship
 from catopt.model.kinds import Angle, Findings
 from catopt.words import Message
 
-GustSpectrum = Literal["none", "NPD"]
-"""Steady wind, or that of the Norwegian Petroleum Directorate, which API and ISO 19901-1 have."""
-
 _N: Final = 0.468
 _HEIGHT: Final = 10.0
 
@@ -52,7 +49,8 @@ def gust_series(speed: float, samples: int, step: float, generator: np.random.Ge
     return np.fft.irfft(parts, samples)
 
 
-_ALONG: Final = 1e-9
+ALONG: Final = 1e-9
+"""Of an angle, rad, or of its sine: below it a stream is along the axis of the ship."""
 
 
 @dataclass(frozen=True)
@@ -91,7 +89,7 @@ class Headings:
     @property
     def head_on(self) -> bool:
         """Whether everything comes from ahead."""
-        return max(abs(self.wind), abs(self.current), abs(self.waves)) < _ALONG
+        return max(abs(self.wind), abs(self.current), abs(self.waves)) < ALONG
 
 
 HEAD_ON: Final = Headings()
@@ -188,11 +186,8 @@ class Wind:
         found.number("speed", self.speed, "m/s", at_least=0.0)
         found.number("height", self.height, "m", above=0.0)
         if not found.problems and self.speed > _STRONGEST_WIND:
-            found.add(
-                "speed",
-                f"{self.speed:g} m/s",
-                Message("refused_sizing.above_m_s_more_than", strongest_wind=_STRONGEST_WIND),
-            )
+            strong = Message("refused_sizing.above_m_s_more_than", strongest_wind=_STRONGEST_WIND)
+            found.add("speed", f"{self.speed:g} m/s", strong)
         found.raise_if_any()
 
     def at(self, height: float, exponent: float = 0.12) -> float:
@@ -214,11 +209,9 @@ class SurfaceCurrent:
         found = Findings("SurfaceCurrent")
         found.number("speed", self.speed, "m/s", at_least=0.0)
         if not found.problems and self.speed > _FASTEST_CURRENT:
-            found.add(
-                "speed",
-                f"{self.speed:g} m/s",
-                Message("refused_sizing.above_m_s_faster_than", fastest_current=_FASTEST_CURRENT),
-            )
+            key = "refused_sizing.above_m_s_faster_than"
+            fast = Message(key, fastest_current=_FASTEST_CURRENT)
+            found.add("speed", f"{self.speed:g} m/s", fast)
         found.raise_if_any()
 
 
@@ -240,16 +233,12 @@ class SeaState:
         found.numbers(self, "m", *heights, at_least=0.0, at_most=_HIGHEST_WAVE)
         hs, hmax = self.significant_height, self.maximum_height
         if hs is None and hmax is None:
-            found.add(
-                "significant_height", "", Message("refused_sizing.missing_or_maximum_height_wanted")
-            )
+            missing = Message("refused_sizing.missing_or_maximum_height_wanted")
+            found.add("significant_height", "", missing)
         found.raise_if_any()
         if hs is not None and hmax is not None and hmax < hs:
-            found.add(
-                "maximum_height",
-                f"{hmax:g} m",
-                Message("refused_sizing.below_significant_height_m", hs=hs),
-            )
+            low = Message("refused_sizing.below_significant_height_m", hs=hs)
+            found.add("maximum_height", f"{hmax:g} m", low)
         found.raise_if_any()
 
     @property
@@ -336,11 +325,8 @@ class WaterLevels:
         for key in ("low", "high"):
             found.number(key, getattr(self, key), "m", above=0.0, at_most=_DEEPEST)
         if not found.problems and self.high < self.low:
-            found.add(
-                "high",
-                f"{self.high:g} m",
-                Message("refused_sizing.below_low_water_m", low=self.low),
-            )
+            below = Message("refused_sizing.below_low_water_m", low=self.low)
+            found.add("high", f"{self.high:g} m", below)
         found.raise_if_any()
 
     @classmethod

@@ -7,7 +7,7 @@ from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import Final, Literal, NamedTuple, TypeAlias, get_args
+from typing import Final, Literal, NamedTuple, get_args
 
 from catopt.errors import NoAnswerError
 from catopt.loads.component import MARPOL, LoadSource
@@ -102,7 +102,6 @@ DIMENSIONS_SOURCE: Final = "PIANC 2002 / ROM 3.1 [R]"
 """Recalled, read in neither; checked by their block coefficients (0.71 to 0.84)."""
 
 _TONNE: Final = 1000.0
-_Row: TypeAlias = tuple[float, float, float, float]
 
 
 class ShipDimensions(NamedTuple):
@@ -115,41 +114,39 @@ class ShipDimensions(NamedTuple):
 
 
 # Averages by deadweight in t: length over all, breadth, depth, full draught, m.
-_TABLE: Final = MappingProxyType(
-    {
-        "tanker": {
-            3e3: (90.0, 13.0, 7.2, 6.0),
-            5e3: (110.0, 15.0, 8.6, 7.0),
-            10e3: (145.0, 19.0, 10.0, 7.8),
-            20e3: (174.0, 24.5, 12.6, 9.8),
-            30e3: (188.0, 28.0, 14.2, 10.8),
-            40e3: (200.0, 30.0, 15.4, 11.8),
-            50e3: (210.0, 32.2, 16.4, 12.6),
-            60e3: (217.0, 36.0, 17.0, 13.0),
-            100e3: (250.0, 43.0, 19.8, 15.1),
-            150e3: (285.0, 49.5, 22.0, 16.9),
-            200e3: (310.0, 55.0, 24.0, 18.5),
-            300e3: (350.0, 63.0, 27.0, 21.0),
-        },
-        "bulk carrier": {
-            10e3: (130.0, 18.0, 10.0, 7.5),
-            20e3: (160.0, 23.5, 12.6, 9.3),
-            40e3: (195.0, 29.0, 16.3, 11.5),
-            60e3: (220.0, 33.5, 18.2, 12.8),
-            100e3: (255.0, 39.0, 20.8, 15.3),
-            150e3: (290.0, 44.0, 23.3, 17.5),
-            200e3: (315.0, 48.5, 25.0, 19.0),
-            300e3: (350.0, 56.0, 28.1, 21.8),
-        },
-        "general cargo": {
-            5e3: (105.0, 15.8, 8.5, 6.4),
-            10e3: (133.0, 19.8, 11.2, 8.0),
-            20e3: (166.0, 24.8, 13.8, 10.0),
-            30e3: (188.0, 27.7, 16.0, 11.3),
-            40e3: (209.0, 30.0, 18.0, 12.5),
-        },
-    }
-)
+_TABLE: Final = {
+    "tanker": {
+        3e3: (90.0, 13.0, 7.2, 6.0),
+        5e3: (110.0, 15.0, 8.6, 7.0),
+        10e3: (145.0, 19.0, 10.0, 7.8),
+        20e3: (174.0, 24.5, 12.6, 9.8),
+        30e3: (188.0, 28.0, 14.2, 10.8),
+        40e3: (200.0, 30.0, 15.4, 11.8),
+        50e3: (210.0, 32.2, 16.4, 12.6),
+        60e3: (217.0, 36.0, 17.0, 13.0),
+        100e3: (250.0, 43.0, 19.8, 15.1),
+        150e3: (285.0, 49.5, 22.0, 16.9),
+        200e3: (310.0, 55.0, 24.0, 18.5),
+        300e3: (350.0, 63.0, 27.0, 21.0),
+    },
+    "bulk carrier": {
+        10e3: (130.0, 18.0, 10.0, 7.5),
+        20e3: (160.0, 23.5, 12.6, 9.3),
+        40e3: (195.0, 29.0, 16.3, 11.5),
+        60e3: (220.0, 33.5, 18.2, 12.8),
+        100e3: (255.0, 39.0, 20.8, 15.3),
+        150e3: (290.0, 44.0, 23.3, 17.5),
+        200e3: (315.0, 48.5, 25.0, 19.0),
+        300e3: (350.0, 56.0, 28.1, 21.8),
+    },
+    "general cargo": {
+        5e3: (105.0, 15.8, 8.5, 6.4),
+        10e3: (133.0, 19.8, 11.2, 8.0),
+        20e3: (166.0, 24.8, 13.8, 10.0),
+        30e3: (188.0, 27.7, 16.0, 11.3),
+        40e3: (209.0, 30.0, 18.0, 12.5),
+    },
+}
 
 
 def ship_dimensions(kind: str, deadweight: float) -> ShipDimensions:
@@ -173,27 +170,17 @@ def ship_dimensions(kind: str, deadweight: float) -> ShipDimensions:
     rows = _TABLE[kind]
     tonnes, known = deadweight / _TONNE, sorted(rows)
     if not known[0] <= tonnes <= known[-1]:
-        found.add(
-            "deadweight",
-            f"{tonnes:.6g} t",
-            Message(
-                "refused_sizing.dimensions_are_known_from_t",
-                kind=kind,
-                value=known[0],
-                value2=known[-1],
-            ),
-        )
+        values = {"kind": kind, "value": known[0], "value2": known[-1]}
+        allowed = Message("refused_sizing.dimensions_are_known_from_t", **values)
+        found.add("deadweight", f"{tonnes:.6g} t", allowed)
     found.raise_if_any()
     if tonnes in rows:
         return ShipDimensions(*rows[tonnes])
     upper = bisect_left(known, tonnes)
     low, high = known[upper - 1], known[upper]
-    return _between(rows[low], rows[high], math.log(tonnes / low) / math.log(high / low))
-
-
-def _between(low: _Row, high: _Row, part: float) -> ShipDimensions:
-    """Interpolate by a power law, and round as the table is: lengths to 1 m, the rest to 0.1 m."""
-    length, *others = (a * (b / a) ** part for a, b in zip(low, high, strict=True))
+    part = math.log(tonnes / low) / math.log(high / low)
+    length, *others = (a * (b / a) ** part for a, b in zip(rows[low], rows[high], strict=True))
+    # Rounded as the table is: lengths to 1 m, the rest to 0.1 m.
     return ShipDimensions(float(round(length)), *(round(each, 1) for each in others))
 
 
@@ -238,29 +225,6 @@ class NextSize(Tabled):
 
 def next_size(needed: float, series: Sequence[float], what: str) -> float:
     """Pick the smallest of a rising series that is enough, kg; `NoAnswerError` when none is."""
-    _check(series)
-    for size in series:
-        if size >= needed * (1.0 - _ROUNDING):
-            return size
-    raise NoAnswerError(
-        Message(
-            "loads.too_small",
-            what=what,
-            needed=needed / 1e3,
-            largest=series[-1] / 1e3,
-            missing=(needed - series[-1]) / 1e3,
-        )
-    )
-
-
-def neighbours(size: float, series: Sequence[float]) -> tuple[float | None, float | None]:
-    """Pick the next smaller and the next larger of a rising series, kg; None beyond its ends."""
-    smaller = [each for each in series if each < size]
-    larger = [each for each in series if each > size]
-    return max(smaller, default=None), min(larger, default=None)
-
-
-def _check(series: Sequence[float]) -> None:
     found = Findings("series of sizes")
     if not series:
         found.add("series", Message("refused.none"), Message("refused_sizing.one_size_or_more"))
@@ -269,6 +233,20 @@ def _check(series: Sequence[float]) -> None:
     if not found.problems and list(series) != sorted(set(series)):
         found.add("series", "", Message("refused_motion.must_rise"))
     found.raise_if_any()
+    for size in series:
+        if size >= needed * (1.0 - _ROUNDING):
+            return size
+    largest = series[-1]
+    tonnes = {"needed": needed, "largest": largest, "missing": needed - largest}
+    values = {name: mass / 1e3 for name, mass in tonnes.items()}
+    raise NoAnswerError(Message("loads.too_small", what=what, **values))
+
+
+def neighbours(size: float, series: Sequence[float]) -> tuple[float | None, float | None]:
+    """Pick the next smaller and the next larger of a rising series, kg; None beyond its ends."""
+    smaller = [each for each in series if each < size]
+    larger = [each for each in series if each > size]
+    return max(smaller, default=None), min(larger, default=None)
 
 
 Condition = Literal["loaded", "ballast"]

@@ -142,11 +142,8 @@ class CoefficientTable:
         low, high = self.angles[0], self.angles[-1]
         if not low - _ROUNDING <= off <= high + _ROUNDING:
             found = Findings("ship coefficients")
-            spans = Message(
-                "refused_sizing.table_has_deg_off_bow",
-                value=math.degrees(low),
-                value2=math.degrees(high),
-            )
+            ends = {"value": math.degrees(low), "value2": math.degrees(high)}
+            spans = Message("refused_sizing.table_has_deg_off_bow", **ends)
             found.add("angles", f"{math.degrees(off):g} deg", spans)
             found.raise_if_any()
         below, above, part = _between(self.angles, off)
@@ -264,9 +261,9 @@ class ShipCoefficients:
     def _at(
         self, kind: Literal["wind", "current"], ship: Ship, angle: float, depth: float
     ) -> tuple[CoefficientTable, tuple[float, float, float]]:
-        return (
-            self.wind_at(angle) if kind == "wind" else self.current_at(angle, depth / ship.draught)
-        )
+        if kind == "wind":
+            return self.wind_at(angle)
+        return self.current_at(angle, depth / ship.draught)
 
 
 def _between(rising: Sequence[float], at: float) -> tuple[int, int, float]:
@@ -326,9 +323,8 @@ def read_ship_coefficients(path: str | os.PathLike[str]) -> ShipCoefficients:
         With every problem of the file.
     """
     source = os.fspath(path)
-    return parse_ship_coefficients(
-        read_text(Path(path), source, kind="file of coefficients"), source
-    )
+    text = read_text(Path(path), source, kind="file of coefficients")
+    return parse_ship_coefficients(text, source)
 
 
 def parse_ship_coefficients(text: str, source: str = "") -> ShipCoefficients:
@@ -409,14 +405,10 @@ def _check_conditions(findings: Findings, of: ShipCoefficients) -> None:
     for condition in get_args(Condition):
         own = of.in_condition(condition)
         if len(own.wind) > 1:
-            findings.add(
-                "wind",
-                f"{len(own.wind)} tables",
-                Message("refused_sizing.one_ship", condition=term(condition)),
-            )
+            allowed = Message("refused_sizing.one_ship", condition=term(condition))
+            findings.add("wind", f"{len(own.wind)} tables", allowed)
         ratios = [each.depth_over_draught for each in own.current]
         if len(ratios) > 1 and (None in ratios or len(set(ratios)) < len(ratios)):
-            allowed = Message(
-                "refused_sizing.each_ship_wants_depth_over", condition=term(condition)
-            )
+            key = "refused_sizing.each_ship_wants_depth_over"
+            allowed = Message(key, condition=term(condition))
             findings.add("current", f"{len(ratios)} tables", allowed)

@@ -9,7 +9,7 @@ from typing import Any, Final, Literal, get_args
 
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.loads.component import DTOCEAN, LoadComponent, Loads, LoadSource, Number
-from catopt.loads.environment import HEAD_ON, Headings, SeaState, SurfaceCurrent, Wind
+from catopt.loads.environment import ALONG, HEAD_ON, Headings, SeaState, SurfaceCurrent, Wind
 from catopt.loads.ship import Ship
 from catopt.loads.ship_coefficients import ShipCoefficients, blendermann_loads
 from catopt.loads.tcn_222_95 import tcn_loads
@@ -142,8 +142,6 @@ recalled (R); 22TCN 222-95, all of it recalled (R)."""
 
 AIR_DENSITY: Final = 1.221
 """kg/m3, of UFC 4-159-03, table 4-2 (A)."""
-
-_ALONG: Final = 1e-9
 
 
 def ship_loads(
@@ -302,22 +300,16 @@ def _check_method(method: str, wind_on: str | UfcWind, headings: Headings) -> No
     found = Findings("loads on a ship")
     found.word("method", method, METHODS)
     if method == UFC_ALONE and isinstance(wind_on, str) and _is_off_the_bow(headings):
-        allowed = Message(
-            "refused_sizing.has_coefficients_here_wind_along",
-            ufc_alone=UFC_ALONE,
-            ufc_blendermann=UFC_BLENDERMANN,
-        )
-        found.add(
-            "Headings.wind",
-            Message("refused_sizing.off_the_bow", angle=math.degrees(headings.wind)),
-            allowed,
-        )
+        values = {"ufc_alone": UFC_ALONE, "ufc_blendermann": UFC_BLENDERMANN}
+        allowed = Message("refused_sizing.has_coefficients_here_wind_along", **values)
+        off = Message("refused_sizing.off_the_bow", angle=math.degrees(headings.wind))
+        found.add("Headings.wind", off, allowed)
     found.raise_if_any()
 
 
 def _is_off_the_bow(headings: Headings) -> bool:
     """Whether the wind is neither from ahead nor from astern."""
-    return abs(math.sin(headings.wind)) > _ALONG
+    return abs(math.sin(headings.wind)) > ALONG
 
 
 def _wind(
@@ -370,7 +362,7 @@ def _warnings(
     is_ufc: bool,
 ) -> tuple[str, ...]:
     warnings = []
-    if is_ufc and current.speed > FASTEST_SHALLOW and abs(math.sin(headings.current)) > _ALONG:
+    if is_ufc and current.speed > FASTEST_SHALLOW and abs(math.sin(headings.current)) > ALONG:
         values = {"limit": FASTEST_SHALLOW, "speed": current.speed}
         warnings.append(Message("loads.too_fast", **values))
     limit = sea.breaking_height(depth)

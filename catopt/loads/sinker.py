@@ -13,7 +13,7 @@ from catopt.catalogue.fittings import AnchorType, anchor_types
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import InputError, Problem
 from catopt.loads.component import CALMAR, NAVFAC, LoadSource
-from catopt.loads.drag_anchor import CURVES, default_factor, holding_capacity
+from catopt.loads.drag_anchor import default_factor, holding_capacity
 from catopt.loads.ship import SINKER_MASSES, NextSize, neighbours, next_size
 from catopt.model.anchor import sinker_needed
 from catopt.model.kinds import (
@@ -196,18 +196,13 @@ def friction_of(soil: str, material: Material = "concrete") -> tuple[float, Load
         found.add("soil", repr(soil), Message("loads.mud", low=low, high=high))
     elif soil not in SOIL_FRICTION:
         listed = "; ".join(SOIL_FRICTION)
-        found.add(
-            "soil", repr(soil), Message("refused_sizing.one_others_soft_mud_too", listed=listed)
-        )
+        others = Message("refused_sizing.one_others_soft_mud_too", listed=listed)
+        found.add("soil", repr(soil), others)
     check_material(found, material)
     of = SOIL_FRICTION[soil].of(material)
     if of is None:
-        refused = Problem(
-            "soil",
-            repr(soil),
-            Message("refused_sizing.no_figure_on_give_friction", material=material),
-        )
-        raise InputError([refused], "sinker")
+        give = Message("refused_sizing.no_figure_on_give_friction", material=material)
+        raise InputError([Problem("soil", repr(soil), give)], "sinker")
     return of
 
 
@@ -222,9 +217,8 @@ def adhesion_holding(
     found = Findings("sinker")
     name = AS_CLAY.get(soil, soil)
     if name not in ADHESION:
-        found.add(
-            "soil", repr(soil), Message("refused_sizing.one_mud", adhesion=", ".join(ADHESION))
-        )
+        clays = Message("refused_sizing.one_mud", adhesion=", ".join(ADHESION))
+        found.add("soil", repr(soil), clays)
     found.number("base_area", base_area, "m^2", above=0.0)
     check_material(found, material)
     row = ADHESION[name]
@@ -266,7 +260,13 @@ def size_sinker(
     if density is None:
         check_material(Findings("sinker"), material)
     rho = DENSITIES[material] if density is None else density
-    _check_density(rho, water_density)
+    found = Findings("sinker")
+    found.number("water_density", water_density, "kg/m3", at_least=900.0, at_most=1100.0)
+    found.number("density", rho, "kg/m3", at_most=20e3)
+    if not found.problems and rho <= water_density:
+        floats = Message("refused_sizing.floats_above_water_wanted")
+        found.add("density", f"{rho:g} kg/m3", floats)
+    found.raise_if_any()
     weight = sinker_needed(horizontal_force, vertical_force, mu, safety_factor)
     needed = weight / weight_in_water(1.0, rho, water_density)
     mass = next_size(needed, series, Message(_SINKERS[material]))
@@ -299,11 +299,8 @@ _SINKERS: Final = {
 def check_material(found: Findings, material: str) -> None:
     """Raise InputError for what was found, and for an unknown material."""
     if material not in DENSITIES:
-        found.add(
-            "material",
-            as_written(material),
-            Message("refused.of_these", words=", ".join(DENSITIES)),
-        )
+        allowed = Message("refused.of_these", words=", ".join(DENSITIES))
+        found.add("material", as_written(material), allowed)
     found.raise_if_any()
 
 
@@ -329,17 +326,6 @@ def _check(
         found.add("soil", given, Message("refused_sizing.one_soil_friction_wanted"))
     if friction is not None:
         found.number("friction", friction, "", above=0.0, at_most=1.5)
-    found.raise_if_any()
-
-
-def _check_density(density: float, water_density: float) -> None:
-    found = Findings("sinker")
-    found.number("water_density", water_density, "kg/m3", at_least=900.0, at_most=1100.0)
-    found.number("density", density, "kg/m3", at_most=20e3)
-    if not found.problems and density <= water_density:
-        found.add(
-            "density", f"{density:g} kg/m3", Message("refused_sizing.floats_above_water_wanted")
-        )
     found.raise_if_any()
 
 
@@ -459,13 +445,9 @@ def anchors_held(
     return tuple(
         _held(kind, each, of, allow_recalled=allow_recalled)
         for kind in kinds
-        for each in ([soil] if soil else _soils(kind))
+        for each in ([soil] if soil else dict.fromkeys(of.soil for of in kind.holdings))
         for of in ([mass] if mass is not None else kind.masses)
     )
-
-
-def _soils(kind: AnchorType) -> Sequence[str]:
-    return list(dict.fromkeys(each.soil for each in CURVES if each.anchor == kind.name))
 
 
 def _held(kind: AnchorType, soil: str, mass: float, *, allow_recalled: bool) -> AnchorHeld:

@@ -33,14 +33,6 @@ _MOULDED_DEPTH: Final = 16.0
 _DRAUGHTS: Final = {"loaded": 12.4, "ballast": 3.2}
 
 
-_STATEMENTS: Final = {
-    ("agrees", "above"): "loads.agrees_above",
-    ("agrees", "below"): "loads.agrees_below",
-    ("differs", "above"): "loads.differs_above",
-    ("differs", "below"): "loads.differs_below",
-}
-
-
 @dataclass(frozen=True)
 class TankerComparison(Tabled):
     """Computed beside printed, N."""
@@ -64,7 +56,7 @@ class TankerComparison(Tabled):
         agreement = "agrees" if abs(difference) <= AGREEMENT else "differs"
         side = "above" if difference > 0.0 else "below"
         values = {"computed": computed, "printed": printed, "share": abs(difference)}
-        return Sentence(Message(_STATEMENTS[agreement, side], **values))
+        return Sentence(Message(f"loads.{agreement}_{side}", **values))
 
 
 def tanker(condition: Condition = "loaded") -> Ship:

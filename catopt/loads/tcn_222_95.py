@@ -12,7 +12,7 @@ from typing import Final, Literal
 
 from catopt.constants import STANDARD_GRAVITY
 from catopt.loads.component import TCN_222_95, Axis, LoadComponent, LoadSource, Number
-from catopt.loads.environment import Headings, SeaState, SurfaceCurrent, Wind
+from catopt.loads.environment import ALONG, Headings, SeaState, SurfaceCurrent, Wind
 from catopt.loads.ship import Ship
 from catopt.model.kinds import Findings
 from catopt.words import Message
@@ -26,7 +26,6 @@ CURRENT: Final = 590.0
 
 _SILHOUETTE: Final = ((25.0, 1.0), (50.0, 0.80), (100.0, 0.65), (200.0, 0.50))
 _WAVE_LENGTH: Final = ((0.5, 1.0), (1.0, 0.73), (2.0, 0.50), (3.0, 0.42), (4.0, 0.40))
-_ON_AXIS: Final = 1e-9
 
 _WIND = LoadSource(TCN_222_95, "5.2", "R")
 _CURRENT = LoadSource(TCN_222_95, "5.3", "R")
@@ -149,14 +148,13 @@ def _symbols(*numbers: Number) -> tuple[str, ...]:
 def _on_an_axis(angle: float, chi: float) -> tuple[float, float]:
     """Sine and cosine of an angle along or across the ship; for another, 0, if chi allows it."""
     sine, cosine = math.sin(angle), math.cos(angle)
-    is_along, is_across = abs(sine) < _ON_AXIS, abs(cosine) < _ON_AXIS
+    is_along, is_across = abs(sine) < ALONG, abs(cosine) < ALONG
     found = Findings("22TCN 222-95")
     found.number("wave_coefficient", chi, "", at_least=0.0, at_most=1.0)
     if chi > 0.0 and not (is_along or is_across):
         allowed = Message("refused_sizing.wave_load_waves_from_ahead")
-        found.add(
-            "waves", Message("refused_sizing.off_the_bow", angle=math.degrees(angle)), allowed
-        )
+        off = Message("refused_sizing.off_the_bow", angle=math.degrees(angle))
+        found.add("waves", off, allowed)
     found.raise_if_any()
     return sine if is_across else 0.0, cosine if is_along else 0.0
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Final, Literal
 
 from catopt.loads.component import UFC, LoadComponent, LoadSource, Number, refuse_recalled
-from catopt.loads.environment import Wind, drag_component, wind_on_ship
+from catopt.loads.environment import ALONG, Wind, drag_component, wind_on_ship
 from catopt.loads.ship import PROPELLER_AREA_RATIOS, Ship
 from catopt.model.kinds import Findings
 from catopt.words import Message, term
@@ -18,7 +18,6 @@ Superstructure = Literal["single", "distributed"]
 RECALLED_LONGITUDINAL: Final = 0.70
 """Cxw of a ship that is not dominated by its hull, recalled (R)."""
 
-_ALONG: Final = 1e-9
 _LONGITUDINAL = LoadSource(UFC, "eq. 6 and 7, page 77; the coefficient is the user's", "A")
 _RECALLED = LoadSource(UFC, "eq. 2, page 65; Cyw and fyw on pages that were not read", "R")
 _GIVE = "give the coefficient of your edition, or take Blendermann's"
@@ -47,11 +46,8 @@ class UfcWind:
         if not found.problems and not self.zero_angle < math.pi:
             found.add("zero_angle", f"{self.zero_angle:g} rad", Message("refused_motion.below_pi"))
         if self.superstructure not in ("single", "distributed"):
-            found.add(
-                "superstructure",
-                repr(self.superstructure),
-                Message("refused.one_of", words="single, distributed"),
-            )
+            allowed = Message("refused.one_of", words="single, distributed")
+            found.add("superstructure", repr(self.superstructure), allowed)
         found.raise_if_any()
 
 
@@ -99,7 +95,7 @@ def ufc_wind_loads(
     comes from, rad: 0 from ahead; the density, kg/m3, is 1.221 in UFC. Off the ship's axis recalled
     figures must be allowed, for the transverse shape function is one (R).
     """
-    along_axis = abs(math.sin(angle)) < _ALONG
+    along_axis = abs(math.sin(angle)) < ALONG
     across = 0.0 if along_axis else transverse_shape(angle, allow_recalled=allow_recalled)
     if of.recalled:
         what = "the coefficients"

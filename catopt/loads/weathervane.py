@@ -150,16 +150,15 @@ def equilibrium_headings(
     found = Findings("weathervaning")
     half = 0.5 * ship.length_overall
     found.number("mooring_point", lever, "m", at_least=-half, at_most=half)
-    own = coefficients
-    if turning.yaw is None and (own is None or not own.turns):
+    if turning.yaw is None and (coefficients is None or not coefficients.turns):
         allowed = Message("refused_sizing.missing_neither_coefficients_nor_table")
         found.add("current_yaw", "", allowed)
     found.raise_if_any()
     per_metre = flat_side_drift(
         sea, depth, reflection=reflection, of=drift, water_density=water_density
     )
-    by_wind = _wind_about(ship, wind, depth, wind_on, own)
-    by_current = _current_about(ship, current, depth, water_density, turning.yaw, own)
+    by_wind = _wind_about(ship, wind, depth, wind_on, coefficients)
+    by_current = _current_about(ship, current, depth, water_density, turning.yaw, coefficients)
 
     def by_waves(angle: float) -> float:
         width = width_across(ship.length_waterline, ship.breadth, angle)
@@ -172,11 +171,8 @@ def equilibrium_headings(
         return sum(moment - force * lever for force, moment in pushes) + by_waves(seen.waves)
 
     if wind.speed == current.speed == sea.hmax == 0.0:
-        found.add(
-            "wind",
-            Message("refused_sizing.nothing_pushes"),
-            Message("refused_sizing.something_has_push_ship"),
-        )
+        nothing = Message("refused_sizing.nothing_pushes")
+        found.add("wind", nothing, Message("refused_sizing.something_has_push_ship"))
         found.raise_if_any()
     return _stable(turned)
 

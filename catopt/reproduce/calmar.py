@@ -110,7 +110,6 @@ def moored(
     given = source.inputs
     shape = shape or buoy_of(source)
     chain = component(f"chain open-link 5D Q{given['chain_quality']:.0f}", given["chain_m"])
-    assert chain.mass is not None
     assert chain.proof_load is not None
     density = given["water_density_kg_per_m3"]
     weight = weight_in_water(chain.mass, release.steel_density, density)
@@ -220,12 +219,12 @@ def _readings(source: Published, release: Release) -> SideBySide:
     full = buoy_of(source, superstructure=True)
     printed = source.printed[release.name]
     rows: list[tuple[str, ...]] = []
-    as_read = moored(source, release)
+    own_wave = moored(source, release, wave_height="hmax", chain_waves=True)
     for what, of, area in (
-        ("float and pole", as_read, as_read.floating.windage),
+        ("float and pole", *_seen(moored(source, release))),
         ("float, pylon and topmark", *_without_pole(source, release, full)),
         ("float, pole, pylon and topmark", *_seen(moored(source, release, full))),
-        ("catopt's own wave, also on the chain", *_seen(_own_wave(source, release))),
+        ("catopt's own wave, also on the chain", *_seen(own_wave)),
     ):
         cells = (of.horizontal_force, of.length, of.radius, of.factor, area)
         formats = ("{:.1f}", "{:.2f}", "{:.2f}", "{:.2f}", "{:.3f}")
@@ -254,7 +253,3 @@ def _without_pole(source: Published, release: Release, full: BuoyShape) -> tuple
         found = moored(source, release, full, left_out=left_out)
         last, left_out = left_out, _pole_in_air(found)
     return found, found.floating.windage - left_out
-
-
-def _own_wave(source: Published, release: Release) -> Moored:
-    return moored(source, release, wave_height="hmax", chain_waves=True)

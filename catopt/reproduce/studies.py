@@ -80,7 +80,8 @@ def _study(study: Study) -> list[str]:
     ]
     for method in dict.fromkeys(item.method for item in study.items):
         chosen = [item for item in study.items if item.method == method]
-        lines += ["", f"### {_heading(method)}", "", *_comparison(chosen)]
+        in_words = _METHODS.get(method, method[:1].upper() + method[1:])
+        lines += ["", f"### {in_words}", "", *_comparison(chosen)]
     if study.findings:
         lines += ["", "### What was found", ""]
     lines += [f"{number}. {text}" for number, text in enumerate(study.findings, start=1)]
@@ -101,11 +102,6 @@ def views(study: Study) -> list[str]:
         "elevation": study.moorings,
     }
     return [view for view, shown in of_what.items() if shown]
-
-
-def _heading(method: str) -> str:
-    """Name a method in words, with a capital."""
-    return _METHODS.get(method, method[:1].upper() + method[1:])
 
 
 def _comparison(items: Sequence[Item]) -> list[str]:
@@ -139,9 +135,6 @@ def _table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
     cells = [[cell.replace("|", r"\|") or " " for cell in row] for row in (header, *rows)]
     lines = ["| " + " | ".join(row) + " |" for row in cells]
     return [lines[0], "|" + " --- |" * len(header), *lines[1:]]
-
-
-Progress = Callable[[int, int], None]
 
 
 def load_sharing() -> Study:
@@ -182,7 +175,9 @@ def names() -> tuple[str, ...]:
     return tuple(_STUDIES)
 
 
-def reproduce(name: str | None = None, *, progress: Progress | None = None) -> Reproduction:
+def reproduce(
+    name: str | None = None, *, progress: buoy_9p5m.Progress | None = None
+) -> Reproduction:
     """Recompute what was published.
 
     Parameters
@@ -198,13 +193,10 @@ def reproduce(name: str | None = None, *, progress: Progress | None = None) -> R
         No study has that name.
     """
     if name is not None and name not in _STUDIES:
-        raise InputError([Problem("name", repr(name), _allowed(name))], "reproduce")
+        from catopt.catalogue.family import meant
+
+        allowed = meant(Message("refused.one_of", words=", ".join(names())), name, names())
+        raise InputError([Problem("name", repr(name), allowed)], "reproduce")
     wanted = names() if name is None else (name,)
     by_swarm = {buoy_9p5m.NAME: partial(buoy_9p5m.study, progress)}
     return Reproduction(tuple((_STUDIES | by_swarm)[each]() for each in wanted))
-
-
-def _allowed(name: str) -> Message:
-    from catopt.catalogue.family import meant
-
-    return meant(Message("refused.one_of", words=", ".join(names())), name, names())
