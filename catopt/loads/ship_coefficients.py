@@ -375,7 +375,7 @@ def _read(
         table.problem("angles", Message("refused_motion.must_rise"))
         return None
     if angles is not None and not 0.0 <= angles[0] <= angles[-1] <= 180.0:
-        table.problem("angles", "from 0 to 180 deg")
+        table.problem("angles", Message("refused_file.half_circle"))
         return None
     if angles is None or not first or not second or None in read.values() or start is None:
         return None

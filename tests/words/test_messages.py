@@ -90,8 +90,19 @@ def english_in(node: ast.expr) -> Iterator[str]:
         for each in ast.iter_child_nodes(node):
             if isinstance(each, ast.expr):
                 yield from english_in(each)
-    if re.search(r"(?<![\w./=-])[a-z]{2,} +[a-z]{2,}(?![\w.=-])", said):
+    if re.search(r"(?<![\w./=-])[a-z]{2,} +([\d.]+ +)?[a-z]{2,}(?![\w.=-])", said):
         yield said
+
+
+def with_what_it_names(node: ast.expr, tree: ast.Module) -> Iterator[ast.expr]:
+    """Yield an argument and, of a variable, whatever its file assigns to one of that name."""
+    yield node
+    if isinstance(node, ast.Name):
+        for each in ast.walk(tree):
+            if isinstance(each, ast.Assign) and any(
+                isinstance(target, ast.Name) and target.id == node.id for target in each.targets
+            ):
+                yield each.value
 
 
 REFUSES = {"Problem": 3, "Finding": 3, "add": 3, "problem": 2, "refuse": 3, "refused": 3}
@@ -103,11 +114,13 @@ def test_nothing_is_refused_in_plain_english() -> None:
     found = [
         (path.relative_to(PACKAGE).as_posix(), node.lineno, said)
         for path in PACKAGE.rglob("*.py")
-        for node in ast.walk(ast.parse(path.read_text("utf-8")))
+        for tree in [ast.parse(path.read_text("utf-8"))]
+        for node in ast.walk(tree)
         if isinstance(node, ast.Call)
         for name in [getattr(node.func, "attr", getattr(node.func, "id", ""))]
-        for each in [*node.args[1 : REFUSES.get(name, 0)], *(k.value for k in node.keywords)]
+        for given in [*node.args[1 : REFUSES.get(name, 0)], *(k.value for k in node.keywords)]
         if name in REFUSES
+        for each in with_what_it_names(given, tree)
         for said in english_in(each)
     ]
     assert found == []
