@@ -89,8 +89,6 @@ def made_of(point: DesignPoint) -> Several:
     return Several(part for part in parts if part)
 
 
-__all__ = ["DesignPoint", "DesignResult", "InDraws", "NearMiss", "Neighbour"]
-
 OBJECTIVES_MADE = ("mass_kg", "offset_m", "excursion_m", "cost_USD", "length_m", "anchor_load_N")
 """Keys of what is made small."""
 _WORTH = (

@@ -54,10 +54,8 @@ class Load(Checked):
 
     def _check(self, found: Findings) -> None:
         if len(self.given) != 1:
-            allowed = Message("refused.one_load")
-            found.add(
-                "load", " and ".join(self.given) or Message("refused_file.none_of_them"), allowed
-            )
+            said = " and ".join(self.given) or Message("refused_file.none_of_them")
+            found.add("load", said, Message("refused.one_load"))
             found.raise_if_any()
         found.check()
 
@@ -153,9 +151,8 @@ class Site(Checked):
     def _check(self, found: Findings) -> None:
         found.check()
         if self.seabed_slope and self.contact_offset:
-            found.add(
-                "contact_offset", f"{self.contact_offset:g} m", Message("refused_case.level_only")
-            )
+            allowed = Message("refused_case.level_only")
+            found.add("contact_offset", f"{self.contact_offset:g} m", allowed)
 
     @property
     def depth_to_seabed(self) -> float:
@@ -214,8 +211,5 @@ class Checks(Checked):
         found.check("max_anchor_uplift_angle", "max_anchor_uplift_force", "min_grounded_length")
         found.check("max_span", "max_offset", "motion_code")
         if None not in (self.max_span, self.max_offset):
-            found.add(
-                "max_offset",
-                f"{self.max_offset:g} m",
-                Message("refused_case.leave_out_beside_max_span"),
-            )
+            allowed = Message("refused_case.leave_out_beside_max_span")
+            found.add("max_offset", f"{self.max_offset:g} m", allowed)

@@ -78,8 +78,6 @@ def static_equilibria(
             per_line[at + 5 * count] = lines.V_anchor[k]
 
 
-__all__ = ["Batch", "SystemSolutions", "solve_system_many"]
-
 _A_LINE = 4e-4
 """Time that a line of the system takes under one load as plain Python, s."""
 

@@ -18,8 +18,6 @@ from catopt.ties import first_largest
 if TYPE_CHECKING:
     from catopt.mooring.restoring import WatchCircle
 
-__all__ = ["LegState", "Position", "SystemResidual", "SystemSolution"]
-
 
 @dataclass(frozen=True)
 class SystemResidual:
