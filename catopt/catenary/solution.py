@@ -19,17 +19,6 @@ from catopt.records import Counted, From, FromZero, Record
 from catopt.shown import Displayable
 from catopt.words import Measure, Message
 
-__all__ = [
-    "EndState",
-    "FoundQuantity",
-    "PointLoadState",
-    "Residual",
-    "SegmentState",
-    "Solution",
-    "SwarmDifference",
-    "SwarmReport",
-]
-
 
 @dataclass(frozen=True)
 class EndState(Record):
@@ -68,6 +57,17 @@ class SegmentState(Record):
     def utilisation(self, safety_factor: float = 1.0) -> NotNegative | None:
         """Largest tension times the safety factor over MBL; None where that is not known."""
         return None if self.MBL is None else self.max_tension * safety_factor / self.MBL
+
+
+def end_state(H: float, V: float) -> EndState:
+    """Return the state of an end by the horizontal and the vertical force there, N."""
+    return EndState(math.hypot(H, V), H, V, math.atan2(V, H))
+
+
+def segment_states(line: Line, largest: Iterable[float]) -> tuple[SegmentState, ...]:
+    """Return the state of each segment of a line by the largest tension in it, N."""
+    each = zip(line.segments, largest, strict=True)
+    return tuple(SegmentState(s.name, s.length, tension, s.MBL) for s, tension in each)
 
 
 @dataclass(frozen=True)
@@ -313,8 +313,7 @@ def plausibility(solution: Solution) -> Iterator[Message]:
 
 def above_water(solution: Solution, water_depth: float) -> tuple[Message, ...]:
     """Warn when the line rises above both the water and its fairlead; refuse a buoy above it."""
-    heights = (state.z for state in solution.point_loads)
-    check_buoys(solution.line, heights, water_depth)
+    check_buoys(solution.line, (state.z for state in solution.point_loads), water_depth)
     # Only a buoyant part can rise above both of its ends.
     floats = any(stretch.submerged_weight < 0.0 for stretch in solution.stretches)
     ends = (solution.fairlead_height, *(stretch.z for stretch in solution.stretches))
@@ -341,15 +340,10 @@ def check_buoys(line: Line, heights: Iterable[float], water_depth: float) -> Non
         above = height - water_depth
         if load.submerged_weight < 0.0 and above > ROUNDING * water_depth:
             name = f" ({load.name})" if load.name else ""
+            values = {"position": load.position, "above": above, "lift": -load.submerged_weight}
+            path = f"line.point_loads[{index}]{name}"
             raise FloatsUpError(
-                Message(
-                    "catenary.floats_up",
-                    path=f"line.point_loads[{index}]{name}",
-                    position=load.position,
-                    above=above,
-                    lift=-load.submerged_weight,
-                    depth=water_depth,
-                )
+                Message("catenary.floats_up", path=path, depth=water_depth, **values)
             )
 
 
