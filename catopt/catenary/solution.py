@@ -340,11 +340,10 @@ def check_buoys(line: Line, heights: Iterable[float], water_depth: float) -> Non
         above = height - water_depth
         if load.submerged_weight < 0.0 and above > ROUNDING * water_depth:
             name = f" ({load.name})" if load.name else ""
-            values = {"position": load.position, "above": above, "lift": -load.submerged_weight}
             path = f"line.point_loads[{index}]{name}"
-            raise FloatsUpError(
-                Message("catenary.floats_up", path=path, depth=water_depth, **values)
-            )
+            values = {"position": load.position, "above": above, "lift": -load.submerged_weight}
+            said = Message("catenary.floats_up", path=path, **values, depth=water_depth)
+            raise FloatsUpError(said)
 
 
 @contextmanager

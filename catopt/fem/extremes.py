@@ -10,7 +10,8 @@ from typing import Annotated, Final
 import numpy as np
 
 from catopt.arrays import Array, Codes
-from catopt.model.kinds import Findings, Positive, Share, Time
+from catopt.errors import InputError, Problem
+from catopt.model.kinds import Positive, Share, Time
 from catopt.records import Counted, From, Record
 from catopt.words import Message
 
@@ -37,9 +38,8 @@ def series_statistics(time: Array, values: Array) -> SeriesStatistics:
         Evenly spaced, s, and the series; two or more.
     """
     if time.size < 2:
-        found = Findings("series_statistics")
-        found.add("time", f"{time.size} samples", Message("refused_motion.two_or_more_are_wanted"))
-        found.raise_if_any()
+        allowed = Message("refused_motion.two_or_more_are_wanted")
+        raise InputError([Problem("time", f"{time.size} samples", allowed)], "series_statistics")
     return SeriesStatistics(
         mean=float(values.mean()),
         std=float(values.std()),

@@ -196,12 +196,10 @@ def linear_model(simulation: Simulation) -> LinearModel:
 def _check(simulation: Simulation) -> None:
     lines, found = simulation.lines, Findings("linear motion")
     if lines.drag_by_speed.any() or lines.drag_by_across.any():
-        allowed = Message("refused_motion.drag_along_bar_by_flow")
-        found.add("drag_method", "roughness", allowed)
+        found.add("drag_method", "roughness", Message("refused_motion.drag_along_bar_by_flow"))
     if lines.stiffness_factor > 0.0:
-        found.add(
-            "stiffness_factor", f"{lines.stiffness_factor:g} s", Message("refused_motion.zero")
-        )
+        allowed = Message("refused_motion.zero")
+        found.add("stiffness_factor", f"{lines.stiffness_factor:g} s", allowed)
     found.raise_if_any()
 
 
@@ -220,7 +218,8 @@ def _drags(simulation: Simulation, wet: Array, stream: Array) -> Drags:
     half = 0.5 * lines.length[:, np.newaxis] * wet
     node = np.concatenate([first, first + 1, first, first + 1, lines.load_node])
     normal, axial = (
-        half * drag[:, np.newaxis] for drag in (lines.drag_normal, lines.drag_tangential)
+        half * lines.drag_normal[:, np.newaxis],
+        half * lines.drag_tangential[:, np.newaxis],
     )
     coefficient = np.concatenate([*normal.T, *axial.T, lines.load_drag])
     whole = np.broadcast_to(np.eye(3), (loads, 3, 3))

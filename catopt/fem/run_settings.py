@@ -72,17 +72,11 @@ class TimeStepping:
         found.numbers(self, "s", "output_interval", above=0.0)
         found.raise_if_any()
         if self.step > self.duration:
-            found.add(
-                "step",
-                f"{self.step:g} s",
-                Message("refused_motion.longer_than_run_s", duration=self.duration),
-            )
+            allowed = Message("refused_motion.longer_than_run_s", duration=self.duration)
+            found.add("step", f"{self.step:g} s", allowed)
         if (self.since or 0.0) >= self.duration:
-            found.add(
-                "since",
-                f"{self.since:g} s",
-                Message("refused_motion.run_ends_at_s", duration=self.duration),
-            )
+            allowed = Message("refused_motion.run_ends_at_s", duration=self.duration)
+            found.add("since", f"{self.since:g} s", allowed)
         ratio = (self.output_interval or self.step) / self.step
         if abs(ratio - round(ratio)) > 1e-6 * ratio or round(ratio) < 1:
             wanted = Message("refused_motion.multiple_step_s", step=self.step)
@@ -146,24 +140,13 @@ def step_warnings(
     found = Findings("TimeStepping")
     for name, period in driven.items():
         if step > period / _FEWEST:
-            wanted = Message(
-                "refused_motion.has_periods_down_s_s",
-                name=name,
-                period=period,
-                period2=period / _WANTED,
+            values = {"name": name, "period": period, "period2": period / _WANTED}
+            found.add(
+                "step", f"{step:g} s", Message("refused_motion.has_periods_down_s_s", **values)
             )
-            found.add("step", f"{step:g} s", wanted)
         elif step > period / _WANTED * (1.0 + 1e-9):
-            warnings.append(
-                Message(
-                    "motion.long_step",
-                    step=step,
-                    count=period / step,
-                    what=term(name),
-                    period=period,
-                    wanted=_WANTED,
-                )
-            )
+            values = {"step": step, "count": period / step, "what": term(name), "period": period}
+            warnings.append(Message("motion.long_step", **values, wanted=_WANTED))
     found.raise_if_any()
     return warnings
 

@@ -356,8 +356,9 @@ class Simulation:
                 if not report.closed:
                     words = Message("truss.not_closed", time=(report.at + report.part) * step)
                     raise self._not_closed(words, report.worst, report.node, step)
-                if report.full:
-                    record = _with_more_room(record)
+                if report.full:  # twice the room for turning points
+                    turns = np.concatenate([record.turns, np.zeros_like(record.turns)], axis=1)
+                    record = record._replace(turns=turns)
                 took = perf_counter() - began
                 speed = took / max(report.at + report.part - at - part, 1e-3)
                 at, part, level = report.at, report.part, report.level
@@ -433,10 +434,8 @@ class Simulation:
     def _check_ringing(self, controls: StepControls, step: float, t: float) -> None:
         count = self.counts
         if count.steps > _FEW_STEPS and count.ringing > controls.max_ringing * count.strain:
-            part = count.ringing / count.strain
-            raise NotConvergedError(
-                Message("truss.rings", time=t, part=part, shortest=count.shortest, step=step)
-            )
+            values = {"part": count.ringing / count.strain, "shortest": count.shortest}
+            raise NotConvergedError(Message("truss.rings", time=t, **values, step=step))
 
     def _empty_record(self, stepping: TimeStepping) -> Record:
         lines, bars = self.lines.start.size - 1, self.lines.length.size
@@ -518,12 +517,6 @@ class Simulation:
 
 def _copied(state: Moving) -> Moving:
     return Moving(*(array.copy() for array in state))
-
-
-def _with_more_room(record: Record) -> Record:
-    """Give turning points twice the room."""
-    turns = np.concatenate([record.turns, np.zeros_like(record.turns)], axis=1)
-    return record._replace(turns=turns)
 
 
 def _moving(lines: MovingLines, x: Array) -> Moving:
