@@ -19,10 +19,7 @@ Method = Literal["closed-form", "pso"]
 
 
 def solve_case(
-    case: Case,
-    method: Method = "closed-form",
-    *,
-    progress: Callable[[int], None] | None = None,
+    case: Case, method: Method = "closed-form", *, progress: Callable[[int], None] | None = None
 ) -> Solution:
     """Solve a case; errors as for `solve`, and FloatsUpError for a buoy above the water surface.
 

@@ -199,12 +199,7 @@ class _Shot:
     """By how much an upper end is off: in its place, or in its force as m, by `per_force`."""
 
     def __init__(
-        self,
-        line: Line,
-        site: Site,
-        current: CurrentProfile,
-        anchor_height: float,
-        tension: float,
+        self, line: Line, site: Site, current: CurrentProfile, anchor_height: float, tension: float
     ) -> None:
         self.line, self.site, self.current = line, site, current
         self.flow = current.flow(site.water_depth)
@@ -431,9 +426,7 @@ def _solution(shot: _Shot, known: Sequence[float], direction: float = 0.0) -> So
         point_loads=_loads(line, places, laid),
         stretches=tuple(_stretches(shot, laid, placed, places)),
         residual=Residual(
-            height=height,
-            span=math.hypot(first, across),
-            force_uncertainty=shot.left_open(known),
+            height=height, span=math.hypot(first, across), force_uncertainty=shot.left_open(known)
         ),
         current=shot.current,
         surface_velocity=shot.flow(shot.site.water_depth),

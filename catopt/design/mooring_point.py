@@ -60,11 +60,7 @@ def states_of(
 
 
 def distinct_states(
-    azimuths: Sequence[float],
-    directions: Sequence[float],
-    *,
-    with_line_out: bool,
-    mirrors: bool,
+    azimuths: Sequence[float], directions: Sequence[float], *, with_line_out: bool, mirrors: bool
 ) -> tuple[BodyState, ...]:
     """List the states that differ: of those that a turn of the whole pattern brings to one, one.
 

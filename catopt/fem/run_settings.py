@@ -9,6 +9,7 @@ from typing import Final
 import numpy as np
 
 from catopt.fem.newmark import Scheme
+from catopt.fem.sampling import Rules
 from catopt.model.kinds import Findings
 from catopt.waves import Sea, breaking_warning, repetition_warning
 from catopt.words import Message, term
@@ -97,6 +98,26 @@ class TimeStepping:
     def samples(self) -> int:
         """Samples after the first."""
         return math.ceil(self.duration / (self.every * self.step) - 1e-9)
+
+    def rules(self, rounding: float = 0.0) -> Rules:
+        """Return them as the kernels take them; their tolerance is no less than the rounding."""
+        how, ways = self.scheme, self.controls
+        return Rules(
+            alpha_m=float(how.alpha_m),
+            alpha_f=float(how.alpha_f),
+            beta=float(how.beta),
+            gamma=float(how.gamma),
+            step=float(self.step),
+            every=self.every,
+            limit=int(ways.max_iterations),
+            halvings=int(ways.max_halvings),
+            refinements=int(ways.max_refinements),
+            surprise=float(ways.surprise),
+            transits=float(ways.transits),
+            tolerance=float(max(ways.tolerance, rounding)),
+            since=float(self.counted_since),
+            until=float(self.duration),
+        )
 
 
 @dataclass(frozen=True)

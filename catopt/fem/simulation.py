@@ -22,14 +22,7 @@ from catopt.fem.moving_assembly import assemble_moving
 from catopt.fem.newmark import solve_moving
 from catopt.fem.problem import place_of
 from catopt.fem.run_settings import StepControls, TimeStepping
-from catopt.fem.sampling import (
-    Record,
-    Room,
-    Rules,
-    Setting,
-    fill_energy,
-    first_joint,
-)
+from catopt.fem.sampling import Record, Room, Rules, Setting, fill_energy, first_joint
 from catopt.fem.seabed import drag_feet
 from catopt.fem.series import SeriesRows, fill_series, series_rows
 from catopt.interrupt import waiting_interrupt
@@ -317,24 +310,8 @@ class Simulation:
         run and keeps what is there. NotConvergedError has the time, the node and the force left
         over there.
         """
-        how, ways, step = stepping.scheme, stepping.controls, float(stepping.step)
-        samples, every = stepping.samples, stepping.every
-        rules = Rules(
-            alpha_m=float(how.alpha_m),
-            alpha_f=float(how.alpha_f),
-            beta=float(how.beta),
-            gamma=float(how.gamma),
-            step=step,
-            every=every,
-            limit=int(ways.max_iterations),
-            halvings=int(ways.max_halvings),
-            refinements=int(ways.max_refinements),
-            surprise=float(ways.surprise),
-            transits=float(ways.transits),
-            tolerance=float(max(ways.tolerance, self.rounding)),
-            since=float(stepping.counted_since),
-            until=float(stepping.duration),
-        )
+        samples, every, step = stepping.samples, stepping.every, float(stepping.step)
+        rules = stepping.rules(self.rounding)
         record = self._empty_record(stepping)
         blocks = np.array(stepping.blocks, dtype=float).reshape(-1, 3)
         at, part, level, size, speed = 0, 0.0, 0, 1, 0.0
@@ -362,7 +339,7 @@ class Simulation:
                 took = perf_counter() - began
                 speed = took / max(report.at + report.part - at - part, 1e-3)
                 at, part, level = report.at, report.part, report.level
-                self._check_ringing(ways, step, at * step)
+                self._check_ringing(stepping.controls, step, at * step)
                 try:
                     if progress is not None:
                         progress(at * step)

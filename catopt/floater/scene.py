@@ -78,11 +78,7 @@ def kept_nodes(meshes: Sequence[LineMesh]) -> tuple[tuple[int, ...], ...]:
 
 
 def scene_of(
-    history: History,
-    kept: Sequence[Sequence[int]],
-    body: HullHistory,
-    hull: FloatingHull,
-    sea: Sea,
+    history: History, kept: Sequence[Sequence[int]], body: HullHistory, hull: FloatingHull, sea: Sea
 ) -> Scene:
     """Take the scene out of a run that kept the nodes of `kept_nodes`."""
     counted = np.flatnonzero(history.counted) if history.counts else np.arange(history.time.size)

@@ -111,12 +111,10 @@ STEEPEST = math.radians(45.0)
 HIGHEST = 1.0
 """Contact offset, m: of a chain whose bar has 0.6 m."""
 Slope = Annotated[
-    float,
-    Measured(Dimension.ANGLE, at_least=-STEEPEST, at_most=STEEPEST, example='"3 deg"'),
+    float, Measured(Dimension.ANGLE, at_least=-STEEPEST, at_most=STEEPEST, example='"3 deg"')
 ]
 Offset = Annotated[
-    float,
-    Measured(Dimension.LENGTH, at_least=0.0, at_most=HIGHEST, example='"0.164 m"'),
+    float, Measured(Dimension.LENGTH, at_least=0.0, at_most=HIGHEST, example='"0.164 m"')
 ]
 
 

@@ -277,9 +277,7 @@ def _position(body: MooredBody, pose: Vector) -> Position:
 
 
 def _in_place(
-    network: Network,
-    displacement: tuple[float, ...],
-    origin: tuple[float, float] = (0.0, 0.0),
+    network: Network, displacement: tuple[float, ...], origin: tuple[float, float] = (0.0, 0.0)
 ) -> tuple[dict[int, Vector], tuple[Run, ...], JointsAtRest]:
     """Place the ends of lines, and bring the rest to rest: arms of fairleads, lines, joints."""
     arms, held = _ends_held(network, displacement, origin)
@@ -288,9 +286,7 @@ def _in_place(
 
 
 def _ends_held(
-    network: Network,
-    displacement: tuple[float, ...],
-    origin: tuple[float, float] = (0.0, 0.0),
+    network: Network, displacement: tuple[float, ...], origin: tuple[float, float] = (0.0, 0.0)
 ) -> tuple[dict[int, Vector], dict[int, Vector]]:
     """Place fairleads off the body's origin, turned with it; and these and anchors in space."""
     depth = network.site.water_depth

@@ -493,10 +493,7 @@ def solved(
 
 
 def assembled(
-    runs: Sequence[Run],
-    ends: Sequence[Ends],
-    motions: Mapping[int, tuple[int, Matrix]],
-    size: int,
+    runs: Sequence[Run], ends: Sequence[Ends], motions: Mapping[int, tuple[int, Matrix]], size: int
 ) -> list[list[float]]:
     """Sum the stiffness of lines over the freedoms of their points.
 
