@@ -57,8 +57,7 @@ def peaks_above_mean(values: Array, mean: float | None = None) -> Array:
     ups = np.flatnonzero(above[1:] & ~above[:-1]) + 1
     if ups.size < 2:
         return np.empty(0)
-    peaks: Array = np.maximum.reduceat(values[: ups[-1]], ups[:-1])
-    return peaks
+    return np.asarray(np.maximum.reduceat(values[: ups[-1]], ups[:-1]))
 
 
 def power_spectrum(time: Array, values: Array, *, pieces: int = 8) -> tuple[Array, Array]:
@@ -286,8 +285,7 @@ def block_maxima(time: Array, values: Array, block: float) -> Array:
     which = np.minimum(((time - time[0]) / whole * count).astype(np.int64), count - 1)
     found = np.full(count, -np.inf)
     np.maximum.at(found, which, values)
-    known: Array = found[np.isfinite(found)]
-    return known
+    return np.asarray(found[np.isfinite(found)])
 
 
 def _clusters(heights: Array, threshold: float) -> Array:

@@ -74,8 +74,7 @@ def natural_frequencies(simulation: Simulation, count: int = 10) -> Array:
     M = _matrix(simulation, Blend(0.0, 0.0, 0.0, 0.0, 1.0))
     lowest = [0, min(count, K.shape[0]) - 1]
     squares = eigh(0.5 * (K + K.T), 0.5 * (M + M.T), eigvals_only=True, subset_by_index=lowest)
-    frequencies: Array = np.sqrt(np.maximum(squares, 0.0))
-    return frequencies
+    return np.asarray(np.sqrt(np.maximum(squares, 0.0)))
 
 
 def _matrix(simulation: Simulation, blend: Blend) -> Array:
@@ -98,8 +97,7 @@ def _matrix(simulation: Simulation, blend: Blend) -> Array:
             row += 3
         full[body_rows, body_rows] += blocks.diagonal[last]
     kept = np.concatenate([np.ones(unknowns, bool), body.free == 1.0])
-    matrix: Array = full[np.ix_(kept, kept)]
-    return matrix
+    return np.asarray(full[np.ix_(kept, kept)])
 
 
 _DISPLACEMENT, _VELOCITY, _ACCELERATION = (

@@ -22,7 +22,7 @@ from catopt.fem.moving_assembly import assemble_moving
 from catopt.fem.newmark import solve_moving
 from catopt.fem.problem import place_of
 from catopt.fem.run_settings import StepControls, TimeStepping
-from catopt.fem.sampling import Record, Room, Rules, Setting, fill_energy, first_joint
+from catopt.fem.sampling import Record, Room, Setting, fill_energy, first_joint
 from catopt.fem.seabed import drag_feet
 from catopt.fem.series import SeriesRows, fill_series, series_rows
 from catopt.interrupt import waiting_interrupt
@@ -325,8 +325,17 @@ class Simulation:
                 end, began = lost if at < lost else last, perf_counter()
                 # As plain Python steps may take longer than expected, where they are halved.
                 work = max(speed, _ITERATIONS * _A_BAR * self.lines.length.size) * (last - at)
-                march_on, setting = compiled(march, work), self._setting(rules, blocks)
-                report = march_on(
+                setting = Setting(
+                    rules,
+                    self.lines,
+                    self.body,
+                    self.prescribed_motion,
+                    self.load,
+                    (self.sea or _STILL).flow,
+                    self.sea is not None,
+                    blocks,
+                )
+                report = compiled(march, work)(
                     at, part, end, size, level, setting, self.state, self._room, record, self.afloat
                 )
                 self.counts = self.counts.with_more(report.counts)
@@ -351,12 +360,6 @@ class Simulation:
                 if took < _PIECE and not report.full:
                     size *= 2
         return record, True
-
-    def _setting(self, rules: Rules, blocks: Array) -> Setting:
-        flow, has_sea = (self.sea or _STILL).flow, self.sea is not None
-        return Setting(
-            rules, self.lines, self.body, self.prescribed_motion, self.load, flow, has_sea, blocks
-        )
 
     def _stored(self, record: Record) -> Array:
         """Energies as of `sampling.fill_energy` at the present state, J."""

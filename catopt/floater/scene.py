@@ -62,8 +62,7 @@ class Scene:
         sine, cosine = np.sin(pitch), np.cos(pitch)
         across, along = self.outline.T
         turned = np.column_stack([across * cosine + along * sine, along * cosine - across * sine])
-        place: Array = turned + np.array([x, z])
-        return place
+        return np.asarray(turned + np.array([x, z]))
 
 
 def kept_nodes(meshes: Sequence[LineMesh]) -> tuple[tuple[int, ...], ...]:

@@ -189,8 +189,7 @@ def retardation(omega: Array, damping: Array, t: Array) -> Array:
     fine, B = _fine(omega, damping)
     weight = np.gradient(fine)
     weight[[0, -1]] *= 0.5
-    K: Array = (2.0 / math.pi) * (np.cos(np.outer(t, fine)) @ (weight * B))
-    return K
+    return np.asarray((2.0 / math.pi) * (np.cos(np.outer(t, fine)) @ (weight * B)))
 
 
 def _fine(omega: Array, damping: Array) -> tuple[Array, Array]:

@@ -169,7 +169,7 @@ def keep_sea(room: HullRoom) -> None:
 def fill_sea_between(
     t: float, part: float, ahead: float, at: HullState, hull: Hull, flow: Flow, room: HullRoom
 ) -> None:
-    """Take the water about a hull after a part of a whole step, `between.fill_between`.
+    """Take the water about a hull after a part of a whole step, as `fill_between` does.
 
     The step ends at t, s, which is so far ahead of the hull's state, s.
     """

@@ -169,8 +169,6 @@ class Site(Checked):
             raise InputError([Problem("site.seabed_slope", found, allowed)])
 
 
-"""Why a case of one line has no factor for one line out."""
-
 Code = Annotated[str, Text(filled=True, example='"break/5"')]
 
 

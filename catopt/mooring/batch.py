@@ -22,8 +22,8 @@ from catopt.words import Message
 
 BODY, PER_LINE = 14, 6
 """Columns that are written of the body: x, y, yaw, force_error, moment_error as in Rest and x, y,
-moment, xx, xy, yy, xm, ym, mm as in Pull; of each line: H, V, span, grounded, H_anchor, V_anchor
-as in Lines."""
+moment, xx, xy, yy, xm, ym, mm as in RestoringForce; of each line: H, V, span, grounded, H_anchor,
+V_anchor as in Lines."""
 
 
 def static_equilibria(

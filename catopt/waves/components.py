@@ -272,13 +272,11 @@ class ElevationRecord:
     def _even(self) -> Array:
         if not self.is_resampled:
             return self.elevation
-        resampled: Array = np.interp(self._even_times, self.times, self.elevation)
-        return resampled
+        return np.asarray(np.interp(self._even_times, self.times, self.elevation))
 
     @property
     def _even_times(self) -> Array:
-        even: Array = self.times[0] + self.step * np.arange(self.times.size)
-        return even
+        return np.asarray(self.times[0] + self.step * np.arange(self.times.size))
 
     def waves(self, *, direction: float = 0.0, shortest_period: float | None = None) -> Waves:
         """Find the waves that the record is the sum of; its first sample is t = 0 at the origin.

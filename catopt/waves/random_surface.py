@@ -265,8 +265,7 @@ class Spectrum:
 
 def _plain(r: Array) -> Array:
     """Pierson-Moskowitz shape over r = omega/omega_p, of unit area."""
-    result: Array = 5.0 * r**-5 * np.exp(-1.25 * r**-4)
-    return result
+    return np.asarray(5.0 * r**-5 * np.exp(-1.25 * r**-4))
 
 
 def _check_height_and_period(source: str, height: float, period: float) -> Findings:
@@ -396,7 +395,7 @@ def random_waves(
     Parameters
     ----------
     count : int
-        How many waves; see `repetition` for how many a run needs.
+        How many waves; see `waves_needed` for how many a run needs.
     generator : numpy.random.Generator
         Where the random numbers come from: frequencies, then phases, then directions. The same
         seed gives the same sea to the last digit.
