@@ -25,6 +25,8 @@ from catopt.model import Line
 from catopt.model.kinds import Findings
 from catopt.words import Message
 
+__all__ = ["Solutions", "room_for_runs", "solve_many"]
+
 if TYPE_CHECKING:
     import pandas as pd
 

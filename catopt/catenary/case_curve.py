@@ -30,6 +30,8 @@ from catopt.records import Record
 from catopt.shown import Displayable
 from catopt.words import Measure, Message
 
+__all__ = ["STEPPED", "CaseCurve", "Stepped", "curve_case"]
+
 Stepped = Literal["force", "span", "offset"]
 STEPPED: tuple[Stepped, ...] = get_args(Stepped)
 

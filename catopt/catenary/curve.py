@@ -34,6 +34,8 @@ from catopt.shown import Tabled
 from catopt.units import Dimension
 from catopt.words import Message, Several, term
 
+__all__ = ["Curve", "Mark", "check_range", "load_curve"]
+
 Over = Literal["span", "horizontal_force"]
 MarkKind = Literal["regime", "clump_weight", "limit"]
 

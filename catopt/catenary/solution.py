@@ -19,6 +19,17 @@ from catopt.records import Counted, From, FromZero, Record
 from catopt.shown import Displayable
 from catopt.words import Measure, Message
 
+__all__ = [
+    "EndState",
+    "FoundQuantity",
+    "PointLoadState",
+    "Residual",
+    "SegmentState",
+    "Solution",
+    "SwarmDifference",
+    "SwarmReport",
+]
+
 
 @dataclass(frozen=True)
 class EndState(Record):

@@ -28,6 +28,8 @@ from catopt.shown import Displayable
 from catopt.words import Measure, Message, Several
 from catopt.words.saved import messages_in
 
+__all__ = ["DesignPoint", "DesignResult", "InDraws", "NearMiss", "Neighbour"]
+
 
 def segment_words(line: Line) -> list[str]:
     """Say what each segment is: ``"chain studless R3 76 mm, 45 m"``."""

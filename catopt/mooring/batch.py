@@ -20,6 +20,8 @@ from catopt.mooring.static_equilibrium import static_equilibrium
 from catopt.mooring.zero_load import zero_load_position
 from catopt.words import Message
 
+__all__ = ["Batch", "SystemSolutions", "solve_system_many"]
+
 BODY, PER_LINE = 14, 6
 """Columns that are written of the body: x, y, yaw, force_error, moment_error as in Rest and x, y,
 moment, xx, xy, yy, xm, ym, mm as in RestoringForce; of each line: H, V, span, grounded, H_anchor,

@@ -567,13 +567,9 @@ def _start(network: Network, runs: Sequence[Run], held: dict[int, Vector]) -> li
             hung = network.points[point].hung
             pull = math.hypot(*hung)
             sides[k] = [side + force / pull for side, force in zip(sides[k], hung, strict=True)]
-    found = solve(matrix, sides)
-    return [held[k] if k in held else _place(found[order[k]]) for k in range(len(network.points))]
-
-
-def _place(row: Sequence[float]) -> Vector:
-    x, y, z = row
-    return (x, y, z)
+    found = zip(joints, solve(matrix, sides), strict=True)
+    places = held | {point: (x, y, z) for point, (x, y, z) in found}
+    return [places[k] for k in range(len(network.points))]
 
 
 def _check(network: Network, runs: Sequence[Run], found: JointsAtRest) -> None:

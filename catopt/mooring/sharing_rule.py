@@ -11,6 +11,8 @@ from catopt.model.system import System
 from catopt.records import Record
 from catopt.words import Message
 
+__all__ = ["SharingRule", "sharing_rule"]
+
 FEWEST_LINES = 4
 """Two lines carry FT = F, not the half of F that N / 4 would say."""
 

@@ -15,6 +15,8 @@ from catopt.records import Counted, From, Record
 from catopt.shown import Displayable
 from catopt.ties import first_largest
 
+__all__ = ["LegState", "Position", "SystemResidual", "SystemSolution"]
+
 if TYPE_CHECKING:
     from catopt.mooring.restoring import WatchCircle
 
