@@ -140,9 +140,9 @@ class Simulation:
         prescribed_motion = series_rows(x[self._ends], [None] * self._ends.size, 0.0)
         return prescribed_motion, series_rows(np.zeros((1, 3)), [None], 0.0)
 
-    def _form(self, function: Callable[..., Any], visits: int = 1) -> Callable[..., Any]:
-        """Give a kernel function for some visits to every bar, plain or compiled."""
-        return compiled(function, _A_BAR * visits * self.lines.length.size)
+    def _form(self, function: Callable[..., Any]) -> Callable[..., Any]:
+        """Give a kernel function for one visit to every bar, plain or compiled."""
+        return compiled(function, _A_BAR * self.lines.length.size)
 
     def assemble(self, blend: Blend, t: float = 0.0) -> tuple[float, int]:
         """Balance of all nodes as they are, without waves; see `assemble_moving`."""

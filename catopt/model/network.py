@@ -375,8 +375,8 @@ def network_misfits(
     names: list[str],
     joints: list[str],
     ends: list[tuple[str, str]],
-    pulled: Collection[str] = (),
-    tied: Iterable[Sequence[str]] = (),
+    pulled: Collection[str],
+    tied: Iterable[Sequence[str]],
 ) -> list[Problem]:
     """List ends that are no points, names given twice, joints and bodies that nothing holds.
 
