@@ -25,10 +25,10 @@ from catopt.model import Line
 from catopt.model.kinds import Findings
 from catopt.words import Message
 
+__all__ = ["Solutions", "room_for_runs", "solve_many"]
+
 if TYPE_CHECKING:
     import pandas as pd
-
-__all__ = ["Solutions", "room_for_runs", "solve_many"]
 
 _A_PIECE = 2e-4
 """Time that a piece of one line takes as plain Python, s: 6e-5 under a known force, 2e-4 to 1e-3
@@ -187,7 +187,10 @@ def solve_many(
     per_line = [wanted, *(given[key] for key in ("height", "anchor_height", "seabed_friction"))]
     tables = _tables(line, lengths, submerged_weights, EA, positions, point_weights)
     count = _count(per_line, tables)
-    columns = [_column(_vector(each), count) for each in per_line]
+    vectors = map(_vector, per_line)
+    columns = [
+        np.ascontiguousarray(v) if v.shape == (count,) else np.full(count, v) for v in vectors
+    ]
     status = np.empty(count, dtype=np.int64)
     regime = np.empty(count, dtype=np.int64)
     out = np.empty((count, len(COLUMNS)))
@@ -261,26 +264,13 @@ def _known(*given: Numbers | None) -> tuple[int, Numbers]:
     codes = (BY_FORCE, BY_SPAN, BY_TENSION)
     found = [(code, value) for code, value in zip(codes, given, strict=True) if value is not None]
     if len(found) != 1:
-        raise InputError(
-            [
-                Problem(
-                    "load",
-                    Message("refused_motion.of_them", count=len(found)),
-                    Message("refused.one_load"),
-                )
-            ],
-            "solve_many",
-        )
+        said = Message("refused_motion.of_them", count=len(found))
+        raise InputError([Problem("load", said, Message("refused.one_load"))], "solve_many")
     return found[0]
 
 
 def _vector(values: Numbers) -> Array:
     return np.asarray(values, dtype=np.float64)
-
-
-def _column(values: Array, count: int) -> Array:
-    """Return an entry for each line of an array with one for each, or one for all."""
-    return np.ascontiguousarray(values) if values.shape == (count,) else np.full(count, values)
 
 
 def _tables(
@@ -300,8 +290,7 @@ def _tables(
         "positions": (positions, [p.position for p in loads]),
         "point_weights": (point_weights, [p.submerged_weight for p in loads]),
     }
-    problems = []
-    tables = []
+    problems, tables = [], []
     for key, (given, default) in own.items():
         table = _vector(default if given is None else given)
         table = table[np.newaxis] if table.ndim == 1 else np.atleast_2d(table)
@@ -323,7 +312,7 @@ def _count(per_line: list[Numbers], tables: list[Array]) -> int:
     sizes |= {table.shape[0] for table in tables if table.shape[0] > 1}
     sizes.discard(1)
     if len(sizes) > 1 or any(np.ndim(values) > 1 for values in per_line):
-        lengths = ", ".join(str(size) for size in sorted(sizes))
+        lengths = ", ".join(map(str, sorted(sizes)))
         found = Message("refused_motion.lengths_of_arrays", lengths=lengths)
         problem = Problem("arrays", found, Message("refused_motion.per_line"))
         raise InputError([problem], "solve_many")

@@ -16,7 +16,7 @@ from itertools import accumulate
 from typing import Final
 
 from catopt.catenary.layout import Stretch, tension_at
-from catopt.catenary.solution import SegmentState, Solution, plausibility
+from catopt.catenary.solution import Solution, plausibility, segment_states
 from catopt.errors import NotConvergedError, TableEndsError
 from catopt.model import Line, PointLoad, Segment
 from catopt.model.line import StrainTable
@@ -144,7 +144,6 @@ def _as_one(
         )
         start += stretches[-1].length
     grounded = math.fsum(each.length for each in stretches if each.on_bed)
-    states = zip(line.segments, largest, strict=True)
     loads = zip(found.point_loads, line.point_loads, strict=True)
     others = found.warnings[len(tuple(plausibility(found))) :]
     whole = replace(
@@ -152,7 +151,7 @@ def _as_one(
         line=line,
         grounded_length=grounded,
         suspended_length=line.length - grounded,
-        segments=tuple(SegmentState(s.name, s.length, T, s.MBL) for s, T in states),
+        segments=segment_states(line, largest),
         point_loads=tuple(replace(state, position=load.position) for state, load in loads),
         stretches=tuple(stretches),
         warnings=(),
@@ -163,8 +162,7 @@ def _as_one(
 def _check_ends(line: Line, largest: Sequence[float]) -> None:
     """Refuse tensions, N, of a line's segments beyond the ends of their tables."""
     for k, (segment, tension) in enumerate(zip(line.segments, largest, strict=True), start=1):
-        if isinstance(segment.EA, StrainTable) and tension > segment.EA.tension[-1]:
-            last = segment.EA.tension[-1]
+        if isinstance(segment.EA, StrainTable) and tension > (last := segment.EA.tension[-1]):
             values = {"tension": Measure("tension", tension), "last": Measure("tension", last)}
             reported = Message("catenary.table_ends", number=k, **values)
             raise TableEndsError(reported, "force", tension - last)

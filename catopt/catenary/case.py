@@ -19,10 +19,7 @@ Method = Literal["closed-form", "pso"]
 
 
 def solve_case(
-    case: Case,
-    method: Method = "closed-form",
-    *,
-    progress: Callable[[int], None] | None = None,
+    case: Case, method: Method = "closed-form", *, progress: Callable[[int], None] | None = None
 ) -> Solution:
     """Solve a case; errors as for `solve`, and FloatsUpError for a buoy above the water surface.
 
@@ -95,11 +92,4 @@ def _solved(case: Case, method: Method, progress: Callable[[int], None] | None) 
         from catopt.catenary.in_current import solve_in_current
 
         return under_case(solve_in_current(case), case)
-    solution = solve(
-        case.line,
-        horizontal_force=case.load.horizontal_force,
-        span=case.load.span,
-        fairlead_tension=case.load.fairlead_tension,
-        **case.place,
-    )
-    return under_case(solution, case)
+    return under_case(solve(case.line, **vars(case.load), **case.place), case)

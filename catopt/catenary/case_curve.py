@@ -95,14 +95,8 @@ class CaseCurve(Displayable, Record):
         """
         own = self.curve
         most = float(own.horizontal_force[-1])
-        between = _load_curve(
-            self.case,
-            self.reference,
-            "horizontal_force",
-            max(float(own.horizontal_force[0]), 1e-3 * most),
-            most,
-            points,
-        )
+        least = max(float(own.horizontal_force[0]), 1e-3 * most)
+        between = _load_curve(self.case, self.reference, "horizontal_force", least, most, points)
         both = [
             np.concatenate([getattr(curve, key) for curve in (own, between)])
             for key in ("span", "horizontal_force", "fairlead_tension")
@@ -141,12 +135,9 @@ def curve_case(
         As for `solve_case` and `load_curve`; the range's problems have the keys ``start``,
         ``stop`` and ``points``.
     """
-    if over not in STEPPED:
-        raise InputError(
-            [Problem("over", repr(over), Message("refused.of_these", words=", ".join(STEPPED)))],
-            "curve",
-        )
     found = Findings("curve")
+    found.word("over", over, STEPPED)
+    found.raise_if_any()
     unit = "N" if over == "force" else "m"
     start, stop = (
         found.taken(key, value, unit) if isinstance(value, str) else value
@@ -195,13 +186,10 @@ def _load_curve(
 
 def _size(case: Case, reference: Solution) -> tuple[float, str]:
     """Return the horizontal force that sets the range, N, and what it is."""
-    sizes: list[tuple[float, str]] = [
-        (reference.horizontal_force, Message("catenary.case_force")),
-    ]
+    size = (reference.horizontal_force, Message("catenary.case_force"))
     if case.find is None or case.find.quantity != "limit_force":
-        limit = limit_force(reference.line, case.place, case.checks.safety_factor)
-        sizes += [] if limit is None else [limit]
-    return max(sizes) if max(sizes)[0] > 0.0 else weight_force(reference.line)
+        size = max(size, limit_force(reference.line, case.place, case.checks.safety_factor) or size)
+    return size if size[0] > 0.0 else weight_force(reference.line)
 
 
 def _least_force(case: Case, reference: Solution, least: float) -> tuple[float, str]:

@@ -25,13 +25,7 @@ from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solution_of, solve
 from catopt.catenary.span_or_tension import given_span
 from catopt.catenary.state import CONVERGED, REGIMES, Regime, State
-from catopt.errors import (
-    InputError,
-    NoAnswerError,
-    NoEquilibriumError,
-    NotConvergedError,
-    Problem,
-)
+from catopt.errors import NoAnswerError, NoEquilibriumError, NotConvergedError
 from catopt.model import Line
 from catopt.model.kinds import Findings, Measured, Place, SomeForce
 from catopt.patience import paced
@@ -159,11 +153,8 @@ def load_curve(
         stop = found.taken("stop", stop, unit, at_least=0.0)
     found.raise_if_any()
     if start is None or stop is None:
-        place = {
-            "height": height,
-            "anchor_height": anchor_height,
-            "seabed_friction": seabed_friction,
-        }
+        place = {"height": height, "anchor_height": anchor_height}
+        place["seabed_friction"] = seabed_friction
         force, _ = limit_force(line, place, safety_factor) or weight_force(line)
         ends = [part * force for part in (LEAST, BEYOND)]
         if over == "span":
@@ -175,9 +166,8 @@ def load_curve(
     way = _Way(line, problem, segment_of, over)
     values = [float(value) for value in np.linspace(start, stop, points)]
     way.solution(values[-1])  # checks the arguments, and tells a range too long by its end
-    states = [
-        way.state(value) for value in paced(Message("words.curve_points", total=points), values)
-    ]
+    pace = Message("words.curve_points", total=points)
+    states = [way.state(value) for value in paced(pace, values)]
     marks = [
         *_regime_changes(way, values),
         *_clump_weights_lift(way, values),
@@ -232,31 +222,19 @@ def check_range(start: float, stop: float, points: int, unit: str, zero: float =
     zero : float
         Where the user counts from, for the messages.
     """
-    problems = []
+    found = Findings("curve")
     for key, value in (("start", start), ("stop", stop)):
         if not 0.0 < value < math.inf:
             key_ = "refused_motion.above_zero_span" if zero else "refused_motion.above_least"
             allowed = Message(key_, least=0.0 - zero, unit=unit)
-            problems.append(
-                Problem(
-                    key,
-                    f"{value - zero:.6g} {unit}",
-                    allowed,
-                )
-            )
-    if not problems and not start < stop:
+            found.add(key, f"{value - zero:.6g} {unit}", allowed)
+    if not found.problems and not start < stop:
         above = Message("refused_motion.must_be_above_start_range", start=start - zero, unit=unit)
-        problems.append(Problem("stop", f"{stop - zero:.6g} {unit}", above))
+        found.add("stop", f"{stop - zero:.6g} {unit}", above)
     if not 2 <= points <= MOST_POINTS:
-        problems.append(
-            Problem(
-                "points",
-                str(points),
-                Message("refused_motion.must_be_from_2", most_points=MOST_POINTS),
-            )
-        )
-    if problems:
-        raise InputError(problems, "curve")
+        allowed = Message("refused_motion.must_be_from_2", most_points=MOST_POINTS)
+        found.add("points", str(points), allowed)
+    found.raise_if_any()
 
 
 def _anchor_angle(state: State) -> float:
@@ -363,7 +341,8 @@ class _Way:
 
 def _regime_changes(way: _Way, values: list[float]) -> Iterator[Mark]:
     for place, before, after in _changes(way, values, lambda state: state.regime):
-        yield way.mark("regime", _change(before, after), place)
+        words = {"before": term(REGIMES[before]), "after": term(REGIMES[after])}
+        yield way.mark("regime", Message("catenary.regime_change", **words), place)
 
 
 def _clump_weights_lift(way: _Way, values: list[float]) -> Iterator[Mark]:
@@ -397,8 +376,7 @@ def _strength_limits(way: _Way, values: list[float], safety_factor: float) -> It
         def is_beyond(value: float, index: int = index, MBL: float = segment.MBL) -> int:
             return way.largest_tension(value, index) > MBL / safety_factor
 
-        at = {"number": index + 1, "factor": safety_factor}
-        event = _named("reaches_MBL", segment.name, **at)
+        event = _named("reaches_MBL", segment.name, number=index + 1, factor=safety_factor)
         for place, _, after in _crossings(values, is_beyond):
             if after:
                 yield way.mark("limit", event, place)
@@ -412,12 +390,6 @@ def _anchor_limit(way: _Way, values: list[float], limit: float | None) -> Iterat
         if after:
             event = Message("catenary.reaches_angle", angle=math.degrees(limit))
             yield way.mark("limit", event, place)
-
-
-def _change(before: int, after: int) -> Message:
-    return Message(
-        "catenary.regime_change", before=term(REGIMES[before]), after=term(REGIMES[after])
-    )
 
 
 _EVENTS = {

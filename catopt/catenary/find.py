@@ -7,7 +7,6 @@ belongs to and what is left of its condition, and names the other answers where 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import replace
 from itertools import takewhile
 from typing import Any
@@ -16,7 +15,7 @@ from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
 from catopt.catenary.sought import Condition, Found, Sought, find
 from catopt.errors import CatoptError, InputError, NoAnswerError, Problem
-from catopt.model import Case, Line, Load, PointLoad, Segment
+from catopt.model import Case, Line, Load, Segment
 from catopt.model.kinds import Findings
 from catopt.units import plain
 from catopt.words import Message
@@ -209,16 +208,17 @@ def find_clump_weight(
             anchor_height=anchor_height,
         )
 
-    condition = _angle_of(anchor_angle)._replace(reading=_angle_over_clump(index))
+    def reading(solution: Solution) -> str:
+        angle = math.degrees(solution.anchor.angle)
+        height = solution.point_loads[index].z
+        return Message("catenary.angle_over_bed", angle=angle, height=height)
+
+    condition = _angle_of(anchor_angle)._replace(reading=reading)
     without = at(0.0)
     if condition.miss(without)[0] <= 0.0:
-        raise NoAnswerError(
-            Message(
-                "catenary.none_needed",
-                angle=math.degrees(without.anchor.angle),
-                asked=math.degrees(anchor_angle),
-            )
-        )
+        angles = (without.anchor.angle, anchor_angle)
+        angle, asked = map(math.degrees, angles)
+        raise NoAnswerError(Message("catenary.none_needed", angle=angle, asked=asked))
     if horizontal_force is not None:
         _check_heaviest(without, line.point_loads[index].position, condition)
     size = max(abs(line.submerged_weight), 1e-3 * without.fairlead.tension)
@@ -250,15 +250,9 @@ def _check_heaviest(without: Solution, position: float, condition: Condition) ->
         return  # the part below does not reach up there, or floats: the search itself will tell
     if condition.miss(left)[0] > 0.0:
         length = math.fsum(part.length for part in above)
-        raise NoAnswerError(
-            Message(
-                "catenary.none_holds",
-                condition=condition.text,
-                length=length,
-                over_bed=over_bed,
-                angle=math.degrees(left.anchor.angle),
-            )
-        )
+        values = {"length": length, "over_bed": over_bed, "angle": math.degrees(left.anchor.angle)}
+        said = Message("catenary.none_holds", condition=condition.text, **values)
+        raise NoAnswerError(said)
 
 
 def _parted(line: Line, position: float) -> tuple[Line, tuple[Segment, ...]]:
@@ -321,14 +315,8 @@ def find_limit_force(
         which = Message("refused_motion.at_least_one_segment")
         if segment is not None:
             which = Message("refused_motion.this_segment", segment=segment)
-        raise InputError(
-            [
-                Problem(
-                    "MBL", Message("refused.none"), Message("refused_motion.needs_mbl", which=which)
-                )
-            ],
-            "find_limit_force",
-        )
+        allowed = Message("refused_motion.needs_mbl", which=which)
+        raise InputError([Problem("MBL", Message("refused.none"), allowed)], "find_limit_force")
 
     def at(force: float) -> Solution:
         return solve(
@@ -371,11 +359,11 @@ def with_segment_length(line: Line, segment: int, length: float) -> Line:
     change = length - segments[segment].length
     joint = math.fsum(part.length for part in segments[: segment + 1])
     segments[segment] = replace(segments[segment], length=length)
-    return Line(segments, [_moved(load, joint, change) for load in line.point_loads])
-
-
-def _moved(load: PointLoad, joint: float, change: float) -> PointLoad:
-    return replace(load, position=load.position + change) if load.position > joint else load
+    loads = [
+        replace(load, position=load.position + change) if load.position > joint else load
+        for load in line.point_loads
+    ]
+    return Line(segments, loads)
 
 
 def find_case(case: Case) -> Found:
@@ -395,10 +383,8 @@ def find_case(case: Case) -> Found:
     find = case.find
     load = case.load or Load(horizontal_force=1.0)
     if find.quantity == "touchdown_force":
-        friction = case.site.seabed_friction
-        return find_touchdown_force(
-            case.line, height=case.fairlead_height, seabed_friction=friction
-        )
+        height, friction = case.fairlead_height, case.site.seabed_friction
+        return find_touchdown_force(case.line, height=height, seabed_friction=friction)
     if find.quantity == "limit_force":
         factor = case.checks.safety_factor
         which = None if find.segment is None else find.segment - 1
@@ -416,9 +402,7 @@ def find_case(case: Case) -> Found:
     assert find.anchor_angle is not None
     return find_clump_weight(
         case.line,
-        horizontal_force=load.horizontal_force,
-        span=load.span,
-        fairlead_tension=load.fairlead_tension,
+        **vars(load),
         point_load=(find.point_load or 1) - 1,
         anchor_angle=find.anchor_angle,
         **case.place,
@@ -453,17 +437,6 @@ def _angle_of(angle: float) -> Condition:
 
     said = Message("catenary.angle_given", angle=math.degrees(angle))
     return Condition(said, miss, lambda solution: f"{math.degrees(solution.anchor.angle):.4g} deg")
-
-
-def _angle_over_clump(index: int) -> Callable[[Solution], str]:
-    """Say with the anchor angle where the clump weight is."""
-
-    def reading(solution: Solution) -> str:
-        z = solution.point_loads[index].z
-        angle = math.degrees(solution.anchor.angle)
-        return Message("catenary.angle_over_bed", angle=angle, height=z)
-
-    return reading
 
 
 def _grounded_of(length: float) -> Condition:

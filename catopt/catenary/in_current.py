@@ -27,12 +27,12 @@ from typing import Annotated, NamedTuple
 from catopt.catenary.along_current import Node, Vector, along, dragged, parts_of, solved
 from catopt.catenary.layout import Profile, Stretch
 from catopt.catenary.solution import (
-    EndState,
     PointLoadState,
     Residual,
-    SegmentState,
     Solution,
+    end_state,
     plausibility,
+    segment_states,
 )
 from catopt.catenary.solve import solve
 from catopt.catenary.state import Regime
@@ -106,13 +106,10 @@ class SolutionInCurrent(Solution):
 
     def profile(self, points: int = 101) -> Profile:
         """Sample the shape and the tension at about so many of the places, from the anchor up."""
-        s, x, y, z, tension = zip(*self._sampled(points), strict=True)
+        last = len(self.places) - 1
+        kept = dict.fromkeys((*range(0, last + 1, max(1, last // max(points - 1, 1))), last))
+        s, x, y, z, tension = zip(*(self.places[k] for k in kept), strict=True)
         return Profile(s, x, z, tension, y)
-
-    def _sampled(self, points: int) -> list[Row]:
-        every = max(1, (len(self.places) - 1) // max(points - 1, 1))
-        kept = [*range(0, len(self.places), every)]
-        return [self.places[k] for k in dict.fromkeys((*kept, len(self.places) - 1))]
 
 
 class Laid(NamedTuple):
@@ -146,13 +143,7 @@ def solve_in_current(case: Case) -> SolutionInCurrent:
     if lacks := drag_missing(case.line):
         raise InputError(lacks, "current")
     load = case.load
-    still = solve(
-        case.line,
-        horizontal_force=load.horizontal_force,
-        span=load.span,
-        fairlead_tension=load.fairlead_tension,
-        **case.place,
-    )
+    still = solve(case.line, **vars(load), **case.place)
     shot = _Shot(case.line, case.site, case.current, case.anchor_height, still.fairlead.tension)
 
     def missed(top: Node) -> Vector:
@@ -208,12 +199,7 @@ class _Shot:
     """By how much an upper end is off: in its place, or in its force as m, by `per_force`."""
 
     def __init__(
-        self,
-        line: Line,
-        site: Site,
-        current: CurrentProfile,
-        anchor_height: float,
-        tension: float,
+        self, line: Line, site: Site, current: CurrentProfile, anchor_height: float, tension: float
     ) -> None:
         self.line, self.site, self.current = line, site, current
         self.flow = current.flow(site.water_depth)
@@ -431,21 +417,16 @@ def _solution(shot: _Shot, known: Sequence[float], direction: float = 0.0) -> So
         anchor_height=shot.anchor_height,
         seabed_friction=shot.friction,
         span=places[-1][1],
-        fairlead=_end(fairlead_force),
-        anchor=_end(pull),
+        fairlead=end_state(math.hypot(*fairlead_force[:2]), fairlead_force[2]),
+        anchor=end_state(math.hypot(*pull[:2]), pull[2]),
         grounded_length=grounded,
         suspended_length=shot.length - grounded,
         stretched_length=top.stretched,
-        segments=tuple(
-            SegmentState(segment.name, segment.length, tension, segment.MBL)
-            for segment, tension in zip(line.segments, largest, strict=True)
-        ),
+        segments=segment_states(line, largest),
         point_loads=_loads(line, places, laid),
-        stretches=tuple(_stretches(shot, laid, places)),
+        stretches=tuple(_stretches(shot, laid, placed, places)),
         residual=Residual(
-            height=height,
-            span=math.hypot(first, across),
-            force_uncertainty=shot.left_open(known),
+            height=height, span=math.hypot(first, across), force_uncertainty=shot.left_open(known)
         ),
         current=shot.current,
         surface_velocity=shot.flow(shot.site.water_depth),
@@ -459,11 +440,6 @@ def _solution(shot: _Shot, known: Sequence[float], direction: float = 0.0) -> So
         anchor_force=pull,
     )
     return replace(solution, warnings=(*plausibility(solution), *_warnings(solution)))
-
-
-def _end(force: Vector) -> EndState:
-    H = math.hypot(force[0], force[1])
-    return EndState(math.hypot(H, force[2]), H, force[2], math.atan2(force[2], H))
 
 
 def _regime(laid: Laid) -> Regime:
@@ -488,9 +464,10 @@ def _loads(line: Line, places: Sequence[Row], laid: Laid) -> tuple[PointLoadStat
     return tuple(found)
 
 
-def _stretches(shot: _Shot, laid: Laid, places: Sequence[Row]) -> Iterator[Stretch]:
+def _stretches(
+    shot: _Shot, laid: Laid, placed: Sequence[tuple[int, Node]], places: Sequence[Row]
+) -> Iterator[Stretch]:
     """Cut the line at its nodes, from the anchor up, for pictures."""
-    placed = [*laid.bed, *((laid.first + k, n) for k, ns in enumerate(laid.hung) for n in ns)]
     lies = laid.hung[0][0].s
     rows = zip(placed, places, strict=True)
     for ((_, low), (_, x, *_)), ((k, high), _) in pairwise(rows):
@@ -512,13 +489,10 @@ def _stretches(shot: _Shot, laid: Laid, places: Sequence[Row]) -> Iterator[Stret
         )
 
 
-def _warnings(solution: SolutionInCurrent) -> list[Message]:
+def _warnings(solution: SolutionInCurrent) -> Iterator[Message]:
     """Say what the current does not act on, and what holds the fairlead across."""
-    found = []
     if solution.grounded_length > 0.0:
-        found.append(Message("catenary.current_not_on_bed", length=solution.grounded_length))
+        yield Message("catenary.current_not_on_bed", length=solution.grounded_length)
     _, side, _ = solution.fairlead_force
     if abs(side) > CLOSED * solution.fairlead.tension:
-        force = Measure("horizontal_force", side)
-        found.append(Message("catenary.current_across", force=force))
-    return found
+        yield Message("catenary.current_across", force=Measure("horizontal_force", side))

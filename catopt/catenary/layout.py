@@ -356,14 +356,10 @@ def lay_out(state: State, problem: LineProblem) -> tuple[tuple[Stretch, ...], tu
         x, z = end_of(stretch, stretch.length)
         start += stretch.length
     part = slack_share(state, x)
-    return _gathered(stretches, part), (x * part, z)
-
-
-def _gathered(stretches: list[Stretch], part: float) -> tuple[Stretch, ...]:
-    """Draw the ends of a slack line together: what carries no tension lies in bights."""
-    if part == 1.0:
-        return tuple(stretches)
-    return tuple(replace(each, x=each.x * part, gathered=part) for each in stretches)
+    if part != 1.0:
+        # The ends of a slack line are drawn together: what carries no tension lies in bights.
+        stretches = [replace(each, x=each.x * part, gathered=part) for each in stretches]
+    return tuple(stretches), (x * part, z)
 
 
 def end_of(stretch: Stretch, length: float) -> tuple[float, float]:

@@ -75,10 +75,7 @@ NOWHERE = Onset(-1, 0.0, NO_PART)
 def from_its_anchor(problem: LineProblem) -> LineProblem:
     """Return the line with its ends exchanged: friction adds to its tension on the way down."""
     return LineProblem(
-        turned(problem.pieces),
-        problem.fairlead_height,
-        problem.anchor_height,
-        -problem.friction,
+        turned(problem.pieces), problem.fairlead_height, problem.anchor_height, -problem.friction
     )
 
 

@@ -70,6 +70,17 @@ class SegmentState(Record):
         return None if self.MBL is None else self.max_tension * safety_factor / self.MBL
 
 
+def end_state(H: float, V: float) -> EndState:
+    """Return the state of an end by the horizontal and the vertical force there, N."""
+    return EndState(math.hypot(H, V), H, V, math.atan2(V, H))
+
+
+def segment_states(line: Line, largest: Iterable[float]) -> tuple[SegmentState, ...]:
+    """Return the state of each segment of a line by the largest tension in it, N."""
+    each = zip(line.segments, largest, strict=True)
+    return tuple(SegmentState(s.name, s.length, tension, s.MBL) for s, tension in each)
+
+
 @dataclass(frozen=True)
 class PointLoadState(Record):
     """One clump weight or buoy under load: where it is and what the bed carries of it."""
@@ -313,8 +324,7 @@ def plausibility(solution: Solution) -> Iterator[Message]:
 
 def above_water(solution: Solution, water_depth: float) -> tuple[Message, ...]:
     """Warn when the line rises above both the water and its fairlead; refuse a buoy above it."""
-    heights = (state.z for state in solution.point_loads)
-    check_buoys(solution.line, heights, water_depth)
+    check_buoys(solution.line, (state.z for state in solution.point_loads), water_depth)
     # Only a buoyant part can rise above both of its ends.
     floats = any(stretch.submerged_weight < 0.0 for stretch in solution.stretches)
     ends = (solution.fairlead_height, *(stretch.z for stretch in solution.stretches))
@@ -341,16 +351,10 @@ def check_buoys(line: Line, heights: Iterable[float], water_depth: float) -> Non
         above = height - water_depth
         if load.submerged_weight < 0.0 and above > ROUNDING * water_depth:
             name = f" ({load.name})" if load.name else ""
-            raise FloatsUpError(
-                Message(
-                    "catenary.floats_up",
-                    path=f"line.point_loads[{index}]{name}",
-                    position=load.position,
-                    above=above,
-                    lift=-load.submerged_weight,
-                    depth=water_depth,
-                )
-            )
+            path = f"line.point_loads[{index}]{name}"
+            values = {"position": load.position, "above": above, "lift": -load.submerged_weight}
+            said = Message("catenary.floats_up", path=path, **values, depth=water_depth)
+            raise FloatsUpError(said)
 
 
 @contextmanager

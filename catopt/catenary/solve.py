@@ -20,13 +20,14 @@ from catopt.catenary.pieces import (
 )
 from catopt.catenary.root_search import BY_FORCE, BY_SPAN, BY_TENSION, force_uncertainty
 from catopt.catenary.solution import (
-    EndState,
     PointLoadState,
     Residual,
     SegmentState,
     Solution,
     above_water,
+    end_state,
     plausibility,
+    segment_states,
     weighs_as_in_water,
 )
 from catopt.catenary.span_or_tension import given_span, given_tension, least_tension, other_forces
@@ -43,7 +44,7 @@ from catopt.catenary.state import (
     State,
 )
 from catopt.errors import CatoptError, NoEquilibriumError, NotConvergedError
-from catopt.model import Case, Line, Load, PointLoad
+from catopt.model import Case, Line, Load
 from catopt.model.kinds import Findings
 from catopt.words import Message
 
@@ -75,8 +76,8 @@ def solution_of(
         anchor_height=problem.anchor_height,
         seabed_friction=problem.friction,
         span=state.span,
-        fairlead=_end(state.H, state.V),
-        anchor=_end(state.H_anchor, state.V_anchor),
+        fairlead=end_state(state.H, state.V),
+        anchor=end_state(state.H_anchor, state.V_anchor),
         grounded_length=state.grounded,
         suspended_length=line.length - state.grounded,
         stretched_length=math.fsum(map(stretched_length, stretches, ends)),
@@ -106,10 +107,6 @@ def under_case(solution: Solution, case: Case) -> Solution:
     )
 
 
-def _end(H: float, V: float) -> EndState:
-    return EndState(math.hypot(H, V), H, V, math.atan2(V, H))
-
-
 def _segments(
     line: Line, segment_of: tuple[int, ...], stretches: tuple[Stretch, ...]
 ) -> tuple[SegmentState, ...]:
@@ -120,10 +117,7 @@ def _segments(
         if stretch.length > 0.0:
             index = segment_of[stretch.piece]
             largest[index] = max(largest[index], max_tension(stretch))
-    return tuple(
-        SegmentState(segment.name, segment.length, tension, segment.MBL)
-        for segment, tension in zip(line.segments, largest, strict=True)
-    )
+    return segment_states(line, largest)
 
 
 def _point_loads(
@@ -138,7 +132,8 @@ def _point_loads(
         x, z = end_of(below, below.length) if upper is None else (upper.x, upper.z)
         carried = 0.0
         if abs(z) <= AT_BED * line.length and touches and load.submerged_weight > 0.0:
-            here = [each.submerged_weight for each in line.point_loads if _at(each, load)]
+            loads = (each for each in line.point_loads if each.position == load.position)
+            here = [each.submerged_weight for each in loads]
             # What the line does not lift on its two sides, the bed carries.
             V_below = below.vertical_force + below.submerged_weight * below.length
             lifted = 0.0 if upper is None or upper.on_bed else upper.vertical_force
@@ -146,10 +141,6 @@ def _point_loads(
             carried *= load.submerged_weight / math.fsum(max(weight, 0.0) for weight in here)
         states.append(PointLoadState(load.name, load.position, x, z, carried))
     return tuple(states)
-
-
-def _at(one: PointLoad, other: PointLoad) -> bool:
-    return one.position == other.position
 
 
 def solve(
@@ -221,12 +212,18 @@ def _closed(line: Line, load: Load, place: tuple[float, float, float]) -> Soluti
     """Solve a line whose segments have an axial stiffness each."""
     pieces, segment_of = cut(line)
     problem = LineProblem(pieces, *place)
-    state = _solve(load, problem)
+    if load.horizontal_force is not None:
+        known, state = BY_FORCE, given_force(load.horizontal_force, problem)
+    elif load.span is not None:
+        known, state = BY_SPAN, given_span(load.span, problem, math.nan, math.nan)
+    else:
+        assert load.fairlead_tension is not None
+        known, state = BY_TENSION, given_tension(load.fairlead_tension, problem)
     if state.status != CONVERGED:
         raise refusal(state.status, line, load, problem)
-    known = BY_FORCE
-    if load.horizontal_force is None:
-        known = BY_TENSION if load.span is None else BY_SPAN
+    if load.span is not None:
+        # The solver's own span misses the one asked for by rounding: the residual keeps that.
+        state = state._replace(span=load.span)
     solution = solution_of(state, line, problem, segment_of, method="closed-form", known=known)
     worst = max(abs(solution.residual.height), abs(solution.residual.span))
     if not worst <= RESIDUAL_LIMIT * max(line.length, solution.span):
@@ -253,32 +250,13 @@ def _other_answers(
 def _check(line: Line, load: Load, found: Findings) -> None:
     for value in (load.horizontal_force, load.fairlead_tension):
         if value is not None and not LEAST_FORCE <= value <= GREATEST_FORCE:
-            found.add(
-                "load",
-                f"{value:g} N",
-                Message(
-                    "refused_motion.from_n", least_force=LEAST_FORCE, greatest_force=GREATEST_FORCE
-                ),
-            )
+            bounds = {"least_force": LEAST_FORCE, "greatest_force": GREATEST_FORCE}
+            found.add("load", f"{value:g} N", Message("refused_motion.from_n", **bounds))
     weightless = all(segment.submerged_weight == 0.0 for segment in line.segments)
     if weightless and not line.point_loads and load.horizontal_force is None:
-        found.add(
-            "segments",
-            Message("refused_motion.weightless"),
-            Message("refused_motion.line_without_weight_needs_load"),
-        )
+        allowed = Message("refused_motion.line_without_weight_needs_load")
+        found.add("segments", Message("refused_motion.weightless"), allowed)
     found.raise_if_any()
-
-
-def _solve(load: Load, problem: LineProblem) -> State:
-    if load.horizontal_force is not None:
-        return given_force(load.horizontal_force, problem)
-    if load.span is not None:
-        state = given_span(load.span, problem, math.nan, math.nan)
-        # The solver's own span misses the one asked for by rounding: the residual keeps that.
-        return state._replace(span=load.span) if state.status == CONVERGED else state
-    assert load.fairlead_tension is not None
-    return given_tension(load.fairlead_tension, problem)
 
 
 def refusal(status: int, line: Line, load: Load, problem: LineProblem) -> CatoptError:

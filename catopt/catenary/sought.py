@@ -117,6 +117,10 @@ class Sought:
         """Write a value of the unknown with its unit."""
         return f"{value:.6g} {'m' if self.quantity == 'length' else 'N'}"
 
+    def words(self, value: float) -> dict[str, str]:
+        """Name the unknown, the condition and a value, for a refusal."""
+        return {"what": self.name, "condition": self.condition.text, "at": self.written(value)}
+
 
 class Trial(NamedTuple):
     """A value of an unknown and what is missing there."""
@@ -177,10 +181,11 @@ def _tried(sought: Sought, start: float, scale: float, least: float) -> list[Tri
 
 def _crossings(sought: Sought, tried: list[Trial]) -> list[tuple[Trial, Trial]]:
     """Pairs of values on either side of the condition, also where it is met only in between."""
-    pairs = []
-    for one, other in pairwise(tried):
-        if (one.missing > 0.0) != (other.missing > 0.0):
-            pairs.append((one, other))
+    pairs = [
+        (one, other)
+        for one, other in pairwise(tried)
+        if (one.missing > 0.0) != (other.missing > 0.0)
+    ]
     if sought.turns:
         for before, middle, after in zip(tried, tried[1:], tried[2:], strict=False):
             sides = {each.missing > 0.0 for each in (before, middle, after)}
@@ -245,15 +250,10 @@ def _none(sought: Sought, tried: list[Trial]) -> NoAnswerError:
     """Say that no value meets the condition, how near the nearest comes and what ends it."""
     nearest = min(tried, key=lambda each: abs(each.missing))
     reading = sought.condition.reading(sought.line(nearest.value))
+    why = Message("catenary.none_nearer")
     if sought.turns:
-        why = Message(
-            "catenary.none_of_those_tried",
-            count=len(tried),
-            low=sought.written(tried[0].value),
-            high=sought.written(tried[-1].value),
-        )
-    else:
-        why = Message("catenary.none_nearer")
+        low, high = (sought.written(each.value) for each in (tried[0], tried[-1]))
+        why = Message("catenary.none_of_those_tried", count=len(tried), low=low, high=high)
     for factor in (1.0 - 1e-9, 1.0 + 1e-9):
         try:
             sought.line(nearest.value * factor)
@@ -263,42 +263,19 @@ def _none(sought: Sought, tried: list[Trial]) -> NoAnswerError:
             break
         except (NotConvergedError, InputError):
             continue
-    return NoAnswerError(
-        Message(
-            "catenary.no_value",
-            what=sought.name,
-            condition=sought.condition.text,
-            at=sought.written(nearest.value),
-            reading=reading,
-            why=why,
-        )
-    )
+    said = sought.words(nearest.value)
+    return NoAnswerError(Message("catenary.no_value", **said, reading=reading, why=why))
 
 
 def _every(sought: Sought, value: float) -> NoAnswerError:
     """Say that the condition is met however small the unknown is."""
-    return NoAnswerError(
-        Message(
-            "catenary.every_value",
-            what=sought.name,
-            condition=sought.condition.text,
-            at=sought.written(value),
-            reading=sought.condition.reading(sought.line(value)),
-        )
-    )
+    reading = sought.condition.reading(sought.line(value))
+    return NoAnswerError(Message("catenary.every_value", **sought.words(value), reading=reading))
 
 
 def _jump(sought: Sought, low: Trial, high: Trial) -> NoAnswerError:
     """Say that the line passes over the condition between two values."""
     low, high = _closed_in(sought, low, high, lambda each: each.missing > 0.0)
     before, after = (sought.condition.reading(sought.line(each.value)) for each in (low, high))
-    return NoAnswerError(
-        Message(
-            "catenary.jumps",
-            what=sought.name,
-            condition=sought.condition.text,
-            at=sought.written(high.value),
-            before=before,
-            after=after,
-        )
-    )
+    said = sought.words(high.value)
+    return NoAnswerError(Message("catenary.jumps", **said, before=before, after=after))

@@ -25,12 +25,7 @@ PLUMB = 2.0**-40
 those of span 0 by the square of it, which is no digit of theirs."""
 
 
-def given_span(
-    span: float,
-    problem: LineProblem,
-    H_guess: float,
-    V_guess: float,
-) -> State:
+def given_span(span: float, problem: LineProblem, H_guess: float, V_guess: float) -> State:
     """Solve a line whose span (m) is known; guesses of H and V in N, nan for none."""
     if span > 0.0:
         return _spread(span, problem, H_guess, V_guess)
@@ -55,12 +50,7 @@ def given_span(
     )
 
 
-def _spread(
-    span: float,
-    problem: LineProblem,
-    H_guess: float,
-    V_guess: float,
-) -> State:
+def _spread(span: float, problem: LineProblem, H_guess: float, V_guess: float) -> State:
     """Solve a line whose span is above 0."""
     pieces = problem.pieces
     length = total_length(pieces)

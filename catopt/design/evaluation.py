@@ -209,11 +209,8 @@ class DesignProblem:
     def _point(self, line: Line, anchor: Anchor | None, genes: tuple[int, ...]) -> DesignPoint:
         checks = check_line(line, self.case, anchor)
         spans = [solution.span for _, solution in checks.solutions]
-        at_rest = [
-            span
-            for span, state in zip(spans, self.states, strict=True)
-            if state.kind == "reference"
-        ]
+        kinds = [state.kind for state in self.states]
+        at_rest = [span for span, kind in zip(spans, kinds, strict=True) if kind == "reference"]
         excursion = max(spans) - min(at_rest) if at_rest else None
         pull = max(solution.anchor.tension for _, solution in checks.solutions)
         objectives = self._by_key(line, max(spans), excursion, pull)
@@ -265,8 +262,7 @@ def load_cases_of(case: Case) -> tuple[LoadCase, ...]:
         found.add("design.objectives", "excursion", allowed)
     force = None if case.load is None else case.load.horizontal_force
     if not case.load_cases and force is None:
-        allowed = Message("refused_case.missing_load_cases_or_load")
-        found.add("load_cases", "", allowed)
+        found.add("load_cases", "", Message("refused_case.missing_load_cases_or_load"))
     found.raise_if_any()
     return case.load_cases or (LoadCase(LOAD, force or 0.0),)
 

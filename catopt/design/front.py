@@ -150,15 +150,11 @@ def hypervolume(objectives: Floats, reference: Floats) -> float:
     inside = objectives[(objectives < reference).all(axis=1)]
     rows = inside[np.lexsort(inside.T[::-1])]
     if rows.shape[1] == 2:
-        return _area(rows, reference)
+        # Each row adds a bar below the lowest before it.
+        lowest = np.minimum.accumulate(np.concatenate((reference[1:], rows[:, 1])))
+        return float(((reference[0] - rows[:, 0]) * -np.diff(lowest)).sum())
     by_second = np.argsort(rows[:, 1], kind="stable")
     return float(compiled(_volume, _A_PAIR * len(rows) ** 2)(rows, by_second, reference))
-
-
-def _area(rows: Floats, reference: Floats) -> float:
-    """Area from rows by rising first objective: each adds a bar below the lowest before it."""
-    lowest = np.minimum.accumulate(np.concatenate((reference[1:], rows[:, 1])))
-    return float(((reference[0] - rows[:, 0]) * -np.diff(lowest)).sum())
 
 
 def _volume(rows: Floats, by_second: Floats, reference: Floats) -> float:

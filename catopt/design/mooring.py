@@ -237,9 +237,8 @@ def _layout(
     first = system.legs[0]
     radii = () if design.pretensions else design.anchor_radii or (first.anchor_radius,)
     if radii and radii[0] <= first.fairlead_radius:
-        allowed = Message(
-            "refused_case.must_be_above_m_fairlead", fairlead_radius=first.fairlead_radius
-        )
+        arm = first.fairlead_radius
+        allowed = Message("refused_case.must_be_above_m_fairlead", fairlead_radius=arm)
         found.add("design.anchor_radii", f"{radii[0]:g} m", allowed)
     gone = [i for i, load in enumerate(loads) if load.line_out]
     if gone and min(map(len, regular or (own,))) < 2:

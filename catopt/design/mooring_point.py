@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -59,11 +60,7 @@ def states_of(
 
 
 def distinct_states(
-    azimuths: Sequence[float],
-    directions: Sequence[float],
-    *,
-    with_line_out: bool,
-    mirrors: bool,
+    azimuths: Sequence[float], directions: Sequence[float], *, with_line_out: bool, mirrors: bool
 ) -> tuple[BodyState, ...]:
     """List the states that differ: of those that a turn of the whole pattern brings to one, one.
 
@@ -84,9 +81,7 @@ def distinct_states(
     missing = range(-1, len(azimuths) if with_line_out and len(azimuths) > 1 else 0)
     found: list[BodyState] = []
     known: set[BodyState] = set()
-    for state in (
-        BodyState(line, heading) for line in missing for heading in range(len(directions))
-    ):
+    for state in itertools.starmap(BodyState, itertools.product(missing, range(len(directions)))):
         if state not in known:
             found.append(state)
             for lines, headings in maps:
@@ -112,10 +107,8 @@ def _maps(
 
 def _place(angle: float, among: Sequence[float]) -> int | None:
     """Return the index of a direction among others, None where it is none of them."""
-    for index, other in enumerate(among):
-        if abs(math.remainder(angle - other, 2.0 * math.pi)) <= SAME_ANGLE:
-            return index
-    return None
+    apart = (abs(math.remainder(angle - other, 2.0 * math.pi)) for other in among)
+    return next((k for k, each in enumerate(apart) if each <= SAME_ANGLE), None)
 
 
 def widest_gap(azimuths: Sequence[float]) -> float:
@@ -158,6 +151,7 @@ class _Solved:
     """One state with the way of the body from its zero-load position with all lines, m."""
 
     state: InState
+    solution: SystemSolution
     offset: float
     load: DesignLoad
 
@@ -166,9 +160,9 @@ def mooring_point(problem: MooringProblem, genes: tuple[int, ...]) -> MooringPoi
     """Solve and check a mooring in every state that differs; errors as for `solve_system`."""
     case, system = problem.case, problem.system(genes)
     criteria = criteria_of(case)
-    states: tuple[State, ...] = (
-        ("intact", "one_line_out") if len(problem.states) > 1 else ("intact",)
-    )
+    states: tuple[State, ...] = ("intact", "one_line_out")
+    if len(problem.states) == 1:
+        states = ("intact",)
     line = system.legs[0].line
     strengths = {line: criteria.strengths(line, {"extreme"}, states)}
     solved = tuple(_solved(problem, genes))
@@ -176,30 +170,21 @@ def mooring_point(problem: MooringProblem, genes: tuple[int, ...]) -> MooringPoi
         each for one in solved for each in check_state(one.state, criteria, strengths, case.anchor)
     ]
     far = solved[first_largest([each.offset for each in solved])]
-    assert far.state.solution is not None
-    most = far.state.solution.most_loaded
     loaded = problem.system(genes, far.load.lift)
-    zero = zero_load_position(loaded.under(far.state.solution.system.force, system.moment))
+    zero = zero_load_position(loaded.under(far.solution.system.force, system.moment))
     rest, lines = zero.under(zero.system.force, system.moment)
     report = CheckReport(
         title=case.title,
         results=tuple(hardest_of(results)),
-        solutions=((far.state.name, far.state.solution.lines[most].solution),),
-        warnings=tuple(
-            dict.fromkeys(
-                warning
-                for each in solved
-                if each.state.solution is not None
-                for warning in each.state.solution.warnings
-            )
-        ),
+        solutions=((far.state.name, far.solution.lines[far.solution.most_loaded].solution),),
+        warnings=tuple(dict.fromkeys(said for each in solved for said in each.solution.warnings)),
     )
     farthest = solution_at(zero, rest, lines)
     return MooringPoint(
         system,
         report,
         far.offset,
-        max(_anchor_load(each.state) for each in solved),
+        max(leg.solution.anchor.tension for each in solved for leg in each.solution.lines),
         farthest,
         far.state.name,
         far.load,
@@ -217,26 +202,21 @@ def _solved(problem: MooringProblem, genes: tuple[int, ...]) -> Iterator[_Solved
         key = load.lift, missing
         if key not in positions:
             lifted = problem.system(genes, load.lift)
-            positions[key] = zero_load_position(
-                lifted if missing < 0 else lifted.without([missing])
-            )
+            left = lifted if missing < 0 else lifted.without([missing])
+            positions[key] = zero_load_position(left)
         zero, force = positions[key], load.towards(angle)
         zero = replace(zero, system=zero.system.under(force, system.moment))
         rest, lines = zero.under(force, system.moment)
+        solution = solution_at(zero, rest, lines, looks_round=False)
         gone = None if missing < 0 else missing + 1
         state = InState(
             Place() if gone is None else Place("one_line_out", missing=gone),
-            solution_at(zero, rest, lines, looks_round=False),
+            solution,
             tuple(number for number in numbers if number != gone),
             under=under(load, angle),
         )
         neutral = positions[load.lift, -1].neutral
-        yield _Solved(state, math.hypot(rest.x - neutral.x, rest.y - neutral.y), load)
-
-
-def _anchor_load(state: InState) -> float:
-    assert state.solution is not None
-    return max(leg.solution.anchor.tension for leg in state.solution.lines)
+        yield _Solved(state, solution, math.hypot(rest.x - neutral.x, rest.y - neutral.y), load)
 
 
 def under(load: DesignLoad, direction: float) -> Message:
@@ -250,9 +230,8 @@ def hardest_of(results: Iterable[CheckResult]) -> Iterator[CheckResult]:
     worst: dict[tuple[object, ...], CheckResult] = {}
     for each in results:
         key = (each.place.state, each.kind, each.name, each.source)
+        known = worst[key].exceedance if key in worst else -math.inf
         # The first of several that rounding alone tells apart.
-        if key not in worst or each.exceedance > worst[key].exceedance + 1e-9 * abs(
-            worst[key].exceedance
-        ):
+        if key not in worst or each.exceedance > known + 1e-9 * abs(known):
             worst[key] = each
     return iter(worst.values())

@@ -57,8 +57,7 @@ def no_feasible_design(problem: DesignProblem, outcome: Outcome) -> NoFeasibleDe
     said = Sentence(head)
     if outcome.closest is None:
         return NoFeasibleDesignError(said, None, interrupted=outcome.interrupted)
-    flaw = problem.space.flaw(outcome.closest)
-    if flaw:
+    if flaw := problem.space.flaw(outcome.closest):
         allowed = Message("refused_case.nearer_anchor_or_longer_segments")
         raise InputError([Problem("design.clump_weights", flaw, allowed)], "design")
     miss = near_miss(problem, outcome.closest)
@@ -130,8 +129,7 @@ def neighbours(problem: DesignProblem, genes: Design) -> tuple[Neighbour, ...]:
 
 def neighbour(problem: DesignProblem, step: Step) -> Neighbour:
     """Check the design that a step leads to."""
-    flaw = problem.space.flaw(step.genes)
-    if flaw:
+    if flaw := problem.space.flaw(step.genes):
         return Neighbour(step.change, None, flaw)
     try:
         return Neighbour(step.change, design_point(problem, step.genes))
@@ -272,12 +270,10 @@ def _end_of_front(problem: DesignProblem, point: DesignPoint, key: str) -> Messa
     parts = []
     if checks:
         parts.append(Message("design.runs_into", checks=Listed(checks, "or")))
-    closed = list(_closed(around, key, here))
-    if closed:
+    if closed := list(_closed(around, key, here)):
         parts.append(Message("design.choices_end", variables=Listed(closed, "and")))
-    if not parts:
-        parts.append(Message("design.no_step"))
-    return Several((Several(parts), *_tightest(point.governing)), " ")
+    said = Several(parts or [Message("design.no_step")])
+    return Several((said, *_tightest(point.governing)), " ")
 
 
 def _closed(around: Sequence[tuple[Step, Neighbour]], key: str, here: float) -> Iterator[str]:

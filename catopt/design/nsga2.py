@@ -55,9 +55,13 @@ nsga2 = partial(explore, _evolve)
 
 def _algorithm(archive: EvaluationArchive, population: int, generator: np.random.Generator) -> Any:
     """Set up pymoo's algorithm, at its start."""
+    # Designs all over the space; after the first round half of them, or fewer, of the front.
+    genes = scattered(archive.problem, population, generator)
+    front = generator.permutation(archive.front.genes)[: population // 2]
+    genes[: len(front)] = front
     algorithm = NSGA2(
         pop_size=population,
-        sampling=_first_generation(archive, population, generator),
+        sampling=genes,
         crossover=SBX(prob=CROSSOVER_PROBABILITY, eta=SPREAD),
         mutation=PM(eta=SPREAD),
         repair=_Rounding(),
@@ -69,16 +73,6 @@ def _algorithm(archive: EvaluationArchive, population: int, generator: np.random
     algorithm.setup(_Space(archive), termination=NoTermination())
     algorithm.random_state = generator
     return algorithm
-
-
-def _first_generation(
-    archive: EvaluationArchive, population: int, generator: np.random.Generator
-) -> Genes:
-    """Designs all over the space; after the first round half of them, or fewer, of the front."""
-    genes = scattered(archive.problem, population, generator)
-    front = generator.permutation(archive.front.genes)[: population // 2]
-    genes[: len(front)] = front
-    return genes
 
 
 class _Space(PymooProblem):  # type: ignore[misc]

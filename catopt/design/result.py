@@ -28,6 +28,8 @@ from catopt.shown import Displayable
 from catopt.words import Measure, Message, Several
 from catopt.words.saved import messages_in
 
+__all__ = ["DesignPoint", "DesignResult", "InDraws", "NearMiss", "Neighbour"]
+
 
 def segment_words(line: Line) -> list[str]:
     """Say what each segment is: ``"chain studless R3 76 mm, 45 m"``."""
@@ -88,8 +90,6 @@ def made_of(point: DesignPoint) -> Several:
     )
     return Several(part for part in parts if part)
 
-
-__all__ = ["DesignPoint", "DesignResult", "InDraws", "NearMiss", "Neighbour"]
 
 OBJECTIVES_MADE = ("mass_kg", "offset_m", "excursion_m", "cost_USD", "length_m", "anchor_load_N")
 """Keys of what is made small."""

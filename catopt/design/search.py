@@ -25,7 +25,7 @@ from catopt.design.neighbours import ends, neighbours, no_feasible_design
 from catopt.design.problem import Genes
 from catopt.design.result import DesignPoint, DesignResult
 from catopt.errors import InputError, NotConvergedError, Problem
-from catopt.model import Case, Design
+from catopt.model import Case
 from catopt.model.design import FoundBy, SearchMethod
 from catopt.words import Listed, Message
 
@@ -217,8 +217,7 @@ def _of_search(problem: DesignProblem, found: Found, confirmed: int) -> Iterator
         yield Message("design.interrupted", done=outcome.evaluations, count=count)
     if outcome.unsolved:
         yield Message("design.unsolved", count=outcome.unsolved)
-    left_out = len(outcome.genes) - confirmed
-    if left_out:
+    if left_out := len(outcome.genes) - confirmed:
         yield Message("design.not_confirmed", count=left_out)
 
 
@@ -274,9 +273,11 @@ def design_case(
     if case.design is not None and case.design.in_motion:
         allowed = Message("refused_case.designs_in_motion_by")
         raise InputError([Problem("design.in_motion", "true", allowed)], "design")
-    return search_design(
-        problem_of(_with_settings(case, method, seed, evaluations)), progress, announce
-    )
+    if case.design is not None:
+        given = {"method": method, "seed": seed, "evaluations": evaluations}
+        own = {key: value for key, value in given.items() if value is not None}
+        case = replace(case, design=replace(case.design, **own))  # type: ignore[arg-type]
+    return search_design(problem_of(case), progress, announce)
 
 
 def problem_of(case: Case) -> DesignProblem:
@@ -297,27 +298,18 @@ def search_design(
     return answer(problem, found)
 
 
-def _with_settings(
-    case: Case, method: SearchMethod | None, seed: int | None, evaluations: int | None
-) -> Case:
-    """Put what was given in place of the design's own settings."""
-    if case.design is None:
-        return case
-    given = {"method": method, "seed": seed, "evaluations": evaluations}
-    own = {key: value for key, value in given.items() if value is not None}
-    return replace(case, design=replace(case.design, **own))  # type: ignore[arg-type]
-
-
 def _search(problem: DesignProblem, progress: Progress | None, announce: Announce) -> Found:
-    design, designs = problem.design, problem.space.count
-    method, workers = _method(design, designs), os.cpu_count() or 1
+    design, designs, workers = problem.design, problem.space.count, os.cpu_count() or 1
+    # A search that may evaluate every design enumerates them.
+    method: FoundBy = "enumeration"
+    if design.method == "auto":
+        method = "enumeration" if designs <= design.max_enumerated else LARGE_SPACES
+    elif design.evaluations < designs:
+        method = design.method
     if method == "enumeration":
         if designs > MOST_ENUMERATED:
-            allowed = Message(
-                "refused_case.designs_at_most_which_space",
-                most_enumerated=MOST_ENUMERATED,
-                designs=designs,
-            )
+            values = {"most_enumerated": MOST_ENUMERATED, "designs": designs}
+            allowed = Message("refused_case.designs_at_most_which_space", **values)
             raise InputError([Problem("design.method", "enumeration", allowed)], "design")
         size = estimate(problem, workers=workers)
         announce(f"enumeration of {size}")
@@ -340,10 +332,3 @@ def _search(problem: DesignProblem, progress: Progress | None, announce: Announc
     settings = {"evaluations": budget, "population": population, "seed": design.seed}
     outcome = search(problem, progress=progress, **settings)
     return Found(outcome, method, time.perf_counter() - start)
-
-
-def _method(design: Design, designs: int) -> FoundBy:
-    """Return the method to use: a search that may evaluate every design enumerates them."""
-    if design.method == "auto":
-        return "enumeration" if designs <= design.max_enumerated else LARGE_SPACES
-    return "enumeration" if design.evaluations >= designs else design.method

@@ -291,9 +291,8 @@ def _components(
             found.problems += [Problem(place, p.found, p.allowed) for p in error.problems]
             continue
         if not components:
-            found.add(
-                place, f'"{name}"', Message("refused_case.no_size_sold", choice=_bounds(choice))
-            )
+            allowed = Message("refused_case.no_size_sold", choice=_bounds(choice))
+            found.add(place, f'"{name}"', allowed)
         yield from components
 
 
@@ -328,9 +327,8 @@ def _own(
         segment = case.line.segments[index]
         yield replace(segment, length=choice.lengths[0], name=segment.name or choice.name)
     else:
-        allowed = Message(
-            "refused_case.missing_line_segments_has_only", segments=len(case.line.segments)
-        )
+        count = len(case.line.segments)
+        allowed = Message("refused_case.missing_line_segments_has_only", segments=count)
         found.add(f"{key}.components", "", allowed)
 
 

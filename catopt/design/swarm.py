@@ -141,11 +141,7 @@ def _stir(
 
 
 def _remember(
-    flock: Swarm,
-    best: Evaluated,
-    genes: Genes,
-    worth: Evaluated,
-    generator: np.random.Generator,
+    flock: Swarm, best: Evaluated, genes: Genes, worth: Evaluated, generator: np.random.Generator
 ) -> Evaluated:
     """Let each particle keep the better of its best and its new place; say what those are worth.
 

@@ -200,6 +200,7 @@ def tables_of(
     """Lay out lines, load cases and limits."""
     states = sorted(states, key=lambda state: -state.horizontal_force)
     segments, weights = space.segments, space.clump_weights
+    is_worn = [state.condition == "worn" for state in states]
     sinker_weight, sinker_friction, capacity = _holding(case, sinkers)
 
     def of_options(name: str) -> Floats:
@@ -216,7 +217,7 @@ def tables_of(
         left=_padded(
             [[left_of_section(x, case.service) for x in each.options] for each in segments]
         )
-        if any(state.condition == "worn" for state in states)
+        if any(is_worn)
         else np.ones_like(of_options("submerged_weight")),
         allowed=_allowed(states, space, criteria),
         clump_optional=np.array([v.is_optional for v in weights], dtype=np.int64),
@@ -228,7 +229,7 @@ def tables_of(
         force=np.array([state.horizontal_force for state in states]),
         height=np.array([case.fairlead_height + each.lift for each in states]),
         is_reference=np.array([state.kind == "reference" for state in states], dtype=np.int64),
-        is_worn=np.array([state.condition == "worn" for state in states], dtype=np.int64),
+        is_worn=np.array(is_worn, dtype=np.int64),
         limit=np.array(
             [criteria.limits(state.kind, state.state) for state in states], dtype=np.float64
         ),
@@ -331,9 +332,9 @@ def _allowed(states: Sequence[LoadCase], space: DesignSpace, criteria: Criteria)
                 for each in {state.condition for state in states}
             }
             for state, of_state in zip(states, allowed, strict=True):
-                strength = strengths[state.condition]
-                allowed_here = criteria.allowed_tension(strength, state.kind, state.state)
-                of_state[row, column] = allowed_here.tension
+                own = strengths[state.condition]
+                here = criteria.allowed_tension(own, state.kind, state.state)
+                of_state[row, column] = here.tension
     return allowed
 
 

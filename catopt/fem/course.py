@@ -14,8 +14,8 @@ from typing import Any, Final
 import numpy as np
 
 from catopt.arrays import Array
+from catopt.errors import InputError, Problem
 from catopt.fem.extremes import SeriesStatistics, peaks_above_mean
-from catopt.model.kinds import Findings
 from catopt.words import Message
 
 FOLLOWED: Final = (
@@ -101,9 +101,8 @@ class Course:
     def statistics(self) -> SeriesStatistics:
         """Say what it does; refused where nothing was followed."""
         if self.duration <= 0.0:
-            found = Findings("statistics")
-            found.add("time", "nothing", Message("refused_motion.two_steps_or_more_are"))
-            found.raise_if_any()
+            allowed = Message("refused_motion.two_steps_or_more_are")
+            raise InputError([Problem("time", "nothing", allowed)], "statistics")
         return SeriesStatistics(
             mean=self.mean,
             std=self.std,

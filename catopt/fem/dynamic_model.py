@@ -118,13 +118,10 @@ def lay_out_moving(
         EA = EA * seabed.EA_multiplier
         reach = seabed.grounded_length
         held = np.concatenate([m.arc <= reach * (1.0 + SAME_PLACE) for m in meshes])
-    stiffness, bed_damping, depth, spring, dashpot = _bed_rows(
-        seabed, carried, pressing, heavy, held
-    )
     rise = float(seabed.slope) if isinstance(seabed, Seabed) else 0.0
     near, far = _SHARES[of.mass_matrix]
     ends = np.full((len(meshes), 2), -1) if of_end is None else of_end
-    bed = dict(zip(_OF_BED, (stiffness, bed_damping, depth, spring, dashpot), strict=True))
+    bed = dict(zip(_OF_BED, _bed_rows(seabed, carried, pressing, heavy, held), strict=True))
     bed["friction"] = _friction(meshes, seabed, pressing)
     # The bed carries a joint by the ends of its lines.
     bed = {name: np.append(row, np.zeros(len(joints))) for name, row in bed.items()}
@@ -185,7 +182,7 @@ def _body_row(load: PointLoad | Point, fluid: Fluid) -> tuple[float, float, floa
 def _bed_rows(
     seabed: Seabed | HeldBed | None, carried: Array, pressing: Array, heavy: Array, held: Flags
 ) -> tuple[Array, Array, Array, Array, Array]:
-    """Stiffness, damping, depth of full damping, friction spring and dashpot under each node."""
+    """Stiffness, damping, depth of full damping, friction spring and dashpot of `_OF_BED`."""
     k, none = np.zeros(carried.size), np.zeros(carried.size)
     usual = max(float((pressing / carried).mean()), 1e-12)
     if not isinstance(seabed, Seabed):
@@ -244,9 +241,8 @@ def _check(
                 words = f"{segment.mass:g} kg/m in air, {segment.submerged_weight:g} N/m in water"
                 found.add(f"{key}.mass", words, Message("refused_motion.line_weighs_more_air_than"))
             if segment.is_inextensible:
-                found.add(
-                    f"{key}.EA", "inf", Message("refused_motion.line_motion_needs_axial_stiffness")
-                )
+                allowed = Message("refused_motion.line_motion_needs_axial_stiffness")
+                found.add(f"{key}.EA", "inf", allowed)
         for j, load in enumerate(mesh.line.point_loads):
             _check_mass(f"lines[{i}].point_loads[{j}].mass", load, fluid, found)
         if sections is not None and len(sections[i]) != len(mesh.line.segments):

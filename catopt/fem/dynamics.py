@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from catopt.arrays import Array
+from catopt.errors import InputError, Problem
 from catopt.fem.course import FOLLOWED, course_of
 from catopt.fem.dynamic_model import LineProperties, lay_out_moving
 from catopt.fem.history import STOPPED, History
@@ -159,10 +160,8 @@ def _check_above_bed(fairlead: Array, slope: float) -> None:
     """Refuse a fairlead that is not above the bed."""
     bed = float(fairlead[0]) * math.tan(slope)
     if not fairlead[2] > bed:
-        found = Findings("run_dynamics")
         allowed = Message("refused_motion.bed_rises_m_under_fairlead", bed=bed)
-        found.add("height", f"{fairlead[2]:g} m", allowed)
-        found.raise_if_any()
+        raise InputError([Problem("height", f"{fairlead[2]:g} m", allowed)], "run_dynamics")
 
 
 def run_system_dynamics(
@@ -344,15 +343,14 @@ def network_at_rest(
 
 def _check_beginning(simulation: Simulation) -> None:
     """Refuse a motion that begins away from rest; one at speed takes its line along."""
-    prescribed_motion, out = simulation.prescribed_motion, np.zeros((3, 3))
-    for end in range(prescribed_motion.base.shape[0]):
-        fill_series(0.0, prescribed_motion, end, out)
-        away = float(np.linalg.norm(out[0] - prescribed_motion.base[end]))
-        if away > SAME_PLACE * max(1.0, float(np.abs(prescribed_motion.base[end]).max())):
-            found = Findings("TimeStepping")
+    motion, out = simulation.prescribed_motion, np.zeros((3, 3))
+    for end, base in enumerate(motion.base):
+        fill_series(0.0, motion, end, out)
+        away = float(np.linalg.norm(out[0] - base))
+        if away > SAME_PLACE * max(1.0, float(np.abs(base).max())):
             wanted = Message("refused_motion.motion_begins_m_away_from", away=away)
-            found.add("ramp_time", f"{prescribed_motion.ramp_time:g} s", wanted)
-            found.raise_if_any()
+            problem = Problem("ramp_time", f"{motion.ramp_time:g} s", wanted)
+            raise InputError([problem], "TimeStepping")
 
 
 def run_from_rest(
@@ -378,6 +376,8 @@ def run_from_rest(
     record, complete = simulation.run(stepping, breaks=breaks, progress=progress)
     counts, seen = simulation.counts, np.isfinite(record.max_tension)
     warnings += _warnings_of(counts, stepping, None if complete else float(record.time[-1]))
+    # Slides summed up, with the one that goes on at the end.
+    _, way, ways, squares, slides = np.moveaxis(record.slides, -1, 0)
     found: dict[str, Any] = record._asdict() | counts._asdict()
     found |= {
         "fairlead_force": record.end_force[:, :, 1],
@@ -385,7 +385,7 @@ def run_from_rest(
         "first_bar": simulation.lines.start,
         "arc": np.concatenate([0.5 * (cut.arc[1:] + cut.arc[:-1]) for cut in cuts]),
         **_courses(record, simulation.lines),
-        "slides": _slides(record),
+        "slides": np.stack([ways + way, squares + way**2, slides + (way > 0.0)], axis=-1),
         "max_tension": np.where(seen, record.max_tension, np.nan),
         "min_tension": np.where(seen, record.min_tension, np.nan),
         "balance": simulation.balance(record),
@@ -398,17 +398,8 @@ def run_from_rest(
     return History(**{each.name: found[each.name] for each in fields(History)})
 
 
-def _slides(record: Record) -> Array:
-    """Sum the slides up, with the one that goes on at the end."""
-    _, way, ways, squares, count = np.moveaxis(record.slides, -1, 0)
-    return np.stack([ways + way, squares + way**2, count + (way > 0.0)], axis=-1)
-
-
 def _courses(record: Record, lines: MovingLines) -> dict[str, Any]:
-    rows = [
-        course_of(*each)
-        for each in zip(record.course, record.turns, record.turn_count, strict=True)
-    ]
+    rows = list(map(course_of, record.course, record.turns, record.turn_count))
     size, count = len(FOLLOWED), lines.start.size - 1
     return {
         "courses": tuple(tuple(rows[k * size : (k + 1) * size]) for k in range(count)),
@@ -432,10 +423,8 @@ def _warnings_of(
 
 def check_run(stepping: TimeStepping, *series: Series | None, sea: Sea | None) -> list[str]:
     """Refuse a step that cannot follow; return what is to be warned of."""
-    periods = {}
     given = [each for each in series if each is not None]
-    if given:
-        periods["the motion or force"] = min(each.shortest_period for each in given)
+    periods = {"the motion or force": min(e.shortest_period for e in given)} if given else {}
     warnings = step_warnings(stepping.step, stepping.duration, periods, sea)
     for each in given:
         if isinstance(each, Sampled):
@@ -472,10 +461,9 @@ def ramped(sea: Sea | None, stepping: TimeStepping) -> Sea | None:
 def _check_level(seabed: Seabed | HeldBed | None) -> None:
     """Refuse a slope, which rises along the line: those of a body have no direction in common."""
     if isinstance(seabed, Seabed) and seabed.slope != 0.0:
-        found = Findings("run_system_dynamics")
         wanted = Message("refused_motion.one_line_slopes")
-        found.add("seabed.slope", f"{seabed.slope:g} rad", wanted)
-        found.raise_if_any()
+        problem = Problem("seabed.slope", f"{seabed.slope:g} rad", wanted)
+        raise InputError([problem], "run_system_dynamics")
 
 
 def _check_system(

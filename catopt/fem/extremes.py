@@ -10,7 +10,8 @@ from typing import Annotated, Final
 import numpy as np
 
 from catopt.arrays import Array, Codes
-from catopt.model.kinds import Findings, Positive, Share, Time
+from catopt.errors import InputError, Problem
+from catopt.model.kinds import Positive, Share, Time
 from catopt.records import Counted, From, Record
 from catopt.words import Message
 
@@ -37,9 +38,8 @@ def series_statistics(time: Array, values: Array) -> SeriesStatistics:
         Evenly spaced, s, and the series; two or more.
     """
     if time.size < 2:
-        found = Findings("series_statistics")
-        found.add("time", f"{time.size} samples", Message("refused_motion.two_or_more_are_wanted"))
-        found.raise_if_any()
+        allowed = Message("refused_motion.two_or_more_are_wanted")
+        raise InputError([Problem("time", f"{time.size} samples", allowed)], "series_statistics")
     return SeriesStatistics(
         mean=float(values.mean()),
         std=float(values.std()),
@@ -57,8 +57,7 @@ def peaks_above_mean(values: Array, mean: float | None = None) -> Array:
     ups = np.flatnonzero(above[1:] & ~above[:-1]) + 1
     if ups.size < 2:
         return np.empty(0)
-    peaks: Array = np.maximum.reduceat(values[: ups[-1]], ups[:-1])
-    return peaks
+    return np.asarray(np.maximum.reduceat(values[: ups[-1]], ups[:-1]))
 
 
 def power_spectrum(time: Array, values: Array, *, pieces: int = 8) -> tuple[Array, Array]:
@@ -286,8 +285,7 @@ def block_maxima(time: Array, values: Array, block: float) -> Array:
     which = np.minimum(((time - time[0]) / whole * count).astype(np.int64), count - 1)
     found = np.full(count, -np.inf)
     np.maximum.at(found, which, values)
-    known: Array = found[np.isfinite(found)]
-    return known
+    return np.asarray(found[np.isfinite(found)])
 
 
 def _clusters(heights: Array, threshold: float) -> Array:

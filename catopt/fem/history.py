@@ -100,21 +100,18 @@ class History:
     @property
     def fairlead_tension(self) -> Array:
         """Size of the force at the fairlead, N, shape (samples, lines)."""
-        size: Array = np.linalg.norm(self.fairlead_force, axis=2)
-        return size
+        return np.asarray(np.linalg.norm(self.fairlead_force, axis=2))
 
     @property
     def anchor_tension(self) -> Array:
         """Size of the force at the anchor, N, shape (samples, lines)."""
-        size: Array = np.linalg.norm(self.anchor_force, axis=2)
-        return size
+        return np.asarray(np.linalg.norm(self.anchor_force, axis=2))
 
     @property
     def offset(self) -> Array:
         """Horizontal distance of the fairlead from its place at rest, m, shape (samples, lines)."""
         away = self.fairlead[:, :, :2] - self.fairlead[0, :, :2]
-        size: Array = np.linalg.norm(away, axis=2)
-        return size
+        return np.asarray(np.linalg.norm(away, axis=2))
 
     @property
     def counted(self) -> Flags:

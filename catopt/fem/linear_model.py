@@ -74,8 +74,7 @@ def natural_frequencies(simulation: Simulation, count: int = 10) -> Array:
     M = _matrix(simulation, Blend(0.0, 0.0, 0.0, 0.0, 1.0))
     lowest = [0, min(count, K.shape[0]) - 1]
     squares = eigh(0.5 * (K + K.T), 0.5 * (M + M.T), eigvals_only=True, subset_by_index=lowest)
-    frequencies: Array = np.sqrt(np.maximum(squares, 0.0))
-    return frequencies
+    return np.asarray(np.sqrt(np.maximum(squares, 0.0)))
 
 
 def _matrix(simulation: Simulation, blend: Blend) -> Array:
@@ -98,8 +97,7 @@ def _matrix(simulation: Simulation, blend: Blend) -> Array:
             row += 3
         full[body_rows, body_rows] += blocks.diagonal[last]
     kept = np.concatenate([np.ones(unknowns, bool), body.free == 1.0])
-    matrix: Array = full[np.ix_(kept, kept)]
-    return matrix
+    return np.asarray(full[np.ix_(kept, kept)])
 
 
 _DISPLACEMENT, _VELOCITY, _ACCELERATION = (
@@ -196,12 +194,10 @@ def linear_model(simulation: Simulation) -> LinearModel:
 def _check(simulation: Simulation) -> None:
     lines, found = simulation.lines, Findings("linear motion")
     if lines.drag_by_speed.any() or lines.drag_by_across.any():
-        allowed = Message("refused_motion.drag_along_bar_by_flow")
-        found.add("drag_method", "roughness", allowed)
+        found.add("drag_method", "roughness", Message("refused_motion.drag_along_bar_by_flow"))
     if lines.stiffness_factor > 0.0:
-        found.add(
-            "stiffness_factor", f"{lines.stiffness_factor:g} s", Message("refused_motion.zero")
-        )
+        allowed = Message("refused_motion.zero")
+        found.add("stiffness_factor", f"{lines.stiffness_factor:g} s", allowed)
     found.raise_if_any()
 
 
@@ -220,7 +216,8 @@ def _drags(simulation: Simulation, wet: Array, stream: Array) -> Drags:
     half = 0.5 * lines.length[:, np.newaxis] * wet
     node = np.concatenate([first, first + 1, first, first + 1, lines.load_node])
     normal, axial = (
-        half * drag[:, np.newaxis] for drag in (lines.drag_normal, lines.drag_tangential)
+        half * lines.drag_normal[:, np.newaxis],
+        half * lines.drag_tangential[:, np.newaxis],
     )
     coefficient = np.concatenate([*normal.T, *axial.T, lines.load_drag])
     whole = np.broadcast_to(np.eye(3), (loads, 3, 3))

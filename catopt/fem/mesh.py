@@ -11,8 +11,8 @@ from numbers import Integral
 import numpy as np
 
 from catopt.arrays import Array, Codes
-from catopt.errors import InputError, Problem
 from catopt.model import Line, PointLoad
+from catopt.model.kinds import Findings
 from catopt.words import Message
 
 SAME_PLACE = 1e-9
@@ -163,31 +163,22 @@ def _target_lengths(
 
 
 def _check(line: Line, elements: int | Sequence[int], element_length: float | None) -> None:
-    problems = []
+    found = Findings("mesh_line")
     if element_length is not None and not element_length > 0.0:
-        problems.append(
-            Problem("element_length", repr(element_length), Message("refused_motion.zero_metres"))
-        )
+        found.add("element_length", repr(element_length), Message("refused_motion.zero_metres"))
     counts = [elements] if isinstance(elements, (int, Integral)) else list(elements)
     if any(count < 1 for count in counts):
-        problems.append(Problem("elements", repr(elements), Message("refused_motion.one_bar")))
+        found.add("elements", repr(elements), Message("refused_motion.one_bar"))
     if not isinstance(elements, (int, Integral)) and len(counts) != len(line.segments):
         wanted = Message("refused_motion.one_number_each", count=len(line.segments))
-        problems.append(Problem("elements", repr(elements), wanted))
-    if problems:
-        raise InputError(problems, "mesh_line")
+        found.add("elements", repr(elements), wanted)
+    found.raise_if_any()
 
 
 def by_bar(meshes: Sequence[LineMesh], name: str) -> Array:
     """Figure of the segment to which each bar of all lines belongs."""
-    return np.concatenate(
-        [
-            np.array([getattr(segment, name) for segment in mesh.line.segments], float)[
-                mesh.segment
-            ]
-            for mesh in meshes
-        ]
-    )
+    rows = (np.array([getattr(each, name) for each in m.line.segments], float) for m in meshes)
+    return np.concatenate([row[m.segment] for row, m in zip(rows, meshes, strict=True)])
 
 
 def first_bars(meshes: Sequence[LineMesh]) -> Codes:

@@ -132,8 +132,7 @@ def _at(places: Array, of_end: Array) -> Array:
     """Place of the point of each end; of no point that of any."""
     if not len(places):
         return np.zeros((*of_end.shape, 3))
-    found: Array = places[np.maximum(of_end, 0)]
-    return found
+    return np.asarray(places[np.maximum(of_end, 0)])
 
 
 def _start(problem: Problem, off: Array, points: Sequence[MeetingPoint]) -> Array:

@@ -36,7 +36,7 @@ _LEAST: Final = 1.0 / 32.0
 class Scheme:
     """How time is stepped."""
 
-    alpha_m: float = 0.0  # of the formulas above, as all of them
+    alpha_m: float = 0.0  # of Chung and Hulbert's method, as all of them
     alpha_f: float = 0.0
     beta: float = 0.25
     gamma: float = 0.5

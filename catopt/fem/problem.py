@@ -105,9 +105,8 @@ def build(
         in_air = length * water.gravity * by_bar(meshes, "mass")
     nodal = np.concatenate([_point_loads(mesh) for mesh in meshes])
     bars = Bars(length, compliance, start, submerged, in_air, *_drag(meshes, water.current))
-    most = heaviest(start, submerged, nodal) + float(
-        np.linalg.norm(body.free * body.force, axis=1).sum()
-    )
+    pulls = np.linalg.norm(body.free * body.force, axis=1)
+    most = heaviest(start, submerged, nodal) + float(pulls.sum())
     return Problem(
         bars=bars,
         nodal=nodal,

@@ -43,11 +43,11 @@ class State(NamedTuple):
 
     x: Array  # (nodes, 3): coordinates, m
     tension: Array  # (bars,), N
-    contact: Codes  # (nodes,): what the bed does to each node (`bed`)
+    contact: Codes  # (nodes,): what the bed does to each node (`seabed`)
     reaction: Array  # (nodes,): upward force of the bed on each node, N
     balance: Array  # (nodes, 3): force on each node from bars, loads and bed, N: 0 at the inner
     # nodes in equilibrium, the force on the support at the ends
-    laid: Codes  # (lines,): how each line touches down: SHARING, HALVING or SLACK (`bed`)
+    laid: Codes  # (lines,): how each line touches down: SHARING, HALVING or SLACK (`seabed`)
 
 
 class Law(NamedTuple):

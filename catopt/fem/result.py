@@ -86,8 +86,7 @@ class TrussSolution:
         weight = np.array([s.submerged_weight for s in self.mesh.line.segments])
         half = 0.5 * weight[self.mesh.segment] * self.mesh.length
         own = np.maximum(half[node - 1] + half[node], 0.0)
-        carried: Array = np.maximum(self.bed_reaction[node] - own, 0.0)
-        return carried
+        return np.asarray(np.maximum(self.bed_reaction[node] - own, 0.0))
 
 
 @dataclass(frozen=True)
@@ -221,7 +220,7 @@ def _end(
 
 
 def _hanging_parts(rise: Array, half: Array, lies: Flags) -> Array:
-    """Part of each bar that hangs, from 0 to 1 (`touchdown`); `rise`: T t_z, N."""
+    """Part of each bar that hangs, from 0 to 1 (`hanging_part`); `rise`: T t_z, N."""
     part = np.where(lies[:-1] & lies[1:], 0.0, 1.0)
     for e in np.flatnonzero(lies[:-1] ^ lies[1:]):
         lift = float(rise[e] if lies[e] else -rise[e])
@@ -249,5 +248,4 @@ def _end_tension(
         lying = level - side * rubs * np.where(in_part, 1.0 - part, 0.5)
         touching = in_part & (part < 1.0)
         ends.append(np.where(on_bed & (part < 1.0), lying, np.where(touching, beside, hanging)))
-    tension: Array = np.maximum(np.stack(ends, axis=1), 0.0)
-    return tension
+    return np.asarray(np.maximum(np.stack(ends, axis=1), 0.0))

@@ -9,6 +9,7 @@ from typing import Final
 import numpy as np
 
 from catopt.fem.newmark import Scheme
+from catopt.fem.sampling import Rules
 from catopt.model.kinds import Findings
 from catopt.waves import Sea, breaking_warning, repetition_warning
 from catopt.words import Message, term
@@ -72,17 +73,11 @@ class TimeStepping:
         found.numbers(self, "s", "output_interval", above=0.0)
         found.raise_if_any()
         if self.step > self.duration:
-            found.add(
-                "step",
-                f"{self.step:g} s",
-                Message("refused_motion.longer_than_run_s", duration=self.duration),
-            )
+            allowed = Message("refused_motion.longer_than_run_s", duration=self.duration)
+            found.add("step", f"{self.step:g} s", allowed)
         if (self.since or 0.0) >= self.duration:
-            found.add(
-                "since",
-                f"{self.since:g} s",
-                Message("refused_motion.run_ends_at_s", duration=self.duration),
-            )
+            allowed = Message("refused_motion.run_ends_at_s", duration=self.duration)
+            found.add("since", f"{self.since:g} s", allowed)
         ratio = (self.output_interval or self.step) / self.step
         if abs(ratio - round(ratio)) > 1e-6 * ratio or round(ratio) < 1:
             wanted = Message("refused_motion.multiple_step_s", step=self.step)
@@ -103,6 +98,26 @@ class TimeStepping:
     def samples(self) -> int:
         """Samples after the first."""
         return math.ceil(self.duration / (self.every * self.step) - 1e-9)
+
+    def rules(self, rounding: float = 0.0) -> Rules:
+        """Return them as the kernels take them; their tolerance is no less than the rounding."""
+        how, ways = self.scheme, self.controls
+        return Rules(
+            alpha_m=float(how.alpha_m),
+            alpha_f=float(how.alpha_f),
+            beta=float(how.beta),
+            gamma=float(how.gamma),
+            step=float(self.step),
+            every=self.every,
+            limit=int(ways.max_iterations),
+            halvings=int(ways.max_halvings),
+            refinements=int(ways.max_refinements),
+            surprise=float(ways.surprise),
+            transits=float(ways.transits),
+            tolerance=float(max(ways.tolerance, rounding)),
+            since=float(self.counted_since),
+            until=float(self.duration),
+        )
 
 
 @dataclass(frozen=True)
@@ -146,24 +161,13 @@ def step_warnings(
     found = Findings("TimeStepping")
     for name, period in driven.items():
         if step > period / _FEWEST:
-            wanted = Message(
-                "refused_motion.has_periods_down_s_s",
-                name=name,
-                period=period,
-                period2=period / _WANTED,
+            values = {"name": name, "period": period, "period2": period / _WANTED}
+            found.add(
+                "step", f"{step:g} s", Message("refused_motion.has_periods_down_s_s", **values)
             )
-            found.add("step", f"{step:g} s", wanted)
         elif step > period / _WANTED * (1.0 + 1e-9):
-            warnings.append(
-                Message(
-                    "motion.long_step",
-                    step=step,
-                    count=period / step,
-                    what=term(name),
-                    period=period,
-                    wanted=_WANTED,
-                )
-            )
+            values = {"step": step, "count": period / step, "what": term(name), "period": period}
+            warnings.append(Message("motion.long_step", **values, wanted=_WANTED))
     found.raise_if_any()
     return warnings
 

@@ -48,7 +48,7 @@ class Setting(NamedTuple):
     load: SeriesRows  # force on the body, of one end
     flow: Flow
     has_sea: bool
-    blocks: Array  # (blocks, 3): on the bed, as `sliding.slide` takes them
+    blocks: Array  # (blocks, 3): on the bed, as `march.slide` takes them
 
 
 @packed
@@ -284,7 +284,7 @@ def take_water(
     """Write the water at the end of a part of the whole step from `start`, s, some of it done.
 
     It is taken where the nodes are expected. Whole steps are short beside the waves; parts of them,
-    in which a line snaps, need no closer look at the sea than these: `between.fill_between`.
+    in which a line snaps, need no closer look at the sea than these: `fill_between`.
     """
     if not setting.has_sea:
         return

@@ -18,7 +18,7 @@ ON_BED: Final = 1  # one that the bed pushes
 HELD: Final = 2  # one that the bed holds in height both ways
 ABSENT: Final = 3  # one under which there is no bed
 
-SHARING: Final = 0  # a line whose bars share their weight where they touch down (`touchdown`)
+SHARING: Final = 0  # a line whose bars share their weight where they touch down (`hanging_part`)
 HALVING: Final = 1  # one of which half of each bar's weight stays at either end
 SLACK: Final = 2  # the same, and it hangs slack: its bars keep next to no tension, and do not rub
 

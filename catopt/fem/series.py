@@ -17,6 +17,7 @@ import numpy.typing as npt
 
 from catopt.arrays import Array
 from catopt.compiled import compiled, packed
+from catopt.errors import InputError, Problem
 from catopt.model.kinds import Findings
 from catopt.waves.kinematics import cos_sin, row_at
 from catopt.words import Message
@@ -50,11 +51,8 @@ class Harmonic:
                 wanted = Message("refused_motion.shape_three_or_n", count=count)
                 found.add(name, Message("refused_motion.shape", shape=shape), wanted)
             elif not np.isfinite(np.asarray(getattr(self, name), dtype=float)).all():
-                found.add(
-                    name,
-                    Message("refused_motion.nan"),
-                    Message("refused_motion.finite_numbers_are_wanted"),
-                )
+                wanted = Message("refused_motion.finite_numbers_are_wanted")
+                found.add(name, Message("refused_motion.nan"), wanted)
         found.raise_if_any()
 
     @cached_property
@@ -180,10 +178,11 @@ def series_rows(base: Array, series: Sequence[Series | None], ramp_time: float) 
     sampled = [s for s in measured if isinstance(s, Sampled)]
     times = sampled[0].times if sampled else np.zeros(0)
     if any(not np.array_equal(s.times, times) for s in sampled):
-        found = Findings("motion")
-        given = Message("refused_motion.different_ones")
-        found.add("times", given, Message("refused_motion.times_alike"))
-        found.raise_if_any()
+        given, allowed = (
+            Message("refused_motion.different_ones"),
+            Message("refused_motion.times_alike"),
+        )
+        raise InputError([Problem("times", given, allowed)], "motion")
     spline = np.zeros((ends, max(times.size - 1, 0), 3, 4))
     for k, (waves, record) in enumerate(zip(regular, measured, strict=True)):
         if isinstance(waves, Harmonic):
@@ -264,11 +263,8 @@ def _check_times(times: Array, found: Findings) -> None:
     steps = np.diff(times)
     if not (steps > 0.0).all():
         row = int(np.flatnonzero(steps <= 0.0)[0])
-        found.add(
-            "times",
-            f"{times[row]:g} s, then {times[row + 1]:g} s",
-            Message("refused_motion.must_rise"),
-        )
+        said = f"{times[row]:g} s, then {times[row + 1]:g} s"
+        found.add("times", said, Message("refused_motion.must_rise"))
         return
     usual = float(np.median(steps))
     if steps.max() > _GAP * usual:

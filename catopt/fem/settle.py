@@ -1,14 +1,14 @@
 """From straight lines to their equilibrium: springs are stiffened into the bars as they are.
 
 Where the lines start is straight, and a straight line without tension has no stiffness across
-itself. So the bars are first springs of stiffness K without a length of their own (`assembly.Law`,
+itself. So the bars are first springs of stiffness K without a length of their own (`resting.Law`,
 e = 1) over a soft bed: the energy of such a net is quadratic on either side of the bed, and its
 equilibrium is found in a few linear steps from anywhere. Then e is lowered to 0, and the bed
 hardens with it. For every e the energy of bars that do not push, over a bed that only pushes, is
 convex, so that there is one equilibrium to follow; on the way a bar that is too long keeps a little
 tension, for a bight to keep its shape. Where lines hang slack the end of that way may not be
 found: along a smooth bed nothing holds their bars, and how a bar that touches down shares its
-weight (`touchdown`) depends on a tension that is none. Then e is lowered further, and they keep
+weight (`hanging_part`) depends on a tension that is none. Then e is lowered further, and they keep
 that little tension, with half of each bar's weight at either end. A step of e that Newton's method
 does not close in a few iterations is taken again, half as far. Friction comes in with the last one.
 """
@@ -29,15 +29,7 @@ from catopt.fem.banded import WIDTH
 from catopt.fem.friction import limit
 from catopt.fem.problem import Problem, place_of
 from catopt.fem.resting import BarLoads, Body, Law, Net, State
-from catopt.fem.seabed import (
-    HALVING,
-    NO_FRICTION,
-    SHARING,
-    SLACK,
-    SPRING,
-    Ground,
-    friction_sense,
-)
+from catopt.fem.seabed import HALVING, NO_FRICTION, SHARING, SLACK, SPRING, Ground, friction_sense
 from catopt.fem.step import StepReport, Water, take_steps
 from catopt.words import Message
 
@@ -78,7 +70,7 @@ class Newton:
     ) -> bool:
         """Iterate until the forces balance; say whether they do.
 
-        `ease`, `keep`: e of `assembly`, and what a bar may keep there; `limit`: iterations, at
+        `ease`, `keep`: e of `Law`, and what a bar may keep there; `limit`: iterations, at
         most; `tolerance`: largest force left over at a node over the largest tension.
         """
         problem = self.problem

@@ -22,14 +22,7 @@ from catopt.fem.moving_assembly import assemble_moving
 from catopt.fem.newmark import solve_moving
 from catopt.fem.problem import place_of
 from catopt.fem.run_settings import StepControls, TimeStepping
-from catopt.fem.sampling import (
-    Record,
-    Room,
-    Rules,
-    Setting,
-    fill_energy,
-    first_joint,
-)
+from catopt.fem.sampling import Record, Room, Setting, fill_energy, first_joint
 from catopt.fem.seabed import drag_feet
 from catopt.fem.series import SeriesRows, fill_series, series_rows
 from catopt.interrupt import waiting_interrupt
@@ -147,9 +140,9 @@ class Simulation:
         prescribed_motion = series_rows(x[self._ends], [None] * self._ends.size, 0.0)
         return prescribed_motion, series_rows(np.zeros((1, 3)), [None], 0.0)
 
-    def _form(self, function: Callable[..., Any], visits: int = 1) -> Callable[..., Any]:
-        """Give a kernel function for some visits to every bar, plain or compiled."""
-        return compiled(function, _A_BAR * visits * self.lines.length.size)
+    def _form(self, function: Callable[..., Any]) -> Callable[..., Any]:
+        """Give a kernel function for one visit to every bar, plain or compiled."""
+        return compiled(function, _A_BAR * self.lines.length.size)
 
     def assemble(self, blend: Blend, t: float = 0.0) -> tuple[float, int]:
         """Balance of all nodes as they are, without waves; see `assemble_moving`."""
@@ -317,24 +310,8 @@ class Simulation:
         run and keeps what is there. NotConvergedError has the time, the node and the force left
         over there.
         """
-        how, ways, step = stepping.scheme, stepping.controls, float(stepping.step)
-        samples, every = stepping.samples, stepping.every
-        rules = Rules(
-            alpha_m=float(how.alpha_m),
-            alpha_f=float(how.alpha_f),
-            beta=float(how.beta),
-            gamma=float(how.gamma),
-            step=step,
-            every=every,
-            limit=int(ways.max_iterations),
-            halvings=int(ways.max_halvings),
-            refinements=int(ways.max_refinements),
-            surprise=float(ways.surprise),
-            transits=float(ways.transits),
-            tolerance=float(max(ways.tolerance, self.rounding)),
-            since=float(stepping.counted_since),
-            until=float(stepping.duration),
-        )
+        samples, every, step = stepping.samples, stepping.every, float(stepping.step)
+        rules = stepping.rules(self.rounding)
         record = self._empty_record(stepping)
         blocks = np.array(stepping.blocks, dtype=float).reshape(-1, 3)
         at, part, level, size, speed = 0, 0.0, 0, 1, 0.0
@@ -348,20 +325,30 @@ class Simulation:
                 end, began = lost if at < lost else last, perf_counter()
                 # As plain Python steps may take longer than expected, where they are halved.
                 work = max(speed, _ITERATIONS * _A_BAR * self.lines.length.size) * (last - at)
-                march_on, setting = compiled(march, work), self._setting(rules, blocks)
-                report = march_on(
+                setting = Setting(
+                    rules,
+                    self.lines,
+                    self.body,
+                    self.prescribed_motion,
+                    self.load,
+                    (self.sea or _STILL).flow,
+                    self.sea is not None,
+                    blocks,
+                )
+                report = compiled(march, work)(
                     at, part, end, size, level, setting, self.state, self._room, record, self.afloat
                 )
                 self.counts = self.counts.with_more(report.counts)
                 if not report.closed:
                     words = Message("truss.not_closed", time=(report.at + report.part) * step)
                     raise self._not_closed(words, report.worst, report.node, step)
-                if report.full:
-                    record = _with_more_room(record)
+                if report.full:  # twice the room for turning points
+                    turns = np.concatenate([record.turns, np.zeros_like(record.turns)], axis=1)
+                    record = record._replace(turns=turns)
                 took = perf_counter() - began
                 speed = took / max(report.at + report.part - at - part, 1e-3)
                 at, part, level = report.at, report.part, report.level
-                self._check_ringing(ways, step, at * step)
+                self._check_ringing(stepping.controls, step, at * step)
                 try:
                     if progress is not None:
                         progress(at * step)
@@ -373,12 +360,6 @@ class Simulation:
                 if took < _PIECE and not report.full:
                     size *= 2
         return record, True
-
-    def _setting(self, rules: Rules, blocks: Array) -> Setting:
-        flow, has_sea = (self.sea or _STILL).flow, self.sea is not None
-        return Setting(
-            rules, self.lines, self.body, self.prescribed_motion, self.load, flow, has_sea, blocks
-        )
 
     def _stored(self, record: Record) -> Array:
         """Energies as of `sampling.fill_energy` at the present state, J."""
@@ -433,10 +414,8 @@ class Simulation:
     def _check_ringing(self, controls: StepControls, step: float, t: float) -> None:
         count = self.counts
         if count.steps > _FEW_STEPS and count.ringing > controls.max_ringing * count.strain:
-            part = count.ringing / count.strain
-            raise NotConvergedError(
-                Message("truss.rings", time=t, part=part, shortest=count.shortest, step=step)
-            )
+            values = {"part": count.ringing / count.strain, "shortest": count.shortest}
+            raise NotConvergedError(Message("truss.rings", time=t, **values, step=step))
 
     def _empty_record(self, stepping: TimeStepping) -> Record:
         lines, bars = self.lines.start.size - 1, self.lines.length.size
@@ -518,12 +497,6 @@ class Simulation:
 
 def _copied(state: Moving) -> Moving:
     return Moving(*(array.copy() for array in state))
-
-
-def _with_more_room(record: Record) -> Record:
-    """Give turning points twice the room."""
-    turns = np.concatenate([record.turns, np.zeros_like(record.turns)], axis=1)
-    return record._replace(turns=turns)
 
 
 def _moving(lines: MovingLines, x: Array) -> Moving:

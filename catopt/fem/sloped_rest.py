@@ -40,9 +40,8 @@ def settle_on_slope(simulation: Simulation, initial_friction: InitialFriction) -
         simulation.lines = lines._replace(
             friction=_NO_SLIP * friction, drag_spring=_SOFT * lines.drag_spring
         )
-        is_pulled = initial_friction == "pulled"
         for _ in range(_MOST):
-            change = _draw_out(simulation, friction, is_pulled=is_pulled)
+            change = _draw_out(simulation, friction, is_pulled=initial_friction == "pulled")
             simulation.find_rest()
             if change <= _SAME:
                 break

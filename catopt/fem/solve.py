@@ -85,16 +85,11 @@ def solve_line(
     _check_length(line, math.hypot(span or 0.0, rise))
     free_span = math.sqrt(max(line.length**2 - rise**2, 0.01 * line.length**2))
     fairlead = np.array([span if span is not None else free_span, 0.0, height])
-    body = one_point(
-        free=np.array([1.0 if span is None else 0.0, 0.0, 0.0]),
-        force=np.array([horizontal_force or 0.0, 0.0, 0.0]),
-        place=fairlead,
-        lines=1,
-    )
+    free = np.array([1.0 if span is None else 0.0, 0.0, 0.0])
+    body = one_point(free, np.array([horizontal_force or 0.0, 0.0, 0.0]), fairlead, lines=1)
     ends = np.array([[[0.0, 0.0, anchor_height]], [fairlead]])
-    problem = build(
-        [cut], body, bed or Bed(), seabed_friction, water or Water(), carries_compression
-    )
+    under = (bed or Bed(), seabed_friction, water or Water(), carries_compression)
+    problem = build([cut], body, *under)
     if height == 0.0:
         # Half of the last bar lies at the fairlead, where its friction takes part of the force.
         rubs = friction_sense(problem.ground.law) * seabed_friction
@@ -149,15 +144,11 @@ def solve_system(
         distance = float(np.linalg.norm(reach if position is not None else reach[2:]))
         _check_length(leg.line, distance, number + 1)
     is_free = 1.0 if position is None else 0.0
-    body = one_point(
-        free=np.array([is_free, is_free, 0.0]),
-        force=np.array([*(force or (0.0, 0.0)), 0.0]),
-        place=origin + offsets[0],
-        lines=len(legs),
-    )
-    problem = build(
-        cuts, body, bed or Bed(), seabed_friction, water or Water(), carries_compression
-    )
+    free = np.array([is_free, is_free, 0.0])
+    pull = np.array([*(force or (0.0, 0.0)), 0.0])
+    body = one_point(free, pull, origin + offsets[0], lines=len(legs))
+    under = (bed or Bed(), seabed_friction, water or Water(), carries_compression)
+    problem = build(cuts, body, *under)
     rest = _at_rest(problem, np.stack([anchors, origin + offsets]), controls, start)
     _, ends = end_nodes(problem.bars.start)
     x, y, z = map(float, rest.state.x[ends[0]] - offsets[0])
@@ -205,8 +196,7 @@ def _check_line(
     if span is not None:
         found.number("span", span, "m", at_least=0.0)
         if span == 0.0 and line.length > height - anchor_height:
-            allowed = Message("refused_motion.above_0_bars_line_slack")
-            found.add("span", "0 m", allowed)
+            found.add("span", "0 m", Message("refused_motion.above_0_bars_line_slack"))
     found.raise_if_any()
 
 
@@ -221,9 +211,8 @@ def _check_system(
     found.number("height", height, "m", at_least=0.0)
     found.number("seabed_friction", friction, "", at_least=0.0)
     if not legs:
-        found.add(
-            "legs", Message("refused.none"), Message("refused_motion.system_has_at_least_one")
-        )
+        allowed = Message("refused_motion.system_has_at_least_one")
+        found.add("legs", Message("refused.none"), allowed)
     if (force is None) == (position is None):
         given = Message("refused_motion.neither" if force is None else "refused_motion.both")
         found.add("load", given, Message("refused.exactly_one", ways="force and position"))
@@ -245,11 +234,8 @@ def _check_water(lines: Sequence[Line], water: Water | None) -> None:
     if water is not None and water.current is not None:
         count = len(water.current.sections)
         if any(len(line.segments) != count for line in lines):
-            found.add(
-                "current.sections",
-                str(count),
-                Message("refused_motion.one_wanted_each_segment_line"),
-            )
+            allowed = Message("refused_motion.one_wanted_each_segment_line")
+            found.add("current.sections", str(count), allowed)
     found.raise_if_any()
 
 
@@ -258,8 +244,6 @@ def _check_length(line: Line, distance: float, number: int | None = None) -> Non
     if all(segment.is_inextensible for segment in line.segments) and line.length <= distance:
         missing = distance - line.length
         key = "truss.too_short" if number is None else "truss.line_too_short"
-        raise NoEquilibriumError(
-            Message(key, number=number, length=line.length, distance=distance, missing=missing),
-            "length",
-            missing,
-        )
+        values = {"number": number, "length": line.length, "distance": distance}
+        said = Message(key, **values, missing=missing)
+        raise NoEquilibriumError(said, "length", missing)

@@ -133,7 +133,7 @@ def _add_bars(line: int, first: int, end: int, net: Net) -> float:
 
 
 def _touch_down(line: int, first: int, end: int, net: Net) -> None:
-    """Let bars that lie in part on a rigid bed share their weight (`touchdown`)."""
+    """Let bars that lie in part on a rigid bed share their weight (`hanging_part`)."""
     _, state, loads, _, ground, law, band, _, _ = net
     for e in range(first, end):
         a = e + line

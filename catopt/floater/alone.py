@@ -13,7 +13,6 @@ from catopt.errors import NotConvergedError
 from catopt.fem.afloat import Afloat, hull_kinetic_energy, run_hull, start_hull
 from catopt.fem.moving import BodyNode
 from catopt.fem.run_settings import TimeStepping
-from catopt.fem.sampling import Rules
 from catopt.floater.freedoms import freedoms
 from catopt.floater.scene import Scene
 from catopt.hydro.build import AnyHull, record_of, room_of, state_of
@@ -53,14 +52,12 @@ class HullHistory:
     scene: Scene | None = None
 
 
-def history_of(
-    body: Afloat, time: Array, depth: float, kinetic_at_first: float, volume: float
-) -> HullHistory:
-    """Take out of a hull that was stepped what is kept of it."""
+def history_of(body: Afloat, time: Array, depth: float, volume: float) -> HullHistory:
+    """Take out of a hull that was stepped from rest what is kept of it."""
     record = body.record
-    gained = hull_kinetic_energy(body.hull, body.before) - kinetic_at_first
+    gained = hull_kinetic_energy(body.hull, body.before)
     off = abs(float(record.works[: PARTS + 1].sum()) - gained)
-    put_in = float(record.works[PARTS + 1]) + kinetic_at_first
+    put_in = float(record.works[PARTS + 1])
     level = np.array([0.0, 0.0, depth, 0.0, 0.0, 0.0])
     return HullHistory(
         time,
@@ -106,7 +103,7 @@ def run_alone(
     laid = hull.lay_out(flow, freedoms(hull, (), sea))
     x, z, turn = offset
     height = flow.depth + hull.level
-    samples, every, how = stepping.samples, stepping.every, stepping.scheme
+    samples, every = stepping.samples, stepping.every
     none = np.zeros(3)
     body = Afloat(
         laid,
@@ -116,23 +113,7 @@ def run_alone(
         record_of(samples + 1),
         BodyNode(none, none, none),
     )
-    controls = stepping.controls
-    rules = Rules(
-        alpha_m=float(how.alpha_m),
-        alpha_f=float(how.alpha_f),
-        beta=float(how.beta),
-        gamma=float(how.gamma),
-        step=float(stepping.step),
-        every=every,
-        limit=int(controls.max_iterations),
-        halvings=0,
-        refinements=0,
-        surprise=float(controls.surprise),
-        transits=float(controls.transits),
-        tolerance=float(controls.tolerance),
-        since=float(stepping.counted_since),
-        until=float(stepping.duration),
-    )
+    rules = stepping.rules()._replace(halvings=0, refinements=0)
     start_hull(0.0, flow, body)
     work = _A_SLICE * (laid.foot.size * (3 + flow.waves.shape[0])) * samples * every
     done, _ = compiled(run_hull, work)(samples, every, rules, flow, body)
@@ -140,4 +121,4 @@ def run_alone(
         reached = done * every * stepping.step
         raise NotConvergedError(Message("truss.not_closed", time=reached))
     time = np.asarray(every * float(stepping.step) * np.arange(samples + 1.0))
-    return history_of(body, time, flow.depth, 0.0, hull.volume_of_all)
+    return history_of(body, time, flow.depth, hull.volume_of_all)

@@ -21,7 +21,7 @@ from catopt.hydro.cylinder import FloatingCylinder
 from catopt.loads.buoy import AIR_DENSITY, buoy, read_buoys
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.model import Floater, HullAfloat, System
-from catopt.waves.random_surface import fill_wave_numbers
+from catopt.waves.random_surface import wave_numbers
 from catopt.words import Message
 
 _THICK: Final = 0.1
@@ -45,9 +45,8 @@ def floating_buoy(of: Floater) -> BuoyShape:
     try:
         return buoy(of.buoy, read_buoys(of.file) if of.file else None)
     except InputError as error:
-        raise InputError(
-            [replace(each, key=f"floater.{each.key}") for each in error.problems], "--dynamic"
-        ) from None
+        reported = [replace(each, key=f"floater.{each.key}") for each in error.problems]
+        raise InputError(reported, "--dynamic") from None
 
 
 def buoy_hull(
@@ -177,11 +176,9 @@ def _radiation(hull: FloatingHull, slices: _Slices, depth: float) -> Radiation:
     floats = float((volumes * (1.0 - slices.below)).sum())
     radius = math.sqrt(area / math.pi)
     draught = min(floats / area, 0.95 * depth)
-    of = Radiation.of_cylinder(
-        FloatingCylinder(
-            radius, draught, depth, hull.centre - hull.draught, hull.density, hull.gravity
-        )
-    )
+    level = hull.centre - hull.draught
+    cylinder = FloatingCylinder(radius, draught, depth, level, hull.density, hull.gravity)
+    of = Radiation.of_cylinder(cylinder)
     assert of.excitation is not None
     # Added mass across a long tube is what it displaces.
     middle = 0.5 * (slices.foot + np.minimum(slices.top, hull.draught))
@@ -190,8 +187,7 @@ def _radiation(hull: FloatingHull, slices: _Slices, depth: float) -> Radiation:
     more = np.zeros((3, 3))
     more[0, 0], more[2, 2] = added.sum(), added @ arm**2
     more[0, 2] = more[2, 0] = added @ arm
-    k = np.empty(of.omega.size)
-    fill_wave_numbers(of.omega, depth, k)
+    k = wave_numbers(of.omega, depth)
     along = hull.water_acceleration(of.omega, k, depth, middle - hull.draught)
     excitation = of.excitation.copy()
     excitation[:, 0] += along @ added

@@ -141,12 +141,7 @@ class LinearBody:
         return np.asarray((np.exp(-1j * np.outer(time, waves.omega)) @ sized).real)
 
     def run(
-        self,
-        force: Array,
-        step: float,
-        *,
-        longest: float,
-        start: tuple[float, ...] = (0.0,) * 6,
+        self, force: Array, step: float, *, longest: float, start: tuple[float, ...] = (0.0,) * 6
     ) -> Array:
         """Move it in time from rest at `start` under a force, (n, 6), by Cummins' equation.
 

@@ -10,7 +10,7 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from catopt.arrays import Array, Codes
+from catopt.arrays import Array
 from catopt.errors import NoEquilibriumError, NotConvergedError
 from catopt.fem.afloat import Afloat, sample_hull
 from catopt.fem.banded import eliminate_blocks
@@ -20,20 +20,13 @@ from catopt.fem.history import History
 from catopt.fem.mesh import LineMesh, end_nodes
 from catopt.fem.moving import Blend, BodyNode
 from catopt.fem.run_settings import TimeStepping
-from catopt.fem.seabed import HeldBed, Seabed
+from catopt.fem.seabed import Seabed
 from catopt.fem.simulation import Simulation
 from catopt.fem.solve import Leg
 from catopt.floater.alone import HullHistory, history_of
 from catopt.floater.freedoms import freedoms
 from catopt.hydro.build import AnyHull, record_of, room_of, state_of
-from catopt.hydro.hull import (
-    Hull,
-    HullRoom,
-    HullState,
-    fill_forces_on_hull,
-    fill_sea,
-    turn_axes,
-)
+from catopt.hydro.hull import Hull, HullRoom, HullState, fill_forces_on_hull, fill_sea, turn_axes
 from catopt.waves import Sea
 from catopt.waves.kinematics import Flow
 from catopt.words import Message
@@ -242,7 +235,9 @@ def moored_at_rest(
     at = _Pose(state.q.copy(), state.axes.copy())
     drift = pushed(at)[:2]
     # First without friction of the bed, whose springs would be all of the stiffness.
-    smooth = replace(properties, seabed=_without_friction(properties.seabed))
+    smooth = properties
+    if isinstance(properties.seabed, Seabed):
+        smooth = replace(properties, seabed=replace(properties.seabed, friction=0.0))
     at = lines.start(smooth, at, drift)
     scale = hull.mass * hull.gravity
     long = math.sqrt(max(hull.inertia, 1e-12) / hull.mass)
@@ -253,7 +248,7 @@ def moored_at_rest(
         arms = arms_of(laid, at.axes)
         simulation = lines.laid_out(properties if is_rubbed else smooth, at)
         if is_rubbed:
-            pulls = simulation.state.force[_last_nodes(simulation)].copy()
+            pulls = simulation.state.force[end_nodes(simulation.lines.start)[1]].copy()
         else:
             pulls, stiffness = _of_lines(simulation)
             eyes = ways_of_eyes(arms)
@@ -281,10 +276,6 @@ def moored_at_rest(
     raise NotConvergedError(Message("floater.not_at_rest", rounds=_ROUNDS))
 
 
-def _without_friction(seabed: Seabed | HeldBed | None) -> Seabed | HeldBed | None:
-    return replace(seabed, friction=0.0) if isinstance(seabed, Seabed) else seabed
-
-
 def arms_of(hull: Hull, axes: Array) -> Array:
     """From its centre of gravity to each mooring eye, (lines, 3), m."""
     return np.asarray(hull.eye @ axes.T)
@@ -295,10 +286,6 @@ def ways_of_eyes(arms: Array) -> Array:
     turned = [np.cross(each, arms) for each in np.eye(3)]
     straight = np.broadcast_to(np.eye(3), (len(arms), 3, 3))
     return np.concatenate([straight, np.stack(turned, axis=2)], axis=2)
-
-
-def _last_nodes(simulation: Simulation) -> Codes:
-    return end_nodes(simulation.lines.start)[1]
 
 
 def _of_lines(simulation: Simulation) -> tuple[Array, Array]:
@@ -344,7 +331,7 @@ def run_moored(
     rest = moored_at_rest(hull, legs, meshes, sea=in_sea, properties=properties)
     simulation, laid = rest.simulation, rest.hull
     simulation.start()
-    ones, none = np.ones(3), np.zeros(3)
+    none = np.zeros(3)
     before = rest.state._replace(line=rest.line)
     now = HullState(*(each.copy() for each in before))
     body = Afloat(
@@ -356,8 +343,7 @@ def run_moored(
         BodyNode(none, none, none),
     )
     simulation.afloat = body
-    simulation.body = BodyNode(ones, none, none)
+    simulation.body = BodyNode(np.ones(3), none, none)
     sample_hull(0, body)
     history = run_from_rest(simulation, stepping, meshes, warnings, progress)
-    of = history_of(body, history.time, in_sea.depth, 0.0, hull.volume_of_all)
-    return history, of
+    return history, history_of(body, history.time, in_sea.depth, hull.volume_of_all)

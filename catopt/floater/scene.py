@@ -62,8 +62,7 @@ class Scene:
         sine, cosine = np.sin(pitch), np.cos(pitch)
         across, along = self.outline.T
         turned = np.column_stack([across * cosine + along * sine, along * cosine - across * sine])
-        place: Array = turned + np.array([x, z])
-        return place
+        return np.asarray(turned + np.array([x, z]))
 
 
 def kept_nodes(meshes: Sequence[LineMesh]) -> tuple[tuple[int, ...], ...]:
@@ -78,11 +77,7 @@ def kept_nodes(meshes: Sequence[LineMesh]) -> tuple[tuple[int, ...], ...]:
 
 
 def scene_of(
-    history: History,
-    kept: Sequence[Sequence[int]],
-    body: HullHistory,
-    hull: FloatingHull,
-    sea: Sea,
+    history: History, kept: Sequence[Sequence[int]], body: HullHistory, hull: FloatingHull, sea: Sea
 ) -> Scene:
     """Take the scene out of a run that kept the nodes of `kept_nodes`."""
     counted = np.flatnonzero(history.counted) if history.counts else np.arange(history.time.size)

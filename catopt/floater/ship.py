@@ -333,10 +333,7 @@ class ShipInWeather:
             return None
         assert self.of.ulen is not None
         return read_wamit(
-            self.of.drift_file,
-            ulen=self.of.ulen,
-            density=self.density,
-            gravity=STANDARD_GRAVITY,
+            self.of.drift_file, ulen=self.of.ulen, density=self.density, gravity=STANDARD_GRAVITY
         )
 
     def drift(self, waves: Waves, wave_numbers: Array, headings: Array) -> Array:

@@ -31,7 +31,7 @@ from catopt.mooring.descent import Rest
 from catopt.mooring.zero_load import ZeroLoadPosition, zero_load_position
 from catopt.records import Record
 from catopt.waves import Waves
-from catopt.waves.random_surface import fill_wave_numbers
+from catopt.waves.random_surface import wave_numbers
 from catopt.words import Message
 
 SLOW_STEP: Final = 1.0
@@ -300,9 +300,8 @@ class MooredShip:
         step = step or sample_step(waves)
         time = ramp + step * np.arange(int((duration - ramp) / step) + 1, dtype=np.float64)
         way = slow_at(time, slow)
-        legs = self.system.legs
         fast = self._fast(waves, time, way, rest)
-        none = np.zeros((time.size, len(legs), 3))
+        none = np.zeros((time.size, len(self.system.legs), 3))
         whole = way.copy()
         whole[:, :2] += fast[0]
         whole[:, 2] += fast[2]
@@ -384,9 +383,8 @@ class MooredShip:
         for at, summed in _summed(waves, time, sized):
             found = summed.reshape(-1, count, 6)
             rows = np.arange(found.shape[0])
-            six[at] = (1.0 - part[at]) * found[rows, left[at]] + part[at] * found[
-                rows, left[at] + 1
-            ]
+            below, above = found[rows, left[at]], found[rows, left[at] + 1]
+            six[at] = (1.0 - part[at]) * below + part[at] * above
         cosine, sine = np.cos(yaws), np.sin(yaws)
 
         def moved(arm_x: Array | float, arm_y: Array | float, height: float) -> Array:
@@ -427,9 +425,7 @@ class MooredShip:
 
 def wave_numbers_of(waves: Waves, depth: float) -> Array:
     """Wave number of each wave in water of a depth, m; 1/m."""
-    k = np.empty(waves.omega.size)
-    fill_wave_numbers(np.ascontiguousarray(waves.omega), depth, k)
-    return k
+    return wave_numbers(waves.omega, depth)
 
 
 def _summed(waves: Waves, time: Array, sized: Array) -> Iterator[tuple[slice, Array]]:

@@ -18,7 +18,7 @@ from catopt.hydro.cylinder import FloatingCylinder
 from catopt.hydro.hull import PARTS, Hull, HullRecord, HullRoom, HullState, turn_axes
 from catopt.model.kinds import Findings
 from catopt.waves.kinematics import Flow, water_ends
-from catopt.waves.random_surface import fill_wave_numbers
+from catopt.waves.random_surface import wave_numbers
 from catopt.words import Message
 
 Complex = npt.NDArray[np.complex128]
@@ -142,9 +142,8 @@ class FloatingHull:
         if len(self.free) != 6:
             found.add("free", f"{len(self.free)}", Message("refused_motion.shape", shape=(6,)))
         if not (self.foot.size == self.top.size == self.radius.size > 0):
-            found.add(
-                "slices", f"{self.foot.size}", Message("refused_motion.foot_top_radius_one_or")
-            )
+            allowed = Message("refused_motion.foot_top_radius_one_or")
+            found.add("slices", f"{self.foot.size}", allowed)
         elif not (self.top > self.foot).all():
             found.add("slices", "", Message("refused_motion.top_each_above_foot"))
         found.raise_if_any()
@@ -227,16 +226,15 @@ class FloatingHull:
     def lay_out(self, flow: Flow, free: tuple[bool, ...] = (True,) * 6) -> Hull:
         """Arrays for the kernels, in a sea; of its freedoms those that are left `free`."""
         of, moves = self.radiation, np.logical_and(self.free, free)
-        x = np.cos(np.arange(1, COLUMNS + 1) * math.pi / (COLUMNS + 1))
-        share = (
-            2.0 / (COLUMNS + 1) * np.sin(np.arange(1, COLUMNS + 1) * math.pi / (COLUMNS + 1)) ** 2
-        )
+        places = np.arange(1, COLUMNS + 1) * math.pi / (COLUMNS + 1)
+        x, share = np.cos(places), 2.0 / (COLUMNS + 1) * np.sin(places) ** 2
         mode, rate, strength = _around(of.memory, moves)
         spin = self.spin_inertia
         if spin is None:
             volumes = math.pi * self.radius**2 * (self.top - self.foot)
             spin = 0.5 * self.mass * float(volumes @ self.radius**2 / volumes.sum())
         force, height = self.wind
+        wind = force * math.cos(self.wind_direction), force * math.sin(self.wind_direction)
         surge, heave, pitch = self.damping
         constant = np.zeros(6)
         constant[_SURGE_HEAVE_PITCH] = self.constant
@@ -256,13 +254,7 @@ class FloatingHull:
             bottom_drag=float(self.bottom_drag),
             bottom_radius=float(self.bottom_radius),
             column=np.ascontiguousarray(np.stack([x, share], axis=1)),
-            wind=np.array(
-                [
-                    force * math.cos(self.wind_direction),
-                    force * math.sin(self.wind_direction),
-                    height - self.centre,
-                ]
-            ),
+            wind=np.array([*wind, height - self.centre]),
             damping=np.array([surge, surge, heave, pitch, pitch, 0.0], dtype=float),
             constant=constant,
             stiffness=_all_round(self.stiffness),
@@ -284,8 +276,7 @@ class FloatingHull:
         of, waves, out = self.radiation, flow.waves, np.zeros((flow.waves.shape[0], 12))
         if of.excitation is None or waves.shape[0] == 0:
             return out
-        k = np.empty(of.omega.size)
-        fill_wave_numbers(of.omega, flow.depth, k)
+        k = wave_numbers(of.omega, flow.depth)
         beyond = of.excitation - self.long_wave(of.omega, k, flow.depth)
         omega = waves[:, 0]
         at = CubicSpline(of.omega, beyond)(np.clip(omega, of.omega[0], of.omega[-1]))
@@ -428,9 +419,8 @@ def _all_round(of: Array) -> Array:
 def _around(memory: Memory, free: Flags) -> tuple[Codes, Complex, Complex]:
     """Modes, rates and strengths of a memory in all freedoms that are free, as `_all_round`."""
     rows = []
-    for of, by, rate, strength in zip(
-        memory.row.tolist(), memory.column.tolist(), memory.rate, memory.strength, strict=True
-    ):
+    places = memory.row.tolist(), memory.column.tolist()
+    for of, by, rate, strength in zip(*places, memory.rate, memory.strength, strict=True):
         rows.append((2 * of, 2 * by, rate, strength))
         if of != 1 and by != 1:
             sign = 1.0 if of == by else -1.0

@@ -74,8 +74,8 @@ def read_wamit(
     found.raise_if_any()
     name = Path(path)
     stem = name.with_suffix("") if name.suffix in WAMIT else name
-    there = {end: stem.with_name(stem.name + end) for end in WAMIT}
-    there = {end: each for end, each in there.items() if each.is_file()}
+    files = {end: stem.with_name(stem.name + end) for end in WAMIT}
+    there = {end: each for end, each in files.items() if each.is_file()}
     if ".3" in there:
         there.pop(".2", None)
     if not there:
@@ -113,8 +113,8 @@ def wamit_rows(path: Path, end: str, problems: list[Problem]) -> Array:
         wrong.append(Problem(path.name, Message("refused.none"), allowed))
     problems += wrong[:SHOWN]
     if len(wrong) > SHOWN:
-        more = Message("refused_motion.more_kind", more=len(wrong) - SHOWN)
-        problems.append(Problem(path.name, "", more))
+        allowed = Message("refused_motion.more_kind", more=len(wrong) - SHOWN)
+        problems.append(Problem(path.name, "", allowed))
     return np.array(found, dtype=float).reshape(-1, len(columns))
 
 
@@ -163,17 +163,17 @@ class _Wamit:
             rows[".8"] = rows[".8"][rows[".8"][:, 1] == rows[".8"][:, 2]]
         periods = {end: set(of[of[:, 0] > 0.0, 0]) for end, of in rows.items() if end != ".hst"}
         self.periods = sorted(set().union(*periods.values()), reverse=True) if periods else []
-        self._check_same("PER", periods)
+        self._check_periods(periods)
         waves = {end: of for end, of in rows.items() if "MOD" in WAMIT[end]}
         self.headings = sorted(set().union(*(set(of[:, 1]) for of in waves.values()), set()))
 
-    def _check_same(self, key: str, of_files: dict[str, set[float]]) -> None:
+    def _check_periods(self, of_files: dict[str, set[float]]) -> None:
         """Note files that have other periods than the first."""
         for end, own in of_files.items():
             missing = set(self.periods) - own
             if missing and own:
                 allowed = Message("refused_motion.every_file_same_periods")
-                found = f"{key} {min(missing):g}"
+                found = f"PER {min(missing):g}"
                 self.problems.append(Problem(f"{self.name}{end}", found, allowed))
 
     def read(self) -> Coefficients | None:
@@ -249,15 +249,9 @@ class _Wamit:
         scale = self.density * self.ulen ** (3.0 + np.add.outer(_TURN, _TURN))
         places = {key: (rows[:, 1 + k] - 1).astype(int) for k, key in enumerate("IJ")}
         finite = rows[:, 0] > 0.0
-        at = [
-            (self.periods.index(per), i, j)
-            for per, i, j in zip(
-                rows[finite, 0].tolist(),
-                places["I"][finite].tolist(),
-                places["J"][finite].tolist(),
-                strict=True,
-            )
-        ]
+        columns = (rows[finite, 0], places["I"][finite], places["J"][finite])
+        cells = zip(*(each.tolist() for each in columns), strict=True)
+        at = [(self.periods.index(per), i, j) for per, i, j in cells]
         shape = (len(self.periods), 6, 6)
         limits: dict[int, Array] = {}
         for sign in (-1, 0):
@@ -322,14 +316,10 @@ class _Capytaine:
     def read(self) -> Coefficients:
         data = self.data
         order = list(self._freedoms())
-        for key in ("omega", "wave_direction"):
-            if key not in data.variables:
-                allowed = Message("refused_motion.missing_from_dataset")
-                self.problems.append(Problem(key, "", allowed))
-        radiates = [key for key in ("added_mass", "radiation_damping") if key not in data]
-        self.problems += [
-            Problem(key, "", Message("refused_motion.missing_from_dataset")) for key in radiates
-        ]
+        lacks = [key for key in ("omega", "wave_direction") if key not in data.variables]
+        lacks += [key for key in ("added_mass", "radiation_damping") if key not in data]
+        allowed = Message("refused_motion.missing_from_dataset")
+        self.problems += [Problem(key, "", allowed) for key in lacks]
         if self.problems:
             raise InputError(self.problems, self.path)
         omega = np.atleast_1d(data["omega"].values).astype(float)

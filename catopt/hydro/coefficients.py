@@ -107,10 +107,8 @@ class Coefficients:
             found.raise_if_any()
         low, part = _between(self.omega, np.broadcast_to(omega, wanted.shape))
         left, aside = _between(self.heading, wanted)
-        high, right = (
-            np.minimum(low + 1, self.omega.size - 1),
-            np.minimum(left + 1, self.heading.size - 1),
-        )
+        high = np.minimum(low + 1, self.omega.size - 1)
+        right = np.minimum(left + 1, self.heading.size - 1)
         part, aside = part[..., np.newaxis], aside[..., np.newaxis]
         under = (1.0 - aside) * values[low, left] + aside * values[low, right]
         over = (1.0 - aside) * values[high, left] + aside * values[high, right]
@@ -140,7 +138,9 @@ class Coefficients:
             values = getattr(self, key)
             if values is None:
                 continue
-            off = _scaled(values - np.swapaxes(values, -1, -2), values)
+            scale = _scale(values)
+            lopsided = values - np.swapaxes(values, -1, -2)
+            off = float(np.abs(lopsided / np.multiply.outer(scale, scale)).max())
             if off > _ROUNDING:
                 said.append(Message(f"floater.{key}_unsymmetrical", part=off))
         if self.damping is not None:
@@ -158,11 +158,6 @@ def _scale(values: Array) -> Array:
     scale: Array = np.sqrt(diagonal)
     scale[scale == 0.0] = scale.max() or 1.0
     return scale
-
-
-def _scaled(off: Array, values: Array) -> float:
-    scale = _scale(values)
-    return float(np.abs(off / np.multiply.outer(scale, scale)).max())
 
 
 def _between(rising: Array, at: Array) -> tuple[npt.NDArray[np.int64], Array]:
@@ -194,8 +189,7 @@ def retardation(omega: Array, damping: Array, t: Array) -> Array:
     fine, B = _fine(omega, damping)
     weight = np.gradient(fine)
     weight[[0, -1]] *= 0.5
-    K: Array = (2.0 / math.pi) * (np.cos(np.outer(t, fine)) @ (weight * B))
-    return K
+    return np.asarray((2.0 / math.pi) * (np.cos(np.outer(t, fine)) @ (weight * B)))
 
 
 def _fine(omega: Array, damping: Array) -> tuple[Array, Array]:

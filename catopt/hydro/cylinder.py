@@ -80,11 +80,8 @@ class FloatingCylinder:
         found.number("density", self.density, "kg/m3", above=0.0)
         found.number("gravity", self.gravity, "m/s2", above=0.0)
         if not found.problems and not self.draught < self.depth:
-            found.add(
-                "draught",
-                f"{self.draught:g} m",
-                Message("refused_motion.must_be_below_m_depth", depth=self.depth),
-            )
+            allowed = Message("refused_motion.must_be_below_m_depth", depth=self.depth)
+            found.add("draught", f"{self.draught:g} m", allowed)
         found.raise_if_any()
 
     @property

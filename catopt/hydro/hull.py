@@ -22,7 +22,7 @@ from catopt.waves.kinematics import (
     look_ahead,
     smooth_ramp,
 )
-from catopt.waves.random_surface import fill_wave_numbers
+from catopt.waves.random_surface import wave_numbers
 
 PRESSURE, DIFFRACTION, MEMORY, DRAG, WIND, DAMPING = range(6)
 """Rows of `HullState.parts`; the first with the weight."""
@@ -169,7 +169,7 @@ def keep_sea(room: HullRoom) -> None:
 def fill_sea_between(
     t: float, part: float, ahead: float, at: HullState, hull: Hull, flow: Flow, room: HullRoom
 ) -> None:
-    """Take the water about a hull after a part of a whole step, `between.fill_between`.
+    """Take the water about a hull after a part of a whole step, as `fill_between` does.
 
     The step ends at t, s, which is so far ahead of the hull's state, s.
     """
@@ -480,8 +480,7 @@ def monohull_response(
         found.number("roll_period", roll_period, "s", above=0.0)
     found.number("roll_damping", roll_damping, "", above=0.0)
     found.raise_if_any()
-    k = np.empty(omega.size)
-    fill_wave_numbers(omega, depth, k)
+    k = wave_numbers(omega, depth)
     cosine, sine = np.cos(heading), np.sin(heading)
     along, across = np.outer(k, cosine), np.outer(k, sine)
     out = np.zeros((omega.size, heading.size, 6), dtype=complex)

@@ -215,9 +215,8 @@ class Case(Checked):
         """Find what does not go with a current on a line at rest."""
         if self.current_at_rest is None:
             return
-        others = ("find", "design")
-        if keys := [key for key in others if getattr(self, key) is not None]:
-            said = ", ".join(f"[{key}]" for key in keys)
+        said = ", ".join(f"[{k}]" for k in ("find", "design") if getattr(self, k) is not None)
+        if said:
             found.add("current", "", Message("refused_case.current_at_rest_alone", keys=said))
         if self.current is not None and self.current.series_file:
             allowed = Message("refused_case.current_series_is_for_motion")
@@ -248,11 +247,8 @@ class Case(Checked):
         names = [state.name for state in states]
         for index, state in enumerate(states):
             if state.name in names[:index]:
-                found.add(
-                    f"{place}[{index}].name",
-                    state.name,
-                    Message("refused_case.another_has_this_name"),
-                )
+                allowed = Message("refused_case.another_has_this_name")
+                found.add(f"{place}[{index}].name", state.name, allowed)
             lowest = min(self.site.water_depth, self.fairlead_height + state.fairlead_rise)
             if not state.water_level > -lowest:
                 allowed = Message("refused.fairlead_above_bed", least=-lowest)

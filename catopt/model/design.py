@@ -62,10 +62,7 @@ class Find(Checked):
 
     def _check(self, found: Findings) -> None:
         found.check()
-        self._check_keys(found)
-
-    def _check_keys(self, found: Findings) -> None:
-        """Note a condition too few or too many, and keys that this quantity does not heed."""
+        # A condition too few or too many, and keys that this quantity does not heed.
         given = [key for key in CONDITIONS if getattr(self, key) is not None]
         what = " and ".join(given) or "no condition"
         if self.quantity == "length" and len(given) != 1:
@@ -75,12 +72,10 @@ class Find(Checked):
         elif self.seeks_force and given:
             found.add("find", what, Message("refused.takes_no_condition", what=self.quantity))
         if self.segment is not None and self.quantity not in ("length", "limit_force"):
-            allowed = Message("refused.with_length_or_limit")
-            found.add("segment", str(self.segment), allowed)
+            found.add("segment", str(self.segment), Message("refused.with_length_or_limit"))
         if self.point_load is not None and self.quantity != "clump_weight":
-            found.add(
-                "point_load", str(self.point_load), Message("refused.goes_with", way="clump_weight")
-            )
+            allowed = Message("refused.goes_with", way="clump_weight")
+            found.add("point_load", str(self.point_load), allowed)
 
     @property
     def seeks_force(self) -> bool:
@@ -115,16 +110,14 @@ def inconsistencies(
         allowed = Message("refused.seeks_force", what=find.quantity)
         found.add("load", " and ".join(load) or "a load", allowed)
     if seeks_length and load is not None and "span" in load:
-        allowed = Message("refused.length_sought")
-        found.add("load.span", "a span", allowed)
+        found.add("load.span", "a span", Message("refused.length_sought"))
     _count(found, "segment", find.segment, len(MBL_known))
     if find.quantity == "clump_weight" and point_loads == 0:
         found.add("find.quantity", find.quantity, Message("refused.no_point_load"))
     else:
         _count(found, "point_load", find.point_load, point_loads)
     if find.quantity == "touchdown_force" and anchor_height > 0.0:
-        allowed = Message("refused.on_bed")
-        found.add("line.anchor_height", f"{anchor_height:g} m", allowed)
+        found.add("line.anchor_height", f"{anchor_height:g} m", Message("refused.on_bed"))
     if find.quantity == "limit_force":
         _strength(found, find.segment, MBL_known)
     return found.problems
@@ -178,12 +171,7 @@ class SegmentChoice(Checked):
     """For tables."""
 
     def _check(self, found: Findings) -> None:
-        if not self.lengths:
-            found.add(
-                "lengths",
-                Message("refused.none"),
-                Message("refused_case.at_least_one_length_wanted"),
-            )
+        found.some("lengths", Message("refused_case.at_least_one_length_wanted"))
         found.check()
 
 
@@ -208,10 +196,7 @@ class ClumpWeightChoice(Checked):
     """Coulomb coefficient of the body on the bed where it rests there; None: that of the bed."""
 
     def _check(self, found: Findings) -> None:
-        if not self.masses:
-            found.add(
-                "masses", Message("refused.none"), Message("refused_case.at_least_one_mass_wanted")
-            )
+        found.some("masses", Message("refused_case.at_least_one_mass_wanted"))
         found.check()
         if (self.joint is None) == (not self.positions):
             found.add("positions", "", Message("refused_case.either_positions_or_joint_wanted"))
@@ -235,10 +220,7 @@ class SinkerChoice(Checked):
     def _check(self, found: Findings) -> None:
         if self.factor_source and self.safety_factor is None:
             found.add("factor_source", "", Message("refused.with_safety_factor"))
-        if not self.masses:
-            found.add(
-                "masses", Message("refused.none"), Message("refused_case.at_least_one_mass_wanted")
-            )
+        found.some("masses", Message("refused_case.at_least_one_mass_wanted"))
         found.check()
 
 
@@ -326,23 +308,14 @@ class Design(Checked):
     """Designs that are run in motion at most."""
 
     def _check(self, found: Findings) -> None:
-        if not self.segments:
-            found.add(
-                "segments",
-                Message("refused.none"),
-                Message("refused_case.at_least_one_segment_wanted"),
-            )
+        found.some("segments", Message("refused_case.at_least_one_segment_wanted"))
         if all(segment.optional for segment in self.segments):
-            found.add(
-                "segments", Message("refused_file.all_optional"), Message("refused.one_segment")
-            )
+            allowed = Message("refused.one_segment")
+            found.add("segments", Message("refused_file.all_optional"), allowed)
         unknown = [name for name in self.objectives if name not in OBJECTIVES]
         if unknown:
-            found.add(
-                "objectives",
-                ", ".join(unknown),
-                Message("refused_case.two_or_three_of", words=", ".join(OBJECTIVES)),
-            )
+            allowed = Message("refused_case.two_or_three_of", words=", ".join(OBJECTIVES))
+            found.add("objectives", ", ".join(unknown), allowed)
         elif not 2 <= len(set(self.objectives)) == len(self.objectives) <= 3:
             named = ", ".join(self.objectives) or "none"
             found.add("objectives", named, Message("refused.two_or_three"))
@@ -352,11 +325,8 @@ class Design(Checked):
         for index, number in enumerate(self.lines):
             found.number(f"lines[{index}]", number, "", at_least=fewest, at_most=most)
         if list(self.lines) != sorted(set(self.lines)):
-            found.add(
-                "lines",
-                ", ".join(map(str, self.lines)),
-                Message("refused_case.rising_numbers_each_once"),
-            )
+            allowed = Message("refused_case.rising_numbers_each_once")
+            found.add("lines", ", ".join(map(str, self.lines)), allowed)
         found.check("anchor_radii", "pretensions")
         if self.anchor_radii and self.pretensions:
             allowed = Message("refused_case.one_both_places_anchors_give")

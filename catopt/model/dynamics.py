@@ -156,11 +156,9 @@ def broken_line_misfits(number: int | None, lines: int) -> list[Problem]:
     """List a line that breaks and is not one of so many."""
     if number is None or number <= lines:
         return []
-    allowed = (
-        Message("refused_case.there_are_lines", lines=lines)
-        if lines > 1
-        else Message("refused_case.there_one_line")
-    )
+    allowed = Message("refused_case.there_one_line")
+    if lines > 1:
+        allowed = Message("refused_case.there_are_lines", lines=lines)
     return [Problem("dynamics.broken_line", f"{number}", allowed)]
 
 
@@ -180,14 +178,12 @@ def dynamics_misfits(present: Collection[str], given: Mapping[str, Any]) -> list
     Present are some of `FOR_MOTION`; given what motion, body and dynamics have, such as
     ``"motion.rao_file"``.
     """
-    problems = []
+    problems: list[Problem] = []
     if "dynamics" not in present:
-        # A current alone acts on one line at rest.
-        alone = {*present} <= {"current"}
         problems += [
             Problem(key, "", Message("refused.with_dynamics"))
             for key in ("waves", "current", "motion", "anchor_motion", "body", "floater")
-            if key in present and not alone
+            if key in present and {*present} != {"current"}  # alone it acts on one line at rest
         ]
     elif "system" in present:
         problems += _of_a_body(present, given)
@@ -233,8 +229,7 @@ def _of_a_floater(present: Collection[str], given: Collection[str]) -> Iterator[
         return
     for key in ("motion", "anchor_motion", "body"):
         if key in present:
-            allowed = Message("refused_case.does_not_go_with_floater_too")
-            yield Problem(key, "", allowed)
+            yield Problem(key, "", Message("refused_case.does_not_go_with_floater_too"))
     if "waves" not in present:
         yield Problem("waves", "", Message("refused_case.missing_nothing_moves_floater_but"))
     if "floater.hull" in given and "system" not in present:
@@ -263,21 +258,19 @@ def _of_a_body(present: Collection[str], given: Collection[str]) -> Iterator[Pro
     if "anchor_motion" in present:
         yield Problem("anchor_motion", "", Message("refused_case.does_not_go_with_system"))
     if "motion" in present and "body" in present:
-        allowed = Message("refused_case.does_not_go_with_motion")
-        yield Problem("body", "", allowed)
+        yield Problem("body", "", Message("refused_case.does_not_go_with_motion"))
     elif not {"motion", "body", "floater"} & set(present):
-        allowed = Message("refused_case.moored_body_motion_needs_motion")
-        yield Problem("dynamics", "", allowed)
+        yield Problem("dynamics", "", Message("refused_case.moored_body_motion_needs_motion"))
     elif "body" in present and "waves" not in present and "body.force_file" not in given:
         yield Problem("body", "", Message("refused_case.nothing_moves_force_file_or"))
     if "motion.drift_file" in given and "motion.file" in given:
-        allowed = Message("refused_case.does_not_go_with_file")
-        yield Problem("motion.drift_file", "", allowed)
+        yield Problem("motion.drift_file", "", Message("refused_case.does_not_go_with_file"))
     has_raos = "motion.rao_file" in given
     for key in RAO_CONVENTIONS:
         if has_raos and f"motion.{key}" not in given:
-            allowed = Message("refused_case.missing_raos_body_mean_nothing")
-            yield Problem(f"motion.{key}", "", allowed)
+            yield Problem(
+                f"motion.{key}", "", Message("refused_case.missing_raos_body_mean_nothing")
+            )
     for key in (*RAO_CONVENTIONS, "rao_crest"):
         if f"motion.{key}" in given and not has_raos:
             yield Problem(f"motion.{key}", "", Message("refused_case.goes_with_rao_file_which"))
@@ -388,17 +381,10 @@ def fatigue_misfits(given: Collection[str]) -> list[Problem]:
         allowed = Message("refused_case.exactly_one_sea_states_sea")
         problems.append(Problem("", found, allowed))
     if "code" not in given:
-        problems += [
-            Problem(
-                key,
-                "",
-                Message(
-                    "refused_case.missing_give_or_code_one", fatigue_codes=", ".join(FATIGUE_CODES)
-                ),
-            )
-            for key in ("design_factor", "curves")
-            if key not in given
-        ]
+        codes = ", ".join(FATIGUE_CODES)
+        allowed = Message("refused_case.missing_give_or_code_one", fatigue_codes=codes)
+        lacks = (key for key in ("design_factor", "curves") if key not in given)
+        problems += [Problem(key, "", allowed) for key in lacks]
     return problems
 
 
@@ -410,35 +396,23 @@ def sections_misfits(
     Of the sections that a case has, of what is given of its waves, of the segment of each curve,
     and of how many segments the line has; 0: not known.
     """
-    problems = []
+    found = Findings()
     for section, why in (
         ("dynamics", "run_in_time"),
         ("waves", "sea_states_in_place"),
         ("service", "has_the_life"),
     ):
         if section not in present:
-            problems.append(
-                Problem(
-                    "fatigue",
-                    "",
-                    Message(
-                        "refused_case.needs_which_missing",
-                        section=section,
-                        why=Message(f"refused_case.{why}"),
-                    ),
-                )
-            )
+            reason = Message(f"refused_case.{why}")
+            allowed = Message("refused_case.needs_which_missing", section=section, why=reason)
+            found.add("fatigue", "", allowed)
     if "waves" in present and "spectrum" not in waves:
         allowed = Message("refused_case.fatigue_needs_waves_one_spectrum")
-        problems.append(Problem("waves", Message("refused_file.no_spectrum"), allowed))
+        found.add("waves", Message("refused_file.no_spectrum"), allowed)
     for index, segment in enumerate(curves):
         key = f"fatigue.curves[{index}].segment"
         if segment in curves[:index]:
-            problems.append(
-                Problem(key, f"{segment or ''}", Message("refused_case.another_curve_same"))
-            )
+            found.add(key, f"{segment or ''}", Message("refused_case.another_curve_same"))
         elif segment is not None and segments and segment > segments:
-            problems.append(
-                Problem(key, f"{segment}", Message("refused_case.line_has", segments=segments))
-            )
-    return problems
+            found.add(key, f"{segment}", Message("refused_case.line_has", segments=segments))
+    return found.problems

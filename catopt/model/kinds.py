@@ -7,6 +7,7 @@ import sys
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import MISSING, dataclass, replace
+from functools import cache
 from types import MappingProxyType
 from typing import (
     Annotated,
@@ -39,15 +40,10 @@ _DIMENSIONS["N/m2"] = Dimension.PRESSURE
 """By their SI units, as messages write them."""
 
 
-_KNOWN: dict[type, Mapping[str, tuple[object, Annotation]]] = {}
-
-
+@cache
 def _known(of: type) -> Mapping[str, tuple[object, Annotation]]:
     """Of each attribute of a class: its default, and what its annotation says."""
-    if of not in _KNOWN:
-        every = annotated(of).items()
-        _KNOWN[of] = {key: (getattr(of, key, MISSING), each) for key, each in every}
-    return _KNOWN[of]
+    return {key: (getattr(of, key, MISSING), each) for key, each in annotated(of).items()}
 
 
 class Findings:
@@ -188,6 +184,11 @@ class Findings:
             self.add(key, repr(value), Message("refused.whole"))
         else:
             self.number(key, value, "", at_least=fewest, at_most=most)
+
+    def some(self, key: str, allowed: str) -> None:
+        """Note a problem unless an attribute that is a sequence has an item."""
+        if not getattr(self._of, key):
+            self.add(key, Message("refused.none"), allowed)
 
     def add(self, key: str, found: str, allowed: str) -> None:
         """Note a problem."""
@@ -408,19 +409,16 @@ class OneOf(Kind):
 
     def read(self, value: object) -> str:
         """Return the word."""
-        if not isinstance(value, str) or value not in self.words:
-            near = self._near(value)
-            meant = Message("refused.and_meant", wanted=self.wanted, near=near)
-            raise self._refused(value, meant if near else "")
-        return value
-
-    def _near(self, value: object) -> str:
         if not isinstance(value, str):
-            return ""
-        from difflib import get_close_matches
+            raise self._refused(value)
+        if value not in self.words:
+            from difflib import get_close_matches
 
-        close = get_close_matches(value.casefold(), self.words, n=1)
-        return close[0] if close else ""
+            for near in get_close_matches(value.casefold(), self.words, n=1):
+                meant = Message("refused.and_meant", wanted=self.wanted, near=near)
+                raise self._refused(value, meant)
+            raise self._refused(value)
+        return value
 
 
 class Size(NamedTuple):

@@ -410,19 +410,17 @@ def weightless(line: str) -> tuple[str, str]:
 
 def drag_missing(line: Line, path: str = "line") -> list[Problem]:
     """List what the segments of a line lack of what their drag in a current is found from."""
-    problems = []
+    found = Findings()
     for k, segment in enumerate(line.segments):
         key = f"{path}.segments[{k}]"
         if segment.drag_method != "given":
             allowed = Message("refused_case.current_wants_given_drag")
-            problems.append(Problem(f"{key}.drag_method", f'"{segment.drag_method}"', allowed))
+            found.add(f"{key}.drag_method", f'"{segment.drag_method}"', allowed)
         elif segment.drag_normal is None:
-            allowed = Message("refused_case.current_wants_drag")
-            problems.append(Problem(f"{key}.drag_normal", "", allowed))
+            found.add(f"{key}.drag_normal", "", Message("refused_case.current_wants_drag"))
         elif segment.drag_diameter is None and (segment.drag_normal or segment.drag_axial):
-            allowed = Message("refused_motion.missing_drag_refers")
-            problems.append(Problem(f"{key}.drag_diameter", "", allowed))
-    return problems
+            found.add(f"{key}.drag_diameter", "", Message("refused_motion.missing_drag_refers"))
+    return found.problems
 
 
 END_ROUNDING = 1e-14
@@ -459,10 +457,7 @@ class Line:
         object.__setattr__(self, "segments", _all(Segment, "segments", segments))
         object.__setattr__(self, "point_loads", tuple(loads))
         found = Findings(of=self)
-        if not self.segments:
-            found.add(
-                "segments", Message("refused.none"), Message("refused_case.line_has_at_least_one")
-            )
+        found.some("segments", Message("refused_case.line_has_at_least_one"))
         for index, load in enumerate(self.point_loads):
             nearest = min(load.position, self.length - load.position)
             if self.segments and not nearest > END_ROUNDING * self.length:
@@ -471,12 +466,9 @@ class Line:
         for lower, upper in pairwise(self.point_loads):
             if lower.position == upper.position and lower.friction != upper.friction:
                 shown = f"{lower.friction} and {upper.friction} at {lower.position:g} m"
-                allowed = Message("refused_case.point_loads_one_place_lie")
-                found.add(
-                    "point_loads.friction",
-                    shown,
-                    Message("refused_case.give_both_same", allowed=allowed),
-                )
+                lie = Message("refused_case.point_loads_one_place_lie")
+                allowed = Message("refused_case.give_both_same", allowed=lie)
+                found.add("point_loads.friction", shown, allowed)
         found.raise_if_any()
 
     @property

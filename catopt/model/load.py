@@ -54,10 +54,8 @@ class Load(Checked):
 
     def _check(self, found: Findings) -> None:
         if len(self.given) != 1:
-            allowed = Message("refused.one_load")
-            found.add(
-                "load", " and ".join(self.given) or Message("refused_file.none_of_them"), allowed
-            )
+            said = " and ".join(self.given) or Message("refused_file.none_of_them")
+            found.add("load", said, Message("refused.one_load"))
             found.raise_if_any()
         found.check()
 
@@ -113,12 +111,10 @@ STEEPEST = math.radians(45.0)
 HIGHEST = 1.0
 """Contact offset, m: of a chain whose bar has 0.6 m."""
 Slope = Annotated[
-    float,
-    Measured(Dimension.ANGLE, at_least=-STEEPEST, at_most=STEEPEST, example='"3 deg"'),
+    float, Measured(Dimension.ANGLE, at_least=-STEEPEST, at_most=STEEPEST, example='"3 deg"')
 ]
 Offset = Annotated[
-    float,
-    Measured(Dimension.LENGTH, at_least=0.0, at_most=HIGHEST, example='"0.164 m"'),
+    float, Measured(Dimension.LENGTH, at_least=0.0, at_most=HIGHEST, example='"0.164 m"')
 ]
 
 
@@ -153,9 +149,8 @@ class Site(Checked):
     def _check(self, found: Findings) -> None:
         found.check()
         if self.seabed_slope and self.contact_offset:
-            found.add(
-                "contact_offset", f"{self.contact_offset:g} m", Message("refused_case.level_only")
-            )
+            allowed = Message("refused_case.level_only")
+            found.add("contact_offset", f"{self.contact_offset:g} m", allowed)
 
     @property
     def depth_to_seabed(self) -> float:
@@ -173,8 +168,6 @@ class Site(Checked):
             found = f"{math.degrees(self.seabed_slope):g} deg"
             raise InputError([Problem("site.seabed_slope", found, allowed)])
 
-
-"""Why a case of one line has no factor for one line out."""
 
 Code = Annotated[str, Text(filled=True, example='"break/5"')]
 
@@ -214,8 +207,5 @@ class Checks(Checked):
         found.check("max_anchor_uplift_angle", "max_anchor_uplift_force", "min_grounded_length")
         found.check("max_span", "max_offset", "motion_code")
         if None not in (self.max_span, self.max_offset):
-            found.add(
-                "max_offset",
-                f"{self.max_offset:g} m",
-                Message("refused_case.leave_out_beside_max_span"),
-            )
+            allowed = Message("refused_case.leave_out_beside_max_span")
+            found.add("max_offset", f"{self.max_offset:g} m", allowed)

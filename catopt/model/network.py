@@ -102,31 +102,27 @@ class Point(Checked):
 def point_misfits(given: dict[str, object]) -> list[Problem]:
     """List which keys a point of its kind lacks, and which it cannot have; None is not given."""
     is_joint = given.get("kind") == "joint"
-    found = []
+    found = Findings()
     for key in ("x", "y", "height"):
         value = given.get(key)
         if is_joint and value is not None:
-            allowed = Message("refused_case.leave_out_where_joint_comes")
-            found.append(Problem(key, f"{value}", allowed))
+            found.add(key, f"{value}", Message("refused_case.leave_out_where_joint_comes"))
         elif value is None and given.get("kind") in ("anchor", "fairlead"):
-            found.append(
-                Problem(key, "", Message("refused_case.missing_s_have_x_y", value=given["kind"]))
-            )
-    allowed = Message("refused_case.leave_out_only_joint_feels")
-    if given.get("submerged_weight") and not is_joint:
-        found.append(Problem("submerged_weight", f"{given['submerged_weight']}", allowed))
-    force = given.get("force")
-    if isinstance(force, Iterable) and any(force) and not is_joint:
-        found.append(Problem("force", f"{given['force']}", allowed))
-    found += (
-        Problem(key, f"{given[key]}", allowed)
-        for key in ("mass", "drag_area", "drag_coefficient", "added_mass_coefficient")
-        if given.get(key) not in (None, 0.0) and not is_joint
-    )
+            found.add(key, "", Message("refused_case.missing_s_have_x_y", value=given["kind"]))
+    if not is_joint:
+        allowed = Message("refused_case.leave_out_only_joint_feels")
+        if given.get("submerged_weight"):
+            found.add("submerged_weight", f"{given['submerged_weight']}", allowed)
+        force = given.get("force")
+        if isinstance(force, Iterable) and any(force):
+            found.add("force", f"{force}", allowed)
+        for key in ("mass", "drag_area", "drag_coefficient", "added_mass_coefficient"):
+            if given.get(key) not in (None, 0.0):
+                found.add(key, f"{given[key]}", allowed)
     if given.get("body") and given.get("kind") in ("anchor", "joint"):
         allowed = Message("refused_case.leave_out_only_fairlead_has_body")
-        found.append(Problem("body", f"{given['body']}", allowed))
-    return found
+        found.add("body", f"{given['body']}", allowed)
+    return found.problems
 
 
 @dataclass(frozen=True)
@@ -206,8 +202,8 @@ class Network(Checked):
     def _check(self, found: Findings) -> None:
         for key in ("points", "lines", "bodies"):
             object.__setattr__(self, key, tuple(getattr(self, key)))
-            if key != "bodies" and not getattr(self, key):
-                found.add(key, Message("refused.none"), Message("refused_case.at_least_one_wanted"))
+            if key != "bodies":
+                found.some(key, Message("refused_case.at_least_one_wanted"))
         names = [point.name for point in self.points]
         joints = [point.name for point in self.points if point.kind == "joint"]
         pulled = {each.name for each in self.points if each.hung[2] > 0.0 or any(each.hung[:2])}
@@ -243,8 +239,7 @@ class Network(Checked):
         present = [key for key in ("waves", "motion", "dynamics") if getattr(self, key) is not None]
         found.problems += network_motion_misfits(present, has_fairlead=self.has_fairlead)
         if self.motion is not None and (self.motion.rao_file or self.motion.of_a_body):
-            allowed = Message("refused_case.give_period_or_file")
-            found.add("motion", "RAOs or a drift", allowed)
+            found.add("motion", "RAOs or a drift", Message("refused_case.give_period_or_file"))
         if self.dynamics is None:
             found.problems += of_motion_misfits(self, Message("refused.with_dynamics"))
             return
@@ -329,20 +324,12 @@ class Network(Checked):
         for name in anchors:
             lines = [f"{k}" for k, pair in enumerate(ends, start=1) if name in pair]
             if len(lines) > 1:
-                allowed = Message("refused_case.anchor_holds_one_line")
-                found.add(
-                    "anchor",
-                    Message("refused_file.lines_at", lines=", ".join(lines), name=name),
-                    allowed,
-                )
-        for k, pair in enumerate(ends, start=1):
-            if pair[0] != pair[1] and set(pair) <= set(anchors):
-                allowed = Message("refused_case.anchor_holds_one_end")
-                found.add(
-                    "anchor",
-                    Message("refused_file.line_between", line=k, start=pair[0], end=pair[1]),
-                    allowed,
-                )
+                said = Message("refused_file.lines_at", lines=", ".join(lines), name=name)
+                found.add("anchor", said, Message("refused_case.anchor_holds_one_line"))
+        for k, (start, end) in enumerate(ends, start=1):
+            if start != end and {start, end} <= set(anchors):
+                said = Message("refused_file.line_between", line=k, start=start, end=end)
+                found.add("anchor", said, Message("refused_case.anchor_holds_one_end"))
 
     @property
     def numbers(self) -> dict[str, int]:
@@ -388,43 +375,36 @@ def network_misfits(
     names: list[str],
     joints: list[str],
     ends: list[tuple[str, str]],
-    pulled: Collection[str] = (),
-    tied: Iterable[Sequence[str]] = (),
+    pulled: Collection[str],
+    tied: Iterable[Sequence[str]],
 ) -> list[Problem]:
     """List ends that are no points, names given twice, joints and bodies that nothing holds.
 
     `pulled`: joints that a force or their buoyancy keeps from falling; `tied`: the fairleads of
     each body that is free.
     """
-    first = {name: k for k, name in reversed([*enumerate(names)])}
-    found = [
-        Problem(f"points[{k}].name", name, Message("refused_case.another_point_has_this_name"))
-        for k, name in enumerate(names)
-        if first[name] < k
-    ]
-    for k, pair in enumerate(ends):
-        found += (
-            Problem(
-                f"lines[{k}].{key}",
-                end,
-                Message("refused_case.no_such_point_there_are", names=", ".join(names)),
+    found = Findings()
+    for k, name in enumerate(names):
+        if name in names[:k]:
+            found.add(
+                f"points[{k}].name", name, Message("refused_case.another_point_has_this_name")
             )
-            for key, end in zip(("start", "end"), pair, strict=True)
-            if end not in first
-        )
-        if pair[0] == pair[1]:
-            found.append(
-                Problem(f"lines[{k}].end", pair[1], Message("refused_case.line_begins_there_too"))
-            )
+    for k, (start, end) in enumerate(ends):
+        for key, name in (("start", start), ("end", end)):
+            if name not in names:
+                allowed = Message("refused_case.no_such_point_there_are", names=", ".join(names))
+                found.add(f"lines[{k}].{key}", name, allowed)
+        if start == end:
+            found.add(f"lines[{k}].end", end, Message("refused_case.line_begins_there_too"))
     meeting = Counter(name for pair in ends for name in {*pair})
     of_bodies = [*tied]
     free = {*joints, *itertools.chain(*of_bodies)}
     ties = [pair for each in of_bodies for pair in itertools.pairwise(each)]
     held = joined({*names} - free, [*ends, *ties])
-    return found or [
-        Problem(f"points[{k}]", name, allowed)
+    return found.problems or [
+        Problem(f"points[{k}]", name, why)
         for k, name in enumerate(names)
-        if (allowed := _loose(meeting[name], name in joints, name in pulled, name in held))
+        if (why := _loose(meeting[name], name in joints, name in pulled, name in held))
     ]
 
 

@@ -120,11 +120,8 @@ class WaveState(Checked):
     are left out."""
 
     def _check(self, found: Findings) -> None:
-        given = {
-            field.name: getattr(self, field.name)
-            for field in fields(self)
-            if getattr(self, field.name) != field.default
-        }
+        default = {field.name: field.default for field in fields(self)}
+        given = {key: value for key, value in vars(self).items() if value != default[key]}
         found.problems += wave_misfits(given)
         found.check(
             "spectrum", *_OF_A_TRAIN, "elevation_x", "shortest_period", "stretching", "seed"
@@ -151,14 +148,9 @@ def wave_misfits(given: Mapping[str, Any]) -> list[Problem]:
     """
     ways = [key for key in WAVE_WAYS if key in given]
     if len(ways) != 1:
+        said = " and ".join(ways) or Message("refused_file.none_of_them")
         wanted = Message("refused.exactly_one", ways=", ".join(WAVE_WAYS))
-        return [
-            Problem(
-                "waves",
-                " and ".join(ways) if ways else Message("refused_file.none_of_them"),
-                wanted,
-            )
-        ]
+        return [Problem("waves", said, wanted)]
     (way,) = ways
     problems = []
     for key, value in given.items():
@@ -183,7 +175,7 @@ def train_misfits(given: Mapping[str, Any]) -> list[Problem]:
     problems = []
     spectrum, count = given.get("spectrum"), given.get("components", COMPONENTS)
     if "peak_enhancement" in given and spectrum in WAVE_SPECTRA and spectrum != "jonswap":
-        allowed: str = Message("refused.with_not_with", way="jonswap", other=spectrum)
+        allowed = Message("refused.with_not_with", way="jonswap", other=spectrum)
         problems.append(Problem("peak_enhancement", repr(given["peak_enhancement"]), allowed))
     if "spreading_exponent" in given and spectrum == "regular":
         allowed = Message("refused_case.regular_wave_has_one_direction")
@@ -290,11 +282,10 @@ class CurrentProfile(Checked):
             is_given = given is not None and given != ()
             if key == "speed" and self.series_file and self.profile != "table":
                 if is_given:
-                    found.add(
-                        key, repr(given), Message("refused_case.stands_series_file_leave_out")
-                    )
+                    allowed = Message("refused_case.stands_series_file_leave_out")
+                    found.add(key, repr(given), allowed)
             elif is_given and key not in _CURRENT_TAKES[self.profile]:
-                allowed: str = Message("refused.not_with_profile", profile=self.profile)
+                allowed = Message("refused.not_with_profile", profile=self.profile)
                 found.add(key, repr(given), allowed)
             elif not is_given and key in _NEEDS[self.profile]:
                 found.add(key, "", Message("refused.profile_needs", profile=self.profile))
@@ -309,7 +300,7 @@ class CurrentProfile(Checked):
         self._check_length("speeds", found)
         for index, (above, depth) in enumerate(pairwise(self.depths), start=1):
             if depth <= above:
-                allowed: str = Message("refused.more_than_before", above=above)
+                allowed = Message("refused.more_than_before", above=above)
                 found.add(f"depths[{index}]", f"{depth:g} m", allowed)
         self._check_length("directions", found)
         for index, turn in enumerate(turns(self.directions), start=1):
@@ -395,11 +386,8 @@ class Motion(Checked):
         given = [key for key in MOTION_WAYS if getattr(self, key) not in (None, "")]
         if len(given) != 1:
             wanted = Message("refused.exactly_one", ways=", ".join(MOTION_WAYS))
-            found.add(
-                "motion",
-                " and ".join(given) if given else Message("refused_file.none_of_them"),
-                wanted,
-            )
+            said = " and ".join(given) or Message("refused_file.none_of_them")
+            found.add("motion", said, wanted)
         found.check("period", *HARMONIC, "rao_phase", "rao_rotation", "rao_per")
         found.check("rao_reference", "rao_crest", "drift")
         if given in (["file"], ["rao_file"]):

@@ -12,7 +12,7 @@ from typing import Annotated, Any, Final, NamedTuple
 
 from catopt.constants import YEAR
 from catopt.errors import InputError, Problem
-from catopt.model.kinds import Checked, Measured, OneOf, WearRate
+from catopt.model.kinds import Checked, Findings, Measured, OneOf, WearRate
 from catopt.units import Dimension
 from catopt.words import Message
 
@@ -101,31 +101,20 @@ def wear_misfits(
     From what is given of ``wear_rate`` and ``wear_table`` of the service, and of ``wear_rate`` and
     ``wear_zone`` of each segment.
     """
-    problems = []
+    found = Findings()
     name = service.get("wear_table")
+    table = WEAR_TABLES.get(name or "")
     if name and service.get("wear_rate"):
-        problems.append(
-            Problem("service.wear_rate", "", Message("refused_case.one_wear_rate_wear_table"))
-        )
+        found.add("service.wear_rate", "", Message("refused_case.one_wear_rate_wear_table"))
     for index, segment in enumerate(segments):
         zone, key = segment.get("wear_zone"), f"line.segments[{index}].wear_zone"
         if not zone:
             continue
-        table = WEAR_TABLES.get(name or "")
         if not name:
-            problems.append(
-                Problem(key, f'"{zone}"', Message("refused_case.goes_with_service_wear_table"))
-            )
+            found.add(key, f'"{zone}"', Message("refused_case.goes_with_service_wear_table"))
         elif segment.get("wear_rate") is not None:
-            problems.append(
-                Problem(key, f'"{zone}"', Message("refused_case.one_wear_rate_wear_zone"))
-            )
+            found.add(key, f'"{zone}"', Message("refused_case.one_wear_rate_wear_zone"))
         elif table is not None and zone not in table.rates:
-            problems.append(
-                Problem(
-                    key,
-                    f'"{zone}"',
-                    Message("refused_case.has", name=name, rates=", ".join(table.rates)),
-                )
-            )
-    return problems
+            allowed = Message("refused_case.has", name=name, rates=", ".join(table.rates))
+            found.add(key, f'"{zone}"', allowed)
+    return found.problems

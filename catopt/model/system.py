@@ -228,11 +228,8 @@ class Floater(Checked):
 
     def _check(self, found: Findings) -> None:
         found.check()
-        given = {
-            each.name: getattr(self, each.name)
-            for each in fields(self)
-            if getattr(self, each.name) != each.default
-        }
+        default = {each.name: each.default for each in fields(self)}
+        given = {key: value for key, value in vars(self).items() if value != default[key]}
         found.problems += floater_misfits(given)
 
 
@@ -344,16 +341,10 @@ class System(Checked):
     def _check(self, found: Findings) -> None:
         object.__setattr__(self, "legs", tuple(self.legs))
         object.__setattr__(self, "force", tuple(self.force))
-        if not self.legs:
-            found.add(
-                "legs", Message("refused.none"), Message("refused_motion.system_has_at_least_one")
-            )
+        found.some("legs", Message("refused_motion.system_has_at_least_one"))
         if len(self.force) != 2:
-            found.add(
-                "force",
-                f"{len(self.force)} numbers",
-                Message("refused_case.two_are_wanted_along_x"),
-            )
+            allowed = Message("refused_case.two_are_wanted_along_x")
+            found.add("force", f"{len(self.force)} numbers", allowed)
         found.check("force", "moment", "seabed_friction")
         if self.yaw_free and not self.has_arms:
             allowed = Message("refused_case.no_fairlead_lies_off_body")

@@ -63,10 +63,9 @@ def _worn(segment: Segment, service: Service | None) -> Segment:
     left = left_of_section(segment, service)
     if left == 1.0:
         return segment
-    mass = None if segment.mass is None else left * segment.mass
     return replace(
         segment,
         submerged_weight=left * segment.submerged_weight,
         EA=left * segment.EA,
-        mass=mass,
+        mass=None if segment.mass is None else left * segment.mass,
     )

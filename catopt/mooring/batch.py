@@ -20,10 +20,12 @@ from catopt.mooring.static_equilibrium import static_equilibrium
 from catopt.mooring.zero_load import zero_load_position
 from catopt.words import Message
 
+__all__ = ["Batch", "SystemSolutions", "solve_system_many"]
+
 BODY, PER_LINE = 14, 6
 """Columns that are written of the body: x, y, yaw, force_error, moment_error as in Rest and x, y,
-moment, xx, xy, yy, xm, ym, mm as in Pull; of each line: H, V, span, grounded, H_anchor, V_anchor
-as in Lines."""
+moment, xx, xy, yy, xm, ym, mm as in RestoringForce; of each line: H, V, span, grounded, H_anchor,
+V_anchor as in Lines."""
 
 
 def static_equilibria(
@@ -77,8 +79,6 @@ def static_equilibria(
             per_line[at + 4 * count] = lines.H_anchor[k]
             per_line[at + 5 * count] = lines.V_anchor[k]
 
-
-__all__ = ["Batch", "SystemSolutions", "solve_system_many"]
 
 _A_LINE = 4e-4
 """Time that a line of the system takes under one load as plain Python, s."""

@@ -198,13 +198,16 @@ def report_system(
     rest = solution.position
     own = [(rest.x, rest.y, 0.0, 0.0, 0.0, rest.yaw)] if with_stiffness else []
     places = [*own, *displacements]
+    offsets = _offsets(math.hypot(*solution.offset), max(leg.anchor_radius for leg in system.legs))
     return SystemReport(
         case,
         solution,
         sharing_rule(system),
         line_out=one_line_out(system) if with_line_out else (),
         circle=watch_circle(system, force=size) if with_circle and size > 0.0 else None,
-        curves=tuple(_curve(system, solution, direction) for direction in directions),
+        curves=tuple(
+            restoring_curve(system, direction=each, offsets=offsets) for each in directions
+        ),
         levels=at_levels(system, levels),
         at_displacement=tuple(
             at_displacement(system, origin_height=case.site.water_depth, displacement=each)
@@ -213,18 +216,9 @@ def report_system(
     )
 
 
-def _curve(system: System, solution: SystemSolution, direction: float) -> RestoringCurve:
-    """Hold the body at offsets both ways, half as far again as under the load of the case."""
-    radius = max(leg.anchor_radius for leg in system.legs)
-    offsets = _offsets(math.hypot(*solution.offset), radius)
-    return restoring_curve(system, direction=direction, offsets=offsets)
-
-
 def _offsets(offset: float, radius: float) -> list[float]:
     """Go both ways, half as far again as under a load, or else a hundredth of a radius; m."""
-    far = 1.5 * offset
-    if far < 1e-6:
-        far = 0.01 * radius
+    far = 1.5 * offset if 1.5 * offset >= 1e-6 else 0.01 * radius
     middle = CURVE_POINTS // 2
     return [far * (k - middle) / middle for k in range(CURVE_POINTS)]
 

@@ -12,8 +12,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
-from catopt.catenary.root_search import BY_SPAN
-from catopt.catenary.solve import solution_of
 from catopt.errors import NoEquilibriumError
 from catopt.model import Line, PointLoad, Segment
 from catopt.model.network import LineBetween, Network
@@ -22,6 +20,8 @@ from catopt.mooring.joints import (
     Run,
     check_afloat,
     friction_of,
+    laid_out,
+    pulls_of,
     run_of,
     solved,
     turned_line,
@@ -112,7 +112,7 @@ def apart(
     `found` and `runs` are those of `whole`, the network in rows.
     """
     places = dict(zip((point.name for point in whole.points), found.places, strict=True))
-    up = dict(zip((point.name for point in whole.points), found.reactions, strict=True))
+    up = dict(zip(places, found.reactions, strict=True))
     kinds = {point.name: point.kind for point in network.points}
     parted: dict[int, tuple[Run, Ends]] = {}
     for row, run, ends in zip(rows, runs, found.ends, strict=True):
@@ -151,9 +151,7 @@ def apart(
 
 def _lay(row: Row, run: Run, ends: Ends, places: dict[str, Vector], up: dict[str, float]) -> None:
     """Add where the joints of a row lie and what the bed carries of them, from its line."""
-    laid = solution_of(
-        ends.state, run.line, ends.problem, run.segment_of, method="closed-form", known=BY_SPAN
-    )
+    laid = laid_out(run, ends)
     at, to = places[row.start], places[row.end]
     span = math.hypot(to[0] - at[0], to[1] - at[1])
     way = ((to[0] - at[0]) / span, (to[1] - at[1]) / span) if span > 0.0 else (1.0, 0.0)
@@ -178,12 +176,7 @@ def _left(
     left, at = 0.0, ""
     for name in (name for row in rows for name in row.joints):
         k = network.numbers[name]
-        pulls = [
-            pull
-            for run, end in zip(runs, ends, strict=True)
-            for point, pull in ((run.first, end.first), (run.second, end.second))
-            if point == k
-        ]
+        pulls = [pull for point, pull in pulls_of(runs, ends) if point == k]
         x, y, z = (math.fsum(each) for each in zip(*pulls, strict=True))
         over_bed = z - network.points[k].submerged_weight  # joints of rows have no force
         rubbed = network.site.seabed_friction * up[name]

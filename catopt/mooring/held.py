@@ -22,6 +22,7 @@ from catopt.mooring.joints import (
     joints_at_rest,
     moored,
     product,
+    pulls_of,
     runs_of,
     solve,
 )
@@ -118,14 +119,12 @@ def hold(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> Netw
     arms, runs, found = _in_place(whole, displacement, origin)
     _check_pull(runs, found)
     load, stiffness = [0.0] * 6, _condensed(whole, runs, found, _by_six(arms), 6)
-    for run, end in zip(runs, found.ends, strict=True):
-        for at, force in ((run.first, end.first), (run.second, end.second)):
-            if at in arms:
-                _add(load, (*force, *_times(_skew(arms[at]), force)))
-                for row, turned in zip(
-                    stiffness[3:], product(_skew(force), _skew(arms[at])), strict=True
-                ):
-                    _add(row, (0.0, 0.0, 0.0, *(-each for each in turned)))
+    for at, force in pulls_of(runs, found.ends):
+        if at in arms:
+            arm = _skew(arms[at])
+            _add(load, (*force, *_times(arm, force)))
+            for row, turned in zip(stiffness[3:], product(_skew(force), arm), strict=True):
+                _add(row, (0.0, 0.0, 0.0, *(-each for each in turned)))
     runs, found = apart(network, rows, whole, found, runs)
     lines = []
     for run, end in zip(runs, found.ends, strict=True):
@@ -218,7 +217,7 @@ class WithoutLoad:
         return self._apart(self.network.unloaded(), whole, found)
 
     def _apart(self, network: Network, whole: Network, found: JointsAtRest) -> LinesAtRest:
-        neutral = self.found.poses
+        poses = zip(moored(whole, 0), found.poses, self.found.poses, strict=True)
         bodies = tuple(
             BodyAtRest(
                 body.body,
@@ -227,9 +226,7 @@ class WithoutLoad:
                 _position(body.body, before),
                 _in_plan(whole, self.runs, found, k),
             )
-            for k, (body, pose, before) in enumerate(
-                zip(moored(whole, 0), found.poses, neutral, strict=True)
-            )
+            for k, (body, pose, before) in enumerate(poses)
         )
         parted = apart(network, rows_of(network), whole, found, self.runs)
         return LinesAtRest(network, *parted, bodies)
@@ -280,9 +277,7 @@ def _position(body: MooredBody, pose: Vector) -> Position:
 
 
 def _in_place(
-    network: Network,
-    displacement: tuple[float, ...],
-    origin: tuple[float, float] = (0.0, 0.0),
+    network: Network, displacement: tuple[float, ...], origin: tuple[float, float] = (0.0, 0.0)
 ) -> tuple[dict[int, Vector], tuple[Run, ...], JointsAtRest]:
     """Place the ends of lines, and bring the rest to rest: arms of fairleads, lines, joints."""
     arms, held = _ends_held(network, displacement, origin)
@@ -291,9 +286,7 @@ def _in_place(
 
 
 def _ends_held(
-    network: Network,
-    displacement: tuple[float, ...],
-    origin: tuple[float, float] = (0.0, 0.0),
+    network: Network, displacement: tuple[float, ...], origin: tuple[float, float] = (0.0, 0.0)
 ) -> tuple[dict[int, Vector], dict[int, Vector]]:
     """Place fairleads off the body's origin, turned with it; and these and anchors in space."""
     depth = network.site.water_depth

@@ -10,16 +10,18 @@ one that the body comes to from where it was.
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
 from catopt.catenary.pieces import Pieces, cut
-from catopt.catenary.solve import refusal
+from catopt.catenary.root_search import BY_SPAN
+from catopt.catenary.solution import Solution
+from catopt.catenary.solve import refusal, solution_of
 from catopt.catenary.state import CONVERGED
 from catopt.errors import FloatsUpError, NoEquilibriumError, NotConvergedError
 from catopt.model import Line, Load
-from catopt.model.network import LineBetween, MooredBody, Network
+from catopt.model.network import MooredBody, Network
 from catopt.mooring.line_ends import Ends, Matrix, Vector, ends_of
 from catopt.words import Message
 
@@ -82,22 +84,33 @@ class JointsAtRest(NamedTuple):
 
 def runs_of(network: Network) -> tuple[Run, ...]:
     """Lay out the lines of a network, each from its anchor where it has one."""
-    return tuple(_run(k, line, network) for k, line in enumerate(network.lines, start=1))
-
-
-def _run(number: int, given: LineBetween, network: Network) -> Run:
-    first, second = (network.numbers[end] for end in (given.start, given.end))
-    line = given.line
-    kinds = network.points[first].kind, network.points[second].kind
-    if kinds[1] == "anchor" and kinds[0] != "anchor":
-        first, second = second, first
-        line = turned_line(line)
-    return run_of(given.name or f"{number}", first, second, line)
+    runs = []
+    for number, given in enumerate(network.lines, start=1):
+        line = given.line
+        first, second = (network.numbers[end] for end in (given.start, given.end))
+        if network.points[second].kind == "anchor" != network.points[first].kind:
+            first, second, line = second, first, turned_line(line)
+        runs.append(run_of(given.name or f"{number}", first, second, line))
+    return tuple(runs)
 
 
 def run_of(name: str, first: int, second: int, line: Line) -> Run:
     """Lay out a line from one point to another."""
     return Run(name, first, second, line, *cut(line))
+
+
+def laid_out(run: Run, ends: Ends) -> Solution:
+    """Lay a line at rest out between its points."""
+    return solution_of(
+        ends.state, run.line, ends.problem, run.segment_of, method="closed-form", known=BY_SPAN
+    )
+
+
+def pulls_of(runs: Iterable[Run], ends: Iterable[Ends]) -> Iterator[tuple[int, tuple[float, ...]]]:
+    """Yield for both ends of each line the number of the point there, and the force on it, N."""
+    for run, each in zip(runs, ends, strict=True):
+        yield run.first, each.first
+        yield run.second, each.second
 
 
 def is_anchored(network: Network, run: Run) -> bool:
@@ -324,12 +337,11 @@ class _Search:
     def of_lines(self, at: _At, motions: Mapping[int, tuple[int, Matrix]]) -> list[float]:
         """Sum what the lines do by freedom."""
         total = [0.0] * self.size
-        for run, each in zip(self.runs, at.ends, strict=True):
-            for point, force in ((run.first, each.first), (run.second, each.second)):
-                if point in motions:
-                    first, by = motions[point]
-                    for i, along in enumerate(zip(*by, strict=True)):
-                        total[first + i] += sum(map(float.__mul__, along, force))
+        for point, force in pulls_of(self.runs, at.ends):
+            if point in motions:
+                first, by = motions[point]
+                for i, along in enumerate(zip(*by, strict=True)):
+                    total[first + i] += sum(map(float.__mul__, along, force))
         return total
 
     def stiffness(self, at: _At, motions: Mapping[int, tuple[int, Matrix]]) -> list[list[float]]:
@@ -406,11 +418,7 @@ class _Search:
 
     def went(self, at: _At, there: _At, way: Sequence[float], part: float) -> list[float]:
         """Say by how much each freedom changed, m."""
-        joints = [
-            new - old
-            for p in self.joints
-            for new, old in zip(there.places[p], at.places[p], strict=True)
-        ]
+        joints = [there.places[p][i] - at.places[p][i] for p in self.joints for i in range(3)]
         return [*joints, *(part * each for each in way[len(joints) :])]
 
 
@@ -428,8 +436,7 @@ def by_turning(runs: Sequence[Run], ends: Sequence[Ends], body: Moored, yaw: flo
     arms = body.turned(yaw)
     return math.fsum(
         arms[point][i] * force[i]
-        for run, each in zip(runs, ends, strict=True)
-        for point, force in ((run.first, each.first), (run.second, each.second))
+        for point, force in pulls_of(runs, ends)
         if point in arms
         for i in (0, 1)
     )
@@ -486,10 +493,7 @@ def solved(
 
 
 def assembled(
-    runs: Sequence[Run],
-    ends: Sequence[Ends],
-    motions: Mapping[int, tuple[int, Matrix]],
-    size: int,
+    runs: Sequence[Run], ends: Sequence[Ends], motions: Mapping[int, tuple[int, Matrix]], size: int
 ) -> list[list[float]]:
     """Sum the stiffness of lines over the freedoms of their points.
 
@@ -558,20 +562,14 @@ def _start(network: Network, runs: Sequence[Run], held: dict[int, Vector]) -> li
                     sides[row] = [
                         a + stiffness * b for a, b in zip(sides[row], held[q], strict=True)
                     ]
-    lone = [k for k in joints if sum(k in (run.first, run.second) for run in runs) == 1]
-    for point in lone:
-        hung = network.points[point].hung
-        pull = math.hypot(*hung)
-        sides[order[point]] = [
-            side + force / pull for side, force in zip(sides[order[point]], hung, strict=True)
-        ]
-    found = solve(matrix, sides)
-    return [held[k] if k in held else _place(found[order[k]]) for k in range(len(network.points))]
-
-
-def _place(row: Sequence[float]) -> Vector:
-    x, y, z = row
-    return (x, y, z)
+    for k, point in enumerate(joints):
+        if sum(point in (run.first, run.second) for run in runs) == 1:
+            hung = network.points[point].hung
+            pull = math.hypot(*hung)
+            sides[k] = [side + force / pull for side, force in zip(sides[k], hung, strict=True)]
+    found = zip(joints, solve(matrix, sides), strict=True)
+    places = held | {point: (x, y, z) for point, (x, y, z) in found}
+    return [places[k] for k in range(len(network.points))]
 
 
 def _check(network: Network, runs: Sequence[Run], found: JointsAtRest) -> None:

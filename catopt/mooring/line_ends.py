@@ -162,10 +162,7 @@ def _lift_slope(state: State, pieces: Pieces) -> float:
 def _stiffness(state: State, slopes: Matrix, u: tuple[float, float], span: float) -> Matrix:
     """Turn slopes in the plane of the line into the stiffness of both ends in space."""
     (x, y), rows = u, []
-    for (of_H, of_V), H, sign in (
-        (slopes[2:], state.H_anchor, -1.0),
-        (slopes[:2], state.H, 1.0),
-    ):
+    for (of_H, of_V), H, sign in ((slopes[2:], state.H_anchor, -1.0), (slopes[:2], state.H, 1.0)):
         across = H / span
         # The force is sign (H u, -V), the span grows by u (da - db), u itself turns by its part
         # across.

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from itertools import pairwise
@@ -98,18 +97,18 @@ def _without(network: Network, missing: int) -> NetworkOut:
         line = left.pop(number)
         loose.append(number)
         if points[held].kind == "joint":
-            weight = points[held].submerged_weight - points[end].hung[2] + _weight(line)
+            weight = points[held].submerged_weight - points[end].hung[2]
+            weight += line.line.submerged_weight
             points[held] = replace(points[held], submerged_weight=weight)
         points[end] = Point(end, "joint")
-    adrift = _adrift(network, points, left)
-    if adrift:
+    if adrift := _adrift(network, points, left):
         refusal = Message("mooring.adrift", names=", ".join(adrift))
         return NetworkOut(missing, loose=tuple(sorted(loose)), refusal=refusal)
     if not left:
-        return NetworkOut(missing, loose=tuple(sorted(loose)), refusal=_NOTHING_LEFT)
+        refusal = Message("mooring.no_line_left")
+        return NetworkOut(missing, loose=tuple(sorted(loose)), refusal=refusal)
     ends = {end for line in left.values() for end in (line.start, line.end)}
-    names = {k: line.name or f"{k + 1}" for k, line in left.items()}
-    lines = tuple(replace(line, name=names[k]) for k, line in left.items())
+    lines = tuple(replace(line, name=line.name or f"{k + 1}") for k, line in left.items())
     kept = tuple(point for name, point in points.items() if name in ends)
     made = NetworkOut(missing, tuple(left), tuple(sorted(loose)))
     try:
@@ -118,9 +117,6 @@ def _without(network: Network, missing: int) -> NetworkOut:
         return replace(made, left=(), refusal=error.args[0])
     except NotConvergedError as error:
         return replace(made, left=(), refusal=error.args[0], stopped_short=True)
-
-
-_NOTHING_LEFT = Message("mooring.no_line_left")
 
 
 def _hanging(
@@ -136,16 +132,6 @@ def _hanging(
             line = lines[ending[0]]
             return ending[0], point.name, line.end if line.start == point.name else line.start
     return None
-
-
-def _weight(line: LineBetween) -> float:
-    """Weight in water of a line with what hangs on it, N."""
-    return math.fsum(
-        [
-            *(each.submerged_weight * each.length for each in line.line.segments),
-            *(each.submerged_weight for each in line.line.point_loads),
-        ]
-    )
 
 
 def _left_of(

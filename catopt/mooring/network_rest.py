@@ -7,16 +7,10 @@ from dataclasses import dataclass
 from typing import Annotated, Literal, NamedTuple
 
 from catopt.catenary.in_current import CurrentEffect, SolutionInCurrent
-from catopt.catenary.root_search import BY_SPAN
 from catopt.catenary.solution import Solution
-from catopt.catenary.solve import solution_of
 from catopt.model.kinds import Force, Height, Place, Size, SomeForce
 from catopt.model.network import MooredBody, Network, Point
-from catopt.mooring.joints import (
-    JointsAtRest,
-    Run,
-    is_anchored,
-)
+from catopt.mooring.joints import JointsAtRest, Run, is_anchored, laid_out
 from catopt.mooring.line_ends import Vector
 from catopt.mooring.position import Position
 from catopt.records import From, FromZero, Record
@@ -173,17 +167,7 @@ class LinesAtRest(Record):
     @property
     def lines(self) -> tuple[Solution, ...]:
         """Every line laid out between its ends, the first of which is its `anchor`."""
-        return tuple(
-            solution_of(
-                end.state,
-                run.line,
-                end.problem,
-                run.segment_of,
-                method="closed-form",
-                known=BY_SPAN,
-            )
-            for run, end in zip(self.runs, self.joints.ends, strict=True)
-        )
+        return tuple(map(laid_out, self.runs, self.joints.ends))
 
     def is_anchored(self, line: int) -> bool:
         """Whether a line, counted from 0, ends at an anchor: its first end then."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from catopt.errors import InputError, Problem
@@ -11,7 +11,7 @@ from catopt.model.kinds import Angle, Findings, Force, Place, SomeForce, Strengt
 from catopt.model.network import Network
 from catopt.model.system import System
 from catopt.mooring.held import at_rest, without_load
-from catopt.mooring.network_rest import LinesAtRest
+from catopt.mooring.joints import pulls_of
 from catopt.mooring.response import Response, network_response, response_of
 from catopt.mooring.zero_load import zero_load_position
 from catopt.patience import paced
@@ -97,23 +97,16 @@ def network_curve(
         way = (value * cosine, value * sine)
         at = (*way, 0.0, 0.0, 0.0, 0.0)
         rest = at_rest(network, at) if start is None else start.held_at(*way)
-        x, y = _pull(rest, moves)
+        forces = [
+            force
+            for point, force in pulls_of(rest.runs, rest.joints.ends)
+            if network.points[point].name in moves
+        ]
+        x, y = (math.fsum(force[i] for force in forces) for i in (0, 1))
         numbers = (float(value), 0.0, -x * cosine - y * sine, x * sine - y * cosine)
         points.append((*numbers, network_response(rest, None if is_free else way)))
     columns = zip(*points, strict=True) if points else [()] * 5
     return RestoringCurve(network, direction, True, *columns)
-
-
-def _pull(rest: LinesAtRest, moves: Collection[str]) -> tuple[float, float]:
-    """Sum what the lines do to some points along x and y, N."""
-    points = rest.network.points
-    forces = [
-        force
-        for run, each in zip(rest.runs, rest.joints.ends, strict=True)
-        for at, force in ((run.first, each.first), (run.second, each.second))
-        if points[at].name in moves
-    ]
-    return math.fsum(force[0] for force in forces), math.fsum(force[1] for force in forces)
 
 
 def offset_curve(system: System, *, direction: float, forces: Sequence[float]) -> RestoringCurve:

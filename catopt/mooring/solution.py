@@ -15,10 +15,10 @@ from catopt.records import Counted, From, Record
 from catopt.shown import Displayable
 from catopt.ties import first_largest
 
+__all__ = ["LegState", "Position", "SystemResidual", "SystemSolution"]
+
 if TYPE_CHECKING:
     from catopt.mooring.restoring import WatchCircle
-
-__all__ = ["LegState", "Position", "SystemResidual", "SystemSolution"]
 
 
 @dataclass(frozen=True)
@@ -69,10 +69,7 @@ class LegState:
     def at(self, distance: float) -> tuple[float, float]:
         """X and y of the place at a horizontal distance from the anchor along the line, m."""
         x, y = self.leg.anchor
-        return (
-            x - distance * math.cos(self.direction),
-            y - distance * math.sin(self.direction),
-        )
+        return (x - distance * math.cos(self.direction), y - distance * math.sin(self.direction))
 
     def utilisation(self, safety_factor: float = 1.0) -> float | None:
         """Largest tension times the safety factor over MBL; None where no MBL is known."""

@@ -9,6 +9,7 @@ from typing import Final
 import numpy as np
 
 from catopt.arrays import Array, Flags
+from catopt.errors import InputError, Problem
 from catopt.model.kinds import Findings
 from catopt.words import Message
 
@@ -31,9 +32,6 @@ class Waves:
             values = np.array(getattr(self, name), dtype=float)
             values.flags.writeable = False
             object.__setattr__(self, name, values)
-        self._check()
-
-    def _check(self) -> None:
         found = Findings("Waves")
         for name in _ARRAYS:
             values = getattr(self, name)
@@ -41,14 +39,12 @@ class Waves:
                 shape = Message("refused_motion.shape", shape=values.shape)
                 found.add(name, shape, Message("refused_motion.one_number_a_wave"))
             elif not np.isfinite(values).all():
-                found.add(
-                    name,
-                    Message("refused_motion.nan"),
-                    Message("refused_motion.finite_numbers_are_wanted"),
-                )
+                allowed = Message("refused_motion.finite_numbers_are_wanted")
+                found.add(name, Message("refused_motion.nan"), allowed)
         if not found.problems and self.omega.size == 0:
-            given = Message("refused_motion.no_wave")
-            found.add("omega", given, Message("refused_motion.one_wave"))
+            found.add(
+                "omega", Message("refused_motion.no_wave"), Message("refused_motion.one_wave")
+            )
         if not (self.omega > 0.0).all():
             least = repr(float(self.omega.min()))
             found.add("omega", least, Message("refused_motion.zero_radians"))
@@ -232,19 +228,13 @@ class ElevationRecord:
             wanted = Message("refused_motion.times_or_more_are_wanted", fewest=_FEWEST)
             found.add("times", f"{t.shape} and {eta.shape}", wanted)
         elif not (np.isfinite(t).all() and np.isfinite(eta).all()):
-            found.add(
-                "elevation",
-                Message("refused_motion.nan"),
-                Message("refused_motion.finite_numbers_are_wanted"),
-            )
+            wanted = Message("refused_motion.finite_numbers_are_wanted")
+            found.add("elevation", Message("refused_motion.nan"), wanted)
         else:
             self._check_steps(found)
             if not found.problems and float(np.ptp(eta)) == 0.0:
-                found.add(
-                    "elevation",
-                    f"{eta[0]:g} m throughout",
-                    Message("refused_motion.surface_moves_wanted"),
-                )
+                wanted = Message("refused_motion.surface_moves_wanted")
+                found.add("elevation", f"{eta[0]:g} m throughout", wanted)
         found.raise_if_any()
 
     def _check_steps(self, found: Findings) -> None:
@@ -252,11 +242,8 @@ class ElevationRecord:
         usual, at = float(np.median(steps)), int(np.argmax(steps))
         if not (steps > 0.0).all():
             at = int(np.argmax(steps <= 0.0))
-            found.add(
-                "times",
-                f"{self.times[at + 1]:g} s after {self.times[at]:g} s",
-                Message("refused_motion.must_rise"),
-            )
+            said = f"{self.times[at + 1]:g} s after {self.times[at]:g} s"
+            found.add("times", said, Message("refused_motion.must_rise"))
         elif steps[at] > _GAP * usual:
             gap = f"a gap of {steps[at]:g} s after {self.times[at]:g} s"
             found.add("times", gap, Message("refused_motion.steps_about_s_are_wanted", usual=usual))
@@ -285,13 +272,11 @@ class ElevationRecord:
     def _even(self) -> Array:
         if not self.is_resampled:
             return self.elevation
-        resampled: Array = np.interp(self._even_times, self.times, self.elevation)
-        return resampled
+        return np.asarray(np.interp(self._even_times, self.times, self.elevation))
 
     @property
     def _even_times(self) -> Array:
-        even: Array = self.times[0] + self.step * np.arange(self.times.size)
-        return even
+        return np.asarray(self.times[0] + self.step * np.arange(self.times.size))
 
     def waves(self, *, direction: float = 0.0, shortest_period: float | None = None) -> Waves:
         """Find the waves that the record is the sum of; its first sample is t = 0 at the origin.
@@ -310,17 +295,12 @@ class ElevationRecord:
         else:
             count = int((T / k >= shortest_period * (1.0 - 1e-9)).sum())
         if count == 0 or not amplitude[:count].any():
-            found = Findings("ElevationRecord")
-            found.add(
-                "shortest_period",
-                f"{shortest_period} s",
-                Message("refused_motion.record_has_no_wave_so"),
-            )
-            found.raise_if_any()
-        kept = slice(0, count)
-        omega, phase = 2.0 * math.pi / T * k[kept], -np.angle(X[kept]).astype(float)
+            allowed = Message("refused_motion.record_has_no_wave_so")
+            problem = Problem("shortest_period", f"{shortest_period} s", allowed)
+            raise InputError([problem], "ElevationRecord")
+        omega, phase = 2.0 * math.pi / T * k[:count], -np.angle(X[:count]).astype(float)
         along = np.full(count, float(direction))
-        return Waves(amplitude[kept], omega, phase, along, repeats_after=T)
+        return Waves(amplitude[:count], omega, phase, along, repeats_after=T)
 
     def left_out(self, waves: Waves) -> float:
         """Part of the record's variance that is in none of the waves found in it."""

@@ -79,6 +79,13 @@ def fill_wave_numbers(omega: Any, depth: float, k: Any) -> None:
         k[i] = wave_number(omega[i], depth)
 
 
+def wave_numbers(omega: Array, depth: float) -> Array:
+    """Wave number of each frequency, rad/m, as plain Python."""
+    k = np.empty(omega.size)
+    fill_wave_numbers(omega, depth, k)
+    return k
+
+
 def wavelength(period: float, depth: float) -> float:
     """Length of a wave of small height.
 
@@ -177,11 +184,8 @@ class Spectrum:
         found = _check_height_and_period("Spectrum", self.significant_height, self.peak_period)
         found.number("gamma", self.gamma, "", at_least=1.0, at_most=_GREATEST_GAMMA)
         if self.normalisation not in get_args(Normalisation):
-            found.add(
-                "normalisation",
-                repr(self.normalisation),
-                Message("refused_motion.must_be_computed_or_s4"),
-            )
+            wanted = Message("refused_motion.must_be_computed_or_s4")
+            found.add("normalisation", repr(self.normalisation), wanted)
         found.raise_if_any()
 
     @property
@@ -261,8 +265,7 @@ class Spectrum:
 
 def _plain(r: Array) -> Array:
     """Pierson-Moskowitz shape over r = omega/omega_p, of unit area."""
-    result: Array = 5.0 * r**-5 * np.exp(-1.25 * r**-4)
-    return result
+    return np.asarray(5.0 * r**-5 * np.exp(-1.25 * r**-4))
 
 
 def _check_height_and_period(source: str, height: float, period: float) -> Findings:
@@ -333,9 +336,7 @@ def s4_range_pierson_moskowitz(zero_crossing_period: float) -> tuple[float, floa
     zero_crossing_period : float
         Tz, s; InputError unless above 0.
     """
-    found = Findings("s4_range_pierson_moskowitz")
-    found.number("zero_crossing_period", zero_crossing_period, "s", above=0.0)
-    found.raise_if_any()
+    _check("s4_range_pierson_moskowitz", "zero_crossing_period", zero_crossing_period)
     frequency = 2.0 * math.pi / zero_crossing_period
     return _S4_LOWEST * frequency, _S4_HIGHEST * frequency
 
@@ -394,7 +395,7 @@ def random_waves(
     Parameters
     ----------
     count : int
-        How many waves; see `repetition` for how many a run needs.
+        How many waves; see `waves_needed` for how many a run needs.
     generator : numpy.random.Generator
         Where the random numbers come from: frequencies, then phases, then directions. The same
         seed gives the same sea to the last digit.

@@ -100,9 +100,8 @@ class TableCurrent:
             found.number(f"speeds[{i}]", speed, "m/s")
         if self.directions and len(self.directions) != len(self.depths):
             sizes = f"{len(self.depths)} depths, {len(self.directions)} directions"
-            found.add(
-                "directions", sizes, Message("refused_motion.many_directions_depths_are_wanted")
-            )
+            wanted = Message("refused_motion.many_directions_depths_are_wanted")
+            found.add("directions", sizes, wanted)
         for i, direction in enumerate(self.directions):
             found.number(f"directions[{i}]", direction, "rad")
         found.raise_if_any()
@@ -137,16 +136,12 @@ class CurrentSeries:
                 shape = Message("refused_motion.shape", shape=values.shape)
                 found.add(key, shape, Message("refused_motion.one_number_a_time"))
             elif not np.isfinite(values).all():
-                found.add(
-                    key,
-                    Message("refused_motion.nan"),
-                    Message("refused_motion.finite_numbers_are_wanted"),
-                )
+                wanted = Message("refused_motion.finite_numbers_are_wanted")
+                found.add(key, Message("refused_motion.nan"), wanted)
         if not found.problems and not (np.diff(t) > 0.0).all():
             at = int(np.argmax(np.diff(t) <= 0.0))
-            found.add(
-                "times", f"{t[at + 1]:g} s after {t[at]:g} s", Message("refused_motion.must_rise")
-            )
+            said = f"{t[at + 1]:g} s after {t[at]:g} s"
+            found.add("times", said, Message("refused_motion.must_rise"))
         found.raise_if_any()
 
     def rows(self, surface: complex) -> Array:
@@ -341,9 +336,8 @@ class Sea:
         if self.waves is not None:
             w = self.waves
             cos, sin = np.cos(w.direction), np.sin(w.direction)
-            waves[:] = np.stack(
-                [w.omega, k * cos, k * sin, k, w.phase, cos, sin, w.amplitude], axis=1
-            )
+            columns = [w.omega, k * cos, k * sin, k, w.phase, cos, sin, w.amplitude]
+            waves[:] = np.stack(columns, axis=1)
             mirror = np.exp(-2.0 * k * self.depth)
             speed = w.amplitude * w.omega / -np.expm1(-2.0 * k * self.depth)
             factors[:] = np.stack([mirror, speed], axis=1)

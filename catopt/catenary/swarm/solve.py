@@ -191,10 +191,7 @@ def solve_swarm(
     """
     _check(line, height, horizontal_force, seabed_friction)
     closed_form = solve(
-        line,
-        height=height,
-        horizontal_force=horizontal_force,
-        seabed_friction=seabed_friction,
+        line, height=height, horizontal_force=horizontal_force, seabed_friction=seabed_friction
     )
     if closed_form.regime in ("grounded-between", "grounded-in-parts"):
         raise NoAnswerError(Message("catenary.not_for_swarm"))
@@ -227,11 +224,9 @@ def _check(line: Line, height: float, horizontal_force: float, seabed_friction: 
     weight += sum(abs(load.submerged_weight) for load in line.point_loads)
     least, most = FORCES
     if not (least <= horizontal_force and horizontal_force + weight <= most):
-        found.add(
-            "horizontal_force",
-            Message("refused_motion.weighs", force=horizontal_force, weight=weight),
-            Message("refused_motion.forces_from_n_are_carried", least=least, most=most),
-        )
+        said = Message("refused_motion.weighs", force=horizontal_force, weight=weight)
+        allowed = Message("refused_motion.forces_from_n_are_carried", least=least, most=most)
+        found.add("horizontal_force", said, allowed)
     found.raise_if_any()
 
 
@@ -269,23 +264,18 @@ def _verify(runs: _Runs, excess: float, settings: SwarmSettings) -> None:
         iterations=Message("catenary.iterations", count=settings.iterations),
     )
     reported = {"effort": effort, "way_out": Message("catenary.swarm_way_out")}
-    if not runs.best.objective < RESULT:
-        raise NotConvergedError(
-            Message("catenary.swarm_misses", f=runs.best.objective, limit=RESULT, **reported)
-        )
+    if not (f := runs.best.objective) < RESULT:
+        raise NotConvergedError(Message("catenary.swarm_misses", f=f, limit=RESULT, **reported))
     if not abs(excess) < SPAN_AGREEMENT:
-        raise NotConvergedError(
-            Message("catenary.swarm_span", excess=abs(excess), limit=SPAN_AGREEMENT, **reported)
-        )
+        values = {"excess": abs(excess), "limit": SPAN_AGREEMENT}
+        raise NotConvergedError(Message("catenary.swarm_span", **values, **reported))
 
 
 def _less(solution: Solution, closed_form: Solution) -> dict[str, float]:
     """Swarm less closed form, in what both found."""
-    unknown = (
-        {"grounded_length_m": solution.grounded_length - closed_form.grounded_length}
-        if solution.regime == "grounded"
-        else {"angle_rad": solution.anchor.angle - closed_form.anchor.angle}
-    )
+    unknown = {"angle_rad": solution.anchor.angle - closed_form.anchor.angle}
+    if solution.regime == "grounded":
+        unknown = {"grounded_length_m": solution.grounded_length - closed_form.grounded_length}
     return {
         **unknown,
         "span_m": solution.span - closed_form.span,
@@ -327,22 +317,15 @@ def solve_case_by_swarm(case: Case, *, progress: Callable[[int], None] | None = 
     """
     found = Findings("swarm")
     if case.find is not None:
-        found.add(
-            "find", case.find.quantity, Message("refused_motion.swarm_method_seeks_nothing_closed")
-        )
+        allowed = Message("refused_motion.swarm_method_seeks_nothing_closed")
+        found.add("find", case.find.quantity, allowed)
     force = None if case.load is None else case.load.horizontal_force
     if force is None:
-        found.add(
-            "load",
-            Message("refused_motion.no_horizontal_force"),
-            Message("refused_motion.swarm_method_wants_one_closed"),
-        )
+        allowed = Message("refused_motion.swarm_method_wants_one_closed")
+        found.add("load", Message("refused_motion.no_horizontal_force"), allowed)
     if case.anchor_height != 0.0:
-        found.add(
-            "line.anchor_height",
-            f"{case.anchor_height:g} m",
-            Message("refused_motion.swarm_method_has_anchor_on"),
-        )
+        allowed = Message("refused_motion.swarm_method_has_anchor_on")
+        found.add("line.anchor_height", f"{case.anchor_height:g} m", allowed)
     found.raise_if_any()
     assert force is not None
     return solve_swarm(
