@@ -17,6 +17,7 @@ from functools import cache
 from typing import Any, Final, TypeVar
 
 from catopt.errors import InputError, Problem
+from catopt.words import Message
 
 F = TypeVar("F", bound=Callable[..., Any])
 C = TypeVar("C", bound=type)
@@ -101,11 +102,11 @@ def is_compiled(function: Callable[..., Any]) -> bool:
 
 def _mode() -> str:
     mode = os.environ.get(VARIABLE) or MODES[0]
-    allowed = ""
+    allowed = None
     if mode not in MODES:
-        allowed = "must be one of " + ", ".join(MODES)
+        allowed = Message("refused.one_of", words=", ".join(MODES))
     elif mode == "always" and not _has_numba():
-        allowed = "numba cannot be imported here; install it, or leave this out"
+        allowed = Message("refused.no_numba")
     if allowed:
         raise InputError([Problem(VARIABLE, repr(mode), allowed)], "environment")
     return mode

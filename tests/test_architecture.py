@@ -51,7 +51,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "units": {"errors", "constants", "numerals", "dimensions", "words"},
     "quantities": {"constants", "dimensions"},
     "words": {"quantities"},
-    "compiled": {"errors", "machine_code"},
+    "compiled": {"errors", "machine_code", "words"},
     "machine_code": {"interrupt", "machine_tuples"},
     "machine_tuples": set(),
     "interrupt": set(),

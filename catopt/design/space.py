@@ -340,9 +340,10 @@ def _lacking_figures(
         for index, option in enumerate(options):
             if objective in objectives and getattr(option, quantity) is None:
                 why = components[index].missing.get(quantity, "") if components else ""
-                allowed = f"no {quantity} is known, which the objective {objective} needs"
-                allowed += f" ({why})" if why else ""
-                yield key, allowed, option.name or "the line's segment"
+                allowed = Message(f"refused_case.no_{quantity}_for_it", objective=objective)
+                if why:
+                    allowed = Message("refused_case.because", what=allowed, why=why)
+                yield key, allowed, option.name or Message("refused_case.own_segment")
 
 
 def _lacking_strengths(
@@ -356,7 +357,8 @@ def _lacking_strengths(
         except InputError as error:
             problems = list(error.problems)
         for problem in problems:
-            yield problem.key, problem.allowed, option.name or "the line's segment"
+            own = option.name or Message("refused_case.own_segment")
+            yield problem.key, problem.allowed, own
 
 
 def _listed(names: list[str]) -> str:

@@ -238,7 +238,8 @@ def _check(
             if segment.mass is None or segment.mass == 0.0:
                 found.add(f"{key}.mass", "", Message("refused_motion.needed_line_s_inertia"))
             elif segment.mass * fluid.gravity < segment.submerged_weight * (1.0 - 1e-6):
-                words = f"{segment.mass:g} kg/m in air, {segment.submerged_weight:g} N/m in water"
+                weight = segment.submerged_weight
+                words = Message("refused_motion.per_metre", mass=segment.mass, weight=weight)
                 found.add(f"{key}.mass", words, Message("refused_motion.line_weighs_more_air_than"))
             if segment.is_inextensible:
                 allowed = Message("refused_motion.line_motion_needs_axial_stiffness")
@@ -260,5 +261,6 @@ def _check_mass(key: str, load: PointLoad | Point, fluid: Fluid, found: Findings
     if load.mass is None:
         found.add(key, "", Message("refused_motion.needed_inertia"))
     elif load.mass * fluid.gravity < load.submerged_weight * (1.0 - 1e-6):
-        words = f"{load.mass:g} kg in air, {load.submerged_weight:g} N in water"
+        weight = load.submerged_weight
+        words = Message("refused_motion.mass_and_weight", mass=load.mass, weight=weight)
         found.add(key, words, Message("refused_motion.body_weighs_more_air_than"))

@@ -424,7 +424,9 @@ def _warnings_of(
 def check_run(stepping: TimeStepping, *series: Series | None, sea: Sea | None) -> list[str]:
     """Refuse a step that cannot follow; return what is to be warned of."""
     given = [each for each in series if each is not None]
-    periods = {"the motion or force": min(e.shortest_period for e in given)} if given else {}
+    periods: dict[str, float] = {}
+    if given:
+        periods[Message("motion.motion_or_force")] = min(each.shortest_period for each in given)
     warnings = step_warnings(stepping.step, stepping.duration, periods, sea)
     for each in given:
         if isinstance(each, Sampled):

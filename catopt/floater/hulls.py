@@ -102,7 +102,7 @@ def _hull(of: Floater, depth: float, density: float, pull: float, shape: BuoySha
     upright = hull.stiffness[2, 2]
     upright += carried * max(centre - shape.eye, 0.0)  # its line rights it
     if upright <= 0.0:
-        found = f"{centre:.3g} m above the hull's bottom"
+        found = Message("refused_motion.above_bottom", height=centre)
         allowed = Message("refused_motion.so_high_would_not_float")
         raise InputError([Problem("floater.centre_of_gravity", found, allowed)], "--dynamic")
     radiation = _radiation(hull, slices, depth)

@@ -32,7 +32,7 @@ from catopt.model.kinds import (
 )
 from catopt.model.load import LOADS
 from catopt.model.system import System
-from catopt.words import Message
+from catopt.words import Listed, Message
 
 FindQuantity = Literal["length", "clump_weight", "touchdown_force", "limit_force"]
 FIND_QUANTITIES: tuple[str, ...] = get_args(FindQuantity)
@@ -64,7 +64,7 @@ class Find(Checked):
         found.check()
         # A condition too few or too many, and keys that this quantity does not heed.
         given = [key for key in CONDITIONS if getattr(self, key) is not None]
-        what = " and ".join(given) or "no condition"
+        what = Listed(given, "and") if given else Message("refused.no_condition")
         if self.quantity == "length" and len(given) != 1:
             found.add("find", what, Message("refused.one_condition"))
         elif self.quantity == "clump_weight" and given != ["anchor_angle"]:

@@ -26,7 +26,7 @@ from catopt.model.kinds import (
 )
 from catopt.model.sea import OF_A_BODY, RAO_CONVENTIONS
 from catopt.units import Dimension, as_written
-from catopt.words import Message
+from catopt.words import Listed, Message
 
 BedStiffness = Annotated[
     float, Measured(Dimension.PRESSURE, above=0.0, example='"30 kN/m^2"', si="N/m^2")
@@ -368,7 +368,8 @@ def curve_misfits(given: Collection[str]) -> list[Problem]:
     """List any but exactly one way of giving a curve: a name, log_a_D with m, or K with M."""
     if set(given) - {"segment"} in [set(way) for way in _WAYS]:
         return []
-    found = " and ".join(key for key in given if key != "segment") or "none of them"
+    keys = [key for key in given if key != "segment"]
+    found = Listed(keys, "and") if keys else Message("refused_file.none_of_them")
     return [Problem("", found, Message("refused_case.exactly_one_name_log_d"))]
 
 
@@ -377,7 +378,7 @@ def fatigue_misfits(given: Collection[str]) -> list[Problem]:
     problems = []
     states = [key for key in ("sea_states", "sea_states_file") if key in given]
     if len(states) != 1:
-        found = " and ".join(states) or "none of them"
+        found = Listed(states, "and") if states else Message("refused_file.none_of_them")
         allowed = Message("refused_case.exactly_one_sea_states_sea")
         problems.append(Problem("", found, allowed))
     if "code" not in given:

@@ -402,10 +402,9 @@ class PointLoad(Checked):
         return (self.drag_coefficient or 0.0) * (self.drag_area or 0.0)
 
 
-def weightless(line: str) -> tuple[str, str]:
+def weightless(line: Literal["system", "network"]) -> tuple[Message, Message]:
     """Say what was found of the segments of a line without weight, and why that is not allowed."""
-    needs = f"{line} needs weight: without it its shape does not tell the force"
-    return "no submerged weight in any of them", needs
+    return Message("refused_motion.weightless"), Message(f"refused_case.{line}_needs_weight")
 
 
 def drag_missing(line: Line, path: str = "line") -> list[Problem]:
@@ -465,7 +464,8 @@ class Line:
                 found.add(f"point_loads[{index}].position", f"{load.position:g} m", allowed)
         for lower, upper in pairwise(self.point_loads):
             if lower.position == upper.position and lower.friction != upper.friction:
-                shown = f"{lower.friction} and {upper.friction} at {lower.position:g} m"
+                values = {"one": f"{lower.friction}", "other": f"{upper.friction}"}
+                shown = Message("refused_case.two_at", **values, place=lower.position)
                 lie = Message("refused_case.point_loads_one_place_lie")
                 allowed = Message("refused_case.give_both_same", allowed=lie)
                 found.add("point_loads.friction", shown, allowed)

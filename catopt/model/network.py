@@ -215,7 +215,7 @@ class Network(Checked):
         for k, each in enumerate(self.lines):
             segments = each.line.segments
             if not any(segment.submerged_weight for segment in segments):
-                found.add(f"lines[{k}].segments", *weightless("a line between points"))
+                found.add(f"lines[{k}].segments", *weightless("network"))
             if {each.start, each.end} & {*joints, *itertools.chain(*tied)}:
                 allowed = Message("refused_case.missing_lines_meet_joints_have")
                 for i in (i for i, segment in enumerate(segments) if segment.is_inextensible):
@@ -239,7 +239,8 @@ class Network(Checked):
         present = [key for key in ("waves", "motion", "dynamics") if getattr(self, key) is not None]
         found.problems += network_motion_misfits(present, has_fairlead=self.has_fairlead)
         if self.motion is not None and (self.motion.rao_file or self.motion.of_a_body):
-            found.add("motion", "RAOs or a drift", Message("refused_case.give_period_or_file"))
+            given = Message("refused_case.raos_or_drift")
+            found.add("motion", given, Message("refused_case.give_period_or_file"))
         if self.dynamics is None:
             found.problems += of_motion_misfits(self, Message("refused.with_dynamics"))
             return

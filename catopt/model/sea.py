@@ -306,7 +306,7 @@ class CurrentProfile(Checked):
         for index, turn in enumerate(turns(self.directions), start=1):
             if turn > _TURN:
                 allowed = Message("refused_case.more_than_right_angle_from")
-                shown = f"a turn of {math.degrees(turn):.4g} deg"
+                shown = Message("refused_case.a_turn", turn=math.degrees(turn))
                 found.add(f"directions[{index}]", shown, allowed)
 
     def _check_length(self, key: str, found: Findings) -> None:

@@ -266,7 +266,7 @@ class Leg(Checked):
         if self.azimuth == self.azimuth:
             found.check("fairlead_azimuth")
         if not self.line.point_loads and not any(s.submerged_weight for s in self.line.segments):
-            found.add("line.segments", *weightless("a line of a system"))
+            found.add("line.segments", *weightless("system"))
 
     @classmethod
     def between(

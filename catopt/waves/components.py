@@ -242,10 +242,10 @@ class ElevationRecord:
         usual, at = float(np.median(steps)), int(np.argmax(steps))
         if not (steps > 0.0).all():
             at = int(np.argmax(steps <= 0.0))
-            said = f"{self.times[at + 1]:g} s after {self.times[at]:g} s"
+            said = Message("refused_motion.after", one=self.times[at + 1], other=self.times[at])
             found.add("times", said, Message("refused_motion.must_rise"))
         elif steps[at] > _GAP * usual:
-            gap = f"a gap of {steps[at]:g} s after {self.times[at]:g} s"
+            gap = Message("refused_motion.a_gap", gap=steps[at], after=self.times[at])
             found.add("times", gap, Message("refused_motion.steps_about_s_are_wanted", usual=usual))
 
     @property
