@@ -232,10 +232,7 @@ def _onward(
     if freedom.in_plane and plane > 0.0:
         move_x = turn * (at.pull.xy * at.pull.ym - at.pull.yy * at.pull.xm) / plane
         move_y = turn * (at.pull.xy * at.pull.xm - at.pull.xx * at.pull.ym) / plane
-        # No fairlead goes farther than its arm turns it: more than that is a loose body's drift.
-        move = math.sqrt(move_x * move_x + move_y * move_y)
-        share = min(1.0, abs(turn) * freedom.arm / move) if move > 0.0 else 0.0
-        x, y = x + share * move_x, y + share * move_y
+        x, y = x + move_x, y + move_y
     yaw = at.yaw + turn
     pull = pull_at(x, y, yaw, problem.arrangement, problem.lines, True)
     rest = newton(x, y, yaw, pull, _at_this_yaw(problem, exact))
