@@ -109,11 +109,10 @@ def _misfits(
         if about_load and not has_load and case.misspelt("load", "load_cases"):
             continue
         if about_load or (segments and not unsure):
-            either = about_load and sought is None
-            allowed = problem.allowed
-            if either:
-                allowed = Message("refused.or_load_cases", wanted=allowed)
-            yield from case.refused([replace(problem, allowed=allowed)])
+            if about_load and sought is None:
+                either = Message("refused.or_load_cases", wanted=problem.allowed)
+                problem = replace(problem, allowed=either)
+            yield from case.refused([problem])
 
 
 def _has_MBL(segment: FileSection, component: Component | None) -> bool:
@@ -147,8 +146,7 @@ def segment_findings(segment: FileSection) -> Iterator[Finding]:
         wanted = Message("refused.weight_or_component", example=example)
         yield segment.missing("submerged_weight", wanted)
     if "drag_axial_area" in segment and "drag_axial" not in segment:
-        allowed = Message("refused.with_drag_axial")
-        yield segment.wrong("drag_axial_area", allowed)
+        yield segment.wrong("drag_axial_area", Message("refused.with_drag_axial"))
     if not segment.misspelt("drag_method", "roughness"):
         yield from segment.refused(drag_misfits(segment.values()))
         yield from segment.refused(break_test_misfits(segment.given))
@@ -183,12 +181,8 @@ def _weight(body: FileSection) -> Iterator[Finding]:
     elif density and not mass:
         yield body.wrong("density", Message("refused.density_with_mass"))
     elif weight and density:
-        allowed = Message("refused.leave_out_either")
-        yield Finding(
-            body.path,
-            Message("refused_file.all_of", some="submerged_weight, mass", last="density"),
-            allowed,
-        )
+        every = Message("refused_file.all_of", some="submerged_weight, mass", last="density")
+        yield Finding(body.path, every, Message("refused.leave_out_either"))
     elif mass and not weight and not density:
         yield Finding(body.path, Message("refused_file.mass_without_density"), wanted)
     elif not weight and not mass:
@@ -263,11 +257,9 @@ def _system(case: FileSection) -> Iterator[Finding]:
     has_arms = unclear or bool(radius)
     yaw_free = system.given.get("yaw_free", has_arms)
     if yaw_free is True and not has_arms:
-        allowed = Message("refused.no_yaw")
-        yield system.wrong("yaw_free", allowed)
+        yield system.wrong("yaw_free", Message("refused.no_yaw"))
     elif yaw_free is False and system.number("moment"):
-        allowed = Message("refused.zero_without_yaw")
-        yield system.wrong("moment", allowed)
+        yield system.wrong("moment", Message("refused.zero_without_yaw"))
 
 
 def _checks(case: FileSection) -> Iterator[Finding]:
@@ -282,11 +274,8 @@ def _checks(case: FileSection) -> Iterator[Finding]:
             if key in case.table(part):
                 yield case.table(part).wrong(key, Message("refused.with_dynamics"))
     if "code" in checks and "codes" in checks:
-        yield Finding(
-            ("checks",),
-            Message("refused_file.two_keys", one="code", other="codes"),
-            Message("refused.all_into_codes"),
-        )
+        both = Message("refused_file.two_keys", one="code", other="codes")
+        yield Finding(("checks",), both, Message("refused.all_into_codes"))
     if "max_span" in checks and "max_offset" in checks:
         yield checks.wrong("max_offset", Message("refused.limits_span"))
     yield from duplicates(checks, "codes")
@@ -322,8 +311,7 @@ def sinks_findings(case: FileSection, body: FileSection) -> Iterator[Finding]:
     water = water or SEA_WATER_DENSITY
     density = body.number("density")
     if density is not None and not density > water:
-        allowed = Message("refused.sinker_floats", water=water)
-        yield body.wrong("density", allowed)
+        yield body.wrong("density", Message("refused.sinker_floats", water=water))
 
 
 _COMPONENTS = ("components", "component")
@@ -368,12 +356,8 @@ def _design_segment(choice: FileSection, index: int, line: _Line) -> Iterator[Fi
     """Find what is given in two ways, and what the line has not got to be taken over."""
     yield from ranges.findings(LENGTHS, choice)
     if all(key in choice for key in _COMPONENTS):
-        allowed = Message("refused.only_one")
-        yield Finding(
-            choice.path,
-            Message("refused_file.two_keys", one="component", other="components"),
-            allowed,
-        )
+        both = Message("refused_file.two_keys", one="component", other="components")
+        yield Finding(choice.path, both, Message("refused.only_one"))
     yield from _sizes(choice)
     nothing = Message("refused.no_such_segment", number=index + 1)
     if line.lacks(index) and choice.lacks(*LENGTHS.keys):
@@ -396,7 +380,7 @@ def _sizes(choice: FileSection) -> Iterator[Finding]:
         allowed = Message("refused.diameters_one_way")
         yield Finding(choice.path, " and ".join([*singly, *ranged]), allowed)
     yield from ranges.upside_down(choice, "diameter_min", "diameter_max")
-    yield from ranges.duplicates(choice, "diameters")
+    yield from duplicates(choice, "diameters")
 
 
 def _clump_weight(choice: FileSection) -> Iterator[Finding]:
@@ -439,9 +423,9 @@ def _as_the_model_has_it(
     design: FileSection, segments: list[FileSection], weights: list[FileSection]
 ) -> Iterator[Finding]:
     """Find objectives too few or too many, joints that are not there, and no fixed segment."""
-    choices = [
+    choices = (
         SegmentChoice((1.0,), optional=each.given.get("optional") is True) for each in segments
-    ]
+    )
     hung = []
     for weight in weights:
         joint = weight.value("joint")
@@ -498,5 +482,4 @@ def _excursion(case: FileSection, design: FileSection) -> Iterator[Finding]:
     if not case.misspelt("load_cases"):
         path = ("design", "objectives", objectives.index("excursion"))
         key = "refused.references" if count else "refused.no_reference"
-        allowed = Message(key, found=count)
-        yield Finding(path, '"excursion"', allowed)
+        yield Finding(path, '"excursion"', Message(key, found=count))

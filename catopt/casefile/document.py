@@ -96,10 +96,9 @@ def nearest(table: type[TableSchema], key: str, top: type[TableSchema] = CaseTab
     own = list(entries(table))
     if key in table.symbols:
         return table.symbols[key]
-    by_plain = {_plain(known): known for known in own}
-    if _plain(key) in by_plain:
-        return by_plain[_plain(key)]
-    plain = _plain(key)
+    plain, by_plain = _plain(key), {_plain(known): known for known in own}
+    if plain in by_plain:
+        return by_plain[plain]
     alike = [own for own in by_plain if plain in (f"{own}s", own.removesuffix("s"))]
     if len(alike) == 1:
         return by_plain[alike[0]]  # one of several, or several of one

@@ -7,7 +7,6 @@ import os
 from collections.abc import Callable
 from dataclasses import fields, replace
 from pathlib import Path
-from pathlib import Path as FilePath
 from typing import Any, Final, Literal, TypeVar
 
 from catopt.casefile.building import (
@@ -47,7 +46,7 @@ _OF_A_CASE: Final = ("load", "load_cases", "design", "find", "pso", "catalogue")
 def moored_in(path: str | os.PathLike[str]) -> Moored | None:
     """Say what a file is to find the mooring of; None for a case file and for what is no TOML."""
     try:
-        document = parse_toml(read_text(FilePath(path), os.fspath(path)), os.fspath(path))
+        document = parse_toml(read_text(Path(path), os.fspath(path)), os.fspath(path))
     except InputError:
         return None
     return moored_of(document)
@@ -287,7 +286,12 @@ def read_design(directory: Path, number: int) -> Case:
     design = front[number - 1]
     title = f"{case.title}, design {number}" if case.title else f"Design {number}"
     try:
-        line, anchor = _design_line(design, case), _anchor(design, case)
+        line = Line(
+            [_with_motion(_design_segment(each), case) for each in design["segments"]],
+            [PointLoad(**attributes(each)) for each in design["point_loads"]],
+        )
+        sinker = design.get("sinker")
+        anchor = case.anchor if sinker is None else Anchor("sinker", **attributes(sinker))
         # Raise water and fairleads to where a whole mooring goes farthest.
         found = design.get("system") or {}
         level = found.get("farthest_water_level_m", 0.0)
@@ -304,26 +308,17 @@ def read_design(directory: Path, number: int) -> Case:
 def read_design_document(directory: Path) -> dict[str, Any]:
     """Read the document of what ``catopt design --out`` wrote; InputError if there is none."""
     if not (directory / DESIGN_DOCUMENT).is_file():
-        wanted = Message(
-            "refused_command.directory_catopt_design_out_wrote", design_document=DESIGN_DOCUMENT
-        )
+        key = "refused_command.directory_catopt_design_out_wrote"
+        wanted = Message(key, design_document=DESIGN_DOCUMENT)
         raise InputError([Problem("CASE", str(directory), wanted)], "options")
     document = read_document(directory / DESIGN_DOCUMENT, _SCHEMA)
     try:
         found: dict[str, Any] = with_messages(document, document.pop("messages", {}))
     except ValueError as error:
-        problem = Problem(
-            "messages", str(error), Message("refused_command.this_edition_catopt_design_writes")
-        )
+        allowed = Message("refused_command.this_edition_catopt_design_writes")
+        problem = Problem("messages", str(error), allowed)
         raise InputError([problem], str(directory / DESIGN_DOCUMENT)) from None
     return found
-
-
-def _design_line(design: dict[str, Any], case: Case) -> Line:
-    return Line(
-        [_with_motion(_design_segment(each), case) for each in design["segments"]],
-        [PointLoad(**attributes(each)) for each in design["point_loads"]],
-    )
 
 
 def _design_segment(each: dict[str, Any]) -> Segment:
@@ -368,8 +363,3 @@ def _system(design: dict[str, Any], line: Line, case: Case) -> System | None:
         yaw_free=own.yaw_free,
         judged_line_out=found.get("farthest_line_out", own.judged_line_out),
     )
-
-
-def _anchor(design: dict[str, Any], case: Case) -> Anchor | None:
-    sinker = design.get("sinker")
-    return case.anchor if sinker is None else Anchor("sinker", **attributes(sinker))

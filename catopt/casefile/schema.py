@@ -352,9 +352,7 @@ class CaseTable(TableSchema):
     keys = """title source site line load load_cases system find checks service buoy anchor
         catalogue design waves current motion anchor_motion body floater dynamics fatigue pso"""
     later: ClassVar = {"verify": ""}
-    elsewhere: ClassVar = {
-        "environment": "refused.belongs_to_size",
-    }
+    elsewhere: ClassVar = {"environment": "refused.belongs_to_size"}
     symbols: ClassVar = {"catalog": "catalogue"}
 
     load: Load | None = None

@@ -203,7 +203,7 @@ def answering(
             when_long(lambda reported: output.note(say(reported, lang)))
             before = UNITS.set(units or "")
             try:
-                command(Asked(context.obj, lang, as_json, out, full), **options)
+                command(Asked(output, lang, as_json, out, full), **options)
             finally:
                 UNITS.reset(before)
 

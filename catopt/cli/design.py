@@ -59,15 +59,21 @@ def design(
     if result.in_motion is not None:
         asked.output.note(f"{result.in_motion.run:,} of them run in motion")
 
-    def further() -> dict[str, bytes]:  # with the case, which catopt solve DIR --design K needs
+    give_design(asked, result)
+    if result.interrupted:
+        asked.output.note("The front is that of the designs evaluated so far.")
+        raise typer.Exit(INTERRUPTED)
+
+
+def give_design(asked: Asked, result: DesignResult) -> None:
+    """Give what a search found, with its case, which ``catopt solve DIR --design K`` needs."""
+
+    def further() -> dict[str, bytes]:
         from catopt.report.bundle import design_pictures
 
         return design_pictures(result) | {DESIGN_CASE: write_case(result.case).encode()}
 
     asked.give(design_answer(result), result.to_dict, further=further)
-    if result.interrupted:
-        asked.output.note("The front is that of the designs evaluated so far.")
-        raise typer.Exit(INTERRUPTED)
 
 
 def _found(asked: Asked, case: Case) -> DesignResult:

@@ -94,9 +94,8 @@ def buoy(
         of.require("buoy", "depth")
         for each in ("force", "reserve_buoyancy"):
             if each in of.given:
-                of.errors.add(
-                    each, f"{of[each]:g} N", Message("refused_command.leave_out_these_loads_are")
-                )
+                wanted = Message("refused_command.leave_out_these_loads_are")
+                of.errors.add(each, f"{of[each]:g} N", wanted)
         own = make(in_si, {"--chain": (chain, Dimension.LENGTH), "--pull": (pull, Dimension.FORCE)})
         body = shape_of(of)
         weather = _weather(of, of["wind"])
@@ -178,10 +177,9 @@ def ship(
             needless = {name: inputs[name] or of[name] for name in ("current_yaw", "scan")}
             needless = {name: text for name, text in needless.items() if name in of.given}
             needless |= given_ones(mooring_point=mooring_point, wind_centre=wind_centre)
+            wanted = Message("refused_command.leave_out_or_give_weathervane")
             for name, text in needless.items():
-                of.errors.add(
-                    name, str(text), Message("refused_command.leave_out_or_give_weathervane")
-                )
+                of.errors.add(name, str(text), wanted)
         of.errors.raise_if_any()
         assert own is not None
         if file is not None:
@@ -313,9 +311,8 @@ def _sea(of: ResolvedInputs) -> SeaState:
     if of["hs"] is None and of["hmax"] is None:
         return SeaState(of["period"] or 1.0, 0.0)
     if of["period"] is None:
-        raise InputError(
-            [Problem("period", "", Message("refused_command.missing_waves_need_such_8"))], "waves"
-        )
+        wanted = Message("refused_command.missing_waves_need_such_8")
+        raise InputError([Problem("period", "", wanted)], "waves")
     return SeaState(of["period"], of["hs"], of["hmax"])
 
 

@@ -88,12 +88,8 @@ class _Answer(_Messages):
         if isinstance(self._failure, BrokenPipeError):
             raise self._failure
         if self._failure is not None:
-            _refuse(
-                Message(
-                    "refused_command.answer_not_written",
-                    reason=self._failure.strerror or self._failure,
-                )
-            )
+            reason = self._failure.strerror or self._failure
+            _refuse(Message("refused_command.answer_not_written", reason=reason))
 
 
 def _refuse(why: Message) -> NoReturn:

@@ -117,15 +117,13 @@ class _OfAFile(GroupWithWords):
 
     def resolve_command(self, ctx: Any, args: Any) -> Any:
         if args and args[0] not in self.commands and Path(args[0]).is_file():
-            args = [_moored(args[0]), *args]
+            from catopt.casefile.reading import moored_in
+            from catopt.sizing.form import read_form
+
+            path = args[0]
+            moored = read_form(path)[0].moored if is_form(path) else moored_in(path) or "buoy"
+            args = [moored, *args]
         return super().resolve_command(ctx, args)
-
-
-def _moored(path: str) -> Moored:
-    from catopt.casefile.reading import moored_in
-    from catopt.sizing.form import read_form
-
-    return read_form(path)[0].moored if is_form(path) else moored_in(path) or "buoy"
 
 
 size = group("size", _OfAFile)
@@ -184,13 +182,11 @@ def _size(
 
     # Refuse, before anything is computed, what cannot be written or would replace a case.
     if save is not None and save.exists():
-        raise refused(
-            "--save", str(save), Message("refused_command.there_already_kept_give_another")
-        )
+        allowed = Message("refused_command.there_already_kept_give_another")
+        raise refused("--save", str(save), allowed)
     if save is not None and not save.parent.is_dir():
-        raise refused(
-            "--save", str(save), Message("refused_command.there_no_directory", parent=save.parent)
-        )
+        allowed = Message("refused_command.there_no_directory", parent=save.parent)
+        raise refused("--save", str(save), allowed)
     asked.check_place()
     if asked.out is not None:
         refuse_own_case(asked.out)
@@ -230,17 +226,17 @@ def _size_form(
     for file in files:
         with file.reporting():
             found.append(_sized(asked, file.known(given, spell)))
+    _, answer = found[0]
     if len(files) > 1:
         from catopt.answers.size_card import fleet_answer
 
-        fleet = fleet_answer([of for of, _ in found])
+        answer = fleet_answer([of for of, _ in found])
         document = {"schema": "catopt.fleet/1", "moorings": [of.to_dict() for of, _ in found]}
-    answer = fleet if len(files) > 1 else found[0][1]
     beside = Path(place).with_name(f"{Path(place).stem}-answer.xlsx")
     write_files(beside.parent, {beside.name: workbook(answer, asked.language)}, keep=[Path(place)])
     asked.output.note(f"{beside} written")
     if len(files) > 1:
-        asked.show(fleet, lambda: document)
+        asked.show(answer, lambda: document)
     else:
         _give(asked, *found[0], save, _as_given(None, given, spell))
 

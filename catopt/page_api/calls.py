@@ -13,7 +13,6 @@ from markupsafe import Markup
 from catopt._version import __version__
 from catopt.answers.blocks import (
     Answer,
-    Block,
     Brief,
     CardBlock,
     Facts,
@@ -287,16 +286,11 @@ def _answer(text: str, *, is_whole: bool) -> Answer:
     else:
         first, others, on_card = _sized(text, door)
     sections = (first, *(each for other in others for each in other.sections if is_whole))
-    named = tuple(
-        Section(each.title, tuple(filter(_is_news, each.blocks)), f"part-{number}")
-        for number, each in enumerate(sections)
-    )
-    return Answer("desk", others[0].title, named, Message("desk.kind"), on_card)
-
-
-def _is_news(block: Block) -> bool:
-    """Whether a block is not that of the results of a line, which stand beside its drawing."""
-    return not isinstance(block, Facts) or block.name != "summary"
+    named = []
+    for number, part in enumerate(sections):  # results of a line stand beside its drawing
+        news = (e for e in part.blocks if not (isinstance(e, Facts) and e.name == "summary"))
+        named.append(Section(part.title, tuple(news), f"part-{number}"))
+    return Answer("desk", others[0].title, tuple(named), Message("desk.kind"), on_card)
 
 
 def _compare(kept: str, text: str, language: Language) -> Reply:

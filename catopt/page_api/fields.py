@@ -167,11 +167,8 @@ def _of_case(key: str, how: str) -> Field:
 
 
 def _components() -> tuple[str, ...]:
-    return tuple(
-        f"{each.name} {grade or ''}".rstrip()
-        for each in families()
-        for grade in each.grades or (None,)
-    )
+    known = ((each.name, grade) for each in families() for grade in each.grades or ("",))
+    return tuple(f"{name} {grade}".rstrip() for name, grade in known)
 
 
 def _such_as(example: str) -> str:

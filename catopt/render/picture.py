@@ -287,11 +287,8 @@ def _level(axes: Axes, level: Level, chart: Chart) -> None:
 
 def _box(style: str, **look: Any) -> Any:
     """Set words in the middle of a white box."""
-    return {
-        "ha": "center",
-        "va": "center",
-        "bbox": {"boxstyle": style, "facecolor": "white"} | look,
-    }
+    box = {"boxstyle": style, "facecolor": "white"} | look
+    return {"ha": "center", "va": "center", "bbox": box}
 
 
 def _beside(axes: Axes, words: str, place: Place, away: Place, **look: Any) -> None:

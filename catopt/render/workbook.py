@@ -97,11 +97,8 @@ def _sheet(book: Book, section: Section) -> WorkbookSheet:
         elif isinstance(block, Trail):
             _trail(sheet, block)
         elif isinstance(block, Graph):
-            (table,) = (
-                each
-                for each in section.blocks
-                if isinstance(each, Table) and each.name == block.table
-            )
+            tables = (each for each in section.blocks if isinstance(each, Table))
+            (table,) = (each for each in tables if each.name == block.table)
             below = _graph(sheet, table, tops[block.table], block, below)
     if any(map(_words_of, section.blocks)):
         sheet.widen(_READABLE)

@@ -55,13 +55,14 @@ def _misfits(value: Any, schema: Schema, path: Path, whole: Mapping[str, Any]) -
             yield path, _shown(value), Message("refused.leave_out")
         return
     if "$ref" in schema:
-        found: Any = whole
+        referred: Any = whole
         for key in schema["$ref"].removeprefix("#/").split("/"):
-            found = found[key]
-        referred: Mapping[str, Any] = found
+            referred = referred[key]
         yield from _misfits(value, referred, path, whole)
     if "type" in schema and not _is_of(value, schema["type"]):
-        yield path, _shown(value), Message("refused.this_is_wanted", what=_wanted(schema["type"]))
+        kinds = [schema["type"]] if isinstance(schema["type"], str) else schema["type"]
+        what = Listed([Message(_IN_WORDS[each]) for each in kinds], "or")
+        yield path, _shown(value), Message("refused.this_is_wanted", what=what)
         return
     yield from ((path, _shown(value), allowed) for allowed in _of_value(value, schema))
     if isinstance(value, list):
@@ -141,11 +142,6 @@ def _is_of(value: Any, kinds: str | list[str]) -> bool:
 
 def _same(value: Any, other: Any) -> bool:
     return type(value) is type(other) and bool(value == other)
-
-
-def _wanted(kinds: str | list[str]) -> Message:
-    listed = [kinds] if isinstance(kinds, str) else kinds
-    return Listed([Message(_IN_WORDS[each]) for each in listed], "or")
 
 
 def _shown(value: Any) -> str:

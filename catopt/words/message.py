@@ -230,9 +230,8 @@ def number(value: float, spec: str) -> str:
     text = format(value, spec)
     if text.startswith("-") and not text.strip("-0."):  # rounded to zero, which has no sign
         return text[1:]
-    return (
-        f"{float(text):.0f}" if "e+" in text and spec[-1:] == "g" and abs(value) < _LARGE else text
-    )
+    has_exponent = "e+" in text and spec[-1:] == "g"
+    return f"{float(text):.0f}" if has_exponent and abs(value) < _LARGE else text
 
 
 @dataclass(frozen=True)
