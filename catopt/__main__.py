@@ -68,14 +68,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _run(arguments: Sequence[str] | None, output: Printer) -> None:
     from catopt.cli.app import command
-    from catopt.cli.help_words import HELP_ALL, WHOLE
+    from catopt.cli.help_words import HELP_ALL, WHOLE, run
 
     typed = None if arguments is None else list(arguments)
     if HELP_ALL in (sys.argv if typed is None else typed):
         typed = ["--help" if each == HELP_ALL else each for each in typed or sys.argv[1:]]
         WHOLE.set(True)
-    from catopt.cli.help_words import run
-
     raise SystemExit(run(command, output.language, args=typed, prog_name="catopt", obj=output))
 
 

@@ -126,10 +126,8 @@ def check_entries(text: str, source: str, marks: str) -> None:
     entries = sum(map(text.count, marks))
     if entries > MOST_ENTRIES:
         allowed = Message("refused_command.are_most_give_long_tables", most_entries=MOST_ENTRIES)
-        raise InputError(
-            [Problem("file", Message("refused_command.keys_and_values", count=entries), allowed)],
-            source,
-        )
+        found = Message("refused_command.keys_and_values", count=entries)
+        raise InputError([Problem("file", found, allowed)], source)
 
 
 def parse_json(text: str, source: str) -> dict[str, Any]:
@@ -146,10 +144,8 @@ def parse_json(text: str, source: str) -> dict[str, Any]:
         except json.JSONDecodeError as error:
             place = f"line {error.lineno}, column {error.colno}"
             line = text.split("\n")[error.lineno - 1].strip()
-            problem = Problem(
-                place, _shown(line), Message("refused_command.no_json", msg=error.msg)
-            )
-            raise InputError([problem], source) from None
+            allowed = Message("refused_command.no_json", msg=error.msg)
+            raise InputError([Problem(place, _shown(line), allowed)], source) from None
         if not isinstance(found, dict):
             raise InputError([Problem("file", "", Message("refused.object"))], source)
         return found
@@ -253,7 +249,10 @@ def _read_bytes(path: FilePath, source: str, kind: str, most: int) -> bytes:
     try:
         found = path.stat()
         if stat.S_ISDIR(found.st_mode):
-            raise refused(_case_in(path))
+            inside = path / "case.toml"
+            if inside.is_file():
+                raise refused(Message("refused.a_folder_with", inside=inside.as_posix()))
+            raise refused(Message("refused.a_folder"))
         if not stat.S_ISREG(found.st_mode):
             raise refused(Message("refused.no_regular_file"))
         if found.st_size > most:
@@ -299,18 +298,8 @@ def _not_utf8(data: bytes, start: int, kind: str) -> Problem:
         key = "refused.give_case_file" if kind == "case file" else "refused.give_utf8"
         return Problem("file", Message("refused.no_text"), Message(key, kind=term(kind)))
     line = data.count(b"\n", 0, start) + 1
-    return Problem(
-        f"line {line}",
-        Message("refused.the_byte", byte=f"{data[start]:02X}"),
-        Message("refused.save_utf8_file"),
-    )
-
-
-def _case_in(folder: FilePath) -> Message:
-    inside = folder / "case.toml"
-    if inside.is_file():
-        return Message("refused.a_folder_with", inside=inside.as_posix())
-    return Message("refused.a_folder")
+    byte = Message("refused.the_byte", byte=f"{data[start]:02X}")
+    return Problem(f"line {line}", byte, Message("refused.save_utf8_file"))
 
 
 def _similar(path: FilePath) -> Message:
