@@ -10,8 +10,6 @@ if TYPE_CHECKING:
 
     from catopt.cli.output import Printer
 
-__all__ = ["main"]
-
 FAULT = 1
 WRONG_INPUT = 2
 INTERRUPTED = 130

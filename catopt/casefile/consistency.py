@@ -39,13 +39,14 @@ def consistency_findings(case: FileSection, components: Mapping[Path, Component]
     """List what contradicts itself in a document, with its components by their paths."""
     line = case.table("line")
     segments, loads = line.tables("segments"), line.tables("point_loads")
+    dragged = [each for each in loads if not each.misspelt("drag_area", "drag_coefficient")]
     return [
         *_load(case),
         *_find(case),
         *_misfits(case, line, components),
         *(f for segment in segments for f in segment_findings(segment)),
         *(f for load in loads for f in _weight(load)),
-        *(f for load in loads for f in _drag(load)),
+        *(f for load in dragged for f in load.refused(point_drag_misfits(load.given))),
         *_positions(segments, loads),
         *_contact_offset(case.table("site"), line),
         *_levels(case, case.tables("load_cases")),
@@ -187,12 +188,6 @@ def _weight(body: FileSection) -> Iterator[Finding]:
         yield Finding(body.path, Message("refused_file.mass_without_density"), wanted)
     elif not weight and not mass:
         yield body.missing("submerged_weight", wanted)
-
-
-def _drag(load: FileSection) -> Iterator[Finding]:
-    """Find a drag of a point load that lacks its area or its coefficient."""
-    if not load.misspelt("drag_area", "drag_coefficient"):
-        yield from load.refused(point_drag_misfits(load.given))
 
 
 def _positions(segments: list[FileSection], loads: list[FileSection]) -> Iterator[Finding]:

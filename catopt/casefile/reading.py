@@ -52,16 +52,6 @@ def moored_in(path: str | os.PathLike[str]) -> Moored | None:
     return moored_of(document)
 
 
-def not_a_case(document: dict[str, Any]) -> Problem | None:
-    """Say of a document that is no case but a file for ``catopt size``, where it belongs."""
-    moored = moored_of(document)
-    if moored is None:
-        return None
-    key = next(key for key in ("ship", "environment", "buoy") if key in document)
-    allowed = Message("refused.for_size", moored=moored)
-    return Problem(key, f"[{key}]", allowed)
-
-
 def case_key(document: dict[str, Any]) -> tuple[str, ...]:
     """Find a key that only a case file has; empty where there is none."""
     known = next((key for key in _OF_A_CASE if key in document), None)
@@ -232,8 +222,10 @@ def case_of(document: dict[str, Any], source: str = "", *, folder: str = "") -> 
     findings += consistency_findings(case, catalogue.segments)
     findings += design_findings(case)
     findings += motion_findings(case)
-    if findings and (other := not_a_case(document)):
-        raise InputError([other], source)
+    if findings and (moored := moored_of(document)):  # no case but a file for ``catopt size``
+        key = next(key for key in ("ship", "environment", "buoy") if key in document)
+        allowed = Message("refused.for_size", moored=moored)
+        raise InputError([Problem(key, f"[{key}]", allowed)], source)
     refuse(document, findings, source)
     return build_case(table, catalogue, folder)
 
@@ -245,7 +237,6 @@ DESIGN_DOCUMENT = "design.json"
 DESIGN_CASE = "case.toml"
 """Name of the case file in a result directory."""
 
-_SCHEMA = "catopt.design/1"
 _MOTION = ("drag_diameter", "drag_normal", "drag_axial", "added_mass_normal", "added_mass_axial")
 
 
@@ -311,7 +302,7 @@ def read_design_document(directory: Path) -> dict[str, Any]:
         key = "refused_command.directory_catopt_design_out_wrote"
         wanted = Message(key, design_document=DESIGN_DOCUMENT)
         raise InputError([Problem("CASE", str(directory), wanted)], "options")
-    document = read_document(directory / DESIGN_DOCUMENT, _SCHEMA)
+    document = read_document(directory / DESIGN_DOCUMENT, "catopt.design/1")
     try:
         found: dict[str, Any] = with_messages(document, document.pop("messages", {}))
     except ValueError as error:

@@ -46,12 +46,19 @@ class Asked:
     out: Path | None
     full: bool = False
 
-    def check_place(self) -> None:
-        """Refuse a place that no files can go to, before anything is computed."""
-        if self.out is not None:
-            from catopt.report.bundle import check_directory
+    def check_place(self, *, for_case: bool = False) -> None:
+        """Refuse a place that no files can go to, before anything is computed.
 
-            check_directory(self.out)
+        Where a case file goes there, one that is the user's own is not replaced, either.
+        """
+        if self.out is None:
+            return
+        from catopt.report.bundle import check_directory
+
+        check_directory(self.out)
+        if for_case and _stays(self.out, with_front=True):
+            allowed = Message("refused_command.has_case_toml_catopt_did")
+            raise refused("--out", str(self.out), allowed)
 
     def leave(self, status: int, why: str) -> NoReturn:
         """End with an exit status, and say why on standard error."""
@@ -235,13 +242,6 @@ def keyword(
     """Make a parameter that is given by its name."""
     kind = inspect.Parameter.KEYWORD_ONLY
     return inspect.Parameter(name, kind, default=default, annotation=annotation)
-
-
-def refuse_own_case(directory: Path) -> None:
-    """Raise InputError for a directory whose case file, to be replaced, is the user's own."""
-    if _stays(directory, with_front=True):
-        allowed = Message("refused_command.has_case_toml_catopt_did")
-        raise refused("--out", str(directory), allowed)
 
 
 def _stays(directory: Path, *, with_front: bool) -> str:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 import typer
 
-from catopt.cli.answering import Asked, answering, keyword, refuse_own_case
+from catopt.cli.answering import Asked, answering, keyword
 from catopt.cli.completion import completed, of_input
 from catopt.cli.help_words import GroupWithWords, WithWords, group
 from catopt.cli.options import OutOption, in_environment
@@ -187,9 +187,7 @@ def _size(
     if save is not None and not save.parent.is_dir():
         allowed = Message("refused_command.there_no_directory", parent=save.parent)
         raise refused("--save", str(save), allowed)
-    asked.check_place()
-    if asked.out is not None:
-        refuse_own_case(asked.out)
+    asked.check_place(for_case=True)
     spell = by_option if moored == "buoy" else as_option
     given = typed(moored, options)
     if place is not None and is_form(place):

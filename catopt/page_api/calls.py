@@ -38,8 +38,6 @@ if TYPE_CHECKING:
     from catopt.quantities import Units
     from catopt.sizing import Sizing
 
-__all__ = ["CALLS", "ask", "shell"]
-
 _WAVES: Final = '<path class="wave" d="M2 22q5-4 10 0t10 0 10 0 10 0 10 0 10 0"/>'
 _PICTURES: Final = {
     "buoy": Markup(
@@ -135,8 +133,13 @@ def ask(call: str, question: Question) -> Reply:
             **_beside(text, language),
             **_open(text),
         }
-    except CatoptError as error:
-        return _failed(error, language)
+    except CatoptError as error:  # its words are the command's
+        problems = [
+            {"key": each.key, "found": each.found, "allowed": say(each.allowed, language)}
+            for each in (error.problems if isinstance(error, InputError) else ())
+        ]
+        message = "" if problems else say(error.message, language)
+        return {"problems": problems, "message": message, "status": error.exit_status}
     finally:
         UNITS.reset(before)
 
@@ -153,19 +156,6 @@ def _wrong(call: str, question: Question) -> str:
     values = question.get("values", {})
     is_form = isinstance(values, Mapping) and all(isinstance(each, str) for each in values.values())
     return "" if is_text and is_form else "text, base, kept and values are texts"
-
-
-def _failed(error: CatoptError, language: Language) -> Reply:
-    """Lay an error out; its words are the command's."""
-    problems = [
-        {"key": each.key, "found": each.found, "allowed": say(each.allowed, language)}
-        for each in (error.problems if isinstance(error, InputError) else ())
-    ]
-    return {
-        "problems": problems,
-        "message": "" if problems else say(error.message, language),
-        "status": error.exit_status,
-    }
 
 
 def _kept(function: Asked) -> Asked:

@@ -17,8 +17,6 @@ from catopt.sizing.inputs import INPUTS, Input, rows_of
 from catopt.sizing.kinds import choices_of
 from catopt.words import Message, term
 
-__all__ = ["DOORS", "START", "Door", "Field", "door_of", "fields_of", "text_of", "values_of"]
-
 Door = Literal["line", "body", "buoy", "tanker"]
 
 DOORS: Final[tuple[Door, ...]] = ("buoy", "tanker", "line", "body")

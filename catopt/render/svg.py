@@ -51,15 +51,10 @@ LOOKS: Mapping[str, Look] = {role: Look(**look) for role, look in _TABLE["looks"
 
 def stylesheet() -> str:
     """Write the looks as CSS, in light and in dark colours."""
-    return "\n".join(_rules()) + "\n"
-
-
-def _rules() -> Iterator[str]:
     light, dark = (
         "".join(f"--{name}:{pair[index]};" for name, pair in COLOURS.items()) for index in (0, 1)
     )
-    yield f":root{{{light}}}"
-    yield f"@media screen and (prefers-color-scheme: dark){{:root{{{dark}}}}}"
+    rules = f":root{{{light}}}\n@media screen and (prefers-color-scheme: dark){{:root{{{dark}}}}}\n"
     for role, look in LOOKS.items():
         rule = f"fill:var(--{look.fill});" if look.fill else "fill:none;"
         if look.opacity < 1.0:
@@ -68,7 +63,8 @@ def _rules() -> Iterator[str]:
             rule += f"stroke:var(--{look.stroke});stroke-width:{look.width:g};"
         if look.dash:
             rule += f"stroke-dasharray:{' '.join(f'{each:g}' for each in look.dash)};"
-        yield f"svg .{role}{{{rule}}}"
+        rules += f"svg .{role}{{{rule}}}\n"
+    return rules
 
 
 Tick = tuple[float, str]

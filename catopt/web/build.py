@@ -30,8 +30,6 @@ from catopt.page_api.fields import DOORS, START
 from catopt.render.svg import stylesheet
 from catopt.words import LANGUAGES, Message
 
-__all__ = ["PageServer", "PinnedPart", "document", "fetched", "parts", "pieces", "site"]
-
 _STYLE: Final = "style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'"
 _SCRIPT: Final = "script-src 'unsafe-inline' data: blob: 'wasm-unsafe-eval'"
 
