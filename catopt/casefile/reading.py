@@ -278,7 +278,7 @@ def read_design(directory: Path, number: int) -> Case:
     title = f"{case.title}, design {number}" if case.title else f"Design {number}"
     try:
         line = Line(
-            [_with_motion(_design_segment(each), case) for each in design["segments"]],
+            [_design_segment(each, case) for each in design["segments"]],
             [PointLoad(**attributes(each)) for each in design["point_loads"]],
         )
         sinker = design.get("sinker")
@@ -312,16 +312,13 @@ def read_design_document(directory: Path) -> dict[str, Any]:
     return found
 
 
-def _design_segment(each: dict[str, Any]) -> Segment:
-    given = attributes(each)
-    EA = math.inf if given["EA"] is None else given["EA"]
-    return Segment(**given | {"EA": EA, "component": given["component"] or ""})
-
-
-def _with_motion(segment: Segment, case: Case) -> Segment:
-    """Give a segment of a design its drag and added mass: its model's, or its component's."""
+def _design_segment(each: dict[str, Any], case: Case) -> Segment:
+    """Build a segment of a design; drag and added mass are its model's, or its component's."""
     from catopt.catalogue.choice import chosen
 
+    given = attributes(each)
+    EA = math.inf if given["EA"] is None else given["EA"]
+    segment = Segment(**given | {"EA": EA, "component": given["component"] or ""})
     kept = {field.name for field in fields(Segment)} - {"length", *_MOTION}
     same = [
         own

@@ -183,7 +183,12 @@ def _given(part: object) -> dict[str, Any]:
         case MooredBody(yaw_free=False):
             given["yaw_free"] = False
         case WaveState():
-            given = {key: given[key] for key in _keys_of_waves(part) if key in given}
+            train = entries(WaveTrainTable) if part.spectrum else ()
+            keys = [*train, "stretching", "seed", "trains"]
+            if part.elevation_file:
+                keys = ["stretching", "elevation_file", "elevation_x", "shortest_period"]
+                keys += ["direction"]
+            given = {key: given[key] for key in keys if key in given}
     unsaid = _unsaid(part, given)
     return {key: value for key, value in given.items() if key not in unsaid}
 
@@ -199,12 +204,6 @@ def _unsaid(part: object, given: Mapping[str, Any]) -> Collection[str]:
             return ("broken_end",)
     defaults = _UNSAID.get(type(part), {})
     return [key for key, default in defaults.items() if given.get(key) == default]
-
-
-def _keys_of_waves(waves: WaveState) -> list[str]:
-    if waves.elevation_file:
-        return ["stretching", "elevation_file", "elevation_x", "shortest_period", "direction"]
-    return [*(entries(WaveTrainTable) if waves.spectrum else ()), "stretching", "seed", "trains"]
 
 
 def _lines(schema: type[TableSchema], given: Mapping[str, Any]) -> Iterator[str]:

@@ -217,17 +217,9 @@ def _checked(text: str) -> tuple[SystemReport, CheckReport]:
     return report, check_system(case, report)
 
 
-def _size(text: str) -> Reply:
-    return _sizing(text, _door(text)).to_dict()
-
-
 def _open(text: str) -> Reply:
     door = _door(text)
     return {"door": door, "values": values_of(door, text), "text": text}
-
-
-def _file(text: str) -> Reply:
-    return {"name": _name(_door(text)), "text": text}
 
 
 def _name(door: Door) -> str:
@@ -407,9 +399,9 @@ def _noted(text: str, door: Door, file: SourceFile) -> Answer:
 _DOCUMENTS: Final[Mapping[str, Callable[[str], Reply]]] = {
     **{call: partial(_of_a_line, call) for call in ("solve", "check", "curve")},
     "system": _system,
-    "size": _size,
+    "size": lambda text: _sizing(text, _door(text)).to_dict(),
     "open": _open,
-    "file": _file,
+    "file": lambda text: {"name": _name(_door(text)), "text": text},
 }
 CALLS: Final = (*_DOCUMENTS, "live", "whole", "note", "compare")
 """What can be asked."""

@@ -27,7 +27,6 @@ from catopt.figures.chart import (
     Level,
     Mark,
     Place,
-    Series,
     legend,
 )
 from catopt.render.svg import (
@@ -187,7 +186,9 @@ def _draw(part: SubFigure, chart: Chart, wide: float) -> None:
     for level in chart.levels:
         _level(axes, level, chart)
     for series in chart.series:
-        _series(axes, series, chart)
+        look, places = LOOKS[series.role], (_all(x, series.x), _all(y, series.y))
+        order = 2.5 if look.sign else 2.0
+        axes.plot(*places, **_of_line(look), label=f"_{series.role}", zorder=order)
     for arrow in chart.arrows:
         look = LOOKS[arrow.role]
         line = {"color": _colour(look.stroke), "linewidth": look.width * _POINTS}
@@ -295,12 +296,6 @@ def _beside(axes: Axes, words: str, place: Place, away: Place, **look: Any) -> N
     """Write words at some points' distance from a place."""
     kind: dict[str, Any] = {"textcoords": "offset points", "fontsize": 8, "ha": "center"} | look
     axes.annotate(words, place, xytext=away, **kind)
-
-
-def _series(axes: Axes, series: Series, chart: Chart) -> None:
-    look = LOOKS[series.role]
-    x, y = _all(chart.x, series.x), _all(chart.y, series.y)
-    axes.plot(x, y, **_of_line(look), label=f"_{series.role}", zorder=2.5 if look.sign else 2.0)
 
 
 def _mark(axes: Axes, mark: Mark, chart: Chart) -> None:

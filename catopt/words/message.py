@@ -102,8 +102,12 @@ class Message(str):
 
     def said(self, language: Language) -> str:
         """Say it in a language."""
-        is_typed = self.key.startswith("refused")  # what is wrong names what is to be typed
-        values = {name: _said(value, language, is_typed) for name, value in self.values.items()}
+        # What is wrong names what is to be typed: of its values only the messages are said.
+        kind = Message if self.key.startswith("refused") else str
+        values = {
+            name: say(value, language) if isinstance(value, kind) else value
+            for name, value in self.values.items()
+        }
         return _FILLED[language].vformat(text(self.key, language, values), (), values)
 
     def __reduce__(self) -> tuple[object, ...]:
@@ -207,12 +211,6 @@ def say(said: str, language: Language) -> str:
 def is_said(said: str, key: str) -> bool:
     """Whether a text is the message of a key."""
     return isinstance(said, Message) and said.key == key
-
-
-def _said(value: object, language: Language, is_typed: bool) -> object:
-    if not isinstance(value, str) or (is_typed and not isinstance(value, Message)):
-        return value
-    return say(value, language)
 
 
 _LARGE = 1e6
