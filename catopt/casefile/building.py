@@ -217,10 +217,9 @@ def _catalogue(found: FromCatalogue, case: FileSection, folder: str) -> ChosenCa
 
         shown = as_written(given.get("file"))
         for problem in error.problems:
-            inside: str = Message("refused.in_it", problem=problem_words(problem))
-            if problem.key == KIND:  # unread
-                inside = problem.allowed
-            found.findings.append(Finding(("catalogue", "file"), shown, inside))
+            inside = Message("refused.in_it", problem=problem_words(problem))
+            allowed = problem.allowed if problem.key == KIND else inside  # the former: unread
+            found.findings.append(Finding(("catalogue", "file"), shown, allowed))
     return None
 
 
@@ -243,8 +242,8 @@ def _resolve(found: FromCatalogue, catalogue: ChosenCatalogue, path: Path, name:
     if beside and isinstance(path[-1], int):
         allowed = Message("refused.stands_already")
         found.findings.append(Finding(path, as_written(name), allowed))
-        return
-    found.names[path] = full
+    else:
+        found.names[path] = full
 
 
 def _looked_up(

@@ -95,22 +95,18 @@ def network_of(document: dict[str, Any], source: str = "", *, folder: str = "") 
     for line in case.tables("lines"):
         findings += [each for part in line.tables("segments") for each in segment_findings(part)]
     findings += [*judged_findings(case, []), *network_motion_findings(case)]
-    problems: list[Problem] = []
-    points: list[Any] = []
-    lines: list[Any] = []
-    bodies: list[Any] = []
-    if not findings:
-        points = [
-            _built(problems, f"points[{k}]", Point, **each.given())
-            for k, each in enumerate(table.points)
-        ]
-        lines = [_line(problems, k, each, catalogue) for k, each in enumerate(table.lines)]
-        bodies = [
-            _built(problems, f"bodies[{k}]", MooredBody, **each.given())
-            for k, each in enumerate(table.given().get("bodies") or ())
-        ]
-        findings = [Finding(parts(each.key), each.found, each.allowed) for each in problems]
     refuse(document, findings, source)
+    problems: list[Problem] = []
+    points = [
+        _built(problems, f"points[{k}]", Point, **each.given())
+        for k, each in enumerate(table.points)
+    ]
+    lines = [_line(problems, k, each, catalogue) for k, each in enumerate(table.lines)]
+    bodies = [
+        _built(problems, f"bodies[{k}]", MooredBody, **each.given())
+        for k, each in enumerate(table.given().get("bodies") or ())
+    ]
+    refuse(document, [Finding(parts(p.key), p.found, p.allowed) for p in problems], source)
     site = Site(**table.site.given())
     given: dict[str, Any] = {key: getattr(table, key) or "" for key in ("title", "source")}
     given |= network_parts(table, catalogue, site, folder)

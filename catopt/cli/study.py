@@ -40,14 +40,12 @@ def study(
     """Compute a case again and again, with what varies in it."""
     from catopt.study.file import read_study
     from catopt.study.result import StudyResult
-    from catopt.study.store import Store
+    from catopt.study.store import Store, need_parquet
 
     of_directory = {"--status": status, "--notes": notes, "--parquet": parquet}
     missing = [option for option, given in of_directory.items() if given and asked.out is None]
     refuse(_problems(missing, workers, scheduler, is_both=plan and status))
     if parquet:
-        from catopt.study.store import need_parquet
-
         need_parquet()
     asked.check_place()
     read = read_study(file)

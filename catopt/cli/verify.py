@@ -13,14 +13,14 @@ import typer
 
 from catopt.answers.blocks import Answer
 from catopt.answers.design import front_in_motion_answer
-from catopt.answers.motion import motion_answer
+from catopt.answers.motion import motion_answer, ship_answer
 from catopt.answers.verification import (
     front_answer,
     front_sentence,
     verdict_sentence,
     verification_answer,
 )
-from catopt.casefile import read_case
+from catopt.casefile import read_case, write_case
 from catopt.casefile.reading import (
     DESIGN_CASE,
     read_design,
@@ -224,7 +224,6 @@ def _moved(asked: Asked, found: _Found, load_case: str | None, moving: dict[str,
 
 def _ship(asked: Asked, case: Case, load_case: str | None, moving: dict[str, Any]) -> _Found:
     """Run the ship of a case on two time scales; the truss model has no part in it."""
-    from catopt.answers.motion import ship_answer
     from catopt.verify.result import Verification
     from catopt.verify.two_scales import verify_ship
 
@@ -249,7 +248,6 @@ def _ship(asked: Asked, case: Case, load_case: str | None, moving: dict[str, Any
 
 def _led_files(moved: ShipVerification) -> dict[str, bytes]:
     """Write what leads the ship's lines in the truss model, and the case that does so."""
-    from catopt.casefile import write_case
     from catopt.verify.ship_result import DRIFT, RAOS, drift_csv, led_case, raos_csv
 
     texts = {RAOS: raos_csv(moved), DRIFT: drift_csv(moved)}

@@ -28,7 +28,7 @@ from catopt.documents import parse_toml
 from catopt.errors import CatoptError, InputError
 from catopt.page_api.fields import DOORS, START, Door, door_of, fields_of, text_of, values_of
 from catopt.render.values import UNITS
-from catopt.words import LANGUAGES, Language, Measure, Message, say
+from catopt.words import LANGUAGES, Language, Measure, Message, is_said, say, term
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
@@ -233,7 +233,6 @@ def _beside(text: str, language: Language) -> Reply:
     """Say what was taken of what was not given, and which other lines there are, of a sizing."""
     from catopt.answers.size_card import other_words
     from catopt.figures.sizing import choices
-    from catopt.words import is_said, term
 
     door = _door(text)
     if door not in ("buoy", "tanker"):

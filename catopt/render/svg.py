@@ -433,11 +433,11 @@ def number(value: float) -> str:
 
 def shape(tag: str, style: str, words: str = "", **attributes: float | str) -> Shape:
     """Make a shape of a class; coordinates may be numbers."""
-    given = [("class", style)]
-    for key, value in attributes.items():
-        written = value if isinstance(value, str) else number(value)
-        given.append((key.replace("_", "-"), written))
-    return Shape(tag, tuple(given), words)
+    given = (
+        (key.replace("_", "-"), value if isinstance(value, str) else number(value))
+        for key, value in attributes.items()
+    )
+    return Shape(tag, (("class", style), *given), words)
 
 
 def path(style: str, places: Iterable[tuple[float, float]], *, tag: str = "polyline") -> Shape:
