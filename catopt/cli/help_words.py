@@ -128,17 +128,6 @@ class GroupWithWords(_WithWords, TyperGroup):
     """A group of commands whose help is in the table."""
 
 
-def usage_in_vietnamese(usage: str) -> str:
-    """Put typer's own words of a line of usage into Vietnamese."""
-    for word, said in (
-        ("Usage: ", f"{_OWN['Usage']}: "),
-        ("[OPTIONS]", _OPTIONS),
-        ("COMMAND [ARGS]...", _BELOW),
-    ):
-        usage = usage.replace(word, said)
-    return usage
-
-
 def group(name: str, kind: type[GroupWithWords] = GroupWithWords) -> typer.Typer:
     """Make a group of commands."""
     return typer.Typer(
@@ -240,7 +229,8 @@ def _tell(error: Any, language: Language) -> int:
         if language == "vi":
             for english, vietnamese in _REFUSED:
                 said = re.sub(english, vietnamese, said)
-            usage = usage_in_vietnamese(usage)
+            usage = usage.replace("Usage: ", f"{_OWN['Usage']}: ").replace("[OPTIONS]", _OPTIONS)
+            usage = usage.replace("COMMAND [ARGS]...", _BELOW)
             hint, label = f"Gõ '{context.command_path} --help' để xem hướng dẫn.", "Lỗi"
         typer.echo(f"{usage}\n{hint}\n\n{label}: {said}", err=True)
     return int(error.exit_code)

@@ -99,10 +99,9 @@ def verify(
         found = _front(asked, case, how, moving, scheduler)
     else:
         read = read_mooring_or_design(case, design)
-        if isinstance(read, Network):
-            found = _network(asked, read, load_case, how, moving)
-        else:
-            found = _case(asked, with_known_codes(read), load_case, how, moving)
+        if isinstance(read, Case):
+            read = with_known_codes(read)
+        found = _one(asked, read, load_case, how, moving)
 
     def document() -> dict[str, Any]:
         return found.at_rest.to_dict() | found.in_motion()
@@ -151,43 +150,26 @@ def _of_cluster(
 # ------------------------------------------------------------------ one case, or one network
 
 
-def _network(
+def _one(
     asked: Asked,
-    network: Network,
+    case: Case | Network,
     load_case: str | None,
     how: dict[str, Any],
     moving: dict[str, Any] | None,
 ) -> _Found:
-    """Verify points, lines and bodies; what lines in motion lack is told before."""
-    from catopt.report import bundle
-    from catopt.verify.case import verify_case
-
-    if moving is not None:
-        _check_for_motion(network)
-    found = verify_case(network, load_case=load_case, **how)
-    pictures = (partial(bundle.verification_pictures, found),)
-    rest = _Found(network, found, verdict_sentence(found), (verification_answer(found),), pictures)
-    return rest if moving is None else _moved(asked, rest, load_case, moving)
-
-
-def _case(
-    asked: Asked,
-    case: Case,
-    load_case: str | None,
-    how: dict[str, Any],
-    moving: dict[str, Any] | None,
-) -> _Found:
-    """Verify a case; what a line in motion lacks is told before anything is solved."""
+    """Verify a case or a network; what lines in motion lack is told before anything is solved."""
     from catopt.report import bundle
     from catopt.verify.case import verify_case
     from catopt.verify.result import Verification
 
-    if moving is not None and case.floater is not None and case.floater.ship is not None:
+    if moving is not None and isinstance(case, Case) and case.floater and case.floater.ship:
         return _ship(asked, case, load_case, moving)
     if moving is not None:
         _check_for_motion(case)
     if moving is not None and case.site.seabed_slope != 0.0:
         at_rest = Verification(case, ())  # there is no closed form to compare with
+    elif isinstance(case, Network):
+        at_rest = verify_case(case, load_case=load_case, **how)
     else:
         with asked.output.progress("Load cases") as tell:
             at_rest = verify_case(case, load_case=load_case, progress=tell, **how)
