@@ -86,8 +86,7 @@ def on_a_screen(whole: str, command: str) -> str:
         re.findall(r"--?\w[\w-]*|^\w[\w-]*", line.strip().partition("  ")[0])[-1]
         for line, _ in entries
     ]
-    key = "answers.help_all"
-    last = say(Message(key, command=f"{command} {HELP_ALL}"), in_environment())
+    last = say(Message("answers.help_all", command=f"{command} {HELP_ALL}"), in_environment())
     for count in range(len(entries), 0, -1):
         also = wrap(", ".join(named[count:]), HELP_WIDTH - 4, break_on_hyphens=False)
         laid = [*head, "", *starmap(_entry, entries[:count]), *(f"  {each}" for each in also), last]
@@ -98,10 +97,9 @@ def on_a_screen(whole: str, command: str) -> str:
 
 def _entry(line: str, below: str) -> str:
     """Take the first line of an entry; where more follows, say so."""
-    goes_on = below.startswith("    ") or not re.search(r" {2,}\S", line.strip())
     if not re.search(r" {2,}\S", line.strip()):  # the option is too long to have words beside it
-        line, goes_on = f"{line}  {below.strip()}", True
-    if not goes_on:
+        line = f"{line}  {below.strip()}"
+    elif not below.startswith("    "):
         return line
     cut = line if len(line) <= HELP_WIDTH - 4 else line[: HELP_WIDTH - 3].rpartition(" ")[0]
     return f"{cut.rstrip()} ..."

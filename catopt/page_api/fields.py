@@ -297,9 +297,7 @@ def _tables(table: Mapping[str, Any], path: tuple[str, ...]) -> Iterator[str]:
         if not _is_below(value):
             yield f"{_key(key)} = {_written(value)}\n"
     for key, value in table.items():
-        if isinstance(value, dict):
-            if not value:
-                continue
+        if isinstance(value, dict) and value:
             yield f"\n[{'.'.join(map(_key, (*path, key)))}]\n"
             yield from _tables(value, (*path, key))
         elif _is_below(value):
