@@ -79,15 +79,10 @@ START: Final[dict[Door, dict[str, str]]] = {
 }
 """What the form of each door begins with."""
 
+_PLACE: Final = ("site.water_depth", "environment.wind", "environment.current", "environment.hs")
 _FIRST: Final[dict[Door, tuple[str, ...]]] = {
-    "buoy": (
-        *("buoy.name", "site.water_depth", "environment.wind"),
-        *("environment.current", "environment.hs"),
-    ),
-    "tanker": (
-        *("ship.deadweight", "site.water_depth", "environment.wind"),
-        *("environment.current", "environment.hs"),
-    ),
+    "buoy": ("buoy.name", *_PLACE),
+    "tanker": ("ship.deadweight", *_PLACE),
 }
 """What is asked for at once of a sizing."""
 _UNITS: Final = {
