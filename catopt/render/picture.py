@@ -64,11 +64,7 @@ STYLE: Any = {
 
 
 def pictures(
-    name: str,
-    charts: Chart | Sequence[Chart],
-    heading: str = "",
-    language: Language = "en",
-    columns: int = 1,
+    name: str, charts: Chart | Sequence[Chart], heading: str = "", columns: int = 1
 ) -> dict[str, bytes]:
     """Make the files of a picture, PNG and SVG, as `picture` draws it.
 
@@ -76,7 +72,7 @@ def pictures(
     """
     with catch_warnings():
         filterwarnings("ignore", "Glyph .* missing from")
-        figure = picture(charts, heading, language, columns)
+        figure = picture(charts, heading, columns=columns)
         return {f"{name}.png": image(figure, "png"), f"{name}.svg": image(figure, "svg")}
 
 
