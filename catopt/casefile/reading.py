@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable
 from dataclasses import fields, replace
 from pathlib import Path
-from typing import Any, Final, Literal, TypeVar
+from typing import Any, Final, Literal
 
 from catopt.casefile.building import (
     FromCatalogue,
@@ -156,7 +155,11 @@ def read_case(path: str | os.PathLike[str]) -> Case:
     InputError
         When the file cannot be read, or with every problem of what it says.
     """
-    found = read_mooring(path)
+    return _case_alone(read_mooring(path), path)
+
+
+def _case_alone(found: Case | Network, path: str | os.PathLike[str]) -> Case:
+    """Refuse lines that meet in joints."""
     if isinstance(found, Network):
         from catopt.decks.reading import NOT_FOR_THIS
 
@@ -226,8 +229,6 @@ def case_of(document: dict[str, Any], source: str = "", *, folder: str = "") -> 
     return build_case(table, catalogue, folder)
 
 
-T = TypeVar("T")
-
 DESIGN_DOCUMENT = "design.json"
 """Name of the document in a result directory."""
 DESIGN_CASE = "case.toml"
@@ -241,21 +242,17 @@ def read_case_or_design(path: Path, design: int | None) -> Case:
 
     InputError as `read_case` and `read_design`; or a directory without a number of a design.
     """
-    return _read(path, design, read_case)
+    return _case_alone(read_mooring_or_design(path, design), path)
 
 
 def read_mooring_or_design(path: Path, design: int | None) -> Case | Network:
     """Read the same, or a file of lines that meet in joints."""
-    return _read(path, design, read_mooring)
-
-
-def _read(path: Path, design: int | None, read: Callable[[Path], T]) -> T | Case:
     if design is not None:
         return read_design(path, design)
     if path.is_dir() and (path / DESIGN_DOCUMENT).exists():
         allowed = Message("refused_command.result_directory_add_design_k")
         raise InputError([Problem("CASE", str(path), allowed)], "options")
-    return read(path)
+    return read_mooring(path)
 
 
 def read_design(directory: Path, number: int) -> Case:

@@ -75,7 +75,7 @@ def _settings(
 ) -> float | None:
     """Check the options and return EA; everything that is wrong with them is reported at once."""
     found = Findings("options")
-    EA = positive(found, "--EA", stiffness, Dimension.FORCE, "N")
+    EA = positive(found, "--EA", stiffness, Dimension.FORCE)
     if elements is not None:
         found.number("--elements", elements, "", at_least=_FEWEST, at_most=_MOST)
     if to != "moordyn":

@@ -31,9 +31,9 @@ def import_deck(
     """Read an input file of another mooring program, and write it as a case file."""
     found = Findings("options")
     missing = Missing(
-        gravity=positive(found, "--gravity", gravity, Dimension.ACCELERATION, "m/s^2"),
-        density=positive(found, "--density", density, Dimension.DENSITY, "kg/m^3"),
-        depth=positive(found, "--depth", depth, Dimension.LENGTH, "m"),
+        gravity=positive(found, "--gravity", gravity, Dimension.ACCELERATION),
+        density=positive(found, "--density", density, Dimension.DENSITY),
+        depth=positive(found, "--depth", depth, Dimension.LENGTH),
         line=line,
     )
     if line is not None:

@@ -174,8 +174,8 @@ def ship(
         own = make(in_si, {name: (text, Dimension.LENGTH) for name, text in lengths.items()})
         turns = weathervane or any(inputs[name] is None for name in of.given & {*DIRECTIONS})
         if not turns:
-            ways = [name for name in ("current_yaw", "scan") if name in of.given]
-            needless = {name: inputs[name] or of[name] for name in ways}
+            needless = {name: inputs[name] or of[name] for name in ("current_yaw", "scan")}
+            needless = {name: text for name, text in needless.items() if name in of.given}
             needless |= given_ones(mooring_point=mooring_point, wind_centre=wind_centre)
             wanted = Message("refused_command.leave_out_or_give_weathervane")
             for name, text in needless.items():
