@@ -76,7 +76,7 @@ def _run(arguments: Sequence[str] | None, output: Printer) -> None:
 
 
 def _failed(error: Exception, output: Printer) -> int:
-    """Say why there is no answer; returns the exit status."""
+    """Say why there is no answer, with the traceback if asked for; returns the exit status."""
     from catopt.errors import CatoptError
     from catopt.interrupt import was_interrupted
 
@@ -88,7 +88,16 @@ def _failed(error: Exception, output: Printer) -> int:
         return WRONG_INPUT
     if was_interrupted() and not output.debug:  # what is stopped half-way says anything
         return INTERRUPTED
-    output.note(_fault(error, output))
+    if output.debug:
+        from traceback import format_exception
+
+        output.note("".join(format_exception(error)).rstrip())
+        return FAULT
+    what = f"{type(error).__name__}: {error}".splitlines()[0]
+    output.note(
+        f"catopt: a fault of catopt's own ({what})\n"
+        "Run it again as 'catopt --debug ...' and report what that prints with your case file."
+    )
     return FAULT
 
 
@@ -108,19 +117,6 @@ def _of_the_place(error: Exception) -> str:
     name = str(error.filename or "")
     short = name if len(name) <= LONGEST_NAME else f"{name[:LONGEST_NAME]}..."
     return f"{short}: {error.strerror}" if short else str(error.strerror)
-
-
-def _fault(error: Exception, output: Printer) -> str:
-    """Say what went wrong on our side; with its traceback when that was asked for."""
-    if output.debug:
-        from traceback import format_exception
-
-        return "".join(format_exception(error)).rstrip()
-    what = f"{type(error).__name__}: {error}".splitlines()[0]
-    return (
-        f"catopt: a fault of catopt's own ({what})\n"
-        "Run it again as 'catopt --debug ...' and report what that prints with your case file."
-    )
 
 
 if __name__ == "__main__":

@@ -189,7 +189,12 @@ class _Reader:
                 read[key] = self._entry(here, entry, given[key])
             elif entry.required and key not in meant:
                 self.findings.append(Finding(here, "", missing(_wanted(here, entry))))
-        self.findings += (self._unknown(path, schema, key, given[key]) for key in unknown)
+        for key in unknown:
+            if key in schema.elsewhere:
+                self._note((*path, key), given[key], Message(schema.elsewhere[key]))
+            else:
+                why = hint(schema, key, self.top)
+                self.findings.append(Finding((*path, key), Message("refused.unknown_key"), why))
         return schema(read)
 
     def _entry(self, path: Path, entry: Entry, given: Any) -> Any:
@@ -227,12 +232,6 @@ class _Reader:
 
     def _note(self, path: Path, given: Any, allowed: str) -> None:
         self.findings.append(Finding(path, as_written(given), allowed))
-
-    def _unknown(self, path: Path, schema: type[TableSchema], key: str, given: Any) -> Finding:
-        if key in schema.elsewhere:
-            return Finding((*path, key), as_written(given), Message(schema.elsewhere[key]))
-        unknown = Message("refused.unknown_key")
-        return Finding((*path, key), unknown, hint(schema, key, self.top))
 
 
 def _wanted(path: Path, entry: Entry) -> str:

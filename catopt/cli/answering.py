@@ -93,25 +93,21 @@ class Asked:
         if self.as_json:
             self.output.json(document())
             return
-        if not self.full:
-            from catopt.render.card import show_card
+        if self.full:
+            from catopt.render.terminal import show
 
-            show_card(self.output, answer, self.language, self._further(answer))
+            show(self.output, answer, self.language)
             return
-        from catopt.render.terminal import show
-
-        show(self.output, answer, self.language)
-
-    def _further(self, answer: Answer) -> str:
-        """Say what to type next, and how all of the answer is had."""
+        from catopt.render.card import show_card
         from catopt.words.texts import group
 
+        # Below the card: what to type next, and how all of the answer is had.
         key = "answers.more_full" if answer.name == "size" else "answers.more"
-        whole = Message(key if self.out is None else f"{key}_alone")
+        further = Message(key if self.out is None else f"{key}_alone")
         named = f"next_{answer.next or answer.name}"
-        if named not in group("answers"):
-            return whole
-        return Message("answers.next", next=Message(f"answers.{named}"), whole=whole)
+        if named in group("answers"):
+            further = Message("answers.next", next=Message(f"answers.{named}"), whole=further)
+        show_card(self.output, answer, self.language, further)
 
     def working(self, what: str) -> AbstractContextManager[object]:
         """Say what is done while the body runs, once that has taken a second; see `Output.working`.

@@ -277,7 +277,7 @@ def _sized(
     family = family if own is None else name
     if not given:
         return family, grade, None
-    bare = given[0].casefold().removeprefix("dn").strip()  # makers write DN before it
+    bare = given[0].casefold().removeprefix("dn").strip()  # makers write mm, with DN before it
     return family, grade, f"{bare} mm" if bare.replace(".", "", 1).isdigit() else bare
 
 

@@ -45,8 +45,7 @@ _ADDED: Final = {
 
 def table() -> dict[str, Any]:
     """Read the help: by command, its parts and options, each in both languages."""
-    read = files("catopt.cli").joinpath("help.toml").read_text("utf-8")
-    return tomllib.loads(read)
+    return tomllib.loads(files("catopt.cli").joinpath("help.toml").read_text("utf-8"))
 
 
 def put_words(command: Any) -> None:

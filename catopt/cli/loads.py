@@ -127,7 +127,12 @@ def buoy(
     # CALMAR takes Hmax for the height of the chain alone.
     by_hs = wave_height == "hs" and of["hs"] is not None and not own["--chain"]
     counted = {*_BUOY, "buoy"} - ({"hmax"} if by_hs else set())
-    said = (*_of_levels(every, of), *_no_part(of, counted))
+    said: list[Message] = []
+    if len(every) > 1:  # the force at each of two levels
+        high, low = (Measure("horizontal_force", each.horizontal_force) for each in every)
+        depths = {"deep": of["depth"], "shallow": of["low_water"]}
+        said.append(Message("loads.at_both_levels", high=high, low=low, **depths))
+    said += _no_part(of, counted)
     _give(asked, replace(result, assumptions=(*said, *result.assumptions)))
 
 
@@ -273,14 +278,6 @@ def _known(
     file = read_file(place, moored)
     with file.reporting():
         yield file.known(given, spell, defaults=_TAKEN, called=called)
-
-
-def _of_levels(every: Sequence[Loads], of: ResolvedInputs) -> Iterator[Message]:
-    """Say what the force is at each level, where there are two."""
-    if len(every) > 1:
-        high, low = (Measure("horizontal_force", each.horizontal_force) for each in every)
-        depths = {"deep": of["depth"], "shallow": of["low_water"]}
-        yield Message("loads.at_both_levels", high=high, low=low, **depths)
 
 
 def _no_part(of: ResolvedInputs, counted: Collection[str]) -> Iterator[Message]:

@@ -47,8 +47,8 @@ def by_option(name: str, index: int | None = None) -> str:
     return "BUOY" if name == "buoy" else as_option(name, index)
 
 
-def _help_of(each: Input, taken: str | None) -> str:
-    """Say what an option takes, and what is taken when it is left out, which may be given."""
+def _parameter(each: Input, taken: str | None) -> inspect.Parameter:
+    """Make an option of an input; its help says what is taken, if not its own, when left out."""
     flags = {name: as_option(name) for name in _NAMED}
     left_out = Message(each.left_out, **flags) if each.left_out else each.default
     left_out = left_out if taken is None else taken
@@ -59,7 +59,14 @@ def _help_of(each: Input, taken: str | None) -> str:
         Message("left_out.such_as", example=each.example) if is_shown else "",
         Message("left_out.if_left_out", taken=left_out) if left_out else "",
     )
-    return "".join(say(part, in_environment()) for part in said) + "."
+    words = "".join(say(part, in_environment()) for part in said) + "."
+    is_flag = each.takes == "FLAG"
+    metavar = None if is_flag else _METAVARS.get(each.name, each.takes)
+    kind: Any = bool if is_flag else list[str] | None if each.several else str | None
+    option = typer.Option(
+        as_option(each.name), metavar=metavar, help=words, **of_input(each.name, each.words)
+    )
+    return keyword(each.name, Annotated[kind, option], False if is_flag else None)
 
 
 def with_inputs(
@@ -76,7 +83,7 @@ def with_inputs(
         first = [each for each in own if each.kind is each.POSITIONAL_OR_KEYWORD]
         last = [each for each in own if each.kind is each.KEYWORD_ONLY]
         options = [
-            _parameter(each, _help_of(each, taken.get(name)))
+            _parameter(each, taken.get(name))
             for name, each in inputs_of(moored).items()
             if (name in names or not names) and name not in _NO_OPTIONS[moored]
         ]
@@ -84,16 +91,6 @@ def with_inputs(
         return command
 
     return decorate
-
-
-def _parameter(each: Input, words: str) -> inspect.Parameter:
-    is_flag = each.takes == "FLAG"
-    metavar = None if is_flag else _METAVARS.get(each.name, each.takes)
-    kind: Any = bool if is_flag else list[str] | None if each.several else str | None
-    option = typer.Option(
-        as_option(each.name), metavar=metavar, help=words, **of_input(each.name, each.words)
-    )
-    return keyword(each.name, Annotated[kind, option], False if is_flag else None)
 
 
 def typed(moored: Moored, options: Mapping[str, Any]) -> dict[str, object]:

@@ -58,7 +58,13 @@ def _answer(each: Input, spelled: str, default: str, language: Language) -> obje
     choices = (*choices_of(each), *([_OWN] if each.name == "buoy" else []))
     if choices:
         _say(f"  {say(term('one of'), language)}: {'; '.join(choices)}\n")
-    question = say(Message(f"inputs.{each.name}"), language) + say(_beside(each, default), language)
+    if default:
+        beside = Message("left_out.offered", default=Cited(default))
+    else:
+        of_all = each.required or each.name == "buoy"
+        key = "left_out.asked" if of_all else "left_out.asked_or_blank"
+        beside = Message(key, example=Cited(each.example))
+    question = say(Message(f"inputs.{each.name}"), language) + say(beside, language)
     while True:
         _say(f"{question}: ")
         line = sys.stdin.readline()
@@ -69,15 +75,6 @@ def _answer(each: Input, spelled: str, default: str, language: Language) -> obje
         if not wrong:
             return answer
         _say(f"  {say(wrong, language)}\n")
-
-
-def _beside(each: Input, default: str) -> Message:
-    """Say in what unit a question may be answered, and what the return key gives."""
-    if default:
-        return Message("left_out.offered", default=Cited(default))
-    of_all = each.required or each.name == "buoy"
-    key = "left_out.asked" if of_all else "left_out.asked_or_blank"
-    return Message(key, example=Cited(each.example))
 
 
 def _say(words: str) -> None:

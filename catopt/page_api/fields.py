@@ -171,10 +171,15 @@ def _such_as(example: str) -> str:
 def _of_input(each: Input, door: Door) -> Field:
     shown = each.example if isinstance(each.example, tuple) else (each.example,)
     example = "; ".join(map(str, shown))
+    hint: str = _such_as(example)
+    if each.left_out:  # what is taken in its place
+        hint = Message(each.left_out, **{row.name: Message(f"inputs.{row.name}") for row in INPUTS})
+    elif each.default:
+        hint = Message("desk.taken", value=term(each.default))
     return Field(
         each.key,
         Message(f"inputs.{each.name}"),
-        _taken(each) or _such_as(example),
+        hint,
         each.default or example,
         _UNITS.get(each.takes, ()),
         choices_of(each),
@@ -182,13 +187,6 @@ def _of_input(each: Input, door: Door) -> Field:
         several=each.several,
         is_text=each.takes in ("TEXT", "NAME", "WHICH"),
     )
-
-
-def _taken(each: Input) -> str:
-    """Say what is taken in its place when it is left out."""
-    if each.left_out:
-        return Message(each.left_out, **{row.name: Message(f"inputs.{row.name}") for row in INPUTS})
-    return Message("desk.taken", value=term(each.default)) if each.default else ""
 
 
 def door_of(document: Mapping[str, Any]) -> Door:
