@@ -89,7 +89,28 @@ def read_text(
     have; `broken` passes over bytes that are no UTF-8, as U+FFFD. InputError when there is no such
     file, it is no regular file or too large, cannot be read or is not UTF-8.
     """
-    data = _read_bytes(path, source, kind, most)
+
+    def refused(reason: Message) -> InputError:
+        return InputError([Problem(term(kind), "", reason)], source)
+
+    try:
+        found = path.stat()
+        if stat.S_ISDIR(found.st_mode):
+            inside = path / "case.toml"
+            if inside.is_file():
+                raise refused(Message("refused.a_folder_with", inside=inside.as_posix()))
+            raise refused(Message("refused.a_folder"))
+        if not stat.S_ISREG(found.st_mode):
+            raise refused(Message("refused.no_regular_file"))
+        if found.st_size > most:
+            size = f"{found.st_size / 2**20:.1f} MB"
+            raise refused(Message("refused.too_large", size=size, most=most / 2**20))
+        data = path.read_bytes()
+    except FileNotFoundError:
+        raise refused(_similar(path)) from None
+    except (OSError, ValueError) as error:  # ValueError: a NUL in the name
+        reason = getattr(error, "strerror", None) or str(error)
+        raise refused(Message("refused.not_read", reason=term(reason))) from None
     if broken:
         return data.decode("utf-8-sig", "replace")
     try:
@@ -242,30 +263,6 @@ def _finite(word: str) -> float:
     return found
 
 
-def _read_bytes(path: FilePath, source: str, kind: str, most: int) -> bytes:
-    def refused(reason: Message) -> InputError:
-        return InputError([Problem(term(kind), "", reason)], source)
-
-    try:
-        found = path.stat()
-        if stat.S_ISDIR(found.st_mode):
-            inside = path / "case.toml"
-            if inside.is_file():
-                raise refused(Message("refused.a_folder_with", inside=inside.as_posix()))
-            raise refused(Message("refused.a_folder"))
-        if not stat.S_ISREG(found.st_mode):
-            raise refused(Message("refused.no_regular_file"))
-        if found.st_size > most:
-            size = f"{found.st_size / 2**20:.1f} MB"
-            raise refused(Message("refused.too_large", size=size, most=most / 2**20))
-        return path.read_bytes()
-    except FileNotFoundError:
-        raise refused(_similar(path)) from None
-    except (OSError, ValueError) as error:  # ValueError: a NUL in the name
-        reason = getattr(error, "strerror", None) or str(error)
-        raise refused(Message("refused.not_read", reason=term(reason))) from None
-
-
 def _syntax_problem(document: str, message: str) -> Problem:
     place = _PLACE.search(message)
     reason = message[: place.start()] if place else message
@@ -273,17 +270,10 @@ def _syntax_problem(document: str, message: str) -> Problem:
     where: str = place[1] if place else "file"
     if place and place[2]:
         where = Message("refused.line_column", line=place[2], column=place[3])
-    return Problem(where, _shown(line), _advice(line, reason))
-
-
-def _advice(line: str, reason: str) -> str:
-    for beginning, plain in _REASONS:
-        if reason.startswith(beginning):
-            return Message(f"refused.{plain}")
-    for pattern, hint in _HINTS:
-        if re.search(pattern, line):
-            return Message(f"refused.{hint}")
-    return reason[:1].lower() + reason[1:]
+    keys = [key for beginning, key in _REASONS if reason.startswith(beginning)]
+    keys += [key for pattern, key in _HINTS if re.search(pattern, line)]
+    advice = Message(f"refused.{keys[0]}") if keys else reason[:1].lower() + reason[1:]
+    return Problem(where, _shown(line), advice)
 
 
 def _shown(line: str) -> str:

@@ -182,12 +182,12 @@ def _given(part: object) -> dict[str, Any]:
             given |= vars(part.line)
         case MooredBody(yaw_free=False):
             given["yaw_free"] = False
+        case WaveState() if part.elevation_file:
+            keys = ["stretching", "elevation_file", "elevation_x", "shortest_period", "direction"]
+            given = {key: given[key] for key in keys if key in given}
         case WaveState():
             train = entries(WaveTrainTable) if part.spectrum else ()
             keys = [*train, "stretching", "seed", "trains"]
-            if part.elevation_file:
-                keys = ["stretching", "elevation_file", "elevation_x", "shortest_period"]
-                keys += ["direction"]
             given = {key: given[key] for key in keys if key in given}
     unsaid = _unsaid(part, given)
     return {key: value for key, value in given.items() if key not in unsaid}
