@@ -233,8 +233,7 @@ def _levels(case: FileSection, states: list[FileSection]) -> Iterator[Finding]:
         level, rise = state.number("water_level"), state.number("fairlead_rise") or 0.0
         lowest = min(depth or 0.0, (depth or 0.0 if height is None else height) + rise)
         if level is not None and not unclear and not level > -lowest:
-            allowed = Message("refused.fairlead_above_bed", least=-lowest)
-            yield state.wrong("water_level", allowed)
+            yield state.wrong("water_level", Message("refused.fairlead_above_bed", least=-lowest))
 
 
 def _system(case: FileSection) -> Iterator[Finding]:

@@ -190,8 +190,7 @@ def sinker(
         each for each in held if named is None or named in each.soil.split() or named == each.soil
     ]
     if not own:
-        listed = ", ".join(each.soil for each in held)
-        allowed = Message("refused_command.one_mud", listed=listed)
+        allowed = Message("refused_command.one_mud", listed=", ".join(each.soil for each in held))
         raise refused("--soil", as_written(soil), allowed)
     _give(asked, "sinker", (), sinkers=tuple(own))
 

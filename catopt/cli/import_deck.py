@@ -41,8 +41,7 @@ def import_deck(
     found.raise_if_any()
     text = read_text(file, str(file), kind="input file", broken=True)
     if not is_deck(text):
-        allowed = Message("refused_command.input_file_moordyn_or_map")
-        raise refused("FILE", str(file), allowed)
+        raise refused("FILE", str(file), Message("refused_command.input_file_moordyn_or_map"))
     read, remarks = read_any_deck(text, str(file), missing)
     case = write_case(read)
 

@@ -363,8 +363,7 @@ def _ships_afloat(of: ResolvedInputs, form: _Form) -> Iterator[Afloat]:
             of.errors.raise_if_any()
         own = own_tables(of, condition)
         if form.kind and own is not None:
-            allowed = Message("refused_command.leave_out_this_ship_has")
-            of.errors.add("kind", form.kind, allowed)
+            of.errors.add("kind", form.kind, Message("refused_command.leave_out_this_ship_has"))
         of.errors.raise_if_any()
         yield Afloat(condition, body, form.kind or wind_on.format(condition), own)
 

@@ -344,11 +344,9 @@ def _body(text: str) -> _Laid:
 
     report, checks = _checked(text)
     drawn = (plan(report.solution), near(report.solution))
-    figures = (Figure(chart) for chart in drawn if chart is not None)
-    first = section("desk.answer", *figures)
+    first = section("desk.answer", *(Figure(chart) for chart in drawn if chart is not None))
     answer = system_answer(report, checks)
-    card = (Text(answer.title), _verdict(checks))
-    return first, [answer], card
+    return first, [answer], (Text(answer.title), _verdict(checks))
 
 
 def _sized(text: str, door: Door) -> _Laid:

@@ -161,8 +161,7 @@ def folded(text: str) -> list[str]:
 def _laid(block: CardBlock, lines: int, language: Language) -> list[Line]:
     match block:
         case Table():
-            rows = table_lines(block, lines, language)
-            return [Line(""), *map(Line, rows), Line("")]
+            return [Line(""), *map(Line, table_lines(block, lines, language)), Line("")]
         case Facts():
             return [Line(""), *map(Line, _facts(block, lines, language)), Line("")]
         case Brief():

@@ -199,8 +199,7 @@ def _draw(part: SubFigure, chart: Chart, wide: float) -> None:
 def _legend(part: SubFigure, chart: Chart, wide: float) -> None:
     labels, columns = _labels(chart, wide)
     handles = [_handle(LOOKS[role]) for role, _ in legend(chart)]
-    empty = Line2D([], [], linestyle="none")
-    handles += [empty] * (len(labels) - len(handles))
+    handles += [Line2D([], [], linestyle="none")] * (len(labels) - len(handles))
     if labels:
         place: Any = {"loc": "outside lower center", "ncols": columns, "frameon": False}
         room: Any = {"handlelength": 2.4, "fontsize": _TYPE, "columnspacing": 1.4}

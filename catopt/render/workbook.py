@@ -178,8 +178,7 @@ def _graph(sheet: WorkbookSheet, table: Table, top: int, block: Graph, row: int)
         for k, y in enumerate(block.y)
     ]
     up = sheet.book.say(Listed([names[y] for y in block.y], "and"))
-    chart = Chart(block.title, names[block.x], up, series, block.log)
-    return sheet.chart(chart, row)
+    return sheet.chart(Chart(block.title, names[block.x], up, series, block.log), row)
 
 
 def _look(number: int, is_points: bool) -> dict[str, Any]:
