@@ -28,15 +28,7 @@ from catopt.casefile.reading import (
     read_mooring_or_design,
 )
 from catopt.cli import options
-from catopt.cli.answering import (
-    FAILED,
-    INTERRUPTED,
-    STOPPED,
-    Asked,
-    Documents,
-    Files,
-    answering,
-)
+from catopt.cli.answering import FAILED, INTERRUPTED, STOPPED, Asked, Documents, Files, answering
 from catopt.cli.values import refuse, with_known_codes
 from catopt.errors import Problem
 from catopt.model import Case

@@ -19,26 +19,8 @@ from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from catopt.figures.chart import (
-    Area,
-    Axis,
-    Chart,
-    Dimension,
-    Level,
-    Mark,
-    Place,
-    legend,
-)
-from catopt.render.svg import (
-    COLOURS,
-    LOOKS,
-    SIGNS,
-    Look,
-    Tick,
-    axis_title,
-    scale_ticks,
-    tick_marks,
-)
+from catopt.figures.chart import Area, Axis, Chart, Dimension, Level, Mark, Place, legend
+from catopt.render.svg import COLOURS, LOOKS, SIGNS, Look, Tick, axis_title, scale_ticks, tick_marks
 from catopt.render.values import as_wanted
 from catopt.words import Language
 
