@@ -420,11 +420,10 @@ def _as_the_model_has_it(
     choices = (
         SegmentChoice((1.0,), optional=each.given.get("optional") is True) for each in segments
     )
-    hung = []
-    for weight in weights:
-        joint = weight.value("joint")
-        positions = () if joint else (1.0,)
-        hung.append(ClumpWeightChoice((1.0,), 1.0, positions=positions, joint=joint))
+    hung = [
+        ClumpWeightChoice((1.0,), 1.0, positions=() if joint else (1.0,), joint=joint)
+        for joint in (weight.value("joint") for weight in weights)
+    ]
     problems = refusals(
         Design,
         segments=tuple(choices),
