@@ -34,7 +34,6 @@ if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
     from catopt.model import Case
     from catopt.mooring.case import SystemReport
-    from catopt.notes.origin import SourceFile
     from catopt.quantities import Units
     from catopt.sizing import Sizing
 
@@ -365,32 +364,27 @@ def _note(text: str, language: Language) -> Reply:
     """Make the calculation note, without the truss model, which catopt report puts beside it."""
     import hashlib
 
-    from catopt.notes.origin import SourceFile
+    from catopt.notes.origin import Asked, SourceFile
     from catopt.render.page import page
 
-    door = _door(text)
+    door, asked = _door(text), Asked(verify=False)
     file = SourceFile(_name(door), text, hashlib.sha256(text.encode()).hexdigest())
-    return {"name": f"{door}.html", "html": page(_noted(text, door, file), language).decode()}
-
-
-def _noted(text: str, door: Door, file: SourceFile) -> Answer:
-    from catopt.notes.origin import Asked
-
-    asked = Asked(verify=False)
     if door == "line":
         from catopt.answers.note_line import line_note_answer
         from catopt.notes.line import note_of
 
-        return line_note_answer(note_of(_case(text), (file,), asked))
-    if door == "body":
+        answer = line_note_answer(note_of(_case(text), (file,), asked))
+    elif door == "body":
         from catopt.answers.note_system import system_note_answer
         from catopt.notes.system import system_note
 
-        return system_note_answer(system_note(_case(text), (file,), asked))
-    from catopt.answers.note_size import size_note_answer
-    from catopt.notes.line import Given, size_note
+        answer = system_note_answer(system_note(_case(text), (file,), asked))
+    else:
+        from catopt.answers.note_size import size_note_answer
+        from catopt.notes.line import Given, size_note
 
-    return size_note_answer(size_note(_sizing(text, door), Given(file), asked))
+        answer = size_note_answer(size_note(_sizing(text, door), Given(file), asked))
+    return {"name": f"{door}.html", "html": page(answer, language).decode()}
 
 
 _DOCUMENTS: Final[Mapping[str, Callable[[str], Reply]]] = {

@@ -96,19 +96,15 @@ def picture(
         for row, places in zip(rows, parts, strict=True):
             for chart, part in zip(row, places, strict=False):
                 _draw(part, chart, wide)
-        _scale(figure, drawn)
+        # Draw to scale what is so, once all has its place: the layout takes such frames as full.
+        figure.draw_without_rendering()
+        figure.set_layout_engine("none")
+        frames = (axes for part in figure.subfigs for axes in part.axes)
+        for chart, axes in zip(drawn, frames, strict=True):
+            if chart.to_scale is not None:
+                x, y = chart.x.quantity.factor, chart.y.quantity.factor
+                axes.set_aspect(chart.to_scale * y / x, adjustable="box")
     return figure
-
-
-def _scale(figure: Figure, charts: Sequence[Chart]) -> None:
-    """Draw to scale what is so, once all has its place: the layout takes such frames as full."""
-    figure.draw_without_rendering()
-    figure.set_layout_engine("none")
-    frames = (axes for part in figure.subfigs for axes in part.axes)
-    for chart, axes in zip(charts, frames, strict=True):
-        if chart.to_scale is not None:
-            x, y = chart.x.quantity.factor, chart.y.quantity.factor
-            axes.set_aspect(chart.to_scale * y / x, adjustable="box")
 
 
 def _height(chart: Chart, wide: float) -> float:
