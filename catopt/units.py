@@ -20,7 +20,8 @@ from numbers import Integral, Real
 from typing import Final
 
 from catopt.constants import STANDARD_GRAVITY, YEAR
-from catopt.dimensions import UNITS, Dimension
+from catopt.dimensions import UNITS as UNITS
+from catopt.dimensions import Dimension as Dimension
 from catopt.errors import InputError, Problem
 from catopt.numerals import readings
 from catopt.words import Message
@@ -32,7 +33,6 @@ _METRE, _KILOGRAM, _SECOND = (1, 0, 0, 0, 0), (0, 1, 0, 0, 0), (0, 0, 1, 0, 0)
 _SPEED, _NEWTON, _PASCAL = (1, 0, -1, 0, 0), (1, 1, -2, 0, 0), (-1, 1, -2, 0, 0)
 _POUND, _FOOT, _NAUTICAL_MILE = 0.45359237, 0.3048, 1852.0
 _POUND_FORCE = _POUND * STANDARD_GRAVITY
-_TONNE_FORCE = 1000.0 * STANDARD_GRAVITY
 
 _WORDS: Final[tuple[tuple[str, float, Powers], ...]] = (
     ("m metre metres meter meters mét", 1.0, _METRE),
@@ -70,7 +70,7 @@ _WORDS: Final[tuple[tuple[str, float, Powers], ...]] = (
     ("MN meganewton meganewtons", 1e6, _NEWTON),
     ("GN giganewton giganewtons", 1e9, _NEWTON),
     ("kgf", STANDARD_GRAVITY, _NEWTON),
-    ("tf tấn_lực tonne_force tonnes_force", _TONNE_FORCE, _NEWTON),
+    ("tf tấn_lực tonne_force tonnes_force", 1000.0 * STANDARD_GRAVITY, _NEWTON),
     ("lbf", _POUND_FORCE, _NEWTON),
     ("kip kips", 1e3 * _POUND_FORCE, _NEWTON),
     ("Pa pascal", 1.0, _PASCAL),
@@ -132,18 +132,6 @@ def worth(unit: str) -> tuple[float, Powers] | None:
     a, b, c, d, e = powers
     return si, (a, b, c, d, e)
 
-
-__all__ = [
-    "UNITS",
-    "Dimension",
-    "as_written",
-    "implausible",
-    "lasting",
-    "noun_of",
-    "plain",
-    "to_si",
-    "wanted",
-]
 
 _AMBIGUOUS = {
     **dict.fromkeys(("ton", "tons"), "ton"),
