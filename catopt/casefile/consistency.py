@@ -313,15 +313,22 @@ _COMPONENTS = ("components", "component")
 
 def design_findings(case: FileSection) -> list[Finding]:
     """List what contradicts itself in the design of a document."""
-    design, line = case.table("design"), _Line(case.table("line"))
+    design, line = case.table("design"), case.table("line")
     if not design.given:
         return []
     segments, weights = design.tables("segments"), design.tables("clump_weights")
-    sinker = design.table("sinker")
+    sinker, of_line = design.table("sinker"), line.tables("segments")
+    is_clear = bool(of_line) and not line.misspelt("segments")
+    # Each segment with that of the line in its place, from which it may take over what it lacks.
+    pairs = list(zip(segments, (*of_line, *[None] * len(segments)), strict=False))
     return [
-        *(f for index, each in enumerate(segments) for f in _design_segment(each, index, line)),
+        *(
+            f
+            for k, (each, own) in enumerate(pairs)
+            for f in _design_segment(each, k, own, is_clear=is_clear)
+        ),
         *(f for weight in weights for f in _clump_weight(weight)),
-        *_design_positions(segments, weights, line),
+        *_design_positions(pairs, weights),
         *(ranges.findings(MASSES, sinker, required=True) if sinker.given else ()),
         *(sinks_findings(case, sinker) if sinker.given else ()),
         *(_as_the_model_has_it(design, segments, weights) if segments else ()),
@@ -330,23 +337,9 @@ def design_findings(case: FileSection) -> list[Finding]:
     ]
 
 
-class _Line:
-    """What the segments of a design may take over from the line."""
-
-    def __init__(self, line: FileSection) -> None:
-        self.segments = line.tables("segments")
-        self.is_clear = bool(self.segments) and not line.misspelt("segments")
-
-    def at(self, index: int) -> FileSection | None:
-        """Return the segment at a place, counted from 0; None when there is none."""
-        return self.segments[index] if index < len(self.segments) else None
-
-    def lacks(self, index: int) -> bool:
-        """Whether there is certainly no segment at a place."""
-        return self.is_clear and self.at(index) is None
-
-
-def _design_segment(choice: FileSection, index: int, line: _Line) -> Iterator[Finding]:
+def _design_segment(
+    choice: FileSection, index: int, own: FileSection | None, *, is_clear: bool
+) -> Iterator[Finding]:
     """Find what is given in two ways, and what the line has not got to be taken over."""
     yield from ranges.findings(LENGTHS, choice)
     if all(key in choice for key in _COMPONENTS):
@@ -354,14 +347,13 @@ def _design_segment(choice: FileSection, index: int, line: _Line) -> Iterator[Fi
         yield Finding(choice.path, both, Message("refused.only_one"))
     yield from _sizes(choice)
     nothing = Message("refused.no_such_segment", number=index + 1)
-    if line.lacks(index) and choice.lacks(*LENGTHS.keys):
+    if is_clear and own is None and choice.lacks(*LENGTHS.keys):
         yield choice.missing("lengths", nothing)
-    if not choice.lacks(*_COMPONENTS):
+    if not is_clear or not choice.lacks(*_COMPONENTS):
         return
-    own = line.at(index)
-    if line.lacks(index):
+    if own is None:
         yield choice.missing("components", nothing)
-    elif any(key in choice for key in SIZES) and line.is_clear and own and own.lacks("component"):
+    elif any(key in choice for key in SIZES) and own.lacks("component"):
         why = Message("refused.segment_without_component", number=index + 1)
         yield choice.missing("components", why)
 
@@ -391,12 +383,11 @@ def _clump_weight(choice: FileSection) -> Iterator[Finding]:
 
 
 def _design_positions(
-    segments: list[FileSection], weights: list[FileSection], line: _Line
+    pairs: list[tuple[FileSection, FileSection | None]], weights: list[FileSection]
 ) -> Iterator[Finding]:
     """Find clump weights that are beyond the end of the longest line at every position."""
     longest = []
-    for index, choice in enumerate(segments):
-        own = line.at(index)
+    for choice, own in pairs:
         if ranges.is_given(LENGTHS, choice):
             length = max(ranges.read(LENGTHS, choice), default=None)
         else:

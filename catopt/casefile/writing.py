@@ -88,7 +88,7 @@ def write_case(case: Case | Network) -> str:
     if isinstance(case, Network):
         blocks = _blocks(NetworkTable, _given(case))
     else:
-        # Return what a case has to say, by the keys of its file and in their order.
+        # What a case has to say, by the keys of its file and in their order.
         site = case.site
         given = _given(case) | {"pso": case.swarm}
         given["site"] = _given(site) | {"water_depth": site.depth_to_seabed}

@@ -237,8 +237,7 @@ class _Column:
     def __init__(self, of: Column, rows: Sequence[int], language: Language) -> None:
         self.of = of
         self.is_number = of.is_number
-        # Name a column; a quantity's own name gives way to its symbol, one that says more does
-        # not.
+        # A quantity's own name gives way to its symbol, one that says more does not.
         name, quantity = say(of.name, language), of.quantity
         if quantity is not None and quantity.symbol:
             own = QUANTITIES.get(quantity.key, quantity).name.lower()
