@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Collection, Iterable, Mapping
-from contextlib import AbstractContextManager, nullcontext
+from contextlib import AbstractContextManager, nullcontext, suppress
 from dataclasses import dataclass
 from functools import wraps
 from pathlib import Path
@@ -133,7 +133,7 @@ class Asked:
         assert self.out is not None
         whole, text, stays = dict(files), None, ""
         if case is not None:
-            from catopt.casefile import write_case
+            from catopt.casefile import read_mooring, write_case
             from catopt.casefile.reading import DESIGN_CASE, DESIGN_DOCUMENT
 
             text = write_case(case).encode()
@@ -144,11 +144,15 @@ class Asked:
                 whole[DESIGN_DOCUMENT] = (front / DESIGN_DOCUMENT).read_bytes()
         written = write_files(self.out, whole, case=text)
         self.output.note(f"{len(written)} files written to {self.out}")
-        if case is not None and stays and not _is_of(self.out / DESIGN_CASE, case):
-            self.output.note(
-                f"catopt: {DESIGN_CASE} in {self.out} stays as it is, {stays}; "
-                f"catopt report {self.out} is of that one"
-            )
+        if case is None or not stays:
+            return
+        with suppress(InputError):
+            if read_mooring(self.out / DESIGN_CASE) == case:
+                return
+        self.output.note(
+            f"catopt: {DESIGN_CASE} in {self.out} stays as it is, {stays}; "
+            f"catopt report {self.out} is of that one"
+        )
 
     def give_file(
         self,
@@ -256,13 +260,3 @@ def _stays(directory: Path, *, with_front: bool) -> str:
     except (OSError, ValueError, InputError):
         is_ours = False
     return "" if is_ours else "for catopt did not write it"
-
-
-def _is_of(place: Path, case: Case | Network) -> bool:
-    """Whether a case file says what a case is."""
-    from catopt.casefile import read_mooring
-
-    try:
-        return read_mooring(place) == case
-    except InputError:
-        return False

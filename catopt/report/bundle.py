@@ -97,8 +97,10 @@ def write_files(
                 stream.write(content)
                 stream.flush()
                 os.fsync(stream.fileno())
+        # The case first, documents that carry its digest last.
+        ordered = sorted(places, key=lambda at: (at.name != DESIGN_CASE, at.suffix == ".json"))
         with signals_wait():
-            for place in sorted(places, key=_rank):
+            for place in ordered:
                 _temporary(place).replace(place)
     except OSError as error:
         raise _refused(directory, _reason(error)) from error
@@ -106,11 +108,6 @@ def write_files(
         for place in places:
             _temporary(place).unlink(missing_ok=True)
     return tuple(places)
-
-
-def _rank(place: Path) -> int:
-    """Order of the files: the case first, documents that carry its digest last."""
-    return 0 if place.name == DESIGN_CASE else 2 if place.suffix == ".json" else 1
 
 
 def _marked(content: bytes, case: bytes | None) -> bytes:
