@@ -110,7 +110,7 @@ class Asked:
         show_card(self.output, answer, self.language, further)
 
     def working(self, what: str) -> AbstractContextManager[object]:
-        """Say what is done while the body runs, once that has taken a second; see `Output.working`.
+        """Say what is done while the body runs, once that has taken a second; see `Printer.working`.
 
         Nothing beside a document.
         """
