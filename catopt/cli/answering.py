@@ -110,9 +110,9 @@ class Asked:
         show_card(self.output, answer, self.language, further)
 
     def working(self, what: str) -> AbstractContextManager[object]:
-        """Say what is done while the body runs, once that has taken a second; see `Printer.working`.
+        """Say what is done while the body runs, once that has taken a second.
 
-        Nothing beside a document.
+        Nothing beside a document. See `Printer.working`.
         """
         return nullcontext() if self.as_json else self.output.working(say(what, self.language))
 
