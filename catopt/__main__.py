@@ -10,8 +10,6 @@ if TYPE_CHECKING:
 
     from catopt.cli.output import Printer
 
-__all__ = ["main"]
-
 FAULT = 1
 WRONG_INPUT = 2
 INTERRUPTED = 130
@@ -68,19 +66,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _run(arguments: Sequence[str] | None, output: Printer) -> None:
     from catopt.cli.app import command
-    from catopt.cli.help_words import HELP_ALL, WHOLE
+    from catopt.cli.help_words import HELP_ALL, WHOLE, run
 
     typed = None if arguments is None else list(arguments)
     if HELP_ALL in (sys.argv if typed is None else typed):
         typed = ["--help" if each == HELP_ALL else each for each in typed or sys.argv[1:]]
         WHOLE.set(True)
-    from catopt.cli.help_words import run
-
     raise SystemExit(run(command, output.language, args=typed, prog_name="catopt", obj=output))
 
 
 def _failed(error: Exception, output: Printer) -> int:
-    """Say why there is no answer; returns the exit status."""
+    """Say why there is no answer, with the traceback if asked for; returns the exit status."""
     from catopt.errors import CatoptError
     from catopt.interrupt import was_interrupted
 
@@ -92,7 +88,16 @@ def _failed(error: Exception, output: Printer) -> int:
         return WRONG_INPUT
     if was_interrupted() and not output.debug:  # what is stopped half-way says anything
         return INTERRUPTED
-    output.note(_fault(error, output))
+    if output.debug:
+        from traceback import format_exception
+
+        output.note("".join(format_exception(error)).rstrip())
+        return FAULT
+    what = f"{type(error).__name__}: {error}".splitlines()[0]
+    output.note(
+        f"catopt: a fault of catopt's own ({what})\n"
+        "Run it again as 'catopt --debug ...' and report what that prints with your case file."
+    )
     return FAULT
 
 
@@ -112,19 +117,6 @@ def _of_the_place(error: Exception) -> str:
     name = str(error.filename or "")
     short = name if len(name) <= LONGEST_NAME else f"{name[:LONGEST_NAME]}..."
     return f"{short}: {error.strerror}" if short else str(error.strerror)
-
-
-def _fault(error: Exception, output: Printer) -> str:
-    """Say what went wrong on our side; with its traceback when that was asked for."""
-    if output.debug:
-        from traceback import format_exception
-
-        return "".join(format_exception(error)).rstrip()
-    what = f"{type(error).__name__}: {error}".splitlines()[0]
-    return (
-        f"catopt: a fault of catopt's own ({what})\n"
-        "Run it again as 'catopt --debug ...' and report what that prints with your case file."
-    )
 
 
 if __name__ == "__main__":

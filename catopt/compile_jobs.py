@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
@@ -10,6 +9,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from catopt.compiled import VARIABLE
+from catopt.threads import environment
 
 if TYPE_CHECKING:
     from catopt.model import Case
@@ -18,13 +18,8 @@ if TYPE_CHECKING:
 @contextmanager
 def compile_always() -> Iterator[None]:
     """Have every kernel function compiled while the body runs, however little it has to do."""
-    before = {VARIABLE: os.environ[VARIABLE]} if VARIABLE in os.environ else {}
-    os.environ[VARIABLE] = "always"
-    try:
+    with environment({VARIABLE: "always"}):
         yield
-    finally:
-        del os.environ[VARIABLE]
-        os.environ.update(before)
 
 
 def _template(name: str, more: str = "") -> Case:

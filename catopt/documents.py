@@ -89,7 +89,28 @@ def read_text(
     have; `broken` passes over bytes that are no UTF-8, as U+FFFD. InputError when there is no such
     file, it is no regular file or too large, cannot be read or is not UTF-8.
     """
-    data = _read_bytes(path, source, kind, most)
+
+    def refused(reason: Message) -> InputError:
+        return InputError([Problem(term(kind), "", reason)], source)
+
+    try:
+        found = path.stat()
+        if stat.S_ISDIR(found.st_mode):
+            inside = path / "case.toml"
+            if inside.is_file():
+                raise refused(Message("refused.a_folder_with", inside=inside.as_posix()))
+            raise refused(Message("refused.a_folder"))
+        if not stat.S_ISREG(found.st_mode):
+            raise refused(Message("refused.no_regular_file"))
+        if found.st_size > most:
+            size = f"{found.st_size / 2**20:.1f} MB"
+            raise refused(Message("refused.too_large", size=size, most=most / 2**20))
+        data = path.read_bytes()
+    except FileNotFoundError:
+        raise refused(_similar(path)) from None
+    except (OSError, ValueError) as error:  # ValueError: a NUL in the name
+        reason = getattr(error, "strerror", None) or str(error)
+        raise refused(Message("refused.not_read", reason=term(reason))) from None
     if broken:
         return data.decode("utf-8-sig", "replace")
     try:
@@ -126,10 +147,8 @@ def check_entries(text: str, source: str, marks: str) -> None:
     entries = sum(map(text.count, marks))
     if entries > MOST_ENTRIES:
         allowed = Message("refused_command.are_most_give_long_tables", most_entries=MOST_ENTRIES)
-        raise InputError(
-            [Problem("file", Message("refused_command.keys_and_values", count=entries), allowed)],
-            source,
-        )
+        found = Message("refused_command.keys_and_values", count=entries)
+        raise InputError([Problem("file", found, allowed)], source)
 
 
 def parse_json(text: str, source: str) -> dict[str, Any]:
@@ -146,10 +165,8 @@ def parse_json(text: str, source: str) -> dict[str, Any]:
         except json.JSONDecodeError as error:
             place = f"line {error.lineno}, column {error.colno}"
             line = text.split("\n")[error.lineno - 1].strip()
-            problem = Problem(
-                place, _shown(line), Message("refused_command.no_json", msg=error.msg)
-            )
-            raise InputError([problem], source) from None
+            allowed = Message("refused_command.no_json", msg=error.msg)
+            raise InputError([Problem(place, _shown(line), allowed)], source) from None
         if not isinstance(found, dict):
             raise InputError([Problem("file", "", Message("refused.object"))], source)
         return found
@@ -246,27 +263,6 @@ def _finite(word: str) -> float:
     return found
 
 
-def _read_bytes(path: FilePath, source: str, kind: str, most: int) -> bytes:
-    def refused(reason: Message) -> InputError:
-        return InputError([Problem(term(kind), "", reason)], source)
-
-    try:
-        found = path.stat()
-        if stat.S_ISDIR(found.st_mode):
-            raise refused(_case_in(path))
-        if not stat.S_ISREG(found.st_mode):
-            raise refused(Message("refused.no_regular_file"))
-        if found.st_size > most:
-            size = f"{found.st_size / 2**20:.1f} MB"
-            raise refused(Message("refused.too_large", size=size, most=most / 2**20))
-        return path.read_bytes()
-    except FileNotFoundError:
-        raise refused(_similar(path)) from None
-    except (OSError, ValueError) as error:  # ValueError: a NUL in the name
-        reason = getattr(error, "strerror", None) or str(error)
-        raise refused(Message("refused.not_read", reason=term(reason))) from None
-
-
 def _syntax_problem(document: str, message: str) -> Problem:
     place = _PLACE.search(message)
     reason = message[: place.start()] if place else message
@@ -274,17 +270,10 @@ def _syntax_problem(document: str, message: str) -> Problem:
     where: str = place[1] if place else "file"
     if place and place[2]:
         where = Message("refused.line_column", line=place[2], column=place[3])
-    return Problem(where, _shown(line), _advice(line, reason))
-
-
-def _advice(line: str, reason: str) -> str:
-    for beginning, plain in _REASONS:
-        if reason.startswith(beginning):
-            return Message(f"refused.{plain}")
-    for pattern, hint in _HINTS:
-        if re.search(pattern, line):
-            return Message(f"refused.{hint}")
-    return reason[:1].lower() + reason[1:]
+    keys = [key for beginning, key in _REASONS if reason.startswith(beginning)]
+    keys += [key for pattern, key in _HINTS if re.search(pattern, line)]
+    advice = Message(f"refused.{keys[0]}") if keys else reason[:1].lower() + reason[1:]
+    return Problem(where, _shown(line), advice)
 
 
 def _shown(line: str) -> str:
@@ -299,18 +288,8 @@ def _not_utf8(data: bytes, start: int, kind: str) -> Problem:
         key = "refused.give_case_file" if kind == "case file" else "refused.give_utf8"
         return Problem("file", Message("refused.no_text"), Message(key, kind=term(kind)))
     line = data.count(b"\n", 0, start) + 1
-    return Problem(
-        f"line {line}",
-        Message("refused.the_byte", byte=f"{data[start]:02X}"),
-        Message("refused.save_utf8_file"),
-    )
-
-
-def _case_in(folder: FilePath) -> Message:
-    inside = folder / "case.toml"
-    if inside.is_file():
-        return Message("refused.a_folder_with", inside=inside.as_posix())
-    return Message("refused.a_folder")
+    byte = Message("refused.the_byte", byte=f"{data[start]:02X}")
+    return Problem(f"line {line}", byte, Message("refused.save_utf8_file"))
 
 
 def _similar(path: FilePath) -> Message:

@@ -98,24 +98,20 @@ class Quantity:
                 return self
             shown = own.in_units(units)
             return replace(self, factor=shown.factor, digits=shown.digits)
-        unit, factor = self._unit_in(units)
+        unit, factor = self.si_unit, 1.0
+        if units != "si":
+            found = _WITH_FORCE.fullmatch(self.field_unit)
+            if found is None or found[1] not in _FORCES[units]:
+                return self
+            forces, other = UNITS[Dimension.FORCE], _FORCES[units][found[1]]
+            unit, ratio = f"{other}{found[2]}{found[3]}", forces[other] / forces[found[1]]
+            factor = self.factor * ratio ** (2 if found[2] else 1)
         if unit == self.field_unit:
             return self
         digits = self.digits
         if self.notation in {"fixed", "shortest"}:
             digits = max(0, digits + round(math.log10(factor / self.factor)))
         return replace(self, field_unit=unit, factor=factor, digits=digits)
-
-    def _unit_in(self, units: Units) -> tuple[str, float]:
-        """Name the unit, and SI units in one of it."""
-        if units == "si":
-            return self.si_unit, 1.0
-        found = _WITH_FORCE.fullmatch(self.field_unit)
-        if found is None or found[1] not in _FORCES[units]:
-            return self.field_unit, self.factor
-        forces, other = UNITS[Dimension.FORCE], _FORCES[units][found[1]]
-        ratio = forces[other] / forces[found[1]]
-        return f"{other}{found[2]}{found[3]}", self.factor * ratio ** (2 if found[2] else 1)
 
     def format(self, si: float | None, *, unit: bool = False, digits: int | None = None) -> str:
         """Print a value in SI in the field unit, with it where wanted; None as a dash."""

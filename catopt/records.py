@@ -85,13 +85,10 @@ def laid_out(of: object, document: str = "") -> dict[str, Any]:
             value = None if value is None else getattr(value, name)
         if part.is_counted and value is not None:
             value += 1
-        if not callable(value) and part.mark != "*" and not (part.mark == "?" and _is_none(value)):
+        is_none = value is None or (isinstance(value, tuple | list | Mapping) and not value)
+        if not callable(value) and part.mark != "*" and not (part.mark == "?" and is_none):
             found[part.key] = _plain(value, part.inner)
     return found
-
-
-def _is_none(value: Any) -> bool:
-    return value is None or (isinstance(value, tuple | list | Mapping) and not value)
 
 
 def within(path: str, document: str) -> str:

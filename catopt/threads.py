@@ -7,7 +7,7 @@ takes 15 s in two and 0.6 s in one. Runs go side by side on the cores instead.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 
 _VARIABLES = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "OMP_NUM_THREADS")
@@ -23,8 +23,15 @@ def one_thread() -> None:
 @contextmanager
 def one_thread_each() -> Iterator[None]:
     """Let new processes use one each: there is a process for every core."""
-    before = {name: os.environ.get(name) for name in _VARIABLES}
-    os.environ.update(dict.fromkeys(_VARIABLES, "1"))
+    with environment(dict.fromkeys(_VARIABLES, "1")):
+        yield
+
+
+@contextmanager
+def environment(variables: Mapping[str, str]) -> Iterator[None]:
+    """Set environment variables while the body runs."""
+    before = {name: os.environ.get(name) for name in variables}
+    os.environ.update(variables)
     try:
         yield
     finally:

@@ -20,7 +20,8 @@ from numbers import Integral, Real
 from typing import Final
 
 from catopt.constants import STANDARD_GRAVITY, YEAR
-from catopt.dimensions import UNITS, Dimension
+from catopt.dimensions import UNITS as UNITS
+from catopt.dimensions import Dimension as Dimension
 from catopt.errors import InputError, Problem
 from catopt.numerals import readings
 from catopt.words import Message
@@ -32,7 +33,6 @@ _METRE, _KILOGRAM, _SECOND = (1, 0, 0, 0, 0), (0, 1, 0, 0, 0), (0, 0, 1, 0, 0)
 _SPEED, _NEWTON, _PASCAL = (1, 0, -1, 0, 0), (1, 1, -2, 0, 0), (-1, 1, -2, 0, 0)
 _POUND, _FOOT, _NAUTICAL_MILE = 0.45359237, 0.3048, 1852.0
 _POUND_FORCE = _POUND * STANDARD_GRAVITY
-_TONNE_FORCE = 1000.0 * STANDARD_GRAVITY
 
 _WORDS: Final[tuple[tuple[str, float, Powers], ...]] = (
     ("m metre metres meter meters mét", 1.0, _METRE),
@@ -70,7 +70,7 @@ _WORDS: Final[tuple[tuple[str, float, Powers], ...]] = (
     ("MN meganewton meganewtons", 1e6, _NEWTON),
     ("GN giganewton giganewtons", 1e9, _NEWTON),
     ("kgf", STANDARD_GRAVITY, _NEWTON),
-    ("tf tấn_lực tonne_force tonnes_force", _TONNE_FORCE, _NEWTON),
+    ("tf tấn_lực tonne_force tonnes_force", 1000.0 * STANDARD_GRAVITY, _NEWTON),
     ("lbf", _POUND_FORCE, _NEWTON),
     ("kip kips", 1e3 * _POUND_FORCE, _NEWTON),
     ("Pa pascal", 1.0, _PASCAL),
@@ -132,18 +132,6 @@ def worth(unit: str) -> tuple[float, Powers] | None:
     a, b, c, d, e = powers
     return si, (a, b, c, d, e)
 
-
-__all__ = [
-    "UNITS",
-    "Dimension",
-    "as_written",
-    "implausible",
-    "lasting",
-    "noun_of",
-    "plain",
-    "to_si",
-    "wanted",
-]
 
 _AMBIGUOUS = {
     **dict.fromkeys(("ton", "tons"), "ton"),
@@ -211,9 +199,8 @@ def to_si(
         raise reading.error(reading.and_wanted("finite"))
     fault = "" if most is not None and 0.0 < si <= most else implausible(dimension, si)
     if fault and reading.bare and not isinstance(value, str):
-        fault = Message(
-            "refused.and_bare", fault=fault, unit=reading.bare, example=dimension.example
-        )
+        values = {"unit": reading.bare, "example": dimension.example}
+        fault = Message("refused.and_bare", fault=fault, **values)
     if fault:
         raise reading.error(fault)
     return si
@@ -297,10 +284,13 @@ class _Reading:
         unit, found = _spelt(parts[2]), readings(parts[1])
         if not found or (unit and unit[0] in "_.,0123456789"):
             raise self.error(self.and_wanted("not_in_one_piece"))
-        digits = self._one_of(found, unit)
-        if not unit:
-            raise self.error(self._without_unit(digits))
-        return digits, unit
+        digits, si_unit = self._one_of(found, unit), self.dimension.si_unit
+        if unit:
+            return digits, unit
+        if not si_unit:
+            noun = noun_of(self.dimension)
+            raise self.error(Message("refused.no_quotes", noun=noun, digits=digits))
+        raise self.error(Message("refused.unit_missing", digits=digits, unit=si_unit))
 
     def _one_of(self, found: Sequence[str], unit: str) -> str:
         """Take the one reading of a number; of two, the one that is plausible."""
@@ -318,7 +308,6 @@ class _Reading:
             return UNITS[self.dimension][unit]
         if unit in _AMBIGUOUS:
             raise self.error(Message(f"refused.unit_{_AMBIGUOUS[unit]}", unit=unit))
-        near = _near(unit)
         kind, factor = _by_table(unit)
         if kind is None:
             kind, factor = _by_words(unit)
@@ -326,15 +315,17 @@ class _Reading:
             return factor
         if kind is Dimension.MASS_PER_LENGTH and self.dimension is Dimension.FORCE_PER_LENGTH:
             return factor * STANDARD_GRAVITY
+        # Units that differ by capitals alone; those of the field come first.
+        listed = dict.fromkeys((*(u for units in UNITS.values() for u in units), *known()))
+        near = (each for each in listed if each.casefold() == unit.casefold() and each != unit)
         meant = [
             Message("refused.capitals", unit=each)
             for each in near
-            if each != unit and self.dimension in (_by_table(each)[0], _by_words(each)[0])
+            if self.dimension in (_by_table(each)[0], _by_words(each)[0])
         ]
         if kind is None:
             raise self.error(meant[0] if meant else self.and_wanted("no_unit"))
-        instead = self.wanted
-        noun = noun_of(self.dimension)
+        instead, noun = self.wanted, noun_of(self.dimension)
         if meant:
             instead = Message("refused.noun_and", noun=noun, instead=meant[0])
         elif self.dimension is Dimension.FORCE and unit in _AS_FORCE:
@@ -343,12 +334,6 @@ class _Reading:
             instead = Message("refused.as_force", noun=noun, one=one, other=other)
         raise self.error(instead, kind)
 
-    def _without_unit(self, digits: str) -> str:
-        unit = self.dimension.si_unit
-        if not unit:
-            return Message("refused.no_quotes", noun=noun_of(self.dimension), digits=digits)
-        return Message("refused.unit_missing", digits=digits, unit=unit)
-
 
 def _spelt(unit: str) -> str:
     """Bring ``m³``, ``m**3``, ``m3`` and ``kg / m^3`` to the one spelling ``kg/m^3``."""
@@ -356,12 +341,6 @@ def _spelt(unit: str) -> str:
     unit = re.sub(r"\s*(\^|\*\*|[*/])\s*", r"\1", unit.strip()).replace("**", "^")
     unit = re.sub(r"(?<=[^\W\d_])([23])(?=$|[*/ ])", r"^\1", unit)
     return re.sub(r"\s+", " ", unit)
-
-
-def _near(unit: str) -> list[str]:
-    """List the units that differ by capitals alone; those of the field come first."""
-    listed = dict.fromkeys((*(u for units in UNITS.values() for u in units), *known()))
-    return [each for each in listed if each.casefold() == unit.casefold()]
 
 
 def _by_table(unit: str) -> tuple[Dimension | None, float]:

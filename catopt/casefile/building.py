@@ -99,9 +99,8 @@ def _range_findings(values: Values, section: FileSection) -> Iterator[Finding]:
         return
     if (high - low) / step >= MOST_VALUES - 1 + _HITS:
         count = f"{(high - low) / step + 1.0:.6g}"
-        yield section.wrong(
-            step_key, Message("refused.too_many_values", count=count, most=MOST_VALUES)
-        )
+        allowed = Message("refused.too_many_values", count=count, most=MOST_VALUES)
+        yield section.wrong(step_key, allowed)
 
 
 def upside_down(section: FileSection, low_key: str, high_key: str) -> Iterator[Finding]:
@@ -177,7 +176,10 @@ def from_catalogue(case: FileSection, folder: str) -> FromCatalogue:
     for path, name in named:
         _resolve(found, catalogue, path, name)
     if found.names and len(found.names) == len(named):
-        _check_variants(found, catalogue)
+        for problem in catalogue.variants_of_none(found.names.values()):
+            if problem.key in entries(VariantsTable):
+                path = ("catalogue", "variants", problem.key)
+                found.findings.append(Finding(path, problem.found, problem.allowed))
     for segment in of_line:
         name = found.names.get((*segment.path, "component"), "")
         for component in _looked_up(found, catalogue, segment, "diameter", name):
@@ -215,10 +217,9 @@ def _catalogue(found: FromCatalogue, case: FileSection, folder: str) -> ChosenCa
 
         shown = as_written(given.get("file"))
         for problem in error.problems:
-            inside: str = Message("refused.in_it", problem=problem_words(problem))
-            if problem.key == KIND:  # unread
-                inside = problem.allowed
-            found.findings.append(Finding(("catalogue", "file"), shown, inside))
+            inside = Message("refused.in_it", problem=problem_words(problem))
+            allowed = problem.allowed if problem.key == KIND else inside  # the former: unread
+            found.findings.append(Finding(("catalogue", "file"), shown, allowed))
     return None
 
 
@@ -241,16 +242,8 @@ def _resolve(found: FromCatalogue, catalogue: ChosenCatalogue, path: Path, name:
     if beside and isinstance(path[-1], int):
         allowed = Message("refused.stands_already")
         found.findings.append(Finding(path, as_written(name), allowed))
-        return
-    found.names[path] = full
-
-
-def _check_variants(found: FromCatalogue, catalogue: ChosenCatalogue) -> None:
-    """Note variants that none of the components has."""
-    for problem in catalogue.variants_of_none(found.names.values()):
-        if problem.key in entries(VariantsTable):
-            path = ("catalogue", "variants", problem.key)
-            found.findings.append(Finding(path, problem.found, problem.allowed))
+    else:
+        found.names[path] = full
 
 
 def _looked_up(
@@ -406,8 +399,7 @@ class _Builder:
             return made_segment(table, self.catalogue.segments.get(path))
         given = self.given(table, path)
         if isinstance(table, SegmentChoiceTable):
-            # Build what a segment may be; what is left out is as the line has it at the same
-            # place.
+            # What is left out is as the line has it at the same place.
             own: Path = ("line", "segments", path[-1])
             names = self.catalogue.names
             if not given["lengths"]:

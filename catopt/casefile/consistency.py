@@ -39,13 +39,14 @@ def consistency_findings(case: FileSection, components: Mapping[Path, Component]
     """List what contradicts itself in a document, with its components by their paths."""
     line = case.table("line")
     segments, loads = line.tables("segments"), line.tables("point_loads")
+    dragged = [each for each in loads if not each.misspelt("drag_area", "drag_coefficient")]
     return [
         *_load(case),
         *_find(case),
         *_misfits(case, line, components),
         *(f for segment in segments for f in segment_findings(segment)),
         *(f for load in loads for f in _weight(load)),
-        *(f for load in loads for f in _drag(load)),
+        *(f for load in dragged for f in load.refused(point_drag_misfits(load.given))),
         *_positions(segments, loads),
         *_contact_offset(case.table("site"), line),
         *_levels(case, case.tables("load_cases")),
@@ -109,11 +110,10 @@ def _misfits(
         if about_load and not has_load and case.misspelt("load", "load_cases"):
             continue
         if about_load or (segments and not unsure):
-            either = about_load and sought is None
-            allowed = problem.allowed
-            if either:
-                allowed = Message("refused.or_load_cases", wanted=allowed)
-            yield from case.refused([replace(problem, allowed=allowed)])
+            if about_load and sought is None:
+                either = Message("refused.or_load_cases", wanted=problem.allowed)
+                problem = replace(problem, allowed=either)
+            yield from case.refused([problem])
 
 
 def _has_MBL(segment: FileSection, component: Component | None) -> bool:
@@ -147,8 +147,7 @@ def segment_findings(segment: FileSection) -> Iterator[Finding]:
         wanted = Message("refused.weight_or_component", example=example)
         yield segment.missing("submerged_weight", wanted)
     if "drag_axial_area" in segment and "drag_axial" not in segment:
-        allowed = Message("refused.with_drag_axial")
-        yield segment.wrong("drag_axial_area", allowed)
+        yield segment.wrong("drag_axial_area", Message("refused.with_drag_axial"))
     if not segment.misspelt("drag_method", "roughness"):
         yield from segment.refused(drag_misfits(segment.values()))
         yield from segment.refused(break_test_misfits(segment.given))
@@ -183,22 +182,12 @@ def _weight(body: FileSection) -> Iterator[Finding]:
     elif density and not mass:
         yield body.wrong("density", Message("refused.density_with_mass"))
     elif weight and density:
-        allowed = Message("refused.leave_out_either")
-        yield Finding(
-            body.path,
-            Message("refused_file.all_of", some="submerged_weight, mass", last="density"),
-            allowed,
-        )
+        every = Message("refused_file.all_of", some="submerged_weight, mass", last="density")
+        yield Finding(body.path, every, Message("refused.leave_out_either"))
     elif mass and not weight and not density:
         yield Finding(body.path, Message("refused_file.mass_without_density"), wanted)
     elif not weight and not mass:
         yield body.missing("submerged_weight", wanted)
-
-
-def _drag(load: FileSection) -> Iterator[Finding]:
-    """Find a drag of a point load that lacks its area or its coefficient."""
-    if not load.misspelt("drag_area", "drag_coefficient"):
-        yield from load.refused(point_drag_misfits(load.given))
 
 
 def _positions(segments: list[FileSection], loads: list[FileSection]) -> Iterator[Finding]:
@@ -244,8 +233,7 @@ def _levels(case: FileSection, states: list[FileSection]) -> Iterator[Finding]:
         level, rise = state.number("water_level"), state.number("fairlead_rise") or 0.0
         lowest = min(depth or 0.0, (depth or 0.0 if height is None else height) + rise)
         if level is not None and not unclear and not level > -lowest:
-            allowed = Message("refused.fairlead_above_bed", least=-lowest)
-            yield state.wrong("water_level", allowed)
+            yield state.wrong("water_level", Message("refused.fairlead_above_bed", least=-lowest))
 
 
 def _system(case: FileSection) -> Iterator[Finding]:
@@ -263,11 +251,9 @@ def _system(case: FileSection) -> Iterator[Finding]:
     has_arms = unclear or bool(radius)
     yaw_free = system.given.get("yaw_free", has_arms)
     if yaw_free is True and not has_arms:
-        allowed = Message("refused.no_yaw")
-        yield system.wrong("yaw_free", allowed)
+        yield system.wrong("yaw_free", Message("refused.no_yaw"))
     elif yaw_free is False and system.number("moment"):
-        allowed = Message("refused.zero_without_yaw")
-        yield system.wrong("moment", allowed)
+        yield system.wrong("moment", Message("refused.zero_without_yaw"))
 
 
 def _checks(case: FileSection) -> Iterator[Finding]:
@@ -282,11 +268,8 @@ def _checks(case: FileSection) -> Iterator[Finding]:
             if key in case.table(part):
                 yield case.table(part).wrong(key, Message("refused.with_dynamics"))
     if "code" in checks and "codes" in checks:
-        yield Finding(
-            ("checks",),
-            Message("refused_file.two_keys", one="code", other="codes"),
-            Message("refused.all_into_codes"),
-        )
+        both = Message("refused_file.two_keys", one="code", other="codes")
+        yield Finding(("checks",), both, Message("refused.all_into_codes"))
     if "max_span" in checks and "max_offset" in checks:
         yield checks.wrong("max_offset", Message("refused.limits_span"))
     yield from duplicates(checks, "codes")
@@ -322,8 +305,7 @@ def sinks_findings(case: FileSection, body: FileSection) -> Iterator[Finding]:
     water = water or SEA_WATER_DENSITY
     density = body.number("density")
     if density is not None and not density > water:
-        allowed = Message("refused.sinker_floats", water=water)
-        yield body.wrong("density", allowed)
+        yield body.wrong("density", Message("refused.sinker_floats", water=water))
 
 
 _COMPONENTS = ("components", "component")
@@ -331,15 +313,22 @@ _COMPONENTS = ("components", "component")
 
 def design_findings(case: FileSection) -> list[Finding]:
     """List what contradicts itself in the design of a document."""
-    design, line = case.table("design"), _Line(case.table("line"))
+    design, line = case.table("design"), case.table("line")
     if not design.given:
         return []
     segments, weights = design.tables("segments"), design.tables("clump_weights")
-    sinker = design.table("sinker")
+    sinker, of_line = design.table("sinker"), line.tables("segments")
+    is_clear = bool(of_line) and not line.misspelt("segments")
+    # Each segment with that of the line in its place, from which it may take over what it lacks.
+    pairs = list(zip(segments, (*of_line, *[None] * len(segments)), strict=False))
     return [
-        *(f for index, each in enumerate(segments) for f in _design_segment(each, index, line)),
+        *(
+            f
+            for k, (each, own) in enumerate(pairs)
+            for f in _design_segment(each, k, own, is_clear=is_clear)
+        ),
         *(f for weight in weights for f in _clump_weight(weight)),
-        *_design_positions(segments, weights, line),
+        *_design_positions(pairs, weights),
         *(ranges.findings(MASSES, sinker, required=True) if sinker.given else ()),
         *(sinks_findings(case, sinker) if sinker.given else ()),
         *(_as_the_model_has_it(design, segments, weights) if segments else ()),
@@ -348,42 +337,23 @@ def design_findings(case: FileSection) -> list[Finding]:
     ]
 
 
-class _Line:
-    """What the segments of a design may take over from the line."""
-
-    def __init__(self, line: FileSection) -> None:
-        self.segments = line.tables("segments")
-        self.is_clear = bool(self.segments) and not line.misspelt("segments")
-
-    def at(self, index: int) -> FileSection | None:
-        """Return the segment at a place, counted from 0; None when there is none."""
-        return self.segments[index] if index < len(self.segments) else None
-
-    def lacks(self, index: int) -> bool:
-        """Whether there is certainly no segment at a place."""
-        return self.is_clear and self.at(index) is None
-
-
-def _design_segment(choice: FileSection, index: int, line: _Line) -> Iterator[Finding]:
+def _design_segment(
+    choice: FileSection, index: int, own: FileSection | None, *, is_clear: bool
+) -> Iterator[Finding]:
     """Find what is given in two ways, and what the line has not got to be taken over."""
     yield from ranges.findings(LENGTHS, choice)
     if all(key in choice for key in _COMPONENTS):
-        allowed = Message("refused.only_one")
-        yield Finding(
-            choice.path,
-            Message("refused_file.two_keys", one="component", other="components"),
-            allowed,
-        )
+        both = Message("refused_file.two_keys", one="component", other="components")
+        yield Finding(choice.path, both, Message("refused.only_one"))
     yield from _sizes(choice)
     nothing = Message("refused.no_such_segment", number=index + 1)
-    if line.lacks(index) and choice.lacks(*LENGTHS.keys):
+    if is_clear and own is None and choice.lacks(*LENGTHS.keys):
         yield choice.missing("lengths", nothing)
-    if not choice.lacks(*_COMPONENTS):
+    if not is_clear or not choice.lacks(*_COMPONENTS):
         return
-    own = line.at(index)
-    if line.lacks(index):
+    if own is None:
         yield choice.missing("components", nothing)
-    elif any(key in choice for key in SIZES) and line.is_clear and own and own.lacks("component"):
+    elif any(key in choice for key in SIZES) and own.lacks("component"):
         why = Message("refused.segment_without_component", number=index + 1)
         yield choice.missing("components", why)
 
@@ -396,7 +366,7 @@ def _sizes(choice: FileSection) -> Iterator[Finding]:
         allowed = Message("refused.diameters_one_way")
         yield Finding(choice.path, " and ".join([*singly, *ranged]), allowed)
     yield from ranges.upside_down(choice, "diameter_min", "diameter_max")
-    yield from ranges.duplicates(choice, "diameters")
+    yield from duplicates(choice, "diameters")
 
 
 def _clump_weight(choice: FileSection) -> Iterator[Finding]:
@@ -413,12 +383,11 @@ def _clump_weight(choice: FileSection) -> Iterator[Finding]:
 
 
 def _design_positions(
-    segments: list[FileSection], weights: list[FileSection], line: _Line
+    pairs: list[tuple[FileSection, FileSection | None]], weights: list[FileSection]
 ) -> Iterator[Finding]:
     """Find clump weights that are beyond the end of the longest line at every position."""
     longest = []
-    for index, choice in enumerate(segments):
-        own = line.at(index)
+    for choice, own in pairs:
         if ranges.is_given(LENGTHS, choice):
             length = max(ranges.read(LENGTHS, choice), default=None)
         else:
@@ -439,14 +408,13 @@ def _as_the_model_has_it(
     design: FileSection, segments: list[FileSection], weights: list[FileSection]
 ) -> Iterator[Finding]:
     """Find objectives too few or too many, joints that are not there, and no fixed segment."""
-    choices = [
+    choices = (
         SegmentChoice((1.0,), optional=each.given.get("optional") is True) for each in segments
+    )
+    hung = [
+        ClumpWeightChoice((1.0,), 1.0, positions=() if joint else (1.0,), joint=joint)
+        for joint in (weight.value("joint") for weight in weights)
     ]
-    hung = []
-    for weight in weights:
-        joint = weight.value("joint")
-        positions = () if joint else (1.0,)
-        hung.append(ClumpWeightChoice((1.0,), 1.0, positions=positions, joint=joint))
     problems = refusals(
         Design,
         segments=tuple(choices),
@@ -498,5 +466,4 @@ def _excursion(case: FileSection, design: FileSection) -> Iterator[Finding]:
     if not case.misspelt("load_cases"):
         path = ("design", "objectives", objectives.index("excursion"))
         key = "refused.references" if count else "refused.no_reference"
-        allowed = Message(key, found=count)
-        yield Finding(path, '"excursion"', allowed)
+        yield Finding(path, '"excursion"', Message(key, found=count))

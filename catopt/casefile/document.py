@@ -88,7 +88,9 @@ _SHORT = 4
 """Letters of a word that is another word when its first letter is another: wind is not find."""
 
 
-def nearest(table: type[TableSchema], key: str, top: type[TableSchema] = CaseTable) -> str | None:
+def stands_for(
+    table: type[TableSchema], key: str, top: type[TableSchema] = CaseTable
+) -> str | None:
     """Return the key of `table` that `key` is a misspelling of or the symbol for, if any.
 
     `top` is the schema of the whole file.
@@ -96,10 +98,9 @@ def nearest(table: type[TableSchema], key: str, top: type[TableSchema] = CaseTab
     own = list(entries(table))
     if key in table.symbols:
         return table.symbols[key]
-    by_plain = {_plain(known): known for known in own}
-    if _plain(key) in by_plain:
-        return by_plain[_plain(key)]
-    plain = _plain(key)
+    plain, by_plain = _plain(key), {_plain(known): known for known in own}
+    if plain in by_plain:
+        return by_plain[plain]
     alike = [own for own in by_plain if plain in (f"{own}s", own.removesuffix("s"))]
     if len(alike) == 1:
         return by_plain[alike[0]]  # one of several, or several of one
@@ -115,16 +116,9 @@ def nearest(table: type[TableSchema], key: str, top: type[TableSchema] = CaseTab
     return by_plain[close[0]] if close else None
 
 
-def stands_for(
-    table: type[TableSchema], key: str, top: type[TableSchema] = CaseTable
-) -> str | None:
-    """Return the key of `table` that a key it does not have was to give, if any."""
-    return table.later[key] if key in table.later else nearest(table, key, top)
-
-
 def hint(table: type[TableSchema], key: str, top: type[TableSchema] = CaseTable) -> str:
     """Say what to do about a key that `table` does not have."""
-    near = nearest(table, key, top)
+    near = stands_for(table, key, top)
     if near is not None:
         return Message("refused.did_you_mean", near=near)
     places = list(_elsewhere(key, top))
@@ -176,8 +170,8 @@ class _Reader:
     def table(self, path: Path, schema: type[AnyTable], given: dict[str, Any]) -> AnyTable:
         """Read a table.
 
-        A missing key is not reported when an unknown key beside it is a misspelling of it, or
-        belongs to a later version and would stand for it: one mistake, one message.
+        A missing key is not reported when an unknown key beside it is a misspelling of it: one
+        mistake, one message.
         """
         if len(self.findings) >= MOST_FINDINGS:
             return schema({})
@@ -195,7 +189,12 @@ class _Reader:
                 read[key] = self._entry(here, entry, given[key])
             elif entry.required and key not in meant:
                 self.findings.append(Finding(here, "", missing(_wanted(here, entry))))
-        self.findings += (self._unknown(path, schema, key, given[key]) for key in unknown)
+        for key in unknown:
+            if key in schema.elsewhere:
+                self._note((*path, key), given[key], Message(schema.elsewhere[key]))
+            else:
+                why = hint(schema, key, self.top)
+                self.findings.append(Finding((*path, key), Message("refused.unknown_key"), why))
         return schema(read)
 
     def _entry(self, path: Path, entry: Entry, given: Any) -> Any:
@@ -233,19 +232,6 @@ class _Reader:
 
     def _note(self, path: Path, given: Any, allowed: str) -> None:
         self.findings.append(Finding(path, as_written(given), allowed))
-
-    def _unknown(self, path: Path, schema: type[TableSchema], key: str, given: Any) -> Finding:
-        here = (*path, key)
-        if key in schema.elsewhere:
-            return Finding(here, as_written(given), Message(schema.elsewhere[key]))
-        if key not in schema.later:
-            return Finding(here, Message("refused.unknown_key"), hint(schema, key, self.top))
-        later = Message("refused.later")
-        if instead := schema.later[key]:
-            is_value = entries(schema)[instead].table is None
-            name = instead if is_value else header((*path, instead))
-            later = Message("refused.later_instead", name=name)
-        return Finding(here, as_written(given), later)
 
 
 def _wanted(path: Path, entry: Entry) -> str:

@@ -10,7 +10,6 @@ from catopt.casefile.document import FileSection, Finding, refusals
 from catopt.casefile.schema import entries
 from catopt.constants import YEAR
 from catopt.model import CurrentProfile, Motion
-from catopt.model import dynamics as damage
 from catopt.model import dynamics as run
 from catopt.model.sea import CURRENT_PROFILES, MOTION_WAYS, OF_A_BODY, train_misfits, wave_misfits
 from catopt.model.system import floater_misfits, ship_misfits
@@ -137,15 +136,15 @@ def _fatigue(case: FileSection, fatigue: FileSection) -> Iterator[Finding]:
     curves = fatigue.tables("curves")
     yield from _shares(fatigue)
     if not fatigue.misspelt():
-        yield from fatigue.refused(damage.fatigue_misfits(fatigue.given))
+        yield from fatigue.refused(run.fatigue_misfits(fatigue.given))
     for curve in curves:
         if not curve.misspelt():
-            yield from curve.refused(damage.curve_misfits(curve.given))
+            yield from curve.refused(run.curve_misfits(curve.given))
     if case.misspelt(*_FOR_FATIGUE):
         return
     waves = case.table("waves")
     segments = case.table("line").given.get("segments")
-    problems = damage.sections_misfits(
+    problems = run.sections_misfits(
         [key for key in _FOR_FATIGUE if key in case],
         {"spectrum": True} if waves.misspelt("spectrum") else waves.given,
         [curve.value("segment") for curve in curves],
@@ -161,19 +160,17 @@ def _shares(fatigue: FileSection) -> Iterator[Finding]:
         given = [key for key in ("share", "time_per_year") if key in state]
         if len(given) != 1:
             if not state.misspelt("share", "time_per_year"):
+                found = " and ".join(given) or Message("refused_file.none_of_them")
                 allowed = Message("refused.exactly_one", ways="share, time_per_year")
-                yield Finding(
-                    state.path, " and ".join(given) or Message("refused_file.none_of_them"), allowed
-                )
+                yield Finding(state.path, found, allowed)
             continue
         share = share_of_year({key: state.number(key) for key in given})
         if share is not None and share > 1.0 and "time_per_year" in given:
             path = (*state.path, "time_per_year")
-            yield Finding(
-                path, Message("refused_file.years", count=share), Message("refused_file.one_year")
-            )
+            years = Message("refused_file.years", count=share)
+            yield Finding(path, years, Message("refused_file.one_year"))
         shares += [] if share is None else [share]
-    yield from fatigue.refused(damage.share_misfits(shares))
+    yield from fatigue.refused(run.share_misfits(shares))
 
 
 def share_of_year(given: Mapping[str, float | None]) -> float | None:

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable
 from dataclasses import fields, replace
 from pathlib import Path
-from pathlib import Path as FilePath
-from typing import Any, Final, Literal, TypeVar
+from typing import Any, Final, Literal
 
 from catopt.casefile.building import (
     FromCatalogue,
@@ -47,20 +45,10 @@ _OF_A_CASE: Final = ("load", "load_cases", "design", "find", "pso", "catalogue")
 def moored_in(path: str | os.PathLike[str]) -> Moored | None:
     """Say what a file is to find the mooring of; None for a case file and for what is no TOML."""
     try:
-        document = parse_toml(read_text(FilePath(path), os.fspath(path)), os.fspath(path))
+        document = parse_toml(read_text(Path(path), os.fspath(path)), os.fspath(path))
     except InputError:
         return None
     return moored_of(document)
-
-
-def not_a_case(document: dict[str, Any]) -> Problem | None:
-    """Say of a document that is no case but a file for ``catopt size``, where it belongs."""
-    moored = moored_of(document)
-    if moored is None:
-        return None
-    key = next(key for key in ("ship", "environment", "buoy") if key in document)
-    allowed = Message("refused.for_size", moored=moored)
-    return Problem(key, f"[{key}]", allowed)
 
 
 def case_key(document: dict[str, Any]) -> tuple[str, ...]:
@@ -106,22 +94,18 @@ def network_of(document: dict[str, Any], source: str = "", *, folder: str = "") 
     for line in case.tables("lines"):
         findings += [each for part in line.tables("segments") for each in segment_findings(part)]
     findings += [*judged_findings(case, []), *network_motion_findings(case)]
-    problems: list[Problem] = []
-    points: list[Any] = []
-    lines: list[Any] = []
-    bodies: list[Any] = []
-    if not findings:
-        points = [
-            _built(problems, f"points[{k}]", Point, **each.given())
-            for k, each in enumerate(table.points)
-        ]
-        lines = [_line(problems, k, each, catalogue) for k, each in enumerate(table.lines)]
-        bodies = [
-            _built(problems, f"bodies[{k}]", MooredBody, **each.given())
-            for k, each in enumerate(table.given().get("bodies") or ())
-        ]
-        findings = [Finding(parts(each.key), each.found, each.allowed) for each in problems]
     refuse(document, findings, source)
+    problems: list[Problem] = []
+    points = [
+        _built(problems, f"points[{k}]", Point, **each.given())
+        for k, each in enumerate(table.points)
+    ]
+    lines = [_line(problems, k, each, catalogue) for k, each in enumerate(table.lines)]
+    bodies = [
+        _built(problems, f"bodies[{k}]", MooredBody, **each.given())
+        for k, each in enumerate(table.given().get("bodies") or ())
+    ]
+    refuse(document, [Finding(parts(p.key), p.found, p.allowed) for p in problems], source)
     site = Site(**table.site.given())
     given: dict[str, Any] = {key: getattr(table, key) or "" for key in ("title", "source")}
     given |= network_parts(table, catalogue, site, folder)
@@ -171,7 +155,11 @@ def read_case(path: str | os.PathLike[str]) -> Case:
     InputError
         When the file cannot be read, or with every problem of what it says.
     """
-    found = read_mooring(path)
+    return _case_alone(read_mooring(path), path)
+
+
+def _case_alone(found: Case | Network, path: str | os.PathLike[str]) -> Case:
+    """Refuse lines that meet in joints."""
     if isinstance(found, Network):
         from catopt.decks.reading import NOT_FOR_THIS
 
@@ -233,20 +221,19 @@ def case_of(document: dict[str, Any], source: str = "", *, folder: str = "") -> 
     findings += consistency_findings(case, catalogue.segments)
     findings += design_findings(case)
     findings += motion_findings(case)
-    if findings and (other := not_a_case(document)):
-        raise InputError([other], source)
+    if findings and (moored := moored_of(document)):  # no case but a file for ``catopt size``
+        key = next(key for key in ("ship", "environment", "buoy") if key in document)
+        allowed = Message("refused.for_size", moored=moored)
+        raise InputError([Problem(key, f"[{key}]", allowed)], source)
     refuse(document, findings, source)
     return build_case(table, catalogue, folder)
 
-
-T = TypeVar("T")
 
 DESIGN_DOCUMENT = "design.json"
 """Name of the document in a result directory."""
 DESIGN_CASE = "case.toml"
 """Name of the case file in a result directory."""
 
-_SCHEMA = "catopt.design/1"
 _MOTION = ("drag_diameter", "drag_normal", "drag_axial", "added_mass_normal", "added_mass_axial")
 
 
@@ -255,21 +242,17 @@ def read_case_or_design(path: Path, design: int | None) -> Case:
 
     InputError as `read_case` and `read_design`; or a directory without a number of a design.
     """
-    return _read(path, design, read_case)
+    return _case_alone(read_mooring_or_design(path, design), path)
 
 
 def read_mooring_or_design(path: Path, design: int | None) -> Case | Network:
     """Read the same, or a file of lines that meet in joints."""
-    return _read(path, design, read_mooring)
-
-
-def _read(path: Path, design: int | None, read: Callable[[Path], T]) -> T | Case:
     if design is not None:
         return read_design(path, design)
     if path.is_dir() and (path / DESIGN_DOCUMENT).exists():
         allowed = Message("refused_command.result_directory_add_design_k")
         raise InputError([Problem("CASE", str(path), allowed)], "options")
-    return read(path)
+    return read_mooring(path)
 
 
 def read_design(directory: Path, number: int) -> Case:
@@ -287,7 +270,12 @@ def read_design(directory: Path, number: int) -> Case:
     design = front[number - 1]
     title = f"{case.title}, design {number}" if case.title else f"Design {number}"
     try:
-        line, anchor = _design_line(design, case), _anchor(design, case)
+        line = Line(
+            [_design_segment(each, case) for each in design["segments"]],
+            [PointLoad(**attributes(each)) for each in design["point_loads"]],
+        )
+        sinker = design.get("sinker")
+        anchor = case.anchor if sinker is None else Anchor("sinker", **attributes(sinker))
         # Raise water and fairleads to where a whole mooring goes farthest.
         found = design.get("system") or {}
         level = found.get("farthest_water_level_m", 0.0)
@@ -304,38 +292,26 @@ def read_design(directory: Path, number: int) -> Case:
 def read_design_document(directory: Path) -> dict[str, Any]:
     """Read the document of what ``catopt design --out`` wrote; InputError if there is none."""
     if not (directory / DESIGN_DOCUMENT).is_file():
-        wanted = Message(
-            "refused_command.directory_catopt_design_out_wrote", design_document=DESIGN_DOCUMENT
-        )
+        key = "refused_command.directory_catopt_design_out_wrote"
+        wanted = Message(key, design_document=DESIGN_DOCUMENT)
         raise InputError([Problem("CASE", str(directory), wanted)], "options")
-    document = read_document(directory / DESIGN_DOCUMENT, _SCHEMA)
+    document = read_document(directory / DESIGN_DOCUMENT, "catopt.design/1")
     try:
         found: dict[str, Any] = with_messages(document, document.pop("messages", {}))
     except ValueError as error:
-        problem = Problem(
-            "messages", str(error), Message("refused_command.this_edition_catopt_design_writes")
-        )
+        allowed = Message("refused_command.this_edition_catopt_design_writes")
+        problem = Problem("messages", str(error), allowed)
         raise InputError([problem], str(directory / DESIGN_DOCUMENT)) from None
     return found
 
 
-def _design_line(design: dict[str, Any], case: Case) -> Line:
-    return Line(
-        [_with_motion(_design_segment(each), case) for each in design["segments"]],
-        [PointLoad(**attributes(each)) for each in design["point_loads"]],
-    )
-
-
-def _design_segment(each: dict[str, Any]) -> Segment:
-    given = attributes(each)
-    EA = math.inf if given["EA"] is None else given["EA"]
-    return Segment(**given | {"EA": EA, "component": given["component"] or ""})
-
-
-def _with_motion(segment: Segment, case: Case) -> Segment:
-    """Give a segment of a design its drag and added mass: its model's, or its component's."""
+def _design_segment(each: dict[str, Any], case: Case) -> Segment:
+    """Build a segment of a design; drag and added mass are its model's, or its component's."""
     from catopt.catalogue.choice import chosen
 
+    given = attributes(each)
+    EA = math.inf if given["EA"] is None else given["EA"]
+    segment = Segment(**given | {"EA": EA, "component": given["component"] or ""})
     kept = {field.name for field in fields(Segment)} - {"length", *_MOTION}
     same = [
         own
@@ -368,8 +344,3 @@ def _system(design: dict[str, Any], line: Line, case: Case) -> System | None:
         yaw_free=own.yaw_free,
         judged_line_out=found.get("farthest_line_out", own.judged_line_out),
     )
-
-
-def _anchor(design: dict[str, Any], case: Case) -> Anchor | None:
-    sinker = design.get("sinker")
-    return case.anchor if sinker is None else Anchor("sinker", **attributes(sinker))

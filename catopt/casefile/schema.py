@@ -86,11 +86,8 @@ class TableSchema:
     choices: ClassVar[tuple[Values, ...]] = ()
     """Attributes of the model whose values a file may give in several ways."""
 
-    later: ClassVar[Mapping[str, str]] = {}
-    """Keys that belong to a later version, each with the required key it would stand for."""
-
     elsewhere: ClassVar[Mapping[str, str]] = {}
-    """Keys that belong to another kind of file, each with what that is for."""
+    """Keys of another kind of file or of a later version, each with what is said of it."""
 
     symbols: ClassVar[Mapping[str, str]] = {}
     """The field's symbols for some keys, so that a user who writes one is told the key."""
@@ -351,10 +348,7 @@ class CaseTable(TableSchema):
     model = model.Case
     keys = """title source site line load load_cases system find checks service buoy anchor
         catalogue design waves current motion anchor_motion body floater dynamics fatigue pso"""
-    later: ClassVar = {"verify": ""}
-    elsewhere: ClassVar = {
-        "environment": "refused.belongs_to_size",
-    }
+    elsewhere: ClassVar = {"verify": "refused.later", "environment": "refused.belongs_to_size"}
     symbols: ClassVar = {"catalog": "catalogue"}
 
     load: Load | None = None

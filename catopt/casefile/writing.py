@@ -39,20 +39,14 @@ from catopt.model import (
     System,
     WaveState,
 )
-from catopt.model.kinds import Measured
+from catopt.model.kinds import Measured, OneOf
 from catopt.model.line import StrainTable
 from catopt.model.network import LineBetween, MooredBody, Network, Point
 from catopt.model.sea import HARMONIC
 from catopt.units import UNITS, Dimension, as_written
 from catopt.words import Message
 
-_ESCAPES = {
-    '"': '\\"',
-    "\\": "\\\\",
-    "\t": "\\t",
-    "\n": "\\n",
-}
-
+_ESCAPES = str.maketrans({'"': '\\"', "\\": "\\\\", "\t": "\\t", "\n": "\\n"})
 _NAMED_FILE = re.compile(r'^(\w*file) = "(.*)"$', re.MULTILINE)
 _WIDTH = 100
 
@@ -94,7 +88,7 @@ def write_case(case: Case | Network) -> str:
     if isinstance(case, Network):
         blocks = _blocks(NetworkTable, _given(case))
     else:
-        # Return what a case has to say, by the keys of its file and in their order.
+        # What a case has to say, by the keys of its file and in their order.
         site = case.site
         given = _given(case) | {"pso": case.swarm}
         given["site"] = _given(site) | {"water_depth": site.depth_to_seabed}
@@ -143,10 +137,9 @@ def _around(case: Case, system: System) -> dict[str, Any]:
         **arrangement,
     )
     if around != system:
+        found = Message("refused_file.lines_of_their_own")
         allowed = Message("refused_command.case_file_holds_equal_lines")
-        raise InputError(
-            [Problem("system", Message("refused_file.lines_of_their_own"), allowed)], "write_case"
-        )
+        raise InputError([Problem("system", found, allowed)], "write_case")
     if system.judged_line_out:
         del arrangement["judged_line_out"]
     return {key: value for key, value in arrangement.items() if value is not None}
@@ -169,7 +162,11 @@ _UNSAID: Final[Mapping[type, Mapping[str, object]]] = {
 
 def _given(part: object) -> dict[str, Any]:
     """Return what a part of the model has to say, by key; what is its default goes unsaid."""
-    given = {key: value for key, value in vars(part).items() if not _is_nothing(value)}
+    given = {
+        key: value
+        for key, value in vars(part).items()
+        if value is not None and value is not False and value not in ("", ())
+    }
     match part:
         case Segment():
             if part.nominal_diameter is not None:
@@ -185,8 +182,13 @@ def _given(part: object) -> dict[str, Any]:
             given |= vars(part.line)
         case MooredBody(yaw_free=False):
             given["yaw_free"] = False
+        case WaveState() if part.elevation_file:
+            keys = ["stretching", "elevation_file", "elevation_x", "shortest_period", "direction"]
+            given = {key: given[key] for key in keys if key in given}
         case WaveState():
-            given = {key: given[key] for key in _keys_of_waves(part) if key in given}
+            train = entries(WaveTrainTable) if part.spectrum else ()
+            keys = [*train, "stretching", "seed", "trains"]
+            given = {key: given[key] for key in keys if key in given}
     unsaid = _unsaid(part, given)
     return {key: value for key, value in given.items() if key not in unsaid}
 
@@ -204,33 +206,20 @@ def _unsaid(part: object, given: Mapping[str, Any]) -> Collection[str]:
     return [key for key, default in defaults.items() if given.get(key) == default]
 
 
-def _keys_of_waves(waves: WaveState) -> list[str]:
-    if waves.elevation_file:
-        return ["stretching", "elevation_file", "elevation_x", "shortest_period", "direction"]
-    return [*(entries(WaveTrainTable) if waves.spectrum else ()), "stretching", "seed", "trains"]
-
-
-def _is_nothing(value: object) -> bool:
-    return value is None or value is False or value in ("", ())
-
-
 def _lines(schema: type[TableSchema], given: Mapping[str, Any]) -> Iterator[str]:
     """Write the keys of a table that are given, most in the order of the table."""
     known = entries(schema)
     for key in given if schema in (VariantsTable, WavesTable) else known:
-        if key in given and known[key].kind is not None:
-            yield _line(schema, key, given[key])
-
-
-def _line(schema: type[TableSchema], key: str, value: Any) -> str:
-    """Write a key with its value, or with its array on as many lines as it needs."""
-    entry = entries(schema)[key]
-    unit = entry.kind.si_unit if isinstance(entry.kind, Measured) else None
-    if key == "wear_rate":
-        return f"{key} = {_wear(value)}"
-    if not entry.array:
-        return f"{key} = {_written(value, unit)}"
-    return _array(key, [_written(each, unit) for each in value])
+        if key not in given or known[key].kind is None:
+            continue
+        kind, value = known[key].kind, given[key]
+        unit = kind.si_unit if isinstance(kind, Measured) else None
+        if key == "wear_rate":
+            yield f"{key} = {_wear(value)}"
+        elif known[key].array:
+            yield _array(key, [_written(each, unit) for each in value])
+        else:
+            yield f"{key} = {_written(value, unit)}"
 
 
 def _wear(rate: float) -> str:
@@ -249,18 +238,14 @@ def _written(value: Any, unit: str | None) -> str:
         return f'"{digits} {unit}"' if unit else digits
     if isinstance(value, str):
         if unfit(value):
-            raise InputError(
-                [
-                    Problem(
-                        "text", unfit(value), Message("refused_command.take_out", value=value[:40])
-                    )
-                ]
-            )
-        return f'"{"".join(_ESCAPES.get(character, character) for character in value)}"'
+            allowed = Message("refused_command.take_out", value=value[:40])
+            raise InputError([Problem("text", unfit(value), allowed)])
+        return f'"{value.translate(_ESCAPES)}"'
     return str(value).lower() if isinstance(value, bool) else str(int(value))
 
 
 def _array(key: str, values: Sequence[str]) -> str:
+    """Write a key with its array, on as many lines as it needs."""
     line = f"{key} = [{', '.join(values)}]"
     if len(line) <= _WIDTH:
         return line
@@ -333,11 +318,6 @@ def template(name: str) -> str:
 
 def _with_others(text: str) -> str:
     """Put the other words that a key takes where a comment has ``{others}``."""
-    import re
-
-    from catopt.casefile.schema import CaseTable, entries
-    from catopt.model.kinds import OneOf
-
     table: type[TableSchema] = CaseTable
     lines = []
     for line in text.splitlines(keepends=True):

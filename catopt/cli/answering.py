@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Collection, Iterable, Mapping
-from contextlib import AbstractContextManager, nullcontext
+from contextlib import AbstractContextManager, nullcontext, suppress
 from dataclasses import dataclass
 from functools import wraps
 from pathlib import Path
@@ -46,12 +46,19 @@ class Asked:
     out: Path | None
     full: bool = False
 
-    def check_place(self) -> None:
-        """Refuse a place that no files can go to, before anything is computed."""
-        if self.out is not None:
-            from catopt.report.bundle import check_directory
+    def check_place(self, *, for_case: bool = False) -> None:
+        """Refuse a place that no files can go to, before anything is computed.
 
-            check_directory(self.out)
+        Where a case file goes there, one that is the user's own is not replaced, either.
+        """
+        if self.out is None:
+            return
+        from catopt.report.bundle import check_directory
+
+        check_directory(self.out)
+        if for_case and _stays(self.out, with_front=True):
+            allowed = Message("refused_command.has_case_toml_catopt_did")
+            raise refused("--out", str(self.out), allowed)
 
     def leave(self, status: int, why: str) -> NoReturn:
         """End with an exit status, and say why on standard error."""
@@ -86,30 +93,26 @@ class Asked:
         if self.as_json:
             self.output.json(document())
             return
-        if not self.full:
-            from catopt.render.card import show_card
+        if self.full:
+            from catopt.render.terminal import show
 
-            show_card(self.output, answer, self.language, self._further(answer))
+            show(self.output, answer, self.language)
             return
-        from catopt.render.terminal import show
-
-        show(self.output, answer, self.language)
-
-    def _further(self, answer: Answer) -> str:
-        """Say what to type next, and how all of the answer is had."""
+        from catopt.render.card import show_card
         from catopt.words.texts import group
 
+        # Below the card: what to type next, and how all of the answer is had.
         key = "answers.more_full" if answer.name == "size" else "answers.more"
-        whole = Message(key if self.out is None else f"{key}_alone")
+        further = Message(key if self.out is None else f"{key}_alone")
         named = f"next_{answer.next or answer.name}"
-        if named not in group("answers"):
-            return whole
-        return Message("answers.next", next=Message(f"answers.{named}"), whole=whole)
+        if named in group("answers"):
+            further = Message("answers.next", next=Message(f"answers.{named}"), whole=further)
+        show_card(self.output, answer, self.language, further)
 
     def working(self, what: str) -> AbstractContextManager[object]:
-        """Say what is done while the body runs, once that has taken a second; see `Output.working`.
+        """Say what is done while the body runs, once that has taken a second.
 
-        Nothing beside a document.
+        Nothing beside a document. See `Printer.working`.
         """
         return nullcontext() if self.as_json else self.output.working(say(what, self.language))
 
@@ -130,7 +133,7 @@ class Asked:
         assert self.out is not None
         whole, text, stays = dict(files), None, ""
         if case is not None:
-            from catopt.casefile import write_case
+            from catopt.casefile import read_mooring, write_case
             from catopt.casefile.reading import DESIGN_CASE, DESIGN_DOCUMENT
 
             text = write_case(case).encode()
@@ -141,11 +144,15 @@ class Asked:
                 whole[DESIGN_DOCUMENT] = (front / DESIGN_DOCUMENT).read_bytes()
         written = write_files(self.out, whole, case=text)
         self.output.note(f"{len(written)} files written to {self.out}")
-        if case is not None and stays and not _is_of(self.out / DESIGN_CASE, case):
-            self.output.note(
-                f"catopt: {DESIGN_CASE} in {self.out} stays as it is, {stays}; "
-                f"catopt report {self.out} is of that one"
-            )
+        if case is None or not stays:
+            return
+        with suppress(InputError):
+            if read_mooring(self.out / DESIGN_CASE) == case:
+                return
+        self.output.note(
+            f"catopt: {DESIGN_CASE} in {self.out} stays as it is, {stays}; "
+            f"catopt report {self.out} is of that one"
+        )
 
     def give_file(
         self,
@@ -203,7 +210,7 @@ def answering(
             when_long(lambda reported: output.note(say(reported, lang)))
             before = UNITS.set(units or "")
             try:
-                command(Asked(context.obj, lang, as_json, out, full), **options)
+                command(Asked(output, lang, as_json, out, full), **options)
             finally:
                 UNITS.reset(before)
 
@@ -237,13 +244,6 @@ def keyword(
     return inspect.Parameter(name, kind, default=default, annotation=annotation)
 
 
-def refuse_own_case(directory: Path) -> None:
-    """Raise InputError for a directory whose case file, to be replaced, is the user's own."""
-    if _stays(directory, with_front=True):
-        allowed = Message("refused_command.has_case_toml_catopt_did")
-        raise refused("--out", str(directory), allowed)
-
-
 def _stays(directory: Path, *, with_front: bool) -> str:
     """Say why the case file in a directory must not be replaced; empty where it may."""
     from catopt.casefile import write_case
@@ -260,13 +260,3 @@ def _stays(directory: Path, *, with_front: bool) -> str:
     except (OSError, ValueError, InputError):
         is_ours = False
     return "" if is_ours else "for catopt did not write it"
-
-
-def _is_of(place: Path, case: Case | Network) -> bool:
-    """Whether a case file says what a case is."""
-    from catopt.casefile import read_mooring
-
-    try:
-        return read_mooring(place) == case
-    except InputError:
-        return False

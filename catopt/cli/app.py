@@ -45,19 +45,14 @@ class _Commands(GroupWithWords):
     def resolve_command(self, ctx: Any, args: Any) -> Any:
         name, found, rest = super().resolve_command(ctx, args)
         if name is not None and isinstance(found, _Listed):
-            found = self.commands[name] = _loaded(name)
+            module, _, function = _PLACES[name].partition(".")
+            place = getattr(import_module(f"catopt.cli.{module}"), function)
+            if not isinstance(place, typer.Typer):  # a command that is in no group
+                alone = typer.Typer(rich_markup_mode=None, add_completion=False)
+                alone.command(name, cls=WithWords)(place)
+                place = alone
+            found = self.commands[name] = built(place)
         return name, found, rest
-
-
-def _loaded(name: str) -> Any:
-    """Load a command, or a group with its commands."""
-    module, _, function = _PLACES[name].partition(".")
-    found = getattr(import_module(f"catopt.cli.{module}"), function)
-    if isinstance(found, typer.Typer):
-        return built(found)
-    alone = typer.Typer(rich_markup_mode=None, add_completion=False)
-    alone.command(name, cls=WithWords)(found)
-    return built(alone)
 
 
 # Without rich markup the help imports no rich, and its text is the same on every terminal.

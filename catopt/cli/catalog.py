@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from contextlib import AbstractContextManager
+from contextlib import AbstractContextManager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -13,13 +13,13 @@ from catopt.cli.answering import Asked, answering
 from catopt.cli.completion import completed
 from catopt.cli.help_words import WithWords, group
 from catopt.cli.options import ForceOption, LengthOption, TablesOutOption
-from catopt.cli.values import by_option, given_ones, in_si, refuse
+from catopt.cli.values import by_option, given_ones, in_si, refuse, refused
 from catopt.errors import InputError, NoAnswerError, Problem
 from catopt.units import Dimension, as_written
 from catopt.words import Measure, Message, say
 
 if TYPE_CHECKING:
-    from catopt.catalogue import Catalogue, Component
+    from catopt.catalogue import Catalogue, Component, Family
 
 catalog = group("catalog")
 
@@ -58,15 +58,8 @@ def show(
     known = _catalogue(families)
     family, grade, size = _sized(known, family, grade, size)
     if size is not None and diameter is not None:
-        refuse(
-            [
-                Problem(
-                    "--diameter",
-                    as_written(diameter),
-                    Message("refused_command.size_named_already_leave"),
-                )
-            ]
-        )
+        allowed = Message("refused_command.size_named_already_leave")
+        raise refused("--diameter", as_written(diameter), allowed)
     diameter = diameter if size is None else size
     values = in_si(
         {
@@ -109,8 +102,7 @@ def find(
             if query.mass is None or kind.range[0] <= query.mass <= kind.range[1]
         ]
         held = anchors_held(fitting or found.anchors, query.soil, query.mass, allow_recalled=True)
-    of = {component.family for component in found.components}
-    theirs = tuple(each for each in known.families if each.name in of)
+    theirs = _families_of(found.components, known)
     _give(asked, "find", theirs, found.components, anchors=held, fittings=found.fittings)
     if found.left_out:
         more = Message("catalogue.left_out", count=found.left_out)
@@ -152,9 +144,7 @@ def fittings(
     known = _catalogue(families)
     family, grade, size = _sized(known, family, grade, size)
     if size is None:
-        refuse(
-            [Problem("SIZE", "", Message("refused_command.missing_nominal_diameter_wanted_such"))]
-        )
+        raise refused("SIZE", "", Message("refused_command.missing_nominal_diameter_wanted_such"))
     nominal = in_si({"SIZE": (size, Dimension.LENGTH)})["SIZE"]
     with _by_option({"component": "FAMILY", "grade": "GRADE", "diameter": "SIZE"}):
         parsed = known.parse_name(family)
@@ -200,10 +190,8 @@ def sinker(
         each for each in held if named is None or named in each.soil.split() or named == each.soil
     ]
     if not own:
-        listed = ", ".join(each.soil for each in held)
-        refuse(
-            [Problem("--soil", as_written(soil), Message("refused_command.one_mud", listed=listed))]
-        )
+        allowed = Message("refused_command.one_mud", listed=", ".join(each.soil for each in held))
+        raise refused("--soil", as_written(soil), allowed)
     _give(asked, "sinker", (), sinkers=tuple(own))
 
 
@@ -241,9 +229,7 @@ def search(
     known = _catalogue(families)
     wanted = {"family": family, "grade": grade, **_settings(variant, recalled, values)}
     found = _search(known, values, wanted, all_sizes=all_sizes)
-    of = {component.family for component in found}
-    theirs = tuple(each for each in known.families if each.name in of)
-    _give(asked, "search", theirs, found)
+    _give(asked, "search", _families_of(found, known), found)
 
 
 # ------------------------------------------------------------------ parts of the commands
@@ -277,36 +263,26 @@ def _sized(
     name, own = split_size(family)
     given = [each for each in (own, size) if each is not None]
     if grade is not None:
-        grades = known.family(name).grades if _is_known(known, name) else ()
+        grades: tuple[str, ...] = ()
+        with suppress(InputError):  # which says later that there is no such family
+            grades = known.family(name).grades
         is_size = grade.casefold() not in {each.casefold() for each in grades}
         if is_size and split_size(grade)[1] is not None:
             given.append(grade)
             grade = None
     if len(given) > 1:
-        refuse(
-            [
-                Problem(
-                    "SIZE",
-                    as_written(given[1]),
-                    Message("refused_command.size_already", value=given[0]),
-                )
-            ]
-        )
-    return (name if own is not None else family), grade, _in_mm(given[0]) if given else None
+        allowed = Message("refused_command.size_already", value=given[0])
+        raise refused("SIZE", as_written(given[1]), allowed)
+    family = family if own is None else name
+    if not given:
+        return family, grade, None
+    bare = given[0].casefold().removeprefix("dn").strip()  # makers write mm, with DN before it
+    return family, grade, f"{bare} mm" if bare.replace(".", "", 1).isdigit() else bare
 
 
-def _is_known(known: Catalogue, name: str) -> bool:
-    try:
-        known.parse_name(name)
-    except InputError:
-        return False
-    return True
-
-
-def _in_mm(size: str) -> str:
-    """Give a size its unit: makers write mm, with DN before it."""
-    bare = size.casefold().removeprefix("dn").strip()
-    return f"{bare} mm" if bare.replace(".", "", 1).isdigit() else bare
+def _families_of(components: Sequence[Component], known: Catalogue) -> tuple[Family, ...]:
+    of = {component.family for component in components}
+    return tuple(each for each in known.families if each.name in of)
 
 
 def _settings(

@@ -16,20 +16,14 @@ def completed(names: str | tuple[str, ...]) -> Callable[[str], list[str]]:
 
     def complete(incomplete: str) -> list[str]:
         known = dict.fromkeys(_names(names) if isinstance(names, str) else names)
-        return [_as_typed(name) for name in known if name.startswith(incomplete)]
+        shell = os.environ.get("_CATOPT_COMPLETE", "").rpartition("_")[2]
+        typed = os.environ.get("COMP_WORDS", "")
+        is_quoted = typed.count('"') % 2 == 1 or typed.count("'") % 2 == 1
+        escapes = {} if is_quoted else {"bash": "\\", "powershell": "`", "pwsh": "`"}
+        space = f"{escapes.get(shell, '')} "
+        return [name.replace(" ", space) for name in known if name.startswith(incomplete)]
 
     return complete
-
-
-def _as_typed(name: str) -> str:
-    """Write a name as the shell that asks takes it."""
-    shell = os.environ.get("_CATOPT_COMPLETE", "").rpartition("_")[2]
-    typed = os.environ.get("COMP_WORDS", "")
-    is_quoted = typed.count('"') % 2 == 1 or typed.count("'") % 2 == 1
-    if " " not in name or is_quoted:
-        return name
-    escape = {"bash": "\\", "powershell": "`", "pwsh": "`"}.get(shell, "")
-    return name.replace(" ", f"{escape} ")
 
 
 _OF_INPUTS = ("buoy", "chain", "anchor", "soil", "code")

@@ -10,7 +10,7 @@ import typer
 from catopt.answers.design import design_answer
 from catopt.casefile import read_case, write_case
 from catopt.casefile.reading import DESIGN_CASE
-from catopt.cli.answering import INTERRUPTED, Asked, answering, refuse_own_case
+from catopt.cli.answering import INTERRUPTED, Asked, answering
 from catopt.cli.options import CaseArgument, CountOption, OutOption
 from catopt.cli.values import by_option, given_ones
 from catopt.errors import InputError, Problem
@@ -33,9 +33,7 @@ def design(
     in_motion: Annotated[bool, typer.Option("--in-motion")] = False,
 ) -> None:
     """Search the lines that are best in mass and offset at once."""
-    asked.check_place()
-    if asked.out is not None:
-        refuse_own_case(asked.out)
+    asked.check_place(for_case=True)
     how = given_ones(method=method, evaluations=evaluations, seed=seed)
     how |= {"in_motion": True} if in_motion else {}
     read = read_case(case)
@@ -59,15 +57,21 @@ def design(
     if result.in_motion is not None:
         asked.output.note(f"{result.in_motion.run:,} of them run in motion")
 
-    def further() -> dict[str, bytes]:  # with the case, which catopt solve DIR --design K needs
+    give_design(asked, result)
+    if result.interrupted:
+        asked.output.note("The front is that of the designs evaluated so far.")
+        raise typer.Exit(INTERRUPTED)
+
+
+def give_design(asked: Asked, result: DesignResult) -> None:
+    """Give what a search found, with its case, which ``catopt solve DIR --design K`` needs."""
+
+    def further() -> dict[str, bytes]:
         from catopt.report.bundle import design_pictures
 
         return design_pictures(result) | {DESIGN_CASE: write_case(result.case).encode()}
 
     asked.give(design_answer(result), result.to_dict, further=further)
-    if result.interrupted:
-        asked.output.note("The front is that of the designs evaluated so far.")
-        raise typer.Exit(INTERRUPTED)
 
 
 def _found(asked: Asked, case: Case) -> DesignResult:

@@ -11,7 +11,7 @@ from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CaseArgument, CountOption, DesignOption, LoadCaseOption, PlaceOption
 from catopt.cli.values import in_state, positive, read_known, refused
 from catopt.errors import InputError, Problem
-from catopt.export.exported import Source
+from catopt.export.exported import Source, exported_lines, rigid_segments
 from catopt.model.kinds import Findings
 from catopt.notes.origin import file_name, read_source
 from catopt.units import Dimension
@@ -41,7 +41,6 @@ def export(
 ) -> None:
     """Write the line of a case, or the lines of its body, for another program."""
     from catopt.export.dxf import dxf_drawing
-    from catopt.export.exported import exported_lines
     from catopt.export.moordyn import moordyn_input
     from catopt.export.moordyn_model import ELEMENTS
     from catopt.export.programs import program_input
@@ -52,8 +51,6 @@ def export(
     files = [read_source(path) for path in paths]
     sources = tuple(Source(file.name, file.sha256) for file in files)
     # Refuse a line without EA where it needs one, and an EA that no segment needs.
-    from catopt.export.exported import rigid_segments
-
     rigid = rigid_segments(read)
     if EA is not None and not rigid:
         raise refused("--EA", str(stiffness), Message("refused_command.every_segment_has_own_ea"))
@@ -78,7 +75,7 @@ def _settings(
 ) -> float | None:
     """Check the options and return EA; everything that is wrong with them is reported at once."""
     found = Findings("options")
-    EA = positive(found, "--EA", stiffness, Dimension.FORCE, "N")
+    EA = positive(found, "--EA", stiffness, Dimension.FORCE)
     if elements is not None:
         found.number("--elements", elements, "", at_least=_FEWEST, at_most=_MOST)
     if to != "moordyn":

@@ -45,8 +45,7 @@ _ADDED: Final = {
 
 def table() -> dict[str, Any]:
     """Read the help: by command, its parts and options, each in both languages."""
-    read = files("catopt.cli").joinpath("help.toml").read_text("utf-8")
-    return tomllib.loads(read)
+    return tomllib.loads(files("catopt.cli").joinpath("help.toml").read_text("utf-8"))
 
 
 def put_words(command: Any) -> None:
@@ -86,8 +85,7 @@ def on_a_screen(whole: str, command: str) -> str:
         re.findall(r"--?\w[\w-]*|^\w[\w-]*", line.strip().partition("  ")[0])[-1]
         for line, _ in entries
     ]
-    key = "answers.help_all"
-    last = say(Message(key, command=f"{command} {HELP_ALL}"), in_environment())
+    last = say(Message("answers.help_all", command=f"{command} {HELP_ALL}"), in_environment())
     for count in range(len(entries), 0, -1):
         also = wrap(", ".join(named[count:]), HELP_WIDTH - 4, break_on_hyphens=False)
         laid = [*head, "", *starmap(_entry, entries[:count]), *(f"  {each}" for each in also), last]
@@ -98,10 +96,9 @@ def on_a_screen(whole: str, command: str) -> str:
 
 def _entry(line: str, below: str) -> str:
     """Take the first line of an entry; where more follows, say so."""
-    goes_on = below.startswith("    ") or not re.search(r" {2,}\S", line.strip())
     if not re.search(r" {2,}\S", line.strip()):  # the option is too long to have words beside it
-        line, goes_on = f"{line}  {below.strip()}", True
-    if not goes_on:
+        line = f"{line}  {below.strip()}"
+    elif not below.startswith("    "):
         return line
     cut = line if len(line) <= HELP_WIDTH - 4 else line[: HELP_WIDTH - 3].rpartition(" ")[0]
     return f"{cut.rstrip()} ..."
@@ -126,17 +123,6 @@ class WithWords(_WithWords, TyperCommand):
 
 class GroupWithWords(_WithWords, TyperGroup):
     """A group of commands whose help is in the table."""
-
-
-def usage_in_vietnamese(usage: str) -> str:
-    """Put typer's own words of a line of usage into Vietnamese."""
-    for word, said in (
-        ("Usage: ", f"{_OWN['Usage']}: "),
-        ("[OPTIONS]", _OPTIONS),
-        ("COMMAND [ARGS]...", _BELOW),
-    ):
-        usage = usage.replace(word, said)
-    return usage
 
 
 def group(name: str, kind: type[GroupWithWords] = GroupWithWords) -> typer.Typer:
@@ -240,7 +226,8 @@ def _tell(error: Any, language: Language) -> int:
         if language == "vi":
             for english, vietnamese in _REFUSED:
                 said = re.sub(english, vietnamese, said)
-            usage = usage_in_vietnamese(usage)
+            usage = usage.replace("Usage: ", f"{_OWN['Usage']}: ").replace("[OPTIONS]", _OPTIONS)
+            usage = usage.replace("COMMAND [ARGS]...", _BELOW)
             hint, label = f"Gõ '{context.command_path} --help' để xem hướng dẫn.", "Lỗi"
         typer.echo(f"{usage}\n{hint}\n\n{label}: {said}", err=True)
     return int(error.exit_code)

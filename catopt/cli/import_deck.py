@@ -31,9 +31,9 @@ def import_deck(
     """Read an input file of another mooring program, and write it as a case file."""
     found = Findings("options")
     missing = Missing(
-        gravity=positive(found, "--gravity", gravity, Dimension.ACCELERATION, "m/s^2"),
-        density=positive(found, "--density", density, Dimension.DENSITY, "kg/m^3"),
-        depth=positive(found, "--depth", depth, Dimension.LENGTH, "m"),
+        gravity=positive(found, "--gravity", gravity, Dimension.ACCELERATION),
+        density=positive(found, "--density", density, Dimension.DENSITY),
+        depth=positive(found, "--depth", depth, Dimension.LENGTH),
         line=line,
     )
     if line is not None:
@@ -41,8 +41,7 @@ def import_deck(
     found.raise_if_any()
     text = read_text(file, str(file), kind="input file", broken=True)
     if not is_deck(text):
-        allowed = Message("refused_command.input_file_moordyn_or_map")
-        raise refused("FILE", str(file), allowed)
+        raise refused("FILE", str(file), Message("refused_command.input_file_moordyn_or_map"))
     read, remarks = read_any_deck(text, str(file), missing)
     case = write_case(read)
 

@@ -94,9 +94,8 @@ def buoy(
         of.require("buoy", "depth")
         for each in ("force", "reserve_buoyancy"):
             if each in of.given:
-                of.errors.add(
-                    each, f"{of[each]:g} N", Message("refused_command.leave_out_these_loads_are")
-                )
+                wanted = Message("refused_command.leave_out_these_loads_are")
+                of.errors.add(each, f"{of[each]:g} N", wanted)
         own = make(in_si, {"--chain": (chain, Dimension.LENGTH), "--pull": (pull, Dimension.FORCE)})
         body = shape_of(of)
         weather = _weather(of, of["wind"])
@@ -128,7 +127,12 @@ def buoy(
     # CALMAR takes Hmax for the height of the chain alone.
     by_hs = wave_height == "hs" and of["hs"] is not None and not own["--chain"]
     counted = {*_BUOY, "buoy"} - ({"hmax"} if by_hs else set())
-    said = (*_of_levels(every, of), *_no_part(of, counted))
+    said: list[Message] = []
+    if len(every) > 1:  # the force at each of two levels
+        high, low = (Measure("horizontal_force", each.horizontal_force) for each in every)
+        depths = {"deep": of["depth"], "shallow": of["low_water"]}
+        said.append(Message("loads.at_both_levels", high=high, low=low, **depths))
+    said += _no_part(of, counted)
     _give(asked, replace(result, assumptions=(*said, *result.assumptions)))
 
 
@@ -178,10 +182,9 @@ def ship(
             needless = {name: inputs[name] or of[name] for name in ("current_yaw", "scan")}
             needless = {name: text for name, text in needless.items() if name in of.given}
             needless |= given_ones(mooring_point=mooring_point, wind_centre=wind_centre)
+            wanted = Message("refused_command.leave_out_or_give_weathervane")
             for name, text in needless.items():
-                of.errors.add(
-                    name, str(text), Message("refused_command.leave_out_or_give_weathervane")
-                )
+                of.errors.add(name, str(text), wanted)
         of.errors.raise_if_any()
         assert own is not None
         if file is not None:
@@ -277,14 +280,6 @@ def _known(
         yield file.known(given, spell, defaults=_TAKEN, called=called)
 
 
-def _of_levels(every: Sequence[Loads], of: ResolvedInputs) -> Iterator[Message]:
-    """Say what the force is at each level, where there are two."""
-    if len(every) > 1:
-        high, low = (Measure("horizontal_force", each.horizontal_force) for each in every)
-        depths = {"deep": of["depth"], "shallow": of["low_water"]}
-        yield Message("loads.at_both_levels", high=high, low=low, **depths)
-
-
 def _no_part(of: ResolvedInputs, counted: Collection[str]) -> Iterator[Message]:
     """Say what was given, mostly by a sizing's file, that is no part of the loads."""
     from catopt.sizing.inputs import inputs_of
@@ -313,9 +308,8 @@ def _sea(of: ResolvedInputs) -> SeaState:
     if of["hs"] is None and of["hmax"] is None:
         return SeaState(of["period"] or 1.0, 0.0)
     if of["period"] is None:
-        raise InputError(
-            [Problem("period", "", Message("refused_command.missing_waves_need_such_8"))], "waves"
-        )
+        wanted = Message("refused_command.missing_waves_need_such_8")
+        raise InputError([Problem("period", "", wanted)], "waves")
     return SeaState(of["period"], of["hs"], of["hmax"])
 
 
@@ -369,8 +363,7 @@ def _ships_afloat(of: ResolvedInputs, form: _Form) -> Iterator[Afloat]:
             of.errors.raise_if_any()
         own = own_tables(of, condition)
         if form.kind and own is not None:
-            allowed = Message("refused_command.leave_out_this_ship_has")
-            of.errors.add("kind", form.kind, allowed)
+            of.errors.add("kind", form.kind, Message("refused_command.leave_out_this_ship_has"))
         of.errors.raise_if_any()
         yield Afloat(condition, body, form.kind or wind_on.format(condition), own)
 

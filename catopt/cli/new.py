@@ -13,6 +13,7 @@ from catopt.casefile.writing import TEMPLATES, template
 from catopt.cli.completion import completed
 from catopt.cli.options import JsonOption, LangOption
 from catopt.cli.output import Printer
+from catopt.cli.values import refused
 from catopt.errors import InputError, Problem
 from catopt.records import Record
 from catopt.words import Message, term
@@ -46,10 +47,7 @@ def new(
     if out is not None and path is None and out.suffix.lower() == ".xlsx":
         moored: Moored = "tanker" if "tanker" in name else "buoy"
         if moored not in name:
-            raise InputError(
-                [Problem("--out", str(out), Message("refused_command.goes_with_buoy_or_tanker"))],
-                "options",
-            )
+            raise refused("--out", str(out), Message("refused_command.goes_with_buoy_or_tanker"))
         from catopt.sizing.form import form
 
         _create(out, form(moored, lang))
@@ -67,13 +65,9 @@ def new(
         output.json(NewFile(name, str(place)).to_dict())
     else:
         files = " and ".join(map(str, written))
-        output.text(f"{files} written; try it with: catopt {_command(name, place)}")
-
-
-def _command(name: str, place: Path) -> str:
-    """Say what to type next; options go behind the file."""
-    command, *options = TEMPLATES[name].command.split(" --")
-    return " --".join([f"{command} {place}", *options])
+        command, *options = TEMPLATES[name].command.split(" --")  # which go behind the file
+        onward = " --".join([f"{command} {place}", *options])
+        output.text(f"{files} written; try it with: catopt {onward}")
 
 
 def _create(place: Path, text: str | bytes) -> None:
@@ -85,9 +79,8 @@ def _create(place: Path, text: str | bytes) -> None:
         raise _refused(place, Message("refused_command.there_already_kept_give_another")) from error
     except OSError as error:
         place.unlink(missing_ok=True)
-        raise _refused(
-            place, Message("refused_command.not_written", reason=term(error.strerror or str(error)))
-        ) from error
+        reason = term(error.strerror or str(error))
+        raise _refused(place, Message("refused_command.not_written", reason=reason)) from error
 
 
 def _refused(place: Path, why: Message) -> InputError:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, TextIO, cast
 from catopt.compiled import when_cache_is_damaged, when_compiling
 from catopt.decks.reported import when_read
 from catopt.errors import InputError, Problem
-from catopt.words import Message
+from catopt.words import Message, say
 
 if TYPE_CHECKING:
     from rich.console import Console, RenderableType
@@ -88,12 +88,8 @@ class _Answer(_Messages):
         if isinstance(self._failure, BrokenPipeError):
             raise self._failure
         if self._failure is not None:
-            _refuse(
-                Message(
-                    "refused_command.answer_not_written",
-                    reason=self._failure.strerror or self._failure,
-                )
-            )
+            reason = self._failure.strerror or self._failure
+            _refuse(Message("refused_command.answer_not_written", reason=reason))
 
 
 def _refuse(why: Message) -> NoReturn:
@@ -134,8 +130,6 @@ class Printer:
 
     def refusal(self, error: CatoptError) -> None:
         """Say why there is no answer, in the language that was asked for."""
-        from catopt.errors import InputError
-        from catopt.words import say
         from catopt.words.labels import say_refusal
 
         said = str(error)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
@@ -15,9 +15,6 @@ from catopt.cli.verify import stop_in_doubt
 from catopt.notes.origin import file_name
 from catopt.verify.motion_words import stopped_words
 from catopt.words import Message
-
-if TYPE_CHECKING:
-    from catopt.verify.dynamic_result import DynamicVerification
 
 PAGE_ENDINGS = (".html", ".htm")
 """What tells a file from a directory in --out."""
@@ -43,10 +40,14 @@ def report(
     from catopt.notes.line import Note
     from catopt.notes.system import NetworkNote, SystemNote
     from catopt.render.page import page
-    from catopt.report.bundle import write_files
+    from catopt.report.bundle import check_directory, write_files
 
     output, language = asked.output, asked.language
-    _check_place(asked.out)
+    if asked.out is not None:
+        if asked.out.suffix.lower() in OTHER_ENDINGS and not asked.out.exists():
+            allowed = Message("refused_command.page_file_ends_html_or")
+            raise refused("--out", str(asked.out), allowed)
+        check_directory(_place(asked.out, "")[0])
     with output.progress("Calculation note") as watched:
         tell = watched or (lambda _, __: None)
         # Three steps: the note, as far as its line in motion is, then its page and its workbook.
@@ -65,7 +66,13 @@ def report(
         moved = note.motion if isinstance(note, SystemNote | NetworkNote) else None
         if isinstance(note, Note) and note.motion is not None:
             moved = note.motion.found
-        _stop_if_interrupted(asked, moved)
+        if moved is not None and not moved.is_complete:
+            # A note of half a run is none, and an older one is worth more.
+            asked.leave(
+                INTERRUPTED,
+                f"{stopped_words(moved)}; no note was written. "
+                "catopt verify CASE --dynamic --out DIR keeps what a stopped run has computed",
+            )
         number = note.chosen.number if isinstance(note, Note) and note.chosen else None
         tell(1, 3)
         folder, name, is_folder = _place(asked.out, file_name(case, number))
@@ -89,28 +96,6 @@ def report(
             output.text(str(path))
     if moved is not None:
         stop_in_doubt(asked, moved)
-
-
-def _stop_if_interrupted(asked: Asked, moved: DynamicVerification | None) -> None:
-    """Write nothing after Ctrl-C: a note of half a run is none, and an older one is worth more."""
-    if moved is not None and not moved.is_complete:
-        asked.leave(
-            INTERRUPTED,
-            f"{stopped_words(moved)}; no note was written. "
-            "catopt verify CASE --dynamic --out DIR keeps what a stopped run has computed",
-        )
-
-
-def _check_place(out: Path | None) -> None:
-    """Refuse, before anything is computed, a place where no page can go."""
-    if out is None:
-        return
-    from catopt.report.bundle import check_directory
-
-    if out.suffix.lower() in OTHER_ENDINGS and not out.exists():
-        allowed = Message("refused_command.page_file_ends_html_or")
-        raise refused("--out", str(out), allowed)
-    check_directory(_place(out, "")[0])
 
 
 def _place(out: Path | None, name: str) -> tuple[Path, str, bool]:

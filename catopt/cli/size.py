@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 import typer
 
-from catopt.cli.answering import Asked, answering, keyword, refuse_own_case
+from catopt.cli.answering import Asked, answering, keyword
 from catopt.cli.completion import completed, of_input
 from catopt.cli.help_words import GroupWithWords, WithWords, group
 from catopt.cli.options import OutOption, in_environment
@@ -47,8 +47,8 @@ def by_option(name: str, index: int | None = None) -> str:
     return "BUOY" if name == "buoy" else as_option(name, index)
 
 
-def _help_of(each: Input, taken: str | None) -> str:
-    """Say what an option takes, and what is taken when it is left out, which may be given."""
+def _parameter(each: Input, taken: str | None) -> inspect.Parameter:
+    """Make an option of an input; its help says what is taken, if not its own, when left out."""
     flags = {name: as_option(name) for name in _NAMED}
     left_out = Message(each.left_out, **flags) if each.left_out else each.default
     left_out = left_out if taken is None else taken
@@ -59,7 +59,14 @@ def _help_of(each: Input, taken: str | None) -> str:
         Message("left_out.such_as", example=each.example) if is_shown else "",
         Message("left_out.if_left_out", taken=left_out) if left_out else "",
     )
-    return "".join(say(part, in_environment()) for part in said) + "."
+    words = "".join(say(part, in_environment()) for part in said) + "."
+    is_flag = each.takes == "FLAG"
+    metavar = None if is_flag else _METAVARS.get(each.name, each.takes)
+    kind: Any = bool if is_flag else list[str] | None if each.several else str | None
+    option = typer.Option(
+        as_option(each.name), metavar=metavar, help=words, **of_input(each.name, each.words)
+    )
+    return keyword(each.name, Annotated[kind, option], False if is_flag else None)
 
 
 def with_inputs(
@@ -76,7 +83,7 @@ def with_inputs(
         first = [each for each in own if each.kind is each.POSITIONAL_OR_KEYWORD]
         last = [each for each in own if each.kind is each.KEYWORD_ONLY]
         options = [
-            _parameter(each, _help_of(each, taken.get(name)))
+            _parameter(each, taken.get(name))
             for name, each in inputs_of(moored).items()
             if (name in names or not names) and name not in _NO_OPTIONS[moored]
         ]
@@ -84,16 +91,6 @@ def with_inputs(
         return command
 
     return decorate
-
-
-def _parameter(each: Input, words: str) -> inspect.Parameter:
-    is_flag = each.takes == "FLAG"
-    metavar = None if is_flag else _METAVARS.get(each.name, each.takes)
-    kind: Any = bool if is_flag else list[str] | None if each.several else str | None
-    option = typer.Option(
-        as_option(each.name), metavar=metavar, help=words, **of_input(each.name, each.words)
-    )
-    return keyword(each.name, Annotated[kind, option], False if is_flag else None)
 
 
 def typed(moored: Moored, options: Mapping[str, Any]) -> dict[str, object]:
@@ -117,15 +114,13 @@ class _OfAFile(GroupWithWords):
 
     def resolve_command(self, ctx: Any, args: Any) -> Any:
         if args and args[0] not in self.commands and Path(args[0]).is_file():
-            args = [_moored(args[0]), *args]
+            from catopt.casefile.reading import moored_in
+            from catopt.sizing.form import read_form
+
+            path = args[0]
+            moored = read_form(path)[0].moored if is_form(path) else moored_in(path) or "buoy"
+            args = [moored, *args]
         return super().resolve_command(ctx, args)
-
-
-def _moored(path: str) -> Moored:
-    from catopt.casefile.reading import moored_in
-    from catopt.sizing.form import read_form
-
-    return read_form(path)[0].moored if is_form(path) else moored_in(path) or "buoy"
 
 
 size = group("size", _OfAFile)
@@ -184,16 +179,12 @@ def _size(
 
     # Refuse, before anything is computed, what cannot be written or would replace a case.
     if save is not None and save.exists():
-        raise refused(
-            "--save", str(save), Message("refused_command.there_already_kept_give_another")
-        )
+        allowed = Message("refused_command.there_already_kept_give_another")
+        raise refused("--save", str(save), allowed)
     if save is not None and not save.parent.is_dir():
-        raise refused(
-            "--save", str(save), Message("refused_command.there_no_directory", parent=save.parent)
-        )
-    asked.check_place()
-    if asked.out is not None:
-        refuse_own_case(asked.out)
+        allowed = Message("refused_command.there_no_directory", parent=save.parent)
+        raise refused("--save", str(save), allowed)
+    asked.check_place(for_case=True)
     spell = by_option if moored == "buoy" else as_option
     given = typed(moored, options)
     if place is not None and is_form(place):
@@ -230,17 +221,17 @@ def _size_form(
     for file in files:
         with file.reporting():
             found.append(_sized(asked, file.known(given, spell)))
+    _, answer = found[0]
     if len(files) > 1:
         from catopt.answers.size_card import fleet_answer
 
-        fleet = fleet_answer([of for of, _ in found])
+        answer = fleet_answer([of for of, _ in found])
         document = {"schema": "catopt.fleet/1", "moorings": [of.to_dict() for of, _ in found]}
-    answer = fleet if len(files) > 1 else found[0][1]
     beside = Path(place).with_name(f"{Path(place).stem}-answer.xlsx")
     write_files(beside.parent, {beside.name: workbook(answer, asked.language)}, keep=[Path(place)])
     asked.output.note(f"{beside} written")
     if len(files) > 1:
-        asked.show(fleet, lambda: document)
+        asked.show(answer, lambda: document)
     else:
         _give(asked, *found[0], save, _as_given(None, given, spell))
 

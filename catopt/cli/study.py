@@ -40,14 +40,12 @@ def study(
     """Compute a case again and again, with what varies in it."""
     from catopt.study.file import read_study
     from catopt.study.result import StudyResult
-    from catopt.study.store import Store
+    from catopt.study.store import Store, need_parquet
 
     of_directory = {"--status": status, "--notes": notes, "--parquet": parquet}
     missing = [option for option, given in of_directory.items() if given and asked.out is None]
     refuse(_problems(missing, workers, scheduler, is_both=plan and status))
     if parquet:
-        from catopt.study.store import need_parquet
-
         need_parquet()
     asked.check_place()
     read = read_study(file)
@@ -55,7 +53,12 @@ def study(
         others = {"--plan": plan, "--workers": workers, "--scheduler": scheduler, **of_directory}
         wanted = Message("refused_command.does_not_go_with_design")
         refuse(Problem(option, "", wanted) for option, given in others.items() if given)
-        _design(asked, read)
+        from catopt.cli.design import give_design
+        from catopt.study.robust import design_in_draws
+
+        with asked.output.progress("Designs") as tell:
+            front = design_in_draws(read, progress=tell, announce=asked.output.note)
+        give_design(asked, front)
         return
     if notes and read.base.moored is None:
         raise refused("--notes", "", Message("refused_command.goes_with_compute_sizing"))
@@ -82,23 +85,6 @@ def study(
         store.close()
 
 
-def _design(asked: Asked, read: Study) -> None:
-    """Search the designs that pass in as many draws as they have to."""
-    from catopt.answers.design import design_answer
-    from catopt.casefile import write_case
-    from catopt.casefile.reading import DESIGN_CASE
-    from catopt.report.bundle import design_pictures
-    from catopt.study.robust import design_in_draws
-
-    with asked.output.progress("Designs") as tell:
-        result = design_in_draws(read, progress=tell, announce=asked.output.note)
-    asked.give(
-        design_answer(result),
-        result.to_dict,
-        further=lambda: design_pictures(result) | {DESIGN_CASE: write_case(result.case).encode()},
-    )
-
-
 def _problems(
     missing: list[str], workers: int | None, scheduler: str | None, *, is_both: bool
 ) -> Iterator[Problem]:
@@ -110,9 +96,8 @@ def _problems(
     if workers is not None and workers < 1:
         yield Problem("--workers", str(workers), Message("refused_command.n_1_or_more_processes"))
     if workers is not None and scheduler is not None:
-        yield Problem(
-            "--workers", str(workers), Message("refused_command.does_not_go_with_scheduler")
-        )
+        wanted = Message("refused_command.does_not_go_with_scheduler")
+        yield Problem("--workers", str(workers), wanted)
 
 
 def _run(

@@ -48,17 +48,15 @@ def in_si(given: Mapping[str, tuple[str | None, Dimension]]) -> dict[str, float]
     return values
 
 
-def positive(
-    found: Findings, option: str, text: str | None, dimension: Dimension, unit: str
-) -> float | None:
+def positive(found: Findings, option: str, text: str | None, of: Dimension) -> float | None:
     """Read an option above 0 in SI; None where it is left out or, which is noted, wrong."""
     try:
-        value = in_si({option: (text, dimension)}).get(option)
+        value = in_si({option: (text, of)}).get(option)
     except InputError as error:
         found.problems += error.problems
         return None
     if value is not None:
-        found.number(option, value, unit, above=0.0)
+        found.number(option, value, of.si_unit, above=0.0)
     return value
 
 

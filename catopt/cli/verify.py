@@ -13,14 +13,14 @@ import typer
 
 from catopt.answers.blocks import Answer
 from catopt.answers.design import front_in_motion_answer
-from catopt.answers.motion import motion_answer
+from catopt.answers.motion import motion_answer, ship_answer
 from catopt.answers.verification import (
     front_answer,
     front_sentence,
     verdict_sentence,
     verification_answer,
 )
-from catopt.casefile import read_case
+from catopt.casefile import read_case, write_case
 from catopt.casefile.reading import (
     DESIGN_CASE,
     read_design,
@@ -28,15 +28,7 @@ from catopt.casefile.reading import (
     read_mooring_or_design,
 )
 from catopt.cli import options
-from catopt.cli.answering import (
-    FAILED,
-    INTERRUPTED,
-    STOPPED,
-    Asked,
-    Documents,
-    Files,
-    answering,
-)
+from catopt.cli.answering import FAILED, INTERRUPTED, STOPPED, Asked, Documents, Files, answering
 from catopt.cli.values import refuse, with_known_codes
 from catopt.errors import Problem
 from catopt.model import Case
@@ -99,10 +91,9 @@ def verify(
         found = _front(asked, case, how, moving, scheduler)
     else:
         read = read_mooring_or_design(case, design)
-        if isinstance(read, Network):
-            found = _network(asked, read, load_case, how, moving)
-        else:
-            found = _case(asked, with_known_codes(read), load_case, how, moving)
+        if isinstance(read, Case):
+            read = with_known_codes(read)
+        found = _one(asked, read, load_case, how, moving)
 
     def document() -> dict[str, Any]:
         return found.at_rest.to_dict() | found.in_motion()
@@ -151,43 +142,26 @@ def _of_cluster(
 # ------------------------------------------------------------------ one case, or one network
 
 
-def _network(
+def _one(
     asked: Asked,
-    network: Network,
+    case: Case | Network,
     load_case: str | None,
     how: dict[str, Any],
     moving: dict[str, Any] | None,
 ) -> _Found:
-    """Verify points, lines and bodies; what lines in motion lack is told before."""
-    from catopt.report import bundle
-    from catopt.verify.case import verify_case
-
-    if moving is not None:
-        _check_for_motion(network)
-    found = verify_case(network, load_case=load_case, **how)
-    pictures = (partial(bundle.verification_pictures, found),)
-    rest = _Found(network, found, verdict_sentence(found), (verification_answer(found),), pictures)
-    return rest if moving is None else _moved(asked, rest, load_case, moving)
-
-
-def _case(
-    asked: Asked,
-    case: Case,
-    load_case: str | None,
-    how: dict[str, Any],
-    moving: dict[str, Any] | None,
-) -> _Found:
-    """Verify a case; what a line in motion lacks is told before anything is solved."""
+    """Verify a case or a network; what lines in motion lack is told before anything is solved."""
     from catopt.report import bundle
     from catopt.verify.case import verify_case
     from catopt.verify.result import Verification
 
-    if moving is not None and case.floater is not None and case.floater.ship is not None:
+    if moving is not None and isinstance(case, Case) and case.floater and case.floater.ship:
         return _ship(asked, case, load_case, moving)
     if moving is not None:
         _check_for_motion(case)
     if moving is not None and case.site.seabed_slope != 0.0:
         at_rest = Verification(case, ())  # there is no closed form to compare with
+    elif isinstance(case, Network):
+        at_rest = verify_case(case, load_case=load_case, **how)
     else:
         with asked.output.progress("Load cases") as tell:
             at_rest = verify_case(case, load_case=load_case, progress=tell, **how)
@@ -224,7 +198,6 @@ def _moved(asked: Asked, found: _Found, load_case: str | None, moving: dict[str,
 
 def _ship(asked: Asked, case: Case, load_case: str | None, moving: dict[str, Any]) -> _Found:
     """Run the ship of a case on two time scales; the truss model has no part in it."""
-    from catopt.answers.motion import ship_answer
     from catopt.verify.result import Verification
     from catopt.verify.two_scales import verify_ship
 
@@ -249,7 +222,6 @@ def _ship(asked: Asked, case: Case, load_case: str | None, moving: dict[str, Any
 
 def _led_files(moved: ShipVerification) -> dict[str, bytes]:
     """Write what leads the ship's lines in the truss model, and the case that does so."""
-    from catopt.casefile import write_case
     from catopt.verify.ship_result import DRIFT, RAOS, drift_csv, led_case, raos_csv
 
     texts = {RAOS: raos_csv(moved), DRIFT: drift_csv(moved)}

@@ -6,6 +6,7 @@ import sys
 from collections.abc import Mapping
 
 from catopt.casefile.reading import Moored
+from catopt.cli.values import refused
 from catopt.errors import InputError, Problem
 from catopt.sizing.inputs import Input, inputs_of
 from catopt.sizing.kinds import choices_of, from_text, kind_of
@@ -41,54 +42,39 @@ def answered(
         return answers
     for name, each in inputs.items():
         is_known = {**given, **answers}
-        if each.asked and name not in is_known and not _is_idle(each, is_known):
-            answers[name] = _answer(each, spell(name), _offered(each, is_known), language)
+        is_held = name == "max_swing" and str(is_known.get("lines", 1)) != "1"  # by several lines
+        if each.asked and name not in is_known and not is_needless(each, is_known) and not is_held:
+            default = str(each.example) if name == "buoy" else each.default
+            if name == "low_water":
+                default = str(is_known["depth"])
+            answers[name] = _answer(each, spell(name), default, language)
             if answers[name] in {_OWN, ""}:
                 del answers[name]
     return answers
 
 
-def _is_idle(each: Input, known: Mapping[str, object]) -> bool:
-    """Say whether an answer would count for nothing; several lines hold a ship in its place."""
-    has_lines = str(known.get("lines", 1)) != "1"
-    return is_needless(each, known) or (each.name == "max_swing" and has_lines)
-
-
-def _offered(each: Input, known: Mapping[str, object]) -> str:
-    """Return what the return key gives; empty where an answer is needed."""
-    if each.name == "low_water":
-        return str(known["depth"])
-    return str(each.example) if each.name == "buoy" else each.default
-
-
 def _answer(each: Input, spelled: str, default: str, language: Language) -> object:
-    """Ask until the answer can be read."""
+    """Ask until the answer can be read; the return key gives the default, if there is one."""
     choices = (*choices_of(each), *([_OWN] if each.name == "buoy" else []))
     if choices:
         _say(f"  {say(term('one of'), language)}: {'; '.join(choices)}\n")
-    question = say(Message(f"inputs.{each.name}"), language) + say(_beside(each, default), language)
+    if default:
+        beside = Message("left_out.offered", default=Cited(default))
+    else:
+        of_all = each.required or each.name == "buoy"
+        key = "left_out.asked" if of_all else "left_out.asked_or_blank"
+        beside = Message(key, example=Cited(each.example))
+    question = say(Message(f"inputs.{each.name}"), language) + say(beside, language)
     while True:
         _say(f"{question}: ")
         line = sys.stdin.readline()
         if not line:
-            raise InputError(
-                [Problem(spelled, "", Message("refused_command.missing_nobody_answered"))],
-                "options",
-            )
+            raise refused(spelled, "", Message("refused_command.missing_nobody_answered"))
         answer = from_text(each, line.strip() or default)
         wrong = _wrong(each, spelled, answer, choices)
         if not wrong:
             return answer
         _say(f"  {say(wrong, language)}\n")
-
-
-def _beside(each: Input, default: str) -> Message:
-    """Say in what unit a question may be answered, and what the return key gives."""
-    if default:
-        return Message("left_out.offered", default=Cited(default))
-    of_all = each.required or each.name == "buoy"
-    key = "left_out.asked" if of_all else "left_out.asked_or_blank"
-    return Message(key, example=Cited(each.example))
 
 
 def _say(words: str) -> None:

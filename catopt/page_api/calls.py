@@ -13,7 +13,6 @@ from markupsafe import Markup
 from catopt._version import __version__
 from catopt.answers.blocks import (
     Answer,
-    Block,
     Brief,
     CardBlock,
     Facts,
@@ -29,17 +28,14 @@ from catopt.documents import parse_toml
 from catopt.errors import CatoptError, InputError
 from catopt.page_api.fields import DOORS, START, Door, door_of, fields_of, text_of, values_of
 from catopt.render.values import UNITS
-from catopt.words import LANGUAGES, Language, Measure, Message, say
+from catopt.words import LANGUAGES, Language, Measure, Message, is_said, say, term
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
     from catopt.model import Case
     from catopt.mooring.case import SystemReport
-    from catopt.notes.origin import SourceFile
     from catopt.quantities import Units
     from catopt.sizing import Sizing
-
-__all__ = ["CALLS", "ask", "shell"]
 
 _WAVES: Final = '<path class="wave" d="M2 22q5-4 10 0t10 0 10 0 10 0 10 0 10 0"/>'
 _PICTURES: Final = {
@@ -136,8 +132,13 @@ def ask(call: str, question: Question) -> Reply:
             **_beside(text, language),
             **_open(text),
         }
-    except CatoptError as error:
-        return _failed(error, language)
+    except CatoptError as error:  # its words are the command's
+        problems = [
+            {"key": each.key, "found": each.found, "allowed": say(each.allowed, language)}
+            for each in (error.problems if isinstance(error, InputError) else ())
+        ]
+        message = "" if problems else say(error.message, language)
+        return {"problems": problems, "message": message, "status": error.exit_status}
     finally:
         UNITS.reset(before)
 
@@ -154,19 +155,6 @@ def _wrong(call: str, question: Question) -> str:
     values = question.get("values", {})
     is_form = isinstance(values, Mapping) and all(isinstance(each, str) for each in values.values())
     return "" if is_text and is_form else "text, base, kept and values are texts"
-
-
-def _failed(error: CatoptError, language: Language) -> Reply:
-    """Lay an error out; its words are the command's."""
-    problems = [
-        {"key": each.key, "found": each.found, "allowed": say(each.allowed, language)}
-        for each in (error.problems if isinstance(error, InputError) else ())
-    ]
-    return {
-        "problems": problems,
-        "message": "" if problems else say(error.message, language),
-        "status": error.exit_status,
-    }
 
 
 def _kept(function: Asked) -> Asked:
@@ -228,17 +216,9 @@ def _checked(text: str) -> tuple[SystemReport, CheckReport]:
     return report, check_system(case, report)
 
 
-def _size(text: str) -> Reply:
-    return _sizing(text, _door(text)).to_dict()
-
-
 def _open(text: str) -> Reply:
     door = _door(text)
     return {"door": door, "values": values_of(door, text), "text": text}
-
-
-def _file(text: str) -> Reply:
-    return {"name": _name(_door(text)), "text": text}
 
 
 def _name(door: Door) -> str:
@@ -252,7 +232,6 @@ def _beside(text: str, language: Language) -> Reply:
     """Say what was taken of what was not given, and which other lines there are, of a sizing."""
     from catopt.answers.size_card import other_words
     from catopt.figures.sizing import choices
-    from catopt.words import is_said, term
 
     door = _door(text)
     if door not in ("buoy", "tanker"):
@@ -287,16 +266,11 @@ def _answer(text: str, *, is_whole: bool) -> Answer:
     else:
         first, others, on_card = _sized(text, door)
     sections = (first, *(each for other in others for each in other.sections if is_whole))
-    named = tuple(
-        Section(each.title, tuple(filter(_is_news, each.blocks)), f"part-{number}")
-        for number, each in enumerate(sections)
-    )
-    return Answer("desk", others[0].title, named, Message("desk.kind"), on_card)
-
-
-def _is_news(block: Block) -> bool:
-    """Whether a block is not that of the results of a line, which stand beside its drawing."""
-    return not isinstance(block, Facts) or block.name != "summary"
+    named = []
+    for number, part in enumerate(sections):  # results of a line stand beside its drawing
+        news = (e for e in part.blocks if not (isinstance(e, Facts) and e.name == "summary"))
+        named.append(Section(part.title, tuple(news), f"part-{number}"))
+    return Answer("desk", others[0].title, tuple(named), Message("desk.kind"), on_card)
 
 
 def _compare(kept: str, text: str, language: Language) -> Reply:
@@ -369,11 +343,9 @@ def _body(text: str) -> _Laid:
 
     report, checks = _checked(text)
     drawn = (plan(report.solution), near(report.solution))
-    figures = (Figure(chart) for chart in drawn if chart is not None)
-    first = section("desk.answer", *figures)
+    first = section("desk.answer", *(Figure(chart) for chart in drawn if chart is not None))
     answer = system_answer(report, checks)
-    card = (Text(answer.title), _verdict(checks))
-    return first, [answer], card
+    return first, [answer], (Text(answer.title), _verdict(checks))
 
 
 def _sized(text: str, door: Door) -> _Laid:
@@ -392,40 +364,35 @@ def _note(text: str, language: Language) -> Reply:
     """Make the calculation note, without the truss model, which catopt report puts beside it."""
     import hashlib
 
-    from catopt.notes.origin import SourceFile
+    from catopt.notes.origin import Asked, SourceFile
     from catopt.render.page import page
 
-    door = _door(text)
+    door, asked = _door(text), Asked(verify=False)
     file = SourceFile(_name(door), text, hashlib.sha256(text.encode()).hexdigest())
-    return {"name": f"{door}.html", "html": page(_noted(text, door, file), language).decode()}
-
-
-def _noted(text: str, door: Door, file: SourceFile) -> Answer:
-    from catopt.notes.origin import Asked
-
-    asked = Asked(verify=False)
     if door == "line":
         from catopt.answers.note_line import line_note_answer
         from catopt.notes.line import note_of
 
-        return line_note_answer(note_of(_case(text), (file,), asked))
-    if door == "body":
+        answer = line_note_answer(note_of(_case(text), (file,), asked))
+    elif door == "body":
         from catopt.answers.note_system import system_note_answer
         from catopt.notes.system import system_note
 
-        return system_note_answer(system_note(_case(text), (file,), asked))
-    from catopt.answers.note_size import size_note_answer
-    from catopt.notes.line import Given, size_note
+        answer = system_note_answer(system_note(_case(text), (file,), asked))
+    else:
+        from catopt.answers.note_size import size_note_answer
+        from catopt.notes.line import Given, size_note
 
-    return size_note_answer(size_note(_sizing(text, door), Given(file), asked))
+        answer = size_note_answer(size_note(_sizing(text, door), Given(file), asked))
+    return {"name": f"{door}.html", "html": page(answer, language).decode()}
 
 
 _DOCUMENTS: Final[Mapping[str, Callable[[str], Reply]]] = {
     **{call: partial(_of_a_line, call) for call in ("solve", "check", "curve")},
     "system": _system,
-    "size": _size,
+    "size": lambda text: _sizing(text, _door(text)).to_dict(),
     "open": _open,
-    "file": _file,
+    "file": lambda text: {"name": _name(_door(text)), "text": text},
 }
 CALLS: Final = (*_DOCUMENTS, "live", "whole", "note", "compare")
 """What can be asked."""

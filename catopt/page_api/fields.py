@@ -17,8 +17,6 @@ from catopt.sizing.inputs import INPUTS, Input, rows_of
 from catopt.sizing.kinds import choices_of
 from catopt.words import Message, term
 
-__all__ = ["DOORS", "START", "Door", "Field", "door_of", "fields_of", "text_of", "values_of"]
-
 Door = Literal["line", "body", "buoy", "tanker"]
 
 DOORS: Final[tuple[Door, ...]] = ("buoy", "tanker", "line", "body")
@@ -81,15 +79,10 @@ START: Final[dict[Door, dict[str, str]]] = {
 }
 """What the form of each door begins with."""
 
+_PLACE: Final = ("site.water_depth", "environment.wind", "environment.current", "environment.hs")
 _FIRST: Final[dict[Door, tuple[str, ...]]] = {
-    "buoy": (
-        *("buoy.name", "site.water_depth", "environment.wind"),
-        *("environment.current", "environment.hs"),
-    ),
-    "tanker": (
-        *("ship.deadweight", "site.water_depth", "environment.wind"),
-        *("environment.current", "environment.hs"),
-    ),
+    "buoy": ("buoy.name", *_PLACE),
+    "tanker": ("ship.deadweight", *_PLACE),
 }
 """What is asked for at once of a sizing."""
 _UNITS: Final = {
@@ -167,11 +160,8 @@ def _of_case(key: str, how: str) -> Field:
 
 
 def _components() -> tuple[str, ...]:
-    return tuple(
-        f"{each.name} {grade or ''}".rstrip()
-        for each in families()
-        for grade in each.grades or (None,)
-    )
+    known = ((each.name, grade) for each in families() for grade in each.grades or ("",))
+    return tuple(f"{name} {grade}".rstrip() for name, grade in known)
 
 
 def _such_as(example: str) -> str:
@@ -181,10 +171,15 @@ def _such_as(example: str) -> str:
 def _of_input(each: Input, door: Door) -> Field:
     shown = each.example if isinstance(each.example, tuple) else (each.example,)
     example = "; ".join(map(str, shown))
+    hint: str = _such_as(example)
+    if each.left_out:  # what is taken in its place
+        hint = Message(each.left_out, **{row.name: Message(f"inputs.{row.name}") for row in INPUTS})
+    elif each.default:
+        hint = Message("desk.taken", value=term(each.default))
     return Field(
         each.key,
         Message(f"inputs.{each.name}"),
-        _taken(each) or _such_as(example),
+        hint,
         each.default or example,
         _UNITS.get(each.takes, ()),
         choices_of(each),
@@ -192,13 +187,6 @@ def _of_input(each: Input, door: Door) -> Field:
         several=each.several,
         is_text=each.takes in ("TEXT", "NAME", "WHICH"),
     )
-
-
-def _taken(each: Input) -> str:
-    """Say what is taken in its place when it is left out."""
-    if each.left_out:
-        return Message(each.left_out, **{row.name: Message(f"inputs.{row.name}") for row in INPUTS})
-    return Message("desk.taken", value=term(each.default)) if each.default else ""
 
 
 def door_of(document: Mapping[str, Any]) -> Door:
@@ -302,9 +290,7 @@ def _tables(table: Mapping[str, Any], path: tuple[str, ...]) -> Iterator[str]:
         if not _is_below(value):
             yield f"{_key(key)} = {_written(value)}\n"
     for key, value in table.items():
-        if isinstance(value, dict):
-            if not value:
-                continue
+        if isinstance(value, dict) and value:
             yield f"\n[{'.'.join(map(_key, (*path, key)))}]\n"
             yield from _tables(value, (*path, key))
         elif _is_below(value):

@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import cache
 from itertools import islice
 from textwrap import wrap
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 from catopt.answers.blocks import (
     TO_BE_KNOWN,
@@ -22,7 +22,7 @@ from catopt.answers.blocks import (
     Verdict,
     Warnings,
 )
-from catopt.render.terminal import table_lines
+from catopt.render.terminal import NO_BREAK, Printer, table_lines
 from catopt.render.values import as_wanted, is_seen, parts_of, shown
 from catopt.words import Language, Message, say
 
@@ -34,19 +34,6 @@ _MOST_FACTS, _MOST_LINES = 12, 2
 """Of an answer without a card: facts of a list, and lines of a text."""
 _LEAST_ROWS = 3
 """That a table or a list of facts keeps."""
-_CUT = "..."
-_NO_BREAK = "\u00a0"
-"""Between a number and its unit."""
-
-
-class Printer(Protocol):
-    """What lines are printed with."""
-
-    def text(self, text: str, *, bold: bool = False) -> None:
-        """Print a line."""
-
-    def line(self) -> None:
-        """Print an empty line."""
 
 
 class Line(NamedTuple):
@@ -91,7 +78,10 @@ def card_lines(answer: Answer, language: Language = "en", further: str = "") -> 
         lines = [Line(title, is_bold=True), *_joined(blocks), *below]
         if len(lines) <= LINES:
             return lines
-        spare = [room - _least(each) for each, room in zip(card, rooms, strict=True)]
+        spare = [
+            room - (_LEAST_ROWS if isinstance(each, Table | Facts) else 1)
+            for each, room in zip(card, rooms, strict=True)
+        ]
         first = next((k for k, each in enumerate(card) if isinstance(each, Table)), None)
         facts = {k for k, each in enumerate(card) if isinstance(each, Facts)}
         longest = max(
@@ -152,10 +142,6 @@ def _room(block: CardBlock, language: Language) -> int:
     return block.lines if isinstance(block, Brief) else 1
 
 
-def _least(block: CardBlock) -> int:
-    return _LEAST_ROWS if isinstance(block, Table | Facts) else 1
-
-
 def _joined(laid: Iterable[list[Line]]) -> Iterator[Line]:
     """Yield the lines of blocks, with one empty line where two would meet."""
     before = Line("-")
@@ -167,16 +153,15 @@ def _joined(laid: Iterable[list[Line]]) -> Iterator[Line]:
 
 def folded(text: str) -> list[str]:
     """Fold a text to the width; words stay whole, and a number keeps its unit beside it."""
-    joined = re.sub(r"(?<=\d) (?=[^\W\d]{1,5}\b)", _NO_BREAK, text)
+    joined = re.sub(r"(?<=\d) (?=[^\W\d]{1,5}\b)", NO_BREAK, text)
     lines = wrap(joined, WIDTH, break_long_words=False, break_on_hyphens=False)
-    return [line.replace(_NO_BREAK, " ") for line in lines]
+    return [line.replace(NO_BREAK, " ") for line in lines]
 
 
 def _laid(block: CardBlock, lines: int, language: Language) -> list[Line]:
     match block:
         case Table():
-            rows = table_lines(block, lines, language)
-            return [Line(""), *map(Line, rows), Line("")]
+            return [Line(""), *map(Line, table_lines(block, lines, language)), Line("")]
         case Facts():
             return [Line(""), *map(Line, _facts(block, lines, language)), Line("")]
         case Brief():
@@ -250,7 +235,7 @@ def _cut(text: str, lines: int, more: int = 0, language: Language = "en") -> lis
         if len(whole) <= lines:
             return whole or [""]
     for most in range(min(len(words) - 1, lines * WIDTH), 0, -1):
-        whole = folded(_counted(f"{' '.join(words[:most])} {_CUT}", more, language))
+        whole = folded(_counted(f"{' '.join(words[:most])} ...", more, language))
         if len(whole) <= lines:
             break
     return whole

@@ -29,11 +29,10 @@ def draw(chart: Chart, sheet: WorkbookSheet, cells: WorkbookSheet, row: int) -> 
         cells.write(top + 1, 2 * column, Text(label, "text"))
         for place, values in enumerate(places, start=top + 2):
             # Write a place in the units of the axes.
-            at = (place, 2 * column)
-            for offset, (axis, value) in enumerate(zip((chart.x, chart.y), values, strict=True)):
+            for k, (axis, value) in enumerate(zip((chart.x, chart.y), values, strict=True)):
                 is_there = math.isfinite(value) and (axis.foot is None or value > 0.0)
                 field = axis.quantity.to_field(value) if is_there else math.nan
-                cells.write(at[0], at[1] + offset, Number(field, number_pattern(axis.quantity)))
+                cells.write(place, 2 * column + k, Number(field, number_pattern(axis.quantity)))
         made.append(Series(label, rows, 2 * column, 2 * column + 1, _look(role), cells.name))
     cells.row = top + 3 + max(map(len, curves.values()), default=0)
     y, title = chart.y, axis_title(chart.y)

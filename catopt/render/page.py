@@ -34,7 +34,7 @@ from catopt.answers.blocks import (
     exact,
 )
 from catopt.figures.chart import Film
-from catopt.quantities import GREEK, Quantity
+from catopt.quantities import GREEK
 from catopt.render.svg import stylesheet, svg
 from catopt.render.values import SEEN, as_wanted, cell, in_language, is_seen, parts_of, shown
 from catopt.words import Language, Message, say
@@ -249,7 +249,12 @@ def _block(block: Block) -> Iterator[Any]:
 
 def _tables(table: Table) -> Iterator[_LaidTable]:
     columns = [each for each in table.columns if each.only not in {"files", "workbook"}]
-    headings = [_Heading(_heading(each), each.is_number) for each in columns]
+    headings = []
+    for each in columns:
+        label, quantity = _label(each), each.quantity
+        if quantity is not None and quantity.field_unit != "-":  # a pure number has no unit
+            label = f"{label} ({quantity.field_unit})"
+        headings.append(_Heading(label, each.is_number))
     for caption, rows in parts_of(table):
         yield _LaidTable(
             "table",
@@ -259,14 +264,6 @@ def _tables(table: Table) -> Iterator[_LaidTable]:
             [[_cell(each, row) for each in columns] for row in rows],
             next((k for k, row in enumerate(rows) if row == table.marked), None),
         )
-
-
-def _heading(column: Column) -> str:
-    """Head a column: name, symbol and unit; no unit for a pure number."""
-    label, quantity = _label(column), column.quantity
-    if quantity is None or quantity.field_unit == "-":
-        return label
-    return f"{label} ({quantity.field_unit})"
 
 
 def _label(of: Column | Fact) -> str:
@@ -310,14 +307,12 @@ def _fact(fact: Fact) -> tuple[_Cell, ...]:
     si, quantity = _si(fact.value), fact.quantity
     ways = (quantity, *(fact.also if si is not None else ()))
     said = " = ".join(shown(fact.value, each, unit=True) for each in ways)
-    in_si = "" if si is None or quantity is None else _in_si(quantity, si)
+    in_si = ""
+    if si is not None and quantity is not None:
+        # Where it is printed as zero, what rounding left is none, too.
+        is_zero = quantity.notation == "fixed" and quantity.format(si) == quantity.format(0.0)
+        in_si = exact(quantity.si_unit).format(0.0 if is_zero else si, unit=True)
     return _Cell(_label(fact), "words"), _Cell(said, si=si), _Cell(in_si)
-
-
-def _in_si(quantity: Quantity, si: float) -> str:
-    """Write a value in SI; where it is printed as zero, what rounding left is none, too."""
-    is_zero = quantity.notation == "fixed" and quantity.format(si) == quantity.format(0.0)
-    return exact(quantity.si_unit).format(0.0 if is_zero else si, unit=True)
 
 
 def _trail(block: Trail) -> _LaidTable:

@@ -19,27 +19,8 @@ from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from catopt.figures.chart import (
-    Area,
-    Axis,
-    Chart,
-    Dimension,
-    Level,
-    Mark,
-    Place,
-    Series,
-    legend,
-)
-from catopt.render.svg import (
-    COLOURS,
-    LOOKS,
-    SIGNS,
-    Look,
-    Tick,
-    axis_title,
-    scale_ticks,
-    tick_marks,
-)
+from catopt.figures.chart import Area, Axis, Chart, Dimension, Level, Mark, Place, legend
+from catopt.render.svg import COLOURS, LOOKS, SIGNS, Look, Tick, axis_title, scale_ticks, tick_marks
 from catopt.render.values import as_wanted
 from catopt.words import Language
 
@@ -65,11 +46,7 @@ STYLE: Any = {
 
 
 def pictures(
-    name: str,
-    charts: Chart | Sequence[Chart],
-    heading: str = "",
-    language: Language = "en",
-    columns: int = 1,
+    name: str, charts: Chart | Sequence[Chart], heading: str = "", columns: int = 1
 ) -> dict[str, bytes]:
     """Make the files of a picture, PNG and SVG, as `picture` draws it.
 
@@ -77,7 +54,7 @@ def pictures(
     """
     with catch_warnings():
         filterwarnings("ignore", "Glyph .* missing from")
-        figure = picture(charts, heading, language, columns)
+        figure = picture(charts, heading, columns=columns)
         return {f"{name}.png": image(figure, "png"), f"{name}.svg": image(figure, "svg")}
 
 
@@ -119,19 +96,15 @@ def picture(
         for row, places in zip(rows, parts, strict=True):
             for chart, part in zip(row, places, strict=False):
                 _draw(part, chart, wide)
-        _scale(figure, drawn)
+        # Draw to scale what is so, once all has its place: the layout takes such frames as full.
+        figure.draw_without_rendering()
+        figure.set_layout_engine("none")
+        frames = (axes for part in figure.subfigs for axes in part.axes)
+        for chart, axes in zip(drawn, frames, strict=True):
+            if chart.to_scale is not None:
+                x, y = chart.x.quantity.factor, chart.y.quantity.factor
+                axes.set_aspect(chart.to_scale * y / x, adjustable="box")
     return figure
-
-
-def _scale(figure: Figure, charts: Sequence[Chart]) -> None:
-    """Draw to scale what is so, once all has its place: the layout takes such frames as full."""
-    figure.draw_without_rendering()
-    figure.set_layout_engine("none")
-    frames = (axes for part in figure.subfigs for axes in part.axes)
-    for chart, axes in zip(charts, frames, strict=True):
-        if chart.to_scale is not None:
-            x, y = chart.x.quantity.factor, chart.y.quantity.factor
-            axes.set_aspect(chart.to_scale * y / x, adjustable="box")
 
 
 def _height(chart: Chart, wide: float) -> float:
@@ -187,7 +160,9 @@ def _draw(part: SubFigure, chart: Chart, wide: float) -> None:
     for level in chart.levels:
         _level(axes, level, chart)
     for series in chart.series:
-        _series(axes, series, chart)
+        look, places = LOOKS[series.role], (_all(x, series.x), _all(y, series.y))
+        order = 2.5 if look.sign else 2.0
+        axes.plot(*places, **_of_line(look), label=f"_{series.role}", zorder=order)
     for arrow in chart.arrows:
         look = LOOKS[arrow.role]
         line = {"color": _colour(look.stroke), "linewidth": look.width * _POINTS}
@@ -202,8 +177,7 @@ def _draw(part: SubFigure, chart: Chart, wide: float) -> None:
 def _legend(part: SubFigure, chart: Chart, wide: float) -> None:
     labels, columns = _labels(chart, wide)
     handles = [_handle(LOOKS[role]) for role, _ in legend(chart)]
-    empty = Line2D([], [], linestyle="none")
-    handles += [empty] * (len(labels) - len(handles))
+    handles += [Line2D([], [], linestyle="none")] * (len(labels) - len(handles))
     if labels:
         place: Any = {"loc": "outside lower center", "ncols": columns, "frameon": False}
         room: Any = {"handlelength": 2.4, "fontsize": _TYPE, "columnspacing": 1.4}
@@ -287,23 +261,14 @@ def _level(axes: Axes, level: Level, chart: Chart) -> None:
 
 def _box(style: str, **look: Any) -> Any:
     """Set words in the middle of a white box."""
-    return {
-        "ha": "center",
-        "va": "center",
-        "bbox": {"boxstyle": style, "facecolor": "white"} | look,
-    }
+    box = {"boxstyle": style, "facecolor": "white"} | look
+    return {"ha": "center", "va": "center", "bbox": box}
 
 
 def _beside(axes: Axes, words: str, place: Place, away: Place, **look: Any) -> None:
     """Write words at some points' distance from a place."""
     kind: dict[str, Any] = {"textcoords": "offset points", "fontsize": 8, "ha": "center"} | look
     axes.annotate(words, place, xytext=away, **kind)
-
-
-def _series(axes: Axes, series: Series, chart: Chart) -> None:
-    look = LOOKS[series.role]
-    x, y = _all(chart.x, series.x), _all(chart.y, series.y)
-    axes.plot(x, y, **_of_line(look), label=f"_{series.role}", zorder=2.5 if look.sign else 2.0)
 
 
 def _mark(axes: Axes, mark: Mark, chart: Chart) -> None:

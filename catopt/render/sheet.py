@@ -119,7 +119,12 @@ class Book:
 
     def sheet(self, name: str) -> WorkbookSheet:
         """Add a sheet whose first row stays in sight; its tab has the name, made short and free."""
-        worksheet = self.workbook.add_worksheet(self._free(self.say(name)))
+        said, used = self.say(name), {sheet.name.casefold() for sheet in self._sheets}
+        tab, number = said[:_MOST_NAME], 1
+        while tab.casefold() in used:
+            number += 1
+            tab = f"{said[: _MOST_NAME - 3]} {number}"
+        worksheet = self.workbook.add_worksheet(tab)
         worksheet.freeze_panes(1, 0)
         worksheet.set_landscape()
         worksheet.set_paper(9)  # A4
@@ -130,15 +135,6 @@ class Book:
         worksheet.set_footer(f"&L{title}&C&A&Rcatopt {__version__}   &P / &N")
         self._sheets.append(WorkbookSheet(self, worksheet))
         return self._sheets[-1]
-
-    def _free(self, name: str) -> str:
-        """Shorten a name for a tab; with a number where another one is so called."""
-        used = {sheet.name.casefold() for sheet in self._sheets}
-        short, number = name[:_MOST_NAME], 1
-        while short.casefold() in used:
-            number += 1
-            short = f"{name[: _MOST_NAME - 3]} {number}"
-        return short
 
     def close(self) -> bytes:
         """Finish the file."""

@@ -51,15 +51,10 @@ LOOKS: Mapping[str, Look] = {role: Look(**look) for role, look in _TABLE["looks"
 
 def stylesheet() -> str:
     """Write the looks as CSS, in light and in dark colours."""
-    return "\n".join(_rules()) + "\n"
-
-
-def _rules() -> Iterator[str]:
     light, dark = (
         "".join(f"--{name}:{pair[index]};" for name, pair in COLOURS.items()) for index in (0, 1)
     )
-    yield f":root{{{light}}}"
-    yield f"@media screen and (prefers-color-scheme: dark){{:root{{{dark}}}}}"
+    rules = f":root{{{light}}}\n@media screen and (prefers-color-scheme: dark){{:root{{{dark}}}}}\n"
     for role, look in LOOKS.items():
         rule = f"fill:var(--{look.fill});" if look.fill else "fill:none;"
         if look.opacity < 1.0:
@@ -68,7 +63,8 @@ def _rules() -> Iterator[str]:
             rule += f"stroke:var(--{look.stroke});stroke-width:{look.width:g};"
         if look.dash:
             rule += f"stroke-dasharray:{' '.join(f'{each:g}' for each in look.dash)};"
-        yield f"svg .{role}{{{rule}}}"
+        rules += f"svg .{role}{{{rule}}}\n"
+    return rules
 
 
 Tick = tuple[float, str]
@@ -437,11 +433,11 @@ def number(value: float) -> str:
 
 def shape(tag: str, style: str, words: str = "", **attributes: float | str) -> Shape:
     """Make a shape of a class; coordinates may be numbers."""
-    given = [("class", style)]
-    for key, value in attributes.items():
-        written = value if isinstance(value, str) else number(value)
-        given.append((key.replace("_", "-"), written))
-    return Shape(tag, tuple(given), words)
+    given = (
+        (key.replace("_", "-"), value if isinstance(value, str) else number(value))
+        for key, value in attributes.items()
+    )
+    return Shape(tag, (("class", style), *given), words)
 
 
 def path(style: str, places: Iterable[tuple[float, float]], *, tag: str = "polyline") -> Shape:

@@ -31,7 +31,7 @@ _LEAST = 6
 """Characters to which words of a heading are broken at least."""
 _HEADING, _TEXT_HEADING = 11, 24
 """Characters to which headings over words are folded at least, and at most over long ones."""
-_NO_BREAK = "\u00a0"
+NO_BREAK = "\u00a0"
 """Between a number and its unit."""
 
 
@@ -149,11 +149,11 @@ def _headings(columns: Sequence[_Column]) -> list[str]:
 
 def _cuts_numbers(columns: Sequence[_Column], headings: Sequence[str]) -> bool:
     """Whether 80 columns have no room for all digits, however far words fold."""
-    least = (
+    least = [
         width if each.is_number else min(width, _LEAST)
         for each, width in zip(columns, _widths(columns, headings), strict=True)
-    )
-    return sum(least) + _GAP * (len(columns) - 1) > _WIDTH and _last_number(columns) > 0
+    ]
+    return _over(least) > 0 and _last_number(columns) > 0
 
 
 def _last_number(columns: Sequence[_Column]) -> int:
@@ -191,27 +191,21 @@ def table_lines(table: Table, room: int, language: Language) -> list[str]:
 
 def _cut_cells(columns: list[_Column], headings: list[str]) -> None:
     """Cut the widest words until a row fits; if there are none left, leave columns out."""
-    while sum(_widths(columns, headings)) + _GAP * (len(columns) - 1) > _WIDTH:
-        excess = sum(_widths(columns, headings)) + _GAP * (len(columns) - 1) - _WIDTH
-        wordy = max((each for each in columns if not each.is_number), key=_length, default=None)
+    while (excess := _over(_widths(columns, headings))) > 0:
+        words = [each for each in columns if not each.is_number]
+        wordy = max(words, key=lambda each: each.longest, default=None)
         if wordy is not None and wordy.longest > _TEXT:
             room = max(wordy.longest - excess, _TEXT)
-            place = columns.index(wordy)
-            wordy.cells = [_cut(cell, room) for cell in wordy.cells]
-            headings[place] = "\n".join(wrap(wordy.name, room)) or ""
+            wordy.cells = [
+                cell if len(cell) <= room else f"{cell[: room - 3].rstrip()}..."
+                for cell in wordy.cells
+            ]
+            headings[columns.index(wordy)] = "\n".join(wrap(wordy.name, room))
         elif len(columns) > 1:
             columns.pop()
             headings.pop()
         else:
             return
-
-
-def _length(column: _Column) -> int:
-    return column.longest
-
-
-def _cut(text: str, room: int) -> str:
-    return text if len(text) <= room else f"{text[: room - 3].rstrip()}..."
 
 
 def _widths(columns: Sequence[_Column], headings: Sequence[str]) -> list[int]:
@@ -243,14 +237,13 @@ class _Column:
     def __init__(self, of: Column, rows: Sequence[int], language: Language) -> None:
         self.of = of
         self.is_number = of.is_number
-        # Name a column; a quantity's own name gives way to its symbol, one that says more does
-        # not.
+        # A quantity's own name gives way to its symbol, one that says more does not.
         name, quantity = say(of.name, language), of.quantity
         if quantity is not None and quantity.symbol:
             own = QUANTITIES.get(quantity.key, quantity).name.lower()
             says_more = not own.endswith(of.name.lower())
             name = f"{name} {quantity.symbol}" if says_more else quantity.symbol
-        self.name = re.sub(r"(?<=\d) ", _NO_BREAK, name)
+        self.name = re.sub(r"(?<=\d) ", NO_BREAK, name)
         self.cells = [say(cell(of, row), language) for row in rows]
 
     @property
@@ -280,12 +273,16 @@ class _Column:
         quantity = self.of.quantity
         if quantity is not None and quantity.field_unit != "-":
             lines.append(f"({quantity.field_unit})")
-        return "\n".join(lines).replace(_NO_BREAK, " ")
+        return "\n".join(lines).replace(NO_BREAK, " ")
 
 
 def _excess(columns: Sequence[_Column]) -> int:
-    """Count the characters by which a row is too long."""
-    return sum(each.width for each in columns) + _GAP * (len(columns) - 1) - _WIDTH
+    return _over([each.width for each in columns])
+
+
+def _over(widths: Sequence[int]) -> int:
+    """Count the characters by which a row of such widths is too long."""
+    return sum(widths) + _GAP * (len(widths) - 1) - _WIDTH
 
 
 def _rooms(columns: Sequence[_Column]) -> list[int]:
@@ -298,12 +295,12 @@ def _rooms(columns: Sequence[_Column]) -> list[int]:
         room - each.longest if each.is_number and room > _LEAST else 0
         for each, room in zip(columns, rooms, strict=True)
     ]
-    over = _excess(columns)
-    while over > 0 and any(each > 0 for each in spare):
+    for _ in range(_excess(columns)):
         widest = max(range(len(columns)), key=lambda k: spare[k])
+        if spare[widest] <= 0:
+            break
         rooms[widest] -= 1
         spare[widest] = spare[widest] - 1 if rooms[widest] > _LEAST else 0
-        over -= 1
     return rooms
 
 
@@ -326,14 +323,10 @@ def _fold(columns: Sequence[_Column], headings: Sequence[str]) -> None:
     words = [k for k, each in enumerate(columns) if not each.is_number]
     if len(words) != 1:
         return
-    widths = [
-        max(each.longest, *map(len, heading.split("\n")))
-        for each, heading in zip(columns, headings, strict=True)
-    ]
-    (place,) = words
-    room = _WIDTH - _GAP * (len(columns) - 1) - sum(widths) + widths[place]
-    if room < widths[place]:
-        column = columns[place]
-        joined = (re.sub(r"(?<=\d) (?=[^\W\d])", _NO_BREAK, cell) for cell in column.cells)
-        folded = (wrap(cell, max(room, _TEXT), break_on_hyphens=False) for cell in joined)
-        column.cells = ["\n".join(lines).replace(_NO_BREAK, " ") for lines in folded]
+    widths, (place,) = _widths(columns, headings), words
+    excess = _over(widths)
+    if excess > 0:
+        column, room = columns[place], max(widths[place] - excess, _TEXT)
+        joined = (re.sub(r"(?<=\d) (?=[^\W\d])", NO_BREAK, cell) for cell in column.cells)
+        folded = (wrap(cell, room, break_on_hyphens=False) for cell in joined)
+        column.cells = ["\n".join(lines).replace(NO_BREAK, " ") for lines in folded]

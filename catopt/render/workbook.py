@@ -97,11 +97,8 @@ def _sheet(book: Book, section: Section) -> WorkbookSheet:
         elif isinstance(block, Trail):
             _trail(sheet, block)
         elif isinstance(block, Graph):
-            (table,) = (
-                each
-                for each in section.blocks
-                if isinstance(each, Table) and each.name == block.table
-            )
+            tables = (each for each in section.blocks if isinstance(each, Table))
+            (table,) = (each for each in tables if each.name == block.table)
             below = _graph(sheet, table, tops[block.table], block, below)
     if any(map(_words_of, section.blocks)):
         sheet.widen(_READABLE)
@@ -181,8 +178,7 @@ def _graph(sheet: WorkbookSheet, table: Table, top: int, block: Graph, row: int)
         for k, y in enumerate(block.y)
     ]
     up = sheet.book.say(Listed([names[y] for y in block.y], "and"))
-    chart = Chart(block.title, names[block.x], up, series, block.log)
-    return sheet.chart(chart, row)
+    return sheet.chart(Chart(block.title, names[block.x], up, series, block.log), row)
 
 
 def _look(number: int, is_points: bool) -> dict[str, Any]:

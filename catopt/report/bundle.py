@@ -89,14 +89,18 @@ def write_files(
         if any((place.exists() and read.exists() and place.samefile(read)) for read in keep):
             raise _refused(place, Message("refused_command.is_read"))
     try:
-        _sweep(directory)
+        for place in directory.glob(".*.tmp"):  # that a run which was killed left behind
+            if _TEMPORARY.fullmatch(place.name) and time() - place.stat().st_mtime > _STALE:
+                place.unlink(missing_ok=True)
         for place, content in places.items():
             with _temporary(place).open("wb") as stream:
                 stream.write(content)
                 stream.flush()
                 os.fsync(stream.fileno())
+        # The case first, documents that carry its digest last.
+        ordered = sorted(places, key=lambda at: (at.name != DESIGN_CASE, at.suffix == ".json"))
         with signals_wait():
-            for place in sorted(places, key=_rank):
+            for place in ordered:
                 _temporary(place).replace(place)
     except OSError as error:
         raise _refused(directory, _reason(error)) from error
@@ -104,11 +108,6 @@ def write_files(
         for place in places:
             _temporary(place).unlink(missing_ok=True)
     return tuple(places)
-
-
-def _rank(place: Path) -> int:
-    """Order of the files: the case first, documents that carry its digest last."""
-    return 0 if place.name == DESIGN_CASE else 2 if place.suffix == ".json" else 1
 
 
 def _marked(content: bytes, case: bytes | None) -> bytes:
@@ -124,13 +123,6 @@ def with_digest(document: dict[str, Any], digest: str) -> dict[str, Any]:
     return {"schema": document["schema"], **mark} | document | mark
 
 
-def _sweep(directory: Path) -> None:
-    """Remove temporary files that a run which was killed left behind."""
-    for place in directory.glob(".*.tmp"):
-        if _TEMPORARY.fullmatch(place.name) and time() - place.stat().st_mtime > _STALE:
-            place.unlink(missing_ok=True)
-
-
 def _temporary(place: Path) -> Path:
     """Name a file beside its place, for `replace` is only whole within one file system."""
     return place.with_name(f".{place.name}.{os.getpid()}.tmp")
@@ -138,10 +130,8 @@ def _temporary(place: Path) -> Path:
 
 def _reason(error: OSError) -> Message:
     name = f"{Path(error.filename2 or error.filename).name}: " if error.filename else ""
-    return Message(
-        "refused_command.not_written",
-        reason=Several((name, term(error.strerror or str(error))), ""),
-    )
+    reason = Several((name, term(error.strerror or str(error))), "")
+    return Message("refused_command.not_written", reason=reason)
 
 
 def _refused(directory: Path, why: Message) -> InputError:

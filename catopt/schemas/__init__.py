@@ -33,9 +33,8 @@ def schema(name: str) -> dict[str, Any]:
     InputError when there is no such document.
     """
     if name not in names():
-        raise InputError(
-            [Problem("name", repr(name), Message("refused.one_of", words=", ".join(names())))]
-        )
+        allowed = Message("refused.one_of", words=", ".join(names()))
+        raise InputError([Problem("name", repr(name), allowed)])
     resource = name.removeprefix("catopt.").replace("/", "-") + ".json"
     document: dict[str, Any] = json.loads(files(__name__).joinpath(resource).read_text("utf-8"))
     return document
@@ -51,10 +50,8 @@ def read_document(path: Path, name: str) -> dict[str, Any]:
 
     document = read_any(path)
     if document.get("schema") != name:
-        problem = Problem(
-            "schema", repr(document.get("schema")), Message("refused_command.wanted", name=name)
-        )
-        raise InputError([problem], str(path))
+        wanted = Message("refused_command.wanted", name=name)
+        raise InputError([Problem("schema", repr(document.get("schema")), wanted)], str(path))
     problems = list(inconsistencies(document, schema(name)))
     if len(problems) > _SHOWN:
         more = Message("refused_command.more_kind", problems=len(problems) - _SHOWN)

@@ -12,31 +12,22 @@ from catopt.words import Listed, Message
 
 Schema = Mapping[str, Any] | bool
 
-_TYPES: Mapping[str, type | tuple[type, ...]] = {
-    "object": dict,
-    "array": list,
-    "string": str,
-    "boolean": bool,
-    "null": type(None),
-    "number": (int, float),
-    "integer": (int, float),
+_KINDS: Mapping[str, tuple[type | tuple[type, ...], str]] = {
+    "object": (dict, "refused.an_object"),
+    "array": (list, "refused.a_list"),
+    "string": (str, "refused.a_string"),
+    "boolean": (bool, "refused.a_boolean"),
+    "null": (type(None), "refused.a_null"),
+    "number": ((int, float), "refused.a_number"),
+    "integer": ((int, float), "refused.a_whole_number"),
 }
+"""Of values: their types in Python, and what messages call them."""
 
 _BOUNDS: Mapping[str, tuple[Callable[[float, float], bool], str]] = {
     "minimum": (lambda value, bound: value >= bound, "refused.or_more"),
     "maximum": (lambda value, bound: value <= bound, "refused.or_less"),
     "exclusiveMinimum": (lambda value, bound: value > bound, "refused.above"),
     "exclusiveMaximum": (lambda value, bound: value < bound, "refused.below"),
-}
-
-_IN_WORDS = {
-    "object": "refused.an_object",
-    "array": "refused.a_list",
-    "integer": "refused.a_whole_number",
-    "number": "refused.a_number",
-    "string": "refused.a_string",
-    "boolean": "refused.a_boolean",
-    "null": "refused.a_null",
 }
 
 
@@ -55,13 +46,14 @@ def _misfits(value: Any, schema: Schema, path: Path, whole: Mapping[str, Any]) -
             yield path, _shown(value), Message("refused.leave_out")
         return
     if "$ref" in schema:
-        found: Any = whole
+        referred: Any = whole
         for key in schema["$ref"].removeprefix("#/").split("/"):
-            found = found[key]
-        referred: Mapping[str, Any] = found
+            referred = referred[key]
         yield from _misfits(value, referred, path, whole)
     if "type" in schema and not _is_of(value, schema["type"]):
-        yield path, _shown(value), Message("refused.this_is_wanted", what=_wanted(schema["type"]))
+        kinds = [schema["type"]] if isinstance(schema["type"], str) else schema["type"]
+        what = Listed([Message(_KINDS[each][1]) for each in kinds], "or")
+        yield path, _shown(value), Message("refused.this_is_wanted", what=what)
         return
     yield from ((path, _shown(value), allowed) for allowed in _of_value(value, schema))
     if isinstance(value, list):
@@ -134,18 +126,13 @@ def _is_of(value: Any, kinds: str | list[str]) -> bool:
     for kind in [kinds] if isinstance(kinds, str) else kinds:
         if isinstance(value, bool) and kind != "boolean":
             continue
-        if isinstance(value, _TYPES[kind]) and (whole or kind != "integer"):
+        if isinstance(value, _KINDS[kind][0]) and (whole or kind != "integer"):
             return True
     return False
 
 
 def _same(value: Any, other: Any) -> bool:
     return type(value) is type(other) and bool(value == other)
-
-
-def _wanted(kinds: str | list[str]) -> Message:
-    listed = [kinds] if isinstance(kinds, str) else kinds
-    return Listed([Message(_IN_WORDS[each]) for each in listed], "or")
 
 
 def _shown(value: Any) -> str:

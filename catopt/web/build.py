@@ -30,8 +30,6 @@ from catopt.page_api.fields import DOORS, START
 from catopt.render.svg import stylesheet
 from catopt.words import LANGUAGES, Message
 
-__all__ = ["PageServer", "PinnedPart", "document", "fetched", "parts", "pieces", "site"]
-
 _STYLE: Final = "style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'"
 _SCRIPT: Final = "script-src 'unsafe-inline' data: blob: 'wasm-unsafe-eval'"
 
@@ -44,6 +42,11 @@ def document(pieces: Mapping[str, bytes] | Sequence[str] | None = None) -> str:
     """
     inside = pieces if isinstance(pieces, Mapping) else {}
     connects = "'self'" if not inside else "'none'"
+    first = {}
+    if pieces is not None:  # what the page opens with, so that it need not wait for Python
+        door = DOORS[0]
+        question = {"door": door, "values": START[door]}
+        first = {each: {door: ask("whole", {**question, "lang": each})} for each in LANGUAGES}
     text = _file("web", "index.html")
     policy = ("default-src 'none'", _SCRIPT, "worker-src blob:", f"connect-src {connects}", _STYLE)
     filled = {
@@ -52,19 +55,12 @@ def document(pieces: Mapping[str, bytes] | Sequence[str] | None = None) -> str:
         "imports": json.dumps({"imports": _modules()}),
         "transport": "app" if pieces is None else "worker",
         "shells": _inert(json.dumps({each: shell(each) for each in LANGUAGES})),
-        "first": _inert(json.dumps({} if pieces is None else _first())),
+        "first": _inert(json.dumps(first)),
         "pieces": "" if pieces is None else _pieces(list(pieces), inside),
     }
     for name, value in filled.items():
         text = text.replace(f"{{{{ {name} }}}}", value)
     return text
-
-
-def _first() -> dict[str, dict[str, Any]]:
-    """Answer what the page opens with, so that it need not wait for Python."""
-    door = DOORS[0]
-    question = {"door": door, "values": START[door]}
-    return {each: {door: ask("whole", {**question, "lang": each})} for each in LANGUAGES}
 
 
 def _modules() -> dict[str, str]:
@@ -97,8 +93,6 @@ def _inert(text: str) -> str:
     """Keep a text from ending the script element that it stands in."""
     return text.replace("<", "\\u003c")
 
-
-Read = Callable[["PinnedPart"], bytes]
 
 _LOADER: Final = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip")
 _WITHOUT: Final = ("cli", "fem", "reproduce", "decks", "export")
@@ -147,7 +141,7 @@ def fetched(part: PinnedPart, folder: Path | None = None) -> bytes:
     return data
 
 
-def pieces(read: Read) -> dict[str, bytes]:
+def pieces(read: Callable[[PinnedPart], bytes]) -> dict[str, bytes]:
     """Make what the worker of the page takes, by name, each compressed by gzip.
 
     `read` gives the bytes of a part. The same parts and the same catopt give the same bytes.
@@ -187,8 +181,7 @@ def _own() -> Iterator[tuple[str, bytes]]:
         is_asked_for = inside.parts[0] not in (*_WITHOUT, "web")
         if path.is_file() and is_asked_for and "__pycache__" not in inside.parts:
             yield f"catopt/{inside.as_posix()}", path.read_bytes()
-    stand_in = root.joinpath("web", "plain_numpy.py").read_bytes()
-    yield "numpy/__init__.py", stand_in
+    yield "numpy/__init__.py", root.joinpath("web", "plain_numpy.py").read_bytes()
     yield "numpy/typing.py", b"from numpy import ArrayLike, NDArray\n"
 
 

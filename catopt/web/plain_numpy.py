@@ -90,9 +90,9 @@ class ndarray:  # noqa: N801 - the name it takes the place of
         return self.shape[0]
 
     def __iter__(self) -> Iterator[Any]:
-        return (
-            iter(self._flat()) if len(self.shape) == 1 else map(self.__getitem__, range(len(self)))
-        )
+        if len(self.shape) == 1:
+            return iter(self._flat())
+        return map(self.__getitem__, range(len(self)))
 
     def __getitem__(self, at: Any) -> Any:
         kind, shape = at.__class__, self.shape

@@ -90,9 +90,8 @@ class _Problem(Protocol):
 def say_refusal(source: str, problems: Iterable[_Problem], language: Language = "en") -> str:
     """Say all that is wrong with an input, as its error does in English."""
     every = tuple(problems)
-    head = Message(
-        "refused.head", source=Several((term(source), ": "), "") if source else "", count=len(every)
-    )
+    place = Several((term(source), ": "), "") if source else ""
+    head = Message("refused.head", source=place, count=len(every))
     lines = (say(problem_words(each), language).replace("\n", "\\n") for each in every)
     return "\n".join([say(head, language), *(f"  {each}" for each in lines)])
 

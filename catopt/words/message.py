@@ -102,8 +102,12 @@ class Message(str):
 
     def said(self, language: Language) -> str:
         """Say it in a language."""
-        is_typed = self.key.startswith("refused")  # what is wrong names what is to be typed
-        values = {name: _said(value, language, is_typed) for name, value in self.values.items()}
+        # What is wrong names what is to be typed: of its values only the messages are said.
+        kind = Message if self.key.startswith("refused") else str
+        values = {
+            name: say(value, language) if isinstance(value, kind) else value
+            for name, value in self.values.items()
+        }
         return _FILLED[language].vformat(text(self.key, language, values), (), values)
 
     def __reduce__(self) -> tuple[object, ...]:
@@ -209,12 +213,6 @@ def is_said(said: str, key: str) -> bool:
     return isinstance(said, Message) and said.key == key
 
 
-def _said(value: object, language: Language, is_typed: bool) -> object:
-    if not isinstance(value, str) or (is_typed and not isinstance(value, Message)):
-        return value
-    return say(value, language)
-
-
 _LARGE = 1e6
 """From here on numbers have an exponent."""
 
@@ -230,9 +228,8 @@ def number(value: float, spec: str) -> str:
     text = format(value, spec)
     if text.startswith("-") and not text.strip("-0."):  # rounded to zero, which has no sign
         return text[1:]
-    return (
-        f"{float(text):.0f}" if "e+" in text and spec[-1:] == "g" and abs(value) < _LARGE else text
-    )
+    has_exponent = "e+" in text and spec[-1:] == "g"
+    return f"{float(text):.0f}" if has_exponent and abs(value) < _LARGE else text
 
 
 @dataclass(frozen=True)
