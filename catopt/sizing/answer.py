@@ -112,11 +112,9 @@ def sizing_of(
     the line was run in motion: others at rest say nothing beside it.
     """
     line, density, ground = request.line, request.environment.water_density, request.ground
-
     if isinstance(ground, SinkerGround):
         ends = [solution.anchor for _, solution in settled.point.checks.solutions]
-        pull = max(each.horizontal_force for each in ends)
-        own["sinker"] = ground.sized(pull, max(0.0, *(e.vertical_force for e in ends)), density)
+        own["sinker"] = ground.sized_for(ends, density)
         own["other_sinker"] = ground.by_other_rule(own["sinker"], density)
     own = beside(request, settled) | own
     if of_size is not None and of_line is not None:

@@ -20,7 +20,7 @@ from catopt.units import Dimension, as_written
 @cache
 def kind_of(each: Input) -> Kind:
     """Make the kind that reads a value of an input, or each of several."""
-    example: Any = each.example[0] if isinstance(each.example, tuple) else each.example
+    example = each.one_example
     match each.takes:
         case "TEXT":
             return Text()
