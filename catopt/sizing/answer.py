@@ -69,20 +69,9 @@ def new_and_worn(states: Iterable[LoadCase], service: Service | None) -> tuple[L
 
 
 def loads_on(
-    buoy: BuoyShape,
-    env: Environment,
-    levels: WaterLevels,
-    assumed: Assumed,
-    request: BuoyRequest | None = None,
+    buoy: BuoyShape, env: Environment, levels: WaterLevels, assumed: Assumed, **own: Any
 ) -> Loads:
-    """Compute the loads on a buoy and its chain; a ship's mooring buoy has the code's own."""
-    own: dict[str, Any] = {}
-    if request is not None:
-        own = {
-            "marine_growth": request.marine_growth,
-            "wave_height": request.wave_height,
-            "chain_waves": request.chain_waves,
-        }
+    """Compute the loads on a buoy and its chain; the code's own but for departures in `own`."""
     return buoy_loads(
         buoy,
         env.wind,

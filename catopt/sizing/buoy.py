@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import DesignPoint
@@ -150,7 +150,15 @@ def pose_buoy(request: BuoyRequest, assumed: Assumed) -> SizingCase:
         name = Message(f"sizing.storm_{water}")
         if not isinstance(request.buoy, BuoyShape):
             return LoadsAt(name, at.high, water, given=request.buoy.horizontal_force)
-        part = loads_on(request.buoy, env, at, assumed, request)
+        part = loads_on(
+            request.buoy,
+            env,
+            at,
+            assumed,
+            marine_growth=request.marine_growth,
+            wave_height=request.wave_height,
+            chain_waves=request.chain_waves,
+        )
         return LoadsAt(name, at.high, water, parts=(part,))
 
     low = WaterLevels.steady(levels.low)

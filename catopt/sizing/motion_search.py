@@ -286,27 +286,18 @@ class _Search:
         """
         own = chosen.tried
         size = next(e for e in sizes if (e.component, e.diameter) == (own.component, own.diameter))
-        others = [
-            rung
-            for rung in range(size.first, len(self.lengths))
-            if (settled := self._rest(size, rung)) is not None
-            and settled.point.line.length != own.length
-        ]
+        every = (self._rest(size, rung) for rung in range(size.first, len(self.lengths)))
+        pass_at_rest = [each for each in every if each is not None]
+        others = [each for each in pass_at_rest if each.point.line.length != own.length]
         count = min(self.how.other_lengths, len(others))
         places = {round(k * (len(others) - 1) / max(count - 1, 1)) for k in range(count)}
         found = [chosen]
-        for place in sorted(places):
-            settled = self._rest(size, others[place])
-            assert settled is not None
-            found.append(_run(settled, self.request, self.how, crew, whole=True))
-        runs = (
-            LengthRun(
-                each.tried,
-                _storm(each, self.how) if each.parts else None,
-                None if each.case.anchor is None or not each.parts else each.case.anchor.mass,
-            )
-            for each in found
-        )
+        found += [_run(others[k], self.request, self.how, crew, whole=True) for k in sorted(places)]
+        runs = []
+        for each in found:
+            anchor, storm = each.case.anchor, _storm(each, self.how) if each.parts else None
+            sinker = None if anchor is None or storm is None else anchor.mass
+            runs.append(LengthRun(each.tried, storm, sinker))
         return tuple(sorted(runs, key=lambda run: run.tried.length))
 
     def _tried(self, size: _Size, rung: int, crew: Crew) -> Judged | None:

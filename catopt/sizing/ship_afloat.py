@@ -136,7 +136,9 @@ def ship_afloat(
         made = system_case(case, replace(around, states=(there,)))
         held = _turned(made, rest.solution.system.force)
     if worn:
-        held = _worn(held)
+        assert held.system is not None
+        legs = (replace(leg, line=worn_line(leg.line, held.service)) for leg in held.system.legs)
+        held = replace(held, system=replace(held.system, legs=tuple(legs)))
     moored = next(each for each in request.ships if each.condition == at.condition)
     vane = request.weathervaning
     lies = worst_lying(request, moored, at.depth, (directions,) if directions else vane.directions)
@@ -157,12 +159,6 @@ def ship_afloat(
         floater=Floater(ship=_ship(moored, env.water_density, off, vane.turning), wind_speed=wind),
         dynamics=_dynamics(request.in_motion),
     )
-
-
-def _worn(case: Case) -> Case:
-    assert case.system is not None
-    legs = (replace(leg, line=worn_line(leg.line, case.service)) for leg in case.system.legs)
-    return replace(case, system=replace(case.system, legs=tuple(legs)))
 
 
 def _along_x(lies: ShipHeading) -> Headings:

@@ -318,9 +318,8 @@ class _Search:
             around = self._around(self._without_allowance, settled)
         except NoFeasibleDesignError as error:
             failing = () if error.near_miss is None else error.near_miss.failing
-            return JudgedLine(
-                LineTried.of(line, 0, failing, "" if failing else error.message), line
-            )
+            reason = "" if failing else error.message
+            return JudgedLine(LineTried.of(line, 0, failing, reason), line)
         except NoAnswerError as error:
             return JudgedLine(LineTried.of(line, 0, (), error.message), line)
         judged = JudgedLine(LineTried.of(line, 0, ()), line, settled, around)
