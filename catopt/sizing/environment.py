@@ -21,7 +21,6 @@ from catopt.words import Message
 _PERIOD_OF_HEIGHT: Final = 3.6
 """s per root of m: 2 pi Hs/(g T^2) is then 1/20, the steepness of a growing sea; catopt's own."""
 
-
 LONGEST_MEAN: Final = 3600.0
 """s: the mean that the profile starts from."""
 

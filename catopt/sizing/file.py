@@ -172,8 +172,14 @@ def file_of(
     document: dict[str, Any], moored: Moored, source: str = "", *, folder: str = ""
 ) -> SizingFile:
     """Take the document of a file, as the TOML reader returns it, as `parse_file` does."""
-    other = _of_another_kind(document, moored)
-    if other:
+    key, other = case_key(document), None
+    if moored == "buoy" and "ship" in document:
+        allowed = Message("refused_file.for_size_tanker")
+        other = Finding(("ship",), Message("refused_file.a_ship"), allowed)
+    elif key:
+        found = f"[{key[0]}]" if len(key) == 1 else "the segments of a line"
+        other = Finding(key, found, Message("refused.is_case_file"))
+    if other is not None:
         raise InputError([other.as_problem()], source)
     _, findings = read_tables(document, schema_of(moored))
     if moored == "tanker" and "anchor" in document and "sinker" in document:
@@ -213,15 +219,3 @@ def sized(file: SizingFile) -> Sizing:
     """
     with file.reporting():
         return size(file.known())
-
-
-def _of_another_kind(document: dict[str, Any], moored: Moored) -> Finding | None:
-    """Say what the file is for, when it is not for this."""
-    if moored == "buoy" and "ship" in document:
-        allowed = Message("refused_file.for_size_tanker")
-        return Finding(("ship",), Message("refused_file.a_ship"), allowed)
-    key = case_key(document)
-    if key:
-        found = f"[{key[0]}]" if len(key) == 1 else "the segments of a line"
-        return Finding(key, found, Message("refused.is_case_file"))
-    return None

@@ -270,6 +270,10 @@ class Pattern(Record):
         """The load case of the largest horizontal force in a line."""
         return largest(self.states, lambda state: state.line_force)
 
+    def state_in(self, load_case: str) -> PatternState:
+        """Return the body at rest in a load case, by its name."""
+        return next(each for each in self.states if each.load_case == load_case)
+
     @property
     def largest_pull(self) -> float:
         """Of all lines downwards on the body, with each there or one gone, N."""

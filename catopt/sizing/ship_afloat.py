@@ -131,7 +131,7 @@ def ship_afloat(
         state = next(each for each in case.load_cases if each.name == load_case)
         held = _one_line(case, state, settled)
     else:
-        (there,) = (each for each in around.states if each.load_case == load_case)
+        there = around.state_in(load_case)
         rest = there.line_out if line_out else there
         made = system_case(case, replace(around, states=(there,)))
         held = _turned(made, rest.solution.system.force)

@@ -42,7 +42,7 @@ from catopt.sizing.in_motion import (
 )
 from catopt.sizing.known import refused
 from catopt.sizing.line_choice import sold
-from catopt.sizing.pattern import DragGround, Pattern, PatternState
+from catopt.sizing.pattern import DragGround, Pattern
 from catopt.sizing.settle import ConvergedSizing, best_of
 from catopt.sizing.ship_afloat import runs_afloat, ship_afloat
 from catopt.sizing.ship_runs import JudgedLine, ShipLost, ShipRun, ShipState
@@ -352,7 +352,7 @@ class _Search:
         if around is None:
             at_rest, without = dict(settled.point.checks.solutions)[name], 0.0
         else:
-            rest = _state_of(around, name)
+            rest = around.state_in(name)
             lines = (each.solution for each in rest.solution.lines)
             at_rest = largest(list(lines), lambda each: each.fairlead.tension)
             without = rest.line_out.line_force
@@ -369,7 +369,7 @@ class _Search:
         case, weather = self._afloat(state, settled, around), (name, state.directions)
         found, moored = run_without(self._as_judged(case), 1, ship=self._ships.get(weather))
         self._ships[weather] = moored.ship
-        without = _state_of(around, name).line_out.line_force
+        without = around.state_in(name).line_out.line_force
         return ShipLost(said, case, (found,), without, _offset((found,)))
 
     def _said(self, state: ShipState) -> str:
@@ -432,11 +432,6 @@ class _Search:
 
 def _size(segment: Segment) -> float:
     return segment.nominal_diameter or 0.0
-
-
-def _state_of(around: Pattern, load_case: str) -> PatternState:
-    (state,) = (each for each in around.states if each.load_case == load_case)
-    return state
 
 
 def _offset(lost: tuple[ShipWithoutLine, ...]) -> float:

@@ -135,7 +135,12 @@ def first_order(study: Study, kept: Output, limit: float, values: Array) -> Firs
     from scipy.special import ndtr
 
     keys = list(study.distributions)
-    room = _room(study, kept, limit)
+    sense = 1.0 if kept.high_is_worse else -1.0
+
+    def room(points: Array) -> Array:
+        """Part of the limit that is left at points in standard deviations, shape (n, keys)."""
+        return sense * (limit - _values(study, kept, points)) / (abs(limit) or 1.0)
+
     start = float(room(np.zeros((1, len(keys))))[0])
     if not math.isfinite(start):
         return Message("study.no_median")
@@ -165,12 +170,6 @@ def first_order(study: Study, kept: Output, limit: float, values: Array) -> Firs
         sampled,
         interval,
     )
-
-
-def _room(study: Study, kept: Output, limit: float) -> Callable[[Array], Array]:
-    """Part of the limit that is left at points in standard deviations, shape (n, keys)."""
-    sense = 1.0 if kept.high_is_worse else -1.0
-    return lambda points: sense * (limit - _values(study, kept, points)) / (abs(limit) or 1.0)
 
 
 def _distance(one: Array, other: Array) -> float:

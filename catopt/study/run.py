@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, wait
-from contextlib import ExitStack, contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
 from functools import partial
 from itertools import islice
@@ -85,10 +85,7 @@ def run_study(
         raise refused("compute", '"design"', allowed, read.base.source)
     store = Store(read, None if out is None else Path(out))
     count = worth(read) if workers is None else workers
-    with ExitStack() as stack:
-        executor, at_once = None, 1
-        if count > 1:
-            executor, at_once = stack.enter_context(processes(count))
+    with processes(count) if count > 1 else nullcontext((None, 1)) as (executor, at_once):
         run_into(read, store, executor=executor, at_once=at_once, progress=progress)
     return StudyResult(read, store)
 
