@@ -42,7 +42,6 @@ MOST_BYTES: Final = 20_000_000
 MOST_ROWS: Final = 1_000
 _FORM, _FLEET, _FIRST = "Form", "Fleet", 4
 _WHAT, _VALUE, _UNIT, _HINT, _KEY = range(1, 6)
-_FLAGS: Final = ("yes", "no")
 
 
 def is_form(path: object) -> bool:
@@ -74,7 +73,7 @@ def form(moored: Moored, language: Language = "en") -> bytes:
         if units:
             sheet.cell(row, _UNIT, units[0])
             _offer(sheet, f"C{row}", units)
-        choices = _FLAGS if each.takes == "FLAG" else choices_of(each)
+        choices = ("yes", "no") if each.takes == "FLAG" else choices_of(each)
         if choices and not each.several:
             _offer(sheet, f"B{row}", choices)
     for letter, width in zip("ABCDE", (46, 24, 9, 60, 26), strict=True):

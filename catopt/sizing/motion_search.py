@@ -165,12 +165,11 @@ class _Search:
 
         A size of which none does is looked at no more.
         """
-        density = self.request.environment.water_density
-        every = sold(self.request.line, density)
+        every = sold(self.request.line, self.request.environment.water_density)
+        most = self.lengths[-1] / self._depth
+        limits = (min(self.request.line.scope[0], most), most)
         for each in sorted(every, key=lambda one: one.submerged_weight):
             assert each.nominal_diameter is not None
-            least = self.request.line.scope[0]
-            limits = (min(least, self.lengths[-1] / self._depth), self.lengths[-1] / self._depth)
             try:
                 rest = self._settled(each.component, each.nominal_diameter, limits)
             except (NoFeasibleDesignError, InputError):

@@ -241,8 +241,7 @@ def _ships(of: ResolvedInputs) -> tuple[MooredShip, ...] | None:
     """Make the ship in each condition, as far as its dimensions are known."""
     if None in (of["length"], of["breadth"], of["draught"]):
         return None
-    draughts = draughts_of(of)
-    ships = [of.errors.make(lambda c=condition: _ship(of, c)) for condition in draughts]
+    ships = [of.errors.make(_ship, of, condition) for condition in draughts_of(of)]
     made = tuple(ship for ship in ships if ship is not None)
     note_aground(made, of["low_water"] or of["depth"] or math.inf, of.errors.add)
     return made if made and len(made) == len(ships) else None

@@ -23,14 +23,13 @@ from catopt.model import (
 )
 from catopt.model.wear import worn_line
 from catopt.sizing.afloat import MOTION_CODE
-from catopt.sizing.environment import WIND_MEAN, Environment, Weathervaning, mean_over
+from catopt.sizing.environment import LONGEST_MEAN, WIND_MEAN, Environment, Weathervaning, mean_over
 from catopt.sizing.in_motion import RunsAfloat, Sea
 from catopt.sizing.pattern import Pattern, system_case
 from catopt.sizing.settle import ConvergedSizing
 from catopt.sizing.tanker_request import MooredShip, TankerRequest
 from catopt.ties import largest
 
-_AN_HOUR: Final = 3600.0
 _RUN: Final = 3600.0
 """s, of a run: slow motion has periods of minutes."""
 _RUNS: Final = 3
@@ -143,7 +142,7 @@ def ship_afloat(
     vane = request.weathervaning
     lies = worst_lying(request, moored, at.depth, (directions,) if directions else vane.directions)
     off = _along_x(lies)
-    wind = mean_over(env.wind.speed, WIND_MEAN, _AN_HOUR) if env.wind.speed > 0.0 else 0.0
+    wind = mean_over(env.wind.speed, WIND_MEAN, LONGEST_MEAN) if env.wind.speed > 0.0 else 0.0
     flows = env.current.speed > 0.0
     checks = held.checks
     if any(not each.is_for_motion for each in profiles_of(checks)):

@@ -117,7 +117,7 @@ class _Search:
         settle: Settle,
         around: Around,
     ) -> None:
-        self.request, self.how, self.start = request, how, start
+        self.request, self.how = request, how
         self._settle, self._around = settle, around
         self.judged: dict[Line, JudgedLine] = {}
         self._settled: dict[Line, ConvergedSizing] = {}

@@ -163,7 +163,7 @@ class Store:
         """Return the texts of some members."""
         wanted: dict[int, tuple[str, ...]] = {}
         for first, piece in self._placed():
-            wanted |= {first + k: words for k, words in enumerate(piece.words)}
+            wanted |= dict(enumerate(piece.words, start=first))
         return [wanted.get(member, ()) for member in members]
 
 
