@@ -6,6 +6,7 @@ import math
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any, Final, NamedTuple
 
 import numpy as np
@@ -99,7 +100,8 @@ def _solve(base: Base, piece: StudyPiece, group: Codes, found: AtRest) -> None:
         case.site.check_level()
         case.check_still_water()
         if any(each.submerged_weight < 0.0 for each in case.line.point_loads):
-            solved = _one_by_one(case, loads, len(at))
+            # Of its buoys it is to be told, load by load, that none rises above the water.
+            solved = _each(partial(_under, case), loads, len(at))
         elif case.system is not None:
             solved = _bodies(case.system, loads, len(at))
         else:
@@ -171,12 +173,11 @@ def _points(network: Network, loads: Loads, count: int) -> AtRest:
         return _bodies(system, own, count)
     start = None if network.current_at_rest is not None else without_load(network)
 
-    def at(member: int) -> dict[str, float]:
-        own = {key: float(values[member]) for key, values in loads.items()}
+    def under(own: Mapping[str, float]) -> dict[str, float]:
         bodies = tuple(_loaded(k, body, own) for k, body in enumerate(network.bodies))
         return points_at_rest(network_at_rest(network) if start is None else start.under(bodies))
 
-    return _each(at, count)
+    return _each(under, loads, count)
 
 
 def _loaded(number: int, body: MooredBody, loads: Mapping[str, float]) -> MooredBody:
@@ -239,21 +240,16 @@ def _reasons(solved: Solutions | SystemSolutions) -> dict[int, str]:
     return {member: solved.reason(member) or "" for member in failed}
 
 
-def _one_by_one(case: Case, loads: Loads, count: int) -> AtRest:
-    """Solve a line with buoys, which must not rise above the water, load by load."""
-
-    def at(member: int) -> dict[str, float]:
-        return one_at_rest(_under(case, {k: float(v[member]) for k, v in loads.items()}))
-
-    return _each(at, count)
-
-
-def _each(at: Callable[[int], dict[str, float]], count: int) -> AtRest:
+def _each(
+    under: Callable[[Mapping[str, float]], dict[str, float]], loads: Loads, count: int
+) -> AtRest:
+    """Solve members one by one, each under its own loads."""
     values: dict[str, Array] = {}
     reasons = {}
     for member in range(count):
+        own = {key: float(column[member]) for key, column in loads.items()}
         try:
-            found = at(member)
+            found = under(own)
         except (NoAnswerError, NotConvergedError) as error:
             reasons[member] = error.message
             continue
@@ -262,14 +258,17 @@ def _each(at: Callable[[int], dict[str, float]], count: int) -> AtRest:
     return AtRest(values, reasons)
 
 
-def _under(case: Case, loads: Mapping[str, float]) -> Case:
-    if case.system is None:
-        (name, value), *_ = [*loads.items(), ("", 0.0)]
-        return replace(case, load=Load(**{name.removeprefix("load."): value})) if name else case
-    x, y = case.system.force
-    force = (loads.get("system.force[0]", x), loads.get("system.force[1]", y))
-    moment = loads.get("system.moment", case.system.moment)
-    return replace(case, system=replace(case.system, force=force, moment=moment))
+def _under(case: Case, loads: Mapping[str, float]) -> dict[str, float]:
+    """Solve a case under loads of a member's own."""
+    if case.system is not None:
+        x, y = case.system.force
+        force = (loads.get("system.force[0]", x), loads.get("system.force[1]", y))
+        moment = loads.get("system.moment", case.system.moment)
+        case = replace(case, system=replace(case.system, force=force, moment=moment))
+    elif loads:
+        (name, value), *_ = loads.items()
+        case = replace(case, load=Load(**{name.removeprefix("load."): value}))
+    return one_at_rest(case)
 
 
 def one_at_rest(case: Case) -> dict[str, float]:

@@ -85,8 +85,9 @@ class Store:
         try:
             yield
         except (OSError, sqlite3.Error) as error:
-            way = "kept" if isinstance(error, sqlite3.OperationalError) else "anew"
-            raise self._refused(Message(f"refused_study.and_{way}", error=error)) from error
+            is_whole = isinstance(error, sqlite3.OperationalError)
+            key = "refused_study.and_kept" if is_whole else "refused_study.and_anew"
+            raise self._refused(Message(key, error=error)) from error
 
     def _refused(self, allowed: Message) -> InputError:
         return refused("--out", self._file, allowed, "options")
