@@ -11,10 +11,11 @@ from catopt.catalogue.choice import chosen
 from catopt.catalogue.components import Component, within
 from catopt.checks.profiles import Method, profiles_of
 from catopt.constants import SEA_WATER_DENSITY, YEAR
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError
 from catopt.model import CatalogueChoice, Checks, Line, Segment, SegmentChoice, Service
 from catopt.model.kinds import Findings
 from catopt.sizing.kinds import usual
+from catopt.sizing.known import refused
 from catopt.words import Message
 
 Prefer = Literal["practice", "shortest", "cheapest", "lightest", "balanced", "least-swing"]
@@ -272,7 +273,7 @@ def sold(choice: LineChoice, water_density: float) -> tuple[Segment, ...]:
         names = ", ".join(choice.components)
         least, most = (1e3 * each for each in limits)
         allowed = Message("refused_sizing.no_size_sold_from_mm", least=least, most=most)
-        raise InputError([Problem("components", names, allowed)], "LineChoice")
+        raise refused("components", names, allowed, "LineChoice")
     return tuple(each.segment(1.0) for each in within_bounds)
 
 
