@@ -27,10 +27,8 @@ from catopt.study.result import StudyResult
 from catopt.study.statics import at_rest
 from catopt.study.store import Computed, Store
 from catopt.study.study import Study, StudyPiece
-from catopt.verify.side_by_side import begin_process, no_script
+from catopt.verify.side_by_side import Progress, begin_process, no_script
 from catopt.words import Message
-
-Progress = Callable[[int, int], None]
 
 _AHEAD = 2
 """Pieces that each process is given beyond the one it runs."""
