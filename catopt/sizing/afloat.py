@@ -29,10 +29,13 @@ def buoy_afloat(case: Case, request: BuoyRequest) -> Case | None:
 
     None for a buoy that is not one of the library, or a sea without waves.
     """
-    sea, shape = request.environment.sea, request.buoy
-    if not isinstance(shape, BuoyShape) or not _is_in_library(shape) or not sea.hs > 0.0:
+    env, shape, how = request.environment, request.buoy, request.in_motion or RunsAfloat()
+    sea = env.sea
+    if not isinstance(shape, BuoyShape) or not sea.hs > 0.0:
         return None
-    env, how = request.environment, request.in_motion or RunsAfloat()
+    # A buoy of CALMAR's own file is one of the library, wherever that file lies.
+    if not any(replace(each, origin=shape.origin) == shape for each in buoys()):
+        return None
     segments = tuple(_stiff(each) for each in case.line.segments)
     source = case.source
     if any(math.isinf(each.EA) for each in case.line.segments):
@@ -49,11 +52,6 @@ def buoy_afloat(case: Case, request: BuoyRequest) -> Case | None:
         ),
         dynamics=Dynamics(how.duration, elements=how.elements),
     )
-
-
-def _is_in_library(shape: BuoyShape) -> bool:
-    """Whether a buoy is one of the library: that of CALMAR's own file is, wherever it lies."""
-    return any(replace(each, origin=shape.origin) == shape for each in buoys())
 
 
 def run_in_still_water(case: Case, request: BuoyRequest) -> Case | None:

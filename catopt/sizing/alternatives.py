@@ -96,15 +96,15 @@ def candidates(
 
 def _why_none(error: CatoptError) -> str:
     """Say in one line why no line of what was asked for passes."""
-    near_miss = error.near_miss if isinstance(error, NoFeasibleDesignError) else None
-    if near_miss is not None and near_miss.failing:
-        return Message("sizing.fails", what=near_miss.failing[0].in_case)
+    said = error.message
     if isinstance(error, InputError):
         what = Several(problem.allowed for problem in error.problems)
         return Message("sizing.fails", what=what)
-    said = error.message
-    if isinstance(error, NoFeasibleDesignError) and isinstance(said, Several):
-        return said.parts[0]
+    if isinstance(error, NoFeasibleDesignError):
+        if error.near_miss is not None and error.near_miss.failing:
+            return Message("sizing.fails", what=error.near_miss.failing[0].in_case)
+        if isinstance(said, Several):
+            return said.parts[0]
     return said
 
 
@@ -170,18 +170,16 @@ def alternatives(
     `sized` settles a line by a preference, and gives its swing radius, m; `beside` is the
     recommended line with its own; no line is looked for by what is in `but`.
     """
-
-    def objectives(of: ConvergedSizing, swing: float) -> tuple[float, float]:
-        return swing, of.point.objectives["mass_kg"]
+    own_line, own_swing = beside
 
     def alternative(prefer: Prefer) -> Alternative:
         try:
-            found = sized(prefer)
-            if prefer == "least-swing" and found[1] > beside[1]:
+            line, swing = sized(prefer)
+            if prefer == "least-swing" and swing > own_swing:
                 return Alternative(prefer, None, reason=Message("sizing.swings_no_less"))
-            return Alternative(
-                prefer, *found, trade=trade(*objectives(*found), *objectives(*beside))
-            )
+            masses = [each.point.objectives["mass_kg"] for each in (line, own_line)]
+            given = trade(swing, masses[0], own_swing, masses[1])
+            return Alternative(prefer, line, swing, given)
         except (NoAnswerError, InputError) as error:
             return Alternative(prefer, None, reason=_why_none(error))
 
@@ -292,8 +290,7 @@ def _passes(case: Case, loss: float) -> bool:
 def beside(request: BuoyRequest | TankerRequest, settled: ConvergedSizing) -> dict[str, Any]:
     """Gather it, by the names of the attributes of `catopt.sizing.result.Sizing`."""
     found = practice(request, settled)
-    life, said = chain_life(settled)
-    advice = [*said]
+    life, advice = chain_life(settled)
     if isinstance(request, BuoyRequest):
         advice += _laying(request, settled)
     return {
@@ -334,10 +331,10 @@ def practice(request: BuoyRequest | TankerRequest, settled: ConvergedSizing) -> 
     env = request.environment
     if isinstance(request, TankerRequest):
         # The equipment number is that of the loaded ship.
-        loaded = [each.ship for each in request.ships if each.condition == "loaded"]
-        if not loaded:
+        loaded = (each.ship for each in request.ships if each.condition == "loaded")
+        ship = next(loaded, None)
+        if ship is None:
             return None
-        (ship, *_) = loaded
         return practice_of_ship(
             diameter,
             length,

@@ -69,20 +69,9 @@ def new_and_worn(states: Iterable[LoadCase], service: Service | None) -> tuple[L
 
 
 def loads_on(
-    buoy: BuoyShape,
-    env: Environment,
-    levels: WaterLevels,
-    assumed: Assumed,
-    request: BuoyRequest | None = None,
+    buoy: BuoyShape, env: Environment, levels: WaterLevels, assumed: Assumed, **own: Any
 ) -> Loads:
-    """Compute the loads on a buoy and its chain; a ship's mooring buoy has the code's own."""
-    own: dict[str, Any] = {}
-    if request is not None:
-        own = {
-            "marine_growth": request.marine_growth,
-            "wave_height": request.wave_height,
-            "chain_waves": request.chain_waves,
-        }
+    """Compute the loads on a buoy and its chain; the code's own but for departures in `own`."""
     return buoy_loads(
         buoy,
         env.wind,
@@ -112,11 +101,9 @@ def sizing_of(
     the line was run in motion: others at rest say nothing beside it.
     """
     line, density, ground = request.line, request.environment.water_density, request.ground
-
     if isinstance(ground, SinkerGround):
         ends = [solution.anchor for _, solution in settled.point.checks.solutions]
-        pull = max(each.horizontal_force for each in ends)
-        own["sinker"] = ground.sized(pull, max(0.0, *(e.vertical_force for e in ends)), density)
+        own["sinker"] = ground.sized_for(ends, density)
         own["other_sinker"] = ground.by_other_rule(own["sinker"], density)
     own = beside(request, settled) | own
     if of_size is not None and of_line is not None:

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import DesignPoint
-from catopt.errors import InputError, Problem
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.environment import WaterLevels
 from catopt.model import Buoy, Design, LoadCase
@@ -23,7 +22,8 @@ from catopt.sizing.answer import (
     worn_name,
 )
 from catopt.sizing.buoy_request import BuoyRequest
-from catopt.sizing.line_choice import sold
+from catopt.sizing.known import refused
+from catopt.sizing.line_choice import LineChoice, sold
 from catopt.sizing.result import Sizing, SwingPart, SwingRadius
 from catopt.sizing.settle import (
     Assumed,
@@ -56,20 +56,22 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
     aim = request.scope * env.levels.deepest(env.sea)
     request = replace(request, line=replace(request.line, aim=aim))
     request, settled = _within_scope(request)
+
+    def of_line(line: LineChoice) -> ConvergedSizing:
+        return _settled(replace(request, line=line))
+
     moved = None
+    others: dict[str, Any] = {}
     if request.in_motion is not None:
         from catopt.sizing.motion_search import search_in_motion
 
-        moved = search_in_motion(
-            request, settled, lambda line: _settled(replace(request, line=line))
-        )
+        moved = search_in_motion(request, settled, of_line)
         settled = moved.settled
-    others: dict[str, Any] = {}
-    if moved is None:
+    else:
+        others["of_line"] = of_line
         others["of_size"] = lambda line, size: _settled(
             replace(request, line=line), replace(settled.needed, diameter=size)
         )
-        others["of_line"] = lambda line: _settled(replace(request, line=line))
     found = sizing_of(
         "buoy",
         request,
@@ -87,22 +89,18 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
 
 def _moved_sizing(of: Sizing, request: BuoyRequest, moved: Moved) -> Sizing:
     """Put what the runs say in the place of what an allowance for motion would."""
+    case, assumptions = moved.in_motion.case, of.assumptions
+    if case.anchor is not None and case.anchor.max_slide is not None:
+        assumptions += (Message("sizing.may_slide", way=case.anchor.max_slide),)
     found = in_place_of_allowance(
         of, moved.in_motion, Message("sizing.motion_by_runs"), moved.sinker
     )
     return replace(
         found,
-        afloat=moved.in_motion.case,
-        assumptions=(*of.assumptions, *_of_the_sinker(moved)),
+        afloat=case,
+        assumptions=assumptions,
         other_sinker=request.ground.by_other_rule(moved.sinker, request.environment.water_density),
     )
-
-
-def _of_the_sinker(moved: Moved) -> Iterator[Message]:
-    """Say how far the sinker may slide, and how that is found."""
-    anchor = moved.in_motion.case.anchor
-    if anchor is not None and anchor.max_slide is not None:
-        yield Message("sizing.may_slide", way=anchor.max_slide)
 
 
 def _within_scope(request: BuoyRequest) -> tuple[BuoyRequest, ConvergedSizing]:
@@ -152,7 +150,15 @@ def pose_buoy(request: BuoyRequest, assumed: Assumed) -> SizingCase:
         name = Message(f"sizing.storm_{water}")
         if not isinstance(request.buoy, BuoyShape):
             return LoadsAt(name, at.high, water, given=request.buoy.horizontal_force)
-        part = loads_on(request.buoy, env, at, assumed, request)
+        part = loads_on(
+            request.buoy,
+            env,
+            at,
+            assumed,
+            marine_growth=request.marine_growth,
+            wave_height=request.wave_height,
+            chain_waves=request.chain_waves,
+        )
         return LoadsAt(name, at.high, water, parts=(part,))
 
     low = WaterLevels.steady(levels.low)
@@ -191,12 +197,12 @@ def _check_reserve(request: BuoyRequest) -> None:
     if weight >= request.reserve_buoyancy:
         name = lightest.name or lightest.component
         values = {"weight": weight / 1e3, "height": height, "name": name}
-        allowed: str = Message("sizing.below_lightest", **values)
+        allowed = Message("sizing.below_lightest", **values)
         reserve = f"{request.reserve_buoyancy / 1e3:.3g} kN"
         if not isinstance(request.buoy, BuoyShape):
-            raise InputError([Problem("reserve_buoyancy", reserve, allowed)], "BuoyRequest")
+            raise refused("reserve_buoyancy", reserve, allowed, "BuoyRequest")
         allowed = Message("sizing.buoy_carries", reserve=reserve, allowed=allowed)
-        raise InputError([Problem("buoy", f'"{request.buoy.name}"', allowed)], "BuoyRequest")
+        raise refused("buoy", f'"{request.buoy.name}"', allowed, "BuoyRequest")
 
 
 def _assumptions(request: BuoyRequest, assumed: Assumed) -> Iterator[str]:

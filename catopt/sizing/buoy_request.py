@@ -71,18 +71,14 @@ class BuoyRequest:
         if keel >= low:
             allowed = Message("refused_sizing.water_m_deep_at_low", low=low)
             if isinstance(self.buoy, BuoyShape):
-                allowed = Message(
-                    "refused_sizing.reaches_m_under_water", keel=keel, allowed=allowed
-                )
+                key = "refused_sizing.reaches_m_under_water"
+                allowed = Message(key, keel=keel, allowed=allowed)
                 found.add("buoy", f'"{self.buoy.name}"', allowed)
             else:
                 found.add("keel_depth", f"{keel:.3g} m", allowed)
         if isinstance(self.buoy, BuoyShape) and self.environment.is_calm:
-            found.add(
-                "wind",
-                Message("refused_sizing.calm"),
-                Message("refused_sizing.something_has_push_buoy"),
-            )
+            allowed = Message("refused_sizing.something_has_push_buoy")
+            found.add("wind", Message("refused_sizing.calm"), allowed)
         found.raise_if_any()
 
     @property

@@ -4,24 +4,22 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Final, Literal, NamedTuple, get_args
 
 from catopt.constants import SEA_WATER_DENSITY
-from catopt.errors import InputError, Problem
 from catopt.loads.environment import HEAD_ON, Headings, SeaState, SurfaceCurrent, WaterLevels, Wind
 from catopt.loads.ship import Ship
 from catopt.loads.weathervane import YAW_TYPES, CurrentYaw, Turning
 from catopt.model.kinds import Findings
 from catopt.sizing.kinds import usual
-from catopt.sizing.known import ResolvedInputs
+from catopt.sizing.known import ResolvedInputs, refused
 from catopt.units import UNITS, Dimension, as_written
 from catopt.words import Message
 
 _PERIOD_OF_HEIGHT: Final = 3.6
 """s per root of m: 2 pi Hs/(g T^2) is then 1/20, the steepness of a growing sea; catopt's own."""
-
 
 LONGEST_MEAN: Final = 3600.0
 """s: the mean that the profile starts from."""
@@ -168,18 +166,17 @@ def read_turning(
     if is_known:
         if current_yaw:
             own = Message("refused_sizing.leave_out_ship_s_own")
-            raise InputError([Problem("current_yaw", f'"{current_yaw}"', own)], "heading")
+            raise refused("current_yaw", f'"{current_yaw}"', own, "heading")
         return Turning(None, mooring_point)
     if not current_yaw:
-        raise InputError(
-            [Problem("current_yaw", "", Message("refused.missing", wanted=allowed))], "heading"
-        )
+        missing = Message("refused.missing", wanted=allowed)
+        raise refused("current_yaw", "", missing, "heading")
     if current_yaw in YAW_TYPES:
         return Turning(YAW_TYPES[current_yaw], mooring_point)
     try:
         intercept, slope = (float(each) for each in current_yaw.split(","))
     except ValueError:
-        raise InputError([Problem("current_yaw", f'"{current_yaw}"', allowed)], "heading") from None
+        raise refused("current_yaw", f'"{current_yaw}"', allowed, "heading") from None
     return Turning(CurrentYaw(intercept, slope), mooring_point)
 
 
@@ -191,15 +188,11 @@ def turned_round(directions: Headings, step: float) -> tuple[Headings, ...]:
     if step == math.inf:
         return (directions,)
     if not _LEAST_STEP <= step <= math.pi:
-        found = f"{math.degrees(step):g} deg"
-        raise InputError(
-            [Problem("scan", found, Message("refused_sizing.step_1_180_deg_wanted"))], "heading"
-        )
+        allowed = Message("refused_sizing.step_1_180_deg_wanted")
+        raise refused("scan", f"{math.degrees(step):g} deg", allowed, "heading")
     count = math.ceil(2.0 * math.pi / step - 1e-9)
     turned = (math.remainder(directions.current + k * step, 2.0 * math.pi) for k in range(count))
-    return tuple(
-        Headings(wind=directions.wind, current=each, waves=directions.waves) for each in turned
-    )
+    return tuple(replace(directions, current=each) for each in turned)
 
 
 def turning_words(turning: Turning, ship: Ship) -> Message:
@@ -228,9 +221,8 @@ _MILD_WIND: Final = 34.0 * _KNOT
 _MILD_CURRENT: Final = 2.0 * _KNOT
 """m/s: type I is for less than these."""
 
-_MEAN: Final = 30.0
-_SERVICE_TYPE_GUST: Final = 3.0
-"""s: over which the wind of the loads is a mean, and over which a gust is."""
+_GUST_MEAN: Final = 3.0
+"""s: over which a gust is a mean."""
 
 
 def demands(of: ServiceType, env: Environment) -> Iterator[Message]:
@@ -247,5 +239,5 @@ def demands(of: ServiceType, env: Environment) -> Iterator[Message]:
 def left_out(env: Environment) -> Message:
     """Say which motions no allowance here stands for, with what a gust adds to the wind's part."""
     speed = env.wind.speed
-    gust = (mean_over(speed, _MEAN, _SERVICE_TYPE_GUST) / speed) ** 2 - 1.0 if speed else 0.0
+    gust = (mean_over(speed, WIND_MEAN, _GUST_MEAN) / speed) ** 2 - 1.0 if speed else 0.0
     return Message("sizing.motions_left_out", share=100.0 * gust)

@@ -66,13 +66,18 @@ class SizingFile:
                 return spell(name, index)
             return dotted((*inputs[name].path, *(() if index is None else (index,))))
 
-        own = {name: each for name, each in inputs.items() if name not in before}
-        reported = [name for name, each in own.items() if self._is_reported(each.path)]
-        reported += [dotted(finding.path) for finding in self.findings]
-        given = self.given(before)
+        faulty = [finding.path for finding in self.findings]
+        told = [*faulty, *self._misspelt()]
+        reported = [  # those of which the key, or its table, is told already
+            name
+            for name, each in inputs.items()
+            if name not in before
+            and any(each.path[: len(path)] == path[: len(each.path)] for path in told)
+        ]
+        reported += map(dotted, faulty)
         return known(
             self.moored,
-            given,
+            self.given(before),
             spelled,
             self.source,
             reported=reported,
@@ -96,10 +101,10 @@ class SizingFile:
             place = table(self.document, each.section) if each.section else self.document
             is_before = any(other in before for other in (name, *each.not_with))
             if each.path[-1] in place and not is_before:
-                found.setdefault(name, place[each.path[-1]])
-        for name, each in self.inputs(before).items():
-            if each.takes == "FILE" and isinstance(found.get(name), str):
-                found[name] = str(FilePath(self.folder) / str(found[name]))
+                value = place[each.path[-1]]
+                if each.takes == "FILE" and isinstance(value, str):
+                    value = str(FilePath(self.folder) / value)
+                found.setdefault(name, value)
         return {**found, **before}
 
     @contextmanager
@@ -127,11 +132,6 @@ class SizingFile:
                 others.append(problem)
         ordered = in_order_of(self.document, list(dict.fromkeys(found)))
         return InputError([*(each.as_problem() for each in ordered), *others], self.source)
-
-    def _is_reported(self, path: Path) -> bool:
-        """Say whether a fault of a key, or of its table, is told already."""
-        reported = [*(finding.path for finding in self.findings), *self._misspelt()]
-        return any(path[: len(each)] == each[: len(path)] for each in reported)
 
     def _misspelt(self) -> Iterator[Path]:
         """List the keys that were meant by unknown ones."""
@@ -172,8 +172,14 @@ def file_of(
     document: dict[str, Any], moored: Moored, source: str = "", *, folder: str = ""
 ) -> SizingFile:
     """Take the document of a file, as the TOML reader returns it, as `parse_file` does."""
-    other = _of_another_kind(document, moored)
-    if other:
+    key, other = case_key(document), None
+    if moored == "buoy" and "ship" in document:
+        allowed = Message("refused_file.for_size_tanker")
+        other = Finding(("ship",), Message("refused_file.a_ship"), allowed)
+    elif key:
+        found = f"[{key[0]}]" if len(key) == 1 else "the segments of a line"
+        other = Finding(key, found, Message("refused.is_case_file"))
+    if other is not None:
         raise InputError([other.as_problem()], source)
     _, findings = read_tables(document, schema_of(moored))
     if moored == "tanker" and "anchor" in document and "sinker" in document:
@@ -213,17 +219,3 @@ def sized(file: SizingFile) -> Sizing:
     """
     with file.reporting():
         return size(file.known())
-
-
-def _of_another_kind(document: dict[str, Any], moored: Moored) -> Finding | None:
-    """Say what the file is for, when it is not for this."""
-    if moored == "buoy" and "ship" in document:
-        return Finding(
-            ("ship",), Message("refused_file.a_ship"), Message("refused_file.for_size_tanker")
-        )
-    key = case_key(document)
-    if key:
-        found = f"[{key[0]}]" if len(key) == 1 else "the segments of a line"
-        allowed = Message("refused.is_case_file")
-        return Finding(key, found, allowed)
-    return None

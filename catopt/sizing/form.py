@@ -19,6 +19,7 @@ from catopt.errors import InputError, Problem
 from catopt.sizing.file import SizingFile, file_of
 from catopt.sizing.inputs import Input, inputs_of
 from catopt.sizing.kinds import choices_of
+from catopt.sizing.known import refused
 from catopt.units import Dimension
 from catopt.words import Language, Message, say
 
@@ -41,7 +42,6 @@ MOST_BYTES: Final = 20_000_000
 MOST_ROWS: Final = 1_000
 _FORM, _FLEET, _FIRST = "Form", "Fleet", 4
 _WHAT, _VALUE, _UNIT, _HINT, _KEY = range(1, 6)
-_FLAGS: Final = ("yes", "no")
 
 
 def is_form(path: object) -> bool:
@@ -62,10 +62,8 @@ def form(moored: Moored, language: Language = "en") -> bytes:
     grey, bold = Font(color="808080"), Font(bold=True)
     sheet["A1"], sheet["A2"] = moored, reported(Message(f"left_out.form_{moored}"))
     sheet["A1"].font, sheet["A2"].font = grey, bold
-    headings = ("what", "value", "unit", "hint", "key")
-    for column, name in enumerate(headings, start=1):
-        cell = sheet.cell(_FIRST - 1, column, reported(Message(f"left_out.form_{name}")))
-        cell.font = bold
+    for column, name in enumerate(("what", "value", "unit", "hint", "key"), start=1):
+        sheet.cell(_FIRST - 1, column, reported(Message(f"left_out.form_{name}"))).font = bold
     for row, each in enumerate(_inputs(moored), start=_FIRST):
         sheet.cell(row, _WHAT, reported(Message(f"inputs.{each.name}")))
         sheet.cell(row, _VALUE).fill = PatternFill("solid", fgColor="FFF8DC")
@@ -75,7 +73,7 @@ def form(moored: Moored, language: Language = "en") -> bytes:
         if units:
             sheet.cell(row, _UNIT, units[0])
             _offer(sheet, f"C{row}", units)
-        choices = _FLAGS if each.takes == "FLAG" else choices_of(each)
+        choices = ("yes", "no") if each.takes == "FLAG" else choices_of(each)
         if choices and not each.several:
             _offer(sheet, f"B{row}", choices)
     for letter, width in zip("ABCDE", (46, 24, 9, 60, 26), strict=True):
@@ -84,9 +82,9 @@ def form(moored: Moored, language: Language = "en") -> bytes:
     fleet = book.create_sheet(_FLEET)
     fleet["A1"] = reported(Message("left_out.form_fleet"))
     for column, each in enumerate(_inputs(moored), start=1):
-        unit = _units(each)[:1]
-        name = say(Message(f"inputs.{each.name}"), language)
-        fleet.cell(2, column, " ".join([name, *(f"({own})" for own in unit)])).font = bold
+        name = reported(Message(f"inputs.{each.name}"))
+        unit = [f"({own})" for own in _units(each)[:1]]
+        fleet.cell(2, column, " ".join([name, *unit])).font = bold
         fleet.cell(3, column, each.key).font = grey
     stream = BytesIO()
     book.save(stream)
@@ -103,7 +101,7 @@ def read_form(path: str | os.PathLike[str]) -> list[SizingFile]:
     moored = book[_FORM]["A1"].value if _FORM in book.sheetnames else None
     if moored not in ("buoy", "tanker"):
         allowed = Message("refused_sizing.form_catopt_new_buoy_out")
-        raise InputError([Problem("A1", f"{moored}", allowed)], source)
+        raise refused("A1", f"{moored}", allowed, source)
     problems = [
         Problem(
             f"{sheet.title}!{cell.coordinate}",
@@ -138,19 +136,16 @@ def _opened(path: Path, source: str) -> Any:
         with zipfile.ZipFile(path) as packed:
             parts = packed.infolist()
         if sum(part.file_size for part in parts) > MOST_BYTES:
-            raise InputError(
-                [Problem("file", Message("refused_sizing.more_than_that"), wanted)], source
-            )
+            raise refused("file", Message("refused_sizing.more_than_that"), wanted, source)
         if any("vbaproject" in part.filename.lower() for part in parts):
             allowed = Message("refused_sizing.save_without_catopt_takes_no")
-            raise InputError([Problem("file", Message("refused_sizing.macros"), allowed)], source)
+            raise refused("file", Message("refused_sizing.macros"), allowed, source)
         return openpyxl.load_workbook(path)
     except FileNotFoundError:
-        raise InputError([Problem("file", "", Message("refused.no_file"))], source) from None
+        raise refused("file", "", Message("refused.no_file"), source) from None
     except (OSError, ValueError, KeyError, zipfile.BadZipFile, InvalidFileException):
-        raise InputError(
-            [Problem("file", Message("refused_sizing.no_workbook"), wanted)], source
-        ) from None
+        found = Message("refused_sizing.no_workbook")
+        raise refused("file", found, wanted, source) from None
 
 
 def _fleet(book: Any, inputs: Mapping[str, Input]) -> Iterator[dict[str, object]]:
@@ -204,23 +199,19 @@ def _inputs(moored: Moored) -> list[Input]:
 def _units(each: Input) -> tuple[str, ...]:
     if not each.is_measure or Dimension[each.takes] is Dimension.NUMBER:
         return ()
-    example = each.example[0] if isinstance(each.example, tuple) else each.example
-    own = str(example).partition(" ")[2] or each.bare or Dimension[each.takes].si_unit
+    own = str(each.one_example).partition(" ")[2] or each.bare or Dimension[each.takes].si_unit
     return tuple(dict.fromkeys((own, *UNITS.get(each.takes, ()))))
 
 
 def _hint(each: Input, language: Language) -> str:
-    named = {name: own.key for name, own in inputs_of("tanker").items()}
-    named |= {name: own.key for name, own in inputs_of("buoy").items()}
+    every = {**inputs_of("tanker"), **inputs_of("buoy")}
+    named = {name: own.key for name, own in every.items()}
     taken = Message(each.left_out, **named) if each.left_out else each.default
     example = each.example
     if isinstance(example, tuple):
         example = "; ".join(map(str, example))
-    said = (
-        say(Message("left_out.form_such_as", example=example), language),
-        say(Message("left_out.if_left_out", taken=taken), language) if taken else "",
-    )
-    return "".join(said)
+    said = say(Message("left_out.form_such_as", example=example), language)
+    return said + (say(Message("left_out.if_left_out", taken=taken), language) if taken else "")
 
 
 def _offer(sheet: Any, cell: str, choices: tuple[str, ...]) -> None:

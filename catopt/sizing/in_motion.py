@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
+from catopt.catalogue.family import chain_words
 from catopt.checks.kinds import CHECK_KINDS
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import NearMiss
-from catopt.model import Case
+from catopt.model import Case, Line
 from catopt.model.dynamics import JudgedBy
 from catopt.model.kinds import (
     Angle,
@@ -105,6 +107,15 @@ class LineTried(Record):
     """Made of it: it is left at the first load case that fails."""
     failing: tuple[CheckResult, ...]  # the worst first
     reason: str = ""  # why a run has no answer; else empty
+
+    @classmethod
+    def of(
+        cls, line: Line, runs: int, failing: tuple[CheckResult, ...], reason: str = ""
+    ) -> LineTried:
+        """Say which line was tried, and what it fails."""
+        segment = line.segments[0]
+        size, mass = segment.nominal_diameter or 0.0, line.mass or 0.0
+        return cls(segment.component, size, line.length, mass, runs, failing, reason)
 
     @property
     def passes(self) -> bool:
@@ -275,24 +286,30 @@ class InMotion(Record):
 
 
 class NoLineInMotionError(NoFeasibleDesignError):
-    """Lines pass at rest, and none that was run passes in motion."""
+    """Lines pass at rest, and none that was run passes in motion.
 
-    def __init__(self, nearest: NearMiss, chain: str, counted: Counted) -> None:
+    `tried` has every line with what it came to, of which the one is named that fails by the least.
+    """
+
+    def __init__(self, tried: Iterable[tuple[Line, LineTried]], counted: Counted) -> None:
+        def miss(one: tuple[Line, LineTried]) -> float:
+            failing = one[1].failing
+            return failing[0].exceedance if failing else math.inf
+
         self.counted, self.in_motion = counted, counted.words
+        line, nearest = min(tried, key=miss)
+        chain = chain_words(line.segments[0].component, line.segments[0].nominal_diameter)
+        misses = [
+            Message("sizing.miss_in_motion", check=each.in_case, times=each.demand / each.capacity)
+            if each.capacity > 0.0
+            else each.in_case
+            for each in nearest.failing
+        ]
         said = [
             Message("sizing.none_in_motion"),
             self.in_motion,
-            Message("sizing.nearest_in_motion", chain=chain, length=nearest.line.length),
-            *(
-                Message(
-                    "sizing.miss_in_motion",
-                    check=each.in_case,
-                    times=(each.demand / each.capacity) if each.capacity > 0.0 else 0.0,
-                )
-                if each.capacity > 0.0
-                else each.in_case
-                for each in nearest.failing
-            ),
+            Message("sizing.nearest_in_motion", chain=chain, length=line.length),
+            *misses,
             *([nearest.reason] if nearest.reason else []),
         ]
-        super().__init__(Several(said, "\n"), nearest)
+        super().__init__(Several(said, "\n"), NearMiss(line, nearest.failing, nearest.reason))

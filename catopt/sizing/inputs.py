@@ -60,6 +60,11 @@ class Input:
         return self.key.rpartition(".")[0]
 
     @property
+    def one_example(self) -> Any:
+        """Its example; the first of several."""
+        return self.example[0] if isinstance(self.example, tuple) else self.example
+
+    @property
     def is_measure(self) -> bool:
         """Whether it has a dimension."""
         return self.takes not in ("TEXT", "NAME", "FILE", "WHICH", "COUNT", "FLAG")

@@ -6,10 +6,9 @@ from collections.abc import Mapping, Sequence
 from typing import TypedDict, Unpack
 
 from catopt.casefile.reading import Moored
-from catopt.errors import InputError, Problem
 from catopt.sizing.buoy import sized_buoy
 from catopt.sizing.buoy_request import BuoyRequest
-from catopt.sizing.known import known
+from catopt.sizing.known import known, refused
 from catopt.sizing.requests import size
 from catopt.sizing.result import Sizing
 from catopt.sizing.tanker import sized_tanker
@@ -176,4 +175,4 @@ def _sized(moored: Moored, request: object, inputs: Mapping[str, object]) -> Siz
     if request is None:
         return size(known(moored, inputs, source=source))
     allowed = Message("refused_sizing.request_wanted_or_keywords_not", moored=moored)
-    raise InputError([Problem("request", f"a {type(request).__name__}", allowed)], source)
+    raise refused("request", f"a {type(request).__name__}", allowed, source)

@@ -20,7 +20,7 @@ from catopt.units import Dimension, as_written
 @cache
 def kind_of(each: Input) -> Kind:
     """Make the kind that reads a value of an input, or each of several."""
-    example: Any = each.example[0] if isinstance(each.example, tuple) else each.example
+    example = each.one_example
     match each.takes:
         case "TEXT":
             return Text()
@@ -69,21 +69,16 @@ def usual(name: str, moored: Moored = "buoy") -> Any:
 @cache
 def schema_of(moored: Moored) -> type[TableSchema]:
     """Make the schema of a file."""
-    inputs = rows_of(moored)
-    sections = dict.fromkeys(each.section for each in inputs)
-    tables = {
-        name: _table(name, [each for each in inputs if each.section == name]) for name in sections
-    }
-    annotations = {name: table | None for name, table in tables.items() if name}
-    return _made("SizingTable", tables[""], annotations)
-
-
-def _table(name: str, inputs: list[Input]) -> type[TableSchema]:
-    made = _made(
-        f"{name.title()}Table", TableSchema, {each.path[-1]: _annotation(each) for each in inputs}
-    )
-    made.symbols = {alias: each.path[-1] for each in inputs for alias in each.also}
-    return made
+    sections: dict[str, dict[str, Input]] = {}
+    for each in rows_of(moored):
+        sections.setdefault(each.section, {})[each.path[-1]] = each
+    tables: dict[str, type[TableSchema]] = {}
+    for name, inputs in sections.items():
+        annotations = {key: _annotation(each) for key, each in inputs.items()}
+        tables[name] = _made(f"{name.title()}Table", TableSchema, annotations)
+        tables[name].symbols = {alias: key for key, each in inputs.items() for alias in each.also}
+    top = tables.pop("")
+    return _made("SizingTable", top, {name: table | None for name, table in tables.items()})
 
 
 def _made(name: str, base: type[TableSchema], annotations: dict[str, Any]) -> type[TableSchema]:

@@ -23,6 +23,11 @@ from catopt.words import Cited, Measure, Message, Several, term
 Made = TypeVar("Made")
 
 
+def refused(key: str, found: str, allowed: str, source: str = "") -> InputError:
+    """Make the error of one thing that is wrong, as those of `catopt.errors.Problem`."""
+    return InputError([Problem(key, found, allowed)], source)
+
+
 class Spelling(Protocol):
     """How a caller writes the name of an input."""
 
@@ -188,8 +193,7 @@ class ReadInput(Record):
     @property
     def _unit(self) -> str:
         """Take that of the example, or of the default that was taken."""
-        example = self.of.example[0] if isinstance(self.of.example, tuple) else self.of.example
-        texts = (example, self.of.default)
+        texts = (self.of.one_example, self.of.default)
         for text in reversed(texts) if self.origin == "taken" else texts:
             if isinstance(text, str) and " " in text:
                 return text.partition(" ")[2]
@@ -330,20 +334,19 @@ def _read(errors: ErrorCollector, each: Input, value: object) -> Any:
 
 def _refuse(errors: ErrorCollector, moored: Moored, name: str, value: object) -> None:
     """Keep that something is given which nothing is made of."""
-    if name in inputs_of(moored):
+    inputs = inputs_of(moored)
+    if name in inputs:
         anchor = f'{errors.spell("anchor")} "{SINKER}"'
-        allowed = Message("refused.of_a_sinker", anchor=anchor)
-        errors.add(name, as_written(value), allowed)
+        errors.add(name, as_written(value), Message("refused.of_a_sinker", anchor=anchor))
         return
-    inputs = inputs_of(moored).values()
-    aliases = {alias: each.name for each in inputs for alias in (*each.also, each.path[-1])}
-    meant = aliases.get(name) or nearest(name, tuple(inputs_of(moored)))
-    hint = Message("refused.allowed_here", keys=", ".join(inputs_of(moored)))
+    rows = inputs.values()
+    aliases = {alias: each.name for each in rows for alias in (*each.also, each.path[-1])}
+    meant = aliases.get(name) or nearest(name, tuple(inputs))
+    hint = Message("refused.allowed_here", keys=", ".join(inputs))
     if meant:
         hint = Message("refused.did_you_mean", near=meant)
-    errors.add(name, Message("refused.unknown_keyword"), hint)
-    if meant:
         errors.no_more_of(meant)
+    errors.add(name, Message("refused.unknown_keyword"), hint)
 
 
 def _contradictions(

@@ -11,15 +11,18 @@ from catopt.catalogue.choice import chosen
 from catopt.catalogue.components import Component, within
 from catopt.checks.profiles import Method, profiles_of
 from catopt.constants import SEA_WATER_DENSITY, YEAR
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError
 from catopt.model import CatalogueChoice, Checks, Line, Segment, SegmentChoice, Service
 from catopt.model.kinds import Findings
 from catopt.sizing.kinds import usual
+from catopt.sizing.known import refused
 from catopt.words import Message
 
 Prefer = Literal["practice", "shortest", "cheapest", "lightest", "balanced", "least-swing"]
 PREFERENCES: tuple[Prefer, ...] = get_args(Prefer)
 
+_GENERAL_CODE: Final = "API-RP-2SK"
+"""Whose method stands in for that of a code that has none."""
 _STEPS: Final = (0.25, 0.5, 1.0, 2.5, 5.0, 10.0)
 _STEPS_A_HEIGHT: Final = 25.0
 """A step of length is at least this part of the height that the line spans."""
@@ -77,38 +80,25 @@ class LineChoice:
     def __post_init__(self) -> None:
         found = Findings("LineChoice")
         if not self.components:
-            found.add(
-                "components",
-                Message("refused.none"),
-                Message("refused_sizing.one_family_with_grade_wanted"),
-            )
+            allowed = Message("refused_sizing.one_family_with_grade_wanted")
+            found.add("components", Message("refused.none"), allowed)
         found.numbers(self, "m", "diameter_min", "diameter_max", "length_step", "length", above=0.0)
         found.numbers(self, "m", "max_swing", above=0.0)
         found.number("swing_price", self.swing_price, "USD/m", at_least=0.0)
         least, most = self.diameter_min, self.diameter_max
         if not found.problems and least is not None and most is not None and most < least:
-            found.add(
-                "diameter_max",
-                f"{most * 1e3:g} mm",
-                Message("refused_sizing.below_diameter_min", least=least * 1000.0),
-            )
+            allowed = Message("refused_sizing.below_diameter_min", least=least * 1000.0)
+            found.add("diameter_max", f"{most * 1e3:g} mm", allowed)
         self._check_preference(found)
         found.number("life", self.life, "s", at_least=0.0)
         if self.life > _LONGEST_LIFE * YEAR:
-            years = f"{self.life / YEAR:g} years"
-            found.add(
-                "life",
-                years,
-                Message("refused_sizing.must_be_years_or_less", longest_life=_LONGEST_LIFE),
-            )
+            allowed = Message("refused_sizing.must_be_years_or_less", longest_life=_LONGEST_LIFE)
+            found.add("life", f"{self.life / YEAR:g} years", allowed)
         found.number("wear_rate", self.wear_rate, "m/s", at_least=0.0)
         if self.wear_rate > _FASTEST_WEAR / YEAR:
-            rate = f"{self.wear_rate * YEAR * 1e3:g} mm/year"
-            found.add(
-                "wear_rate",
-                rate,
-                Message("refused_sizing.must_be_mm_year_or", fastest_wear=_FASTEST_WEAR * 1000.0),
-            )
+            most = _FASTEST_WEAR * 1000.0
+            allowed = Message("refused_sizing.must_be_mm_year_or", fastest_wear=most)
+            found.add("wear_rate", f"{self.wear_rate * YEAR * 1e3:g} mm/year", allowed)
         found.numbers(self, "", "run_factor", at_least=1.0)
         if self.dynamic_factor is not None:
             found.number("dynamic_factor", self.dynamic_factor, "", at_least=1.0, at_most=10.0)
@@ -121,21 +111,15 @@ class LineChoice:
 
     def _check_preference(self, found: Findings) -> None:
         if self.prefer not in (None, *PREFERENCES):
-            found.add(
-                "prefer",
-                repr(self.prefer),
-                Message("refused.of_these", words=", ".join(PREFERENCES)),
-            )
+            allowed = Message("refused.of_these", words=", ".join(PREFERENCES))
+            found.add("prefer", repr(self.prefer), allowed)
         lowest, highest = self.scope
         found.number("scope_min", lowest, "", at_least=0.0, at_most=MOST_DEPTHS)
         if highest != math.inf:
             found.number("scope_max", highest, "", above=0.0, at_most=MOST_DEPTHS)
         if 0.0 < highest < lowest <= MOST_DEPTHS:
-            found.add(
-                "scope_max",
-                f"{highest:g}",
-                Message("refused_sizing.below_scope_min", lowest=lowest),
-            )
+            allowed = Message("refused_sizing.below_scope_min", lowest=lowest)
+            found.add("scope_max", f"{highest:g}", allowed)
         if self.swing_price and self.prefer != "cheapest":
             allowed = Message("refused_sizing.leave_out_prefer_cheapest_alone")
             found.add("swing_price", f"{self.swing_price:g} USD/m", allowed)
@@ -162,7 +146,10 @@ class LineChoice:
     def method(self) -> Method:
         """What the code has beside its criteria; of one that has nothing, API RP 2SK's."""
         own = profiles_of(self.checks)[0].method
-        return own or _method_of("API-RP-2SK")
+        if own is None:
+            own = profiles_of(Checks(codes=(_GENERAL_CODE,)))[0].method
+        assert own is not None
+        return own
 
     @property
     def allowance(self) -> float:
@@ -175,7 +162,7 @@ class LineChoice:
         """What stands for motion: the user's factor, or what the code's method says of its own."""
         if self.dynamic_factor is not None:
             return Message("sizing.factor_given")
-        code = self.code if profiles_of(self.checks)[0].method else "API-RP-2SK"
+        code = self.code if profiles_of(self.checks)[0].method else _GENERAL_CODE
         return Message("sizing.factor_of_code", code=code, motion=self.method.motion)
 
     @property
@@ -260,12 +247,6 @@ def round_step(height: float) -> float:
     return next((step for step in _STEPS if step >= height / _STEPS_A_HEIGHT), _STEPS[-1])
 
 
-def _method_of(code: str) -> Method:
-    (found,) = profiles_of(Checks(codes=(code,)))
-    assert found.method is not None
-    return found.method
-
-
 # ------------------------------------------------------------------ what is sold
 
 
@@ -282,17 +263,17 @@ def sold(choice: LineChoice, water_density: float) -> tuple[Segment, ...]:
     Refused when there is no such component, or no size of any of them is sold within the bounds.
     """
     limits = (choice.least_size or 0.0, choice.diameter_max or math.inf)
-    there = [
+    within_bounds = [
         each
         for name in choice.components
         for each in _sizes_of(name, choice.catalogue, water_density)
+        if within(each.nominal_diameter, limits)
     ]
-    within_bounds = [each for each in there if within(each.nominal_diameter, limits)]
     if not within_bounds:
         names = ", ".join(choice.components)
-        least, most = limits[0] * 1e3, limits[1] * 1e3
+        least, most = (1e3 * each for each in limits)
         allowed = Message("refused_sizing.no_size_sold_from_mm", least=least, most=most)
-        raise InputError([Problem("components", names, allowed)], "LineChoice")
+        raise refused("components", names, allowed, "LineChoice")
     return tuple(each.segment(1.0) for each in within_bounds)
 
 

@@ -24,12 +24,7 @@ from catopt.sizing.in_motion import (
 )
 from catopt.sizing.settle import ConvergedSizing
 from catopt.verify.dynamic_result import DynamicPart
-from catopt.verify.judged import (
-    check_parts,
-    judged_as,
-    solutions_at_rest,
-    way_of,
-)
+from catopt.verify.judged import check_parts, judged_as, solutions_at_rest, way_of
 from catopt.words import Message
 
 _ROLL, _PITCH = 3, 4
@@ -62,15 +57,17 @@ def judged(
 ) -> Judged:
     """Check the runs of a line in every sea, one after the other, whose sinker is sized."""
     case = seas[0]
-    runs, failed = _runs_of(found), [e for e in found if not isinstance(e, DynamicPart)]
+    line = settled.point.line
+    runs = sum(len(each.runs) if isinstance(each, DynamicPart) else 1 for each in found)
+    failed = [each for each in found if not isinstance(each, DynamicPart)]
     if failed:
-        return Judged(line_tried(settled, runs, (), failed[0].message), settled, case)
+        return Judged(LineTried.of(line, runs, (), failed[0].message), settled, case)
     assert case.dynamics is not None
     parts = tuple(judged_as(each, case.dynamics) for each in found if isinstance(each, DynamicPart))
     heel = largest_heel(parts)
     if heel >= _TURNED_OVER:
         reason = Message("sizing.turns_over", heel=math.degrees(heel))
-        return Judged(line_tried(settled, runs, (), reason), settled, case, parts)
+        return Judged(LineTried.of(line, runs, (), reason), settled, case, parts)
     solved = solutions_at_rest(case, parts)
     at_rest = tuple(each for each in solved if each is not None)
     checked: tuple[CheckReport, tuple[Sea, ...]] | None = None
@@ -89,12 +86,14 @@ def judged(
         own = replace(anchor, max_slide=None)
         still = check_case(replace(settled.case, anchor=own, design=None))
         settled = replace(settled, point=replace(settled.point, anchor=own, checks=still))
-    failing = sorted((each for each in checks.results if not each.passes), key=_worst)
+    failing = sorted(
+        (each for each in checks.results if not each.passes), key=lambda each: -each.exceedance
+    )
     # The sea of what governs is the one that is written, to be run again.
     if checks.governing is not None:
         governs = of_sea[checks.results.index(checks.governing)]
         case = next(each for each in seas if sea_of(each) == governs)
-    tried = line_tried(settled, runs, tuple(failing))
+    tried = LineTried.of(line, runs, tuple(failing))
     every = zip(checks.results, of_sea, strict=True)
     tightest = tightest_seas(every) if how.periods else ()
     return Judged(tried, settled, case, parts, at_rest, checks, tightest)
@@ -128,10 +127,6 @@ def _checked(
     return CheckReport(seas[0].title, tuple(results), (), tuple(warnings)), tuple(of_sea)
 
 
-def _runs_of(found: Sequence[DynamicPart | NoAnswer]) -> int:
-    return sum(len(each.runs) if isinstance(each, DynamicPart) else 1 for each in found)
-
-
 def _least_that_stays(parts: Sequence[DynamicPart]) -> Anchor:
     """Take the least sinker that slides no further than it may; the heaviest where none does."""
     every = parts[0].drive.sinkers
@@ -141,27 +136,6 @@ def _least_that_stays(parts: Sequence[DynamicPart]) -> Anchor:
         if all(way_of(each, part, part.runs) <= (each.max_slide or 0.0) for part in parts)
     )
     return next(stays, every[-1])
-
-
-def _worst(check: CheckResult) -> float:
-    return -check.exceedance
-
-
-def line_tried(
-    settled: ConvergedSizing, runs: int, failing: tuple[CheckResult, ...], reason: str = ""
-) -> LineTried:
-    """Say which line was tried, and what it fails."""
-    line = settled.point.line
-    (segment, *_) = line.segments
-    return LineTried(
-        segment.component,
-        segment.nominal_diameter or 0.0,
-        line.length,
-        line.mass or 0.0,
-        runs,
-        failing,
-        reason,
-    )
 
 
 def _held(settled: ConvergedSizing, checks: CheckReport) -> Anchor | None:

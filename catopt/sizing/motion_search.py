@@ -15,12 +15,11 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Final, NamedTuple
 
-from catopt.catalogue.family import chain_words
 from catopt.catenary.solution import Solution
 from catopt.design.evaluation import sinker_of
 from catopt.design.neighbours import NoFeasibleDesignError
-from catopt.design.result import DesignPoint, NearMiss
-from catopt.errors import InputError, Problem
+from catopt.design.result import DesignPoint
+from catopt.errors import InputError
 from catopt.loads.ship import neighbours
 from catopt.loads.sinker import SinkerSize
 from catopt.model import Anchor, Case
@@ -38,6 +37,7 @@ from catopt.sizing.in_motion import (
     in_sea,
     sea_of,
 )
+from catopt.sizing.known import refused
 from catopt.sizing.line_choice import LineChoice, sold
 from catopt.sizing.motion_judged import Judged, NoAnswer, judged, largest_heel
 from catopt.sizing.pattern import HEAVY_SINKERS
@@ -48,10 +48,7 @@ from catopt.verify.dynamic import Wanted, processes_for, run_once
 from catopt.verify.dynamic_lines import hull_of
 from catopt.verify.dynamic_result import DynamicPart
 from catopt.verify.dynamic_setup import read_drive
-from catopt.verify.judged import (
-    line_in_motion,
-    with_more_runs,
-)
+from catopt.verify.judged import line_in_motion, with_more_runs
 from catopt.verify.side_by_side import SECONDS_PER_BAR_AND_STEP, Crew, silent
 from catopt.words import Message
 
@@ -105,7 +102,9 @@ def search_in_motion(
         by_length = found.by_length(sizes, chosen, crew) if chosen and how.other_lengths else ()
     counted = found.counted(sizes)
     if chosen is None:
-        raise _nothing_passes(found, counted)
+        every = [each for each in found.judged.values() if each is not None]
+        tried = [(each.settled.point.line, each.tried) for each in every]
+        raise NoLineInMotionError(tried, counted)
     assert chosen.checks is not None
     return Moved(
         replace(chosen.settled, choice=request.line),
@@ -134,7 +133,7 @@ def _check_afloat(settled: ConvergedSizing, request: BuoyRequest) -> None:
             return
         except InputError:
             allowed = Message("refused.not_upright")
-    raise InputError([Problem("in_motion", "true", allowed)], "BuoyRequest")
+    raise refused("in_motion", "true", allowed, "BuoyRequest")
 
 
 class _Search:
@@ -166,12 +165,11 @@ class _Search:
 
         A size of which none does is looked at no more.
         """
-        density = self.request.environment.water_density
-        every = sold(self.request.line, density)
+        every = sold(self.request.line, self.request.environment.water_density)
+        most = self.lengths[-1] / self._depth
+        limits = (min(self.request.line.scope[0], most), most)
         for each in sorted(every, key=lambda one: one.submerged_weight):
             assert each.nominal_diameter is not None
-            least = self.request.line.scope[0]
-            limits = (min(least, self.lengths[-1] / self._depth), self.lengths[-1] / self._depth)
             try:
                 rest = self._settled(each.component, each.nominal_diameter, limits)
             except (NoFeasibleDesignError, InputError):
@@ -221,13 +219,10 @@ class _Search:
         the shortest that passes is found by halving.
         """
         chosen: Judged | None = None
-        fronts = {k: _Front(each.first) for k, each in enumerate(sizes)}
+        fronts = {k: _Front(each.first, each.first) for k, each in enumerate(sizes)}
         while True:
-            there = {
-                k: point
-                for k, front in fronts.items()
-                if (point := self._next(sizes[k], front)) is not None
-            }
+            nexts = {k: self._next(sizes[k], front) for k, front in fronts.items()}
+            there = {k: point for k, point in nexts.items() if point is not None}
             points = [*there.values(), *([chosen.settled.point] if chosen else [])]
             if not points:
                 return None
@@ -276,11 +271,9 @@ class _Search:
         if key not in self._at_rest:
             scope = self.lengths[rung] / self._depth
             try:
-                found = self._settled(size.component, size.diameter, (scope, scope))
+                self._at_rest[key] = self._settled(size.component, size.diameter, (scope, scope))
             except NoFeasibleDesignError:
                 self._at_rest[key] = None
-            else:
-                self._at_rest[key] = found
         return self._at_rest[key]
 
     def by_length(
@@ -292,27 +285,18 @@ class _Search:
         """
         own = chosen.tried
         size = next(e for e in sizes if (e.component, e.diameter) == (own.component, own.diameter))
-        others = [
-            rung
-            for rung in range(size.first, len(self.lengths))
-            if (settled := self._rest(size, rung)) is not None
-            and settled.point.line.length != own.length
-        ]
+        every = (self._rest(size, rung) for rung in range(size.first, len(self.lengths)))
+        pass_at_rest = [each for each in every if each is not None]
+        others = [each for each in pass_at_rest if each.point.line.length != own.length]
         count = min(self.how.other_lengths, len(others))
         places = {round(k * (len(others) - 1) / max(count - 1, 1)) for k in range(count)}
         found = [chosen]
-        for place in sorted(places):
-            settled = self._rest(size, others[place])
-            assert settled is not None
-            found.append(_run(settled, self.request, self.how, crew, whole=True))
-        runs = (
-            LengthRun(
-                each.tried,
-                _storm(each, self.how) if each.parts else None,
-                None if each.case.anchor is None or not each.parts else each.case.anchor.mass,
-            )
-            for each in found
-        )
+        found += [_run(others[k], self.request, self.how, crew, whole=True) for k in sorted(places)]
+        runs = []
+        for each in found:
+            anchor, storm = each.case.anchor, _storm(each, self.how) if each.parts else None
+            sinker = None if anchor is None or storm is None else anchor.mass
+            runs.append(LengthRun(each.tried, storm, sinker))
         return tuple(sorted(runs, key=lambda run: run.tried.length))
 
     def _tried(self, size: _Size, rung: int, crew: Crew) -> Judged | None:
@@ -330,11 +314,8 @@ class _Front:
     """How far the lengths of a size are known to fail, or taken to."""
 
     low: int  # the first that is not
-    at: int = -1  # that is next
+    at: int  # that is next
     leap: int = 1
-
-    def __post_init__(self) -> None:
-        self.at = self.low
 
 
 def _ladder(every: Sequence[float], most: float) -> tuple[float, ...]:
@@ -368,8 +349,7 @@ def _run(
     assert case.dynamics is not None
     assert case.waves is not None
     sinkers = _sinkers_from(settled, case)
-    own = sea_of(case)
-    waves = [replace(case.waves, **each._asdict()) for each in how.seas(*own)]
+    waves = [replace(case.waves, **each._asdict()) for each in how.seas(*sea_of(case))]
     seas = [replace(case, waves=each) for each in waves]
     largest_values = replace(case.dynamics, judged_by="largest")
     drives = [
@@ -438,8 +418,7 @@ def _sinker_size(request: BuoyRequest, of: Judged) -> SinkerSize:
     assert anchor is not None
     if anchor.max_slide is not None:
         ends = [solution.anchor for _, solution in of.settled.point.checks.solutions]
-        lift = max(0.0, *(each.vertical_force for each in ends))
-        size = request.ground.sized(max(e.horizontal_force for e in ends), lift, density)
+        size = request.ground.sized_for(ends, density)
         mass, weight = anchor.mass or size.mass, anchor.submerged_weight or size.submerged_weight
         smaller, larger = neighbours(mass, HEAVY_SINKERS)
         return replace(size, mass=mass, submerged_weight=weight, smaller=smaller, larger=larger)
@@ -448,23 +427,4 @@ def _sinker_size(request: BuoyRequest, of: Judged) -> SinkerSize:
         for part, solution in zip(of.parts, of.at_rest, strict=True)
     ]
     pulls = [each.anchor for each in carried if each is not None]
-    return request.ground.sized(
-        max(each.horizontal_force for each in pulls),
-        max(0.0, *(each.vertical_force for each in pulls)),
-        density,
-    )
-
-
-def _nothing_passes(found: _Search, counted: Counted) -> NoLineInMotionError:
-    """Say which line fails by the least."""
-    every = [each for each in found.judged.values() if each is not None]
-
-    def miss(of: Judged) -> float:
-        return of.tried.failing[0].exceedance if of.tried.failing else math.inf
-
-    nearest = min(every, key=miss)
-    (first, *_) = nearest.settled.point.line.segments
-    chain = chain_words(first.component, first.nominal_diameter)
-    tried = nearest.tried
-    near = NearMiss(nearest.settled.point.line, tried.failing, tried.reason)
-    return NoLineInMotionError(near, chain, counted)
+    return request.ground.sized_for(pulls, density)

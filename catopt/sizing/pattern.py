@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Annotated, Any, Final, Literal, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Any, Final, Literal, NamedTuple
 
 from catopt.catenary.solve import solve
 from catopt.errors import InputError, NoAnswerError
@@ -32,6 +32,10 @@ from catopt.records import Counted, From, Record
 from catopt.sizing.kinds import usual
 from catopt.ties import largest
 from catopt.words import Message, Sentence
+
+if TYPE_CHECKING:
+    from catopt.catenary.solution import EndState
+    from catopt.checks.case import Pull
 
 HEAVY_SINKERS: Final = (
     *SINKER_MASSES,
@@ -119,6 +123,12 @@ class SinkerGround:
             water_density=water_density,
             series=HEAVY_SINKERS,
         )
+
+    def sized_for(self, ends: Sequence[EndState | Pull], water_density: float) -> SinkerSize:
+        """Size a sinker for the largest pulls of lines, each at its end on the bed."""
+        pull = max((each.horizontal_force for each in ends), default=0.0)
+        lift = max((0.0, *(each.vertical_force for each in ends)))
+        return self.sized(pull, lift, water_density)
 
 
 @dataclass(frozen=True)
@@ -259,6 +269,10 @@ class Pattern(Record):
     def hardest(self) -> PatternState:
         """The load case of the largest horizontal force in a line."""
         return largest(self.states, lambda state: state.line_force)
+
+    def state_in(self, load_case: str) -> PatternState:
+        """Return the body at rest in a load case, by its name."""
+        return next(each for each in self.states if each.load_case == load_case)
 
     @property
     def largest_pull(self) -> float:

@@ -98,7 +98,10 @@ def _of_a_tanker(of: ResolvedInputs) -> TankerRequest | None:
     ships = _ships(of)
     place = _environment(of, wind=wind_of_30_s(of))
     shape = None if of["buoy"] is None else shape_of(of)
-    line = _line(of, of["diameter_min"], _largest_size(of))
+    largest = float(of["diameter_max"])
+    if "diameter_max" not in of.given:  # a smallest size that is given moves the usual bound
+        largest = max(of["diameter_min"] or 0.0, largest)
+    line = _line(of, of["diameter_min"], largest)
     ground = _ground(of)
     vane = weathervaning_of(of, is_turned=turns_by_itself(ships))
     words = _taken(of, place, ground)
@@ -219,8 +222,7 @@ def _body(of: ResolvedInputs) -> BuoyShape | GivenBuoy | None:
         return shape_of(of)
     if not by_force:
         keys = {name: errors.spell(name) for name in pair}
-        allowed = Message("refused.buoy_wanted", **keys)
-        errors.add("buoy", "", allowed)
+        errors.add("buoy", "", Message("refused.buoy_wanted", **keys))
         return None
     of.require(*pair)
     return errors.make(GivenBuoy, of["force"], of["reserve_buoyancy"], of["keel_depth"])
@@ -239,8 +241,7 @@ def _ships(of: ResolvedInputs) -> tuple[MooredShip, ...] | None:
     """Make the ship in each condition, as far as its dimensions are known."""
     if None in (of["length"], of["breadth"], of["draught"]):
         return None
-    draughts = draughts_of(of)
-    ships = [of.errors.make(lambda c=condition: _ship(of, c)) for condition in draughts]
+    ships = [of.errors.make(_ship, of, condition) for condition in draughts_of(of)]
     made = tuple(ship for ship in ships if ship is not None)
     note_aground(made, of["low_water"] or of["depth"] or math.inf, of.errors.add)
     return made if made and len(made) == len(ships) else None
@@ -254,18 +255,14 @@ def draughts_of(of: ResolvedInputs) -> dict[Condition, float]:
     """
     loaded, ballast = of["draught"], of["ballast_draught"]
     wanted: tuple[Condition, ...] = of["condition"] or ("loaded", "ballast")
+    wrong = None
     if ballast is not None and "ballast" not in wanted:
-        allowed = Message(
-            "refused_sizing.leave_out_or_name_ballast", value=of.errors.spell("condition")
-        )
-        of.errors.add("ballast_draught", f"{ballast:g} m", allowed)
-        return {}
-    if ballast is not None and ballast > loaded:
-        of.errors.add(
-            "ballast_draught",
-            f"{ballast:g} m",
-            Message("refused_sizing.not_above_loaded_draught_m", loaded=loaded),
-        )
+        key = "refused_sizing.leave_out_or_name_ballast"
+        wrong = Message(key, value=of.errors.spell("condition"))
+    elif ballast is not None and ballast > loaded:
+        wrong = Message("refused_sizing.not_above_loaded_draught_m", loaded=loaded)
+    if wrong is not None:
+        of.errors.add("ballast_draught", f"{ballast:g} m", wrong)
         return {}
     found: dict[Condition, float] = {"loaded": loaded} if "loaded" in wanted else {}
     if "ballast" in wanted:
@@ -273,9 +270,8 @@ def draughts_of(of: ResolvedInputs) -> dict[Condition, float]:
         if ballast is not None or (light < loaded and of["ship"] != BARGE):
             found["ballast"] = light
         elif not found:
-            of.errors.add(
-                "ballast_draught", "", Message("refused_sizing.missing_this_ship_cannot_be")
-            )
+            allowed = Message("refused_sizing.missing_this_ship_cannot_be")
+            of.errors.add("ballast_draught", "", allowed)
     return found
 
 
@@ -288,9 +284,8 @@ def of_the_ballast(of: ResolvedInputs) -> tuple[Message, ...]:
     draught = draughts_of(of).get("ballast")
     if draught is None:
         return (Message("sizing.no_ballast"),)
-    return (
-        Message("sizing.ballast_estimated", draught=draught, source=Cited(BALLAST_SOURCE.text)),
-    )
+    source = Cited(BALLAST_SOURCE.text)
+    return (Message("sizing.ballast_estimated", draught=draught, source=source),)
 
 
 BARGE: Final = "barge"
@@ -323,10 +318,10 @@ def own_tables(of: ResolvedInputs, condition: str) -> ShipCoefficients | None:
             of.errors.add("coefficients", f"{each.key} {each.found}".strip(), each.allowed)
         return None
     if is_barge and not (own.wind and own.current):
-        allowed = Message(
-            "refused_sizing.barge_wants_tables_wind_current", condition=term(condition)
+        key = "refused_sizing.barge_wants_tables_wind_current"
+        of.errors.add(
+            "coefficients", str(of["coefficients"]), Message(key, condition=term(condition))
         )
-        of.errors.add("coefficients", str(of["coefficients"]), allowed)
     return own
 
 
@@ -410,12 +405,6 @@ def _sizes_for(
     return least, most
 
 
-def _largest_size(of: ResolvedInputs) -> float:
-    """Bound a ship's sizes of chain; a smallest one that is given moves the usual bound."""
-    most = float(of["diameter_max"])
-    return most if "diameter_max" in of.given else max(of["diameter_min"] or 0.0, most)
-
-
 def _line(of: ResolvedInputs, least: float | None, most: float | None) -> LineChoice | None:
     """Make what the line may be; its components have to be known."""
     choice: dict[str, Any] = {
@@ -460,17 +449,13 @@ def _preference(of: ResolvedInputs, line: LineChoice | None) -> dict[str, Any]:
     if of["clump_weight"]:
         unpriced.append(term("clump weights"))
     if unpriced:
-        allowed = Message("refused_sizing.no_price_known", names=Several(unpriced, ", "))
+        why = Message("refused_sizing.no_price_known", names=Several(unpriced, ", "))
         if prefer == "cheapest":
-            of.errors.add(
-                "prefer", '"cheapest"', Message("refused_sizing.take_lightest", allowed=allowed)
-            )
+            allowed = Message("refused_sizing.take_lightest", allowed=why)
+            of.errors.add("prefer", '"cheapest"', allowed)
         if swing_price:
-            of.errors.add(
-                "swing_price",
-                f"{swing_price:g}",
-                Message("refused_sizing.leave_out", allowed=allowed),
-            )
+            allowed = Message("refused_sizing.leave_out", allowed=why)
+            of.errors.add("swing_price", f"{swing_price:g}", allowed)
         return {"prefer": own if prefer in (None, "cheapest") else prefer}
     return {"prefer": prefer or ("cheapest" if swing_price else own), "swing_price": swing_price}
 

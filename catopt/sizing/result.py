@@ -238,11 +238,9 @@ class Sizing(Displayable, Record):
             return ""
         anchor = self.point.anchor
         mass = Measure("mass", (None if anchor is None else anchor.mass) or size.mass)
-        if self.drag_anchor is not None:
-            values = {"anchor": self.drag_anchor.anchor, "soil": term(self.drag_anchor.soil)}
-            return Message("sizing.on_anchor", mass=mass, **values)
-        assert self.sinker is not None
-        return Message(f"sizing.on_{self.sinker.material}", mass=mass)
+        if isinstance(size, SinkerSize):
+            return Message(f"sizing.on_{size.material}", mass=mass)
+        return Message("sizing.on_anchor", mass=mass, anchor=size.anchor, soil=term(size.soil))
 
     @property
     def chain(self) -> SizedChain:
@@ -286,20 +284,16 @@ class Sizing(Displayable, Record):
     @property
     def why(self) -> str:
         """Why this design of the front is recommended."""
-        prefer = self.settled.choice.looks_for
+        prefer, aim = self.settled.choice.looks_for, self.settled.choice.aim
         if prefer == "least-swing":
             return Message("sizing.least_swing")
-        if prefer == "practice":
-            aim, length = self.settled.choice.aim, self.point.line.length
-            if length <= aim:
-                return Message("sizing.practice", aim=aim)
+        if prefer == "practice" and self.point.line.length <= aim:
+            return Message("sizing.practice", aim=aim)
+        if prefer in ("practice", "shortest"):
             return Message("sizing.shortest")
         if prefer == "balanced":
-            aim = self.settled.choice.aim
             is_short = self.point.objectives["offset_m"] <= aim
             return Message("sizing.balanced" if is_short else "sizing.least_swept", aim=aim)
-        if prefer == "shortest":
-            return Message("sizing.shortest")
         said = self._why_cheapest if prefer == "cheapest" else Message("sizing.lightest")
         if not self._is_smallest:
             return said
@@ -308,11 +302,10 @@ class Sizing(Displayable, Record):
 
     @property
     def _why_cheapest(self) -> Message:
-        segment, case = self.point.line.segments[0], self.case
+        component, case = self.point.line.segments[0].component, self.case
         catalogue = chosen(case.catalogue, case.site.water_density)
-        origin = catalogue.component(segment.component, point_diameter(self.point)).provenance[
-            "price"
-        ]
+        sold = catalogue.component(component, point_diameter(self.point))
+        origin = sold.provenance["price"]
         source = Cited(f"{'; '.join(each.title for each in origin.sources)} [{origin.confidence}]")
         values = {"cost": Measure("cost", self.cost or 0.0), "source": source}
         price = self.settled.choice.swing_price
@@ -370,14 +363,11 @@ class Sizing(Displayable, Record):
     def warnings(self) -> tuple[str, ...]:
         """What an engineer should know before using the answer, each once."""
         parts = (part for each in self.settled.posed.loads for part in each.parts)
-        open_ends = (
-            each
-            for each in self.point.checks.warnings
-            if is_said(each, "checks.no_strength_criterion")
-        )
+        said = self.point.checks.warnings
+        first = [each for each in said if is_said(each, "checks.no_strength_criterion")]
+        first += self.breaking_seas()
         notes = [
-            *(Sentence(each, capital=True) for each in open_ends),
-            *(Sentence(each, capital=True) for each in self.breaking_seas()),
+            *(Sentence(each, capital=True) for each in first),
             *estimated_dimensions(self.inputs),
             *(warning for part in parts for warning in part.warnings),
             *map(Sentence, self.settled.warnings),

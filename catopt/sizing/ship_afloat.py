@@ -23,14 +23,13 @@ from catopt.model import (
 )
 from catopt.model.wear import worn_line
 from catopt.sizing.afloat import MOTION_CODE
-from catopt.sizing.environment import WIND_MEAN, Environment, Weathervaning, mean_over
+from catopt.sizing.environment import LONGEST_MEAN, WIND_MEAN, Environment, Weathervaning, mean_over
 from catopt.sizing.in_motion import RunsAfloat, Sea
 from catopt.sizing.pattern import Pattern, system_case
 from catopt.sizing.settle import ConvergedSizing
 from catopt.sizing.tanker_request import MooredShip, TankerRequest
 from catopt.ties import largest
 
-_AN_HOUR: Final = 3600.0
 _RUN: Final = 3600.0
 """s, of a run: slow motion has periods of minutes."""
 _RUNS: Final = 3
@@ -131,17 +130,19 @@ def ship_afloat(
         state = next(each for each in case.load_cases if each.name == load_case)
         held = _one_line(case, state, settled)
     else:
-        (there,) = (each for each in around.states if each.load_case == load_case)
+        there = around.state_in(load_case)
         rest = there.line_out if line_out else there
         made = system_case(case, replace(around, states=(there,)))
         held = _turned(made, rest.solution.system.force)
     if worn:
-        held = _worn(held)
+        assert held.system is not None
+        legs = (replace(leg, line=worn_line(leg.line, held.service)) for leg in held.system.legs)
+        held = replace(held, system=replace(held.system, legs=tuple(legs)))
     moored = next(each for each in request.ships if each.condition == at.condition)
     vane = request.weathervaning
     lies = worst_lying(request, moored, at.depth, (directions,) if directions else vane.directions)
     off = _along_x(lies)
-    wind = mean_over(env.wind.speed, WIND_MEAN, _AN_HOUR) if env.wind.speed > 0.0 else 0.0
+    wind = mean_over(env.wind.speed, WIND_MEAN, LONGEST_MEAN) if env.wind.speed > 0.0 else 0.0
     flows = env.current.speed > 0.0
     checks = held.checks
     if any(not each.is_for_motion for each in profiles_of(checks)):
@@ -157,12 +158,6 @@ def ship_afloat(
         floater=Floater(ship=_ship(moored, env.water_density, off, vane.turning), wind_speed=wind),
         dynamics=_dynamics(request.in_motion),
     )
-
-
-def _worn(case: Case) -> Case:
-    assert case.system is not None
-    legs = (replace(leg, line=worn_line(leg.line, case.service)) for leg in case.system.legs)
-    return replace(case, system=replace(case.system, legs=tuple(legs)))
 
 
 def _along_x(lies: ShipHeading) -> Headings:

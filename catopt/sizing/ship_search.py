@@ -16,13 +16,11 @@ from dataclasses import replace
 from operator import itemgetter
 from typing import Any, Final, NamedTuple
 
-from catopt.catalogue.family import chain_words
 from catopt.checks.case import check_case
 from catopt.checks.profiles import profiles_of
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.neighbours import NoFeasibleDesignError
-from catopt.design.result import NearMiss
-from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
+from catopt.errors import NoAnswerError, NotConvergedError
 from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.environment import Headings
 from catopt.loads.sinker import SinkerSize
@@ -42,8 +40,9 @@ from catopt.sizing.in_motion import (
     sea_of,
     tightest_seas,
 )
+from catopt.sizing.known import refused
 from catopt.sizing.line_choice import sold
-from catopt.sizing.pattern import DragGround, Pattern, PatternState
+from catopt.sizing.pattern import DragGround, Pattern
 from catopt.sizing.settle import ConvergedSizing, best_of
 from catopt.sizing.ship_afloat import runs_afloat, ship_afloat
 from catopt.sizing.ship_runs import JudgedLine, ShipLost, ShipRun, ShipState
@@ -92,8 +91,8 @@ def search_ship_in_motion(
     how = request.in_motion
     assert how is not None
     if not runs_afloat(request):
-        problem = Problem("in_motion", "true", Message("refused.no_ship_afloat"))
-        raise InputError([problem], "TankerRequest")
+        allowed = Message("refused.no_ship_afloat")
+        raise refused("in_motion", "true", allowed, "TankerRequest")
     states = len(start.posed.loads) * max(1, len(how.periods))
     states *= len(request.weathervaning.directions)
     hours = _LINES * how.seeds * how.duration / 3600.0 * states * request.lines
@@ -101,7 +100,9 @@ def search_ship_in_motion(
     found = _Search(request, how, start, settle, around)
     passing = found.passing(start.point.line)
     if passing is None:
-        raise _nothing_passes(found)
+        every = found.judged.values()
+        nearest = [each for each in every if each.tried.runs] or every
+        raise NoLineInMotionError([(each.line, each.tried) for each in nearest], _counted(found))
     return _moved(request, how, found, found.best(passing))
 
 
@@ -116,7 +117,7 @@ class _Search:
         settle: Settle,
         around: Around,
     ) -> None:
-        self.request, self.how, self.start = request, how, start
+        self.request, self.how = request, how
         self._settle, self._around = settle, around
         self.judged: dict[Line, JudgedLine] = {}
         self._settled: dict[Line, ConvergedSizing] = {}
@@ -141,6 +142,7 @@ class _Search:
         is_for_motion = all(each.is_for_motion for each in profiles_of(own.checks))
         code = own.code if is_for_motion else MOTION_CODE
         self._line = replace(own, code=code, prefer=own.looks_for)
+        self._without_allowance = replace(request, line=replace(own, dynamic_factor=1.0))
 
     # ------------------------------------------------------------------ lines
 
@@ -170,8 +172,7 @@ class _Search:
     def _longer(self, line: Line) -> JudgedLine | None:
         """Run ever longer lines of the thickest size, where nothing can be sized for the runs."""
         (segment,) = line.segments
-        thick = [each for each in self._sizes if each.component == segment.component]
-        thickest = max(thick, key=lambda each: each.nominal_diameter or 0.0)
+        thickest = self._thickest(segment.component)
         lengths = [each for each in self.lengths if each >= segment.length * (1.0 - 1e-9)]
         at, leap = 0, 1
         while lengths:
@@ -245,13 +246,12 @@ class _Search:
     def _thinner(self, line: Line) -> Iterator[Line]:
         """Yield thinner lines of its length, the thickest first."""
         (segment,) = line.segments
-
-        def size(of: Segment) -> float:
-            return of.nominal_diameter or 0.0
-
-        for each in sorted(self._sizes, key=size, reverse=True):
-            if each.component == segment.component and size(each) < size(segment):
+        for each in sorted(self._sizes, key=_size, reverse=True):
+            if each.component == segment.component and _size(each) < _size(segment):
                 yield replace(line, segments=(replace(each, length=segment.length),))
+
+    def _thickest(self, component: str) -> Segment:
+        return max((each for each in self._sizes if each.component == component), key=_size)
 
     def _exchanged(self, line: Line) -> Iterator[tuple[Line, ...]]:
         """Yield lines a step or two longer, from the thickest of the thinner ones on; then shorter.
@@ -268,9 +268,8 @@ class _Search:
             if place > at:
                 yield tuple(self._thinner(of_length))
                 continue
-            thick = [each for each in self._sizes if each.component == segment.component]
-            thickest = max(thick, key=lambda each: each.nominal_diameter or 0.0)
-            if (thickest.nominal_diameter or 0.0) > (segment.nominal_diameter or 0.0):
+            thickest = self._thickest(segment.component)
+            if _size(thickest) > _size(segment):
                 cut = replace(thickest, length=self.lengths[place])
                 yield (replace(line, segments=(cut,)),)
 
@@ -299,38 +298,31 @@ class _Search:
         return self.judged[line]
 
     def _at_rest(self, line: Line) -> ConvergedSizing:
-        """Settle a line as `_settle_one`, once."""
+        """Settle a line, once, without an allowance for motion; NoAnswerError where it fails."""
         if line not in self._settled:
-            self._settled[line] = self._settle_one(line)
+            (segment,), weights = line.segments, line.point_loads
+            assert segment.nominal_diameter is not None
+            only = self.request.line.only(segment.component, segment.nominal_diameter)
+            own = replace(
+                self.request,
+                line=replace(only, dynamic_factor=1.0, length=segment.length),
+                clump_masses=tuple(each.mass for each in weights if each.mass is not None),
+                clump_places=tuple(each.position for each in weights),
+            )
+            self._settled[line] = self._settle(own)
         return self._settled[line]
-
-    def _settle_one(self, line: Line) -> ConvergedSizing:
-        """Settle the one line, without an allowance for motion; NoAnswerError where it fails."""
-        (segment,), weights = line.segments, line.point_loads
-        assert segment.nominal_diameter is not None
-        only = replace(
-            self.request.line.only(segment.component, segment.nominal_diameter),
-            dynamic_factor=1.0,
-            length=segment.length,
-        )
-        own = replace(
-            self.request,
-            line=only,
-            clump_masses=tuple(each.mass for each in weights if each.mass is not None),
-            clump_places=tuple(each.position for each in weights),
-        )
-        return self._settle(own)
 
     def _run(self, line: Line) -> JudgedLine:
         try:
             settled = self._at_rest(line)
-            around = self._around(self.request_of_one, settled)
+            around = self._around(self._without_allowance, settled)
         except NoFeasibleDesignError as error:
             failing = () if error.near_miss is None else error.near_miss.failing
-            return JudgedLine(_tried(line, 0, failing, "" if failing else error.message), line)
+            reason = "" if failing else error.message
+            return JudgedLine(LineTried.of(line, 0, failing, reason), line)
         except NoAnswerError as error:
-            return JudgedLine(_tried(line, 0, (), error.message), line)
-        judged = JudgedLine(_tried(line, 0, ()), line, settled, around)
+            return JudgedLine(LineTried.of(line, 0, (), error.message), line)
+        judged = JudgedLine(LineTried.of(line, 0, ()), line, settled, around)
         for state in tuple(self._order):
             try:
                 if state.line_out:
@@ -342,17 +334,12 @@ class _Search:
                     judged = self._held(replace(judged, runs=(*judged.runs, run)))
             except (NoAnswerError, NotConvergedError) as error:
                 count = judged.tried.runs + self.how.seeds
-                judged = replace(judged, tried=_tried(line, count, (), error.message))
+                judged = replace(judged, tried=LineTried.of(line, count, (), error.message))
             if not judged.tried.passes:
                 self._order.remove(state)
                 self._order.insert(0, state)
                 break
         return judged
-
-    @property
-    def request_of_one(self) -> TankerRequest:
-        """The request without an allowance for motion."""
-        return replace(self.request, line=replace(self.request.line, dynamic_factor=1.0))
 
     def _in_state(
         self, state: ShipState, settled: ConvergedSizing, around: Pattern | None
@@ -365,7 +352,7 @@ class _Search:
         if around is None:
             at_rest, without = dict(settled.point.checks.solutions)[name], 0.0
         else:
-            rest = _state_of(around, name)
+            rest = around.state_in(name)
             lines = (each.solution for each in rest.solution.lines)
             at_rest = largest(list(lines), lambda each: each.fairlead.tension)
             without = rest.line_out.line_force
@@ -382,7 +369,7 @@ class _Search:
         case, weather = self._afloat(state, settled, around), (name, state.directions)
         found, moored = run_without(self._as_judged(case), 1, ship=self._ships.get(weather))
         self._ships[weather] = moored.ship
-        without = _state_of(around, name).line_out.line_force
+        without = around.state_in(name).line_out.line_force
         return ShipLost(said, case, (found,), without, _offset((found,)))
 
     def _said(self, state: ShipState) -> str:
@@ -412,14 +399,13 @@ class _Search:
         hanging = [solution for each in judged.runs for solution in each.every]
         hanging += [solution for of in every for each in of.lost for solution in each.hanging]
         pulls = [solution.anchor for solution in hanging]
-        pull = max((each.horizontal_force for each in pulls), default=0.0)
         if isinstance(ground, DragGround):
+            pull = max((each.horizontal_force for each in pulls), default=0.0)
             least = max(each.horizontal_force for each in settled.posed.loads)
             size = ground.sized(max(pull, self.request.line.allowance * least / self.request.lines))
             anchor = ground.held(size)
         else:
-            lift = max(0.0, *(each.vertical_force for each in pulls))
-            sinker = ground.sized(pull, lift, self.request.environment.water_density)
+            sinker = ground.sized_for(pulls, self.request.environment.water_density)
             if anchor is not None and sinker.mass > (anchor.mass or 0.0):
                 weight = sinker.submerged_weight
                 anchor = replace(anchor, mass=sinker.mass, submerged_weight=weight)
@@ -437,16 +423,15 @@ class _Search:
             warnings |= dict.fromkeys(report.warnings)
         failing = sorted((e for e in results if not e.passes), key=lambda check: -check.exceedance)
         sets = len(judged.runs) + sum(len(each.lost) for each in every)
-        tried = _tried(judged.line, sets * self.how.seeds, tuple(failing))
+        tried = LineTried.of(judged.line, sets * self.how.seeds, tuple(failing))
         checks = CheckReport(settled.case.title, tuple(results), (), tuple(warnings))
         held = replace(judged, anchor=anchor, drag_anchor=size, sinker=sinker)
         seas = tightest_seas(zip(results, of_sea, strict=True)) if self.how.periods else ()
         return replace(held, tried=tried, checks=checks, seas=seas)
 
 
-def _state_of(around: Pattern, load_case: str) -> PatternState:
-    (state,) = (each for each in around.states if each.load_case == load_case)
-    return state
+def _size(segment: Segment) -> float:
+    return segment.nominal_diameter or 0.0
 
 
 def _offset(lost: tuple[ShipWithoutLine, ...]) -> float:
@@ -458,12 +443,6 @@ def _in_load_case(check: CheckResult, name: str) -> CheckResult:
     if gone is not None:
         name = Message("checks.state_under", state=check.load_case, load=name)
     return replace(check, load_case=name)
-
-
-def _tried(line: Line, runs: int, failing: tuple[CheckResult, ...], reason: str = "") -> LineTried:
-    (segment,) = line.segments
-    size = segment.nominal_diameter or 0.0
-    return LineTried(segment.component, size, line.length, line.mass or 0.0, runs, failing, reason)
 
 
 # ------------------------------------------------------------------ the answer
@@ -531,17 +510,3 @@ def _storm(of: JudgedLine) -> Storm:
         None if extreme is None else extreme.high,
         hardest.at_rest.fairlead.tension,
     )
-
-
-def _nothing_passes(found: _Search) -> NoLineInMotionError:
-    """Say which line fails by the least."""
-
-    def miss(of: JudgedLine) -> float:
-        return of.tried.failing[0].exceedance if of.tried.failing else math.inf
-
-    every = [each for each in found.judged.values() if each.tried.runs]
-    nearest = min(every or list(found.judged.values()), key=miss)
-    (segment,) = nearest.line.segments
-    chain = chain_words(segment.component, segment.nominal_diameter)
-    near = NearMiss(nearest.line, nearest.tried.failing, nearest.tried.reason)
-    return NoLineInMotionError(near, chain, _counted(found))

@@ -236,12 +236,11 @@ def _fairlead(request: TankerRequest, moored: MooredShip) -> float:
 
 def _loads_at(request: TankerRequest, state: _State, assumed: Assumed) -> LoadsAt:
     env = request.environment
-    moored, vane = state.moored, request.weathervaning
-    lying = worst_lying(request, moored, state.depth, vane.directions)
+    lying = worst_lying(request, state.moored, state.depth, request.weathervaning.directions)
     parts: list[Loads] = [lying.loads]
     if request.buoy is not None:
         parts.append(loads_on(request.buoy, env, WaterLevels.steady(state.depth), assumed))
-    where = state.name, state.depth, state.water, moored.condition
+    where = state.name, state.depth, state.water, state.moored.condition
     return LoadsAt(*where, parts=tuple(parts), lying=lying)
 
 

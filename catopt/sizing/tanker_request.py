@@ -58,11 +58,8 @@ def check_deadweight(deadweight: float, ship: Ship) -> None:
         key = "refused_sizing.not_below" if is_box else "refused_sizing.not_below_or_barge"
         found.add("deadweight", own, Message(key, of_it=of_it))
     elif not found.problems and deadweight < _LEAST_CARGO * displaced:
-        found.add(
-            "deadweight",
-            own,
-            Message("refused_sizing.below", least_cargo=_LEAST_CARGO, of_it=of_it),
-        )
+        allowed = Message("refused_sizing.below", least_cargo=_LEAST_CARGO, of_it=of_it)
+        found.add("deadweight", own, allowed)
     found.raise_if_any()
 
 
@@ -123,28 +120,21 @@ class TankerRequest:
     def __post_init__(self) -> None:
         found = Findings("TankerRequest")
         if not self.ships:
-            found.add(
-                "ships",
-                Message("refused.none"),
-                Message("refused_sizing.ship_one_condition_at_least"),
-            )
+            allowed = Message("refused_sizing.ship_one_condition_at_least")
+            found.add("ships", Message("refused.none"), allowed)
         found.number("hawser", self.hawser, "m", at_least=0.0, at_most=1000.0)
         found.number("pretension", self.pretension, "", above=0.0, at_most=0.9)
         if not isinstance(self.lines, int) or self.lines not in (1, *range(3, 25)):
             found.add("lines", str(self.lines), Message("refused_sizing.n_1_or_3_24_around"))
         if self.hawser > 0.0 and self.buoy is None:
-            found.add(
-                "hawser", f"{self.hawser:g} m", Message("refused_sizing.goes_buoy_give_one_or")
-            )
+            allowed = Message("refused_sizing.goes_buoy_give_one_or")
+            found.add("hawser", f"{self.hawser:g} m", allowed)
         for index, mass in enumerate(self.clump_masses):
             found.number(f"clump_masses[{index}]", mass, "kg", above=0.0)
         found.number("clump_density", self.clump_density, "kg/m3", above=1100.0, at_most=20e3)
         if self.environment.is_calm:
-            found.add(
-                "wind",
-                Message("refused_sizing.calm"),
-                Message("refused_sizing.something_has_push_ship"),
-            )
+            allowed = Message("refused_sizing.something_has_push_ship")
+            found.add("wind", Message("refused_sizing.calm"), allowed)
         found.word("service_type", self.service_type, SERVICE_TYPES)
         self._check_methods(found)
         if self.ships:
@@ -154,19 +144,14 @@ class TankerRequest:
 
     def _check_methods(self, found: Findings) -> None:
         """Note a method that is unknown, or that would leave the waves out."""
+        words = ", ".join(METHODS)
         for index, method in enumerate(self.load_methods):
             if method not in METHODS:
-                found.add(
-                    f"load_methods[{index}]",
-                    repr(method),
-                    Message("refused.of_these", words=", ".join(METHODS)),
-                )
+                allowed = Message("refused.of_these", words=words)
+                found.add(f"load_methods[{index}]", repr(method), allowed)
         if not self.load_methods:
-            found.add(
-                "load_methods",
-                "none",
-                Message("refused_sizing.one_at_least_of", words=", ".join(METHODS)),
-            )
+            allowed = Message("refused_sizing.one_at_least_of", words=words)
+            found.add("load_methods", "none", allowed)
         is_tcn = TCN in self.load_methods
         if self.wave_coefficient is not None:
             found.number("wave_coefficient", self.wave_coefficient, "", at_least=0.0, at_most=1.0)

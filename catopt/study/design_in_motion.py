@@ -44,6 +44,7 @@ from catopt.notes.front_in_motion import (
     refuse_without_tension,
     run_design,
 )
+from catopt.sizing.known import refused
 from catopt.verify.convergence_check import ConvergenceCheck
 from catopt.verify.dynamic_setup import check_for_motion, read_drive
 from catopt.verify.side_by_side import Crew, silent
@@ -130,11 +131,11 @@ def _refuse_search(problem: DesignProblem) -> None:
     design, designs = problem.design, problem.space.count
     if design.method not in ("auto", "enumeration"):
         allowed = Message("refused_case.enumeration_in_motion")
-        raise InputError([Problem("design.method", design.method, allowed)], "design")
+        raise refused("design.method", design.method, allowed, "design")
     most = design.max_enumerated if design.method == "auto" else MOST_ENUMERATED
     if designs > most:
         allowed = Message("refused_case.too_many_in_motion", most=most)
-        raise InputError([Problem("design.max_enumerated", f"{designs:,}", allowed)], "design")
+        raise refused("design.max_enumerated", f"{designs:,}", allowed, "design")
 
 
 def _refuse_rigid(problem: DesignProblem) -> None:
@@ -179,10 +180,10 @@ class _Runs:
                 room = self.problem.design.max_run - len(self.known)
                 self.is_complete = self.is_complete and len(new) <= room
                 asked = [each for each in map(self._asked, new[:room]) if each is not None]
-                if asked and crew is None:
-                    cases = [case for _, case in asked]
-                    crew = stack.enter_context(Crew(processes_of(cases, self.workers)))
-                if asked and crew is not None:
+                if asked:
+                    if crew is None:
+                        cases = [case for _, case in asked]
+                        crew = stack.enter_context(Crew(processes_of(cases, self.workers)))
                     self._run(crew, asked)
                 if not self.is_complete:
                     outcome = self._passing(outcome)
@@ -223,21 +224,21 @@ class _Runs:
         self.announce(f"in motion: {count} designs" + (f" after {done}" if done else ""))
 
         def tell(at: int, end: int) -> None:
-            self.ask()
-            self.tell(round(_WHOLE * (done + at / end * count)), _WHOLE * (done + count))
+            self._tell(round(_WHOLE * (done + at / end * count)), _WHOLE * (done + count))
 
         found = crew.each(partial(design_once, cases), count, tell)
         keys = {number: key for key, (number, *_) in asked}
         self.known |= {keys[each.number]: each for each in found}
         self._interrupt(if_so=len(found) < count)
 
+    def _tell(self, at: int, end: int) -> None:
+        self.ask()
+        self.tell(at, end)
+
     def _passing(self, outcome: Outcome) -> Outcome:
         """Keep of a front what was run and passes."""
-        passes = [
-            k
-            for k, genes in enumerate(outcome.genes)
-            if (run := self.known.get(genes.tobytes())) is not None and run.passes
-        ]
+        runs = [self.known.get(genes.tobytes()) for genes in outcome.genes]
+        passes = [k for k, run in enumerate(runs) if run is not None and run.passes]
         genes, objectives = outcome.genes[passes], outcome.objectives[passes]
         return replace(outcome, genes=genes, objectives=objectives)
 
@@ -251,21 +252,9 @@ class _Runs:
             return True
         self.announce("in motion: the recommended design again")
         before, case = self.known[key], case_of(self.problem.case, best)
-
-        def tell(at: int, end: int) -> None:
-            self.ask()
-            self.tell(at, end)
-
+        how = self.convergence_check, self.workers, None, self._tell
         try:
-            self.known[key] = run_design(
-                before.number,
-                before.objectives,
-                case,
-                self.convergence_check,
-                self.workers,
-                None,
-                tell,
-            )
+            self.known[key] = run_design(before.number, before.objectives, case, *how)
         except KeyboardInterrupt:
             self._interrupt(if_so=True)
             return True
@@ -309,18 +298,16 @@ class _Runs:
             ),
         )
         point, run = self.points[nearest], self.known[nearest]
-        words = {
-            "run": len(self.known),
-            "feasible": self.feasible,
-            "made": made_of(point),
-            "reason": reason_of(run),
-        }
-        key = "design.none_passes_in_motion" if self.is_complete else "design.none_run_passes"
+        said = Message(
+            "design.none_passes_in_motion" if self.is_complete else "design.none_run_passes",
+            run=len(self.known),
+            feasible=self.feasible,
+            made=made_of(point),
+            reason=reason_of(run),
+        )
         failing = () if run.checks is None else run.checks.failed
         miss = NearMiss(point.line, failing, run.failure)
-        return NoFeasibleDesignError(
-            Sentence(Message(key, **words)), miss, interrupted=self.is_interrupted
-        )
+        return NoFeasibleDesignError(Sentence(said), miss, interrupted=self.is_interrupted)
 
 
 def case_of(case: Case, point: DesignPoint) -> Case:

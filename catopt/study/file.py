@@ -21,9 +21,10 @@ from catopt.errors import InputError, Problem
 from catopt.model import Case
 from catopt.model.kinds import Kind, Measured, Seed, Size, Text, Whole
 from catopt.model.network import Network
+from catopt.sizing.known import refused
 from catopt.study.base import Base, Computed, ConvergenceCheck
 from catopt.study.member import kind_of_key, read_member
-from catopt.study.store import read_table
+from catopt.study.store import read_each, read_table
 from catopt.study.study import Axis, Distribution, DistributionKind, Study
 from catopt.units import Dimension, to_si
 from catopt.words import Listed, Message, Several
@@ -129,14 +130,14 @@ def read_study(path: str | os.PathLike[str]) -> Study:
     study = Study(table.title, base, tuple(axes), limits, **share)
     if len(study) > _MOST:
         allowed = Message("refused_study.members_are_most_give_fewer", most=_MOST)
-        raise InputError([Problem("vary", f"{len(study):,} members", allowed)], source)
+        raise refused("vary", f"{len(study):,} members", allowed, source)
     case = read_member(base, study.piece(0).changes(0))
     if base.compute == "linear" and base.is_network:
         allowed = Message("refused_study.no_linear_of_points")
-        raise InputError([Problem("compute", '"linear"', allowed)], source)
+        raise refused("compute", '"linear"', allowed, source)
     if base.compute == "checks" and isinstance(case, Case | Network) and not criteria_of(case).all:
         allowed = Message("refused_study.checks_with_codes_or_limits")
-        raise InputError([Problem("checks", Message("refused.none"), allowed)], base.source)
+        raise refused("checks", Message("refused.none"), allowed, base.source)
     return study
 
 
@@ -158,30 +159,22 @@ def _of_design(table: StudyTable) -> Iterator[Problem]:
 
 
 def _base(table: StudyTable, folder: Path, source: str) -> Base:
-    place = folder / table.case
-    document, compute = _document(place), table.compute
+    place, compute = folder / table.case, table.compute
+    if place.suffix.lower() == ".toml":
+        text = read_text(place, str(place))
+    else:  # of another program: that of its case
+        from catopt.casefile import read_mooring, write_case
+
+        text = write_case(read_mooring(place))
+    document = parse_toml(text, str(place))
     moored = moored_of(document)
     if (compute == "sizing") != (moored is not None):
         key = "refused_study.file_for_size" if compute == "sizing" else "refused_study.a_case_file"
-        raise InputError(
-            [Problem("case", f'"{table.case}"', Message(key))],
-            source,
-        )
+        raise refused("case", f'"{table.case}"', Message(key), source)
     if table.proof is not None and compute != "motion":
-        problem = Problem(
-            "proof", f'"{table.proof}"', Message("refused_study.goes_with_compute_motion")
-        )
-        raise InputError([problem], source)
+        allowed = Message("refused_study.goes_with_compute_motion")
+        raise refused("proof", f'"{table.proof}"', allowed, source)
     return Base(document, str(place), str(place.parent), compute, moored, table.proof or "step")
-
-
-def _document(place: Path) -> dict[str, Any]:
-    """Document of a case file; of another program's input file, that of its case."""
-    if place.suffix.lower() != ".toml":
-        from catopt.casefile import read_mooring, write_case
-
-        return parse_toml(write_case(read_mooring(place)), str(place))
-    return parse_toml(read_text(place, str(place)), str(place))
 
 
 def _axes(table: StudyTable, base: Base, folder: Path, problems: list[Problem]) -> Iterator[Axis]:
@@ -192,21 +185,17 @@ def _axes(table: StudyTable, base: Base, folder: Path, problems: list[Problem]) 
         place = f"vary[{number}]"
         with _gathered(problems, place):
             _check_form(each)
+            axis = None
             if each.distribution is not None:
                 drawn.append((place, each))
-                axis = None
-                keys = {each.key}
+            elif each.table is None:
+                axis = _listed(each, base)
             else:
-                if each.table is None:
-                    axis = _listed(each, base)
-                else:
-                    path = folder / each.table
-                    axis = read_table(base, path, each.columns or {}, each.weight)
-                keys = set(axis.columns)
+                path = folder / each.table
+                axis = read_table(base, path, each.columns or {}, each.weight)
+            keys = {each.key} if axis is None else set(axis.columns)
             for key in sorted(keys & seen):
-                raise InputError(
-                    [Problem("key", f'"{key}"', Message("refused_study.varies_already_above"))]
-                )
+                raise refused("key", f'"{key}"', Message("refused_study.varies_already_above"))
             seen |= keys
             if axis is not None:
                 yield axis
@@ -227,13 +216,13 @@ def _gathered(problems: list[Problem], place: str) -> Iterator[None]:
         problems += [replace(each, key=f"{place}.{each.key}{of}") for each in error.problems]
 
 
-_FORMS = (
+_FORMS: Final[tuple[tuple[set[str], set[str]], ...]] = (
     ({"key", "values"}, set()),
     ({"key", "min", "max", "count"}, set()),
     ({"key", "distribution", "mean", "deviation"}, set()),
     ({"key", "distribution", "min", "max"}, set()),
     ({"table"}, {"columns", "weight"}),
-)  # type: tuple[tuple[set[str], set[str]], ...]
+)
 """Keys of a [[vary]] that go together: those that are wanted, and those that may be there."""
 
 
@@ -242,39 +231,21 @@ def _check_form(each: VaryTable) -> None:
     if not any(wanted <= given <= wanted | more for wanted, more in _FORMS):
         order = list(entries(VaryTable)).index
         forms = Several([Listed(sorted(wanted, key=order), "and") for wanted, _ in _FORMS])
-        raise InputError(
-            [
-                Problem(
-                    "",
-                    ", ".join(each.given()),
-                    Message("refused_study.one_these_wanted", forms=forms),
-                )
-            ]
-        )
+        allowed = Message("refused_study.one_these_wanted", forms=forms)
+        raise refused("", ", ".join(each.given()), allowed)
     if each.distribution is not None and (each.distribution == "uniform") != ("min" in given):
         both = ("min", "max") if each.distribution == "uniform" else ("mean", "deviation")
-        problem = Problem(
-            "distribution",
-            f'"{each.distribution}"',
-            Message("refused_study.are_wanted_with", wanted=Listed(both, "and")),
-        )
-        raise InputError([problem])
+        allowed = Message("refused_study.are_wanted_with", wanted=Listed(both, "and"))
+        raise refused("distribution", f'"{each.distribution}"', allowed)
 
 
 def _listed(each: VaryTable, base: Base) -> Axis:
     kind = kind_of_key(base, each.key)
     if each.values is not None:
-        found = []
-        problems = []
-        for at, value in enumerate(each.values):
-            try:
-                found.append(kind.read(value))
-            except InputError as error:
-                problems += [replace(p, key=f"values[{at}]") for p in error.problems]
+        found, problems = read_each(kind, each.values, lambda at: f"values[{at}]")
         if problems:
             raise InputError(problems)
-        values = np.array(found) if isinstance(kind, Measured) else found
-        return Axis({each.key: values})
+        return Axis({each.key: np.array(found) if isinstance(kind, Measured) else found})
     low, high = (_number(base, each, name) for name in ("min", "max"))
     assert each.count is not None
     return Axis({each.key: np.linspace(low, high, each.count)})
@@ -284,16 +255,14 @@ def _number(base: Base, each: VaryTable, name: str, *, spread: bool = False) -> 
     """Read a value of a key that is measured; `spread` is a width, which has no range."""
     kind = kind_of_key(base, each.key)
     if not isinstance(kind, Measured):
-        raise InputError(
-            [Problem("key", f'"{each.key}"', Message("refused_study.no_number_with_range"))]
-        )
+        raise refused("key", f'"{each.key}"', Message("refused_study.no_number_with_range"))
     value = getattr(each, name)
     try:
         number = to_si(value, kind.dimension, bare=kind.bare) if spread else kind.read(value)
     except InputError as error:
         raise InputError([replace(p, key=name) for p in error.problems]) from None
     if spread and not number > 0.0:
-        raise InputError([Problem(name, f"{value}", Message("refused_study.must_be_above_0"))])
+        raise refused(name, f"{value}", Message("refused_study.must_be_above_0"))
     return number
 
 
@@ -323,9 +292,7 @@ def _distribution(each: VaryTable, base: Base) -> Distribution:
     mean = _number(base, each, "mean")
     deviation = _number(base, each, "deviation", spread=True)
     if each.distribution == "lognormal" and not mean > 0.0:
-        raise InputError(
-            [Problem("mean", f"{each.mean}", Message("refused_study.must_be_above_0"))]
-        )
+        raise refused("mean", f"{each.mean}", Message("refused_study.must_be_above_0"))
     return Distribution(each.distribution, mean, deviation)
 
 
@@ -334,10 +301,9 @@ def _limits(table: StudyTable, base: Base, problems: list[Problem]) -> dict[str,
     found = {}
     for name, value in (table.limits or {}).items():
         if name not in measured:
+            unknown = Message("refused_study.unknown_quantity")
             allowed = Message("refused.one_of", words=", ".join(measured))
-            problems.append(
-                Problem(f"limits.{name}", Message("refused_study.unknown_quantity"), allowed)
-            )
+            problems.append(Problem(f"limits.{name}", unknown, allowed))
             continue
         unit = measured[name].measure.si_unit
         dimension = next(d for d in Dimension if d.si_unit == ("" if unit == "-" else unit))

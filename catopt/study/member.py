@@ -11,12 +11,13 @@ from catopt.casefile.reading import case_of, network_of
 from catopt.casefile.schema import CaseTable, NetworkTable, TableSchema, entries
 from catopt.checks.case import check_case
 from catopt.checks.system import check_network
-from catopt.errors import CatoptError, InputError, Problem
+from catopt.errors import CatoptError, InputError
 from catopt.model import Case
 from catopt.model.kinds import Kind, Measured
 from catopt.model.network import Network
 from catopt.sizing.file import SizingFile, file_of, sized
 from catopt.sizing.kinds import schema_of
+from catopt.sizing.known import refused
 from catopt.study.base import Base
 from catopt.ties import largest
 
@@ -41,8 +42,8 @@ def kind_of_key(base: Base, key: str) -> Kind:
     top: type[TableSchema] = own if base.moored is None else schema_of(base.moored)
     table: type[TableSchema] | None = top
     place: Any = base.document
-    entry = None
-    for at, part in enumerate(parts(key)):
+    entry, path = None, parts(key)
+    for at, part in enumerate(path, start=1):
         if isinstance(part, int):
             if entry is None or not entry.array:
                 raise _refused(key, "this is no array")
@@ -58,8 +59,7 @@ def kind_of_key(base: Base, key: str) -> Kind:
         entry = entries(table)[part]
         table = entry.table
         place = place.get(part) if isinstance(place, dict) else None
-        is_last = at == len(parts(key)) - 1
-        if is_last and entry.array:
+        if at == len(path) and entry.array:
             raise _refused(key, f"an array; one of it is wanted, such as {key}[0]")
     if entry is None or entry.kind is None:
         raise _refused(key, "the key path of a single value, such as load.horizontal_force")
@@ -86,7 +86,7 @@ def in_file(kind: Kind, si: Any) -> Any:
 
 
 def _refused(key: str, allowed: str) -> InputError:
-    return InputError([Problem("key", f'"{key}"', allowed)])
+    return refused("key", f'"{key}"', allowed)
 
 
 def read_member(base: Base, changes: Mapping[str, Any]) -> Case | Network | SizingFile:

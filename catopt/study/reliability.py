@@ -135,7 +135,12 @@ def first_order(study: Study, kept: Output, limit: float, values: Array) -> Firs
     from scipy.special import ndtr
 
     keys = list(study.distributions)
-    room = _room(study, kept, limit)
+    sense = 1.0 if kept.high_is_worse else -1.0
+
+    def room(points: Array) -> Array:
+        """Part of the limit that is left at points in standard deviations, shape (n, keys)."""
+        return sense * (limit - _values(study, kept, points)) / (abs(limit) or 1.0)
+
     start = float(room(np.zeros((1, len(keys))))[0])
     if not math.isfinite(start):
         return Message("study.no_median")
@@ -165,12 +170,6 @@ def first_order(study: Study, kept: Output, limit: float, values: Array) -> Firs
         sampled,
         interval,
     )
-
-
-def _room(study: Study, kept: Output, limit: float) -> Callable[[Array], Array]:
-    """Part of the limit that is left at points in standard deviations, shape (n, keys)."""
-    sense = 1.0 if kept.high_is_worse else -1.0
-    return lambda points: sense * (limit - _values(study, kept, points)) / (abs(limit) or 1.0)
 
 
 def _distance(one: Array, other: Array) -> float:
@@ -252,7 +251,7 @@ def _sampled(
 
     rng = np.random.default_rng(0)
     keys = len(points[0])
-    middles = np.array([*([np.zeros(keys)] * len(points)), *points])
+    middles = np.array([*np.zeros((len(points), keys)), *points])
     draws = rng.normal(size=(_SAMPLES, keys)) + middles[np.arange(_SAMPLES) % len(middles)]
     apart = np.stack([draws @ middle - 0.5 * middle @ middle for middle in middles])
     weights = 1.0 / np.mean(np.exp(apart), axis=0)
@@ -273,19 +272,17 @@ def _columns(study: Study, points: Array) -> dict[str, Array]:
 
 def _values(study: Study, kept: Output, points: Array) -> Array:
     """Compute a quantity at points in standard deviations; nan where there is no answer."""
-    fixed = {
-        key: value for key, value in study.values_of(0).items() if key not in study.distributions
-    }
-    columns = _columns(study, points)
-    every = {key: [value] * len(points) for key, value in fixed.items()}
-    piece = StudyPiece(0, 0, {**every, **columns})
+    drawn = _columns(study, points)
+    values = study.values_of(0).items()
+    fixed = {key: [value] * len(points) for key, value in values if key not in drawn}
+    piece = StudyPiece(0, 0, {**fixed, **drawn})
     if study.base.compute == "statics":
         return at_rest(study.base, piece).values[kept.name]
     found = np.full(len(points), math.nan)
     for member in range(len(points)):
         try:
-            values = compute_member(study.base, piece.changes(member))
+            computed = compute_member(study.base, piece.changes(member))
         except (InputError, NoAnswerError, NotConvergedError):
             continue
-        found[member] = float(values.get(kept.name, math.nan))
+        found[member] = float(computed.get(kept.name, math.nan))
     return found

@@ -12,10 +12,11 @@ from typing import TYPE_CHECKING, Any, Final, NamedTuple
 import numpy as np
 
 from catopt.arrays import Array, Codes
-from catopt.errors import InputError, Problem, need_package
+from catopt.errors import need_package
 from catopt.model.kinds import Share
 from catopt.records import Counted, FromZero, Record
 from catopt.shown import Displayable
+from catopt.sizing.known import refused
 from catopt.study.base import Output
 from catopt.study.reliability import FirstOrder, counted_interval, first_order
 from catopt.study.store import Store
@@ -240,9 +241,7 @@ class StudyResult(Displayable, Record):
         """
         names = [each.name for each in self.measured]
         if name not in names:
-            raise InputError(
-                [Problem("name", f'"{name}"', Message("refused.one_of", words=", ".join(names)))]
-            )
+            raise refused("name", f'"{name}"', Message("refused.one_of", words=", ".join(names)))
         return self.store.column(names.index(name))
 
     @property

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, wait
-from contextlib import ExitStack, contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
 from functools import partial
 from itertools import islice
@@ -15,10 +15,11 @@ from time import perf_counter
 
 import numpy as np
 
-from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
+from catopt.errors import InputError, NoAnswerError, NotConvergedError
 from catopt.model.kinds import Duration
 from catopt.patience import paced
 from catopt.records import Counted, Record
+from catopt.sizing.known import refused
 from catopt.study.base import Base
 from catopt.study.file import read_study
 from catopt.study.member import OfSizing, compute_member, reason_of
@@ -26,16 +27,12 @@ from catopt.study.result import StudyResult
 from catopt.study.statics import at_rest
 from catopt.study.store import Computed, Store
 from catopt.study.study import Study, StudyPiece
-from catopt.verify.side_by_side import begin_process, no_script
+from catopt.verify.side_by_side import Progress, begin_process, no_script
 from catopt.words import Message
-
-Progress = Callable[[int, int], None]
 
 _AHEAD = 2
 """Pieces that each process is given beyond the one it runs."""
 
-_TIMED = 3
-"""Members that are timed: the first, one in the middle, the last."""
 
 _BYTES = 3
 """On disk beside a number in the store: its digits in the table of members."""
@@ -83,13 +80,10 @@ def run_study(
     read = study if isinstance(study, Study) else read_study(study)
     if read.base.compute == "design":
         allowed = Message("refused_study.design_in_draws_does_it")
-        raise InputError([Problem("compute", '"design"', allowed)], read.base.source)
+        raise refused("compute", '"design"', allowed, read.base.source)
     store = Store(read, None if out is None else Path(out))
     count = worth(read) if workers is None else workers
-    with ExitStack() as stack:
-        executor, at_once = None, 1
-        if count > 1:
-            executor, at_once = stack.enter_context(processes(count))
+    with processes(count) if count > 1 else nullcontext((None, 1)) as (executor, at_once):
         run_into(read, store, executor=executor, at_once=at_once, progress=progress)
     return StudyResult(read, store)
 
@@ -192,22 +186,22 @@ def cluster(address: str) -> Iterator[tuple[Executor, int]]:
     Raises InputError where Dask is not installed, or no scheduler answers there.
     """
 
-    def refused(key: str, **values: object) -> InputError:
+    def fails(key: str, **values: object) -> InputError:
         allowed = Message(f"refused_motion.{key}", **values)
-        return InputError([Problem("--scheduler", address, allowed)], "options")
+        return refused("--scheduler", address, allowed, "options")
 
     try:
         from distributed import Client
     except ImportError:
-        raise refused("needs_dask", package='"catopt[cluster]"') from None
+        raise fails("needs_dask", package='"catopt[cluster]"') from None
     try:
         client = Client(address, timeout="10s")
     except (OSError, TimeoutError, ValueError) as error:
-        raise refused("no_scheduler", reason=str(error)) from None
+        raise fails("no_scheduler", reason=str(error)) from None
     with client:
         threads = sum(client.nthreads().values())
         if not threads:
-            raise refused("no_workers")
+            raise fails("no_workers")
         yield client.get_executor(), _AHEAD * threads
 
 
@@ -245,21 +239,14 @@ def plan_study(study: Study) -> Plan:
     kept = study.base.kept
     width = 8.0 * (len(kept) + len(study.keys)) * (1 + _BYTES)
     if study.base.in_bulk:
-        piece = study.piece(0)
+        pieces = [study.piece(0)]
+    else:  # the first, one in the middle, the last
+        members = sorted({0, len(study) // 2, len(study) - 1})
+        pieces = [StudyPiece(0, each, study.values(each, each + 1)) for each in members]
+    compute_piece(study.base, pieces[0])
+    began = perf_counter()
+    for piece in pieces:
         compute_piece(study.base, piece)
-        began = perf_counter()
-        compute_piece(study.base, piece)
-        timed = len(piece)
-    else:
-        members = sorted({0, len(study) // 2, len(study) - 1})[:_TIMED]
-        compute_piece(study.base, _alone(study, members[0]))
-        began = perf_counter()
-        for member in members:
-            compute_piece(study.base, _alone(study, member))
-        timed = len(members)
+    timed = sum(map(len, pieces))
     seconds = (perf_counter() - began) / timed * len(study)
     return Plan(study, timed, seconds, width * len(study))
-
-
-def _alone(study: Study, member: int) -> StudyPiece:
-    return StudyPiece(0, member, study.values(member, member + 1))

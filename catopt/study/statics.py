@@ -6,6 +6,7 @@ import math
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any, Final, NamedTuple
 
 import numpy as np
@@ -14,7 +15,7 @@ from catopt.arrays import Array, Codes
 from catopt.catenary.batch import Solutions, solve_many
 from catopt.catenary.case import solve_case
 from catopt.catenary.solution import Solution
-from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
+from catopt.errors import InputError, NoAnswerError, NotConvergedError
 from catopt.model import Case, Load, System
 from catopt.model.kinds import Measured
 from catopt.model.load import LOADS as OF_A_LINE
@@ -26,6 +27,7 @@ from catopt.mooring.held import at_rest as network_at_rest
 from catopt.mooring.held import without_load
 from catopt.mooring.joints import turned_line
 from catopt.mooring.network_rest import LinesAtRest
+from catopt.sizing.known import refused
 from catopt.study.base import Base
 from catopt.study.member import kind_of_key, read_member, reason_of
 from catopt.study.study import StudyPiece
@@ -35,16 +37,6 @@ _LOADS: Final = re.compile(
     rf"load\.({'|'.join(OF_A_LINE)})|(system|bodies\[\d+\])\.(force\[[01]\]|moment)"
 )
 """Keys that differ within a group."""
-
-
-class Group(NamedTuple):
-    """Members of a piece that differ in their loads alone.
-
-    `at`: which they are, within the piece; `changes`: values of the first of them.
-    """
-
-    at: Codes
-    changes: dict[str, Any]
 
 
 class AtRest(NamedTuple):
@@ -62,64 +54,61 @@ def at_rest(base: Base, piece: StudyPiece) -> AtRest:
         try:
             _solve(base, piece, group, found)
         except (InputError, NoAnswerError, NotConvergedError) as error:
-            found.reasons.update(dict.fromkeys(group.at.tolist(), reason_of(error)))
+            found.reasons.update(dict.fromkeys(group.tolist(), reason_of(error)))
     return found
 
 
-def _groups(piece: StudyPiece) -> Iterator[Group]:
-    """Part a piece by all but the loads."""
+def _groups(piece: StudyPiece) -> Iterator[Codes]:
+    """Part the members of a piece by all but their loads."""
     slow = {key: column for key, column in piece.columns.items() if not _LOADS.fullmatch(key)}
     if not slow:
-        yield Group(np.arange(len(piece)), piece.changes(0))
+        yield np.arange(len(piece))
         return
     codes = np.zeros(len(piece), dtype=np.int64)
     for column in slow.values():
         values, code = np.unique(np.asarray(column), return_inverse=True)
         codes = np.unique(codes * len(values) + code, return_inverse=True)[1]
     order = np.argsort(codes, kind="stable")
-    for at in np.split(order, np.flatnonzero(np.diff(codes[order])) + 1):
-        yield Group(at, piece.changes(int(at[0])))
+    yield from np.split(order, np.flatnonzero(np.diff(codes[order])) + 1)
 
 
-def _solve(base: Base, piece: StudyPiece, group: Group, found: AtRest) -> None:
+def _solve(base: Base, piece: StudyPiece, group: Codes, found: AtRest) -> None:
+    """Solve members that differ in their loads alone."""
     loads = {
-        key: np.asarray(column)[group.at]
+        key: np.asarray(column)[group]
         for key, column in piece.columns.items()
         if _LOADS.fullmatch(key)
     }
-    within = np.ones(len(group.at), dtype=bool)
+    within = np.ones(len(group), dtype=bool)
     for key, values in loads.items():
         kind = kind_of_key(base, key)
         assert isinstance(kind, Measured)
         wrong = np.zeros(values.shape, dtype=bool) if kind.above is None else values <= kind.above
         within &= ~wrong
         for member in np.flatnonzero(wrong).tolist():
-            found.reasons[int(group.at[member])] = _refusal(base, key, values[member])
+            found.reasons[int(group[member])] = _refusal(base, key, values[member])
     if not within.any():
         return
-    at = group.at[within]
+    at = group[within]
     loads = {key: values[within] for key, values in loads.items()}
     first = {key: values[0].item() for key, values in loads.items()}
-    case = read_member(base, {**group.changes, **first})
+    case = read_member(base, {**piece.changes(int(group[0])), **first})
     if isinstance(case, Network):
-        _put(_points(case, loads, len(at)), at, found)
-        return
-    assert isinstance(case, Case)
-    case.site.check_level()
-    case.check_still_water()
-    if any(each.submerged_weight < 0.0 for each in case.line.point_loads):
-        solved = _one_by_one(case, loads, len(at))
-    elif case.system is not None:
-        solved = _bodies(case.system, loads, len(at))
+        solved = _points(case, loads, len(at))
     else:
-        solved = _lines(case, loads, len(at))
-    _put(solved, at, found)
-
-
-def _put(solved: Solved, at: Codes, found: AtRest) -> None:
-    for name, column in solved[0].items():
+        assert isinstance(case, Case)
+        case.site.check_level()
+        case.check_still_water()
+        if any(each.submerged_weight < 0.0 for each in case.line.point_loads):
+            # Of its buoys it is to be told, load by load, that none rises above the water.
+            solved = _each(partial(_under, case), loads, len(at))
+        elif case.system is not None:
+            solved = _bodies(case.system, loads, len(at))
+        else:
+            solved = _lines(case, loads, len(at))
+    for name, column in solved.values.items():
         found.values[name][at] = column
-    found.reasons.update({int(at[member]): reason for member, reason in solved[1].items()})
+    found.reasons.update({int(at[member]): reason for member, reason in solved.reasons.items()})
 
 
 def _refusal(base: Base, key: str, value: float) -> str:
@@ -133,14 +122,11 @@ def _refusal(base: Base, key: str, value: float) -> str:
 Loads = Mapping[str, Array]
 """Values in SI by key path."""
 
-Solved = tuple[dict[str, Array], dict[int, str]]
-"""Values by name, and the reason of each that has none."""
 
-
-def _lines(case: Case, loads: Loads, count: int) -> Solved:
+def _lines(case: Case, loads: Loads, count: int) -> AtRest:
     """Solve one line under many loads."""
     if case.load is None:
-        raise InputError([Problem("case", "", Message("refused_study.case_with_load_or_system"))])
+        raise refused("case", "", Message("refused_study.case_with_load_or_system"))
     given: dict[str, Any] = {name: getattr(case.load, name) for name in OF_A_LINE}
     given |= {key.removeprefix("load."): values for key, values in loads.items()}
     wanted: dict[str, Any] = {
@@ -155,10 +141,10 @@ def _lines(case: Case, loads: Loads, count: int) -> Solved:
         "grounded_length": solved.grounded_length,
         "span": solved.span,
     }
-    return values, _reasons(solved)
+    return AtRest(values, _reasons(solved))
 
 
-def _bodies(system: System, loads: Loads, count: int) -> Solved:
+def _bodies(system: System, loads: Loads, count: int) -> AtRest:
     """Bring one body to rest under many loads."""
 
     def given(key: str, own: float) -> Array:
@@ -176,24 +162,22 @@ def _bodies(system: System, loads: Loads, count: int) -> Solved:
         "grounded_length": solved.grounded_length.min(axis=1),
         "offset": np.hypot(solved.offset[:, 0], solved.offset[:, 1]),
     }
-    return values, _reasons(solved)
+    return AtRest(values, _reasons(solved))
 
 
-def _points(network: Network, loads: Loads, count: int) -> Solved:
+def _points(network: Network, loads: Loads, count: int) -> AtRest:
     """Bring points and lines to rest under many loads on bodies: in bulk what is as a system."""
     system = system_of(network)
     if system is not None:
-        return _bodies(
-            system, {k.replace("bodies[0]", "system"): v for k, v in loads.items()}, count
-        )
+        own = {key.replace("bodies[0]", "system"): values for key, values in loads.items()}
+        return _bodies(system, own, count)
     start = None if network.current_at_rest is not None else without_load(network)
 
-    def at(member: int) -> dict[str, float]:
-        own = {key: float(values[member]) for key, values in loads.items()}
+    def under(own: Mapping[str, float]) -> dict[str, float]:
         bodies = tuple(_loaded(k, body, own) for k, body in enumerate(network.bodies))
         return points_at_rest(network_at_rest(network) if start is None else start.under(bodies))
 
-    return _each(at, count)
+    return _each(under, loads, count)
 
 
 def _loaded(number: int, body: MooredBody, loads: Mapping[str, float]) -> MooredBody:
@@ -256,37 +240,35 @@ def _reasons(solved: Solutions | SystemSolutions) -> dict[int, str]:
     return {member: solved.reason(member) or "" for member in failed}
 
 
-def _one_by_one(case: Case, loads: Loads, count: int) -> Solved:
-    """Solve a line with buoys, which must not rise above the water, load by load."""
-
-    def at(member: int) -> dict[str, float]:
-        return one_at_rest(_under(case, {k: float(v[member]) for k, v in loads.items()}))
-
-    return _each(at, count)
-
-
-def _each(at: Callable[[int], dict[str, float]], count: int) -> Solved:
+def _each(
+    under: Callable[[Mapping[str, float]], dict[str, float]], loads: Loads, count: int
+) -> AtRest:
+    """Solve members one by one, each under its own loads."""
     values: dict[str, Array] = {}
     reasons = {}
     for member in range(count):
+        own = {key: float(column[member]) for key, column in loads.items()}
         try:
-            found = at(member)
+            found = under(own)
         except (NoAnswerError, NotConvergedError) as error:
             reasons[member] = error.message
             continue
         for name, value in found.items():
             values.setdefault(name, np.full(count, np.nan))[member] = value
-    return values, reasons
+    return AtRest(values, reasons)
 
 
-def _under(case: Case, loads: Mapping[str, float]) -> Case:
-    if case.system is None:
-        (name, value), *_ = [*loads.items(), ("", 0.0)]
-        return replace(case, load=Load(**{name.removeprefix("load."): value})) if name else case
-    x, y = case.system.force
-    force = (loads.get("system.force[0]", x), loads.get("system.force[1]", y))
-    moment = loads.get("system.moment", case.system.moment)
-    return replace(case, system=replace(case.system, force=force, moment=moment))
+def _under(case: Case, loads: Mapping[str, float]) -> dict[str, float]:
+    """Solve a case under loads of a member's own."""
+    if case.system is not None:
+        x, y = case.system.force
+        force = (loads.get("system.force[0]", x), loads.get("system.force[1]", y))
+        moment = loads.get("system.moment", case.system.moment)
+        case = replace(case, system=replace(case.system, force=force, moment=moment))
+    elif loads:
+        (name, value), *_ = loads.items()
+        case = replace(case, load=Load(**{name.removeprefix("load."): value}))
+    return one_at_rest(case)
 
 
 def one_at_rest(case: Case) -> dict[str, float]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 import sqlite3
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from io import StringIO
@@ -19,6 +19,7 @@ from catopt.arrays import Array
 from catopt.documents import MOST_BYTES_OF_DATA, read_text
 from catopt.errors import InputError, Problem, need_package
 from catopt.model.kinds import Kind, Measured, Whole
+from catopt.sizing.known import refused
 from catopt.study.base import Base
 from catopt.study.member import in_file, kind_of_key
 from catopt.study.study import Axis, Study
@@ -83,12 +84,13 @@ class Store:
         """Refuse in words what the file or its disk does not do: full, held, damaged, gone."""
         try:
             yield
-        except sqlite3.OperationalError as error:
-            way = Message("refused_study.and_kept", error=error)
-            raise InputError([Problem("--out", self._file, way)], "options") from error
         except (OSError, sqlite3.Error) as error:
-            way = Message("refused_study.and_anew", error=error)
-            raise InputError([Problem("--out", self._file, way)], "options") from error
+            is_whole = isinstance(error, sqlite3.OperationalError)
+            key = "refused_study.and_kept" if is_whole else "refused_study.and_anew"
+            raise self._refused(Message(key, error=error)) from error
+
+    def _refused(self, allowed: Message) -> InputError:
+        return refused("--out", self._file, allowed, "options")
 
     def _check(self) -> None:
         wanted = (self._study.digest, len(self._study))
@@ -97,9 +99,8 @@ class Store:
             with self._database:
                 self._database.execute("INSERT INTO study VALUES (?, ?)", wanted)
         elif tuple(found) != wanted:
-            allowed = Message("refused_study.holds_another_study_or_this")
             self.close()
-            raise InputError([Problem("--out", self._file, allowed)], "options")
+            raise self._refused(Message("refused_study.holds_another_study_or_this"))
 
     def done(self) -> set[int]:
         """Return the numbers of the pieces that are there."""
@@ -128,7 +129,7 @@ class Store:
                     with self._database:
                         self._database.execute("DELETE FROM pieces WHERE number = ?", (number,))
                     allowed = Message("refused_study.piece_was_damaged_taken_out", number=number)
-                    raise InputError([Problem("--out", self._file, allowed)], "options") from error
+                    raise self._refused(allowed) from error
                 yield piece
 
     def _read(self, number: int, numbers: bytes, words: str, reasons: str) -> Computed:
@@ -163,7 +164,7 @@ class Store:
         """Return the texts of some members."""
         wanted: dict[int, tuple[str, ...]] = {}
         for first, piece in self._placed():
-            wanted |= {first + k: words for k, words in enumerate(piece.words)}
+            wanted |= dict(enumerate(piece.words, start=first))
         return [wanted.get(member, ()) for member in members]
 
 
@@ -193,20 +194,15 @@ def read_table(base: Base, path: Path, columns: Mapping[str, str], weight: str |
                 continue
             key = columns.get(name, name)
             if key in found:
-                raise InputError([Problem("headings", f'"{key}"', Message("refused_study.twice"))])
+                raise refused("headings", f'"{key}"', Message("refused_study.twice"))
             found[key] = _values(_kind(base, key, columns), cells, name, unit)
         except InputError as error:
             problems += error.problems
     known = [str(head).split("(")[0].strip() for head in frame.columns]
-    for name in columns:
-        if name not in known:
-            problems.append(
-                Problem("columns", f'"{name}"', Message("refused_study.table_has_no_such_heading"))
-            )
-    if weight is not None and weight not in known:
-        problems.append(
-            Problem("weight", f'"{weight}"', Message("refused_study.table_has_no_such_heading"))
-        )
+    wanted = [("columns", name) for name in columns]
+    wanted += [] if weight is None else [("weight", weight)]
+    allowed = Message("refused_study.table_has_no_such_heading")
+    problems += [Problem(key, f'"{name}"', allowed) for key, name in wanted if name not in known]
     if not problems and not found:
         problems.append(Problem("headings", "", Message("refused_study.none_them_key_varies")))
     if problems:
@@ -217,16 +213,8 @@ def read_table(base: Base, path: Path, columns: Mapping[str, str], weight: str |
 def _read(path: Path) -> pd.DataFrame:
     frame = _of_parquet(path) if path.suffix.lower() == ".parquet" else _of_csv(path)
     if frame.empty:
-        raise InputError(
-            [
-                Problem(
-                    "table",
-                    Message("refused_file.no_rows"),
-                    Message("refused_study.one_row_member_wanted"),
-                )
-            ],
-            str(path),
-        )
+        allowed = Message("refused_study.one_row_member_wanted")
+        raise refused("table", Message("refused_file.no_rows"), allowed, str(path))
     return frame
 
 
@@ -242,9 +230,7 @@ def _of_parquet(path: Path) -> pd.DataFrame:
     try:
         return pd.read_parquet(path)
     except (OSError, ValueError) as error:
-        raise InputError(
-            [Problem("table", "", Message("refused_study.no_table", error=error))], str(path)
-        ) from None
+        raise _no_table(path, error) from None
 
 
 def _of_csv(path: Path) -> pd.DataFrame:
@@ -262,51 +248,49 @@ def _of_csv(path: Path) -> pd.DataFrame:
             keep_default_na=False,
         )
     except (pd.errors.ParserError, pd.errors.EmptyDataError) as error:
-        raise InputError(
-            [Problem("table", "", Message("refused_study.no_table", error=error))], str(path)
-        ) from None
+        raise _no_table(path, error) from None
     return frame
+
+
+def _no_table(path: Path, error: Exception) -> InputError:
+    return refused("table", "", Message("refused_study.no_table", error=error), str(path))
 
 
 def _kind(base: Base, key: str, columns: Mapping[str, str]) -> Kind:
     try:
         return kind_of_key(base, key)
     except InputError as error:
-        (problem,) = error.problems
-        wanted = problem.allowed
+        allowed: str = error.problems[0].allowed
         if key not in columns.values():
             further = Message("refused_study.name_key_under_columns_or")
-            wanted = Several((wanted, further), "")
-        raise InputError([Problem("headings", f'"{key}"', wanted)]) from None
+            allowed = Several((allowed, further), "")
+        raise refused("headings", f'"{key}"', allowed) from None
 
 
 def _values(kind: Kind, cells: pd.Series[Any], name: str, unit: str) -> Sequence[Any] | Array:
     if isinstance(kind, Measured):
         return in_range(kind, _numbers(cells, name) * _size(kind, name, unit), name)
     if unit:
-        raise InputError(
-            [Problem("headings", f'"{name} ({unit})"', Message("refused_study.has_no_unit"))]
-        )
+        raise refused("headings", f'"{name} ({unit})"', Message("refused_study.has_no_unit"))
     as_they_are = isinstance(kind, Whole)
     written = (c if as_they_are or isinstance(c, bool) else str(c) for c in cells.tolist())
-    return _read_each(kind, written, name)
+    return _read_cells(kind, written, name)
 
 
 def _size(kind: Measured, name: str, unit: str) -> float:
     """SI units in one of the unit that a heading names."""
     dimension = kind.dimension
     if not unit and dimension.si_unit:
-        wanted = Message(
-            "refused_study.unit_brackets_wanted_such", name=name, si_unit=dimension.si_unit
-        )
-        raise InputError([Problem("headings", f'"{name}"', wanted)])
+        key = "refused_study.unit_brackets_wanted_such"
+        wanted = Message(key, name=name, si_unit=dimension.si_unit)
+        raise refused("headings", f'"{name}"', wanted)
     if unit in ("", "-"):
         return 1.0
     try:
         return to_si(f"1 {unit}", dimension)
     except InputError as error:
-        found = f'"{name} ({unit})"'
-        raise InputError([Problem("headings", found, error.problems[0].allowed)]) from None
+        allowed = error.problems[0].allowed
+        raise refused("headings", f'"{name} ({unit})"', allowed) from None
 
 
 def _numbers(cells: pd.Series[Any], name: str) -> Array:
@@ -322,9 +306,7 @@ def _weights(cells: pd.Series[Any], name: str) -> Array:
     weights = _numbers(cells, name)
     _refuse(name, np.flatnonzero(weights < 0.0).tolist(), cells, "must be 0 or more")
     if not weights.sum() > 0.0:
-        raise InputError(
-            [Problem(name, "all 0", Message("refused_study.what_each_row_counts_wanted"))]
-        )
+        raise refused(name, "all 0", Message("refused_study.what_each_row_counts_wanted"))
     return weights
 
 
@@ -336,27 +318,34 @@ def in_range(kind: Measured, values: Array, name: str) -> Array:
         for end in ends:
             kind.read(in_file(kind, float(end)))
     except InputError:
-        _read_each(kind, (in_file(kind, value) for value in values.tolist()), name)
+        _read_cells(kind, (in_file(kind, value) for value in values.tolist()), name)
     return values
 
 
-def _read_each(kind: Kind, cells: Iterable[Any], name: str) -> list[Any]:
+def _read_cells(kind: Kind, cells: Iterable[Any], name: str) -> list[Any]:
     """Read cells as the key takes them; the first that it does not take are told."""
-    found, problems = [], []
-    for row, cell in enumerate(cells):
-        try:
-            found.append(kind.read(cell))
-        except InputError as error:
-            problems += [replace(p, key=f"{name}, value {row + 1}") for p in error.problems]
+    found, problems = read_each(kind, cells, lambda row: f"{name}, value {row + 1}")
     if problems:
         raise InputError(few(problems, "table"))
     return found
 
 
+def read_each(
+    kind: Kind, values: Iterable[Any], place: Callable[[int], str]
+) -> tuple[list[Any], list[Problem]]:
+    """Read values as their key takes them; `place` names them by their number, from 0."""
+    found, problems = [], []
+    for at, value in enumerate(values):
+        try:
+            found.append(kind.read(value))
+        except InputError as error:
+            problems += [replace(each, key=place(at)) for each in error.problems]
+    return found, problems
+
+
 def _refuse(name: str, rows: Sequence[int], cells: pd.Series[Any], allowed: str) -> None:
-    if rows:
-        found = [
-            Problem(f"{name}, value {row + 1}", as_written(cells.iloc[row]), allowed)
-            for row in rows
-        ]
+    found = [
+        Problem(f"{name}, value {row + 1}", as_written(cells.iloc[row]), allowed) for row in rows
+    ]
+    if found:
         raise InputError(few(found, "table"))

@@ -249,7 +249,7 @@ class Study:
             return f"{value / YEAR:.6g} years"
         return str(value) if quantity is None else quantity.format(value, unit=True)
 
-    def places(self, first: int, end: int) -> list[np.ndarray[Any, np.dtype[np.int64]]]:
+    def places(self, first: int, end: int) -> list[Codes]:
         """Return, of a range of members, the place of each on every axis."""
         sizes = [len(axis) for axis in self.axes]
         return list(np.unravel_index(np.arange(first, end), sizes))
