@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import NamedTuple
@@ -17,6 +17,7 @@ from catopt.checks.evaluation import (
     check_tensions,
     evaluate,
     in_load_case,
+    of_codes,
     of_criteria,
     of_other_states,
     of_uplift,
@@ -118,7 +119,7 @@ def check_case(case: Case) -> CheckReport:
             *of_criteria(criteria, case.line, strengths),
             *(() if "one_line_out" in of_mooring else of_other_states(criteria)),
             *of_uplift(lifted, criteria, case.anchor),
-            *_warned(solutions),
+            *(in_load_case(name, said) for name, found in solutions for said in found.warnings),
         ),
         load_cases=case.load_cases,
     )
@@ -145,17 +146,8 @@ def is_of_load(warning: str) -> bool:
     )
 
 
-def _warned(solutions: Sequence[tuple[str, Solution]]) -> Iterator[str]:
-    """Pass on what is to be known of each equilibrium."""
-    for name, solution in solutions:
-        for warning in solution.warnings:
-            yield in_load_case(name, warning)
-
-
 _STEPS = 60
 """Halvings of the diameter: down to the last digit of double precision."""
-
-_In = tuple[LoadCaseKind, State]
 
 
 @dataclass(frozen=True)
@@ -191,25 +183,22 @@ def least_diameters(
         if segment.nominal_diameter is None:
             continue
         strength = criteria.strength(segment)
-        pulls = _pulls(report, number)
         wanted = [
             (criterion, pull)
-            for (kind, state), pull in pulls.items()
+            for (kind, state), pull in _pulls(report, number).items()
             for criterion in criteria.of("tension", kind, state)
             if criterion.is_for(strength.kind)
         ]
         if strength.kind != "rope" and wanted and strength.end_diameter is not None:
-            least = _least(segment, criteria, wanted)
-            found.append(
-                LeastDiameter(number, segment.nominal_diameter, strength.end_diameter, least)
-            )
+            new, end = segment.nominal_diameter, strength.end_diameter
+            found.append(LeastDiameter(number, new, end, _least(segment, criteria, wanted)))
     return tuple(found)
 
 
-def _pulls(report: CheckReport, segment: int) -> Mapping[_In, float]:
+def _pulls(report: CheckReport, segment: int) -> dict[tuple[LoadCaseKind, State], float]:
     """Largest tension of a segment by kind of load case and state, N."""
     kinds: dict[str, LoadCaseKind] = {each.name: each.kind for each in report.load_cases}
-    found: dict[_In, float] = {}
+    found: dict[tuple[LoadCaseKind, State], float] = {}
     for each in report.results:
         if each.kind == "tension" and each.place.segment == segment:
             key = kinds.get(each.load_case, "extreme"), each.place.state
@@ -323,12 +312,13 @@ def check_motion(case: Case | Network, lines: Sequence[LineInMotion]) -> CheckRe
         results += _others(case, criteria, moved, kind, place)
     if case.system is not None:
         results += _of_the_body(criteria, judged, _state(None, broken), broken)
-    warnings = (
-        *_of_codes(case, criteria),
-        *_of_a_break(broken, bool(judged)),
-        *_of_the_mean(criteria, judged),
-    )
-    return CheckReport(case.title, tuple(results), (), warnings)
+    warnings = [*_of_codes(case, criteria)]
+    if broken is not None:
+        warnings.append(Message("checks.motion_breaks" if judged else "checks.motion_all_lost"))
+    on_mean = any(each.mean_factor is not None for each in criteria.all)
+    if on_mean and any(each.mean is None for each in judged):
+        warnings.append(Message("checks.motion_no_mean"))
+    return CheckReport(case.title, tuple(results), (), tuple(warnings))
 
 
 def _others(
@@ -409,31 +399,11 @@ def _of_codes(case: Case | Network, criteria: Criteria) -> Iterator[Message]:
     at_rest_alone = [each.name for each in profiles_of(case.checks) if not each.is_for_motion]
     by = motion_profile(case.checks)
     if by is not None and at_rest_alone:
-        codes = Listed(at_rest_alone, "and")
-        yield Message("checks.motion_by_other", codes=codes, code=by.name)
+        yield Message("checks.motion_by_other", codes=Listed(at_rest_alone, "and"), code=by.name)
     tensions = [each for each in criteria.all if each.check == "tension" and each.source != USER]
-    at_rest = _codes(each.source.code for each in tensions if each.analysis != "dynamic")
-    if at_rest:
-        yield Message("checks.motion_at_rest", codes=Listed(at_rest, "and"))
+    at_rest = (each.source.code for each in tensions if each.analysis != "dynamic")
+    yield from of_codes("checks.motion_at_rest", at_rest)
     states = _states(case)
     judging = {each.source.code for each in tensions if states & set(each.states)}
-    silent = [code for code in _codes(e.source.code for e in tensions) if code not in judging]
-    if silent:
-        yield Message("checks.motion_not_transient", codes=Listed(silent, "and"))
-
-
-def _codes(codes: Iterable[str]) -> tuple[str, ...]:
-    return tuple(dict.fromkeys(codes))
-
-
-def _of_a_break(broken: int | None, is_judged: bool) -> Iterator[Message]:
-    """Say what a run in which a line breaks is judged by, and what it is not."""
-    if broken is not None:
-        yield Message("checks.motion_breaks" if is_judged else "checks.motion_all_lost")
-
-
-def _of_the_mean(criteria: Criteria, lines: Sequence[LineInMotion]) -> Iterator[Message]:
-    """Say where a factor on the mean tension finds none."""
-    on_mean = any(each.mean_factor is not None for each in criteria.all)
-    if on_mean and any(each.mean is None for each in lines):
-        yield Message("checks.motion_no_mean")
+    silent = (each.source.code for each in tensions if each.source.code not in judging)
+    yield from of_codes("checks.motion_not_transient", silent)

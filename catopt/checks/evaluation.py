@@ -74,9 +74,14 @@ def of_transient(criteria: Criteria) -> Iterator[Message]:
 def _only_for(criteria: Criteria, state: State, said: str) -> Iterator[Message]:
     """Name the codes that have criteria for one state alone."""
     found = (each.source.code for each in criteria.all if each.states == (state,))
-    codes = tuple(dict.fromkeys(found))
-    if codes:
-        yield Message(said, codes=Listed(codes, "and"))
+    yield from of_codes(said, found)
+
+
+def of_codes(said: str, codes: Iterable[str]) -> Iterator[Message]:
+    """Say something of codes, each named once; nothing where there are none."""
+    named = tuple(dict.fromkeys(codes))
+    if named:
+        yield Message(said, codes=Listed(named, "and"))
 
 
 class Lifted(NamedTuple):

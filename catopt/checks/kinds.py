@@ -268,10 +268,6 @@ class Asks(Protocol):
         """Where components come from."""
 
 
-Measuring = Callable[[float, Judged, "Anchor | None"], Demand]
-"""From a criterion's number, a line and what holds it."""
-
-
 def _uplift_angle(limit: float, solution: Judged, _: Anchor | None) -> Demand:
     """Inclination of the line at the anchor <= limit, rad."""
     angle = solution.anchor.angle
@@ -334,21 +330,13 @@ class LineCheck(NamedTuple):
 
     quantity: str
     """Of its demand and its capacity, a key of `catopt.quantities.QUANTITIES`."""
-    measure: Measuring
+    measure: Callable[[float, Judged, Anchor | None], Demand]
+    """From a criterion's number, a line and what holds it."""
     own: Callable[[Asks], float | None] | None = None
     """The limit that a case gives itself, None where it gives none."""
     is_factor: bool = False
     is_wanted: bool = False
     """Whether its demand is the least that is wanted of the line, not what the line asks for."""
-
-
-def _longest_span(case: Asks) -> float | None:
-    checks = case.checks
-    return checks.max_span if checks.max_offset is None else checks.max_offset
-
-
-def _reserve(case: Asks) -> float | None:
-    return None if case.buoy is None else case.buoy.reserve_buoyancy
 
 
 OF_LINE: Mapping[CheckKind, LineCheck] = MappingProxyType(
@@ -371,8 +359,18 @@ OF_LINE: Mapping[CheckKind, LineCheck] = MappingProxyType(
             lambda case: case.checks.min_grounded_length or None,
             is_wanted=True,
         ),
-        "span": LineCheck("span", _span, _longest_span),
-        "buoyancy": LineCheck("vertical_force", _buoyancy, _reserve),
+        "span": LineCheck(
+            "span",
+            _span,
+            lambda case: (
+                case.checks.max_span if case.checks.max_offset is None else case.checks.max_offset
+            ),
+        ),
+        "buoyancy": LineCheck(
+            "vertical_force",
+            _buoyancy,
+            lambda case: None if case.buoy is None else case.buoy.reserve_buoyancy,
+        ),
         "sliding": LineCheck("point_weight", _sliding, is_factor=True),
         "holding": LineCheck("horizontal_force", _holding, is_factor=True),
     }

@@ -28,11 +28,7 @@ from catopt.model import Case
 from catopt.model.kinds import Duration, NotNegative, SomeForce
 from catopt.model.network import Network
 from catopt.records import Record
-from catopt.verify.convergence_check import (
-    Again,
-    ConvergenceCheck,
-    Damped,
-)
+from catopt.verify.convergence_check import Again, ConvergenceCheck, Damped
 
 SERIES: Mapping[str, Callable[[History], Array]] = MappingProxyType(
     {
@@ -44,7 +40,6 @@ SERIES: Mapping[str, Callable[[History], Array]] = MappingProxyType(
 )
 """What statistics are made of; offset is the fairlead's horizontal way from its place at rest."""
 
-
 TRACK: Mapping[str, Callable[[Array], Array]] = MappingProxyType(
     {
         "body_x": lambda track: track[:, 0],
@@ -54,12 +49,10 @@ TRACK: Mapping[str, Callable[[Array], Array]] = MappingProxyType(
 )
 """Statistics of a body; offset is the horizontal way of its origin from its place at rest."""
 
-
 _OF_FAIRLEAD = MappingProxyType(
     {"body_x": "fairlead_x", "body_y": "fairlead_y", "body_offset": "offset"}
 )
 """What of a fairlead moves as a body does that does not turn."""
-
 
 HULL: Mapping[str, tuple[Callable[[HullHistory], Array], int]] = MappingProxyType(
     {
@@ -74,10 +67,8 @@ HULL: Mapping[str, tuple[Callable[[HullHistory], Array], int]] = MappingProxyTyp
 )
 """Statistics of a floating buoy, with the row of its extremes at every step."""
 
-
 _WAYS = ("floater_x", "floater_y")
 """Counted from where the buoy is at rest."""
-SeriesUnit = Literal["N", "m", "rad", ""]
 _IN_METRES = ("grounded_length", "offset", *TRACK, *_WAYS, "floater_z")
 _IN_RADIANS = ("floater_roll", "floater_pitch", "floater_yaw")
 
@@ -112,7 +103,7 @@ class OverRuns(Record):
     distribution of the maxima of every minute."""
 
     @property
-    def unit(self) -> SeriesUnit:
+    def unit(self) -> Literal["N", "m", "rad", ""]:
         """SI, of the numbers below; empty for a part of a whole."""
         if self.quantity in _IN_METRES:
             return "m"

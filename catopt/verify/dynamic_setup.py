@@ -11,13 +11,7 @@ import numpy as np
 
 from catopt.errors import InputError, Problem
 from catopt.fem.dynamic_model import Fluid, LineProperties
-from catopt.fem.morison import (
-    OBLIQUE,
-    MorisonSection,
-    added_mass,
-    steady_drag,
-    wake_amplification,
-)
+from catopt.fem.morison import OBLIQUE, MorisonSection, added_mass, steady_drag, wake_amplification
 from catopt.fem.newmark import LineDamping, Scheme
 from catopt.fem.run_settings import StepControls, TimeStepping
 from catopt.fem.seabed import Seabed
@@ -147,15 +141,13 @@ class Excitation:
         record = self.elevation
         if record is not None:
             waves = self.recorded_waves
-            remarks.append(
-                Message(
-                    "motion.recorded_waves",
-                    count=waves.count,
-                    period=2.0 * math.pi / float(waves.omega[-1]),
-                    part=record.left_out(waves),
-                    mean=record.mean,
-                )
-            )
+            known = {
+                "count": waves.count,
+                "period": 2.0 * math.pi / float(waves.omega[-1]),
+                "part": record.left_out(waves),
+                "mean": record.mean,
+            }
+            remarks.append(Message("motion.recorded_waves", **known))
             if record.is_resampled:
                 remarks.append(Message("motion.resampled", step=record.step))
         for line in lines_of(self.case):

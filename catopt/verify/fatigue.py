@@ -9,12 +9,7 @@ from typing import Annotated
 
 import numpy as np
 
-from catopt.checks.fatigue import (
-    FatigueStrength,
-    design_factor,
-    fatigue_strengths,
-    need_rainflow,
-)
+from catopt.checks.fatigue import FatigueStrength, design_factor, fatigue_strengths, need_rainflow
 from catopt.checks.kinds import CheckSource
 from catopt.constants import YEAR
 from catopt.errors import InputError, Problem
@@ -292,9 +287,8 @@ def verify_fatigue(
     take, where that is minutes. The others, and what is raised, are as for `verify_dynamic`.
     """
     if case.fatigue is None:
-        raise InputError(
-            [Problem("fatigue", "", Message("refused_motion.fatigue_missing_sea_states_are"))]
-        )
+        allowed = Message("refused_motion.fatigue_missing_sea_states_are")
+        raise InputError([Problem("fatigue", "", allowed)])
     need_rainflow()
     check_for_motion(case)
     if case.dynamics is not None and case.dynamics.broken_line is not None:
@@ -370,10 +364,8 @@ def sea_states(case: Case) -> tuple[FatigueSeaState, ...]:
     columns = read_columns(path, _UNITS, needed=("height", "period"), some_of=_LASTING)
     given = [key for key in _LASTING if key in columns]
     if len(given) > 1:
-        raise InputError(
-            [Problem("headings", " and ".join(given), Message("refused_motion.one_them_wanted"))],
-            path,
-        )
+        allowed = Message("refused_motion.one_them_wanted")
+        raise InputError([Problem("headings", " and ".join(given), allowed)], path)
     shares = columns[given[0]] / (YEAR if given == ["time"] else 1.0)
     states, problems = [], share_misfits(shares.tolist())
     for row, (line, share) in enumerate(zip(lines_of(path), shares.tolist(), strict=True)):

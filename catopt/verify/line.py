@@ -298,7 +298,7 @@ def _under_load(case: Case, mesh: LineMesh, closed: Solution) -> TrussSolution:
     return _under_force(case, mesh, closed.horizontal_force)
 
 
-_LEAST_OFFSET = 0.01
+LEAST_OFFSET = 0.01
 """Offset by which positions are measured at least, over the length of the longest line."""
 
 
@@ -351,13 +351,21 @@ def truss_legs(system: System, yaw: float) -> tuple[list[TrussLeg], float]:
     m: that of the first fairlead.
     """
     height = system.legs[0].fairlead_height
-    cosine, sine = math.cos(yaw), math.sin(yaw)
-    legs = []
-    for leg in system.legs:
-        x, y = leg.fairlead
-        arm = (cosine * x - sine * y, sine * x + cosine * y, leg.fairlead_height - height)
-        legs.append(TrussLeg(leg.line, (*leg.anchor, leg.anchor_height), arm))
+    legs = [
+        TrussLeg(
+            leg.line,
+            (*leg.anchor, leg.anchor_height),
+            (*turned(*leg.fairlead, yaw), leg.fairlead_height - height),
+        )
+        for leg in system.legs
+    ]
     return legs, height
+
+
+def turned(x: float, y: float, angle: float) -> tuple[float, float]:
+    """Turn a way in plan counter-clockwise by an angle, rad."""
+    cosine, sine = math.cos(angle), math.sin(angle)
+    return cosine * x - sine * y, sine * x + cosine * y
 
 
 def _system_remarks(system: System, closed: SystemSolution) -> Iterator[str]:
@@ -372,7 +380,7 @@ def _body(
     system: System, closed: SystemSolution, trusses: Sequence[TrussSystem], tolerance: float
 ) -> Iterator[Compared]:
     longest = max(leg.line.length for leg in system.legs)
-    scale = max(math.hypot(*closed.offset), _LEAST_OFFSET * longest)
+    scale = max(math.hypot(*closed.offset), LEAST_OFFSET * longest)
     exact = (closed.position.x, closed.position.y)
     for axis, key in enumerate(("position_x", "position_y")):
         values = tuple(truss.position[axis] for truss in trusses)

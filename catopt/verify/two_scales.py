@@ -16,20 +16,20 @@ from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
 from catopt.checks.criteria import Criteria, criteria_of, motion_profile
 from catopt.checks.evaluation import evaluate, of_criteria
-from catopt.checks.kinds import Criterion, Place, State
+from catopt.checks.kinds import Criterion, Place
 from catopt.checks.profiles import profiles_of
 from catopt.checks.result import CheckReport, CheckResult
-from catopt.checks.system import for_line_out, lost_results, of_line_out, state_words
+from catopt.checks.system import (
+    for_line_out,
+    lost_results,
+    of_line_out,
+    state_words,
+    strengths_of_lines,
+)
 from catopt.errors import InputError, NoAnswerError, Problem
 from catopt.fem.extremes import weibull_tail
 from catopt.floater.ship import ShipInWeather
-from catopt.floater.two_scales import (
-    MooredShip,
-    ShipAtRest,
-    ShipHistory,
-    sample_step,
-    scales_of,
-)
+from catopt.floater.two_scales import MooredShip, ShipAtRest, ShipHistory, sample_step, scales_of
 from catopt.model import Case, System
 from catopt.model.dynamics import Dynamics
 from catopt.mooring.zero_load import zero_load_position
@@ -115,8 +115,7 @@ def verify_ship(
     moored, drive = moored_ship(case, ship)
     dynamics, legs = drive.dynamics, moored.system.legs
     criteria, damaged = _criteria(case), _line_out_criteria(case)
-    for line in {leg.line for leg in legs}:
-        criteria.strengths(line, {"extreme"}, _states(damaged))
+    strengths_of_lines(criteria, legs, damaged)  # refuses what is not known
     rest = moored.at_rest(_waves(drive, 0))
     missing, needless = _losses(moored, rest) if damaged else ((), ())
     tell = _counted(progress, dynamics.runs * (1 + len(missing)))
@@ -232,10 +231,6 @@ def _line_out_criteria(case: Case) -> tuple[Criterion, ...]:
     return for_line_out(_criteria(case), len(case.system.legs))
 
 
-def _states(damaged: tuple[Criterion, ...]) -> tuple[State, ...]:
-    return ("intact", "one_line_out") if damaged else ("intact",)
-
-
 def _of_losses(lost: tuple[ShipWithoutLine, ...], needless: tuple[int, ...]) -> Iterator[Message]:
     """Yield what was run with a line out, and what was not."""
     if lost:
@@ -261,9 +256,8 @@ def moored_ship(case: Case, ship: ShipInWeather | None = None) -> tuple[MooredSh
     floater, of, current = case.floater, case.floater.ship, case.current
     if current is not None and current.series_file:
         allowed = Message("refused_case.ship_steady_current")
-        raise InputError(
-            [Problem("current.series_file", current.series_file, allowed)], "--dynamic"
-        )
+        problem = Problem("current.series_file", current.series_file, allowed)
+        raise InputError([problem], "--dynamic")
     drive = read_drive(case)
     if ship is not None and drive.vessel is None:
         return MooredShip(case.system, ship), drive
@@ -328,10 +322,7 @@ def check_hanging(
     legs, criteria, damaged = case.system.legs, _criteria(case), _line_out_criteria(case)
     results: list[CheckResult] = []
     reported: list[str] = []
-    known = {
-        line: criteria.strengths(line, {"extreme"}, _states(damaged))
-        for line in {leg.line for leg in legs}
-    }
+    known = strengths_of_lines(criteria, legs, damaged)
 
     def check(place: Place, numbers: Sequence[int], solutions: tuple[Solution, ...]) -> None:
         for number, solution in zip(numbers, solutions, strict=True):
