@@ -311,7 +311,12 @@ def check_motion(case: Case | Network, lines: Sequence[LineInMotion]) -> CheckRe
         )
         results += _others(case, criteria, moved, kind, place)
     if case.system is not None:
-        results += _of_the_body(criteria, judged, _state(None, broken), broken)
+        # The largest vertical pulls of all lines, as if at one time, against the buoyancy.
+        carried = [each.carried for each in judged if each.carried is not None]
+        if judged and len(carried) == len(judged):
+            pulls = (each.fairlead.vertical_force for each in carried)
+            place = Place(_state(None, broken), None, broken)
+            results += check_buoyancy(pulls, criteria, judged[0].load_case, place)
     warnings = [*_of_codes(case, criteria)]
     if broken is not None:
         warnings.append(Message("checks.motion_breaks" if judged else "checks.motion_all_lost"))
@@ -337,16 +342,6 @@ def _others(
     for criterion in criteria.of("slide", kind, place.state):
         found = Demand(slide, criterion.value, ratio_exceedance(slide, criterion.value))
         yield result_of("slide", criterion, found, moved.load_case, place)
-
-
-def _of_the_body(
-    criteria: Criteria, lines: Sequence[LineInMotion], state: State, broken: int | None
-) -> Iterator[CheckResult]:
-    """Hold the largest vertical pulls of all lines, as if at one time, against the buoyancy."""
-    pulls = [each.carried.fairlead.vertical_force for each in lines if each.carried is not None]
-    if len(pulls) < len(lines) or not lines:
-        return
-    yield from check_buoyancy(pulls, criteria, lines[0].load_case, Place(state, None, broken))
 
 
 def check_strengths(case: Case | Network) -> None:

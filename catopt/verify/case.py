@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -139,10 +140,7 @@ def _verified(name: str, case: Case, elements: int, tolerance: float) -> StaticC
     for number, pair in enumerate(part.lines, start=1):
         mesh = pair.finest.mesh
         heights = pair.finest.nodes[mesh.load_node, 2].tolist()
-        if part.kind == "line":
-            check_buoys(mesh.line, heights, case.site.water_depth)
-            continue
-        with named_line(number):
+        with nullcontext() if part.kind == "line" else named_line(number):
             check_buoys(mesh.line, heights, case.site.water_depth)
     return part
 

@@ -383,7 +383,11 @@ def _seed(
     history = runs[0].history
     if not history.is_complete:  # stopped in its ramp, nothing of it counts
         return _Seed(runs, said, is_whole=False) if history.counts else None
-    ways, there = _ways(convergence_check, runs), [known[number]] if number in known else []
+    ways: list[Way] = []
+    if convergence_check != "none":
+        is_slack = any(run.history.line_slack_time() > 0.0 for run in runs)
+        ways = ["step", "bars"] if convergence_check == "bars" or is_slack else ["step"]
+    there = [known[number]] if number in known else []
     left = ways[len(there) :]
     task, rest = partial(_again, lines, number, left), share_of(progress, 1, total, total - 2)
     made = [*there, *(side_by_side(task, len(left), side, rest) if left else [])]
@@ -391,14 +395,6 @@ def _seed(
     with suppress(KeyboardInterrupt):  # what there is of the check is kept
         progress(1, 1)
     return _Seed(runs, said, is_whole=len(made) == len(ways))
-
-
-def _ways(convergence_check: ConvergenceCheck, runs: Sequence[DynamicRun]) -> list[Way]:
-    """In which ways a run is made again."""
-    if convergence_check == "none":
-        return []
-    is_slack = any(run.history.line_slack_time() > 0.0 for run in runs)
-    return ["step", "bars"] if convergence_check == "bars" or is_slack else ["step"]
 
 
 def _again(
@@ -427,11 +423,8 @@ def _damped(
 ) -> list[Damped]:
     """Run a seed once more with another damping of the lines."""
     (number, factor), dynamics = tasks[at], lines.drive.dynamics
-    changed = replace(
-        dynamics,
-        line_damping=factor * dynamics.critical_ratio,
-        damping_time=factor * dynamics.damping_time,
-    )
+    ratio, time = factor * dynamics.critical_ratio, factor * dynamics.damping_time
+    changed = replace(dynamics, line_damping=ratio, damping_time=time)
     case = replace(lines.drive.case, dynamics=changed)
     drive = replace(lines.drive, case=case, counts_cycles=False)
     try:
@@ -524,14 +517,14 @@ def _counted(run: DynamicRun, sea: Sea) -> DynamicRun:
 
 
 def _remarks(drive: Excitation, runs: Sequence[DynamicRun]) -> list[str]:
-    remarks = []
+    remarks = [*drive.remarks]
     if not all(run.history.counts for run in runs):
         remarks.append(Message("motion.within_ramp"))
     if drive.has_rest and any(np.isnan(run.quasi_static).all() for run in runs):
         remarks.append(Message("motion.no_amplification"))
     elif drive.compares_at_rest and drive.case.current is not None:
         remarks.append(Message("motion.still_without_current"))
-    return [*drive.remarks, *remarks]
+    return remarks
 
 
 def _telling(progress: Progress, ask: Callable[[], None]) -> Progress:

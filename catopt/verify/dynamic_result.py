@@ -310,10 +310,8 @@ class DynamicPart(Record):
             for run in self.runs
             if run.damped
         ]
-        if not found:
-            return None
         by_damping = [max(each) for each in zip(*found, strict=False)]
-        return min(by_damping), max(by_damping)
+        return (min(by_damping), max(by_damping)) if found else None
 
     @property
     def worst_change(self) -> Change | None:
@@ -380,12 +378,12 @@ class DynamicPart(Record):
     @property
     def slack_time(self) -> Duration:
         """Time in all that a bar of the line had no tension in one run, after the ramp, s."""
-        return max(run.history.line_slack_time() for run in self.runs)
+        return max(run.slack_time for run in self.runs)
 
     @property
     def longest_slack(self) -> Duration:
         """Longest time at a stretch that a bar of the line had no tension, after the ramp, s."""
-        return max(run.history.line_longest_slack() for run in self.runs)
+        return max(run.longest_slack for run in self.runs)
 
     @property
     def quasi_static_max(self) -> SomeForce | None:

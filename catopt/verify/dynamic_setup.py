@@ -104,9 +104,8 @@ class Excitation:
     @property
     def is_led_at_random(self) -> bool:
         """Whether the fairlead goes where a random sea sends it."""
-        goes = self.raos is not None or self.vessel is not None or self.case.body is not None
-        goes = goes or self.case.floater is not None
-        return self.is_random and goes
+        by_waves = (self.raos, self.vessel, self.case.body, self.case.floater)
+        return self.is_random and any(each is not None for each in by_waves)
 
     def sea(self, run: int) -> Sea:
         """Waves and current of one run, from 0."""
@@ -130,9 +129,8 @@ class Excitation:
         given = self.case.waves
         assert given is not None
         assert self.elevation is not None
-        return self.elevation.waves(
-            direction=given.direction, shortest_period=given.shortest_period
-        )
+        shortest = given.shortest_period
+        return self.elevation.waves(direction=given.direction, shortest_period=shortest)
 
     @property
     def remarks(self) -> list[str]:
@@ -267,8 +265,7 @@ class Excitation:
         return LineProperties(
             sections=[section_of(segment) for segment in first.segments],
             damping=LineDamping(
-                critical_ratio=dynamics.critical_ratio,
-                stiffness_time=dynamics.damping_time,
+                critical_ratio=dynamics.critical_ratio, stiffness_time=dynamics.damping_time
             ),
             fluid=Fluid(density=site.water_density),
             seabed=self.seabed,

@@ -303,7 +303,13 @@ def verify_fatigue(
         raise InputError([Problem("--load-case", "", allowed)], "options")
     states = sea_states(case)
     seas = [_in_sea(case, state) for state in states]
-    seconds = sum(_seconds(sea, load_case, convergence_check) for sea in seas)
+    seconds = 0.0
+    for sea in seas:
+        ((_, state),) = load_states(sea, load_case)
+        drive = read_drive(state)
+        effort = effort_of(lines_at_rest(drive), convergence_check)
+        effort.check(drive.dynamics.duration)
+        seconds += effort.seconds
     if seconds > LONG:
         announce(Message("fatigue.takes", count=len(states), minutes=seconds / 60.0))
     run = partial(
@@ -331,14 +337,6 @@ def _in_sea(case: Case, state: FatigueSeaState) -> Case:
         waves = replace(waves, direction=state.direction)
     dynamics = replace(case.dynamics, elements=case.dynamics.bars)
     return replace(case, waves=waves, dynamics=dynamics)
-
-
-def _seconds(case: Case, load_case: str | None, convergence_check: ConvergenceCheck) -> float:
-    ((_, state),) = load_states(case, load_case)
-    drive = read_drive(state)
-    effort = effort_of(lines_at_rest(drive), convergence_check)
-    effort.check(drive.dynamics.duration)
-    return effort.seconds
 
 
 _UNITS = {

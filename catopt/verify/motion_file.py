@@ -32,7 +32,7 @@ Units = Mapping[str, Mapping[str, float] | None]
 None: what stands in brackets is not read.
 """
 
-_MOTIONS = ("surge", "sway", "heave")
+_WAYS, _TURNS = FREEDOMS[:3], FREEDOMS[3:]
 _TIME, _LENGTH = UNITS[Dimension.TIME], UNITS[Dimension.LENGTH]
 _PLACE: Units = dict.fromkeys(("t", "x", "y", "z"))
 _FORCE: Units = {"t": _TIME, **dict.fromkeys(("fx", "fy", "fz"), UNITS[Dimension.FORCE])}
@@ -167,9 +167,9 @@ def read_raos(path: str) -> Raos:
     a wave of 1 m), and ``surge_phase`` and so on (deg behind the crest over the fairlead). Raises
     InputError for a file that cannot be read, wrong headings or cells, or a period twice.
     """
-    phases = tuple(f"{each}_phase" for each in _MOTIONS)
-    known: Units = dict.fromkeys(("period", *_MOTIONS, *phases))
-    columns = read_columns(path, known, needed=("period",), some_of=_MOTIONS)
+    phases = tuple(f"{each}_phase" for each in _WAYS)
+    known: Units = dict.fromkeys(("period", *_WAYS, *phases))
+    columns = read_columns(path, known, needed=("period",), some_of=_WAYS)
     columns |= {each: np.radians(columns[each]) for each in phases if each in columns}
     period = columns["period"]
     if not (period > 0.0).all():
@@ -178,7 +178,7 @@ def read_raos(path: str) -> Raos:
     if (np.diff(period[order]) == 0.0).any():
         wanted = Message("refused_motion.one_row_period")
         raise refused(path, "period", Message("refused_motion.same_twice"), wanted)
-    response = responses(columns, _MOTIONS, period.size)
+    response = responses(columns, _WAYS, period.size)
     return Raos(2.0 * math.pi / period[order], response[order])
 
 
@@ -323,7 +323,6 @@ def refused(path: str, key: str, found: str, allowed: str) -> InputError:
     return InputError([Problem(key, found, allowed)], path)
 
 
-_WAYS, _TURNS = FREEDOMS[:3], FREEDOMS[3:]
 _ANGLES = {"deg": math.pi / 180.0, "rad": 1.0}
 _SAME = 1e-9
 

@@ -16,7 +16,7 @@ from catopt.mooring.held import at_rest
 from catopt.mooring.joints import Moored, Run, moored, runs_of
 from catopt.mooring.network_rest import BodyAtRest, LinesAtRest
 from catopt.verify.compared import ORDER, Compared
-from catopt.verify.line import LEAST_OFFSET, SLACK, SLACK_ORDER, Comparing, bends, on_meshes
+from catopt.verify.line import SLACK, SLACK_ORDER, Comparing, bends, compared_places, on_meshes
 from catopt.verify.result import LinePair, Mesh, StaticComparison
 from catopt.words import Message
 
@@ -246,12 +246,8 @@ def _bodies(
     for number, (rest, body) in enumerate(zip(closed.bodies, moored(whole, 0), strict=True)):
         if loose & body.arms.keys():
             continue
-        scale = max(math.hypot(*rest.offset), LEAST_OFFSET * longest)
         places = [truss.places[first + number] for truss in trusses]
-        exact = (rest.position.x, rest.position.y)
-        for axis, key in enumerate(("position_x", "position_y")):
-            values, own = tuple(place[axis] for place in places), rest.body.name
-            yield Compared(key, "m", exact[axis], values, scale, tolerance, point=own)
+        yield from compared_places(rest, longest, places, tolerance, rest.body.name)
         if rest.turns:
             yield _moment(rest, body, closed, places, lines, tolerance)
 
