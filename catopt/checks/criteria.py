@@ -41,7 +41,6 @@ _INTACT: tuple[State, ...] = ("intact",)
 UPLIFT: tuple[CheckKind, ...] = ("uplift_angle", "uplift_force")
 """Checks that limit how far an anchor is lifted."""
 
-
 SEARCHED: tuple[CheckKind, ...] = (
     "tension",
     "least_tension",

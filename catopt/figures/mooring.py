@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from catopt.mooring.network_rest import LinesAtRest
     from catopt.mooring.position import Position
     from catopt.mooring.restoring import RestoringCurve, WatchCircle
-    from catopt.mooring.solution import LegState, SystemSolution
+    from catopt.mooring.solution import SystemSolution
 
 _ALONG = 21
 """Places of a line that answer to the pointer."""
@@ -58,7 +58,10 @@ def plan(solution: SystemSolution) -> Chart:
     lines = list(_lines(solution))
     numbers += [_beside(_force(solution), each.start, each.end, size, lines) for each in arrows]
     drawn = [*places, *((mark.x, mark.y) for mark in numbers), *(each.end for each in arrows)]
-    points = [point for k, line in enumerate(solution.lines) for point in _points(k, line)]
+    points: list[Point] = []
+    for k, line in enumerate(solution.lines):
+        profile = line.solution.profile(_ALONG)
+        points += _along(k, map(line.at, profile.x), profile)
     return Chart(
         "system_plan",
         Message("figures.plan", count=len(solution.lines)),
@@ -168,11 +171,6 @@ def _beside(words: str, start: Place, end: Place, size: float, lines: Sequence[S
     places = [(x + side * dx, y + side * dy) for side in (1.0, -1.0)]
     place = largest(places, lambda each: min(math.dist(each, spot) for spot in spots))
     return Mark("beside", *place, words=words)
-
-
-def _points(number: int, line: LegState) -> tuple[Point, ...]:
-    profile = line.solution.profile(_ALONG)
-    return _along(number, map(line.at, profile.x), profile)
 
 
 def _along(number: int, places: Iterable[Place], profile: Profile) -> tuple[Point, ...]:
