@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -97,8 +96,13 @@ def check_case(case: Case) -> CheckReport:
     lifted: list[Lifted] = []
     for each in states:
         name, kind, place = each.name, each.kind, Place(each.state)
-        with _under(name):
+        try:
             solution = solve_case(case.under(each) if case.load_cases else case)
+        except NoEquilibriumError as error:
+            said = in_load_case(name, error.args[0])
+            raise NoEquilibriumError(said, error.quantity, error.missing) from error
+        except (FloatsUpError, NotConvergedError) as error:
+            raise type(error)(in_load_case(name, error.args[0])) from error
         solutions.append((name, solution))
         where = Message("checks.named_case" if case.load_cases else "checks.under_load", name=name)
         lifted.append(Lifted(where, each.state, kind, solution))
@@ -123,18 +127,6 @@ def check_case(case: Case) -> CheckReport:
         ),
         load_cases=case.load_cases,
     )
-
-
-@contextmanager
-def _under(load_case: str) -> Iterator[None]:
-    """Name the load case in what goes wrong."""
-    try:
-        yield
-    except NoEquilibriumError as error:
-        said = in_load_case(load_case, error.args[0])
-        raise NoEquilibriumError(said, error.quantity, error.missing) from error
-    except (FloatsUpError, NotConvergedError) as error:
-        raise type(error)(in_load_case(load_case, error.args[0])) from error
 
 
 def is_of_load(warning: str) -> bool:

@@ -283,13 +283,10 @@ def criteria_of(
         *_of_anchor(case.anchor, coded, anchor_key, analysis),
         *(each for each in coded if each.check not in ("sliding", "holding")),
     )
-    notes = [
-        Message("checks.code_note", code=each.name, note=each.note)
-        for each in profiles
-        if each.note
-    ]
+    notes: list[str] = []
     if case.checks.max_offset is not None:
-        notes.insert(0, Message("checks.max_offset_is_max_span", limit=case.checks.max_offset))
+        notes.append(Message("checks.max_offset_is_max_span", limit=case.checks.max_offset))
+    notes += [Message("checks.code_note", code=e.name, note=e.note) for e in profiles if e.note]
     return Criteria(
         all=(*found, *_no_uplift(case.anchor, found)),
         service=case.service,

@@ -314,8 +314,8 @@ def _rows(path: str) -> list[tuple[int, list[str]]]:
             if line.strip() and not line.lstrip().startswith("#")
         ]
     except csv.Error as error:
-        wanted = Message("refused_motion.no_table_of_numbers", error=error)
-        raise refused(path, "file", "", wanted) from None
+        allowed = Message("refused_motion.no_table_of_numbers", error=error)
+        raise refused(path, "file", "", allowed) from None
 
 
 def refused(path: str, key: str, found: str, allowed: str) -> InputError:

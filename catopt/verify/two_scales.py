@@ -121,7 +121,7 @@ def verify_ship(
     tell = _counted(progress, dynamics.runs * (1 + len(missing)))
     histories = _histories(moored, drive, tell)
     lines = tuple(_lines(moored, range(1, len(legs) + 1), histories, dynamics))
-    lost = tuple(_without(case, moored, drive, number, tell) for number in missing)
+    lost = tuple(_without(moored, drive, number, tell) for number in missing)
     asked = case.system is not None and case.system.judged_line_out
     remarks = (
         *judged_by_words(lines, dynamics),
@@ -134,7 +134,7 @@ def verify_ship(
             else (Message("checks.line_out_not_asked"),)
         ),
     )
-    hanging = hang_judged(case, lines, moored)
+    hanging = hang_judged(lines, moored)
     checks, directions = check_hanging(case, hanging, lost), _waves(drive, 0).direction
     return ShipVerification(
         case, moored, rest, histories, lines, hanging, checks, remarks, directions, lost
@@ -183,11 +183,11 @@ def run_without(
 ) -> tuple[ShipWithoutLine, MooredShip]:
     """Run the ship of a case without one of its lines, from 1, alone; as `verify_ship`."""
     moored, drive = moored_ship(case, ship)
-    return _without(case, moored, drive, number, _counted(None, 0)), moored
+    return _without(moored, drive, number, _counted(None, 0)), moored
 
 
 def _without(
-    case: Case, moored: MooredShip, drive: Excitation, number: int, tell: Callable[[], None]
+    moored: MooredShip, drive: Excitation, number: int, tell: Callable[[], None]
 ) -> ShipWithoutLine:
     left = replace(moored, system=moored.system.without([number - 1]))
     numbers = [each for each in range(1, len(moored.system.legs) + 1) if each != number]
@@ -195,7 +195,7 @@ def _without(
     try:
         histories = _histories(left, drive, tell)
         lines = tuple(_lines(left, numbers, histories, drive.dynamics))
-        hanging = hang_judged(case, lines, left)
+        hanging = hang_judged(lines, left)
     except NoAnswerError as error:
         return ShipWithoutLine(number, refusal=error.args[0])
     offset = offset_of(histories, (neutral.x, neutral.y), storm)
@@ -293,17 +293,13 @@ def _criteria(case: Case) -> Criteria:
     return criteria_of(replace(case, checks=replace(own, motion_code=None)))
 
 
-def hang_judged(
-    case: Case, lines: tuple[LineOfShip, ...], moored: MooredShip
-) -> tuple[Solution, ...]:
+def hang_judged(lines: tuple[LineOfShip, ...], moored: MooredShip) -> tuple[Solution, ...]:
     """Hang each line under the tension at its fairlead that it is judged by."""
-    assert case.dynamics is not None
-    by = case.dynamics.judged_by
     return tuple(
         solve(
             leg.line,
             height=leg.fairlead_height,
-            fairlead_tension=each.judged(by),
+            fairlead_tension=each.judged_tension,
             seabed_friction=moored.system.seabed_friction,
             anchor_height=leg.anchor_height,
         )
