@@ -29,7 +29,8 @@ from catopt.units import as_written
 from catopt.words import Cited, Message
 
 if TYPE_CHECKING:
-    from catopt.checks.kinds import Asks
+    from catopt.model import Case
+    from catopt.model.network import Network
 
 HORIZONTAL_PULL = CheckSource(
     "drag anchor", "UFC 4-159-03 Design: Moorings (3 October 2005)", "Table 3-18", "A"
@@ -252,7 +253,7 @@ def allowed_by(
 
 
 def criteria_of(
-    case: Asks, *, anchor_key: str = "anchor", analysis: Analysis = "quasi-static"
+    case: Case | Network, *, anchor_key: str = "anchor", analysis: Analysis = "quasi-static"
 ) -> Criteria:
     """Gather all that a case asks a line to keep.
 
@@ -315,7 +316,7 @@ def motion_profile(checks: Checks) -> Profile | None:
     return found
 
 
-def _own(case: Asks) -> Iterator[Criterion]:
+def _own(case: Case | Network) -> Iterator[Criterion]:
     """List the numbers of the case itself; they hold in every state that has none of its own."""
     checks = case.checks
     damaged = checks.safety_factor_line_out
