@@ -221,16 +221,9 @@ def _joints(
                 values = tuple(truss.places[p][axis] for truss in trusses)
             else:
                 values = tuple(float(truss.nodes[end, axis]) for truss in both.trusses)
-            yield Compared(
-                f"place_{'xyz'[axis]}",
-                "m",
-                closed.joints.places[number][axis],
-                values,
-                scale,
-                tolerance,
-                theory=theory,
-                point=point.name,
-            )
+            key, exact = f"place_{'xyz'[axis]}", closed.joints.places[number][axis]
+            own = point.name
+            yield Compared(key, "m", exact, values, scale, tolerance, theory=theory, point=own)
 
 
 def _bodies(
