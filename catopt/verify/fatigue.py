@@ -17,7 +17,7 @@ from catopt.model import Case, FatigueSeaState, Segment
 from catopt.model.dynamics import share_misfits
 from catopt.model.kinds import Force, NotNegative, Place, Positive, Share
 from catopt.old_names import renamed
-from catopt.records import Counted, From, Record
+from catopt.records import Counted, From, FromZero, Record
 from catopt.ties import largest
 from catopt.units import UNITS, Dimension
 from catopt.verify.case import load_states
@@ -65,7 +65,7 @@ class SegmentFatigue(Record):
         "strength.curve.source.text=source strength.diameter strength.area "
         "strength.breaking_strength=strength_N arc along damage=damage_per_year years=life_years "
         "wanted_years factor=design_factor factor_source.text=design_factor_source utilisation "
-        "change=change_of_ranges worst_number=worst_sea_state states=sea_states"
+        "change=change_of_ranges worst+1=worst_sea_state states=sea_states"
     )
 
     line: Counted | None
@@ -117,14 +117,9 @@ class SegmentFatigue(Record):
         return self.damage * self.life / YEAR * self.factor
 
     @property
-    def worst(self) -> int:
-        """Which sea state does most, from 0."""
-        return largest(range(len(self.states)), lambda k: self.states[k].damage)
-
-    @property
-    def worst_number(self) -> Counted:
+    def worst(self) -> FromZero:
         """Which does most damage."""
-        return self.worst + 1
+        return largest(range(len(self.states)), lambda k: self.states[k].damage)
 
 
 @dataclass(frozen=True)
