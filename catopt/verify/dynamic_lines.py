@@ -404,11 +404,6 @@ class LinesOfAFloater:
             return truss_legs(case.system, 0.0)[0]
         return (Leg(case.line, (0.0, 0.0, case.anchor_height)),)
 
-    @property
-    def in_plane(self) -> bool:
-        """Whether weather and lines leave the buoy in the plane of x and z."""
-        return freedoms(self.hull, self.legs, self.drive.sea(0)) == IN_PLANE
-
     def driven_by(self, sea: Sea) -> list[Series]:  # noqa: ARG002 - as of the others
         """Nothing leads it."""
         return []
@@ -462,7 +457,9 @@ class LinesOfAFloater:
         case, of = self.drive.one, self.drive.one.floater
         assert of is not None
         shape = floating_buoy(of)
-        moves = "floater.moves" if self.in_plane else "floater.moves_all"
+        # Weather and lines may leave the buoy in the plane of x and z.
+        is_in_plane = freedoms(hull, self.legs, self.drive.sea(0)) == IN_PLANE
+        moves = "floater.moves" if is_in_plane else "floater.moves_all"
         yield Message(moves, buoy=shape.name, draught=hull.draught)
         if of.centre_of_gravity is None or of.pitch_radius is None:
             radius = math.sqrt(hull.inertia / hull.mass)
