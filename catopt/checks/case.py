@@ -286,17 +286,18 @@ def check_motion(case: Case | Network, lines: Sequence[LineInMotion]) -> CheckRe
     broken = _broken(case)
     judged = [each for each in lines if broken is None or (each.number or broken) != broken]
     load_cases = {each.name: each for each in case.load_cases}
+    load = LoadCase(LOAD, 1.0)
     results: list[CheckResult] = []
     for moved in judged:
-        load_case = load_cases.get(moved.load_case)
-        kind = "extreme" if load_case is None else load_case.kind
-        condition = None if load_case is None else load_case.condition
-        state = _state(load_case, broken)
+        load_case = load_cases.get(moved.load_case, load)
+        kind = load_case.kind
+        state: State = load_case.state if broken is None else "transient"
         place = Place(state, moved.number, broken)
+        in_condition = criteria.in_condition(load_case.condition)
         results += check_tensions(
             moved.line,
             list(criteria.of("tension", kind, state)),
-            criteria.in_condition(condition).strengths(moved.line, {kind}, {state}),
+            in_condition.strengths(moved.line, {kind}, {state}),
             moved.tensions,
             load_case=moved.load_case,
             place=place,
@@ -307,7 +308,7 @@ def check_motion(case: Case | Network, lines: Sequence[LineInMotion]) -> CheckRe
         carried = [each.carried for each in judged if each.carried is not None]
         if judged and len(carried) == len(judged):
             pulls = (each.fairlead.vertical_force for each in carried)
-            place = Place(_state(None, broken), None, broken)
+            place = Place("intact" if broken is None else "transient", None, broken)
             results += check_buoyancy(pulls, criteria, judged[0].load_case, place)
     warnings = [*_of_codes(case, criteria)]
     if broken is not None:
@@ -363,15 +364,9 @@ def check_strengths(case: Case | Network) -> None:
 
 def _states(case: Case | Network) -> set[State]:
     """States of the mooring in which a case in motion is judged."""
-    broken = _broken(case)
-    return {_state(each, broken) for each in case.load_cases or (None,)}
-
-
-def _state(load_case: LoadCase | None, broken: int | None) -> State:
-    """State in which a run is judged: that of its load case, unless a line breaks in it."""
-    if broken is not None:
-        return "transient"
-    return "intact" if load_case is None else load_case.state
+    if _broken(case) is not None:
+        return {"transient"}
+    return {each.state for each in case.load_cases} or {"intact"}
 
 
 def _broken(case: Case | Network) -> int | None:

@@ -217,18 +217,12 @@ class CheckReport(Displayable, Record):
     @property
     def hanging(self) -> Annotated[tuple[HangingLine, ...], From(1)]:
         """How the line hangs in each; of a body each line, with all there and with each one out."""
-        cases = self.load_cases or (None,) * len(self.solutions)
+        # A load that is none of several is an extreme one, at the level of the site's depth.
+        cases = self.load_cases or (LoadCase("load", 1.0),) * len(self.solutions)
+        places = self.places or (Place(),) * len(cases)
         return tuple(
-            HangingLine(
-                name,
-                "extreme" if case is None else case.kind,
-                0.0 if case is None else case.water_level,
-                solution,
-                place,
-            )
-            for (name, solution), case, place in zip(
-                self.solutions, cases, self.places or (Place(),) * len(cases), strict=True
-            )
+            HangingLine(name, case.kind, case.water_level, solution, place)
+            for (name, solution), case, place in zip(self.solutions, cases, places, strict=True)
         )
 
     def to_dict(self) -> dict[str, Any]:
