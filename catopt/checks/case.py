@@ -323,13 +323,14 @@ def _others(
     case: Case | Network, criteria: Criteria, moved: LineInMotion, kind: LoadCaseKind, place: Place
 ) -> Iterator[CheckResult]:
     """Check what is not a tension, as of a line at rest."""
+    if moved.carried is None:
+        return
     for check, row in OF_LINE.items():
-        if moved.carried is None or (check == "buoyancy" and place.line is not None):
-            continue
-        for criterion in criteria.of(check, kind, place.state):
-            found = row.measure(criterion.value, moved.carried, case.anchor)
-            yield result_of(check, criterion, found, moved.load_case, place)
-    slide = None if moved.carried is None else moved.carried.slide
+        if check != "buoyancy" or place.line is None:
+            for criterion in criteria.of(check, kind, place.state):
+                found = row.measure(criterion.value, moved.carried, case.anchor)
+                yield result_of(check, criterion, found, moved.load_case, place)
+    slide = moved.carried.slide
     if slide is None:
         return
     for criterion in criteria.of("slide", kind, place.state):
