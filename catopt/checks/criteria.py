@@ -206,13 +206,16 @@ class Criteria:
 
         InputError where a criterion is of a kind that no search keeps.
         """
-        unknown = dict.fromkeys(each for each in self.all if each.check not in SEARCHED)
+        unknown = {
+            each: f"asked for by {each.source.code}"
+            for each in self.all
+            if each.check not in SEARCHED
+        }
         if unknown:
             way_out = "leave it out, and check the design that is found"
             allowed = Message("refused_case.no_search_keeps_this_check", way_out=way_out)
             problems = [
-                Problem(f"checks: {each.check}", f"asked for by {each.source.code}", allowed)
-                for each in unknown
+                Problem(f"checks: {each.check}", found, allowed) for each, found in unknown.items()
             ]
             raise InputError(problems, "checks")
 
