@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -17,6 +16,7 @@ from catopt.checks.evaluation import (
     check_tensions,
     evaluate,
     in_load_case,
+    of_codes,
     of_criteria,
     of_other_states,
     of_uplift,
@@ -96,8 +96,13 @@ def check_case(case: Case) -> CheckReport:
     lifted: list[Lifted] = []
     for each in states:
         name, kind, place = each.name, each.kind, Place(each.state)
-        with _under(name):
+        try:
             solution = solve_case(case.under(each) if case.load_cases else case)
+        except NoEquilibriumError as error:
+            said = in_load_case(name, error.args[0])
+            raise NoEquilibriumError(said, error.quantity, error.missing) from error
+        except (FloatsUpError, NotConvergedError) as error:
+            raise type(error)(in_load_case(name, error.args[0])) from error
         solutions.append((name, solution))
         where = Message("checks.named_case" if case.load_cases else "checks.under_load", name=name)
         lifted.append(Lifted(where, each.state, kind, solution))
@@ -118,22 +123,10 @@ def check_case(case: Case) -> CheckReport:
             *of_criteria(criteria, case.line, strengths),
             *(() if "one_line_out" in of_mooring else of_other_states(criteria)),
             *of_uplift(lifted, criteria, case.anchor),
-            *_warned(solutions),
+            *(in_load_case(name, said) for name, found in solutions for said in found.warnings),
         ),
         load_cases=case.load_cases,
     )
-
-
-@contextmanager
-def _under(load_case: str) -> Iterator[None]:
-    """Name the load case in what goes wrong."""
-    try:
-        yield
-    except NoEquilibriumError as error:
-        said = in_load_case(load_case, error.args[0])
-        raise NoEquilibriumError(said, error.quantity, error.missing) from error
-    except (FloatsUpError, NotConvergedError) as error:
-        raise type(error)(in_load_case(load_case, error.args[0])) from error
 
 
 def is_of_load(warning: str) -> bool:
@@ -145,17 +138,8 @@ def is_of_load(warning: str) -> bool:
     )
 
 
-def _warned(solutions: Sequence[tuple[str, Solution]]) -> Iterator[str]:
-    """Pass on what is to be known of each equilibrium."""
-    for name, solution in solutions:
-        for warning in solution.warnings:
-            yield in_load_case(name, warning)
-
-
 _STEPS = 60
 """Halvings of the diameter: down to the last digit of double precision."""
-
-_In = tuple[LoadCaseKind, State]
 
 
 @dataclass(frozen=True)
@@ -191,25 +175,22 @@ def least_diameters(
         if segment.nominal_diameter is None:
             continue
         strength = criteria.strength(segment)
-        pulls = _pulls(report, number)
         wanted = [
             (criterion, pull)
-            for (kind, state), pull in pulls.items()
+            for (kind, state), pull in _pulls(report, number).items()
             for criterion in criteria.of("tension", kind, state)
             if criterion.is_for(strength.kind)
         ]
         if strength.kind != "rope" and wanted and strength.end_diameter is not None:
-            least = _least(segment, criteria, wanted)
-            found.append(
-                LeastDiameter(number, segment.nominal_diameter, strength.end_diameter, least)
-            )
+            new, end = segment.nominal_diameter, strength.end_diameter
+            found.append(LeastDiameter(number, new, end, _least(segment, criteria, wanted)))
     return tuple(found)
 
 
-def _pulls(report: CheckReport, segment: int) -> Mapping[_In, float]:
+def _pulls(report: CheckReport, segment: int) -> dict[tuple[LoadCaseKind, State], float]:
     """Largest tension of a segment by kind of load case and state, N."""
     kinds: dict[str, LoadCaseKind] = {each.name: each.kind for each in report.load_cases}
-    found: dict[_In, float] = {}
+    found: dict[tuple[LoadCaseKind, State], float] = {}
     for each in report.results:
         if each.kind == "tension" and each.place.segment == segment:
             key = kinds.get(each.load_case, "extreme"), each.place.state
@@ -305,58 +286,56 @@ def check_motion(case: Case | Network, lines: Sequence[LineInMotion]) -> CheckRe
     broken = _broken(case)
     judged = [each for each in lines if broken is None or (each.number or broken) != broken]
     load_cases = {each.name: each for each in case.load_cases}
+    load = LoadCase(LOAD, 1.0)
     results: list[CheckResult] = []
     for moved in judged:
-        load_case = load_cases.get(moved.load_case)
-        kind = "extreme" if load_case is None else load_case.kind
-        condition = None if load_case is None else load_case.condition
-        state = _state(load_case, broken)
+        load_case = load_cases.get(moved.load_case, load)
+        kind = load_case.kind
+        state: State = load_case.state if broken is None else "transient"
         place = Place(state, moved.number, broken)
+        in_condition = criteria.in_condition(load_case.condition)
         results += check_tensions(
             moved.line,
             list(criteria.of("tension", kind, state)),
-            criteria.in_condition(condition).strengths(moved.line, {kind}, {state}),
+            in_condition.strengths(moved.line, {kind}, {state}),
             moved.tensions,
             load_case=moved.load_case,
             place=place,
         )
         results += _others(case, criteria, moved, kind, place)
     if case.system is not None:
-        results += _of_the_body(criteria, judged, _state(None, broken), broken)
-    warnings = (
-        *_of_codes(case, criteria),
-        *_of_a_break(broken, bool(judged)),
-        *_of_the_mean(criteria, judged),
-    )
-    return CheckReport(case.title, tuple(results), (), warnings)
+        # The largest vertical pulls of all lines, as if at one time, against the buoyancy.
+        carried = [each.carried for each in judged if each.carried is not None]
+        if judged and len(carried) == len(judged):
+            pulls = (each.fairlead.vertical_force for each in carried)
+            place = Place("intact" if broken is None else "transient", None, broken)
+            results += check_buoyancy(pulls, criteria, judged[0].load_case, place)
+    warnings = [*_of_codes(case, criteria)]
+    if broken is not None:
+        warnings.append(Message("checks.motion_breaks" if judged else "checks.motion_all_lost"))
+    on_mean = any(each.mean_factor is not None for each in criteria.all)
+    if on_mean and any(each.mean is None for each in judged):
+        warnings.append(Message("checks.motion_no_mean"))
+    return CheckReport(case.title, tuple(results), (), tuple(warnings))
 
 
 def _others(
     case: Case | Network, criteria: Criteria, moved: LineInMotion, kind: LoadCaseKind, place: Place
 ) -> Iterator[CheckResult]:
     """Check what is not a tension, as of a line at rest."""
+    if moved.carried is None:
+        return
     for check, row in OF_LINE.items():
-        if moved.carried is None or (check == "buoyancy" and place.line is not None):
-            continue
-        for criterion in criteria.of(check, kind, place.state):
-            found = row.measure(criterion.value, moved.carried, case.anchor)
-            yield result_of(check, criterion, found, moved.load_case, place)
-    slide = None if moved.carried is None else moved.carried.slide
+        if check != "buoyancy" or place.line is None:
+            for criterion in criteria.of(check, kind, place.state):
+                found = row.measure(criterion.value, moved.carried, case.anchor)
+                yield result_of(check, criterion, found, moved.load_case, place)
+    slide = moved.carried.slide
     if slide is None:
         return
     for criterion in criteria.of("slide", kind, place.state):
         found = Demand(slide, criterion.value, ratio_exceedance(slide, criterion.value))
         yield result_of("slide", criterion, found, moved.load_case, place)
-
-
-def _of_the_body(
-    criteria: Criteria, lines: Sequence[LineInMotion], state: State, broken: int | None
-) -> Iterator[CheckResult]:
-    """Hold the largest vertical pulls of all lines, as if at one time, against the buoyancy."""
-    pulls = [each.carried.fairlead.vertical_force for each in lines if each.carried is not None]
-    if len(pulls) < len(lines) or not lines:
-        return
-    yield from check_buoyancy(pulls, criteria, lines[0].load_case, Place(state, None, broken))
 
 
 def check_strengths(case: Case | Network) -> None:
@@ -386,15 +365,9 @@ def check_strengths(case: Case | Network) -> None:
 
 def _states(case: Case | Network) -> set[State]:
     """States of the mooring in which a case in motion is judged."""
-    broken = _broken(case)
-    return {_state(each, broken) for each in case.load_cases or (None,)}
-
-
-def _state(load_case: LoadCase | None, broken: int | None) -> State:
-    """State in which a run is judged: that of its load case, unless a line breaks in it."""
-    if broken is not None:
-        return "transient"
-    return "intact" if load_case is None else load_case.state
+    if _broken(case) is not None:
+        return {"transient"}
+    return {each.state for each in case.load_cases} or {"intact"}
 
 
 def _broken(case: Case | Network) -> int | None:
@@ -409,31 +382,11 @@ def _of_codes(case: Case | Network, criteria: Criteria) -> Iterator[Message]:
     at_rest_alone = [each.name for each in profiles_of(case.checks) if not each.is_for_motion]
     by = motion_profile(case.checks)
     if by is not None and at_rest_alone:
-        codes = Listed(at_rest_alone, "and")
-        yield Message("checks.motion_by_other", codes=codes, code=by.name)
+        yield Message("checks.motion_by_other", codes=Listed(at_rest_alone, "and"), code=by.name)
     tensions = [each for each in criteria.all if each.check == "tension" and each.source != USER]
-    at_rest = _codes(each.source.code for each in tensions if each.analysis != "dynamic")
-    if at_rest:
-        yield Message("checks.motion_at_rest", codes=Listed(at_rest, "and"))
+    at_rest = (each.source.code for each in tensions if each.analysis != "dynamic")
+    yield from of_codes("checks.motion_at_rest", at_rest)
     states = _states(case)
     judging = {each.source.code for each in tensions if states & set(each.states)}
-    silent = [code for code in _codes(e.source.code for e in tensions) if code not in judging]
-    if silent:
-        yield Message("checks.motion_not_transient", codes=Listed(silent, "and"))
-
-
-def _codes(codes: Iterable[str]) -> tuple[str, ...]:
-    return tuple(dict.fromkeys(codes))
-
-
-def _of_a_break(broken: int | None, is_judged: bool) -> Iterator[Message]:
-    """Say what a run in which a line breaks is judged by, and what it is not."""
-    if broken is not None:
-        yield Message("checks.motion_breaks" if is_judged else "checks.motion_all_lost")
-
-
-def _of_the_mean(criteria: Criteria, lines: Sequence[LineInMotion]) -> Iterator[Message]:
-    """Say where a factor on the mean tension finds none."""
-    on_mean = any(each.mean_factor is not None for each in criteria.all)
-    if on_mean and any(each.mean is None for each in lines):
-        yield Message("checks.motion_no_mean")
+    silent = (each.source.code for each in tensions if each.source.code not in judging)
+    yield from of_codes("checks.motion_not_transient", silent)

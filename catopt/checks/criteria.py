@@ -29,7 +29,8 @@ from catopt.units import as_written
 from catopt.words import Cited, Message
 
 if TYPE_CHECKING:
-    from catopt.checks.kinds import Asks
+    from catopt.model import Case
+    from catopt.model.network import Network
 
 HORIZONTAL_PULL = CheckSource(
     "drag anchor", "UFC 4-159-03 Design: Moorings (3 October 2005)", "Table 3-18", "A"
@@ -40,7 +41,6 @@ _INTACT: tuple[State, ...] = ("intact",)
 
 UPLIFT: tuple[CheckKind, ...] = ("uplift_angle", "uplift_force")
 """Checks that limit how far an anchor is lifted."""
-
 
 SEARCHED: tuple[CheckKind, ...] = (
     "tension",
@@ -142,13 +142,8 @@ class Criteria:
                 continue
             found.append(strength)
             if strength.tested is not None and not any(each.takes_tests for each in self.all):
-                problems[
-                    Problem(
-                        f"{key}.MBL_mean",
-                        f"{segment.MBL_mean:g} N",
-                        Message("refused_case.leave_out_or_name_code"),
-                    )
-                ] = None
+                allowed = Message("refused_case.leave_out_or_name_code")
+                problems[Problem(f"{key}.MBL_mean", f"{segment.MBL_mean:g} N", allowed)] = None
             problems |= dict.fromkeys(self.lacking(strength, kinds, key, states))
         if problems:
             raise InputError(tuple(problems), "checks")
@@ -211,9 +206,18 @@ class Criteria:
 
         InputError where a criterion is of a kind that no search keeps.
         """
-        unknown = dict.fromkeys(each for each in self.all if each.check not in SEARCHED)
+        unknown = {
+            each: f"asked for by {each.source.code}"
+            for each in self.all
+            if each.check not in SEARCHED
+        }
         if unknown:
-            raise InputError([_not_searched(each) for each in unknown], "checks")
+            way_out = "leave it out, and check the design that is found"
+            allowed = Message("refused_case.no_search_keeps_this_check", way_out=way_out)
+            problems = [
+                Problem(f"checks: {each.check}", found, allowed) for each, found in unknown.items()
+            ]
+            raise InputError(problems, "checks")
 
         def values(check: CheckKind) -> list[float]:
             return [criterion.value for criterion in self.of(check, kind, state)]
@@ -228,17 +232,6 @@ class Criteria:
             holding_factor=max(values("holding"), default=0.0),
             least_tension=max(values("least_tension"), default=0.0),
         )
-
-
-def _not_searched(criterion: Criterion) -> Problem:
-    """Say that a design cannot be searched for under a criterion."""
-    found = f"asked for by {criterion.source.code}"
-    way_out = "leave it out, and check the design that is found"
-    return Problem(
-        f"checks: {criterion.check}",
-        found,
-        Message("refused_case.no_search_keeps_this_check", way_out=way_out),
-    )
 
 
 def allowed_by(
@@ -263,7 +256,7 @@ def allowed_by(
 
 
 def criteria_of(
-    case: Asks, *, anchor_key: str = "anchor", analysis: Analysis = "quasi-static"
+    case: Case | Network, *, anchor_key: str = "anchor", analysis: Analysis = "quasi-static"
 ) -> Criteria:
     """Gather all that a case asks a line to keep.
 
@@ -281,22 +274,28 @@ def criteria_of(
     if analysis == "dynamic" and by is not None and is_lacking:
         others = (each for each in profiles if each.is_for_motion)
         profiles = tuple(dict.fromkeys((*others, by)))
+    # A code without factors for motion gives those for lines at rest.
     coded = [
         criterion
         for each in profiles
         for criterion in each.criteria
-        if criterion.check != "tension" or criterion.analysis == _analysis_of(each, analysis)
+        if criterion.check != "tension"
+        or criterion.analysis == (analysis if each.is_for_motion else "quasi-static")
     ]
     found = (
         *_own(case),
         *_of_anchor(case.anchor, coded, anchor_key, analysis),
         *(each for each in coded if each.check not in ("sliding", "holding")),
     )
+    notes: list[str] = []
+    if case.checks.max_offset is not None:
+        notes.append(Message("checks.max_offset_is_max_span", limit=case.checks.max_offset))
+    notes += [Message("checks.code_note", code=e.name, note=e.note) for e in profiles if e.note]
     return Criteria(
         all=(*found, *_no_uplift(case.anchor, found)),
         service=case.service,
         catalogue=case.catalogue,
-        warnings=tuple(_notes(case.checks, profiles)),
+        warnings=tuple(notes),
     )
 
 
@@ -320,21 +319,7 @@ def motion_profile(checks: Checks) -> Profile | None:
     return found
 
 
-def _analysis_of(profile: Profile, wanted: Analysis) -> Analysis:
-    """Return the analysis whose factors of a code are taken: that for motion, where it has any."""
-    return wanted if profile.is_for_motion else "quasi-static"
-
-
-def _notes(checks: Checks, profiles: tuple[Profile, ...]) -> Iterator[Message]:
-    """Yield what is to be known of the codes, and of a key that has another name now."""
-    if checks.max_offset is not None:
-        yield Message("checks.max_offset_is_max_span", limit=checks.max_offset)
-    for each in profiles:
-        if each.note:
-            yield Message("checks.code_note", code=each.name, note=each.note)
-
-
-def _own(case: Asks) -> Iterator[Criterion]:
+def _own(case: Case | Network) -> Iterator[Criterion]:
     """List the numbers of the case itself; they hold in every state that has none of its own."""
     checks = case.checks
     damaged = checks.safety_factor_line_out
@@ -371,9 +356,8 @@ def _of_anchor(
         yield Criterion(check, damaged, USER, states=("one_line_out",))
     whole = tuple(state for state in STATES if damaged is None or state != "one_line_out")
     if anchor.safety_factor is not None:
-        source = (
-            CheckSource("anchor", Cited(anchor.factor_source)) if anchor.factor_source else USER
-        )
+        own = CheckSource("anchor", Cited(anchor.factor_source))
+        source = own if anchor.factor_source else USER
         yield Criterion(check, anchor.safety_factor, source, states=whole)
         return
     factors = [

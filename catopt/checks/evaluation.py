@@ -74,9 +74,14 @@ def of_transient(criteria: Criteria) -> Iterator[Message]:
 def _only_for(criteria: Criteria, state: State, said: str) -> Iterator[Message]:
     """Name the codes that have criteria for one state alone."""
     found = (each.source.code for each in criteria.all if each.states == (state,))
-    codes = tuple(dict.fromkeys(found))
-    if codes:
-        yield Message(said, codes=Listed(codes, "and"))
+    yield from of_codes(said, found)
+
+
+def of_codes(said: str, codes: Iterable[str]) -> Iterator[Message]:
+    """Say something of codes, each named once; nothing where there are none."""
+    named = tuple(dict.fromkeys(codes))
+    if named:
+        yield Message(said, codes=Listed(named, "and"))
 
 
 class Lifted(NamedTuple):
@@ -88,11 +93,6 @@ class Lifted(NamedTuple):
     kind: LoadCaseKind
     solution: Solution
 
-    @property
-    def angle(self) -> float:
-        """Inclination at the anchor, rad."""
-        return self.solution.anchor.angle
-
 
 def of_uplift(
     solved: Iterable[Lifted], criteria: Criteria, anchor: Anchor | None
@@ -101,7 +101,7 @@ def of_uplift(
 
     Of every line in every state; a sinker's check on sliding covers its uplift.
     """
-    lifted = [each for each in solved if each.angle > _LEVEL]
+    lifted = [each for each in solved if each.solution.anchor.angle > _LEVEL]
     if not lifted or (anchor is not None and anchor.kind == "sinker"):
         return
     free = [
@@ -110,12 +110,13 @@ def of_uplift(
         if not any(True for check in UPLIFT for _ in criteria.of(check, each.kind, each.state))
     ]
     if free or anchor is not None:
-        worst = largest(free or lifted, lambda each: each.angle)
+        worst = largest(free or lifted, lambda each: each.solution.anchor.angle)
+        pull = worst.solution.anchor
         yield Message(
             "checks.uplift_unchecked" if free else "checks.drag_anchor_lifted",
             where=worst.where,
-            angle=Measure("angle", worst.angle),
-            force=Measure("vertical_force", worst.solution.anchor.vertical_force),
+            angle=Measure("angle", pull.angle),
+            force=Measure("vertical_force", pull.vertical_force),
         )
 
 

@@ -31,7 +31,7 @@ from catopt.checks.kinds import USER, CheckSource
 from catopt.checks.strength import strength_of
 from catopt.constants import YEAR
 from catopt.errors import InputError, Problem, need_package
-from catopt.model import Case, Segment, SegmentCurve
+from catopt.model import Case, Segment
 from catopt.model.kinds import Area, Force, Height
 from catopt.model.line import LineKind, line_kind
 from catopt.words import Message
@@ -203,7 +203,6 @@ class FatigueCurve:
 _E301 = ("DNV-OS-E301 (2008)", "Table F1")
 _API = ("API RP 2SK 3rd ed. (2005)", "Table 3")
 
-
 _ROWS: Final[tuple[tuple[str, float, float, LineKind, Confidence, float], ...]] = (
     ("E301 stud", 1.2e11, 3.0, "chain", "B", 0.0),
     ("E301 studless", 6.0e10, 3.0, "chain", "B", 0.0),
@@ -301,7 +300,14 @@ def _curve(case: Case, segment: Segment, index: int) -> FatigueCurve:
     own = given.get(index + 1, given.get(None))
     kind = line_kind(segment.component)
     if own is not None:
-        curve = CURVES[own.name] if own.name else _given(own)
+        if own.name:
+            curve = CURVES[own.name]
+        elif own.log_a_D is not None and own.m is not None:
+            curve = FatigueCurve("S-N", 10.0**own.log_a_D, own.m, USER)
+        else:
+            assert own.K is not None
+            assert own.M is not None
+            curve = FatigueCurve("T-N", own.K, own.M, USER)
         if curve.line is not None and kind is not None and curve.line != kind:
             allowed = Message("refused_case.segment", line=curve.line, component=segment.component)
             key = f"fatigue.curves[{fatigue.curves.index(own)}].name"
@@ -316,14 +322,6 @@ def _curve(case: Case, segment: Segment, index: int) -> FatigueCurve:
     return CURVES[name]
 
 
-def _given(own: SegmentCurve) -> FatigueCurve:
-    if own.log_a_D is not None and own.m is not None:
-        return FatigueCurve("S-N", 10.0**own.log_a_D, own.m, USER)
-    assert own.K is not None
-    assert own.M is not None
-    return FatigueCurve("T-N", own.K, own.M, USER)
-
-
 def _strength(curve: FatigueCurve, segment: Segment, case: Case, index: int) -> FatigueStrength:
     """Put the diameter less half the loss into the area, or into the strength."""
     key, service = f"line.segments[{index}]", case.service
@@ -333,9 +331,8 @@ def _strength(curve: FatigueCurve, segment: Segment, case: Case, index: int) -> 
     if curve.kind == "T-N" and not curve.ORQ:
         return FatigueStrength(curve, strength.need("MBL", key, curve.kind), diameter)
     if diameter is None:
-        raise InputError(
-            [Problem(f"{key}.diameter", "", Message("refused_case.missing_curve_needs"))]
-        )
+        allowed = Message("refused_case.missing_curve_needs")
+        raise InputError([Problem(f"{key}.diameter", "", allowed)])
     if curve.ORQ:
         from catopt.catalogue import component
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Final, Literal, NamedTuple, Protocol, get_args
+from typing import TYPE_CHECKING, Final, Literal, NamedTuple, TypeAlias, get_args
 
 from catopt.catalogue.components import Confidence
 from catopt.compiled import inlined
@@ -18,7 +18,13 @@ from catopt.records import Counted, Record
 from catopt.words import Measure, Message
 
 if TYPE_CHECKING:
-    from catopt.model import Anchor, Buoy, CatalogueChoice, Checks, Service
+    from catopt.catenary.solution import Solution
+    from catopt.checks.case import Carried
+    from catopt.model import Anchor, Case
+    from catopt.model.network import Network
+
+    Judged: TypeAlias = Solution | Carried
+    """A line of which something is measured: at rest, or what it came to in motion."""
 
 __all__ = [
     "ROUNDING",
@@ -204,74 +210,6 @@ class Demand(NamedTuple):
     note: str = ""
 
 
-class EndPull(Protocol):
-    """Force of a line at one of its ends."""
-
-    @property
-    def horizontal_force(self) -> float:
-        """N."""
-
-    @property
-    def vertical_force(self) -> float:
-        """N."""
-
-    @property
-    def angle(self) -> float:
-        """Rad."""
-
-
-class Judged(Protocol):
-    """What is measured of a line: at rest, or what it came to in motion."""
-
-    @property
-    def anchor(self) -> EndPull:
-        """Pull on what holds it."""
-
-    @property
-    def fairlead(self) -> EndPull:
-        """Pull at its upper end."""
-
-    @property
-    def least_tension(self) -> float:
-        """At the fairlead, N: at rest the tension there, in motion the least."""
-
-    @property
-    def grounded_length(self) -> float:
-        """Unstretched, m."""
-
-    @property
-    def span(self) -> float:
-        """Horizontal distance of its ends, m."""
-
-
-class Asks(Protocol):
-    """What asks lines to keep something: a case, or lines between points."""
-
-    @property
-    def checks(self) -> Checks:
-        """Its own numbers, and the codes that it names."""
-
-    @property
-    def anchor(self) -> Anchor | None:
-        """What holds a line."""
-
-    @property
-    def buoy(self) -> Buoy | None:
-        """What carries its upper end."""
-
-    @property
-    def service(self) -> Service | None:
-        """For how long, and how fast a line wears."""
-
-    @property
-    def catalogue(self) -> CatalogueChoice:
-        """Where components come from."""
-
-
-Measuring = Callable[[float, Judged, "Anchor | None"], Demand]
-"""From a criterion's number, a line and what holds it."""
-
-
 def _uplift_angle(limit: float, solution: Judged, _: Anchor | None) -> Demand:
     """Inclination of the line at the anchor <= limit, rad."""
     angle = solution.anchor.angle
@@ -334,21 +272,13 @@ class LineCheck(NamedTuple):
 
     quantity: str
     """Of its demand and its capacity, a key of `catopt.quantities.QUANTITIES`."""
-    measure: Measuring
-    own: Callable[[Asks], float | None] | None = None
+    measure: Callable[[float, Judged, Anchor | None], Demand]
+    """From a criterion's number, a line and what holds it."""
+    own: Callable[[Case | Network], float | None] | None = None
     """The limit that a case gives itself, None where it gives none."""
     is_factor: bool = False
     is_wanted: bool = False
     """Whether its demand is the least that is wanted of the line, not what the line asks for."""
-
-
-def _longest_span(case: Asks) -> float | None:
-    checks = case.checks
-    return checks.max_span if checks.max_offset is None else checks.max_offset
-
-
-def _reserve(case: Asks) -> float | None:
-    return None if case.buoy is None else case.buoy.reserve_buoyancy
 
 
 OF_LINE: Mapping[CheckKind, LineCheck] = MappingProxyType(
@@ -371,8 +301,18 @@ OF_LINE: Mapping[CheckKind, LineCheck] = MappingProxyType(
             lambda case: case.checks.min_grounded_length or None,
             is_wanted=True,
         ),
-        "span": LineCheck("span", _span, _longest_span),
-        "buoyancy": LineCheck("vertical_force", _buoyancy, _reserve),
+        "span": LineCheck(
+            "span",
+            _span,
+            lambda case: (
+                case.checks.max_span if case.checks.max_offset is None else case.checks.max_offset
+            ),
+        ),
+        "buoyancy": LineCheck(
+            "vertical_force",
+            _buoyancy,
+            lambda case: None if case.buoy is None else case.buoy.reserve_buoyancy,
+        ),
         "sliding": LineCheck("point_weight", _sliding, is_factor=True),
         "holding": LineCheck("horizontal_force", _holding, is_factor=True),
     }

@@ -63,10 +63,6 @@ class CheckResult(Record):
         """Demand over capacity, a pure number; None where the capacity is 0 or less."""
         return self.demand / self.capacity if self.capacity > 0.0 else None
 
-    def to_dict_of_body(self) -> dict[str, Any]:
-        """Lay it out with state and line, as documents of moored bodies have it."""
-        return self.to_dict() | self.place.to_dict()
-
     @property
     def in_case(self) -> Message:
         """Its name with that of the load case: ``"tension, segment 1 (storm)"``."""
@@ -113,10 +109,6 @@ class HangingLine(Record):
     """Above the level of the site's water depth."""
     solution: Solution
     place: Place
-
-    def to_dict_of_body(self) -> dict[str, Any]:
-        """Lay it out with state and line, as documents of moored bodies have it."""
-        return self.to_dict() | self.place.to_dict()
 
 
 @dataclass(frozen=True, repr=False)
@@ -225,26 +217,21 @@ class CheckReport(Displayable, Record):
     @property
     def hanging(self) -> Annotated[tuple[HangingLine, ...], From(1)]:
         """How the line hangs in each; of a body each line, with all there and with each one out."""
-        cases = self.load_cases or (None,) * len(self.solutions)
+        # A load that is none of several is an extreme one, at the level of the site's depth.
+        cases = self.load_cases or (LoadCase("load", 1.0),) * len(self.solutions)
+        places = self.places or (Place(),) * len(cases)
         return tuple(
-            HangingLine(
-                name,
-                "extreme" if case is None else case.kind,
-                0.0 if case is None else case.water_level,
-                solution,
-                place,
-            )
-            for (name, solution), case, place in zip(
-                self.solutions, cases, self.places or (Place(),) * len(cases), strict=True
-            )
+            HangingLine(name, case.kind, case.water_level, solution, place)
+            for (name, solution), case, place in zip(self.solutions, cases, places, strict=True)
         )
 
     def to_dict(self) -> dict[str, Any]:
         """Build the document that ``catopt check --json`` prints (schema catopt.check/1)."""
         document = super().to_dict()
         if self.places:
-            document["load_cases"] = [each.to_dict_of_body() for each in self.hanging]
-            document["checks"] = [each.to_dict_of_body() for each in self.results]
+            # With state and line, as documents of moored bodies have it.
+            document["load_cases"] = [e.to_dict() | e.place.to_dict() for e in self.hanging]
+            document["checks"] = [e.to_dict() | e.place.to_dict() for e in self.results]
         return document
 
     @property

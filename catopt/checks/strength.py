@@ -51,16 +51,11 @@ class Strength:
         """
         value = self.of(kind)
         if value is None:
-            why = dict(self.missing).get(kind)
             allowed = Message("refused_case.no_strength")
-            if why:
+            if why := dict(self.missing).get(kind):
                 allowed = Message("refused_case.reason_give_it", why=why)
-            problem = Problem(
-                f"{key}.{kind}",
-                "",
-                Message("refused_case.needs", allowed=allowed, wanted_by=wanted_by),
-            )
-            raise InputError([problem], "checks")
+            needs = Message("refused_case.needs", allowed=allowed, wanted_by=wanted_by)
+            raise InputError([Problem(f"{key}.{kind}", "", needs)], "checks")
         return value
 
 
@@ -156,11 +151,8 @@ def _worn(
 def _note(new: float | None, end: float | None, segment: Segment, service: Service | None) -> str:
     if new is None or end is None or end == new:
         return ""
-    worn = Message(
-        "checks.worn",
-        new=Measure("nominal_diameter", new),
-        worn=Measure("nominal_diameter", end),
-    )
+    was, is_now = Measure("nominal_diameter", new), Measure("nominal_diameter", end)
+    worn = Message("checks.worn", new=was, worn=is_now)
     if service is None or service.table is None or not segment.wear_zone:
         return worn
     table, zone = service.table, segment.wear_zone

@@ -6,7 +6,6 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from catopt.catenary.solution import Solution
 from catopt.checks.criteria import HORIZONTAL_PULL, Criteria, criteria_of
 from catopt.checks.evaluation import (
     Lifted,
@@ -20,7 +19,7 @@ from catopt.checks.kinds import Criterion, Place, State
 from catopt.checks.result import CheckReport, CheckResult, line_in_state
 from catopt.checks.strength import Strength
 from catopt.errors import InputError, Problem
-from catopt.model import Anchor, Case, Line
+from catopt.model import Anchor, Case, Leg, Line
 from catopt.model.network import Network
 from catopt.mooring.case import LineOut, SystemReport, one_line_out, report_system
 from catopt.mooring.held import at_rest
@@ -74,8 +73,7 @@ def check_system(case: Case, report: SystemReport | None = None) -> CheckReport:
     criteria = criteria_of(case)
     legs = case.system.legs
     damaged = for_line_out(criteria, len(legs)) if case.system.judged_line_out else ()
-    wanted: tuple[State, ...] = ("intact", "one_line_out") if damaged else ("intact",)
-    known = {line: criteria.strengths(line, {"extreme"}, wanted) for line in {e.line for e in legs}}
+    known = strengths_of_lines(criteria, legs, damaged)
     report = report or report_system(case)
     lost = report.line_out or one_line_out(case.system) if damaged else ()
     states = tuple(_states(report.solution, lost))
@@ -132,7 +130,9 @@ def check_state(
             kind="extreme",
             place=replace(state.place, line=number),
         )
-    yield from _of_the_body(state, criteria)
+    # The vertical pull of all lines against the reserve of buoyancy, if that is given.
+    pulls = (line.solution.fairlead.vertical_force for line in state.solution.lines)
+    yield from check_buoyancy(pulls, criteria, state.name, state.place)
 
 
 def for_line_out(criteria: Criteria, lines: int) -> tuple[Criterion, ...]:
@@ -143,6 +143,19 @@ def for_line_out(criteria: Criteria, lines: int) -> tuple[Criterion, ...]:
         if "one_line_out" in each.states
         and (lines > 1 or ("intact" not in each.states and each.source != HORIZONTAL_PULL))
     )
+
+
+def judged_states(damaged: tuple[Criterion, ...]) -> tuple[State, ...]:
+    """States in which lines are judged; `damaged`: the criteria for one line out."""
+    return ("intact", "one_line_out") if damaged else ("intact",)
+
+
+def strengths_of_lines(
+    criteria: Criteria, legs: Sequence[Leg], damaged: tuple[Criterion, ...]
+) -> dict[Line, tuple[Strength, ...]]:
+    """Find the strengths of each different line of a body; InputError as for `check_case`."""
+    states = judged_states(damaged)
+    return {line: criteria.strengths(line, {"extreme"}, states) for line in {e.line for e in legs}}
 
 
 def _states(solution: SystemSolution, lost: Sequence[LineOut]) -> Iterator[InState]:
@@ -172,13 +185,6 @@ def lost_results(
             note=refusal,
             place=place,
         )
-
-
-def _of_the_body(state: InState, criteria: Criteria) -> Iterator[CheckResult]:
-    """Hold the vertical pull of all lines against the reserve of buoyancy, if that is given."""
-    assert state.solution is not None
-    pulls = (line.solution.fairlead.vertical_force for line in state.solution.lines)
-    yield from check_buoyancy(pulls, criteria, state.name, state.place)
 
 
 def of_line_out(
@@ -212,12 +218,15 @@ def check_network(
     criteria = criteria_of_network(network)
     count = len(network.lines)
     damaged = for_line_out(criteria, count)
-    wanted: tuple[State, ...] = ("intact", "one_line_out") if damaged else ("intact",)
     rest = rest or at_rest(network)
-    strengths = _strengths(criteria, network, rest, wanted)
+    strengths = _strengths(criteria, network, rest, judged_states(damaged))
     gone = (each_line_out(network) if line_out is None else line_out) if damaged else ()
     results: list[CheckResult] = []
     solved: list[tuple[Lifted, Place, bool]] = []
+    # A line that ends at no anchor is checked by its tensions alone.
+    tensions = replace(
+        criteria, all=tuple(each for each in criteria.all if each.check == "tension")
+    )
     for place, found, numbers, refusal in _network_states(rest, gone):
         if found is None:
             results += lost_results(place, refusal, damaged)
@@ -228,7 +237,7 @@ def check_network(
             solved.append((Lifted(where, place.state, "extreme", line), own, anchored))
             results += evaluate(
                 line,
-                criteria if anchored else _of_tension(criteria),
+                criteria if anchored else tensions,
                 strengths[number],
                 network.anchor,
                 load_case=state_words(place),
@@ -248,7 +257,11 @@ def check_network(
         *_of_anchors(criteria, rest),
         *(Message("mooring.body_drifts", name=b.body.name) for b in rest.bodies if not b.is_held),
         *_of_joints(rest),
-        *_of_lines(rest.lines),
+        *(
+            of_line(number, warning)
+            for number, line in enumerate(rest.lines, start=1)
+            for warning in line.warnings
+        ),
     )
     return CheckReport(
         title=network.title,
@@ -272,11 +285,6 @@ def _network_states(
     for each in gone:
         place = Place("one_line_out", missing=each.missing + 1)
         yield place, each.rest, each.left, each.refusal
-
-
-def _of_tension(criteria: Criteria) -> Criteria:
-    """Return the criteria of a line that ends at no anchor."""
-    return replace(criteria, all=tuple(each for each in criteria.all if each.check == "tension"))
 
 
 def _strengths(
@@ -338,8 +346,3 @@ def _of_joints(rest: LinesAtRest) -> Iterator[Message]:
     for point, (_, _, height) in zip(rest.network.points, rest.joints.places, strict=True):
         if point.kind == "joint" and height > depth:
             yield Message("mooring.joint_above_water", name=point.name, height=height - depth)
-
-
-def _of_lines(lines: Sequence[Solution]) -> Iterator[str]:
-    for number, line in enumerate(lines, start=1):
-        yield from (of_line(number, warning) for warning in line.warnings)

@@ -315,8 +315,13 @@ _STEEP = 0.35
 def load_curve(curve: CaseCurve) -> Chart:
     """Draw the curve, what happens along it, and the case itself."""
     spans, forces, tensions = curve.outline()
-    zero, most = curve.reference.span, max(tensions)
-    offset = Message("figures.offset")
+    case, most = curve.reference, max(tensions)
+    zero, offset = case.span, Message("figures.offset")
+    marks: tuple[Mark, ...] = ()
+    if curve.curve.span[0] <= case.span <= curve.curve.span[-1]:
+        said = Message("figures.case_at", H=_force(case))
+        forces_there = (case.horizontal_force, case.fairlead.tension)
+        marks = tuple(Mark("reference", case.span, each, said) for each in forces_there)
     return Chart(
         "curve",
         Message("figures.curve"),
@@ -326,7 +331,7 @@ def load_curve(curve: CaseCurve) -> Chart:
             Series("first", spans, forces, Message("figures.horizontal")),
             Series("second", spans, tensions, Message("figures.fairlead_tension")),
         ),
-        marks=tuple(_reference(curve)),
+        marks=marks,
         levels=tuple(_events(curve.curve.marks, most)),
         points=pointed(
             "figures.on_curve",
@@ -346,15 +351,6 @@ def load_curve(curve: CaseCurve) -> Chart:
 
 def _force(of: Event | Solution) -> Measure:
     return Measure("horizontal_force", of.horizontal_force)
-
-
-def _reference(curve: CaseCurve) -> Iterator[Mark]:
-    """Mark the case itself, if it is in the range."""
-    case = curve.reference
-    if curve.curve.span[0] <= case.span <= curve.curve.span[-1]:
-        said = Message("figures.case_at", H=_force(case))
-        for value in (case.horizontal_force, case.fairlead.tension):
-            yield Mark("reference", case.span, value, said)
 
 
 def _events(marks: Sequence[Event], most: float) -> Iterator[Level]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import chain, cycle
 from typing import TYPE_CHECKING
@@ -27,11 +27,12 @@ from catopt.ties import first_largest, largest
 from catopt.words import Measure, Message
 
 if TYPE_CHECKING:
+    from catopt.catenary.layout import Profile
     from catopt.mooring.line_ends import Vector
     from catopt.mooring.network_rest import LinesAtRest
     from catopt.mooring.position import Position
     from catopt.mooring.restoring import RestoringCurve, WatchCircle
-    from catopt.mooring.solution import LegState, SystemSolution
+    from catopt.mooring.solution import SystemSolution
 
 _ALONG = 21
 """Places of a line that answer to the pointer."""
@@ -44,6 +45,7 @@ _CLEAR = 0.11
 _ARMS = 1.35
 """Radius of what is drawn round a body, over that of its fairleads."""
 _ROLES = ("first", "second", "third", "fourth")
+_LENGTH = replace(QUANTITIES["offset"], symbol="")
 
 
 def plan(solution: SystemSolution) -> Chart:
@@ -52,11 +54,14 @@ def plan(solution: SystemSolution) -> Chart:
     places = [*anchors, *(line.fairlead for line in solution.lines)]
     size = size_of(places) or 1.0
     arrows = tuple(_push(solution, 0.17 * size, 0.02 * size))
-    numbers = _numbers(solution, beyond(anchors, size))
+    numbers = numbered(beyond(anchors, size), solution.most_loaded)
     lines = list(_lines(solution))
     numbers += [_beside(_force(solution), each.start, each.end, size, lines) for each in arrows]
     drawn = [*places, *((mark.x, mark.y) for mark in numbers), *(each.end for each in arrows)]
-    points = [point for k, line in enumerate(solution.lines) for point in _points(k + 1, line)]
+    points: list[Point] = []
+    for k, line in enumerate(solution.lines):
+        profile = line.solution.profile(_ALONG)
+        points += _along(k, map(line.at, profile.x), profile)
     return Chart(
         "system_plan",
         Message("figures.plan", count=len(solution.lines)),
@@ -81,8 +86,7 @@ def from_above(places: Sequence[Place], room: float) -> tuple[Axis, Axis]:
     least = 0.5 * max(high - low for low, high in ends)
     spare = [max(0.0, least - (high - low)) / 2.0 for low, high in ends]
     ends = [(low - more, high + more) for (low, high), more in zip(ends, spare, strict=True)]
-    length = replace(QUANTITIES["offset"], symbol="")
-    return Axis("x", length, *ends[0]), Axis("y", length, *ends[1])
+    return Axis("x", _LENGTH, *ends[0]), Axis("y", _LENGTH, *ends[1])
 
 
 def _lines(solution: SystemSolution) -> Iterator[Series]:
@@ -120,13 +124,11 @@ def _at(position: Position) -> Place:
     return position.x, position.y
 
 
-def _numbers(solution: SystemSolution, places: Sequence[Place]) -> list[Mark]:
-    """Write the number of each line at a place."""
-    roles = ["number"] * len(places)
-    roles[solution.most_loaded] = "most-loaded"
+def numbered(places: Sequence[Place], loaded: int | None = None) -> list[Mark]:
+    """Write the number of each line at a place; `loaded`: the most loaded one, from 0."""
     return [
-        Mark(role, *place, words=f"{number}")
-        for number, (role, place) in enumerate(zip(roles, places, strict=True), start=1)
+        Mark("most-loaded" if k == loaded else "number", *place, words=f"{k + 1}")
+        for k, place in enumerate(places)
     ]
 
 
@@ -171,11 +173,18 @@ def _beside(words: str, start: Place, end: Place, size: float, lines: Sequence[S
     return Mark("beside", *place, words=words)
 
 
-def _points(number: int, line: LegState) -> tuple[Point, ...]:
-    profile = line.solution.profile(_ALONG)
-    x, y = zip(*map(line.at, profile.x), strict=True)
-    along = {"s": ("s", profile.s), "z": ("z", profile.z), "T": ("tension", profile.tension)}
-    return pointed("figures.along_numbered", x, y, line=("", [number] * len(x)), **along)
+def _along(number: int, places: Iterable[Place], profile: Profile) -> tuple[Point, ...]:
+    """Say at places what is known along a line, by its number from 0."""
+    x, y = zip(*places, strict=True)
+    return pointed(
+        "figures.along_numbered",
+        x,
+        y,
+        line=("", [number + 1] * len(x)),
+        s=("s", profile.s),
+        z=("z", profile.z),
+        T=("tension", profile.tension),
+    )
 
 
 def _body_said(solution: SystemSolution) -> Point:
@@ -248,7 +257,7 @@ def _round_numbers(solution: SystemSolution, reach: float) -> list[Mark]:
     angles = [math.atan2(each[1] - y, each[0] - x) for each in _rims(solution, reach)]
     radius, apart = 1.07 * reach, spread(angles, 2.4 * _NUMBER)
     places = [(x + radius * math.cos(angle), y + radius * math.sin(angle)) for angle in apart]
-    return _numbers(solution, places)
+    return numbered(places, solution.most_loaded)
 
 
 def watch_track(solution: SystemSolution, circle: WatchCircle) -> Chart:
@@ -340,6 +349,11 @@ def restoring(
     wide = 1.03 * max(abs(each.x) for each in points) or 1.0
     tall = 1.05 * max(abs(each.y) for each in points) or 1.0
     is_whole = len(points) == sum(len(curve.offset) for curve in curves)
+    marks: tuple[Mark, ...] = ()
+    if force > 0.0:
+        (x, y), (fx, fy) = solution.offset, solution.system.force
+        along = (x * fx + y * fy) / force
+        marks = (Mark("reference", along, force, Message("figures.case")),)
     return Chart(
         "system_restoring",
         Message("figures.restoring"),
@@ -349,19 +363,11 @@ def restoring(
             Series(role, [each.x for each in held], [each.y for each in held], _towards(curve))
             for role, curve, held in zip(cycle(_ROLES), curves, drawn, strict=False)
         ),
-        marks=tuple(_case_on(solution, force)),
+        marks=marks,
         levels=(Level("zero", "x", 0.0), Level("zero", "y", 0.0)),
         points=points,
         notes=() if is_whole else (Message("figures.beyond", times=most),),
     )
-
-
-def _case_on(solution: SystemSolution, force: float) -> Iterator[Mark]:
-    """Mark the load of the case: the offset along the force, and the force."""
-    if force > 0.0:
-        x, y = solution.offset
-        fx, fy = solution.system.force
-        yield Mark("reference", (x * fx + y * fy) / force, force, Message("figures.case"))
 
 
 def _towards(curve: RestoringCurve) -> str:
@@ -421,7 +427,6 @@ def _apart(values: Sequence[float], room: float) -> list[float]:
     return [mean + place * room for place, mean in enumerate(level)]
 
 
-_LENGTH = replace(QUANTITIES["offset"], symbol="")
 _NETWORK_ALONG = 41
 _NETWORK_ROOM, _AWAY = 0.08, 0.03
 """Round a drawing, and from a line to its number, over the drawing's size."""
@@ -437,20 +442,17 @@ def network_plan(rest: LinesAtRest, loaded: int) -> Chart:
     """Draw points and lines from above, to scale; `loaded`: the most loaded line, from 0."""
     places = [(x, y) for x, y, _ in rest.joints.places]
     size = size_of(places) or 1.0
-    middles = [
-        ((x1 + x2) / 2.0, (y1 + y2) / 2.0) for (x1, y1, _), (x2, y2, _) in _network_ends(rest)
-    ]
-    ways = [math.atan2(y2 - y1, x2 - x1) for (x1, y1, _), (x2, y2, _) in _network_ends(rest)]
-    beside = [
-        (x - _AWAY * size * math.sin(way), y + _AWAY * size * math.cos(way))
-        for (x, y), way in zip(middles, ways, strict=True)
-    ]
+    beside = []
+    for (x1, y1, _), (x2, y2, _) in _network_ends(rest):
+        way = math.atan2(y2 - y1, x2 - x1)
+        x = (x1 + x2) / 2.0 - _AWAY * size * math.sin(way)
+        beside.append((x, (y1 + y2) / 2.0 + _AWAY * size * math.cos(way)))
     return Chart(
         "network_plan",
         Message("figures.network_plan", count=len(rest.runs)),
         *from_above([*places, *beside], _NETWORK_ROOM * size),
         series=tuple(_from_above(rest)),
-        marks=(*_network_points(rest, places), *_network_numbers(beside, loaded)),
+        marks=(*_network_points(rest, places), *numbered(beside, loaded)),
         points=tuple(_said(rest, lambda x, y, _: (x, y))),
         to_scale=1.0,
     )
@@ -484,7 +486,7 @@ def network_side(rest: LinesAtRest, loaded: int) -> Chart:
         Axis("xy"[k], _LENGTH, left - 40.0 * unit, right + 40.0 * unit),
         axis("z", (-24.0 * unit, top + 30.0 * unit), within=(0.0, top)),
         series=tuple(lines),
-        marks=(*_network_points(rest, places), *_network_numbers(beside, loaded)),
+        marks=(*_network_points(rest, places), *numbered(beside, loaded)),
         levels=surface_and_bed(depth),
         areas=water(depth, 16.0 * unit),
         points=tuple(_said(rest, lambda x, y, z: ((x, y)[k], z))),
@@ -515,11 +517,10 @@ def _profile(rest: LinesAtRest, number: int) -> list[Vector]:
 
 
 def _from_above(rest: LinesAtRest) -> Iterator[Series]:
-    for number, ((x1, y1, _), (x2, y2, _)) in enumerate(_network_ends(rest)):
-        yield Series("leg", (x1, x2), (y1, y2), Message("figures.mooring_line"))
+    for number, (first, second) in enumerate(_network_ends(rest)):
+        yield _path("leg", (first[:2], second[:2]), Message("figures.mooring_line"))
         for ends in grounded_ends(rest.lines[number]):
-            x, y = zip(*_laid(rest, number, ends), strict=True)
-            yield Series("lying", x, y, Message("figures.lies"))
+            yield _path("lying", _laid(rest, number, ends), Message("figures.lies"))
 
 
 def _network_points(rest: LinesAtRest, places: Sequence[Place]) -> Iterator[Mark]:
@@ -527,19 +528,8 @@ def _network_points(rest: LinesAtRest, places: Sequence[Place]) -> Iterator[Mark
         yield Mark(_SIGNS[point.kind], *place, Message(_LABELS[point.kind]))
 
 
-def _network_numbers(places: Sequence[Place], loaded: int) -> list[Mark]:
-    """Write the number of each line at a place."""
-    return [
-        Mark("most-loaded" if k == loaded else "number", *place, words=f"{k + 1}")
-        for k, place in enumerate(places)
-    ]
-
-
 def _said(rest: LinesAtRest, seen: Callable[[float, float, float], Place]) -> Iterator[Point]:
     """Say what is known along every line, at where its places are seen."""
     for number, line in enumerate(rest.lines):
-        profile = line.profile(_NETWORK_ALONG)
-        x, y = zip(*(seen(*place) for place in _profile(rest, number)), strict=True)
-        along = {"s": ("s", profile.s), "z": ("z", profile.z), "T": ("tension", profile.tension)}
-        numbers = [number + 1] * len(x)
-        yield from pointed("figures.along_numbered", x, y, line=("", numbers), **along)
+        places = (seen(*place) for place in _profile(rest, number))
+        yield from _along(number, places, line.profile(_NETWORK_ALONG))

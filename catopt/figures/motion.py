@@ -172,9 +172,8 @@ def history(part: DynamicPart, at_rest: float) -> Chart:
     run = part.governing
     of, chosen = run.history, around_the_largest(run)
     a, b = of.time[chosen[0]], of.time[chosen[-1]]
-    at, drawn = _with_turns(
-        run, "fairlead_tension", of.time[chosen], of.fairlead_tension[chosen, 0]
-    )
+    tension = of.fairlead_tension[chosen, 0]
+    at, drawn = _with_turns(run, "fairlead_tension", of.time[chosen], tension)
     inside = (at >= a) & (at <= b)
     times, tensions = at[inside].tolist(), drawn[inside].tolist()
     still = np.interp(times, of.time, run.quasi_static).tolist()
@@ -332,31 +331,21 @@ def peaks_above(part: DynamicPart) -> Chart | None:
         confidence=extreme.confidence,
     )
     top = max(tail.expected_above(tail.threshold), numbers[-1])
+    low = max(extreme.low, tail.threshold)
+    ends = span_of((tail.threshold, right), 0.0, 0.02)
     counted = Message("figures.peaks_counted", count=len(peaks))
+    by_tail = Message("figures.tail_fitted", shape=tail.shape)
     return Chart(
         "exceedance",
         Message("figures.exceedance", time=time),
-        axis(
-            "tension",
-            span_of((tail.threshold, right), 0.0, 0.02),
-            Message("figures.fairlead_tension_axis"),
-        ),
+        axis("tension", ends, Message("figures.fairlead_tension_axis")),
         Axis(Message("figures.peaks_above", time=time), _NUMBER, _RARE, 1.6 * top, foot=0.0),
-        series=(
-            Series(
-                "first",
-                fitted,
-                list(map(tail.expected_above, fitted)),
-                Message("figures.tail_fitted", shape=tail.shape),
-            ),
-        ),
+        series=(Series("first", fitted, list(map(tail.expected_above, fitted)), by_tail),),
         marks=(
             *(Mark("peak", T, n, counted) for T, n in zip(peaks, numbers, strict=True)),
             Mark("probable", extreme.most_probable, 1.0),
         ),
-        levels=(
-            Level("interval", "y", 1.0, interval, max(extreme.low, tail.threshold), extreme.high),
-        ),
+        levels=(Level("interval", "y", 1.0, interval, low, extreme.high),),
         points=pointed(
             "figures.peak",
             peaks,
@@ -394,10 +383,7 @@ def on_slope(part: DynamicPart, depth: float, slope: float) -> Chart:
             Mark("fairlead", x[-1], z[-1], Message("figures.fairlead")),
         ),
         levels=(Level("surface", "y", depth, Message("figures.water_level")),),
-        areas=(
-            Area("water", bed, (depth, depth), ends),
-            Area("bed", (low, low), bed, ends),
-        ),
+        areas=(Area("water", bed, (depth, depth), ends), Area("bed", (low, low), bed, ends)),
         to_scale=1.0,
     )
 
@@ -455,10 +441,7 @@ def worst_moment(scene: Scene) -> Chart:
             Series("surface", x, surface, Message("figures.surface_then")),
             _through("first", hull, Message("figures.buoy_then")),
         ),
-        areas=(
-            Area("water", [0.0] * len(x), surface, x),
-            Area("bed", (foot,), (0.0,)),
-        ),
+        areas=(Area("water", [0.0] * len(x), surface, x), Area("bed", (foot,), (0.0,))),
         levels=(Level("bed-edge", "y", 0.0, Message("figures.bed")),),
         to_scale=1.0,
     )

@@ -21,8 +21,6 @@ if TYPE_CHECKING:
     from catopt.sizing import Sizing
     from catopt.sizing.in_motion import InMotion
 
-__all__ = ["choices", "elevation", "swing_circle", "tension_by_length"]
-
 Document = Mapping[str, Any]
 
 OBJECTIVES: Mapping[str, Quantity] = MappingProxyType(
@@ -204,6 +202,7 @@ def swing_circle(of: Sizing) -> Chart:
     ends = (-1.12 * total, 1.12 * total)
     length, breadth = _size(of)
     middle = total - length / 2.0 if of.kind == "tanker" else total
+    said = Message("figures.swing_at", radius=Measure("length", total))
     series = [
         Series("swing", x, y, Message("figures.swing_of", radius=Measure("length", total))),
         Series("leg", (0.0, min(line, total)), (0.0, 0.0), Message("figures.mooring_line")),
@@ -218,7 +217,7 @@ def swing_circle(of: Sizing) -> Chart:
         tuple(series),
         (Mark("anchor-spot", 0.0, 0.0, Message("figures.anchor_spot")),),
         areas=(_from_above(of, middle, length, breadth),),
-        points=_said_round(edge, total),
+        points=tuple(Point(*place, said) for place in edge),
         to_scale=1.0,
     )
 
@@ -252,15 +251,13 @@ def choices(of: Sizing) -> tuple[Chart, tuple[dict[str, str], ...]]:
         )
         said.append(Point(swing, mass, words))
         sets.append({"line.prefer": prefer})
+    radii = span_of([each.x for each in marks], 0.2, 0.2)
+    masses = span_of([each.y for each in marks], 0.2, 0.2)
     drawn = Chart(
         "choices",
         Message("figures.choices"),
-        axis(
-            "length",
-            span_of([each.x for each in marks], 0.2, 0.2),
-            term("Swing radius at low water"),
-        ),
-        axis("mass", span_of([each.y for each in marks], 0.2, 0.2), term("Mass in air")),
+        axis("length", radii, term("Swing radius at low water")),
+        axis("mass", masses, term("Mass in air")),
         marks=tuple(marks),
         points=tuple(said),
     )
@@ -356,8 +353,3 @@ def _from_above(of: Sizing, middle: float, length: float, breadth: float) -> Are
         x = [middle - 0.5 * length * math.cos(each) for each in angles]
         half = [0.5 * breadth * math.sin(each) for each in angles]
     return Area("moored", [-each for each in half], half, x, label)
-
-
-def _said_round(edge: Sequence[tuple[float, float]], total: float) -> tuple[Point, ...]:
-    said = Message("figures.swing_at", radius=Measure("length", total))
-    return tuple(Point(x, y, said) for x, y in edge)

@@ -12,7 +12,7 @@ import numpy as np
 
 from catopt.figures.chart import Area, Axis, Chart, Level, Mark, Place, Series, axis, span_of
 from catopt.figures.line import room_around, surface_and_bed, water
-from catopt.figures.mooring import beyond, from_above
+from catopt.figures.mooring import beyond, from_above, numbered, size_of
 from catopt.quantities import Quantity
 from catopt.words import Message
 
@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
     from catopt.reproduce.items import Mooring
     from catopt.study.result import Statistic, StudyResult
-
 
 _LINES = ("mooring", "second", "first", "third", "fourth")
 _MODELS = (("second", "model-a"), ("first", "model-b"))
@@ -57,12 +56,9 @@ def lines_to_scale(lines: Sequence[tuple[str, Solution]], depth: float, title: s
 def models_from_above(moorings: Sequence[Mooring]) -> Chart:
     """Draw the lines of a body by several models from above, to scale."""
     places = [(line.x[k], line.y[k]) for one in moorings for line in one.lines for k in (0, -1)]
-    size = max(max(each) - min(each) for each in zip(*places, strict=True))
+    size = size_of(places)
     anchors = [(line.x[0], line.y[0]) for line in moorings[0].lines]
-    numbers = [
-        Mark("number", *place, words=str(number))
-        for number, place in enumerate(beyond(anchors, 1.6 * size), start=1)
-    ]
+    numbers = numbered(beyond(anchors, 1.6 * size))
     axes = from_above(places, 0.15 * size)
     return _models("models", Message("figures.models"), axes, moorings, numbers)
 

@@ -6,16 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from catopt.figures.chart import (
-    IN_TONNES,
-    Axis,
-    Chart,
-    Level,
-    Series,
-    axis,
-    pointed,
-    span_of,
-)
+from catopt.figures.chart import IN_TONNES, Axis, Chart, Level, Series, axis, pointed, span_of
 from catopt.quantities import Quantity
 from catopt.words import Measure, Message
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -110,7 +111,10 @@ def load_states(case: Case | Network, wanted: str | None) -> list[tuple[str, Cas
     `wanted`: name of one load case; None: all of them, or the load where there are none. Raises
     InputError when no load case has that name.
     """
-    states: dict[str, Case | Network] = dict(_named(case))
+    states: dict[str, Case | Network] = {LOAD: case}
+    if isinstance(case, Case):
+        found = as_found(case)
+        states = {each.name: found.under(each) for each in case.load_cases} or {LOAD: found}
     if wanted is None:
         return list(states.items())
     if wanted not in {state.name for state in case.load_cases}:
@@ -120,21 +124,9 @@ def load_states(case: Case | Network, wanted: str | None) -> list[tuple[str, Cas
 
 
 def _no_load_cases(wanted: str, names: str = "") -> InputError:
-    allowed = Message("refused_command.case_has_no_load_cases")
-    if names:
-        allowed = Message("refused.one_of", words=names)
+    none = Message("refused_command.case_has_no_load_cases")
+    allowed = Message("refused.one_of", words=names) if names else none
     return InputError([Problem("--load-case", as_written(wanted), allowed)], "options")
-
-
-def _named(case: Case | Network) -> Iterator[tuple[str, Case | Network]]:
-    if isinstance(case, Network):
-        yield LOAD, case
-        return
-    found = as_found(case)
-    if not case.load_cases:
-        yield LOAD, found
-    for state in case.load_cases:
-        yield state.name, found.under(state)
 
 
 def _verified(name: str, case: Case, elements: int, tolerance: float) -> StaticComparison:
@@ -148,10 +140,7 @@ def _verified(name: str, case: Case, elements: int, tolerance: float) -> StaticC
     for number, pair in enumerate(part.lines, start=1):
         mesh = pair.finest.mesh
         heights = pair.finest.nodes[mesh.load_node, 2].tolist()
-        if part.kind == "line":
-            check_buoys(mesh.line, heights, case.site.water_depth)
-            continue
-        with named_line(number):
+        with nullcontext() if part.kind == "line" else named_line(number):
             check_buoys(mesh.line, heights, case.site.water_depth)
     return part
 
@@ -259,16 +248,12 @@ def verify_front(
     for done, design in enumerate(steps):
         if progress is not None:
             progress(done, len(designs))
-        found.append(_of_design(design, elements, tolerance))
+        try:
+            verification = verify_case(
+                design.case, load_case=design.load_case, elements=elements, tolerance=tolerance
+            )
+            found.append(DesignVerification(design, verification))
+        except (NoAnswerError, NotConvergedError) as error:
+            stopped = isinstance(error, NotConvergedError)
+            found.append(DesignVerification(design, None, error.message, stopped))
     return FrontVerification(title, tuple(found))
-
-
-def _of_design(design: Design, elements: int, tolerance: float) -> DesignVerification:
-    try:
-        verification = verify_case(
-            design.case, load_case=design.load_case, elements=elements, tolerance=tolerance
-        )
-    except (NoAnswerError, NotConvergedError) as error:
-        stopped = isinstance(error, NotConvergedError)
-        return DesignVerification(design, None, error.message, stopped)
-    return DesignVerification(design, verification)

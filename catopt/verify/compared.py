@@ -39,7 +39,7 @@ class Compared(Record):
     """One quantity by both models."""
 
     DOCUMENT = (
-        "quantity line+1 named_point=point? unit closed_form fem order is_smooth extrapolated "
+        "quantity line+1 point? unit closed_form fem order is_smooth extrapolated "
         "difference_before difference scale allowed agrees"
     )
 
@@ -63,11 +63,7 @@ class Compared(Record):
     theory: float = ORDER
     """Order by which the error should fall."""
     point: str = ""
-
-    @property
-    def named_point(self) -> str | None:
-        """Name of the joint or body, of points joined by lines."""
-        return self.point or None
+    """Name of the joint or body, of points joined by lines."""
 
     @property
     def key(self) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -17,6 +18,7 @@ from catopt.fem.history import STOPPED
 from catopt.floater.alone import HullHistory
 from catopt.interrupt import waiting_interrupt
 from catopt.model import Case
+from catopt.model.dynamics import InitialFriction
 from catopt.model.network import Network
 from catopt.old_names import renamed
 from catopt.verify.case import load_states
@@ -29,7 +31,13 @@ from catopt.verify.convergence_check import (
     Way,
     work_of_check,
 )
-from catopt.verify.dynamic_lines import LinesAtRest, LinesOfPoints, lines_at_rest, quasi_static
+from catopt.verify.dynamic_lines import (
+    LinesAtRest,
+    LinesOfPoints,
+    OneLine,
+    lines_at_rest,
+    quasi_static,
+)
 from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
 from catopt.verify.dynamic_run import DynamicRun
 from catopt.verify.dynamic_setup import Excitation, check_for_motion, read_drive
@@ -49,9 +57,6 @@ _WORTH = 4e6
 
 LONG = 60.0
 """Seconds from which what a load case, or a year, takes is announced."""
-
-_LEFT_OUT = 0.01
-"""Part of the waves' energy beyond a table of RAOs from which it is remarked on."""
 
 
 @renamed(proof="convergence_check")
@@ -113,10 +118,8 @@ def verify_dynamic(
         When a step does not close, or what is computed is the scheme's own ringing.
     """
     if workers is not None and workers < 1:
-        raise InputError(
-            [Problem("workers", f"{workers}", Message("refused_command.n_1_or_more_processes"))],
-            "options",
-        )
+        allowed = Message("refused_command.n_1_or_more_processes")
+        raise InputError([Problem("workers", f"{workers}", allowed)], "options")
     check_for_motion(case)
     states = load_states(case, load_case)
     drives = [
@@ -211,23 +214,20 @@ def _with_dampings(
     lines = lines_at_rest(drive)
     side = min(processes_for(effort_of(lines, "none").work * len(DAMPINGS), workers), len(tasks))
     damped = side_by_side(partial(_damped, lines, tasks), len(tasks), side, progress)
+    # Beside each run those of the same seed; stopped, there are fewer than tasks.
+    of_seed: dict[int, list[list[Damped]]] = defaultdict(list)
+    for (number, _), lines_damped in zip(tasks, damped, strict=False):
+        of_seed[number].append(lines_damped)
     return [
-        replace(part, runs=tuple(_and_damped(run, k, tasks, damped) for run in part.runs))
+        replace(
+            part,
+            runs=tuple(
+                replace(run, damped=tuple(each[k] for each in of_seed[run.number]))
+                for run in part.runs
+            ),
+        )
         for k, part in enumerate(found)
     ]
-
-
-def _and_damped(
-    run: DynamicRun, line: int, tasks: Sequence[tuple[int, float]], damped: Sequence[list[Damped]]
-) -> DynamicRun:
-    """Put the runs of a line with other dampings beside its own of the same seed."""
-    own = (each[line] for (number, _), each in zip(tasks, damped, strict=False))
-    return replace(
-        run,
-        damped=tuple(
-            one for (number, _), one in zip(tasks, own, strict=False) if number == run.number
-        ),
-    )
 
 
 class _Seed(NamedTuple):
@@ -257,12 +257,17 @@ def _parts(
     effort = effort_of(lines, convergence_check)
     effort.check(drive.dynamics.duration)
     if effort.seconds > LONG:
-        announce(f"{name}: {effort}" if name else str(effort))
+        announce(f"{name}: {effort.words}" if name else effort.words)
     most = processes_for(effort.work, workers)
     side = min(most, total)
     # A single seed leaves the processes to its runs again.
     task = partial(_seed, lines, convergence_check, known, most if total == 1 else 1, numbers)
-    seeds = _in_turn(task, total, progress) if side == 1 else _at_once(task, total, side, progress)
+    if side == 1:
+        seeds = _in_turn(task, total, progress)
+    else:
+        # Stopped, keep those that are whole, or else what there is.
+        there = [each for each in side_by_side(task, total, side, progress) if each is not None]
+        seeds = [each for each in there if each.is_whole] or there[:1]
     if not seeds:
         return []
     remarks = list(dict.fromkeys(said for each in seeds for said in each.remarks))
@@ -270,6 +275,9 @@ def _parts(
         remarks.append(Message("motion.stopped_in_run", run=len(seeds), runs=total))
     elif len(seeds) < total:
         remarks.append(Message("motion.stopped_after_runs", done=len(seeds), runs=total))
+    at_rest: Mapping[InitialFriction, float] = {}
+    if drive.compares_at_rest and isinstance(lines, OneLine):
+        at_rest = lines.anchor_at_rest()
     return [
         DynamicPart(
             name,
@@ -279,7 +287,7 @@ def _parts(
             convergence_check,
             (*remarks, *lines.remarks(), *_remarks(drive, of_line)),
             k if drive.case.several_lines else None,
-            lines.anchor_at_rest() if drive.compares_at_rest else {},
+            at_rest,
             between=lines.between(k) if isinstance(lines, LinesOfPoints) else None,
         )
         for k, (leg, of_line) in enumerate(
@@ -356,14 +364,6 @@ def _in_turn(
     return seeds
 
 
-def _at_once(
-    task: Callable[[int, Progress], _Seed | None], total: int, workers: int, progress: Progress
-) -> list[_Seed]:
-    """Run the seeds side by side; stopped, keep those that are whole, or else what there is."""
-    seeds = [each for each in side_by_side(task, total, workers, progress) if each is not None]
-    return [each for each in seeds if each.is_whole] or seeds[:1]
-
-
 def _seed(
     lines: LinesAtRest,
     convergence_check: ConvergenceCheck,
@@ -383,7 +383,11 @@ def _seed(
     history = runs[0].history
     if not history.is_complete:  # stopped in its ramp, nothing of it counts
         return _Seed(runs, said, is_whole=False) if history.counts else None
-    ways, there = _ways(convergence_check, runs), [known[number]] if number in known else []
+    ways: list[Way] = []
+    if convergence_check != "none":
+        is_slack = any(run.history.line_slack_time() > 0.0 for run in runs)
+        ways = ["step", "bars"] if convergence_check == "bars" or is_slack else ["step"]
+    there = [known[number]] if number in known else []
     left = ways[len(there) :]
     task, rest = partial(_again, lines, number, left), share_of(progress, 1, total, total - 2)
     made = [*there, *(side_by_side(task, len(left), side, rest) if left else [])]
@@ -391,14 +395,6 @@ def _seed(
     with suppress(KeyboardInterrupt):  # what there is of the check is kept
         progress(1, 1)
     return _Seed(runs, said, is_whole=len(made) == len(ways))
-
-
-def _ways(convergence_check: ConvergenceCheck, runs: Sequence[DynamicRun]) -> list[Way]:
-    """In which ways a run is made again."""
-    if convergence_check == "none":
-        return []
-    is_slack = any(run.history.line_slack_time() > 0.0 for run in runs)
-    return ["step", "bars"] if convergence_check == "bars" or is_slack else ["step"]
 
 
 def _again(
@@ -427,11 +423,8 @@ def _damped(
 ) -> list[Damped]:
     """Run a seed once more with another damping of the lines."""
     (number, factor), dynamics = tasks[at], lines.drive.dynamics
-    changed = replace(
-        dynamics,
-        line_damping=factor * dynamics.critical_ratio,
-        damping_time=factor * dynamics.damping_time,
-    )
+    ratio, time = factor * dynamics.critical_ratio, factor * dynamics.damping_time
+    changed = replace(dynamics, line_damping=ratio, damping_time=time)
     case = replace(lines.drive.case, dynamics=changed)
     drive = replace(lines.drive, case=case, counts_cycles=False)
     try:
@@ -477,15 +470,18 @@ def _run(
             lambda t: progress(min(round(_MILLI * t), end), end),
         )
     except InputError as error:
-        raise InputError([_as_in_file(each) for each in error.problems], "--dynamic") from None
+        # The truss model's argument has another name in a case file.
+        step = "dynamics.time_step"
+        problems = [replace(p, key=step) if p.key == "step" else p for p in error.problems]
+        raise InputError(problems, "--dynamic") from None
     said = [each for each in history.warnings if not is_said(each, STOPPED)]
     raos = drive.raos or drive.vessel
     if raos is not None and sea.waves is not None:
-        beyond = energy_beyond(raos.omega, sea.waves)
-        if beyond > _LEFT_OUT:
+        if beyond := energy_beyond(raos.omega, sea.waves):
             said.append(Message("motion.beyond_raos", share=beyond))
         if drive.raos is not None and np.unique(sea.waves.direction).size > 1:
             said.append(Message("motion.raos_of_one_heading"))
+    hull, way = (track, None) if isinstance(track, HullHistory) else (None, track)
     runs = []
     for k, leg in enumerate(lines.legs):
         of_line = history.of_line(k)
@@ -494,11 +490,7 @@ def _run(
             still = quasi_static(leg, of_line, drive.case.site.seabed_friction)
         if drive.dynamics.broken_line == k + 1:
             still[of_line.time >= (drive.dynamics.broken_at or 0.0)] = np.nan
-        run = DynamicRun(of_line, still, number)
-        if isinstance(track, HullHistory):
-            run = replace(run, hull=track)
-        else:
-            run = replace(run, track=track)
+        run = DynamicRun(of_line, still, number, track=way, hull=hull)
         if stepping.tensions:
             run = _counted(run, sea)
         runs.append(run)
@@ -524,20 +516,15 @@ def _counted(run: DynamicRun, sea: Sea) -> DynamicRun:
     return replace(run, history=history, cycles=cycles)
 
 
-def _as_in_file(problem: Problem) -> Problem:
-    """Name the truss model's argument by the key that gives it."""
-    return replace(problem, key="dynamics.time_step") if problem.key == "step" else problem
-
-
 def _remarks(drive: Excitation, runs: Sequence[DynamicRun]) -> list[str]:
-    remarks = []
+    remarks = [*drive.remarks]
     if not all(run.history.counts for run in runs):
         remarks.append(Message("motion.within_ramp"))
     if drive.has_rest and any(np.isnan(run.quasi_static).all() for run in runs):
         remarks.append(Message("motion.no_amplification"))
     elif drive.compares_at_rest and drive.case.current is not None:
         remarks.append(Message("motion.still_without_current"))
-    return [*drive.remarks, *remarks]
+    return remarks
 
 
 def _telling(progress: Progress, ask: Callable[[], None]) -> Progress:

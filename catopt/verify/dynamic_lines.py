@@ -43,7 +43,7 @@ from catopt.mooring import held, network_rest
 from catopt.mooring.solve import solve_system
 from catopt.verify.dynamic_result import Between
 from catopt.verify.dynamic_setup import Excitation, section_of
-from catopt.verify.line import truss_legs
+from catopt.verify.line import truss_legs, turned
 from catopt.verify.motion_file import energy_beyond
 from catopt.waves import Sea, Waves, wavelength
 from catopt.words import Message
@@ -68,15 +68,11 @@ class OneLine:
         """Solve the line in closed form; on a bed that slopes, by the truss model."""
         load = drive.one.load
         assert load is not None
-        if drive.one.site.seabed_slope != 0.0:
-            return cls._on_slope(drive, load)
-        closed = solve_case(drive.one)
-        if load.fairlead_tension is not None:
-            load = Load(horizontal_force=closed.horizontal_force)
-        return cls(drive, load, closed.span)
-
-    @classmethod
-    def _on_slope(cls, drive: Excitation, load: Load) -> OneLine:
+        if drive.one.site.seabed_slope == 0.0:
+            closed = solve_case(drive.one)
+            if load.fairlead_tension is not None:
+                load = Load(horizontal_force=closed.horizontal_force)
+            return cls(drive, load, closed.span)
         if load.fairlead_tension is not None:
             allowed = Message("refused_motion.give_horizontal_force_or_span")
             found = f"{load.fairlead_tension:g} N"
@@ -105,8 +101,8 @@ class OneLine:
 
     def driven_by(self, sea: Sea) -> list[Series]:
         """Motion of the line's ends."""
-        prescribed_motion = (self.drive.motion(sea, self.span), self.drive.anchor_motion)
-        return [each for each in prescribed_motion if each is not None]
+        ends = (self.drive.motion(sea, self.span), self.drive.anchor_motion)
+        return [each for each in ends if each is not None]
 
     def run(
         self, sea: Sea, stepping: TimeStepping, elements: int, progress: Progress
@@ -226,10 +222,6 @@ class LinesOfABody:
             sea=replace(drive.sea(0), waves=None),
         )
 
-    def anchor_at_rest(self) -> Mapping[InitialFriction, float]:
-        """Return nothing: lines of a body come to rest by the one past that their case has."""
-        return {}
-
     def remarks(self) -> Iterator[str]:
         """Yield how the body moves, and what of it is held."""
         body, system = self.drive.case.body, self.drive.case.system
@@ -291,12 +283,12 @@ class LinesOfABody:
         vessel = self.drive.vessel
         assert vessel is not None
         x, y, height = self.place
-        from_origin = _turned(arm[0], arm[1], -self.yaw)
+        from_origin = turned(arm[0], arm[1], -self.yaw)
         heading = float(waves.direction[0]) - self.yaw
         raos = vessel.of_point(heading, (*from_origin, height + arm[2]))
-        along, across = _turned(1.0, 0.0, self.yaw), _turned(0.0, 1.0, self.yaw)
+        along, across = turned(1.0, 0.0, self.yaw), turned(0.0, 1.0, self.yaw)
         response = raos.response @ np.array([(*along, 0.0), (*across, 0.0), (0.0, 0.0, 1.0)])
-        ahead, aside = _turned(vessel.crest[0], vessel.crest[1], self.yaw)
+        ahead, aside = turned(vessel.crest[0], vessel.crest[1], self.yaw)
         of_earth = type(raos)(raos.omega, response)
         return of_earth.motion(waves, wave_numbers, x + ahead, y + aside)
 
@@ -375,10 +367,6 @@ class LinesOfPoints:
         )
         return history, None
 
-    def anchor_at_rest(self) -> Mapping[InitialFriction, float]:
-        """Return nothing: the lines come to rest by the one past that their case has."""
-        return {}
-
     def remarks(self) -> Iterator[str]:
         """Yield what is led."""
         network = self.rest.network
@@ -389,13 +377,6 @@ class LinesOfPoints:
         yield Message("motion.no_still_of_points")
 
 
-def _turned(x: float, y: float, angle: float) -> tuple[float, float]:
-    cosine, sine = math.cos(angle), math.sin(angle)
-    return cosine * x - sine * y, sine * x + cosine * y
-
-
-_LEFT_OUT: Final = 0.01
-"""Part of the waves' energy beyond a table from which it is remarked on."""
 _SMALL: Final = 0.2
 """Part of the wave length above which a hull is not small beside it."""
 
@@ -422,11 +403,6 @@ class LinesOfAFloater:
         if case.system is not None:
             return truss_legs(case.system, 0.0)[0]
         return (Leg(case.line, (0.0, 0.0, case.anchor_height)),)
-
-    @property
-    def in_plane(self) -> bool:
-        """Whether weather and lines leave the buoy in the plane of x and z."""
-        return freedoms(self.hull, self.legs, self.drive.sea(0)) == IN_PLANE
 
     def driven_by(self, sea: Sea) -> list[Series]:  # noqa: ARG002 - as of the others
         """Nothing leads it."""
@@ -462,10 +438,6 @@ class LinesOfAFloater:
         scene = scene_of(history, kept, hull, self.hull, in_sea)
         return replace(history, nodes=history.nodes[:, :0]), replace(hull, scene=scene)
 
-    def anchor_at_rest(self) -> Mapping[InitialFriction, float]:
-        """Return nothing: the past of the lines is that of their case."""
-        return {}
-
     def remarks(self) -> Iterator[str]:
         """Yield what is assumed of what floats, and where the method ends."""
         if isinstance(self.hull, FloatingHull):
@@ -478,15 +450,16 @@ class LinesOfAFloater:
         yield Message("floater.by_coefficients", mass=hull.mass / 1e3, source=known.source)
         yield from known.remarks
         yield Message("floater.no_drift", given=math.hypot(*hull.force) / 1e3)
-        beyond = 0.0 if waves is None else energy_beyond(known.omega, waves)
-        if beyond > _LEFT_OUT:
+        if waves is not None and (beyond := energy_beyond(known.omega, waves)):
             yield Message("floater.beyond_coefficients", part=beyond)
 
     def _of_buoy(self, hull: FloatingHull) -> Iterator[Message]:
         case, of = self.drive.one, self.drive.one.floater
         assert of is not None
         shape = floating_buoy(of)
-        moves = "floater.moves" if self.in_plane else "floater.moves_all"
+        # Weather and lines may leave the buoy in the plane of x and z.
+        is_in_plane = freedoms(hull, self.legs, self.drive.sea(0)) == IN_PLANE
+        moves = "floater.moves" if is_in_plane else "floater.moves_all"
         yield Message(moves, buoy=shape.name, draught=hull.draught)
         if of.centre_of_gravity is None or of.pitch_radius is None:
             radius = math.sqrt(hull.inertia / hull.mass)

@@ -58,7 +58,6 @@ from catopt.words import Message
 Verdict = Literal["converged", "not converged", "not proven"]
 _VERDICTS: tuple[Verdict, ...] = ("not converged", "not proven", "converged")
 
-
 BLOCK: Final = 60.0
 """s, of a run of a line that goes slack, of which the largest value counts."""
 LEAST_BLOCKS: Final = 20
@@ -263,9 +262,7 @@ class DynamicPart(Record):
     def MBL(self) -> float | None:
         """Least of the line's segments, N; None where one has none."""
         known = [each.MBL for each in self.own_line.segments]
-        return (
-            min([each for each in known if each is not None], default=None) if all(known) else None
-        )
+        return min(filter(None, known), default=None) if all(known) else None
 
     def decides(self, change: Change) -> bool:
         """Whether a change is too large: by 5 % of its own maximum and by 2 % of the line's MBL.
@@ -297,10 +294,9 @@ class DynamicPart(Record):
         for quantity in ("fairlead_tension", "anchor_tension"):
             error = self.scatter_of(quantity)
             if error is not None and self.cycle_peaks(quantity).size >= LEAST_CYCLES:
-                mean = max(
-                    float(self.cycle_peaks(quantity).mean()), LEAST_TENSION * self.max_tension
-                )
-                if self.decides(Change(quantity, "step", error / mean, error)):
+                mean = float(self.cycle_peaks(quantity).mean())
+                over = max(mean, LEAST_TENSION * self.max_tension)
+                if self.decides(Change(quantity, "step", error / over, error)):
                     return True
         return False
 
@@ -314,10 +310,8 @@ class DynamicPart(Record):
             for run in self.runs
             if run.damped
         ]
-        if not found:
-            return None
         by_damping = [max(each) for each in zip(*found, strict=False)]
-        return min(by_damping), max(by_damping)
+        return (min(by_damping), max(by_damping)) if found else None
 
     @property
     def worst_change(self) -> Change | None:
@@ -384,12 +378,12 @@ class DynamicPart(Record):
     @property
     def slack_time(self) -> Duration:
         """Time in all that a bar of the line had no tension in one run, after the ramp, s."""
-        return max(run.history.line_slack_time() for run in self.runs)
+        return max(run.slack_time for run in self.runs)
 
     @property
     def longest_slack(self) -> Duration:
         """Longest time at a stretch that a bar of the line had no tension, after the ramp, s."""
-        return max(run.history.line_longest_slack() for run in self.runs)
+        return max(run.longest_slack for run in self.runs)
 
     @property
     def quasi_static_max(self) -> SomeForce | None:
@@ -433,9 +427,7 @@ class DynamicPart(Record):
 
         That is where it is not random, or has too few peaks (`weibull_tail`).
         """
-        if not self.varies_at_random(quantity):
-            return None
-        if not all(run.history.counts for run in runs):
+        if not self.varies_at_random(quantity) or not all(run.history.counts for run in runs):
             return None
         courses = [run.history.course(quantity) for run in runs]
         values, time = [one.value for one in courses], sum(one.duration for one in courses)

@@ -28,11 +28,7 @@ from catopt.model import Case
 from catopt.model.kinds import Duration, NotNegative, SomeForce
 from catopt.model.network import Network
 from catopt.records import Record
-from catopt.verify.convergence_check import (
-    Again,
-    ConvergenceCheck,
-    Damped,
-)
+from catopt.verify.convergence_check import Again, ConvergenceCheck, Damped
 
 SERIES: Mapping[str, Callable[[History], Array]] = MappingProxyType(
     {
@@ -44,7 +40,6 @@ SERIES: Mapping[str, Callable[[History], Array]] = MappingProxyType(
 )
 """What statistics are made of; offset is the fairlead's horizontal way from its place at rest."""
 
-
 TRACK: Mapping[str, Callable[[Array], Array]] = MappingProxyType(
     {
         "body_x": lambda track: track[:, 0],
@@ -54,32 +49,18 @@ TRACK: Mapping[str, Callable[[Array], Array]] = MappingProxyType(
 )
 """Statistics of a body; offset is the horizontal way of its origin from its place at rest."""
 
-
 _OF_FAIRLEAD = MappingProxyType(
     {"body_x": "fairlead_x", "body_y": "fairlead_y", "body_offset": "offset"}
 )
 """What of a fairlead moves as a body does that does not turn."""
 
-
-HULL: Mapping[str, tuple[Callable[[HullHistory], Array], int]] = MappingProxyType(
-    {
-        "floater_x": (lambda hull: hull.place[:, 0] - hull.place[0, 0], 0),
-        "floater_y": (lambda hull: hull.place[:, 1] - hull.place[0, 1], 1),
-        "floater_z": (lambda hull: hull.place[:, 2], 2),
-        "floater_roll": (lambda hull: hull.place[:, 3], 3),
-        "floater_pitch": (lambda hull: hull.place[:, 4], 4),
-        "floater_yaw": (lambda hull: hull.place[:, 5], 5),
-        "floater_wet": (lambda hull: hull.wet / hull.volume, 6),
-    }
-)
-"""Statistics of a floating buoy, with the row of its extremes at every step."""
-
-
 _WAYS = ("floater_x", "floater_y")
 """Counted from where the buoy is at rest."""
-SeriesUnit = Literal["N", "m", "rad", ""]
 _IN_METRES = ("grounded_length", "offset", *TRACK, *_WAYS, "floater_z")
 _IN_RADIANS = ("floater_roll", "floater_pitch", "floater_yaw")
+
+HULL = (*_WAYS, "floater_z", *_IN_RADIANS, "floater_wet")
+"""Statistics of a floating buoy, in the order of its freedoms and of its extremes."""
 
 
 @dataclass(frozen=True)
@@ -112,7 +93,7 @@ class OverRuns(Record):
     distribution of the maxima of every minute."""
 
     @property
-    def unit(self) -> SeriesUnit:
+    def unit(self) -> Literal["N", "m", "rad", ""]:
         """SI, of the numbers below; empty for a part of a whole."""
         if self.quantity in _IN_METRES:
             return "m"
@@ -264,21 +245,21 @@ def of_track(
 def quantities_of_hull(hull: HullHistory) -> tuple[str, ...]:
     """Which of `HULL` it has: those in which it is free, and how far it is under, if known."""
     return tuple(
-        key for key, (_, row) in HULL.items() if (hull.volume > 0.0 if row == 6 else hull.free[row])
+        key
+        for row, key in enumerate(HULL)
+        if (hull.volume > 0.0 if key == "floater_wet" else hull.free[row])
     )
 
 
 def of_hull(quantity: str, run: DynamicRun, hull: HullHistory) -> SeriesStatistics:
     """Say how a floating buoy moved: mean and deviation by the samples, the ends of every step."""
-    series, row = HULL[quantity]
-    values = series(hull)
+    row = HULL.index(quantity)
+    if quantity == "floater_wet":
+        values, (least, most) = hull.wet / hull.volume, hull.extreme[row] / hull.volume
+    else:
+        at_rest = hull.place[0, row] if quantity in _WAYS else 0.0
+        values, (least, most) = hull.place[:, row] - at_rest, hull.extreme[row] - at_rest
     found = series_statistics(run.history.time[run.counted], values[run.counted])
-    least, most = hull.extreme[row]
     if not run.history.counts or not math.isfinite(least):
         return found
-    if quantity == "floater_wet":
-        least, most = least / hull.volume, most / hull.volume
-    elif quantity in _WAYS:
-        at_rest = hull.place[0, row]
-        least, most = least - at_rest, most - at_rest
     return replace(found, minimum=float(least), maximum=float(most))

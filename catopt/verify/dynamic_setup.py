@@ -11,13 +11,7 @@ import numpy as np
 
 from catopt.errors import InputError, Problem
 from catopt.fem.dynamic_model import Fluid, LineProperties
-from catopt.fem.morison import (
-    OBLIQUE,
-    MorisonSection,
-    added_mass,
-    steady_drag,
-    wake_amplification,
-)
+from catopt.fem.morison import OBLIQUE, MorisonSection, added_mass, steady_drag, wake_amplification
 from catopt.fem.newmark import LineDamping, Scheme
 from catopt.fem.run_settings import StepControls, TimeStepping
 from catopt.fem.seabed import Seabed
@@ -110,9 +104,8 @@ class Excitation:
     @property
     def is_led_at_random(self) -> bool:
         """Whether the fairlead goes where a random sea sends it."""
-        goes = self.raos is not None or self.vessel is not None or self.case.body is not None
-        goes = goes or self.case.floater is not None
-        return self.is_random and goes
+        by_waves = (self.raos, self.vessel, self.case.body, self.case.floater)
+        return self.is_random and any(each is not None for each in by_waves)
 
     def sea(self, run: int) -> Sea:
         """Waves and current of one run, from 0."""
@@ -136,9 +129,8 @@ class Excitation:
         given = self.case.waves
         assert given is not None
         assert self.elevation is not None
-        return self.elevation.waves(
-            direction=given.direction, shortest_period=given.shortest_period
-        )
+        shortest = given.shortest_period
+        return self.elevation.waves(direction=given.direction, shortest_period=shortest)
 
     @property
     def remarks(self) -> list[str]:
@@ -147,15 +139,13 @@ class Excitation:
         record = self.elevation
         if record is not None:
             waves = self.recorded_waves
-            remarks.append(
-                Message(
-                    "motion.recorded_waves",
-                    count=waves.count,
-                    period=2.0 * math.pi / float(waves.omega[-1]),
-                    part=record.left_out(waves),
-                    mean=record.mean,
-                )
-            )
+            known = {
+                "count": waves.count,
+                "period": 2.0 * math.pi / float(waves.omega[-1]),
+                "part": record.left_out(waves),
+                "mean": record.mean,
+            }
+            remarks.append(Message("motion.recorded_waves", **known))
             if record.is_resampled:
                 remarks.append(Message("motion.resampled", step=record.step))
         for line in lines_of(self.case):
@@ -275,8 +265,7 @@ class Excitation:
         return LineProperties(
             sections=[section_of(segment) for segment in first.segments],
             damping=LineDamping(
-                critical_ratio=dynamics.critical_ratio,
-                stiffness_time=dynamics.damping_time,
+                critical_ratio=dynamics.critical_ratio, stiffness_time=dynamics.damping_time
             ),
             fluid=Fluid(density=site.water_density),
             seabed=self.seabed,

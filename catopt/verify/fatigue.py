@@ -9,12 +9,7 @@ from typing import Annotated
 
 import numpy as np
 
-from catopt.checks.fatigue import (
-    FatigueStrength,
-    design_factor,
-    fatigue_strengths,
-    need_rainflow,
-)
+from catopt.checks.fatigue import FatigueStrength, design_factor, fatigue_strengths, need_rainflow
 from catopt.checks.kinds import CheckSource
 from catopt.constants import YEAR
 from catopt.errors import InputError, Problem
@@ -22,7 +17,7 @@ from catopt.model import Case, FatigueSeaState, Segment
 from catopt.model.dynamics import share_misfits
 from catopt.model.kinds import Force, NotNegative, Place, Positive, Share
 from catopt.old_names import renamed
-from catopt.records import Counted, From, Record
+from catopt.records import Counted, From, FromZero, Record
 from catopt.ties import largest
 from catopt.units import UNITS, Dimension
 from catopt.verify.case import load_states
@@ -70,7 +65,7 @@ class SegmentFatigue(Record):
         "strength.curve.source.text=source strength.diameter strength.area "
         "strength.breaking_strength=strength_N arc along damage=damage_per_year years=life_years "
         "wanted_years factor=design_factor factor_source.text=design_factor_source utilisation "
-        "change=change_of_ranges worst_number=worst_sea_state states=sea_states"
+        "change=change_of_ranges worst+1=worst_sea_state states=sea_states"
     )
 
     line: Counted | None
@@ -122,14 +117,9 @@ class SegmentFatigue(Record):
         return self.damage * self.life / YEAR * self.factor
 
     @property
-    def worst(self) -> int:
-        """Which sea state does most, from 0."""
-        return largest(range(len(self.states)), lambda k: self.states[k].damage)
-
-    @property
-    def worst_number(self) -> Counted:
+    def worst(self) -> FromZero:
         """Which does most damage."""
-        return self.worst + 1
+        return largest(range(len(self.states)), lambda k: self.states[k].damage)
 
 
 @dataclass(frozen=True)
@@ -292,9 +282,8 @@ def verify_fatigue(
     take, where that is minutes. The others, and what is raised, are as for `verify_dynamic`.
     """
     if case.fatigue is None:
-        raise InputError(
-            [Problem("fatigue", "", Message("refused_motion.fatigue_missing_sea_states_are"))]
-        )
+        allowed = Message("refused_motion.fatigue_missing_sea_states_are")
+        raise InputError([Problem("fatigue", "", allowed)])
     need_rainflow()
     check_for_motion(case)
     if case.dynamics is not None and case.dynamics.broken_line is not None:
@@ -309,7 +298,13 @@ def verify_fatigue(
         raise InputError([Problem("--load-case", "", allowed)], "options")
     states = sea_states(case)
     seas = [_in_sea(case, state) for state in states]
-    seconds = sum(_seconds(sea, load_case, convergence_check) for sea in seas)
+    seconds = 0.0
+    for sea in seas:
+        ((_, state),) = load_states(sea, load_case)
+        drive = read_drive(state)
+        effort = effort_of(lines_at_rest(drive), convergence_check)
+        effort.check(drive.dynamics.duration)
+        seconds += effort.seconds
     if seconds > LONG:
         announce(Message("fatigue.takes", count=len(states), minutes=seconds / 60.0))
     run = partial(
@@ -339,14 +334,6 @@ def _in_sea(case: Case, state: FatigueSeaState) -> Case:
     return replace(case, waves=waves, dynamics=dynamics)
 
 
-def _seconds(case: Case, load_case: str | None, convergence_check: ConvergenceCheck) -> float:
-    ((_, state),) = load_states(case, load_case)
-    drive = read_drive(state)
-    effort = effort_of(lines_at_rest(drive), convergence_check)
-    effort.check(drive.dynamics.duration)
-    return effort.seconds
-
-
 _UNITS = {
     "height": UNITS[Dimension.LENGTH],
     "period": UNITS[Dimension.TIME],
@@ -370,10 +357,8 @@ def sea_states(case: Case) -> tuple[FatigueSeaState, ...]:
     columns = read_columns(path, _UNITS, needed=("height", "period"), some_of=_LASTING)
     given = [key for key in _LASTING if key in columns]
     if len(given) > 1:
-        raise InputError(
-            [Problem("headings", " and ".join(given), Message("refused_motion.one_them_wanted"))],
-            path,
-        )
+        allowed = Message("refused_motion.one_them_wanted")
+        raise InputError([Problem("headings", " and ".join(given), allowed)], path)
     shares = columns[given[0]] / (YEAR if given == ["time"] else 1.0)
     states, problems = [], share_misfits(shares.tolist())
     for row, (line, share) in enumerate(zip(lines_of(path), shares.tolist(), strict=True)):

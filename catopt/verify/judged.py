@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import Final, NamedTuple
+from typing import Final
 
 import numpy as np
 from scipy.special import stdtrit
@@ -56,9 +56,8 @@ def solutions_at_rest(
 
 def judged_as(part: DynamicPart, dynamics: Dynamics) -> DynamicPart:
     """Judge a part as other settings of its runs ask for it."""
-    return replace(
-        part, drive=replace(part.drive, case=replace(part.drive.case, dynamics=dynamics))
-    )
+    case = replace(part.drive.case, dynamics=dynamics)
+    return replace(part, drive=replace(part.drive, case=case))
 
 
 def with_more_runs(part: DynamicPart, other: DynamicPart) -> DynamicPart:
@@ -84,14 +83,8 @@ def line_in_motion(
     """Take together what the runs of a line came to; its mean tensions are those at rest."""
     line = part.own_line if still is None else still.line
     mean = None if still is None else tuple(e.max_tension for e in still.segments)
-    return LineInMotion(
-        line,
-        judged_tensions(part, runs, line),
-        mean,
-        part.name,
-        part.line,
-        _carried(case, part, runs),
-    )
+    tensions, carried = judged_tensions(part, runs, line), _carried(case, part, runs)
+    return LineInMotion(line, tensions, mean, part.name, part.line, carried)
 
 
 def judged_tensions(part: DynamicPart, runs: Sequence[DynamicRun], line: Line) -> tuple[float, ...]:
@@ -101,20 +94,12 @@ def judged_tensions(part: DynamicPart, runs: Sequence[DynamicRun], line: Line) -
     judged in its place, that of an end is its own, and that of bars as much higher than the largest
     of the runs as at the end of the line that has the larger one.
     """
-    ends = [f"{end}_tension" for end in ("anchor", "fairlead")]
-    higher = [_higher(part, runs, each) for each in ends]
+    ends = ("anchor_tension", "fairlead_tension")
+    anchor, fairlead = (_higher(part, runs, each) for each in ends)
     most = [max(run.maxima[each] for run in runs) for each in ends]
-    factors = Factors(higher[0], higher[1], higher[first_largest(most)])
-    found = [tuple(_segments(run, line, factors)) for run in runs]
+    of_bars = (anchor, fairlead)[first_largest(most)]
+    found = [tuple(_segments(run, line, anchor, fairlead, of_bars)) for run in runs]
     return tuple(max(each) for each in zip(*found, strict=True))
-
-
-class Factors(NamedTuple):
-    """What is judged over the largest tension of the runs."""
-
-    anchor: float
-    fairlead: float
-    of_bars: float
 
 
 def _higher(part: DynamicPart, runs: Sequence[DynamicRun], quantity: str) -> float:
@@ -128,18 +113,19 @@ def _higher(part: DynamicPart, runs: Sequence[DynamicRun], quantity: str) -> flo
     return max(1.0, storm / largest)
 
 
-def _segments(run: DynamicRun, line: Line, higher: Factors) -> Iterator[float]:
+def _segments(
+    run: DynamicRun, line: Line, anchor: float, fairlead: float, of_bars: float
+) -> Iterator[float]:
+    """Yield the largest tension of each segment, N, times the factors of its ends and its bars."""
     history, start = run.history, 0.0
-    last = len(line.segments) - 1
-    for index, segment in enumerate(line.segments):
+    for index, segment in enumerate(line.segments, start=1):
         end = start + segment.length
-        of_bars = history.max_tension[(history.arc >= start) & (history.arc <= end)]
-        known = [each for each in of_bars.tolist() if each == each]
-        largest = higher.of_bars * max(known, default=0.0)
-        if index == 0:
-            largest = max(largest, higher.anchor * run.maxima["anchor_tension"])
-        if index == last:
-            largest = max(largest, higher.fairlead * run.maxima["fairlead_tension"])
+        inside = history.max_tension[(history.arc >= start) & (history.arc <= end)]
+        largest = of_bars * max((each for each in inside.tolist() if each == each), default=0.0)
+        if index == 1:
+            largest = max(largest, anchor * run.maxima["anchor_tension"])
+        if index == len(line.segments):
+            largest = max(largest, fairlead * run.maxima["fairlead_tension"])
         yield largest
         start = end
 
@@ -202,16 +188,13 @@ def _turned(
     case: Case | Network, lines: Sequence[tuple[DynamicPart, Solution | None]]
 ) -> list[CheckResult]:
     """List the checks of lines that move together whose verdict is another in runs again."""
-    verdicts = [
-        check_motion(
-            case,
-            [
-                line_in_motion(case, part, runs, still)
-                for (part, still), (_, runs) in zip(lines, level, strict=True)
-            ],
-        ).results
-        for level in zip(*(part.levels for part, _ in lines), strict=True)
-    ]
+    verdicts = []
+    for level in zip(*(part.levels for part, _ in lines), strict=True):
+        moved = [
+            line_in_motion(case, part, runs, still)
+            for (part, still), (_, runs) in zip(lines, level, strict=True)
+        ]
+        verdicts.append(check_motion(case, moved).results)
     return [
         same[0] for same in zip(*verdicts, strict=True) if len({each.passes for each in same}) > 1
     ]

@@ -21,6 +21,7 @@ from catopt.fem import SystemSolution as TrussSystem
 from catopt.fem import solve_system as solve_truss
 from catopt.model import Case, Line, System
 from catopt.model.line import StrainTable
+from catopt.mooring.network_rest import BodyAtRest
 from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import solve_system
 from catopt.verify.compared import ORDER, Compared, Unit
@@ -55,10 +56,16 @@ def verify_line(
 
     `tolerance`: allowed difference: of the fairlead tension, of the line's length, in rad.
     """
+    assert case.load is not None
+    span = case.load.span
     trusses = on_meshes(
         elements,
         lambda bars: [mesh_line(case.line, bars, bends=bends(closed))],
-        lambda meshes: _under_load(case, meshes[0], closed),
+        lambda meshes: (
+            _under_force(case, meshes[0], closed.horizontal_force)
+            if span is None
+            else _solved(case, meshes[0], span=span)
+        ),
     )
     return compare_line(case, closed, trusses, tolerance=tolerance, name=name)
 
@@ -115,6 +122,11 @@ def compare_line(
     name: str = "",
 ) -> StaticComparison:
     """Hold solutions of the truss model against a closed form."""
+    remarks: list[str] = []
+    if closed.regime == "slack":
+        remarks.append(Several((Message(SLACK), Message("truss.bights"))))
+    if case.load is not None and case.load.fairlead_tension is not None:
+        remarks.append(Message("truss.tension_given"))
     return StaticComparison(
         name=name,
         kind="line",
@@ -122,7 +134,7 @@ def compare_line(
         meshes=tuple(Mesh.of(truss, [truss]) for truss in trusses),
         lines=(LinePair(closed, tuple(trusses)),),
         tolerance=tolerance,
-        remarks=tuple(_remarks(case, closed)),
+        remarks=tuple(remarks),
     )
 
 
@@ -181,17 +193,10 @@ class Comparing:
         """Compare a figure of both models, by its path where that is not its name."""
         read = attrgetter(path or quantity)
         theory = SLACK_ORDER if self.is_slack else ORDER
-        values = tuple(float(read(truss)) for truss in self.trusses)
-        return Compared(
-            quantity,
-            unit,
-            float(read(self.closed)),
-            values,
-            scale,
-            self.tolerance,
-            self.line,
-            theory=theory,
-        )
+        exact = float(read(self.closed))
+        fem = tuple(float(read(truss)) for truss in self.trusses)
+        tolerance, line = self.tolerance, self.line
+        return Compared(quantity, unit, exact, fem, scale, tolerance, line, theory=theory)
 
 
 def _quantities(
@@ -214,16 +219,8 @@ def _quantities(
             yield both.of(f"{end}_angle", "rad", scale, f"{end}.angle")
     yield both.of("grounded_length", "m", reach)
     if not both.is_slack:
-        distances, limit = largest_distances(closed, trusses)
-        length = case.line.length
-        yield Compared("shape", "m", 0.0, distances, length, tolerance, limit=limit)
-
-
-def _remarks(case: Case, closed: Solution) -> Iterator[str]:
-    if closed.regime == "slack":
-        yield Several((Message(SLACK), Message("truss.bights")))
-    if case.load is not None and case.load.fairlead_tension is not None:
-        yield Message("truss.tension_given")
+        found, limit = largest_distances(closed, trusses)
+        yield Compared("shape", "m", 0.0, found, case.line.length, tolerance, limit=limit)
 
 
 # ------------------------------------------------------------------ solving
@@ -271,11 +268,10 @@ def _grown(mesh: LineMesh, tension: Array) -> LineMesh:
     bars = []
     for k, length, T in zip(mesh.segment, mesh.length.tolist(), tension.tolist(), strict=True):
         own = mesh.line.segments[k]
-        table = own.EA
-        by_table = isinstance(table, StrainTable)
-        bars.append(
-            grown(own, length, *table.law(T, T)) if by_table else replace(own, length=length)
-        )
+        if isinstance(own.EA, StrainTable):
+            bars.append(grown(own, length, *own.EA.law(T, T)))
+        else:
+            bars.append(replace(own, length=length))
     arc = [0.0, *accumulate(bar.length for bar in bars)]
     loads = [replace(load, position=arc[node]) for load, node in mesh.loads]
     return LineMesh(Line(bars, loads), tuple(arc), (1,) * len(bars))
@@ -289,13 +285,6 @@ def _under_force(case: Case, mesh: LineMesh, H: float) -> TrussSolution:
         if H > abs(case.line.submerged_weight):
             raise
     return _solved(case, mesh, horizontal_force=H, start=_under_force(case, mesh, 2.0 * H))
-
-
-def _under_load(case: Case, mesh: LineMesh, closed: Solution) -> TrussSolution:
-    assert case.load is not None
-    if case.load.span is not None:
-        return _solved(case, mesh, span=case.load.span)
-    return _under_force(case, mesh, closed.horizontal_force)
 
 
 _LEAST_OFFSET = 0.01
@@ -351,13 +340,21 @@ def truss_legs(system: System, yaw: float) -> tuple[list[TrussLeg], float]:
     m: that of the first fairlead.
     """
     height = system.legs[0].fairlead_height
-    cosine, sine = math.cos(yaw), math.sin(yaw)
-    legs = []
-    for leg in system.legs:
-        x, y = leg.fairlead
-        arm = (cosine * x - sine * y, sine * x + cosine * y, leg.fairlead_height - height)
-        legs.append(TrussLeg(leg.line, (*leg.anchor, leg.anchor_height), arm))
+    legs = [
+        TrussLeg(
+            leg.line,
+            (*leg.anchor, leg.anchor_height),
+            (*turned(*leg.fairlead, yaw), leg.fairlead_height - height),
+        )
+        for leg in system.legs
+    ]
     return legs, height
+
+
+def turned(x: float, y: float, angle: float) -> tuple[float, float]:
+    """Turn a way in plan counter-clockwise by an angle, rad."""
+    cosine, sine = math.cos(angle), math.sin(angle)
+    return cosine * x - sine * y, sine * x + cosine * y
 
 
 def _system_remarks(system: System, closed: SystemSolution) -> Iterator[str]:
@@ -372,16 +369,27 @@ def _body(
     system: System, closed: SystemSolution, trusses: Sequence[TrussSystem], tolerance: float
 ) -> Iterator[Compared]:
     longest = max(leg.line.length for leg in system.legs)
-    scale = max(math.hypot(*closed.offset), _LEAST_OFFSET * longest)
-    exact = (closed.position.x, closed.position.y)
-    for axis, key in enumerate(("position_x", "position_y")):
-        values = tuple(truss.position[axis] for truss in trusses)
-        yield Compared(key, "m", exact[axis], values, scale, tolerance)
+    yield from compared_places(closed, longest, [each.position for each in trusses], tolerance)
     if system.turns:
         arm = max(leg.fairlead_radius for leg in system.legs)
         scale = arm * max(line.fairlead.tension for line in trusses[-1].lines)
         values = tuple(_moment(truss) for truss in trusses)
         yield Compared("moment_of_lines", "Nm", -system.moment, values, scale, tolerance)
+
+
+def compared_places(
+    closed: SystemSolution | BodyAtRest,
+    longest: float,
+    places: Sequence[Sequence[float]],
+    tolerance: float,
+    point: str = "",
+) -> Iterator[Compared]:
+    """Compare where a body is in plan; `longest`: of its lines, m; `places`: on each mesh."""
+    scale = max(math.hypot(*closed.offset), _LEAST_OFFSET * longest)
+    exact = (closed.position.x, closed.position.y)
+    for axis, key in enumerate(("position_x", "position_y")):
+        values = tuple(place[axis] for place in places)
+        yield Compared(key, "m", exact[axis], values, scale, tolerance, point=point)
 
 
 def _moment(truss: TrussSystem) -> float:

@@ -159,9 +159,8 @@ def _not_linear(case: Case) -> Iterator[Problem]:
     if motion is not None and not motion.rao_file:
         yield Problem("motion", "", Message("refused_motion.rao_file_wanted_or_no"))
     if motion is not None and motion.drift_file:
-        yield Problem(
-            "motion.drift_file", "", Message("refused_motion.leave_out_drift_mean_offset")
-        )
+        allowed = Message("refused_motion.leave_out_drift_mean_offset")
+        yield Problem("motion.drift_file", "", allowed)
     if case.anchor_motion is not None:
         yield Problem("anchor_motion", "", Message("refused_motion.leave_out_lower_end_held"))
     if case.floater is not None and case.floater.hull is not None:

@@ -18,7 +18,7 @@ from catopt.documents import MOST_BYTES_OF_DATA, read_text
 from catopt.errors import InputError, Problem
 from catopt.fem.series import Harmonic, Sampled
 from catopt.hydro.coefficient_files import wamit_rows
-from catopt.hydro.coefficients import FREEDOMS, Coefficients, Complex
+from catopt.hydro.coefficients import FREEDOMS, Coefficients
 from catopt.units import UNITS, Dimension, as_written
 from catopt.waves import CurrentSeries, ElevationRecord, Waves
 from catopt.words import Message
@@ -32,7 +32,7 @@ Units = Mapping[str, Mapping[str, float] | None]
 None: what stands in brackets is not read.
 """
 
-_MOTIONS = ("surge", "sway", "heave")
+_WAYS, _TURNS = FREEDOMS[:3], FREEDOMS[3:]
 _TIME, _LENGTH = UNITS[Dimension.TIME], UNITS[Dimension.LENGTH]
 _PLACE: Units = dict.fromkeys(("t", "x", "y", "z"))
 _FORCE: Units = {"t": _TIME, **dict.fromkeys(("fx", "fy", "fz"), UNITS[Dimension.FORCE])}
@@ -80,11 +80,19 @@ class Raos:
         )
 
 
+_LEFT_OUT = 0.01
+"""Part of the waves' energy beyond a table from which it is remarked on."""
+
+
 def energy_beyond(omega: Array, waves: Waves) -> float:
-    """Part of the waves' energy beyond the frequencies of a table, `omega`, rad/s, rising."""
+    """Part of the waves' energy beyond the frequencies of a table, `omega`, rad/s, rising.
+
+    0 where it is too little to be remarked on.
+    """
     energy = waves.amplitude**2
     outside = (waves.omega < omega[0]) | (waves.omega > omega[-1])
-    return float(energy[outside].sum() / energy.sum())
+    part = float(energy[outside].sum() / energy.sum())
+    return part if part > _LEFT_OUT else 0.0
 
 
 def read_motion(path: str, duration: float) -> Sampled:
@@ -148,9 +156,8 @@ def _record_of(path: str, key: str, times: Array, duration: float) -> Iterator[N
     length = float(times[-1] - times[0])
     if length < duration * (1.0 - 1e-9):
         wanted = Message("refused_motion.run_is_longer", duration=duration)
-        raise refused(
-            path, key, Message("refused_motion.s_from_first_row_last", length=length), wanted
-        )
+        found = Message("refused_motion.s_from_first_row_last", length=length)
+        raise refused(path, key, found, wanted)
 
 
 def read_raos(path: str) -> Raos:
@@ -160,22 +167,18 @@ def read_raos(path: str) -> Raos:
     a wave of 1 m), and ``surge_phase`` and so on (deg behind the crest over the fairlead). Raises
     InputError for a file that cannot be read, wrong headings or cells, or a period twice.
     """
-    phases = tuple(f"{each}_phase" for each in _MOTIONS)
-    known: Units = dict.fromkeys(("period", *_MOTIONS, *phases))
-    columns = read_columns(path, known, needed=("period",), some_of=_MOTIONS)
+    phases = tuple(f"{each}_phase" for each in _WAYS)
+    known: Units = dict.fromkeys(("period", *_WAYS, *phases))
+    columns = read_columns(path, known, needed=("period",), some_of=_WAYS)
     columns |= {each: np.radians(columns[each]) for each in phases if each in columns}
     period = columns["period"]
     if not (period > 0.0).all():
         raise refused(path, "period", f"{period.min():g} s", Message("refused_motion.above_0_s"))
     order = np.argsort(period)[::-1]
     if (np.diff(period[order]) == 0.0).any():
-        raise refused(
-            path,
-            "period",
-            Message("refused_motion.same_twice"),
-            Message("refused_motion.one_row_period"),
-        )
-    response = responses(columns, _MOTIONS, period.size)
+        wanted = Message("refused_motion.one_row_period")
+        raise refused(path, "period", Message("refused_motion.same_twice"), wanted)
+    response = responses(columns, _WAYS, period.size)
     return Raos(2.0 * math.pi / period[order], response[order])
 
 
@@ -208,12 +211,9 @@ def read_columns(
     if len(rows) < 2:
         raise refused(path, "rows", f"{len(rows)}", Message("refused_motion.headings_and_rows"))
     heads = [cell.split("(")[0].strip().casefold() for cell in rows[0][1]]
+    one_of = Message("refused.one_of", words=", ".join(known))
     problems = [
-        Problem(
-            "headings",
-            _shown(each) or Message("refused_file.an_empty_one"),
-            Message("refused.one_of", words=", ".join(known)),
-        )
+        Problem("headings", _shown(each) or Message("refused_file.an_empty_one"), one_of)
         for each in heads
         if each not in known
     ]
@@ -230,9 +230,8 @@ def read_columns(
     problems += wrong
     some = some_of or needed
     if not any(each in heads for each in some):
-        problems.append(
-            Problem("headings", "", Message("refused_motion.one_missing", some=", ".join(some)))
-        )
+        missing = Message("refused_motion.one_missing", some=", ".join(some))
+        problems.append(Problem("headings", "", missing))
     if problems:
         raise InputError(problems, path)
     values = np.full((len(rows) - 1, len(heads)), np.nan)
@@ -253,9 +252,8 @@ def _sizes(
         allowed = units.get(head)
         sizes.append(1.0 if allowed is None else _size(unit, allowed))
         if allowed is not None and math.isnan(sizes[-1]):
-            wanted = Message(
-                "refused_motion.unit_brackets_wanted_one", value=", ".join(filter(None, allowed))
-            )
+            names = ", ".join(filter(None, allowed))
+            wanted = Message("refused_motion.unit_brackets_wanted_one", value=names)
             if OF_TOTAL in allowed:
                 wanted = Message("refused_motion.total_part_wanted_brackets_1000")
             problems.append(Problem("headings", _shown(cell), wanted))
@@ -279,13 +277,8 @@ def lines_of(path: str) -> list[int]:
 
 def _fill(row: Array, line: int, cells: list[str], heads: list[str]) -> list[Problem]:
     if len(cells) != len(heads):
-        return [
-            Problem(
-                f"line {line}",
-                f"{len(cells)} cells",
-                Message("refused_motion.are_wanted", heads=len(heads)),
-            )
-        ]
+        wanted = Message("refused_motion.are_wanted", heads=len(heads))
+        return [Problem(f"line {line}", f"{len(cells)} cells", wanted)]
     problems = []
     for column, cell in enumerate(cells):
         try:
@@ -293,10 +286,8 @@ def _fill(row: Array, line: int, cells: list[str], heads: list[str]) -> list[Pro
         except ValueError:
             row[column] = math.nan
         if not math.isfinite(row[column]):
-            found = _shown(cell) or "an empty cell"
-            problems.append(
-                Problem(f"line {line}, {heads[column]}", found, Message("refused.number"))
-            )
+            where, found = f"line {line}, {heads[column]}", _shown(cell) or "an empty cell"
+            problems.append(Problem(where, found, Message("refused.number")))
     return problems
 
 
@@ -323,9 +314,8 @@ def _rows(path: str) -> list[tuple[int, list[str]]]:
             if line.strip() and not line.lstrip().startswith("#")
         ]
     except csv.Error as error:
-        raise refused(
-            path, "file", "", Message("refused_motion.no_table_of_numbers", error=error)
-        ) from None
+        allowed = Message("refused_motion.no_table_of_numbers", error=error)
+        raise refused(path, "file", "", allowed) from None
 
 
 def refused(path: str, key: str, found: str, allowed: str) -> InputError:
@@ -333,7 +323,6 @@ def refused(path: str, key: str, found: str, allowed: str) -> InputError:
     return InputError([Problem(key, found, allowed)], path)
 
 
-_WAYS, _TURNS = FREEDOMS[:3], FREEDOMS[3:]
 _ANGLES = {"deg": math.pi / 180.0, "rad": 1.0}
 _SAME = 1e-9
 
@@ -365,7 +354,7 @@ class VesselRaos:
         `point`: along the ship's x and y from the body's origin, and above the seabed, m. Raises
         InputError when the table has nothing around that heading.
         """
-        given = self._at(heading)
+        given = self.coefficients.at("response", self.omega, np.full(self.omega.size, heading))
         x, y, z = (a - b for a, b in zip(point, self.reference, strict=True))
         roll, pitch, yaw = given[:, 3], given[:, 4], given[:, 5]
         turned = np.column_stack([pitch * z - yaw * y, yaw * x - roll * z, roll * y - pitch * x])
@@ -376,11 +365,6 @@ class VesselRaos:
         """The same as coefficients."""
         answers = self.response.transpose(1, 0, 2)
         return Coefficients(self.omega, self.heading, response=answers, source=self.path)
-
-    def _at(self, heading: float) -> Complex:
-        """Response in a heading, as a complex number in proportion between two of the table."""
-        wanted = np.full(self.omega.size, heading)
-        return self.coefficients.at("response", self.omega, wanted)
 
 
 def read_vessel_raos(motion: Motion) -> VesselRaos:
@@ -416,26 +400,14 @@ def read_vessel_raos(motion: Motion) -> VesselRaos:
         rows.append(at[np.argsort(omega[at])])
     frequencies = [omega[at] for at in rows]
     if any((np.diff(each) == 0.0).any() for each in frequencies):
-        raise refused(
-            path,
-            "period",
-            Message("refused_motion.same_twice"),
-            Message("refused_motion.one_row_heading_period"),
-        )
+        wanted = Message("refused_motion.one_row_heading_period")
+        raise refused(path, "period", Message("refused_motion.same_twice"), wanted)
     if any(not np.array_equal(each, frequencies[0]) for each in frequencies):
-        raise refused(
-            path,
-            "period",
-            Message("refused_motion.others_some_heading"),
-            Message("refused_motion.every_heading_same"),
-        )
+        wanted = Message("refused_motion.every_heading_same")
+        raise refused(path, "period", Message("refused_motion.others_some_heading"), wanted)
     if headings[-1] - headings[0] > 2.0 * math.pi * (1.0 + _SAME):
-        raise refused(
-            path,
-            "heading",
-            Message("refused_motion.more_than_full_turn"),
-            Message("refused_motion.full_turn_at_most"),
-        )
+        wanted = Message("refused_motion.full_turn_at_most")
+        raise refused(path, "heading", Message("refused_motion.more_than_full_turn"), wanted)
     laid = np.array([response[at] for at in rows], dtype=np.complex128)
     reference = motion.rao_reference
     crest = motion.rao_crest or reference[:2]
@@ -485,10 +457,9 @@ def read_wamit(motion: Motion) -> dict[str, Array]:
     known = ~np.isnan(size).all(axis=0)  # of a ship with fewer freedoms, the others are still
     for (per, beta), k in place.items():
         for freedom in np.flatnonzero(np.isnan(size[k]) & known).tolist():
-            found = f"PER {per:g}, BETA {beta:g}, I {freedom + 1}"
-            problems.append(
-                Problem(found, "", Message("refused_motion.missing_there_at_other_periods"))
-            )
+            state = f"PER {per:g}, BETA {beta:g}, I {freedom + 1}"
+            wanted = Message("refused_motion.missing_there_at_other_periods")
+            problems.append(Problem(state, "", wanted))
     if problems:
         raise InputError(problems[:SHOWN], path)
     columns = {

@@ -164,8 +164,7 @@ def dynamic_sentences(part: DynamicPart) -> list[str]:
 
 def motion_sentences(part: DynamicPart) -> list[str]:
     """Say what the motion does to the line: amplification, most probable maximum, slack."""
-    largest = part.of("fairlead_tension").maximum
-    reached = Measure("tension", largest)
+    reached = Measure("tension", part.of("fairlead_tension").maximum)
     reported = Message("motion.reaches", tension=reached)
     if part.dynamic_amplification is not None and part.quasi_static_max is not None:
         still = Measure("tension", part.quasi_static_max)

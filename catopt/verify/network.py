@@ -8,12 +8,7 @@ from dataclasses import dataclass, replace
 
 from catopt.errors import InputError, Problem
 from catopt.fem import mesh_line
-from catopt.fem.network import (
-    LineEnd,
-    MeetingPoint,
-    NetworkSolution,
-    solve_network,
-)
+from catopt.fem.network import LineEnd, MeetingPoint, NetworkSolution, solve_network
 from catopt.fem.result import TrussSolution, part_of
 from catopt.model.network import Network, joined
 from catopt.mooring.chains import Row, in_rows, rows_of
@@ -21,12 +16,9 @@ from catopt.mooring.held import at_rest
 from catopt.mooring.joints import Moored, Run, moored, runs_of
 from catopt.mooring.network_rest import BodyAtRest, LinesAtRest
 from catopt.verify.compared import ORDER, Compared
-from catopt.verify.line import SLACK, SLACK_ORDER, Comparing, bends, on_meshes
+from catopt.verify.line import SLACK, SLACK_ORDER, Comparing, bends, compared_places, on_meshes
 from catopt.verify.result import LinePair, Mesh, StaticComparison
 from catopt.words import Message
-
-_LEAST_OFFSET = 0.01
-"""Offset by which positions are measured at least, over the length of the longest line."""
 
 
 @dataclass(frozen=True)
@@ -141,14 +133,9 @@ def _points(
     for body, rest in zip(moored(whole, 0), closed.bodies, strict=True):
         for k, arm in body.turned(rest.position.yaw).items():
             at[k] = LineEnd(arm, len(points))
-        given = body.body
-        points.append(MeetingPoint((*_in_plan(given.force), 0.0), (given.x, given.y, 0.0)))
+        given, (along, across) = body.body, body.body.force
+        points.append(MeetingPoint((along, across, 0.0), (given.x, given.y, 0.0)))
     return points, [(at[run.first], at[run.second]) for run in runs]
-
-
-def _in_plan(force: Sequence[float]) -> tuple[float, float]:
-    along, across = force
-    return along, across
 
 
 def _beside_slack(closed: LinesAtRest, compared: Sequence[Comparing]) -> list[Comparing]:
@@ -234,16 +221,9 @@ def _joints(
                 values = tuple(truss.places[p][axis] for truss in trusses)
             else:
                 values = tuple(float(truss.nodes[end, axis]) for truss in both.trusses)
-            yield Compared(
-                f"place_{'xyz'[axis]}",
-                "m",
-                closed.joints.places[number][axis],
-                values,
-                scale,
-                tolerance,
-                theory=theory,
-                point=point.name,
-            )
+            key, exact = f"place_{'xyz'[axis]}", closed.joints.places[number][axis]
+            own = point.name
+            yield Compared(key, "m", exact, values, scale, tolerance, theory=theory, point=own)
 
 
 def _bodies(
@@ -259,13 +239,8 @@ def _bodies(
     for number, (rest, body) in enumerate(zip(closed.bodies, moored(whole, 0), strict=True)):
         if loose & body.arms.keys():
             continue
-        scale = max(math.hypot(*rest.offset), _LEAST_OFFSET * longest)
         places = [truss.places[first + number] for truss in trusses]
-        exact = (rest.position.x, rest.position.y)
-        for axis, key in enumerate(("position_x", "position_y")):
-            values = tuple(place[axis] for place in places)
-            own = rest.body.name
-            yield Compared(key, "m", exact[axis], values, scale, tolerance, point=own)
+        yield from compared_places(rest, longest, places, tolerance, rest.body.name)
         if rest.turns:
             yield _moment(rest, body, closed, places, lines, tolerance)
 
@@ -297,16 +272,8 @@ def _moment(
                     total += force.horizontal_force * turning / size
                     strongest = max(strongest, force.tension)
         values.append(total)
-    scale = body.arm * strongest
-    return Compared(
-        "moment_of_lines",
-        "Nm",
-        -rest.body.moment,
-        tuple(values),
-        scale,
-        tolerance,
-        point=rest.body.name,
-    )
+    exact, scale, own = -rest.body.moment, body.arm * strongest, rest.body.name
+    return Compared("moment_of_lines", "Nm", exact, tuple(values), scale, tolerance, point=own)
 
 
 def _line(both: Comparing, *, is_loose: bool) -> Iterator[Compared]:

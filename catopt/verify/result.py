@@ -38,7 +38,6 @@ Verdict = Literal["agrees", "differs", "not resolved", "not compared"]
 VERDICTS: tuple[Verdict, ...] = ("differs", "not resolved", "agrees")
 """From the one that outweighs all others."""
 
-
 _AT_JOINT = 1e-12
 """How far below a joint, over the line's length, a place counts as above it."""
 
@@ -140,14 +139,14 @@ class LinePair:
 
     def gaps(self) -> list[Gap]:
         """Compare place and tension with the closed form along the line, for each mesh."""
-        return [self._gap(truss) for truss in self.trusses]
-
-    def _gap(self, truss: TrussSolution) -> Gap:
-        exact = closed_form_at(self.closed, truss.arc)
-        middles = 0.5 * (truss.arc[1:] + truss.arc[:-1])
-        tension = closed_form_at(self.closed, middles)[:, 2]
-        distance = np.linalg.norm(flat(truss) - exact[:, :2], axis=1)
-        return Gap(truss.arc, distance, middles, np.abs(truss.tension - tension))
+        found = []
+        for truss in self.trusses:
+            exact = closed_form_at(self.closed, truss.arc)
+            middles = 0.5 * (truss.arc[1:] + truss.arc[:-1])
+            tension = closed_form_at(self.closed, middles)[:, 2]
+            distance = np.linalg.norm(flat(truss) - exact[:, :2], axis=1)
+            found.append(Gap(truss.arc, distance, middles, np.abs(truss.tension - tension)))
+        return found
 
 
 class PointValues(TypedDict):
@@ -229,7 +228,7 @@ class StaticComparison(Record):
 
     DOCUMENT = (
         "name=load_case kind verdict tolerance closed_form fem difference "
-        "worst(quantity line+1 named_point=point? unit gap) meshes quantities remarks"
+        "worst(quantity line+1 point? unit gap) meshes quantities remarks"
     )
 
     name: str

@@ -227,8 +227,6 @@ _WIDE: Final = 0.2
 """Breadth over the wave length above which a hull changes the waves."""
 _CYCLES: Final = 50
 """Slow cycles from which a deviation is known to some 10 %."""
-_LEFT_OUT: Final = 0.01
-"""Part of the waves' energy beyond a table of RAOs from which it is remarked on."""
 
 
 def remarks_of(case: Case, moored: MooredShip, sea: Sea, rest: ShipAtRest) -> Iterator[Message]:
@@ -293,8 +291,7 @@ def _of_waves(moored: MooredShip, waves: Waves) -> Iterator[Message]:
     if k * ship.depth < 0.5 * math.pi:
         yield Message("floater.shallow_drift", depth=ship.depth, length=length)
     if moored.response is not None:
-        beyond = energy_beyond(moored.response.omega, waves)
-        if beyond > _LEFT_OUT:
+        if beyond := energy_beyond(moored.response.omega, waves):
             yield Message("floater.beyond_raos", part=beyond)
         return
     yield Message("floater.closed_raos")

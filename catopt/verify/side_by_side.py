@@ -62,9 +62,6 @@ class Effort:
         """Of the samples."""
         return self.samples * self.lines * self.runs * BYTES_PER_SAMPLE
 
-    def __str__(self) -> str:
-        return self.words
-
     @property
     def words(self) -> Message:
         """What is to be run, how long it takes and what it keeps."""
@@ -182,7 +179,10 @@ class Crew:
         it, after all others were stopped, or when a process ended on its own.
         """
         if self._pool is None:
-            return _in_turn(task, count, progress)
+            finished: list[T] = []
+            with suppress(KeyboardInterrupt):
+                finished.extend(task(k, share_of(progress, k, count)) for k in range(count))
+            return finished
         reached = [0.0] * count
         futures: list[Future[T]] = []
         try:
@@ -214,13 +214,6 @@ class Crew:
 
 def silent(*_: int) -> None:
     """Tell nobody how far it is."""
-
-
-def _in_turn(task: Callable[[int, Progress], T], count: int, progress: Progress) -> list[T]:
-    done: list[T] = []
-    with suppress(KeyboardInterrupt):
-        done.extend(task(number, share_of(progress, number, count)) for number in range(count))
-    return done
 
 
 def share_of(progress: Progress | None, done: int, total: int, part: int = 1) -> Progress:

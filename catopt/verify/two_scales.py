@@ -16,20 +16,20 @@ from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
 from catopt.checks.criteria import Criteria, criteria_of, motion_profile
 from catopt.checks.evaluation import evaluate, of_criteria
-from catopt.checks.kinds import Criterion, Place, State
+from catopt.checks.kinds import Criterion, Place
 from catopt.checks.profiles import profiles_of
 from catopt.checks.result import CheckReport, CheckResult
-from catopt.checks.system import for_line_out, lost_results, of_line_out, state_words
+from catopt.checks.system import (
+    for_line_out,
+    lost_results,
+    of_line_out,
+    state_words,
+    strengths_of_lines,
+)
 from catopt.errors import InputError, NoAnswerError, Problem
 from catopt.fem.extremes import weibull_tail
 from catopt.floater.ship import ShipInWeather
-from catopt.floater.two_scales import (
-    MooredShip,
-    ShipAtRest,
-    ShipHistory,
-    sample_step,
-    scales_of,
-)
+from catopt.floater.two_scales import MooredShip, ShipAtRest, ShipHistory, sample_step, scales_of
 from catopt.model import Case, System
 from catopt.model.dynamics import Dynamics
 from catopt.mooring.zero_load import zero_load_position
@@ -115,14 +115,13 @@ def verify_ship(
     moored, drive = moored_ship(case, ship)
     dynamics, legs = drive.dynamics, moored.system.legs
     criteria, damaged = _criteria(case), _line_out_criteria(case)
-    for line in {leg.line for leg in legs}:
-        criteria.strengths(line, {"extreme"}, _states(damaged))
+    strengths_of_lines(criteria, legs, damaged)  # refuses what is not known
     rest = moored.at_rest(_waves(drive, 0))
     missing, needless = _losses(moored, rest) if damaged else ((), ())
     tell = _counted(progress, dynamics.runs * (1 + len(missing)))
     histories = _histories(moored, drive, tell)
     lines = tuple(_lines(moored, range(1, len(legs) + 1), histories, dynamics))
-    lost = tuple(_without(case, moored, drive, number, tell) for number in missing)
+    lost = tuple(_without(moored, drive, number, tell) for number in missing)
     asked = case.system is not None and case.system.judged_line_out
     remarks = (
         *judged_by_words(lines, dynamics),
@@ -135,7 +134,7 @@ def verify_ship(
             else (Message("checks.line_out_not_asked"),)
         ),
     )
-    hanging = hang_judged(case, lines, moored)
+    hanging = hang_judged(lines, moored)
     checks, directions = check_hanging(case, hanging, lost), _waves(drive, 0).direction
     return ShipVerification(
         case, moored, rest, histories, lines, hanging, checks, remarks, directions, lost
@@ -184,11 +183,11 @@ def run_without(
 ) -> tuple[ShipWithoutLine, MooredShip]:
     """Run the ship of a case without one of its lines, from 1, alone; as `verify_ship`."""
     moored, drive = moored_ship(case, ship)
-    return _without(case, moored, drive, number, _counted(None, 0)), moored
+    return _without(moored, drive, number, _counted(None, 0)), moored
 
 
 def _without(
-    case: Case, moored: MooredShip, drive: Excitation, number: int, tell: Callable[[], None]
+    moored: MooredShip, drive: Excitation, number: int, tell: Callable[[], None]
 ) -> ShipWithoutLine:
     left = replace(moored, system=moored.system.without([number - 1]))
     numbers = [each for each in range(1, len(moored.system.legs) + 1) if each != number]
@@ -196,7 +195,7 @@ def _without(
     try:
         histories = _histories(left, drive, tell)
         lines = tuple(_lines(left, numbers, histories, drive.dynamics))
-        hanging = hang_judged(case, lines, left)
+        hanging = hang_judged(lines, left)
     except NoAnswerError as error:
         return ShipWithoutLine(number, refusal=error.args[0])
     offset = offset_of(histories, (neutral.x, neutral.y), storm)
@@ -232,10 +231,6 @@ def _line_out_criteria(case: Case) -> tuple[Criterion, ...]:
     return for_line_out(_criteria(case), len(case.system.legs))
 
 
-def _states(damaged: tuple[Criterion, ...]) -> tuple[State, ...]:
-    return ("intact", "one_line_out") if damaged else ("intact",)
-
-
 def _of_losses(lost: tuple[ShipWithoutLine, ...], needless: tuple[int, ...]) -> Iterator[Message]:
     """Yield what was run with a line out, and what was not."""
     if lost:
@@ -261,9 +256,8 @@ def moored_ship(case: Case, ship: ShipInWeather | None = None) -> tuple[MooredSh
     floater, of, current = case.floater, case.floater.ship, case.current
     if current is not None and current.series_file:
         allowed = Message("refused_case.ship_steady_current")
-        raise InputError(
-            [Problem("current.series_file", current.series_file, allowed)], "--dynamic"
-        )
+        problem = Problem("current.series_file", current.series_file, allowed)
+        raise InputError([problem], "--dynamic")
     drive = read_drive(case)
     if ship is not None and drive.vessel is None:
         return MooredShip(case.system, ship), drive
@@ -299,17 +293,13 @@ def _criteria(case: Case) -> Criteria:
     return criteria_of(replace(case, checks=replace(own, motion_code=None)))
 
 
-def hang_judged(
-    case: Case, lines: tuple[LineOfShip, ...], moored: MooredShip
-) -> tuple[Solution, ...]:
+def hang_judged(lines: tuple[LineOfShip, ...], moored: MooredShip) -> tuple[Solution, ...]:
     """Hang each line under the tension at its fairlead that it is judged by."""
-    assert case.dynamics is not None
-    by = case.dynamics.judged_by
     return tuple(
         solve(
             leg.line,
             height=leg.fairlead_height,
-            fairlead_tension=each.judged(by),
+            fairlead_tension=each.judged_tension,
             seabed_friction=moored.system.seabed_friction,
             anchor_height=leg.anchor_height,
         )
@@ -328,10 +318,7 @@ def check_hanging(
     legs, criteria, damaged = case.system.legs, _criteria(case), _line_out_criteria(case)
     results: list[CheckResult] = []
     reported: list[str] = []
-    known = {
-        line: criteria.strengths(line, {"extreme"}, _states(damaged))
-        for line in {leg.line for leg in legs}
-    }
+    known = strengths_of_lines(criteria, legs, damaged)
 
     def check(place: Place, numbers: Sequence[int], solutions: tuple[Solution, ...]) -> None:
         for number, solution in zip(numbers, solutions, strict=True):
