@@ -477,17 +477,24 @@ _ON_CARD = 3
 
 def ship_answer(found: ShipVerification) -> blocks.Answer:
     """Lay out a ship in motion: where it goes, what its lines carry, and on what that rests."""
-    remarks = tuple(found.remarks)
+    remarks, dynamics = tuple(found.remarks), found.case.dynamics
+    assert dynamics is not None
+    rule = Message(
+        "floater.rule",
+        count=len(found.runs),
+        time=lasting(dynamics.duration),
+        storm=lasting(dynamics.duration_of_interest),
+    )
     whole = answered(
         "ship",
         found.case.title or Message("captions.moored_body"),
         section(
             "captions.motion",
-            *_means(found),
+            _mean_weather(found),
             _body(found),
             _lines(found),
             *_lines_out(found),
-            _rule(found),
+            blocks.Text(rule, is_small=True),
         ),
         section("captions.checks_in_motion", *checks_in_motion(found.checks)),
         section("captions.remarks", blocks.Points(remarks)),
@@ -497,35 +504,18 @@ def ship_answer(found: ShipVerification) -> blocks.Answer:
 
 def _card(found: ShipVerification) -> Iterator[blocks.CardBlock]:
     yield from verdict_blocks(found.checks)
-    yield from _means(found)
+    yield _mean_weather(found)
     yield _body(found)
     yield _lines(found, most=_ON_CARD)
     yield from _hardest_out(found)
     yield blocks.Brief(tuple(found.remarks), blocks.TO_BE_KNOWN, 4)
 
 
-def _means(found: ShipVerification) -> Iterator[blocks.Text]:
+def _mean_weather(found: ShipVerification) -> blocks.Text:
     """Say what the mean weather is and where the ship lies in it."""
-    rest = found.rest
-    x, y = rest.force
-    values = {
-        "x": blocks.about("horizontal_force", x),
-        "y": blocks.about("horizontal_force", y),
-        "yaw": blocks.about("angle", found.heading),
-    }
-    yield blocks.Text(Message("floater.mean_weather", **values))
-
-
-def _rule(found: ShipVerification) -> blocks.Text:
-    dynamics = found.case.dynamics
-    assert dynamics is not None
-    said = Message(
-        "floater.rule",
-        count=len(found.runs),
-        time=lasting(dynamics.duration),
-        storm=lasting(dynamics.duration_of_interest),
-    )
-    return blocks.Text(said, is_small=True)
+    x, y = (blocks.about("horizontal_force", each) for each in found.rest.force)
+    yaw = blocks.about("angle", found.heading)
+    return blocks.Text(Message("floater.mean_weather", x=x, y=y, yaw=yaw))
 
 
 def _body(found: ShipVerification) -> blocks.Table:
