@@ -57,7 +57,6 @@ if TYPE_CHECKING:
     from catopt.mooring.solution import SystemSolution
     from catopt.notes.line import SizeNote
     from catopt.sizing import Sizing
-    from catopt.sizing.pattern import Pattern
     from catopt.sizing.settle import LoadsAt
 
 _DIGITS = 5
@@ -69,10 +68,13 @@ _section = partial(section, group="note_size")
 
 def size_note_answer(note: SizeNote) -> blocks.Answer:
     """Lay out the note of a sizing."""
-    line = note.line
+    line, of = note.line, note.sizing
+    analysis = "" if of.in_motion is None else Message(f"note_size.analysis_{of.kind}")
+    # Above that of the depth; load cases have theirs with the draught, too.
+    levels = [each.depth - of.case.site.water_depth for each in of.settled.posed.loads]
     sections = (
         *_opening(note),
-        basis_section(note.sheet, *_combined(note), _levels(note), analysis=_analysis(note)),
+        basis_section(note.sheet, *_combined(of), levels, analysis=analysis),
         _section("in_motion", _in_motion(note)),
         *of_the_line(line, "checks", "load_cases"),
         _section("identity", _identity(note)),
@@ -104,7 +106,11 @@ def _opening(note: SizeNote) -> Iterator[Section]:
         _recommendation(note),
         sized.motion_sentence(of),
         *((Sentence(of.practice, capital=True),) if of.practice else ()),
-        drawing=_drawn(of),
+        drawing=(
+            Text(Message("note.line_scale")),
+            Figure(elevation(of, failing_checks(of.point.checks))),
+            Figure(swing_circle(of)),
+        ),
         force=(Message("note_size.identity_force"), "horizontal_force", force),
         reach=(Message("note_size.identity_radius"), "length", of.swing.total),
         tension=of.largest_tension,
@@ -129,13 +135,6 @@ def _in_storm(of: Sizing) -> Iterator[Number]:
         yield Message("note_size.used_in_motion"), "safety_factor", worst.utilisation
 
 
-def _analysis(note: SizeNote) -> str:
-    """Say of what lines the answer is: at rest alone, or run with what floats."""
-    if note.sizing.in_motion is None:
-        return ""
-    return Message(f"note_size.analysis_{note.sizing.kind}")
-
-
 def _in_motion(note: SizeNote) -> Iterator[Block]:
     """Say how lines were run, and check the recommended one in motion."""
     of = note.sizing.in_motion
@@ -148,27 +147,14 @@ def _in_motion(note: SizeNote) -> Iterator[Block]:
         yield blocks.Warnings(of.checks.warnings)
 
 
-def _drawn(of: Sizing) -> Iterator[Block]:
-    """Draw the line with what it holds, and how far that swings, side by side."""
-    yield Text(Message("note.line_scale"))
-    yield Figure(elevation(of, failing_checks(of.point.checks)))
-    yield Figure(swing_circle(of))
-
-
-def _combined(note: SizeNote) -> tuple[str, str]:
+def _combined(of: Sizing) -> tuple[str, str]:
     """Say how the loads are combined, and how often they return, where that is known."""
-    has_parts = any(each.parts for each in note.sizing.settled.posed.loads)
-    years = {each.of.name: each.value for each in note.sizing.inputs}.get("return_period")
+    has_parts = any(each.parts for each in of.settled.posed.loads)
+    years = {each.of.name: each.value for each in of.inputs}.get("return_period")
     combined = Message("note_sheet.combined_at_once") if has_parts else ""
     if not isinstance(years, float):
         return combined, ""
     return combined, Message("note_sheet.return_period_is", years=years / YEAR)
-
-
-def _levels(note: SizeNote) -> tuple[float, ...]:
-    """Water levels above that of the depth, m; those of load cases go with the draught, too."""
-    still = note.sheet.case.site.water_depth
-    return tuple(each.depth - still for each in note.sizing.settled.posed.loads)
 
 
 def _identity(note: SizeNote) -> Iterator[Block]:
@@ -179,9 +165,8 @@ def _identity(note: SizeNote) -> Iterator[Block]:
     ]
     yield blocks.Points(tuple(governs), Message("note_size.identity_governs"))
     table = sized.summary_table(note.sizing)
-    yield replace(
-        table, columns=tuple(replace(each, only="all") for each in table.columns), shown=None
-    )
+    columns = tuple(replace(each, only="all") for each in table.columns)
+    yield replace(table, columns=columns, shown=None)
 
 
 def _recommendation(note: SizeNote) -> Message:
@@ -226,20 +211,15 @@ def _loads(note: SizeNote) -> Iterator[Block]:
         }
         yield Text(Message("note_size.loads_assumed", rounds=settled.rounds, **values))
     yield _sums(note)
-    common = _common(cases)
+    # What is assumed in every load case is said once.
+    said = [dict.fromkeys(text for part in at.parts for text in part.assumptions) for at in cases]
+    common = [text for text in said[0] if all(text in of_case for of_case in said)]
     for at in cases:
         for part in at.parts:
             yield from _part(at, part, common)
     yield blocks.Points(tuple(common), Message("note_size.loads_common"))
     if has_parts:
         yield small("note_size.loads_legend")
-
-
-def _common(cases: Sequence[LoadsAt]) -> list[str]:
-    """List what is assumed in every load case: it is said once."""
-    assumed = [[text for part in each.parts for text in part.assumptions] for each in cases]
-    first = dict.fromkeys(assumed[0])
-    return [text for text in first if all(text in texts for texts in assumed)]
 
 
 def _sums(note: SizeNote) -> Table:
@@ -390,10 +370,13 @@ def _pattern(note: SizeNote) -> Iterator[Block]:
     of, around = note.sizing.pattern, note.around
     if of is None or around is None:
         return
-    radius = Measure("length", of.anchor_radius)
-    pretension = Measure("horizontal_force", of.pretension)
-    values = {"lines": of.lines, "radius": radius, "pretension": pretension}
-    yield Text(Message("note_size.pattern_about", **values))
+    about = Message(
+        "note_size.pattern_about",
+        lines=of.lines,
+        radius=Measure("length", of.anchor_radius),
+        pretension=Measure("horizontal_force", of.pretension),
+    )
+    yield Text(about)
     table = sized.pattern_table(of)
     pull = replace(table.columns[-1], name=Message("note_size.pattern_pull"))
     yield replace(
@@ -402,26 +385,20 @@ def _pattern(note: SizeNote) -> Iterator[Block]:
         caption=Message("note_size.pattern_states"),
         marked=of.states.index(of.hardest),
     )
-    yield from _rule(of)
+    hardest = of.hardest
+    if hardest.rule_force is not None:  # that of practice beside the equilibrium
+        values = {
+            "force": Measure("horizontal_force", hardest.force),
+            "rule": Measure("horizontal_force", hardest.rule_force),
+            "found": Measure("horizontal_force", hardest.line_force),
+            "ratio": f"{hardest.line_force / hardest.rule_force:.3f}",
+        }
+        yield Text(Message("note_size.pattern_rule", lines=of.lines, **values))
     yield sized.without_line_table(note.sizing)
     yield from (*plan_blocks(around), *near_blocks(around))
     yield _lines(around, of.hardest.load_case)
     force = f"{around.residual.force:.1e} N"
     yield small("note_size.pattern_residual", force=force)
-
-
-def _rule(of: Pattern) -> Iterator[Text]:
-    """Put the rule of practice beside the equilibrium."""
-    hardest = of.hardest
-    rule = hardest.rule_force
-    if rule is not None:
-        values = {
-            "force": Measure("horizontal_force", hardest.force),
-            "rule": Measure("horizontal_force", rule),
-            "found": Measure("horizontal_force", hardest.line_force),
-            "ratio": f"{hardest.line_force / rule:.3f}",
-        }
-        yield Text(Message("note_size.pattern_rule", lines=of.lines, **values))
 
 
 def _lines(of: SystemSolution, load_case: str) -> Table:
