@@ -274,9 +274,10 @@ def _of_files(of: Rows) -> Iterator[blocks.Column]:
         yield of.texts("layout", lambda point: Several(layout_words(point)), **only)
         yield of.texts("farthest_in", "mooring.state", **only)
     tightest = Rows(tightest_checks(each) for each in of.read("checks"))
-    for kind in (kind for kind in QUANTITY_OF if any(kind in each for each in tightest.rows)):
+    for kind in QUANTITY_OF:
         checks = Rows(tightest.read(methodcaller("get", kind)))
-        yield checks.measured("utilisation", "utilisation", f"{kind}_utilisation", **only)
+        if any(checks.rows):
+            yield checks.measured("utilisation", "utilisation", f"{kind}_utilisation", **only)
     yield of.texts("governing_check", "checks.nearest", **only)
 
 

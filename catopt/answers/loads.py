@@ -34,6 +34,12 @@ def loads_answer(of: Loads, *others: Loads, lyings: Sequence[ShipHeading] = ()) 
     """
     every = (of, *others)
     how = Several(map(_explained, _components(every)), "\n")
+    kinds = {
+        "assumption": [said for each in every for said in each.assumptions],
+        "warning": [said for each in every for said in each.warnings],
+        "recalled (R)": [name for each in every for name in each.recalled],
+    }
+    words = ((term(kind), said) for kind, listed in kinds.items() for said in listed)
     whole = answered(
         "loads",
         of.title,
@@ -44,7 +50,7 @@ def loads_answer(of: Loads, *others: Loads, lyings: Sequence[ShipHeading] = ()) 
             blocks.Text(how, Message("loads.how"), "people"),
         ),
         section("columns.numbers", numbers_table(*every)),
-        section("terms.notes", _notes_table(every), *_notes(every)),
+        section("terms.notes", notes_table(words), *_notes(every)),
     )
     return replace(whole, card=tuple(_card(whole, every)))
 
@@ -148,15 +154,6 @@ def numbers_table(*by: Loads) -> blocks.Table:
 def _components(by: Iterable[Loads]) -> Iterable[LoadComponent]:
     """List the forces; what methods have in common, once."""
     return dict.fromkeys(each for of in by for each in of.components)
-
-
-def _notes_table(by: Sequence[Loads]) -> blocks.Table:
-    kinds = {
-        "assumption": [said for of in by for said in of.assumptions],
-        "warning": [said for of in by for said in of.warnings],
-        "recalled (R)": [name for of in by for name in of.recalled],
-    }
-    return notes_table((term(kind), said) for kind, every in kinds.items() for said in every)
 
 
 def notes_table(rows: Iterable[tuple[str, str]]) -> blocks.Table:
