@@ -73,11 +73,10 @@ def _card(whole: blocks.Answer, every: Sequence[Loads]) -> Iterator[blocks.CardB
     yield forces_table(*every)
     notes = list(_notes(every))
     for each in reversed(notes):
-        if isinstance(each, blocks.Warnings) and each.said:
-            yield blocks.Brief(each.said, blocks.TO_BE_KNOWN, 3)
-    assumed = tuple(each.said for each in notes if isinstance(each, blocks.Text))
-    if assumed:
-        yield blocks.Brief(assumed, Message("answers.card_assumed"), 3)
+        if isinstance(each, blocks.Warnings):
+            yield from blocks.briefly(each.said, blocks.TO_BE_KNOWN, 3)
+    assumed = (each.said for each in notes if isinstance(each, blocks.Text))
+    yield from blocks.briefly(assumed, Message("answers.card_assumed"), 3)
 
 
 def _headings(of: Loads, lyings: Sequence[ShipHeading]) -> Iterator[blocks.Section]:

@@ -103,9 +103,8 @@ def _card(
     yield replace(carried, columns=tuple(once))
     if solution.point_loads and not with_profile:
         yield point_loads_table(solution)
-    others = tuple(each for each in solution.warnings if each not in parting)
-    if others:
-        yield blocks.Brief(others, blocks.TO_BE_KNOWN, 3)
+    others = (each for each in solution.warnings if each not in parting)
+    yield from blocks.briefly(others, blocks.TO_BE_KNOWN, 3)
     if solution.found is not None:
         sought = Message("captions.found_for", condition=solution.found.condition)
         yield blocks.Brief((sought,))

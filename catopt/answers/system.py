@@ -88,8 +88,8 @@ def _card(report: SystemReport, checks: CheckReport, solved: Message) -> Iterato
     yield from asked
     yield from (lines, body) if asked else (body, lines)
     for block in _closing(report, checks):
-        if isinstance(block, blocks.Warnings) and block.said:
-            yield blocks.Brief(block.said, blocks.TO_BE_KNOWN, 3)
+        if isinstance(block, blocks.Warnings):
+            yield from blocks.briefly(block.said, blocks.TO_BE_KNOWN, 3)
     yield blocks.Brief((solved,))
 
 
@@ -372,7 +372,7 @@ def network_answer(
         meeting_table(rest, "lines", checks),
         *([bodies_table(rest)] if rest.bodies else []),
         joints_table(rest, "joints"),
-        *([blocks.Brief(checks.warnings, blocks.TO_BE_KNOWN, 3)] if checks.warnings else []),
+        *blocks.briefly(checks.warnings, blocks.TO_BE_KNOWN, 3),
         blocks.Brief((solved,)),
     )
     return replace(whole, card=card)
