@@ -515,12 +515,10 @@ def _found_components(found: Found) -> blocks.Table:
     )
 
 
-def _of_strength(component: object) -> str:
+def _of_strength(component: Component) -> str:
     """Name the confidence and the sources of the MBL."""
-    origin = component.provenance.get("MBL")  # type: ignore[attr-defined]
-    if origin is None:
-        return "-"
-    return f"{origin.confidence}: {keys(origin.sources)}"
+    origin = component.provenance.get("MBL")
+    return f"{origin.confidence}: {keys(origin.sources)}" if origin else "-"
 
 
 def _anchors(found: Found) -> Iterator[blocks.Block]:

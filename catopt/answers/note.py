@@ -211,7 +211,7 @@ def inputs_table(origin: Origin) -> Table:
 
 
 def components(case: Case, line: Line) -> Iterator[Block]:
-    """Tabulate the parts of a line, and what the catalogue says of those of its case."""
+    """Tabulate the parts of a line, and where each figure of those of its case comes from."""
     segments, *loads = given_tables(line)
     known = [each for each in segments.columns if any(each.values)]
     own = blocks.if_known(*Rows(line.segments).own("nominal_diameter", "proof_load"))
@@ -220,8 +220,12 @@ def components(case: Case, line: Line) -> Iterator[Block]:
     if any(not each.component for each in line.segments):
         yield small("note.components_own")
     parts = list(_looked_up(case))
+    names = ("quantity", "value", "formula", "confidence", "source")
+    for segment, component in parts:
+        shown = (key for key in _SHOWN if key in component.provenance)
+        rows = (_figure(key, segment, component) for key in shown)
+        yield from_rows("component", names, rows, Cited(component.name))
     if parts:
-        yield from (_provenance(*part) for part in parts)
         yield small("note.components_legend")
         yield _sources(component for _, component in parts)
 
@@ -253,14 +257,6 @@ def _looked_up(case: Case) -> Iterator[tuple[Segment, Component]]:
             seen.add(key)
             catalogue = chosen(case.catalogue, case.site.water_density)
             yield segment, catalogue.component(segment.component, segment.nominal_diameter)
-
-
-def _provenance(segment: Segment, component: Component) -> Table:
-    """Tabulate where each figure of a component comes from."""
-    shown = (key for key in _SHOWN if key in component.provenance)
-    names = ("quantity", "value", "formula", "confidence", "source")
-    rows = (_figure(key, segment, component) for key in shown)
-    return from_rows("component", names, rows, Cited(component.name))
 
 
 def _figure(key: str, segment: Segment, component: Component) -> Sequence[Cell]:

@@ -311,19 +311,19 @@ def motion_blocks(note: Note) -> Iterator[Block]:
     yield _statistics(part, solution)
     yield _uses(moved, index)
     balance = part.governing.history.balance
-    listed: list[tuple[str, float | None, Quantity]] = [
-        ("note_motion.anywhere", part.max_tension, FORCE),
-        ("note_motion.still_max", part.quasi_static_max, FORCE),
-        ("note_motion.amplification", part.dynamic_amplification, _FACTOR),
-        ("note_motion.slack_time", part.slack_time, _SLACK),
-        ("note_motion.longest_slack", part.longest_slack, _SLACK),
-    ]
-    for name, energy in ENERGIES.items():
-        said = Message("note_motion.energy", what=term(name))
-        listed.append((said, getattr(balance, energy), _ENERGY))
-    listed.append(("note_motion.energy_part", balance.numerical_part, _PART))
-    facts = tuple(blocks.stated(*each[:2], quantity=each[2]) for each in listed)
-    yield blocks.Facts("motion_outcome", facts, Message("note_motion.outcome"))
+    facts = (
+        _fact("anywhere", part.max_tension, FORCE),
+        _fact("still_max", part.quasi_static_max, FORCE),
+        _fact("amplification", part.dynamic_amplification, _FACTOR),
+        _fact("slack_time", part.slack_time, _SLACK),
+        _fact("longest_slack", part.longest_slack, _SLACK),
+        *(
+            Fact(_said("energy", what=term(name)), getattr(balance, energy), _ENERGY)
+            for name, energy in ENERGIES.items()
+        ),
+        _fact("energy_part", balance.numerical_part, _PART),
+    )
+    yield Facts("motion_outcome", facts, _said("outcome"))
     yield from _extremes(part)
     peaks = peaks_above(part)
     if peaks is not None:
@@ -423,8 +423,10 @@ def _extremes(part: DynamicPart) -> Iterator[Table]:
     if not every:
         return
     by_minute = any(each.storm is not each.tail.extreme for each in every if each.tail)
-    listed = {"judged": "storm.most_probable"} if by_minute else {}
-    listed |= {"judged_from": "storm.low", "judged_to": "storm.high"} if by_minute else {}
+    listed: dict[str, str] = {}
+    if by_minute:
+        listed = {"judged": "storm.most_probable"}
+        listed |= {"judged_from": "storm.low", "judged_to": "storm.high"}
     listed |= _EXTREMES
     if every[0].gumbel is not None:
         listed |= {"by_gumbel": "gumbel.extreme.most_probable"}

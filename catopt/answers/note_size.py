@@ -40,14 +40,13 @@ from catopt.answers.note import (
 )
 from catopt.answers.note_line import of_the_front, of_the_line
 from catopt.answers.note_system import near_blocks, plan_blocks, pull_of
-from catopt.answers.size_card import verdict
+from catopt.answers.size_card import storm_time, verdict
 from catopt.answers.trail import step_of
 from catopt.checks.kinds import QUANTITY_OF
 from catopt.constants import STANDARD_GRAVITY, YEAR
 from catopt.figures.sizing import elevation, swing_circle
 from catopt.model.anchor import sinker_needed
 from catopt.quantities import GREEK, QUANTITIES
-from catopt.units import lasting
 from catopt.words import Cited, Measure, Message, Sentence, Several, Told, say, term
 
 if TYPE_CHECKING:
@@ -124,9 +123,7 @@ def _in_storm(of: Sizing) -> Iterator[Number]:
     """Yield what the recommended line comes to in motion."""
     if of.in_motion is None:
         return
-    storm, dynamics = of.in_motion.storm, of.in_motion.case.dynamics
-    assert dynamics is not None
-    time = lasting(dynamics.duration_of_interest)
+    storm, time = of.in_motion.storm, storm_time(of.in_motion)
     yield Message("sizing.card_tension_in_storm", time=time), "tension", storm.tension
     if storm.high is not None:
         yield Message("note_size.upper_end"), "tension", storm.high

@@ -288,10 +288,7 @@ def _line_out(note: SystemNote) -> Iterator[Block]:
     columns = (*table.columns[:-1], blocks.measured("utilisation", note.left), table.columns[-1])
     further = _further(each.response for each in gone)
     yield replace(table, columns=(*columns, *further), caption="", marked=hardest)
-    for each in gone:
-        if each.refusal:
-            lost = Message("mooring.lost", number=each.missing + 1, refusal=each.refusal)
-            yield Verdict(lost, passes=False)
+    yield from (Verdict(lost, passes=False) for lost in body.lines_lost(note.report))
 
 
 def _further(responses: Iterable[Response | None]) -> Iterator[blocks.Column]:

@@ -166,17 +166,22 @@ def _numbers(of: Sizing) -> Iterator[Fact]:
 
 def _in_motion(of: InMotion) -> Iterator[Fact]:
     """Yield the tension in the storm beside that at rest, and the factor that this is."""
-    time = lasting(of.case.dynamics.duration_of_interest) if of.case.dynamics else ""
     storm = of.storm
     probable = about("tension", storm.tension)
     said = Message("sizing.measure", value=probable)
     if storm.low is not None and storm.high is not None:
         ends = {"low": about("tension", storm.low), "high": about("tension", storm.high)}
         said = Message("sizing.from_to", value=probable, **ends)
-    yield Fact(Message("sizing.card_tension_in_storm", time=time), said)
+    yield Fact(Message("sizing.card_tension_in_storm", time=storm_time(of)), said)
     yield _measured("tension_at_rest", "tension", storm.at_rest)
     factors = {"factor": of.factor, "allowance": of.allowance}
     yield _worded("motion_factor", Message("sizing.in_place_of", **factors))
+
+
+def storm_time(of: InMotion) -> str:
+    """Say how long the storm lasts in which lines were run."""
+    assert of.case.dynamics is not None
+    return lasting(of.case.dynamics.duration_of_interest)
 
 
 def less_words(of: LineTried) -> Message:
@@ -188,14 +193,12 @@ def less_words(of: LineTried) -> Message:
 
 def runs_words(of: InMotion) -> Message:
     """Say how lines were run, and what the checks are held against."""
-    assert of.case.dynamics is not None
-    storm = lasting(of.case.dynamics.duration_of_interest)
     said = Message(
         "sizing.runs_of" if of.load_cases > 1 else "sizing.runs_of_one",
         seeds=of.how.seeds,
         time=lasting(of.how.duration),
         states=of.load_cases,
-        judged=Message(f"sizing.judged_{of.how.judged_by.replace('-', '_')}", time=storm),
+        judged=Message(f"sizing.judged_{of.how.judged_by.replace('-', '_')}", time=storm_time(of)),
     )
     for key, count in (("seas", len(of.how.periods)), ("directions", of.directions)):
         if count > 1:

@@ -57,6 +57,7 @@ def system_answer(report: SystemReport, checks: CheckReport) -> blocks.Answer:
     lines: list[blocks.Block] = [table]
     if table.columns[-1].quantity is QUANTITIES["utilisation"]:
         lines.append(blocks.Text(lines_used(checks), only="people", is_small=True))
+    lost = map(blocks.Text, lines_lost(report))
     judged = blocks.Text(Message("mooring.all_checks"), only="people", is_small=True)
     whole = blocks.answered(
         "system",
@@ -64,7 +65,11 @@ def system_answer(report: SystemReport, checks: CheckReport) -> blocks.Answer:
         section("captions.body", blocks.Text(solved), _body(report)),
         section("captions.lines", *lines),
         section("captions.checks", *verdict_blocks(checks), *([judged] if checks.results else [])),
-        *_line_out(report),
+        *(
+            [section("captions.one_line_out", line_out_table(report), *lost)]
+            if report.line_out
+            else []
+        ),
         *([section("captions.watch_circle", circle_table(circle))] if circle else []),
         *(_curve(number, each) for number, each in enumerate(report.curves, start=1)),
         *_levels(report),
@@ -192,14 +197,11 @@ def line_out_table(report: SystemReport) -> blocks.Table:
     )
 
 
-def _line_out(report: SystemReport) -> Iterator[blocks.Section]:
-    if report.line_out:
-        lost = (
-            blocks.Text(Message("mooring.lost", number=each.missing + 1, refusal=each.refusal))
-            for each in report.line_out
-            if each.response is None
-        )
-        yield section("captions.one_line_out", line_out_table(report), *lost)
+def lines_lost(report: SystemReport) -> Iterator[Message]:
+    """Say of each line without which there is no equilibrium why that is."""
+    for each in report.line_out:
+        if each.response is None:
+            yield Message("mooring.lost", number=each.missing + 1, refusal=each.refusal)
 
 
 def circle_table(circle: WatchCircle) -> blocks.Table:

@@ -44,7 +44,6 @@ if TYPE_CHECKING:
     from catopt.catenary.case_curve import CaseCurve
     from catopt.catenary.solution import Solution
     from catopt.checks.result import CheckReport
-    from catopt.loads.sinker import SinkerSize
     from catopt.model import Case
     from catopt.mooring.solution import SystemSolution
     from catopt.notes.sheet import Sheet
@@ -235,10 +234,15 @@ class SizeNote(AnyNote):
             return {}
         is_usual = math.isclose(sinker.safety_factor, SAFETY_FACTOR)
         friction = sinker.friction_source
+        density: str = given
+        if math.isclose(sinker.density, DENSITIES[sinker.material]):
+            density = Message("note_size.own_recalled")
+            if sinker.material == "steel":
+                density = Cited(LoadSource(CALMAR, "7.2", "A").text)
         return {
             "friction": given if friction is None else Cited(friction.text),
             "factor": Cited(FACTOR_SOURCE.text) if is_usual else given,
-            "density": _density_source(sinker),
+            "density": density,
         }
 
 
@@ -270,15 +274,6 @@ def size_note(sizing: Sizing, given: Given, asked: Asked | None = None) -> SizeN
         warnings=(*sizing.warnings, *more),
         around=around,
     )
-
-
-def _density_source(of: SinkerSize) -> str:
-    """Cite where the density of a sinker is from."""
-    if not math.isclose(of.density, DENSITIES[of.material]):
-        return term("this note")
-    if of.material == "steel":
-        return Cited(LoadSource(CALMAR, "7.2", "A").text)
-    return Message("note_size.own_recalled")
 
 
 def _fitted(line: Note) -> Note:

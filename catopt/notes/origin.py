@@ -171,12 +171,9 @@ class Asked:
         self, *, swarm: bool | None = None, motion: bool | None = None, once: bool | None = None
     ) -> Asked:
         """Return it with what options say; None leaves it."""
-        convergence_check = None if once is None else "none" if once else "step"
-        said: dict[str, Any] = {
-            "swarm": swarm,
-            "motion": motion,
-            "convergence_check": convergence_check,
-        }
+        said: dict[str, Any] = {"swarm": swarm, "motion": motion}
+        if once is not None:
+            said["convergence_check"] = "none" if once else "step"
         return replace(self, **{name: value for name, value in said.items() if value is not None})
 
 
