@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
@@ -71,6 +71,9 @@ def size_note_answer(note: SizeNote) -> blocks.Answer:
     analysis = "" if of.in_motion is None else Message(f"note_size.analysis_{of.kind}")
     # Above that of the depth; load cases have theirs with the draught, too.
     levels = [each.depth - of.case.site.water_depth for each in of.settled.posed.loads]
+    front: Iterable[Block] = ()
+    if line.chosen is not None and len(line.chosen.document["front"]) > 1:
+        front = of_the_front(line.chosen, "note_size.front_left_out")
     sections = (
         *_opening(note),
         basis_section(note.sheet, *_combined(of), levels, analysis=analysis),
@@ -78,7 +81,7 @@ def size_note_answer(note: SizeNote) -> blocks.Answer:
         *of_the_line(line, "checks", "load_cases"),
         _section("identity", _identity(note)),
         _section("candidates", _candidates(note)),
-        _section("front", _front(note)),
+        _section("front", front),
         _section("loads", _loads(note)),
         *sheet_sections(note.sheet, what_holds(note)),
         _section("hold", hold_blocks(note)),
@@ -335,13 +338,6 @@ def _limits(note: SizeNote) -> Table:
         of.texts("capacity", "check.capacity", units=units),
         caption=Message("note_size.candidates_limits"),
     )
-
-
-def _front(note: SizeNote) -> Iterator[Block]:
-    """Lay out the front that the line is from; nothing where one design alone passes."""
-    chosen = note.line.chosen
-    if chosen is not None and len(chosen.document["front"]) > 1:
-        yield from of_the_front(chosen, "note_size.front_left_out")
 
 
 def _swing(note: SizeNote) -> Iterator[Block]:
