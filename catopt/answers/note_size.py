@@ -50,7 +50,7 @@ from catopt.quantities import GREEK, QUANTITIES
 from catopt.words import Cited, Measure, Message, Sentence, Several, Told, say, term
 
 if TYPE_CHECKING:
-    from catopt.loads.component import LoadComponent, Loads
+    from catopt.loads.component import Loads
     from catopt.loads.drag_anchor import DragAnchorSize
     from catopt.loads.sinker import SinkerSize
     from catopt.mooring.solution import SystemSolution
@@ -250,10 +250,8 @@ def _sums(note: SizeNote) -> Table:
 
 def _part(at: LoadsAt, of: Loads, common: Sequence[str]) -> Iterator[Block]:
     """Follow each force on the ship or on the buoy in a load case, and their sum."""
-    forces = _forces(of)
-    steps = (*(_step(*each) for each in forces), *_total(of, forces))
     under = Message("note_size.loads_under", load_case=term(at.load_case), title=of.title)
-    yield blocks.Trail("size_load", steps, caption=under)
+    yield Trail("size_load", tuple(_steps(of)), caption=under)
     rows = (
         (
             force.name,
@@ -269,32 +267,29 @@ def _part(at: LoadsAt, of: Loads, common: Sequence[str]) -> Iterator[Block]:
     yield blocks.Points(tuple(each for each in of.assumptions if each not in common))
 
 
-def _total(of: Loads, forces: Sequence[tuple[LoadComponent, float]]) -> Iterator[blocks.Step]:
-    """Add the forces up: along the ship, and where there are any across it, both."""
-    along = [force for each, force in forces if each.axis != "sway"]
-    across = [force for each, force in forces if each.axis == "sway"]
-    X, Y, total = math.fsum(along), math.fsum(across), Message("note_size.loads_total")
+def _steps(of: Loads) -> Iterator[Step]:
+    """Follow each force, then add up those along the ship, and where there are any across it, both.
+
+    Along the ship what acts against the pull of all is negative.
+    """
+    signs = {axis: math.copysign(1.0, of.along(axis)) for axis in ("surge", "along")}
+    along: list[tuple[float, ...]] = []
+    across: list[tuple[float, ...]] = []
+    for each in of.components:
+        force = signs.get(each.axis, 1.0) * each.force
+        (across if each.axis == "sway" else along).append((force,))
+        numbers = {number.symbol: number.value for number in each.numbers} | {"g": STANDARD_GRAVITY}
+        name = Several((each.name, each.note), "; ") if each.note else each.name
+        source = each.source.text
+        yield Step(name, force, _FORCE, "", each.factors, numbers, source=source, digits=_DIGITS)
+    X, Y = (math.fsum(force for (force,) in terms) for terms in (along, across))
+    total = Message("note_size.loads_total")
     named_along = Message("note_size.loads_along") if across else total
-    yield blocks.Step(named_along, X, _FORCE, terms=tuple((force,) for force in along))
+    yield Step(named_along, X, _FORCE, terms=tuple(along))
     if across:
-        terms = tuple((force,) for force in across)
-        yield blocks.Step(Message("note_size.loads_across"), Y, _FORCE, terms=terms)
+        yield Step(Message("note_size.loads_across"), Y, _FORCE, terms=tuple(across))
         root, numbers, both = "√({X:()}² + {Y:()}²)", {"X": X, "Y": Y}, of.horizontal_force
-        yield blocks.Step(total, both, _FORCE, formula=root, numbers=numbers, digits=_DIGITS)
-
-
-def _forces(of: Loads) -> list[tuple[LoadComponent, float]]:
-    """List each force with its size along the pull of all, N: against it, negative."""
-    surge, along = of.along("surge"), of.along("along")
-    signs = {"surge": math.copysign(1.0, surge), "along": math.copysign(1.0, along), "sway": 1.0}
-    return [(each, signs[each.axis] * each.force) for each in of.components]
-
-
-def _step(of: LoadComponent, force: float) -> blocks.Step:
-    numbers = {number.symbol: number.value for number in of.numbers} | {"g": STANDARD_GRAVITY}
-    name = Several((of.name, of.note), "; ") if of.note else of.name
-    source = of.source.text
-    return blocks.Step(name, force, _FORCE, "", of.factors, numbers, source=source, digits=_DIGITS)
+        yield Step(total, both, _FORCE, formula=root, numbers=numbers, digits=_DIGITS)
 
 
 # ------------------------------------------------------------------ the choice
