@@ -499,6 +499,12 @@ def stated(name: str, value: Value, **how: Any) -> Fact:
     return Fact(column_name(name), value, **how)
 
 
+def briefly(said: Iterable[str], label: str = "", lines: int = 1) -> Iterator[Brief]:
+    """Say on a card what there is to say under a label; nothing where that is nothing."""
+    if every := tuple(said):
+        yield Brief(every, label, lines)
+
+
 def in_words(each: Fact) -> Message:
     """Say a fact in a sentence: ``"Water depth 20.000 m"``."""
     value: object = each.value

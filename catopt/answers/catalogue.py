@@ -63,13 +63,16 @@ def catalogue_answer(found: Found, *, in_full: bool = False) -> blocks.Answer:
         seen = _family(family, found.components)
         how = (_how(_figures_of_grades(family, found.components)),)
     components = (_components(found.components),) if found.components else ()
+    of = Rows(found.sources)
+    documents = (of.texts("source", "key"), *of.own("title", "place"))
+    sources = tabulate("sources", *documents, only="files")
     return answered(
         "catalog",
         title,
         section("terms.components", *components, *seen),
         section("terms.figures", _figures(found.families), *how),
         section("terms.families", _families(found.families)),
-        section("columns.sources", _sources(found.sources), *_documents(found)),
+        section("columns.sources", sources, *_documents(found)),
     )
 
 
@@ -143,11 +146,6 @@ def _ranges(of: Rows) -> Iterator[blocks.Column]:
     for end, name in enumerate(("smallest_nominal_diameter", "largest_nominal_diameter")):
         ends = map(itemgetter(end), of.read("range"))
         yield measured("nominal_diameter", ends, name, symbol="")
-
-
-def _sources(sources: Sequence[Source]) -> blocks.Table:
-    of = Rows(sources)
-    return tabulate("sources", of.texts("source", "key"), *of.own("title", "place"), only="files")
 
 
 # ------------------------------------------------------------------ what people see of a list
@@ -418,34 +416,32 @@ def _documents(found: Found) -> Iterator[blocks.Text]:
     """Name the documents, with the places to find them, and say what confidence means."""
     if found.question == "search":
         return
-    if found.question not in ("list", "show"):
-        named = tuple(_document_of(each) for each in _of_parts(found))
-        if named:
-            yield blocks.Text(Several(named, "\n"), Message("columns.sources"), "people")
-    if found.question == "show":
-        said = (_document_of(each) for each in _cited(found))
+    said = [
+        Message("catalogue.source", key=each.key, title=each.title, place=each.place)
+        for each in _cited(found)
+    ]
+    if said:
         yield blocks.Text(Several(said, "\n"), Message("columns.sources"), "people")
     yield for_people("answers.confidence")
 
 
-def _document_of(source: Source) -> Message:
-    return Message("catalogue.source", key=source.key, title=source.title, place=source.place)
-
-
-def _of_parts(found: Found) -> Sequence[Source]:
-    """List the documents of anchors and fittings; those of components are a command away."""
-    used = {s for e in (*found.anchors, *found.fittings) for s in e.sources}
-    return [each for each in found.sources if each in used]
-
-
 def _cited(found: Found) -> Sequence[Source]:
-    """List the documents that the components rest on; of several, all of their family's."""
-    if len(found.components) != 1:
+    """List the documents that what people see rests on.
+
+    Those of a component, and of several all of their family's; of anchors and fittings: those of
+    components that were found beside them are a command away.
+    """
+    if found.question == "list":
+        return ()
+    if found.question != "show":
+        used = {source for each in (*found.anchors, *found.fittings) for source in each.sources}
+    elif len(found.components) != 1:
         return found.sources
-    (component,) = found.components
-    origins = [*component.provenance.values()]
-    origins += [each.provenance for each in component.alternatives]
-    used = {*found.families[0].sizes.sources, *Rows(origins).within("sources")[1].rows}
+    else:
+        (component,) = found.components
+        origins = [*component.provenance.values()]
+        origins += [each.provenance for each in component.alternatives]
+        used = {*found.families[0].sizes.sources, *Rows(origins).within("sources")[1].rows}
     return [each for each in found.sources if each in used]
 
 
@@ -484,13 +480,15 @@ def parts_of(found: Found) -> Iterator[blocks.Block]:
         yield from _fittings(found)
     if found.sinkers:
         of = Rows(found.sinkers)
+        friction = ("-" if value is None else f"{value:g}" for value in of.read("friction"))
+        adhesion = ("-" if Pa is None else f"{Pa / 1e3:g} kPa" for Pa in of.read("adhesion"))
         yield tabulate(
             "sinkers",
             of.texts("soil", lambda each: term(each.soil)),
-            of.texts("friction", lambda each: _number(each.friction)),
+            blocks.texts("friction", map(Cited, friction)),
             *if_known(of.measured("tension", "holding", "ultimate_holding", symbol="")),
             *if_known(of.measured("tension", "pull", "pull_by_factor", symbol="")),
-            of.texts("adhesion", lambda each: _kilopascals(each.adhesion)),
+            blocks.texts("adhesion", map(Cited, adhesion)),
             of.texts("conf", "confidence"),
         )
         first = found.sinkers[0]
@@ -517,12 +515,10 @@ def _found_components(found: Found) -> blocks.Table:
     )
 
 
-def _of_strength(component: object) -> str:
+def _of_strength(component: Component) -> str:
     """Name the confidence and the sources of the MBL."""
-    origin = component.provenance.get("MBL")  # type: ignore[attr-defined]
-    if origin is None:
-        return "-"
-    return f"{origin.confidence}: {keys(origin.sources)}"
+    origin = component.provenance.get("MBL")
+    return f"{origin.confidence}: {keys(origin.sources)}" if origin else "-"
 
 
 def _anchors(found: Found) -> Iterator[blocks.Block]:
@@ -569,14 +565,6 @@ def _fittings(found: Found) -> Iterator[blocks.Block]:
             yield blocks.Text(note, only="people")
     if found.missing:
         yield blocks.Warnings(tuple(found.missing))
-
-
-def _number(value: float | None) -> Cited:
-    return Cited("-" if value is None else f"{value:g}")
-
-
-def _kilopascals(pressure: float | None) -> Cited:
-    return Cited("-" if pressure is None else f"{pressure / 1e3:g} kPa")
 
 
 def keys(sources: Iterable[Source]) -> str:

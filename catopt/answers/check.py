@@ -64,13 +64,12 @@ def _card(report: CheckReport) -> Iterator[blocks.CardBlock]:
     cases = (load_case_words(report, k) for k in range(len(report.solutions)))
     by = dict.fromkeys(Several(filter(None, (_by(of.source), of.note)), ": ") for of in checks)
     for label, said in {
-        "fails": tuple(each.in_case for each in others),
-        "load_cases": () if report.places else tuple(cases),
-        "assumed": tuple(by),
-        "to_be_known": tuple(report.warnings),
+        "fails": [each.in_case for each in others],
+        "load_cases": () if report.places else cases,
+        "assumed": by,
+        "to_be_known": report.warnings,
     }.items():
-        if said:
-            yield blocks.Brief(said, Message(f"answers.card_{label}"), 3)
+        yield from blocks.briefly(said, Message(f"answers.card_{label}"), 3)
 
 
 def verdict_blocks(

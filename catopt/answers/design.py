@@ -98,14 +98,12 @@ def _card(result: DesignResult) -> Iterator[blocks.CardBlock]:
     )
     yield blocks.Brief((result.recommendation,), Message("answers.card_why"), 3)
     steps = (each for each in result.neighbours if each.point is None or not each.point.passes)
-    worse = tuple(
+    worse = (
         Message("design.card_step", change=each.change, why=_short_verdict(each)) for each in steps
     )
-    if worse:
-        yield blocks.Brief(worse, Message("answers.card_limits"), 3)
+    yield from blocks.briefly(worse, Message("answers.card_limits"), 3)
     yield blocks.Brief((_how(result),), Message("answers.card_search"), 2)
-    if result.warnings:
-        yield blocks.Brief(tuple(result.warnings), blocks.TO_BE_KNOWN, 3)
+    yield from blocks.briefly(result.warnings, blocks.TO_BE_KNOWN, 3)
 
 
 def _short_verdict(step: Neighbour) -> str:
@@ -274,9 +272,10 @@ def _of_files(of: Rows) -> Iterator[blocks.Column]:
         yield of.texts("layout", lambda point: Several(layout_words(point)), **only)
         yield of.texts("farthest_in", "mooring.state", **only)
     tightest = Rows(tightest_checks(each) for each in of.read("checks"))
-    for kind in (kind for kind in QUANTITY_OF if any(kind in each for each in tightest.rows)):
+    for kind in QUANTITY_OF:
         checks = Rows(tightest.read(methodcaller("get", kind)))
-        yield checks.measured("utilisation", "utilisation", f"{kind}_utilisation", **only)
+        if any(checks.rows):
+            yield checks.measured("utilisation", "utilisation", f"{kind}_utilisation", **only)
     yield of.texts("governing_check", "checks.nearest", **only)
 
 

@@ -34,6 +34,12 @@ def loads_answer(of: Loads, *others: Loads, lyings: Sequence[ShipHeading] = ()) 
     """
     every = (of, *others)
     how = Several(map(_explained, _components(every)), "\n")
+    kinds = {
+        "assumption": [said for each in every for said in each.assumptions],
+        "warning": [said for each in every for said in each.warnings],
+        "recalled (R)": [name for each in every for name in each.recalled],
+    }
+    words = ((term(kind), said) for kind, listed in kinds.items() for said in listed)
     whole = answered(
         "loads",
         of.title,
@@ -44,7 +50,7 @@ def loads_answer(of: Loads, *others: Loads, lyings: Sequence[ShipHeading] = ()) 
             blocks.Text(how, Message("loads.how"), "people"),
         ),
         section("columns.numbers", numbers_table(*every)),
-        section("terms.notes", _notes_table(every), *_notes(every)),
+        section("terms.notes", notes_table(words), *_notes(every)),
     )
     return replace(whole, card=tuple(_card(whole, every)))
 
@@ -67,11 +73,10 @@ def _card(whole: blocks.Answer, every: Sequence[Loads]) -> Iterator[blocks.CardB
     yield forces_table(*every)
     notes = list(_notes(every))
     for each in reversed(notes):
-        if isinstance(each, blocks.Warnings) and each.said:
-            yield blocks.Brief(each.said, blocks.TO_BE_KNOWN, 3)
-    assumed = tuple(each.said for each in notes if isinstance(each, blocks.Text))
-    if assumed:
-        yield blocks.Brief(assumed, Message("answers.card_assumed"), 3)
+        if isinstance(each, blocks.Warnings):
+            yield from blocks.briefly(each.said, blocks.TO_BE_KNOWN, 3)
+    assumed = (each.said for each in notes if isinstance(each, blocks.Text))
+    yield from blocks.briefly(assumed, Message("answers.card_assumed"), 3)
 
 
 def _headings(of: Loads, lyings: Sequence[ShipHeading]) -> Iterator[blocks.Section]:
@@ -148,15 +153,6 @@ def numbers_table(*by: Loads) -> blocks.Table:
 def _components(by: Iterable[Loads]) -> Iterable[LoadComponent]:
     """List the forces; what methods have in common, once."""
     return dict.fromkeys(each for of in by for each in of.components)
-
-
-def _notes_table(by: Sequence[Loads]) -> blocks.Table:
-    kinds = {
-        "assumption": [said for of in by for said in of.assumptions],
-        "warning": [said for of in by for said in of.warnings],
-        "recalled (R)": [name for of in by for name in of.recalled],
-    }
-    return notes_table((term(kind), said) for kind, every in kinds.items() for said in every)
 
 
 def notes_table(rows: Iterable[tuple[str, str]]) -> blocks.Table:

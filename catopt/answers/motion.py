@@ -234,25 +234,16 @@ def lines_of_body(parts: Sequence[DynamicPart], at_rest: Sequence[float] = ()) -
     return tabulate(
         "motion_lines",
         of.texts("load_case", "name") if parts[0].line is None else of.texts("line"),
-        *([measured("tension", at_rest, "note_motion.rest", symbol="")] if at_rest else []),
-        fairlead.measured("tension", "mean", "mean", symbol=""),
-        fairlead.measured("tension", "std", "standard_deviation", symbol=""),
-        fairlead.measured("tension", "minimum", "min", symbol="", priority=3),
-        fairlead.measured("tension", "maximum", "max", symbol=""),
-        *blocks.if_known(
-            fairlead.measured("tension", "most_probable_maximum", probable, symbol="", priority=3)
-        ),
-        *_by_damping(
-            parts, "fairlead_tension", "motion.least_by_damping", "motion.most_by_damping"
-        ),
-        anchor.measured("tension", "maximum", "motion.max_at_anchor", symbol=""),
-        *_by_damping(
-            parts,
-            "anchor_tension",
-            "motion.least_at_anchor_by_damping",
-            "motion.most_at_anchor_by_damping",
-        ),
-        of.measured("tension", "quasi_static_max", "quasi_static", symbol="", priority=1),
+        *([measured(FORCE, at_rest, "note_motion.rest")] if at_rest else []),
+        fairlead.measured(FORCE, "mean", "mean"),
+        fairlead.measured(FORCE, "std", "standard_deviation"),
+        fairlead.measured(FORCE, "minimum", "min", priority=3),
+        fairlead.measured(FORCE, "maximum", "max"),
+        *blocks.if_known(fairlead.measured(FORCE, "most_probable_maximum", probable, priority=3)),
+        *_by_damping(parts, "fairlead_tension", "by_damping"),
+        anchor.measured(FORCE, "maximum", "motion.max_at_anchor"),
+        *_by_damping(parts, "anchor_tension", "at_anchor_by_damping"),
+        of.measured(FORCE, "quasi_static_max", "quasi_static", priority=1),
         of.measured(RATIO, "dynamic_amplification", "amplification"),
         of.measured(_SLACK, "slack_time", "slack"),
         of.measured(PERCENT, lambda part: part.change_of("fairlead_tension"), "change"),
@@ -279,10 +270,10 @@ def _between_points(parts: Sequence[DynamicPart]) -> blocks.Table:
         of.texts("line", "shown"),
         between.texts("from_point", "start"),
         between.texts("to_point", "end"),
-        there.measured("tension", "maximum", "motion.max_there", symbol=""),
-        here.measured("tension", "mean", "motion.mean_here", symbol=""),
-        here.measured("tension", "minimum", "motion.min_here", symbol=""),
-        here.measured("tension", "maximum", "motion.max_here", symbol=""),
+        there.measured(FORCE, "maximum", "motion.max_there"),
+        here.measured(FORCE, "mean", "motion.mean_here"),
+        here.measured(FORCE, "minimum", "motion.min_here"),
+        here.measured(FORCE, "maximum", "motion.max_here"),
         of.measured(_SLACK, "slack_time", "slack"),
         of.measured(PERCENT, lambda part: part.change_of("largest_tension"), "change"),
         caption=Message("motion.lines_of_points"),
@@ -304,14 +295,12 @@ def _joints(found: Sequence[JointInMotion]) -> blocks.Table:
     )
 
 
-def _by_damping(
-    parts: Sequence[DynamicPart], quantity: str, *headings: str
-) -> Iterator[blocks.Column]:
+def _by_damping(parts: Sequence[DynamicPart], quantity: str, key: str) -> Iterator[blocks.Column]:
     """List least and largest maximum by damping of each line that snaps; none where none does."""
     of = Rows(part.damping_range(quantity) or (None, None) for part in parts)
-    if any(each != (None, None) for each in of.rows):
-        for k, heading in enumerate(headings):
-            yield of.measured("tension", itemgetter(k), heading, symbol="", priority=2)
+    for k, which in enumerate(("least", "most")):
+        column = of.measured(FORCE, itemgetter(k), f"motion.{which}_{key}", priority=2)
+        yield from blocks.if_known(column)
 
 
 # ------------------------------------------------------------------ files, in SI
@@ -477,17 +466,24 @@ _ON_CARD = 3
 
 def ship_answer(found: ShipVerification) -> blocks.Answer:
     """Lay out a ship in motion: where it goes, what its lines carry, and on what that rests."""
-    remarks = tuple(found.remarks)
+    remarks, dynamics = tuple(found.remarks), found.case.dynamics
+    assert dynamics is not None
+    rule = Message(
+        "floater.rule",
+        count=len(found.runs),
+        time=lasting(dynamics.duration),
+        storm=lasting(dynamics.duration_of_interest),
+    )
     whole = answered(
         "ship",
         found.case.title or Message("captions.moored_body"),
         section(
             "captions.motion",
-            *_means(found),
+            _mean_weather(found),
             _body(found),
             _lines(found),
             *_lines_out(found),
-            _rule(found),
+            blocks.Text(rule, is_small=True),
         ),
         section("captions.checks_in_motion", *checks_in_motion(found.checks)),
         section("captions.remarks", blocks.Points(remarks)),
@@ -497,35 +493,18 @@ def ship_answer(found: ShipVerification) -> blocks.Answer:
 
 def _card(found: ShipVerification) -> Iterator[blocks.CardBlock]:
     yield from verdict_blocks(found.checks)
-    yield from _means(found)
+    yield _mean_weather(found)
     yield _body(found)
     yield _lines(found, most=_ON_CARD)
     yield from _hardest_out(found)
     yield blocks.Brief(tuple(found.remarks), blocks.TO_BE_KNOWN, 4)
 
 
-def _means(found: ShipVerification) -> Iterator[blocks.Text]:
+def _mean_weather(found: ShipVerification) -> blocks.Text:
     """Say what the mean weather is and where the ship lies in it."""
-    rest = found.rest
-    x, y = rest.force
-    values = {
-        "x": blocks.about("horizontal_force", x),
-        "y": blocks.about("horizontal_force", y),
-        "yaw": blocks.about("angle", found.heading),
-    }
-    yield blocks.Text(Message("floater.mean_weather", **values))
-
-
-def _rule(found: ShipVerification) -> blocks.Text:
-    dynamics = found.case.dynamics
-    assert dynamics is not None
-    said = Message(
-        "floater.rule",
-        count=len(found.runs),
-        time=lasting(dynamics.duration),
-        storm=lasting(dynamics.duration_of_interest),
-    )
-    return blocks.Text(said, is_small=True)
+    x, y = (blocks.about("horizontal_force", each) for each in found.rest.force)
+    yaw = blocks.about("angle", found.heading)
+    return blocks.Text(Message("floater.mean_weather", x=x, y=y, yaw=yaw))
 
 
 def _body(found: ShipVerification) -> blocks.Table:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -136,7 +136,7 @@ def opening(
         blocks.Points(tuple(_not_covered(sheet, in_motion)), Message("note_first.not_covered")),
     )
     yield section("summary", answer, "note_first")
-    yield section("identity", [_signed(), _title_block(facts, note)])
+    yield section("identity", _title_block(facts, note))
     yield section("warnings", [blocks.Warnings(note.warnings)] if note.warnings else [])
 
 
@@ -162,15 +162,11 @@ def _not_covered(sheet: Stated, in_motion: bool) -> Iterator[str]:
             yield Message(f"note_first.{key}")
 
 
-def _signed() -> Table:
-    """Leave room for who answers for it."""
+def _title_block(facts: Sequence[tuple[str, str]], note: AnyNote) -> Iterator[Block]:
+    """Leave room for who signs, and lay out what is calculated, when, and from what."""
     names = ("revision", "date", "prepared", "checked", "approved")
     keys = [f"note_first.{name}" for name in names]
-    return from_rows("signed", keys, [[Cited("\u00a0")] * len(keys)])
-
-
-def _title_block(facts: Sequence[tuple[str, str]], note: AnyNote) -> blocks.Facts:
-    """Lay out what is calculated, when, from which files and by which version."""
+    yield from_rows("signed", keys, [[Cited("\u00a0")] * len(keys)])
     origin = note.origin
     files = [Cited(f"{each.name}, SHA-256 {each.sha256}") for each in origin.files]
     every = (
@@ -180,9 +176,7 @@ def _title_block(facts: Sequence[tuple[str, str]], note: AnyNote) -> blocks.Fact
         ("note.identity_version", Cited(f"catopt {origin.version}")),
         *(("note.identity_file", said) for said in files),
     )
-    return blocks.Facts(
-        "identity", tuple(blocks.Fact(Message(key), said) for key, said in every if said)
-    )
+    yield Facts("identity", tuple(Fact(Message(key), said) for key, said in every if said))
 
 
 # ------------------------------------------------------------------ the case file
@@ -217,7 +211,7 @@ def inputs_table(origin: Origin) -> Table:
 
 
 def components(case: Case, line: Line) -> Iterator[Block]:
-    """Tabulate the parts of a line, and what the catalogue says of those of its case."""
+    """Tabulate the parts of a line, and where each figure of those of its case comes from."""
     segments, *loads = given_tables(line)
     known = [each for each in segments.columns if any(each.values)]
     own = blocks.if_known(*Rows(line.segments).own("nominal_diameter", "proof_load"))
@@ -226,8 +220,12 @@ def components(case: Case, line: Line) -> Iterator[Block]:
     if any(not each.component for each in line.segments):
         yield small("note.components_own")
     parts = list(_looked_up(case))
+    names = ("quantity", "value", "formula", "confidence", "source")
+    for segment, component in parts:
+        shown = (key for key in _SHOWN if key in component.provenance)
+        rows = (_figure(key, segment, component) for key in shown)
+        yield from_rows("component", names, rows, Cited(component.name))
     if parts:
-        yield from (_provenance(*part) for part in parts)
         yield small("note.components_legend")
         yield _sources(component for _, component in parts)
 
@@ -259,14 +257,6 @@ def _looked_up(case: Case) -> Iterator[tuple[Segment, Component]]:
             seen.add(key)
             catalogue = chosen(case.catalogue, case.site.water_density)
             yield segment, catalogue.component(segment.component, segment.nominal_diameter)
-
-
-def _provenance(segment: Segment, component: Component) -> Table:
-    """Tabulate where each figure of a component comes from."""
-    shown = (key for key in _SHOWN if key in component.provenance)
-    names = ("quantity", "value", "formula", "confidence", "source")
-    rows = (_figure(key, segment, component) for key in shown)
-    return from_rows("component", names, rows, Cited(component.name))
 
 
 def _figure(key: str, segment: Segment, component: Component) -> Sequence[Cell]:
@@ -341,40 +331,37 @@ def basis_section(
     when empty), `return_period` is theirs (not stated when empty); `levels` are water levels in m,
     of the load cases when left out; `analysis` is at rest alone when empty.
     """
-    case, site = sheet.case, sheet.case.site
     if levels is None:
         levels = [each.water_level for each in sheet.report.load_cases]
-    depth = Measure("water_depth", site.depth_to_seabed)
-    fairlead = Measure("height", site.height_above_seabed(case.fairlead_height))
-    density = Measure("density", site.water_density)
-    rows = {
-        "analysis": analysis or Message("note_sheet.quasi_static"),
+    height = sheet.case.site.height_above_seabed(sheet.case.fairlead_height)
+    own = {
         "return_period": return_period or Message("note_sheet.not_stated"),
         "combination": combined or Message("note_sheet.combined_by_user"),
-        "datum": Message("note_sheet.datum_is", depth=depth),
         "tide": _tide(levels),
-        "fairlead": Message("sizing.measure", value=fairlead),
-        "friction": Message("sizing.about", value=site.seabed_friction),
-        "density": Message("sizing.measure", value=density),
-        "life": _life(case),
+        "fairlead": Message("sizing.measure", value=Measure("height", height)),
         "pretension": _pretension(sheet),
     }
-    facts = (Fact(Message(f"note_sheet.{key}"), said) for key, said in rows.items())
-    limits = [_limit_states(sheet)] if sheet.criteria.all else []
-    return section("basis", [Facts("basis", tuple(facts)), *limits], "note_sheet")
+    return stated_section(sheet, own, analysis)
 
 
-def network_basis_section(sheet: Stated) -> Section:
-    """State what lines between points are judged by, and under what."""
+_BASIS = "analysis return_period combination datum tide fairlead friction density life pretension"
+"""What may be stated of a mooring, in its order on the page."""
+
+
+def stated_section(sheet: Stated, own: Mapping[str, str], analysis: str = "") -> Section:
+    """State what is known of any mooring, lines between points, too, and what is `own` to one."""
     site = sheet.case.site
-    rows = {
-        "analysis": Message("note_sheet.quasi_static"),
+    known = {
+        **own,
+        "analysis": analysis or Message("note_sheet.quasi_static"),
         "datum": Message("note_sheet.datum_is", depth=Measure("water_depth", site.depth_to_seabed)),
         "friction": Message("sizing.about", value=site.seabed_friction),
         "density": Message("sizing.measure", value=Measure("density", site.water_density)),
         "life": _life(sheet.case),
     }
-    facts = (Fact(Message(f"note_sheet.{key}"), said) for key, said in rows.items())
+    facts = (
+        Fact(Message(f"note_sheet.{key}"), known[key]) for key in _BASIS.split() if key in known
+    )
     limits = [_limit_states(sheet)] if sheet.criteria.all else []
     return section("basis", [Facts("basis", tuple(facts)), *limits], "note_sheet")
 

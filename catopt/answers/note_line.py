@@ -101,23 +101,18 @@ def _opening(note: Note) -> Iterator[Section]:
         ("note.identity_regime", solved.how_it_hangs(solution)),
         ("note.identity_method", solved.method_name(solution.method)),
     )
+    depth, failing = note.case.site.water_depth, failing_checks(note.checks)
+    drawn = line_in_water(solution, depth, failing)
     return opening(
         note,
         facts,
         said,
-        drawing=_drawn(note),
+        drawing=(Text(Message("note.line_scale")), Figure(drawn)),
         force=(Message("quantities.horizontal_force"), "horizontal_force", force),
         reach=(Message("quantities.span"), "span", max(each.span for each in intact)),
         tension=max(part.max_tension for each in intact for part in each.segments),
         in_motion=note.motion is not None,
     )
-
-
-def _drawn(note: Note) -> Iterator[Block]:
-    """Draw the line to scale, with its dimensions."""
-    yield Text(Message("note.line_scale"))
-    depth = note.case.site.water_depth
-    yield Figure(line_in_water(note.solution, depth, failing_checks(note.checks)))
 
 
 def _results(note: Note) -> Iterator[Block]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Iterator
 from dataclasses import replace
@@ -26,6 +27,7 @@ from catopt.answers.blocks import (
 from catopt.answers.check import checks_in_motion
 from catopt.answers.motion import (
     ENERGIES,
+    FORCE,
     lines_of_body,
     lines_of_points,
     over_runs,
@@ -54,13 +56,6 @@ if TYPE_CHECKING:
     from catopt.notes.system import NetworkNote, SystemNote
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
 
-_JUDGED_BY = {
-    "largest": "by_largest",
-    "most-probable": "by_most_probable",
-    "upper": "by_upper",
-}
-
-
 _DEGREES = Quantity("", "", "", "rad", "deg", math.pi / 180.0, 4, "significant")
 _S, _M, _NUMBER, _SPEED = (significant(unit) for unit in ("s", "m", "-", "m/s"))
 _S4, _M4 = significant("s", 4), significant("m", 4)
@@ -85,9 +80,10 @@ def drive_blocks(moved: InMotion) -> Iterator[Block]:
             if not sizes[:, k].any():
                 continue
             size = [float(sizes[row, k]) for row in rows]
-            # Where nothing moves there is no lag, whatever the file has.
+            # Lag behind the crest, from 0 to a full turn; where nothing moves, whatever the file
+            # has, there is none.
             lags = [
-                _lag(complex(raos.response[row, k])) if of > 0.0 else None
+                cmath.phase(raos.response[row, k]) % (2.0 * math.pi) if of > 0.0 else None
                 for row, of in zip(rows, size, strict=True)
             ]
             along = _said(f"{axis}_motion")
@@ -215,11 +211,6 @@ def _motion(motion: Motion, moved: InMotion) -> Iterator[Fact]:
                 yield _fact(f"record_{axis}", _said("from_to", **ends))
 
 
-def _lag(response: complex) -> float:
-    """Lag of a response behind the crest, from 0 to a full turn."""
-    return math.atan2(response.imag, response.real) % (2.0 * math.pi)
-
-
 def _model(moved: InMotion) -> Iterator[Fact]:
     case, dynamics = moved.found.case, moved.drive.dynamics
     part = moved.found.parts[moved.governing]
@@ -231,7 +222,7 @@ def _model(moved: InMotion) -> Iterator[Fact]:
     yield _fact("runs", dynamics.runs)
     yield _fact("duration", dynamics.duration, _S)
     yield _fact("of_interest", dynamics.duration_of_interest, _S)
-    yield _fact("judged_by", _said(_JUDGED_BY[dynamics.judged_by]))
+    yield _fact("judged_by", _said(f"by_{dynamics.judged_by.replace('-', '_')}"))
     yield _fact("ramp", moved.drive.ramp, _S)
     yield _fact("since", run.since, _S)
     yield _fact("step", run.step, _S4)
@@ -280,7 +271,6 @@ def segments_table(moved: InMotion) -> Table:
     )
 
 
-_BARE = blocks.named("tension", "")
 _FACTOR = fixed("-", 3)
 _SLACK = fixed("s", 2)
 _ENERGY = replace(significant("kJ", 4), si_unit="J", factor=1e3)
@@ -321,19 +311,19 @@ def motion_blocks(note: Note) -> Iterator[Block]:
     yield _statistics(part, solution)
     yield _uses(moved, index)
     balance = part.governing.history.balance
-    listed: list[tuple[str, float | None, Quantity]] = [
-        ("note_motion.anywhere", part.max_tension, _BARE),
-        ("note_motion.still_max", part.quasi_static_max, _BARE),
-        ("note_motion.amplification", part.dynamic_amplification, _FACTOR),
-        ("note_motion.slack_time", part.slack_time, _SLACK),
-        ("note_motion.longest_slack", part.longest_slack, _SLACK),
-    ]
-    for name, energy in ENERGIES.items():
-        said = Message("note_motion.energy", what=term(name))
-        listed.append((said, getattr(balance, energy), _ENERGY))
-    listed.append(("note_motion.energy_part", balance.numerical_part, _PART))
-    facts = tuple(blocks.stated(*each[:2], quantity=each[2]) for each in listed)
-    yield blocks.Facts("motion_outcome", facts, Message("note_motion.outcome"))
+    facts = (
+        _fact("anywhere", part.max_tension, FORCE),
+        _fact("still_max", part.quasi_static_max, FORCE),
+        _fact("amplification", part.dynamic_amplification, _FACTOR),
+        _fact("slack_time", part.slack_time, _SLACK),
+        _fact("longest_slack", part.longest_slack, _SLACK),
+        *(
+            Fact(_said("energy", what=term(name)), getattr(balance, energy), _ENERGY)
+            for name, energy in ENERGIES.items()
+        ),
+        _fact("energy_part", balance.numerical_part, _PART),
+    )
+    yield Facts("motion_outcome", facts, _said("outcome"))
     yield from _extremes(part)
     peaks = peaks_above(part)
     if peaks is not None:
@@ -404,8 +394,8 @@ def _uses(moved: InMotion, shown: int) -> Table:
     every = zip(moved.found.parts, moved.uses, strict=True)
     cases = [(index, part.name) for index, (part, uses) in enumerate(every) for _ in uses]
     of = Rows(use for uses in moved.uses for use in uses)
-    largest = of.measured(_BARE, "largest", "largest_tension")
-    allowed = of.measured(_BARE, "capacity", "note.workbook_allowed")
+    largest = of.measured(FORCE, "largest", "largest_tension")
+    allowed = of.measured(FORCE, "capacity", "note.workbook_allowed")
     used = of.measured("utilisation", "utilisation", formula=(largest, "/", allowed))
     passes = tuple(None if each is None else each <= 1.0 for each in of.read("utilisation"))
     words = {None: None, True: Message("answers.passes"), False: Message("answers.fails")}
@@ -415,7 +405,7 @@ def _uses(moved: InMotion, shown: int) -> Table:
         of.texts("segment", "number"),
         of.texts("name"),
         largest,
-        of.measured(_BARE, "at_rest", "note_motion.rest"),
+        of.measured(FORCE, "at_rest", "note_motion.rest"),
         allowed,
         used,
         texts("verdict", map(words.get, passes), passes=passes),
@@ -433,8 +423,10 @@ def _extremes(part: DynamicPart) -> Iterator[Table]:
     if not every:
         return
     by_minute = any(each.storm is not each.tail.extreme for each in every if each.tail)
-    listed = {"judged": "storm.most_probable"} if by_minute else {}
-    listed |= {"judged_from": "storm.low", "judged_to": "storm.high"} if by_minute else {}
+    listed: dict[str, str] = {}
+    if by_minute:
+        listed = {"judged": "storm.most_probable"}
+        listed |= {"judged_from": "storm.low", "judged_to": "storm.high"}
     listed |= _EXTREMES
     if every[0].gumbel is not None:
         listed |= {"by_gumbel": "gumbel.extreme.most_probable"}
@@ -463,9 +455,9 @@ def _runs(moved: InMotion, part: DynamicPart) -> Iterator[Block]:
         "motion_runs",
         of.texts("run", lambda run: run.number + 1),
         of.texts("seed", lambda run: "-" if seed is None else f"({seed}, {run.number})"),
-        largest.measured(_BARE, "maximum", "largest_fairlead_tension"),
+        largest.measured(FORCE, "maximum", "largest_fairlead_tension"),
         largest.measured(_SLACK, "time_of_maximum", "at"),
-        of.measured(_BARE, "quasi_static_max", "largest_quasi_static_fairlead_tension"),
+        of.measured(FORCE, "quasi_static_max", "largest_quasi_static_fairlead_tension"),
         histories.measured(_SLACK, methodcaller("line_slack_time"), "slack_in_all"),
         histories.texts("steps"),
         histories.texts("halvings"),
@@ -521,7 +513,15 @@ def body_motion_blocks(note: SystemNote | NetworkNote) -> Iterator[Block]:
     yield from _stopped(found)
     of_points = governing.between is not None
     yield Text(Message("note_system.points_about" if of_points else "note_system.motion_about"))
-    yield blocks.Verdict(Several(_body_said(found), " "), found.verdict == "converged")
+    said = [
+        Message("note_motion.of_line", number=part.shown, said=sentence)
+        for part, sentences in (
+            (governing, motion_sentences),
+            (found.least_proven, proof_sentences),
+        )
+        for sentence in sentences(part)
+    ]
+    yield blocks.Verdict(Several(said, " "), found.verdict == "converged")
     if note.motion_checks is not None and note.motion_checks.results:
         yield from checks_in_motion(note.motion_checks)
     at_rest = [line.tension for line in note.at_rest]
@@ -541,13 +541,3 @@ def body_motion_blocks(note: SystemNote | NetworkNote) -> Iterator[Block]:
     remarks = dict.fromkeys(each for part in found.parts for each in part.remarks)
     ends = () if of_points else (Message("note_motion.ends"),)
     yield blocks.Points((*ends, *remarks), Message("note_motion.to_know"))
-
-
-def _body_said(found: DynamicVerification) -> Iterator[Message]:
-    """Yield what is said of the governing line, and of the one that is proven least."""
-    for part, sentences in (
-        (found.governing, motion_sentences),
-        (found.least_proven, proof_sentences),
-    ):
-        for sentence in sentences(part):
-            yield Message("note_motion.of_line", number=part.shown, said=sentence)

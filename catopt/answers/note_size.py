@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
@@ -40,24 +40,22 @@ from catopt.answers.note import (
 )
 from catopt.answers.note_line import of_the_front, of_the_line
 from catopt.answers.note_system import near_blocks, plan_blocks, pull_of
-from catopt.answers.size_card import verdict
+from catopt.answers.size_card import storm_time, verdict
 from catopt.answers.trail import step_of
 from catopt.checks.kinds import QUANTITY_OF
 from catopt.constants import STANDARD_GRAVITY, YEAR
 from catopt.figures.sizing import elevation, swing_circle
 from catopt.model.anchor import sinker_needed
 from catopt.quantities import GREEK, QUANTITIES
-from catopt.units import lasting
 from catopt.words import Cited, Measure, Message, Sentence, Several, Told, say, term
 
 if TYPE_CHECKING:
-    from catopt.loads.component import LoadComponent, Loads
+    from catopt.loads.component import Loads
     from catopt.loads.drag_anchor import DragAnchorSize
     from catopt.loads.sinker import SinkerSize
     from catopt.mooring.solution import SystemSolution
     from catopt.notes.line import SizeNote
     from catopt.sizing import Sizing
-    from catopt.sizing.pattern import Pattern
     from catopt.sizing.settle import LoadsAt
 
 _DIGITS = 5
@@ -69,15 +67,21 @@ _section = partial(section, group="note_size")
 
 def size_note_answer(note: SizeNote) -> blocks.Answer:
     """Lay out the note of a sizing."""
-    line = note.line
+    line, of = note.line, note.sizing
+    analysis = "" if of.in_motion is None else Message(f"note_size.analysis_{of.kind}")
+    # Above that of the depth; load cases have theirs with the draught, too.
+    levels = [each.depth - of.case.site.water_depth for each in of.settled.posed.loads]
+    front: Iterable[Block] = ()
+    if line.chosen is not None and len(line.chosen.document["front"]) > 1:
+        front = of_the_front(line.chosen, "note_size.front_left_out")
     sections = (
         *_opening(note),
-        basis_section(note.sheet, *_combined(note), _levels(note), analysis=_analysis(note)),
+        basis_section(note.sheet, *_combined(of), levels, analysis=analysis),
         _section("in_motion", _in_motion(note)),
         *of_the_line(line, "checks", "load_cases"),
         _section("identity", _identity(note)),
         _section("candidates", _candidates(note)),
-        _section("front", _front(note)),
+        _section("front", front),
         _section("loads", _loads(note)),
         *sheet_sections(note.sheet, what_holds(note)),
         _section("hold", hold_blocks(note)),
@@ -104,7 +108,11 @@ def _opening(note: SizeNote) -> Iterator[Section]:
         _recommendation(note),
         sized.motion_sentence(of),
         *((Sentence(of.practice, capital=True),) if of.practice else ()),
-        drawing=_drawn(of),
+        drawing=(
+            Text(Message("note.line_scale")),
+            Figure(elevation(of, failing_checks(of.point.checks))),
+            Figure(swing_circle(of)),
+        ),
         force=(Message("note_size.identity_force"), "horizontal_force", force),
         reach=(Message("note_size.identity_radius"), "length", of.swing.total),
         tension=of.largest_tension,
@@ -118,22 +126,13 @@ def _in_storm(of: Sizing) -> Iterator[Number]:
     """Yield what the recommended line comes to in motion."""
     if of.in_motion is None:
         return
-    storm, dynamics = of.in_motion.storm, of.in_motion.case.dynamics
-    assert dynamics is not None
-    time = lasting(dynamics.duration_of_interest)
+    storm, time = of.in_motion.storm, storm_time(of.in_motion)
     yield Message("sizing.card_tension_in_storm", time=time), "tension", storm.tension
     if storm.high is not None:
         yield Message("note_size.upper_end"), "tension", storm.high
     worst = of.in_motion.checks.governing
     if worst is not None and worst.utilisation is not None:
         yield Message("note_size.used_in_motion"), "safety_factor", worst.utilisation
-
-
-def _analysis(note: SizeNote) -> str:
-    """Say of what lines the answer is: at rest alone, or run with what floats."""
-    if note.sizing.in_motion is None:
-        return ""
-    return Message(f"note_size.analysis_{note.sizing.kind}")
 
 
 def _in_motion(note: SizeNote) -> Iterator[Block]:
@@ -148,27 +147,14 @@ def _in_motion(note: SizeNote) -> Iterator[Block]:
         yield blocks.Warnings(of.checks.warnings)
 
 
-def _drawn(of: Sizing) -> Iterator[Block]:
-    """Draw the line with what it holds, and how far that swings, side by side."""
-    yield Text(Message("note.line_scale"))
-    yield Figure(elevation(of, failing_checks(of.point.checks)))
-    yield Figure(swing_circle(of))
-
-
-def _combined(note: SizeNote) -> tuple[str, str]:
+def _combined(of: Sizing) -> tuple[str, str]:
     """Say how the loads are combined, and how often they return, where that is known."""
-    has_parts = any(each.parts for each in note.sizing.settled.posed.loads)
-    years = {each.of.name: each.value for each in note.sizing.inputs}.get("return_period")
+    has_parts = any(each.parts for each in of.settled.posed.loads)
+    years = {each.of.name: each.value for each in of.inputs}.get("return_period")
     combined = Message("note_sheet.combined_at_once") if has_parts else ""
     if not isinstance(years, float):
         return combined, ""
     return combined, Message("note_sheet.return_period_is", years=years / YEAR)
-
-
-def _levels(note: SizeNote) -> tuple[float, ...]:
-    """Water levels above that of the depth, m; those of load cases go with the draught, too."""
-    still = note.sheet.case.site.water_depth
-    return tuple(each.depth - still for each in note.sizing.settled.posed.loads)
 
 
 def _identity(note: SizeNote) -> Iterator[Block]:
@@ -179,9 +165,8 @@ def _identity(note: SizeNote) -> Iterator[Block]:
     ]
     yield blocks.Points(tuple(governs), Message("note_size.identity_governs"))
     table = sized.summary_table(note.sizing)
-    yield replace(
-        table, columns=tuple(replace(each, only="all") for each in table.columns), shown=None
-    )
+    columns = tuple(replace(each, only="all") for each in table.columns)
+    yield replace(table, columns=columns, shown=None)
 
 
 def _recommendation(note: SizeNote) -> Message:
@@ -226,20 +211,15 @@ def _loads(note: SizeNote) -> Iterator[Block]:
         }
         yield Text(Message("note_size.loads_assumed", rounds=settled.rounds, **values))
     yield _sums(note)
-    common = _common(cases)
+    # What is assumed in every load case is said once.
+    said = [dict.fromkeys(text for part in at.parts for text in part.assumptions) for at in cases]
+    common = [text for text in said[0] if all(text in of_case for of_case in said)]
     for at in cases:
         for part in at.parts:
             yield from _part(at, part, common)
     yield blocks.Points(tuple(common), Message("note_size.loads_common"))
     if has_parts:
         yield small("note_size.loads_legend")
-
-
-def _common(cases: Sequence[LoadsAt]) -> list[str]:
-    """List what is assumed in every load case: it is said once."""
-    assumed = [[text for part in each.parts for text in part.assumptions] for each in cases]
-    first = dict.fromkeys(assumed[0])
-    return [text for text in first if all(text in texts for texts in assumed)]
 
 
 def _sums(note: SizeNote) -> Table:
@@ -270,10 +250,8 @@ def _sums(note: SizeNote) -> Table:
 
 def _part(at: LoadsAt, of: Loads, common: Sequence[str]) -> Iterator[Block]:
     """Follow each force on the ship or on the buoy in a load case, and their sum."""
-    forces = _forces(of)
-    steps = (*(_step(*each) for each in forces), *_total(of, forces))
     under = Message("note_size.loads_under", load_case=term(at.load_case), title=of.title)
-    yield blocks.Trail("size_load", steps, caption=under)
+    yield Trail("size_load", tuple(_steps(of)), caption=under)
     rows = (
         (
             force.name,
@@ -289,32 +267,29 @@ def _part(at: LoadsAt, of: Loads, common: Sequence[str]) -> Iterator[Block]:
     yield blocks.Points(tuple(each for each in of.assumptions if each not in common))
 
 
-def _total(of: Loads, forces: Sequence[tuple[LoadComponent, float]]) -> Iterator[blocks.Step]:
-    """Add the forces up: along the ship, and where there are any across it, both."""
-    along = [force for each, force in forces if each.axis != "sway"]
-    across = [force for each, force in forces if each.axis == "sway"]
-    X, Y, total = math.fsum(along), math.fsum(across), Message("note_size.loads_total")
+def _steps(of: Loads) -> Iterator[Step]:
+    """Follow each force, then add up those along the ship, and where there are any across it, both.
+
+    Along the ship what acts against the pull of all is negative.
+    """
+    signs = {axis: math.copysign(1.0, of.along(axis)) for axis in ("surge", "along")}
+    along: list[tuple[float, ...]] = []
+    across: list[tuple[float, ...]] = []
+    for each in of.components:
+        force = signs.get(each.axis, 1.0) * each.force
+        (across if each.axis == "sway" else along).append((force,))
+        numbers = {number.symbol: number.value for number in each.numbers} | {"g": STANDARD_GRAVITY}
+        name = Several((each.name, each.note), "; ") if each.note else each.name
+        source = each.source.text
+        yield Step(name, force, _FORCE, "", each.factors, numbers, source=source, digits=_DIGITS)
+    X, Y = (math.fsum(force for (force,) in terms) for terms in (along, across))
+    total = Message("note_size.loads_total")
     named_along = Message("note_size.loads_along") if across else total
-    yield blocks.Step(named_along, X, _FORCE, terms=tuple((force,) for force in along))
+    yield Step(named_along, X, _FORCE, terms=tuple(along))
     if across:
-        terms = tuple((force,) for force in across)
-        yield blocks.Step(Message("note_size.loads_across"), Y, _FORCE, terms=terms)
+        yield Step(Message("note_size.loads_across"), Y, _FORCE, terms=tuple(across))
         root, numbers, both = "√({X:()}² + {Y:()}²)", {"X": X, "Y": Y}, of.horizontal_force
-        yield blocks.Step(total, both, _FORCE, formula=root, numbers=numbers, digits=_DIGITS)
-
-
-def _forces(of: Loads) -> list[tuple[LoadComponent, float]]:
-    """List each force with its size along the pull of all, N: against it, negative."""
-    surge, along = of.along("surge"), of.along("along")
-    signs = {"surge": math.copysign(1.0, surge), "along": math.copysign(1.0, along), "sway": 1.0}
-    return [(each, signs[each.axis] * each.force) for each in of.components]
-
-
-def _step(of: LoadComponent, force: float) -> blocks.Step:
-    numbers = {number.symbol: number.value for number in of.numbers} | {"g": STANDARD_GRAVITY}
-    name = Several((of.name, of.note), "; ") if of.note else of.name
-    source = of.source.text
-    return blocks.Step(name, force, _FORCE, "", of.factors, numbers, source=source, digits=_DIGITS)
+        yield Step(total, both, _FORCE, formula=root, numbers=numbers, digits=_DIGITS)
 
 
 # ------------------------------------------------------------------ the choice
@@ -360,13 +335,6 @@ def _limits(note: SizeNote) -> Table:
     )
 
 
-def _front(note: SizeNote) -> Iterator[Block]:
-    """Lay out the front that the line is from; nothing where one design alone passes."""
-    chosen = note.line.chosen
-    if chosen is not None and len(chosen.document["front"]) > 1:
-        yield from of_the_front(chosen, "note_size.front_left_out")
-
-
 def _swing(note: SizeNote) -> Iterator[Block]:
     found = note.sizing.swing
     names = [*(term(name) for name, _ in found.parts), Message("note_size.swing_total")]
@@ -390,10 +358,13 @@ def _pattern(note: SizeNote) -> Iterator[Block]:
     of, around = note.sizing.pattern, note.around
     if of is None or around is None:
         return
-    radius = Measure("length", of.anchor_radius)
-    pretension = Measure("horizontal_force", of.pretension)
-    values = {"lines": of.lines, "radius": radius, "pretension": pretension}
-    yield Text(Message("note_size.pattern_about", **values))
+    about = Message(
+        "note_size.pattern_about",
+        lines=of.lines,
+        radius=Measure("length", of.anchor_radius),
+        pretension=Measure("horizontal_force", of.pretension),
+    )
+    yield Text(about)
     table = sized.pattern_table(of)
     pull = replace(table.columns[-1], name=Message("note_size.pattern_pull"))
     yield replace(
@@ -402,26 +373,20 @@ def _pattern(note: SizeNote) -> Iterator[Block]:
         caption=Message("note_size.pattern_states"),
         marked=of.states.index(of.hardest),
     )
-    yield from _rule(of)
+    hardest = of.hardest
+    if hardest.rule_force is not None:  # that of practice beside the equilibrium
+        values = {
+            "force": Measure("horizontal_force", hardest.force),
+            "rule": Measure("horizontal_force", hardest.rule_force),
+            "found": Measure("horizontal_force", hardest.line_force),
+            "ratio": f"{hardest.line_force / hardest.rule_force:.3f}",
+        }
+        yield Text(Message("note_size.pattern_rule", lines=of.lines, **values))
     yield sized.without_line_table(note.sizing)
     yield from (*plan_blocks(around), *near_blocks(around))
     yield _lines(around, of.hardest.load_case)
     force = f"{around.residual.force:.1e} N"
     yield small("note_size.pattern_residual", force=force)
-
-
-def _rule(of: Pattern) -> Iterator[Text]:
-    """Put the rule of practice beside the equilibrium."""
-    hardest = of.hardest
-    rule = hardest.rule_force
-    if rule is not None:
-        values = {
-            "force": Measure("horizontal_force", hardest.force),
-            "rule": Measure("horizontal_force", rule),
-            "found": Measure("horizontal_force", hardest.line_force),
-            "ratio": f"{hardest.line_force / rule:.3f}",
-        }
-        yield Text(Message("note_size.pattern_rule", lines=of.lines, **values))
 
 
 def _lines(of: SystemSolution, load_case: str) -> Table:

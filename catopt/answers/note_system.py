@@ -30,12 +30,12 @@ from catopt.answers.note import (
     case_sections,
     damaged_section,
     inputs_table,
-    network_basis_section,
     note_answer,
     opening,
     section,
     sheet_sections,
     small,
+    stated_section,
 )
 from catopt.answers.note_motion import body_motion_blocks
 from catopt.answers.solution import given_tables, method_name, profile_table
@@ -73,6 +73,7 @@ _M, _N, _NM = (exact(unit) for unit in ("m", "N", "N m"))
 
 def system_note_answer(note: SystemNote) -> blocks.Answer:
     """Lay out the note of a moored body."""
+    followed = Message("note_system.line_trail_of_line", line=note.solution.most_loaded + 1)
     sections = (
         *_opening(note),
         basis_section(note.sheet),
@@ -87,7 +88,7 @@ def system_note_answer(note: SystemNote) -> blocks.Answer:
         _section("restoring", _restoring(note)),
         *case_sections(note, note.case, note.case.line),
         _section("balance", _balance(note)),
-        _section("line_trail", _line_trail(note)),
+        _section("line_trail", [Text(followed), *equation_trail(note.loaded.solution)]),
         _section("verification", by_both(note, "note_system", note.solution.most_loaded)),
         _section("motion", body_motion_blocks(note)),
     )
@@ -110,12 +111,17 @@ def _opening(note: SystemNote) -> Iterator[Section]:
         line=solution.most_loaded + 1,
         tension=about("tension", note.loaded.tension),
     )
+    size = Measure("horizontal_force", force)
+    pull = Message("sizing.measure", value=size)
+    if any(system.force):
+        towards = Measure("angle", note.force_towards)
+        pull = Message("note_system.identity_towards", force=size, angle=towards)
     moment = Message("sizing.measure", value=Measure("moment", system.moment))
     freedom = "note_system.identity_turns" if system.turns else "note_system.identity_held"
     facts = (
         ("note_system.identity_lines", f"{len(system.legs)}"),
         ("note_system.identity_freedom", Message(freedom)),
-        ("note_system.identity_force", _force(note)),
+        ("note_system.identity_force", pull),
         ("note_system.identity_moment", moment if system.turns else ""),
         ("note.identity_method", method_name("closed-form")),
     )
@@ -136,19 +142,14 @@ def _identity(note: SystemNote) -> Iterator[Block]:
     line = note.solution.most_loaded + 1
     loaded = Message("note_system.identity_loaded", line=line, tension=tension)
     yield _use(note, loaded, note.used)
-    yield Verdict(_offset(note), None)
+    length = Measure("offset", math.hypot(*note.solution.offset))
+    gone = Message("note_system.identity_stays", offset=length)
+    if any(note.solution.offset) and any(note.solution.system.force):
+        angle = Measure("angle", note.offset_towards)
+        gone = Message("note_system.identity_goes", offset=length, angle=angle)
+    yield Verdict(gone, None)
     yield from _one_out(note)
     yield from near_blocks(note.solution)
-
-
-def _force(note: SystemNote) -> Message:
-    """Say how large the force is and where it acts to: ``"4281.000 kN towards 180.00 deg"``."""
-    force = note.solution.system.force
-    size = Measure("horizontal_force", math.hypot(*force))
-    if not any(force):
-        return Message("sizing.measure", value=size)
-    towards = Measure("angle", note.force_towards)
-    return Message("note_system.identity_towards", force=size, angle=towards)
 
 
 def _use(note: SystemNote, said: Message, used: float | None) -> Verdict:
@@ -158,15 +159,6 @@ def _use(note: SystemNote, said: Message, used: float | None) -> Verdict:
     key = "note_system.identity_used" if note.is_judged else "note_system.identity_used_of_mbl"
     whole = Several((said, Message(key, used=QUANTITIES["utilisation"].format(used))), " ")
     return Verdict(whole, False if used > 1.0 else None)
-
-
-def _offset(note: SystemNote) -> Message:
-    distance = math.hypot(*note.solution.offset)
-    length = Measure("offset", distance)
-    if distance == 0.0 or not any(note.solution.system.force):
-        return Message("note_system.identity_stays", offset=length)
-    angle = Measure("angle", note.offset_towards)
-    return Message("note_system.identity_goes", offset=length, angle=angle)
 
 
 def _one_out(note: SystemNote) -> Iterator[Verdict]:
@@ -296,10 +288,7 @@ def _line_out(note: SystemNote) -> Iterator[Block]:
     columns = (*table.columns[:-1], blocks.measured("utilisation", note.left), table.columns[-1])
     further = _further(each.response for each in gone)
     yield replace(table, columns=(*columns, *further), caption="", marked=hardest)
-    for each in gone:
-        if each.refusal:
-            lost = Message("mooring.lost", number=each.missing + 1, refusal=each.refusal)
-            yield Verdict(lost, passes=False)
+    yield from (Verdict(lost, passes=False) for lost in body.lines_lost(note.report))
 
 
 def _further(responses: Iterable[Response | None]) -> Iterator[blocks.Column]:
@@ -434,22 +423,18 @@ def steps_of(note: SystemNote) -> Iterator[blocks.Step]:
     yield step("note_system.balance_offset", "d", _M, math.hypot(x, y), root)
 
 
-def _line_trail(note: SystemNote) -> Iterator[Block]:
-    """Follow the most loaded line through the equations of a line."""
-    yield Text(Message("note_system.line_trail_of_line", line=note.solution.most_loaded + 1))
-    yield from equation_trail(note.loaded.solution)
-
-
 def network_note_answer(note: NetworkNote) -> blocks.Answer:
     """Lay out the note of lines between points."""
+    side = Figure(network_side(note.rest, note.most_loaded))
+    lines = meeting_table(note.rest, "network_lines", note.checks, marked=note.most_loaded)
     sections = (
         *_network_opening(note),
-        network_basis_section(note.sheet),
+        stated_section(note.sheet, {}),
         _section("checks", _checks(note.checks, "note_system.network_checks_about")),
         _section("line_out", _network_line_out(note)),
-        _section("side", _side(note)),
+        _section("side", [Text(Message("note_system.side_about")), side]),
         _section("joints", _joints(note)),
-        _section("lines", _network_lines(note)),
+        _section("lines", [lines, small("note_system.network_lines_about")]),
         damaged_section(note.sheet),
         section("components", _components(note)),
         _section("verification", by_both(note, "note_system", note.most_loaded)),
@@ -506,11 +491,6 @@ def _pull(note: NetworkNote) -> float:
     return math.hypot(*(math.fsum(pull[k] for pull in pulls) for k in (0, 1)))
 
 
-def _side(note: NetworkNote) -> Iterator[Block]:
-    yield Text(Message("note_system.side_about"))
-    yield Figure(network_side(note.rest, note.most_loaded))
-
-
 def _joints(note: NetworkNote) -> Iterator[Block]:
     if note.rest.bodies:
         yield bodies_table(note.rest)
@@ -520,11 +500,6 @@ def _joints(note: NetworkNote) -> Iterator[Block]:
     if note.rest.bodies or any(point.kind == "joint" for point in note.case.points):
         found = note.rest.joints
         yield small("note_system.joints_about", left=found.residual, steps=found.steps)
-
-
-def _network_lines(note: NetworkNote) -> Iterator[Block]:
-    yield meeting_table(note.rest, "network_lines", note.checks, marked=note.most_loaded)
-    yield small("note_system.network_lines_about")
 
 
 def _network_line_out(note: NetworkNote) -> Iterator[Block]:

@@ -25,7 +25,6 @@ from catopt.words import Cited, Measure, Message, Sentence, Several, term
 
 if TYPE_CHECKING:
     from catopt.sizing import Sizing
-    from catopt.sizing.alternatives import Candidate
     from catopt.sizing.in_motion import InMotion
     from catopt.sizing.pattern import Pattern, PatternState
 
@@ -63,7 +62,11 @@ def size_answer(of: Sizing) -> blocks.Answer:
         *([] if of.in_motion is None else [_run_afloat(of.in_motion)]),
         *([section(term("Candidates"), candidates_table(of))] if of.candidates else []),
         section("captions.checks", tightest_table(of.point.checks), checks),
-        *_pattern(of),
+        *(
+            []
+            if of.pattern is None
+            else [section(term("Pattern"), pattern_table(of.pattern), without_line_table(of))]
+        ),
         section(term("Forces"), *_forces(of)),
         section("columns.numbers", _stacked(of, "numbers", numbers_table)),
         section(term("Notes"), _notes_table(of), *_notes(of)),
@@ -258,6 +261,12 @@ def alternatives_table(of: Sizing) -> blocks.Table:
 def candidates_table(of: Sizing) -> blocks.Table:
     """Tabulate the recommended size between its neighbours."""
     every, points = Rows(of.candidates), Rows(Rows(of.candidates).read("settled.point"))
+    verdicts = (
+        each.reason
+        if each.settled is None
+        else Message("sizing.passes", check=each.settled.point.checks.nearest)
+        for each in of.candidates
+    )
     return tabulate(
         "candidates",
         every.texts("which", lambda each: term(each.role)),
@@ -266,23 +275,20 @@ def candidates_table(of: Sizing) -> blocks.Table:
         points.measured("mass", "line.mass", "mass_in_air", symbol=""),
         points.measured("offset", "largest_span", "largest_span", symbol="S"),
         points.measured("mass", "anchor.mass", "anchor_mass_in_air", symbol=""),
-        every.texts("verdict", _verdict),
+        texts("verdict", verdicts),
         caption=Message("captions.candidates"),
     )
 
 
-def _verdict(of: Candidate) -> str:
-    if of.settled is None:
-        return of.reason
-    return Message("sizing.passes", check=of.settled.point.checks.nearest)
-
-
 def _run_afloat(of: InMotion) -> blocks.Section:
     """Say how lines were run, what the recommended one came to, and which were tried."""
-    checks = replace(checks_of(of), only="files")
-    warned = blocks.Warnings(of.checks.warnings, "people")
-    own = (tightest_table(of.checks), checks)
-    return section("captions.checks_in_motion", *own, *tried_blocks(of), warned)
+    return section(
+        "captions.checks_in_motion",
+        tightest_table(of.checks),
+        replace(checks_of(of), only="files"),
+        *tried_blocks(of),
+        blocks.Warnings(of.checks.warnings, "people"),
+    )
 
 
 def checks_of(of: InMotion) -> blocks.Table:
@@ -301,36 +307,34 @@ def tried_blocks(of: InMotion) -> tuple[blocks.Block, ...]:
         every.texts("chain", lambda each: f"{each.component} {each.diameter * 1e3:g} mm"),
         every.measured("length", "length"),
         every.measured("mass", "mass", "mass_in_air", symbol=""),
-        texts("runs", (each.runs for each in of.tried)),
+        every.texts("runs"),
         verdict_column(each.passes for each in of.tried),
         every.texts("fails", "words"),
         caption=Message("sizing.lines_tried"),
     )
-    heels = (blocks.Text(Sentence(each, capital=True)) for each in heel_words(of))
-    said = blocks.Text(runs_words(of)), blocks.Text(of.counted.words)
-    return (*said, *heels, tried, *_seas(of), *_by_length(of))
+    heels = (Sentence(each, capital=True) for each in heel_words(of))
+    said = map(blocks.Text, (runs_words(of), of.counted.words, *heels))
+    seas = [_seas(of)] if of.seas else []
+    return (*said, tried, *seas, *(_by_length(of) if of.by_length else ()))
 
 
-def _seas(of: InMotion) -> Iterator[blocks.Table]:
+def _seas(of: InMotion) -> blocks.Table:
     """Tabulate which of several seas decides each kind of check."""
-    if of.seas:
-        seas, checks = Rows(of.seas), Rows(each.check for each in of.seas)
-        yield tabulate(
-            "seas",
-            checks.texts("check", lambda each: kind_name(each.kind)),
-            seas.measured(_HEIGHT, "height", "sizing.significant_height"),
-            seas.measured(_PERIOD, "period", "sizing.peak_period"),
-            checks.texts("load_case", "where"),
-            checks.measured("utilisation", "utilisation"),
-            verdict_column(each.check.passes for each in of.seas),
-            caption=Message("sizing.seas_that_decide"),
-        )
+    seas, checks = Rows(of.seas), Rows(each.check for each in of.seas)
+    return tabulate(
+        "seas",
+        checks.texts("check", lambda each: kind_name(each.kind)),
+        seas.measured(_HEIGHT, "height", "sizing.significant_height"),
+        seas.measured(_PERIOD, "period", "sizing.peak_period"),
+        checks.texts("load_case", "where"),
+        *checks.own("utilisation"),
+        verdict_column(checks.read("passes")),
+        caption=Message("sizing.seas_that_decide"),
+    )
 
 
 def _by_length(of: InMotion) -> tuple[blocks.Block, ...]:
-    """Draw and tabulate the tension in the storm by the length of the line, where that was run."""
-    if not of.by_length:
-        return ()
+    """Draw and tabulate the tension in the storm by the length of the line."""
     every = Rows(of.by_length)
     storm = Rows(every.read("storm"))
     table = tabulate(
@@ -348,11 +352,6 @@ def _by_length(of: InMotion) -> tuple[blocks.Block, ...]:
     )
     drawn = blocks.Figure(tension_by_length(of))
     return blocks.Text(Message("sizing.by_length_about")), drawn, table
-
-
-def _pattern(of: Sizing) -> Iterator[blocks.Section]:
-    if of.pattern is not None:
-        yield section(term("Pattern"), pattern_table(of.pattern), without_line_table(of))
 
 
 def pattern_table(of: Pattern) -> blocks.Table:
@@ -417,15 +416,11 @@ def _forces(of: Sizing) -> Iterator[blocks.Block]:
     of_rows = table.columns[0].values
     parts = []
     for each in every:
-        caption = Message(
-            "captions.loads_in",
-            load_case=each.load_case,
-            force=Measure("horizontal_force", each.horizontal_force),
-            methods=" + ".join(part.method for part in each.parts),
-        )
-        parts.append(
-            (caption, tuple(k for k, name in enumerate(of_rows) if name == each.load_case))
-        )
+        force = Measure("horizontal_force", each.horizontal_force)
+        methods = " + ".join(part.method for part in each.parts)
+        values = {"load_case": each.load_case, "force": force, "methods": methods}
+        rows = tuple(k for k, name in enumerate(of_rows) if name == each.load_case)
+        parts.append((Message("captions.loads_in", **values), rows))
     yield replace(table, parts=tuple(parts))
     yield blocks.Text(Message("answers.confidence"), only="people")
 

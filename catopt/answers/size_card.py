@@ -53,8 +53,14 @@ _NUMBERS = 6
 def size_card(of: Sizing, *, with_others: bool = True) -> tuple[CardBlock, ...]:
     """Lay out what is recommended on one screen, with other lines in words where wanted."""
     (code, *_) = of.case.checks.codes
+    run: tuple[Brief, ...] = ()
+    if of.in_motion is not None:
+        run = tuple(_of_the_runs(of.in_motion))
+    elif of.kind == "tanker":  # its line is at rest: say so, and what runs it
+        key = "sizing.not_run" if of.ship_case is None else "sizing.not_run_yet"
+        run = (Brief((Message(key),), Message("sizing.card_in_motion")),)
     briefs = (
-        *_of_motion(of),
+        *run,
         Brief(of.departures, Message("sizing.card_departs", code=code), 2),
         Brief((of.practice,), Message("sizing.card_practice"), 3),
         Brief(of.fittings, Message("sizing.card_fittings")),
@@ -145,10 +151,10 @@ def _numbers(of: Sizing) -> Iterator[Fact]:
     yield from _strength(of)
     if of.reserve_buoyancy is not None:
         pull = largest(each.fairlead.vertical_force for _, each in of.point.checks.solutions)
-        most = about("vertical_force", of.reserve_buoyancy)
         if of.pattern is not None:
             pull = of.pattern.largest_pull
-        yield _worded("pull", Message("sizing.out_of", value=_about(pull), most=most))
+        own, most = (about("vertical_force", e) for e in (pull or 0.0, of.reserve_buoyancy))
+        yield _worded("pull", Message("sizing.out_of", value=own, most=most))
     size = of.drag_anchor or (of.sinker if of.kind == "tanker" else None)
     if size is not None and size.factor is not None:
         values = {"factor": size.factor, "wanted": size.safety_factor}
@@ -160,17 +166,22 @@ def _numbers(of: Sizing) -> Iterator[Fact]:
 
 def _in_motion(of: InMotion) -> Iterator[Fact]:
     """Yield the tension in the storm beside that at rest, and the factor that this is."""
-    time = lasting(of.case.dynamics.duration_of_interest) if of.case.dynamics else ""
     storm = of.storm
     probable = about("tension", storm.tension)
     said = Message("sizing.measure", value=probable)
     if storm.low is not None and storm.high is not None:
         ends = {"low": about("tension", storm.low), "high": about("tension", storm.high)}
         said = Message("sizing.from_to", value=probable, **ends)
-    yield Fact(Message("sizing.card_tension_in_storm", time=time), said)
+    yield Fact(Message("sizing.card_tension_in_storm", time=storm_time(of)), said)
     yield _measured("tension_at_rest", "tension", storm.at_rest)
     factors = {"factor": of.factor, "allowance": of.allowance}
     yield _worded("motion_factor", Message("sizing.in_place_of", **factors))
+
+
+def storm_time(of: InMotion) -> str:
+    """Say how long the storm lasts in which lines were run."""
+    assert of.case.dynamics is not None
+    return lasting(of.case.dynamics.duration_of_interest)
 
 
 def less_words(of: LineTried) -> Message:
@@ -182,14 +193,12 @@ def less_words(of: LineTried) -> Message:
 
 def runs_words(of: InMotion) -> Message:
     """Say how lines were run, and what the checks are held against."""
-    assert of.case.dynamics is not None
-    storm = lasting(of.case.dynamics.duration_of_interest)
     said = Message(
         "sizing.runs_of" if of.load_cases > 1 else "sizing.runs_of_one",
         seeds=of.how.seeds,
         time=lasting(of.how.duration),
         states=of.load_cases,
-        judged=Message(f"sizing.judged_{of.how.judged_by.replace('-', '_')}", time=storm),
+        judged=Message(f"sizing.judged_{of.how.judged_by.replace('-', '_')}", time=storm_time(of)),
     )
     for key, count in (("seas", len(of.how.periods)), ("directions", of.directions)):
         if count > 1:
@@ -232,19 +241,6 @@ def _measured(name: str, key: str, value: float | None) -> Fact:
 
 def _worded(name: str, said: Value) -> Fact:
     return Fact(Message(f"sizing.card_{name}"), said)
-
-
-def _about(force: float | None) -> Measure:
-    return about("vertical_force", force or 0.0)
-
-
-def _of_motion(of: Sizing) -> Iterator[Brief]:
-    """Yield how lines were run; of a ship's line at rest that it was not, and what does so."""
-    if of.in_motion is not None:
-        yield from _of_the_runs(of.in_motion)
-    elif of.kind == "tanker":
-        key = "sizing.not_run" if of.ship_case is None else "sizing.not_run_yet"
-        yield Brief((Message(key),), Message("sizing.card_in_motion"), 1)
 
 
 def _of_the_runs(of: InMotion) -> Iterator[Brief]:
@@ -413,7 +409,8 @@ def _is_open(name: str, of: ResolvedInputs) -> bool:
     """Whether an input is one of those that count here, and has room left in the wanted way."""
     match name:
         case "diameter_max":
-            return _is_sold_above(of)
+            largest_tried = of["diameter_max"] or of.made_for[1]
+            return bool(max(_sold(of)) > largest_tried + _SAME_SIZE)
         case "chain":
             return _has_higher_grade(of)
         case "life":
@@ -437,12 +434,6 @@ def _is_open(name: str, of: ResolvedInputs) -> bool:
 def _sold(of: ResolvedInputs) -> list[float]:
     catalogue = chosen(CatalogueChoice(allow_recalled=bool(of["recalled"])), of["water_density"])
     return [each.nominal_diameter for name in of["chain"] for each in catalogue.sold(name)]
-
-
-def _is_sold_above(of: ResolvedInputs) -> bool:
-    """Whether a larger size is sold than those that were tried."""
-    most: float = of["diameter_max"] or of.made_for[1]
-    return max(_sold(of)) > most + _SAME_SIZE
 
 
 def _thinnest(of: ResolvedInputs) -> float:

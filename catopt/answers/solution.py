@@ -88,31 +88,28 @@ def _card(
     if parting:
         yield blocks.Verdict(Message("solution.parts", said=Several(parting)), passes=False)
     on_card = _ON_CARD - bool(parting)
-    numbers = (*result_facts(solution)[:on_card], *_lying(solution))
-    facts = (*found_facts(solution), *_of_current(solution), *numbers)
+    facts = (
+        *found_facts(solution),
+        *_of_current(solution),
+        *result_facts(solution)[:on_card],
+        fact("grounded_length", solution.grounded_length),
+        fact("mass", solution.line.mass),
+    )
     known = (replace(each, also=()) for each in facts if each.value is not None)
     yield blocks.Facts("summary", tuple(known))
     carried = profile_table(solution) if with_profile else segments_table(solution)
-    yield replace(carried, columns=tuple(each for each in carried.columns if not _is_in_tf(each)))
+    # Not again in tf what stands beside it in kN.
+    once = (e for e in carried.columns if e.quantity is None or e.quantity.field_unit != "tf")
+    yield replace(carried, columns=tuple(once))
     if solution.point_loads and not with_profile:
         yield point_loads_table(solution)
-    others = tuple(each for each in solution.warnings if each not in parting)
-    if others:
-        yield blocks.Brief(others, blocks.TO_BE_KNOWN, 3)
+    others = (each for each in solution.warnings if each not in parting)
+    yield from blocks.briefly(others, blocks.TO_BE_KNOWN, 3)
     if solution.found is not None:
         sought = Message("captions.found_for", condition=solution.found.condition)
         yield blocks.Brief((sought,))
     given = (each for each in given_facts(case) if each.only != "files")
     yield blocks.Brief(tuple(map(blocks.in_words, given)), Message("answers.card_given"), 2)
-
-
-def _is_in_tf(column: blocks.Column) -> bool:
-    """Whether a column says again in tf what stands beside it in kN."""
-    return column.quantity is not None and column.quantity.field_unit == "tf"
-
-
-def _lying(solution: Solution) -> tuple[blocks.Fact, blocks.Fact]:
-    return fact("grounded_length", solution.grounded_length), fact("mass", solution.line.mass)
 
 
 # ------------------------------------------------------------------ what was given
@@ -192,12 +189,13 @@ def _strain_tables(line: Line) -> Iterator[blocks.Table]:
     rows = [(k, *row) for k, EA in found for row in zip(EA.strain, EA.tension, strict=True)]
     if rows:
         number, strain, tension = zip(*rows, strict=True)
-        columns = (
+        yield tabulate(
+            "strain_given",
             texts("segment", number),
             measured("strain", strain),
             measured("tension", tension),
+            caption=Message("captions.strain_given"),
         )
-        yield tabulate("strain_given", *columns, caption=Message("captions.strain_given"))
 
 
 def _named(what: str, of: Rows) -> Iterator[blocks.Column]:

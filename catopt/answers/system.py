@@ -57,6 +57,7 @@ def system_answer(report: SystemReport, checks: CheckReport) -> blocks.Answer:
     lines: list[blocks.Block] = [table]
     if table.columns[-1].quantity is QUANTITIES["utilisation"]:
         lines.append(blocks.Text(lines_used(checks), only="people", is_small=True))
+    lost = map(blocks.Text, lines_lost(report))
     judged = blocks.Text(Message("mooring.all_checks"), only="people", is_small=True)
     whole = blocks.answered(
         "system",
@@ -64,7 +65,11 @@ def system_answer(report: SystemReport, checks: CheckReport) -> blocks.Answer:
         section("captions.body", blocks.Text(solved), _body(report)),
         section("captions.lines", *lines),
         section("captions.checks", *verdict_blocks(checks), *([judged] if checks.results else [])),
-        *_line_out(report),
+        *(
+            [section("captions.one_line_out", line_out_table(report), *lost)]
+            if report.line_out
+            else []
+        ),
         *([section("captions.watch_circle", circle_table(circle))] if circle else []),
         *(_curve(number, each) for number, each in enumerate(report.curves, start=1)),
         *_levels(report),
@@ -76,17 +81,20 @@ def system_answer(report: SystemReport, checks: CheckReport) -> blocks.Answer:
 
 def _card(report: SystemReport, checks: CheckReport, solved: Message) -> Iterator[blocks.CardBlock]:
     """Say what the checks come to, where the body is, what its lines carry, and what was asked."""
-    known = [fact for fact in body_facts(report.solution) if fact.only != "files" and fact.value]
-    named = (each for each in known if each.quantity is not None)
+    # With symbols, which tell apart facts of one name: a stiffness along x, and along y.
+    known = tuple(
+        replace(each, name=blocks.labelled(each.name, each.quantity.symbol))
+        for each in body_facts(report.solution)
+        if each.only != "files" and each.value and each.quantity is not None
+    )
     yield from verdict_blocks(checks)
-    body = blocks.Facts("body", tuple(map(_with_symbol, named)), Message("captions.body"))
+    body = blocks.Facts("body", known, Message("captions.body"))
     asked, lines = list(_asked(report)), lines_table(report.solution, checks)
     yield from asked
-    own: tuple[blocks.CardBlock, ...] = (lines, body) if asked else (body, lines)
-    yield from own
+    yield from (lines, body) if asked else (body, lines)
     for block in _closing(report, checks):
-        if isinstance(block, blocks.Warnings) and block.said:
-            yield blocks.Brief(block.said, blocks.TO_BE_KNOWN, 3)
+        if isinstance(block, blocks.Warnings):
+            yield from blocks.briefly(block.said, blocks.TO_BE_KNOWN, 3)
     yield blocks.Brief((solved,))
 
 
@@ -100,12 +108,6 @@ def _asked(report: SystemReport) -> Iterator[blocks.Table]:
     held = (held_section(*each) for each in enumerate(report.at_displacement, start=1))
     for of in (*_levels(report), *held):
         yield from (each for each in of.blocks if isinstance(each, blocks.Table))
-
-
-def _with_symbol(fact: blocks.Fact) -> blocks.Fact:
-    """Tell apart facts of one name: a stiffness along x, and along y."""
-    symbol = fact.quantity.symbol if fact.quantity else ""
-    return replace(fact, name=blocks.labelled(fact.name, symbol))
 
 
 def solved_system(solution: SystemSolution) -> blocks.Answer:
@@ -155,9 +157,6 @@ def lines_table(solution: SystemSolution, checks: CheckReport | None = None) -> 
     lines = solution.lines
     of = Rows(lines)
     numbers = range(1, len(lines) + 1)
-    used = [checks.used(line=number) if checks else None for number in numbers]
-    if all(value is None for value in used):
-        used = [line.utilisation() for line in lines]
     return tabulate(
         "lines",
         texts("line", numbers),
@@ -167,9 +166,17 @@ def lines_table(solution: SystemSolution, checks: CheckReport | None = None) -> 
         of.measured("tension", "tension", "fairlead_tension"),
         of.measured("tension", "solution.anchor.tension", "anchor_tension", symbol="TA"),
         of.measured("grounded_length", "solution.grounded_length"),
-        *if_known(measured("utilisation", used)),
+        *_utilisation(checks, [line.utilisation() for line in lines]),
         caption=Message("captions.lines"),
     )
+
+
+def _utilisation(
+    checks: CheckReport | None, of_MBL: Sequence[float | None]
+) -> Iterator[blocks.Column]:
+    """Say how far each line is used: by its checks, or else of its MBL; nothing if unknown."""
+    used = [checks.used(line=k) if checks else None for k in range(1, len(of_MBL) + 1)]
+    return if_known(measured("utilisation", of_MBL if set(used) == {None} else used))
 
 
 def lines_used(checks: CheckReport) -> Message:
@@ -190,14 +197,11 @@ def line_out_table(report: SystemReport) -> blocks.Table:
     )
 
 
-def _line_out(report: SystemReport) -> Iterator[blocks.Section]:
-    if report.line_out:
-        lost = (
-            blocks.Text(Message("mooring.lost", number=each.missing + 1, refusal=each.refusal))
-            for each in report.line_out
-            if each.response is None
-        )
-        yield section("captions.one_line_out", line_out_table(report), *lost)
+def lines_lost(report: SystemReport) -> Iterator[Message]:
+    """Say of each line without which there is no equilibrium why that is."""
+    for each in report.line_out:
+        if each.response is None:
+            yield Message("mooring.lost", number=each.missing + 1, refusal=each.refusal)
 
 
 def circle_table(circle: WatchCircle) -> blocks.Table:
@@ -336,6 +340,8 @@ def network_answer(
     )
     moved = [section("captions.bodies", bodies_table(rest))] if rest.bodies else []
     residual = max(each.joints.residual for each in (rest, *held))
+    out = network_out_table(line_out, checks)
+    lost = (blocks.Text(each.why_lost) for each in line_out if each.rest is None)
     whole = blocks.answered(
         "network",
         network.title or Message("captions.moored_body"),
@@ -348,7 +354,7 @@ def network_answer(
         ),
         section("captions.lines", meeting_table(rest, "lines", checks)),
         section("captions.checks", *verdict_blocks(checks)),
-        *_network_out(line_out, checks),
+        *([section("captions.one_line_out", out, *lost)] if line_out else []),
         *([section("captions.watch_circle", circle_table(circle))] if circle else []),
         *(_curve(number, each) for number, each in enumerate(curves, start=1)),
         *(held_section(number, body) for number, body in enumerate(bodies, start=1)),
@@ -361,23 +367,17 @@ def network_answer(
     )
     card: tuple[blocks.CardBlock, ...] = (
         *verdict_blocks(checks),
-        *([network_out_table(line_out, checks)] if line_out else []),
+        *([out] if line_out else []),
         *([circle_table(circle)] if circle else []),
         *(curve_table(number, each) for number, each in enumerate(curves, start=1)),
         *floats_tables(rest),
         meeting_table(rest, "lines", checks),
         *([bodies_table(rest)] if rest.bodies else []),
         joints_table(rest, "joints"),
-        *([blocks.Brief(checks.warnings, blocks.TO_BE_KNOWN, 3)] if checks.warnings else []),
+        *blocks.briefly(checks.warnings, blocks.TO_BE_KNOWN, 3),
         blocks.Brief((solved,)),
     )
     return replace(whole, card=card)
-
-
-def _network_out(gone: Sequence[NetworkOut], checks: CheckReport) -> Iterator[blocks.Section]:
-    if gone:
-        lost = (blocks.Text(each.why_lost) for each in gone if each.rest is None)
-        yield section("captions.one_line_out", network_out_table(gone, checks), *lost)
 
 
 def network_out_table(gone: Sequence[NetworkOut], checks: CheckReport) -> blocks.Table:
@@ -455,10 +455,8 @@ def meeting_table(
 ) -> blocks.Table:
     """Tabulate what each line carries, and how far it is used: by its checks, or else of MBL."""
     points, runs, of = rest.network.points, Rows(rest.runs), Rows(rest.lines)
-    used = [checks.used(line=k + 1) if checks else None for k in range(len(rest.runs))]
-    if all(value is None for value in used):
-        used = [largest(each.utilisation() for each in line.segments) for line in rest.lines]
-    table = tabulate(
+    of_MBL = [largest(each.utilisation() for each in line.segments) for line in rest.lines]
+    return tabulate(
         name,
         runs.texts("line", "name"),
         runs.texts("from_point", lambda run: points[run.first].name),
@@ -467,7 +465,7 @@ def meeting_table(
         of.measured("tension", "anchor.tension", "tension_there", symbol="T1"),
         of.measured("tension", "fairlead.tension", "tension_here", symbol="T2"),
         *of.own("grounded_length"),
-        *if_known(measured("utilisation", used)),
+        *_utilisation(checks, of_MBL),
         caption=Message("captions.lines"),
+        marked=marked,
     )
-    return replace(table, marked=marked)

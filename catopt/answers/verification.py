@@ -212,12 +212,16 @@ def _designs(front: FrontVerification) -> blocks.Table:
     found = Rows(of.read("verification.static"))
     tension = Rows(found.read("fairlead_tension"))
     verdicts = (term(each or "no answer") for each in of.read("verification.verdict"))
+    load_cases = (
+        each.verification.static.name if each.verification else each.design.load_case or ""
+        for each in front.designs
+    )
     people: dict[str, Any] = {"only": "people"}
     files: dict[str, Any] = {"only": "files"}
     return tabulate(
         "designs",
         of.texts("design", "design.number"),
-        of.texts("load_case", _load_case, **people),
+        texts("load_case", load_cases, **people),
         tension.measured("tension", "closed_form", "fairlead_tension", **people),
         tension.measured("tension", "extrapolated", "truss", symbol="", **people),
         found.measured(GAP, "worst.gap", "difference_over_scale", **people),
@@ -229,12 +233,6 @@ def _designs(front: FrontVerification) -> blocks.Table:
         of.texts("failure", **files),
         caption=Message("captions.designs"),
     )
-
-
-def _load_case(each: DesignVerification) -> str:
-    if each.verification is None:
-        return each.design.load_case or ""
-    return each.verification.static.name
 
 
 def _verdict(each: DesignVerification) -> Message:

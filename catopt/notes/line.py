@@ -44,7 +44,6 @@ if TYPE_CHECKING:
     from catopt.catenary.case_curve import CaseCurve
     from catopt.catenary.solution import Solution
     from catopt.checks.result import CheckReport
-    from catopt.loads.sinker import SinkerSize
     from catopt.model import Case
     from catopt.mooring.solution import SystemSolution
     from catopt.notes.sheet import Sheet
@@ -60,16 +59,15 @@ class Note(AnyNote):
     """Everything that the page of a line shows; what nobody asked for is None.
 
     `case` and `solution` are under the load that is drawn, by its name in `load_case` (empty when
-    there is only the load), and so are `verification`, by the truss model, and `swarm`; `checks`
-    and `motion` are under every load case. A warning says why there is no `curve`,
-    `verification_failure` why the truss model has no answer.
+    there is only the load), and so are `verification`, by the truss model, and `swarm`; `motion` is
+    under every load case. A warning says why there is no `curve`, `verification_failure` why the
+    truss model has no answer.
     """
 
     case: Case
     sheet: Sheet
     load_case: str
     solution: Solution
-    checks: CheckReport
     curve: CaseCurve | None
     chosen: Chosen | None = None
     verification: Verification | None = None
@@ -144,7 +142,6 @@ def note_of(
         case=drawn,
         load_case=load_case,
         solution=solution,
-        checks=checks,
         curve=curve,
         origin=origin_of((*files, *(motion_files(case) if asked.motion else ())), asked.date),
         sheet=sheet_of(case, solution.line, checks),
@@ -237,10 +234,15 @@ class SizeNote(AnyNote):
             return {}
         is_usual = math.isclose(sinker.safety_factor, SAFETY_FACTOR)
         friction = sinker.friction_source
+        density: str = given
+        if math.isclose(sinker.density, DENSITIES[sinker.material]):
+            density = Message("note_size.own_recalled")
+            if sinker.material == "steel":
+                density = Cited(LoadSource(CALMAR, "7.2", "A").text)
         return {
             "friction": given if friction is None else Cited(friction.text),
             "factor": Cited(FACTOR_SOURCE.text) if is_usual else given,
-            "density": _density_source(sinker),
+            "density": density,
         }
 
 
@@ -260,6 +262,8 @@ def size_note(sizing: Sizing, given: Given, asked: Asked | None = None) -> SizeN
         origin = origin_of((given.file,), asked.date, schema_of(sizing.kind))
     around = None if sizing.pattern is None else solve_system(sizing.pattern.system)
     fitted, point = _fitted(line), sizing.point
+    known = {_bare(each) for each in sizing.warnings}
+    more = [each for each in line.warnings if _bare(each) not in known]
     return SizeNote(
         case=sizing.case,
         sizing=sizing,
@@ -267,18 +271,9 @@ def size_note(sizing: Sizing, given: Given, asked: Asked | None = None) -> SizeN
         origin=origin,
         sheet=sheet_of(sizing.case, point.line, fitted.checks, around, point.anchor),
         options=given.options,
-        warnings=tuple(_size_warnings(sizing, line)),
+        warnings=(*sizing.warnings, *more),
         around=around,
     )
-
-
-def _density_source(of: SinkerSize) -> str:
-    """Cite where the density of a sinker is from."""
-    if not math.isclose(of.density, DENSITIES[of.material]):
-        return term("this note")
-    if of.material == "steel":
-        return Cited(LoadSource(CALMAR, "7.2", "A").text)
-    return Message("note_size.own_recalled")
 
 
 def _fitted(line: Note) -> Note:
@@ -302,7 +297,8 @@ def _fitted(line: Note) -> Note:
         solutions=tuple((names[name], solution) for name, solution in of.solutions),
         load_cases=tuple(replace(each, name=names[each.name]) for each in of.load_cases),
     )
-    return replace(line, checks=checks, load_case=names.get(line.load_case, line.load_case))
+    load_case = names.get(line.load_case, line.load_case)
+    return replace(line, sheet=replace(line.sheet, report=checks), load_case=load_case)
 
 
 def _front(sizing: Sizing) -> dict[str, Any]:
@@ -316,15 +312,6 @@ def _front(sizing: Sizing) -> dict[str, Any]:
     if settled.index != settled.result.recommended - 1:
         document |= {"recommended": settled.index, "neighbours": []}
     return document | {"recommendation": sizing.why}
-
-
-def _size_warnings(sizing: Sizing, line: Note) -> Iterator[str]:
-    """Yield what is to be known of the sizing, then what more there is of its line."""
-    yield from sizing.warnings
-    known = {_bare(warning) for warning in sizing.warnings}
-    for warning in line.warnings:
-        if _bare(warning) not in known:
-            yield warning
 
 
 def _bare(warning: str) -> str:

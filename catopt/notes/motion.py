@@ -176,7 +176,7 @@ def allowed_tensions(
 
 def motion_warnings(moved: InMotion) -> Iterator[str]:
     """Yield what is to be known before the note is used: what fails, and what was remarked on."""
-    from catopt.verify.motion_words import stopped_sentence
+    from catopt.verify.motion_words import doubts, stopped_sentence
 
     found = moved.found
     if not found.is_complete:
@@ -185,26 +185,23 @@ def motion_warnings(moved: InMotion) -> Iterator[str]:
     of_all = [each for each in first.remarks if all(each in part.remarks for part in others)]
     yield from (Message("notes.in_motion", what=remark) for remark in of_all)
     for part, uses in zip(found.parts, moved.uses, strict=True):
-        for what in _of_part(part, uses, of_all):
+        over_used = (
+            Message(
+                "notes.over_used",
+                number=use.number,
+                tension=Measure("tension", use.largest),
+                used=use.utilisation,
+            )
+            for use in uses
+            if (use.utilisation or 0.0) > 1.0
+        )
+        slack = [Message("notes.goes_slack", time=part.slack_time)] if part.slack_time > 0.0 else []
+        own = (remark for remark in part.remarks if remark not in of_all)
+        for what in (*over_used, *doubts(part), *slack, *own):
             if found.case.load_cases:
                 yield Message("notes.case_in_motion", name=part.name, what=what)
             else:
                 yield Message("notes.in_motion", what=what)
-
-
-def _of_part(
-    part: DynamicPart, uses: tuple[SegmentUse, ...], of_all: Sequence[str]
-) -> Iterator[str]:
-    from catopt.verify.motion_words import doubts
-
-    for use in uses:
-        if use.utilisation is not None and use.utilisation > 1.0:
-            values = {"tension": Measure("tension", use.largest), "used": use.utilisation}
-            yield Message("notes.over_used", number=use.number, **values)
-    yield from doubts(part)
-    if part.slack_time > 0.0:
-        yield Message("notes.goes_slack", time=part.slack_time)
-    yield from (remark for remark in part.remarks if remark not in of_all)
 
 
 def motion_files(case: Case | Network) -> tuple[SourceFile, ...]:

@@ -171,12 +171,9 @@ class Asked:
         self, *, swarm: bool | None = None, motion: bool | None = None, once: bool | None = None
     ) -> Asked:
         """Return it with what options say; None leaves it."""
-        convergence_check = None if once is None else "none" if once else "step"
-        said: dict[str, Any] = {
-            "swarm": swarm,
-            "motion": motion,
-            "convergence_check": convergence_check,
-        }
+        said: dict[str, Any] = {"swarm": swarm, "motion": motion}
+        if once is not None:
+            said["convergence_check"] = "none" if once else "step"
         return replace(self, **{name: value for name, value in said.items() if value is not None})
 
 
@@ -214,11 +211,14 @@ def case_path(path: Path) -> Path:
         return path
     if (path / DESIGN_CASE).is_file():
         return path / DESIGN_CASE
-    allowed = Message(
-        "refused_command.directory_with_wanted_out_catopt",
-        design_case=DESIGN_CASE,
-        path=_contents(path),
-    )
+    names = sorted(each.name for each in path.iterdir() if not each.name.startswith("."))
+    shown, more = ", ".join(names[:_SHOWN]), len(names) - _SHOWN
+    contents = Message("refused_command.nothing_in_it")
+    if names:
+        key = "contents_and_more" if more > 0 else "contents"
+        contents = Message(f"refused_command.{key}", shown=shown, more=more)
+    key = "refused_command.directory_with_wanted_out_catopt"
+    allowed = Message(key, design_case=DESIGN_CASE, path=contents)
     raise InputError([Problem("CASE", str(path), allowed)], "options")
 
 
@@ -265,14 +265,3 @@ def _refuse_mixed(directory: Path, documents: Mapping[str, dict[str, Any]]) -> N
     if strange:
         allowed = Message("refused_command.another_case_than_beside_run", design_case=DESIGN_CASE)
         raise InputError([Problem(name, "", allowed) for name in sorted(strange)], str(directory))
-
-
-def _contents(directory: Path) -> Message:
-    """Say in words what a directory has."""
-    names = sorted(each.name for each in directory.iterdir() if not each.name.startswith("."))
-    if not names:
-        return Message("refused_command.nothing_in_it")
-    more = len(names) - _SHOWN
-    shown = ", ".join(names[:_SHOWN])
-    key = "refused_command.contents_and_more" if more > 0 else "refused_command.contents"
-    return Message(key, shown=shown, more=more)

@@ -44,22 +44,17 @@ class AnchorMoved:
 
 @dataclass(frozen=True, kw_only=True)
 class Stated:
-    """What is stated of any mooring; `report` is by `criteria`, `anchor` holds each line."""
+    """What is stated of any mooring, of so many `lines`, each of which `anchor` holds.
+
+    `report` is by `criteria`; `intact` has every line with all there, in every load case.
+    """
 
     case: Case | Network
     report: CheckReport
     criteria: Criteria
+    lines: int
+    intact: tuple[Solution, ...]
     anchor: Anchor | None = None
-
-    @property
-    def lines(self) -> int:
-        """How many there are."""
-        return 1
-
-    @property
-    def intact(self) -> tuple[Solution, ...]:
-        """Every line with all there, in every load case."""
-        return tuple(solution for _, solution in self.report.solutions)
 
     @property
     def break_factor(self) -> float | None:
@@ -85,11 +80,11 @@ class Stated:
 class Sheet(Stated):
     """What is stated of a case with all its load cases.
 
-    `line` is that of the note, of a body one of its lines; `report` is of it and by `criteria`;
-    `anchor` holds it; `system` is the body under its load. `pretension` (N) is the largest tension
-    at a fairlead of the body under no load, of a line in its reference load case. `moved` is the
-    most loaded line's anchor elsewhere, or that of a line whose span is given; empty where the
-    force on the line is given, which does not change by that. `least` is how far segments may wear.
+    `line` is that of the note, of a body one of its lines; `system` is the body under its load.
+    `pretension` (N) is the largest tension at a fairlead of the body under no load, of a line in
+    its reference load case. `moved` is the most loaded line's anchor elsewhere, or that of a line
+    whose span is given; empty where the force on the line is given, which does not change by that.
+    `least` is how far segments may wear.
     """
 
     case: Case
@@ -98,19 +93,6 @@ class Sheet(Stated):
     pretension: float | None = None
     moved: tuple[AnchorMoved, ...] = ()
     least: tuple[LeastDiameter, ...] = ()
-
-    @property
-    def lines(self) -> int:
-        """How many there are."""
-        return 1 if self.system is None else len(self.system.lines)
-
-    @property
-    def intact(self) -> tuple[Solution, ...]:
-        """Every line with all there, in every load case."""
-        if self.system is not None:
-            return tuple(each.solution for each in self.system.lines)
-        out = {each.name for each in self.report.load_cases if each.state != "intact"}
-        return tuple(solution for name, solution in self.report.solutions if name not in out)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -124,6 +106,11 @@ class AnyNote:
     sheet: Stated
     origin: Origin
     warnings: tuple[str, ...] = ()
+
+    @property
+    def checks(self) -> CheckReport:
+        """Of every line and load case, with all lines there and with one out."""
+        return self.sheet.report
 
 
 def sheet_of(
@@ -140,11 +127,17 @@ def sheet_of(
     """
     anchor = anchor or case.anchor
     criteria = criteria_of(replace(case, anchor=anchor))
+    out = {each.name for each in report.load_cases if each.state != "intact"}
+    intact = [solution for name, solution in report.solutions if name not in out]
+    if system is not None:
+        intact = [each.solution for each in system.lines]
     return Sheet(
         case=case,
         line=line,
         report=report,
         criteria=criteria,
+        lines=1 if system is None else len(intact),
+        intact=tuple(intact),
         anchor=anchor,
         system=system,
         pretension=_pretension(report, system),

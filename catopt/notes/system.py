@@ -35,7 +35,7 @@ from catopt.verify.motion_words import doubts, stopped_sentence
 from catopt.words import Message, is_said
 
 if TYPE_CHECKING:
-    from catopt.catenary.solution import EndState, Solution
+    from catopt.catenary.solution import EndState
     from catopt.checks.result import CheckReport
     from catopt.model import Case
     from catopt.mooring.solution import LegState, SystemSolution
@@ -56,16 +56,14 @@ class SystemNote(AnyNote):
 
     `report` has the body under its load, with one line out, the watch circle, and the restoring
     curves along the force and across it; what could not be computed is left out, and the warnings
-    say why. `checks` are of every line and of the body, intact and with every line out.
-    `verification` is by the truss model, None where it was left out or failed, the latter for the
-    reason of `verification_failure`; `motion` has all lines, `motion_checks` judges them, None
-    where nobody asked for it.
+    say why. `verification` is by the truss model, None where it was left out or failed, the latter
+    for the reason of `verification_failure`; `motion` has all lines, `motion_checks` judges them,
+    None where nobody asked for it.
     """
 
     case: Case
     sheet: Sheet
     report: SystemReport
-    checks: CheckReport
     verification: Verification | None = None
     verification_failure: str = ""
     motion: DynamicVerification | None = None
@@ -187,7 +185,6 @@ def system_note(
     return SystemNote(
         case=case,
         report=report,
-        checks=checks,
         origin=origin_of((*files, *(motion_files(case) if found else ())), asked.date),
         sheet=sheet_of(case, case.line, checks, report.solution),
         warnings=tuple(dict.fromkeys(warnings)),
@@ -274,35 +271,16 @@ def _of_motion(found: DynamicVerification) -> Iterator[str]:
 
 
 @dataclass(frozen=True, kw_only=True)
-class NetworkSheet(Stated):
-    """What is stated of lines between points; `rest` has all of them."""
-
-    rest: LinesAtRest
-
-    @property
-    def lines(self) -> int:
-        """How many there are."""
-        return len(self.rest.runs)
-
-    @property
-    def intact(self) -> tuple[Solution, ...]:
-        """Every line with all there."""
-        return self.rest.lines
-
-
-@dataclass(frozen=True, kw_only=True)
 class NetworkNote(AnyNote):
     """Everything that the page of lines between points shows, the body held.
 
-    `checks` are of every line, intact and with each out, which `line_out` has; `motion` has all
-    lines, `motion_checks` what it is judged by, None where nobody asked for it.
+    `line_out` has them with each out; `motion` has all lines, `motion_checks` what it is judged by,
+    None where nobody asked for it.
     """
 
     case: Network
-    sheet: NetworkSheet
     rest: LinesAtRest
     line_out: tuple[NetworkOut, ...]
-    checks: CheckReport
     verification: Verification | None = None
     verification_failure: str = ""
     motion: DynamicVerification | None = None
@@ -349,18 +327,18 @@ def read_network_note(
         case=network,
         rest=rest,
         line_out=line_out,
-        checks=checks,
         verification=verification,
         verification_failure=failure,
         motion=found,
         motion_checks=judged,
         origin=origin_of((source, *files), asked.date, NetworkTable),
-        sheet=NetworkSheet(
+        sheet=Stated(
             case=network,
             report=checks,
             criteria=criteria_of_network(network),
+            lines=len(rest.runs),
+            intact=rest.lines,
             anchor=network.anchor,
-            rest=rest,
         ),
         warnings=tuple(dict.fromkeys(warnings)),
     )
