@@ -69,7 +69,7 @@ def size_note_answer(note: SizeNote) -> blocks.Answer:
     """Lay out the note of a sizing."""
     line, of = note.line, note.sizing
     analysis = "" if of.in_motion is None else Message(f"note_size.analysis_{of.kind}")
-    # Above that of the depth; load cases have theirs with the draught, too.
+    # Of the water above the depth, m; those of load cases go with the draught, too.
     levels = [each.depth - of.case.site.water_depth for each in of.settled.posed.loads]
     front: Iterable[Block] = ()
     if line.chosen is not None and len(line.chosen.document["front"]) > 1:
@@ -374,7 +374,7 @@ def _pattern(note: SizeNote) -> Iterator[Block]:
         marked=of.states.index(of.hardest),
     )
     hardest = of.hardest
-    if hardest.rule_force is not None:  # that of practice beside the equilibrium
+    if hardest.rule_force is not None:  # the rule of practice beside the equilibrium
         values = {
             "force": Measure("horizontal_force", hardest.force),
             "rule": Measure("horizontal_force", hardest.rule_force),
