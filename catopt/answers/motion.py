@@ -240,9 +240,16 @@ def lines_of_body(parts: Sequence[DynamicPart], at_rest: Sequence[float] = ()) -
         fairlead.measured(FORCE, "minimum", "min", priority=3),
         fairlead.measured(FORCE, "maximum", "max"),
         *blocks.if_known(fairlead.measured(FORCE, "most_probable_maximum", probable, priority=3)),
-        *_by_damping(parts, "fairlead_tension", "by_damping"),
+        *_by_damping(
+            parts, "fairlead_tension", "motion.least_by_damping", "motion.most_by_damping"
+        ),
         anchor.measured(FORCE, "maximum", "motion.max_at_anchor"),
-        *_by_damping(parts, "anchor_tension", "at_anchor_by_damping"),
+        *_by_damping(
+            parts,
+            "anchor_tension",
+            "motion.least_at_anchor_by_damping",
+            "motion.most_at_anchor_by_damping",
+        ),
         of.measured(FORCE, "quasi_static_max", "quasi_static", priority=1),
         of.measured(RATIO, "dynamic_amplification", "amplification"),
         of.measured(_SLACK, "slack_time", "slack"),
@@ -295,11 +302,13 @@ def _joints(found: Sequence[JointInMotion]) -> blocks.Table:
     )
 
 
-def _by_damping(parts: Sequence[DynamicPart], quantity: str, key: str) -> Iterator[blocks.Column]:
+def _by_damping(
+    parts: Sequence[DynamicPart], quantity: str, *headings: str
+) -> Iterator[blocks.Column]:
     """List least and largest maximum by damping of each line that snaps; none where none does."""
     of = Rows(part.damping_range(quantity) or (None, None) for part in parts)
-    for k, which in enumerate(("least", "most")):
-        column = of.measured(FORCE, itemgetter(k), f"motion.{which}_{key}", priority=2)
+    for k, heading in enumerate(headings):
+        column = of.measured(FORCE, itemgetter(k), heading, priority=2)
         yield from blocks.if_known(column)
 
 

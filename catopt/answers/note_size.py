@@ -166,7 +166,7 @@ def _identity(note: SizeNote) -> Iterator[Block]:
     yield blocks.Points(tuple(governs), Message("note_size.identity_governs"))
     table = sized.summary_table(note.sizing)
     columns = tuple(replace(each, only="all") for each in table.columns)
-    yield replace(table, columns=columns, shown=None)
+    yield replace(table, columns=columns)
 
 
 def _recommendation(note: SizeNote) -> Message:
@@ -298,8 +298,7 @@ def _steps(of: Loads) -> Iterator[Step]:
 def _candidates(note: SizeNote) -> Iterator[Block]:
     """Tabulate the recommended size between its neighbours, and the steps to less that fail."""
     of = note.sizing
-    if of.in_motion is not None:  # others at rest say nothing beside it
-        yield from sized.tried_blocks(of.in_motion)
+    if of.in_motion is not None:  # others at rest say nothing beside those that were run
         return
     yield Text(Message("note_size.candidates_about"))
     table = sized.candidates_table(of)

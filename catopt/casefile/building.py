@@ -28,7 +28,7 @@ from catopt.model import Case, CatalogueChoice, Checks, Line, Segment, SegmentCh
 from catopt.model.kinds import File
 from catopt.model.line import StrainTable, weight_in_water
 from catopt.units import as_written
-from catopt.words import Message
+from catopt.words import Listed, Message
 from catopt.words.labels import problem_words
 
 if TYPE_CHECKING:
@@ -82,7 +82,7 @@ def findings(values: Values, section: FileSection, *, required: bool = False) ->
     if required and section.lacks(*values.keys):
         yield section.missing(values.many, Message("refused.ways_wanted", ways=wanted(values)))
     elif len(singly) + bool(ranged) > 1:
-        found = " and ".join([*singly, *ranged])
+        found = Listed([*singly, *ranged], "and")
         yield Finding(section.path, found, Message("refused.one_way", ways=wanted(values)))
     elif ranged and not section.misspelt(*values.keys):
         yield from _range_findings(values, section)
@@ -91,7 +91,8 @@ def findings(values: Values, section: FileSection, *, required: bool = False) ->
 
 def _range_findings(values: Values, section: FileSection) -> Iterator[Finding]:
     low_key, high_key, step_key = values.range
-    together = f"{low_key}, {high_key} and {step_key} go together"
+    keys = {"low": low_key, "high": high_key, "step": step_key}
+    together = Message("refused_case.go_together", **keys)
     yield from (section.missing(key, together) for key in values.range if key not in section)
     yield from upside_down(section, low_key, high_key)
     low, high, step = (section.number(key) for key in values.range)

@@ -215,7 +215,7 @@ def _contact_offset(site: FileSection, line: FileSection) -> Iterator[Finding]:
         yield site.wrong("water_depth", allowed)
     for key in ("fairlead_height", "anchor_height"):
         if (line.number(key) or math.inf) <= offset:
-            yield line.wrong(key, f"{allowed}; 0 is an end on the seabed")
+            yield line.wrong(key, Message("refused_case.end_on_seabed", allowed=allowed))
 
 
 def _levels(case: FileSection, states: list[FileSection]) -> Iterator[Finding]:

@@ -207,13 +207,12 @@ class Criteria:
         InputError where a criterion is of a kind that no search keeps.
         """
         unknown = {
-            each: f"asked for by {each.source.code}"
+            each: Message("refused_case.asked_for_by", code=each.source.code)
             for each in self.all
             if each.check not in SEARCHED
         }
         if unknown:
-            way_out = "leave it out, and check the design that is found"
-            allowed = Message("refused_case.no_search_keeps_this_check", way_out=way_out)
+            allowed = Message("refused_case.no_search_keeps_this_check")
             problems = [
                 Problem(f"checks: {each.check}", found, allowed) for each, found in unknown.items()
             ]

@@ -316,8 +316,9 @@ def _curve(case: Case, segment: Segment, index: int) -> FatigueCurve:
     of = next((name for start, name in _OF_COMPONENT if segment.component.startswith(start)), "")
     name = f"{_OF_CODE[fatigue.code]} {of}" if fatigue.code else ""
     if name not in CURVES:
-        what = Message("refused_case.has_no_curve_give_one", value=fatigue.code or "no code")
-        found = segment.component or "no component"
+        code = fatigue.code or Message("refused_case.no_code")
+        what = Message("refused_case.has_no_curve_give_one", value=code)
+        found = segment.component or Message("refused_case.without_component")
         raise InputError([Problem(f"line.segments[{index}]", found, what)])
     return CURVES[name]
 

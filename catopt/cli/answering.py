@@ -62,7 +62,7 @@ class Asked:
 
     def leave(self, status: int, why: str) -> NoReturn:
         """End with an exit status, and say why on standard error."""
-        self.output.note(f"catopt: {why}")
+        self.output.note(f"catopt: {say(why, self.language)}")
         raise typer.Exit(status)
 
     def give(
@@ -83,7 +83,7 @@ class Asked:
             if further is None:
                 files = files_of(answer, document(), self.language)
             else:
-                with self.output.progress("Tables and figures"):
+                with self.output.progress(Message("beside.tables_and_figures")):
                     files = files_of(answer, document(), self.language) | further()
             self.write(files, case)
         self.show(answer, printed or document)
@@ -114,7 +114,7 @@ class Asked:
 
         Nothing beside a document. See `Printer.working`.
         """
-        return nullcontext() if self.as_json else self.output.working(say(what, self.language))
+        return nullcontext() if self.as_json else self.output.working(what)
 
     def write(
         self,
@@ -131,7 +131,7 @@ class Asked:
         from catopt.report.bundle import write_files
 
         assert self.out is not None
-        whole, text, stays = dict(files), None, ""
+        whole, text, stays = dict(files), None, None
         if case is not None:
             from catopt.casefile import read_mooring, write_case
             from catopt.casefile.reading import DESIGN_CASE, DESIGN_DOCUMENT
@@ -143,16 +143,13 @@ class Asked:
             if not stays and front is not None:
                 whole[DESIGN_DOCUMENT] = (front / DESIGN_DOCUMENT).read_bytes()
         written = write_files(self.out, whole, case=text)
-        self.output.note(f"{len(written)} files written to {self.out}")
+        self.output.note(Message("beside.files_written", count=len(written), place=self.out))
         if case is None or not stays:
             return
         with suppress(InputError):
             if read_mooring(self.out / DESIGN_CASE) == case:
                 return
-        self.output.note(
-            f"catopt: {DESIGN_CASE} in {self.out} stays as it is, {stays}; "
-            f"catopt report {self.out} is of that one"
-        )
+        self.output.note(Message("beside.case_stays", name=DESIGN_CASE, place=self.out, why=stays))
 
     def give_file(
         self,
@@ -244,19 +241,19 @@ def keyword(
     return inspect.Parameter(name, kind, default=default, annotation=annotation)
 
 
-def _stays(directory: Path, *, with_front: bool) -> str:
-    """Say why the case file in a directory must not be replaced; empty where it may."""
+def _stays(directory: Path, *, with_front: bool) -> Message | None:
+    """Say why the case file in a directory must not be replaced; None where it may."""
     from catopt.casefile import write_case
     from catopt.casefile.reading import DESIGN_CASE, DESIGN_DOCUMENT, parse_mooring
 
     place = directory / DESIGN_CASE
     if not place.exists():
-        return ""
+        return None
     if (directory / DESIGN_DOCUMENT).exists() and not with_front:
-        return "for the front in design.json goes with it"
+        return Message("beside.front_goes_with_it", name=DESIGN_DOCUMENT)
     try:
         text = place.read_text("utf-8")
         is_ours = text == write_case(parse_mooring(text, folder=str(directory)))
     except (OSError, ValueError, InputError):
         is_ours = False
-    return "" if is_ours else "for catopt did not write it"
+    return None if is_ours else Message("beside.not_ours")

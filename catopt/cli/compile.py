@@ -5,6 +5,7 @@ from __future__ import annotations
 import typer
 
 from catopt.cli.output import Printer
+from catopt.words import Message
 
 
 def compile_all(context: typer.Context) -> None:
@@ -14,7 +15,7 @@ def compile_all(context: typer.Context) -> None:
     from catopt.compile_jobs import JOBS, compile_always
 
     output: Printer = context.obj
-    with compile_always(), output.progress("parts compiled") as tell:
+    with compile_always(), output.progress(Message("beside.parts_compiled")) as tell:
         for done, (name, job) in enumerate(JOBS.items()):
             if tell is not None:
                 tell(done, len(JOBS))

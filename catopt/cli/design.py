@@ -15,7 +15,7 @@ from catopt.cli.options import CaseArgument, CountOption, OutOption
 from catopt.cli.values import by_option, given_ones
 from catopt.errors import InputError, Problem
 from catopt.model import Case
-from catopt.words import Message
+from catopt.words import Message, say
 
 if TYPE_CHECKING:
     from catopt.design.result import DesignResult
@@ -50,16 +50,17 @@ def design(
         if not error.interrupted:
             raise
         # Of those that were not evaluated one may pass, which status 3 would deny.
-        asked.output.note(f"catopt: {error}")
+        asked.output.note(f"catopt: {say(error.message, asked.language)}")
         raise typer.Exit(INTERRUPTED) from None
     # Beside the answer, not in it: the same seed is to give the same answer to the last byte.
-    asked.output.note(f"{result.evaluations:,} designs evaluated in {result.seconds:.1f} s")
+    values = {"count": result.evaluations, "time": result.seconds}
+    asked.output.note(Message("beside.designs_evaluated", **values))
     if result.in_motion is not None:
-        asked.output.note(f"{result.in_motion.run:,} of them run in motion")
+        asked.output.note(Message("beside.run_in_motion", count=result.in_motion.run))
 
     give_design(asked, result)
     if result.interrupted:
-        asked.output.note("The front is that of the designs evaluated so far.")
+        asked.output.note(Message("beside.front_so_far"))
         raise typer.Exit(INTERRUPTED)
 
 
@@ -80,9 +81,9 @@ def _found(asked: Asked, case: Case) -> DesignResult:
     if not case.design.in_motion:
         from catopt.design.search import design_case
 
-        with asked.output.progress("Designs") as tell:
+        with asked.output.progress(Message("beside.designs")) as tell:
             return design_case(case, progress=tell, announce=asked.output.note)
     from catopt.study.design_in_motion import design_in_motion
 
-    with asked.output.progress("Designs in motion") as tell:
+    with asked.output.progress(Message("beside.designs_in_motion")) as tell:
         return design_in_motion(case, progress=tell, announce=asked.output.note)

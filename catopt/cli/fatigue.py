@@ -36,4 +36,4 @@ def fatigue(
     asked.give(fatigue_answer(report), report.to_dict, read)
     if report.verdict == "not converged" or (strict and not report.passes):
         status = STOPPED if report.verdict == "not converged" else FAILED
-        asked.leave(status, say(fatigue_sentence(report), asked.language))
+        asked.leave(status, fatigue_sentence(report))

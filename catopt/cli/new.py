@@ -16,7 +16,7 @@ from catopt.cli.output import Printer
 from catopt.cli.values import refused
 from catopt.errors import InputError, Problem
 from catopt.records import Record
-from catopt.words import Message, term
+from catopt.words import Listed, Message, term
 
 _NAME = typer.Argument(metavar="NAME", autocompletion=completed("template"))
 
@@ -51,7 +51,7 @@ def new(
         from catopt.sizing.form import form
 
         _create(out, form(moored, lang))
-        output.text(f"{out} written; fill it in and type: catopt size {out}")
+        output.text(Message("beside.form_written", place=out))
         return
     path = path or out
     place = path or Path(f"{name}.toml")
@@ -64,10 +64,10 @@ def new(
     if as_json:
         output.json(NewFile(name, str(place)).to_dict())
     else:
-        files = " and ".join(map(str, written))
+        files = Listed(map(str, written), "and")
         command, *options = TEMPLATES[name].command.split(" --")  # which go behind the file
         onward = " --".join([f"{command} {place}", *options])
-        output.text(f"{files} written; try it with: catopt {onward}")
+        output.text(Message("beside.template_written", files=files, onward=onward))
 
 
 def _create(place: Path, text: str | bytes) -> None:

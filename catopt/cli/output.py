@@ -109,10 +109,6 @@ BROKEN_PIPE_STATUS = 141
 PATIENCE = 1.0
 """s: before it is said what is done."""
 
-COMPILING = "catopt: compiling for this machine, once; the next run starts at once"
-"""Said when the first use of a part takes its time."""
-DAMAGED = "catopt: compiled code in {} was damaged; it is dropped and compiled anew"
-
 
 class Printer:
     """Where the answer of a command, its notes and its progress go."""
@@ -140,10 +136,10 @@ class Printer:
         self.note(f"catopt: {said}")
 
     def text(self, text: str, *, bold: bool = False) -> None:
-        """Print a paragraph on standard output, folded to its width."""
+        """Print a paragraph, or a message, on standard output, folded to its width."""
         from rich.text import Text
 
-        self._print(Text(text, style="bold" if bold else ""))
+        self._print(Text(say(text, self.language), style="bold" if bold else ""))
 
     def file(self, text: str) -> None:
         """Print what would stand in a file, as it is, on standard output."""
@@ -189,7 +185,8 @@ class Printer:
         self.line()
 
     def note(self, message: str) -> None:
-        """Say something beside the answer, on standard error; folded only on a terminal."""
+        """Say a text, or a message, on standard error; folded only on a terminal."""
+        message = say(message, self.language)
         if sys.stderr.isatty() and not self.debug:
             message = "\n".join(_folded(line) for line in message.splitlines())
         _write(sys.stderr, message + "\n")
@@ -197,8 +194,8 @@ class Printer:
     def listen(self) -> None:
         """Pass on what is told: to a terminal that a part has to be compiled, and of read decks."""
         if sys.stderr.isatty():
-            when_compiling(lambda: self.note(COMPILING))
-        when_cache_is_damaged(lambda folder: self.note(DAMAGED.format(folder)))
+            when_compiling(lambda: self.note(Message("beside.compiling")))
+        when_cache_is_damaged(lambda folder: self.note(Message("beside.damaged", folder=folder)))
         when_read(lambda remarks: self.note("\n".join(f"note: {remark}" for remark in remarks)))
 
     @contextmanager
@@ -215,7 +212,7 @@ class Printer:
         from catopt.cli.progress_bar import progress_bar
 
         with progress_bar(self._console(sys.stderr)) as bar:
-            task = bar.add_task(what, total=None)
+            task = bar.add_task(say(what, self.language), total=None)
             yield lambda done, total: bar.update(task, completed=done, total=total)
 
     @contextmanager

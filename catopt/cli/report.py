@@ -48,7 +48,7 @@ def report(
             allowed = Message("refused_command.page_file_ends_html_or")
             raise refused("--out", str(asked.out), allowed)
         check_directory(_place(asked.out, "")[0])
-    with output.progress("Calculation note") as watched:
+    with output.progress(Message("beside.note")) as watched:
         tell = watched or (lambda _, __: None)
         # Three steps: the note, as far as its line in motion is, then its page and its workbook.
         of_first = None if watched is None else lambda done, total: tell(done, 3 * total)
@@ -70,8 +70,7 @@ def report(
             # A note of half a run is none, and an older one is worth more.
             asked.leave(
                 INTERRUPTED,
-                f"{stopped_words(moved)}; no note was written. "
-                "catopt verify CASE --dynamic --out DIR keeps what a stopped run has computed",
+                Message("beside.no_note_of_a_part", stopped=stopped_words(moved)),
             )
         number = note.chosen.number if isinstance(note, Note) and note.chosen else None
         tell(1, 3)

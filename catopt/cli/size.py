@@ -229,7 +229,7 @@ def _size_form(
         document = {"schema": "catopt.fleet/1", "moorings": [of.to_dict() for of, _ in found]}
     beside = Path(place).with_name(f"{Path(place).stem}-answer.xlsx")
     write_files(beside.parent, {beside.name: workbook(answer, asked.language)}, keep=[Path(place)])
-    asked.output.note(f"{beside} written")
+    asked.output.note(Message("beside.written", place=beside))
     if len(files) > 1:
         asked.show(answer, lambda: document)
     else:
@@ -270,10 +270,8 @@ def _give(asked: Asked, found: Sizing, answer: Answer, save: Path | None, given:
 
         case = found.whole_case
         write_files(save.parent, {save.name: write_case(case).encode()})
-        onward = f"run it with: catopt verify {save} --dynamic"
-        if case.design is not None:
-            onward = f"refine it with: catopt design {save}"
-        asked.output.note(f"{save} written; {onward}")
+        onward = "to_be_run" if case.design is None else "to_be_refined"
+        asked.output.note(Message(f"beside.{onward}", place=save))
     asked.show(answer, found.to_dict)
 
 

@@ -56,7 +56,7 @@ def study(
         from catopt.cli.design import give_design
         from catopt.study.robust import design_in_draws
 
-        with asked.output.progress("Designs") as tell:
+        with asked.output.progress(Message("beside.designs")) as tell:
             front = design_in_draws(read, progress=tell, announce=asked.output.note)
         give_design(asked, front)
         return
@@ -78,8 +78,8 @@ def study(
         asked.show(study_answer(result), result.to_dict)
     except KeyboardInterrupt:
         if asked.out is not None:
-            done = f"{StudyResult(read, store).done:,} of {len(read):,} members"
-            asked.output.note(f"catopt: {done} are in {asked.out}; the same command goes on")
+            values = {"done": StudyResult(read, store).done, "count": len(read)}
+            asked.output.note(Message("beside.members_kept", **values, place=asked.out))
         raise
     finally:
         store.close()
@@ -124,7 +124,7 @@ def _run(
             executor, at_once = stack.enter_context(cluster(scheduler))
         elif count > 1:
             executor, at_once = stack.enter_context(processes(count))
-        tell = stack.enter_context(asked.output.progress("Members"))
+        tell = stack.enter_context(asked.output.progress(Message("beside.members")))
         run_into(
             read, store, executor=executor, at_once=at_once, of_sizing=of_sizing, progress=tell
         )
@@ -138,7 +138,7 @@ def _write(asked: Asked, result: StudyResult, *, parquet: bool) -> None:
     if asked.out is None:
         return
     place = asked.out / MEMBERS
-    with asked.output.progress("Tables") as tell:
+    with asked.output.progress(Message("beside.tables")) as tell:
         parts = (members_table(result.study, each) for each in result.store.pieces())
         write_table(place, parts, tell, result.study.pieces)
     files = files_of(study_answer(result), result.to_dict(), asked.language)

@@ -35,7 +35,7 @@ from catopt.model import Case
 from catopt.model.network import Network
 from catopt.verify.convergence_check import ELEMENTS, TOLERANCE, ConvergenceCheck, check_settings
 from catopt.verify.motion_words import not_converged_sentence, stopped_sentence
-from catopt.words import Message, say
+from catopt.words import Message
 
 if TYPE_CHECKING:
     from catopt.notes.front_in_motion import FrontInMotion
@@ -163,7 +163,7 @@ def _one(
     elif isinstance(case, Network):
         at_rest = verify_case(case, load_case=load_case, **how)
     else:
-        with asked.output.progress("Load cases") as tell:
+        with asked.output.progress(Message("beside.load_cases")) as tell:
             at_rest = verify_case(case, load_case=load_case, progress=tell, **how)
     answers = (verification_answer(at_rest),) if at_rest.parts else ()
     pictures = (partial(bundle.verification_pictures, at_rest),)
@@ -177,7 +177,7 @@ def _moved(asked: Asked, found: _Found, load_case: str | None, moving: dict[str,
     from catopt.report import bundle
     from catopt.verify.dynamic import verify_dynamic
 
-    with asked.output.progress("Line in motion") as tell:
+    with asked.output.progress(Message("motion.title")) as tell:
         moved = verify_dynamic(
             found.case,
             load_case=load_case,
@@ -208,7 +208,7 @@ def _ship(asked: Asked, case: Case, load_case: str | None, moving: dict[str, Any
         "--workers": moving["workers"] is not None,
     }
     refuse(Problem(key, "", wanted) for key, is_given in given.items() if is_given)
-    with asked.output.progress("Ship in motion") as tell:
+    with asked.output.progress(Message("beside.ship_in_motion")) as tell:
         moved = verify_ship(case, progress=tell)
     return _Found(
         case,
@@ -232,9 +232,9 @@ def _led_files(moved: ShipVerification) -> dict[str, bytes]:
 def stop_in_doubt(asked: Asked, moved: DynamicVerification) -> None:
     """Leave where a line in motion was stopped, or its solver did not converge."""
     if not moved.is_complete:
-        asked.leave(INTERRUPTED, say(stopped_sentence(moved), asked.language))
+        asked.leave(INTERRUPTED, stopped_sentence(moved))
     if moved.verdict == "not converged":
-        asked.leave(STOPPED, say(not_converged_sentence(moved), asked.language))
+        asked.leave(STOPPED, not_converged_sentence(moved))
 
 
 def _check_for_motion(case: Case | Network) -> None:
@@ -262,7 +262,7 @@ def _front(
     document = read_design_document(directory)
     designs = list(_designs(directory, document["front"]))
     case = read_case(directory / DESIGN_CASE)
-    with asked.output.progress("Designs") as tell:
+    with asked.output.progress(Message("beside.designs")) as tell:
         front = verify_front(case.title, designs, progress=tell, **how)
     stop = partial(_stop_front, asked, front, None)
     found = _Found(case, front, front_sentence(front), (front_answer(front),), stop=stop)
@@ -281,7 +281,7 @@ def _front(
             from catopt.study.run import cluster
 
             executor, _ = stack.enter_context(cluster(scheduler))
-        tell = stack.enter_context(asked.output.progress("Designs in motion"))
+        tell = stack.enter_context(asked.output.progress(Message("beside.designs_in_motion")))
         moved = front_in_motion(
             [(d.number, d.case, own) for d, own in zip(designs, objectives, strict=True)],
             document["recommended"] + 1,
@@ -302,9 +302,9 @@ def _stop_front(asked: Asked, front: FrontVerification, moved: FrontInMotion | N
     if moved is not None and not moved.is_complete:
         raise typer.Exit(INTERRUPTED)
     if moved is not None and not moved.has_converged:
-        asked.leave(STOPPED, "for a design in motion a solver did not converge")
+        asked.leave(STOPPED, Message("beside.not_converged_in_motion"))
     if not front.has_converged:
-        asked.leave(STOPPED, "for a design a solver did not converge")
+        asked.leave(STOPPED, Message("beside.not_converged"))
 
 
 def _designs(directory: Path, front: list[dict[str, Any]]) -> Iterator[Design]:

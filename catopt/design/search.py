@@ -45,8 +45,19 @@ class Estimate(NamedTuple):
     designs: int
     seconds: float  # that their evaluation may take
 
-    def __str__(self) -> str:
-        return f"{self.designs:,} designs, {_duration(self.seconds)}"
+    @property
+    def words(self) -> Message:
+        """Both, as it is announced."""
+        seconds = self.seconds
+        if seconds < 1.0:
+            time = Message("beside.no_second")
+        elif seconds < 90.0:
+            time = Message("beside.about_seconds", time=seconds)
+        elif seconds < 5400.0:
+            time = Message("beside.about_minutes", time=seconds / 60.0)
+        else:
+            time = Message("beside.about_hours", time=seconds / 3600.0)
+        return Message("beside.designs_and_time", count=self.designs, time=time)
 
     @property
     def chunk(self) -> int:
@@ -119,16 +130,6 @@ def enumerate_designs(
     except KeyboardInterrupt:
         return tally.outcome(interrupted=True, evaluated=evaluated)
     return tally.outcome(interrupted=False, evaluated=evaluated)
-
-
-def _duration(seconds: float) -> str:
-    if seconds < 1.0:
-        return "less than a second"
-    if seconds < 90.0:
-        return f"about {seconds:.0f} s"
-    return (
-        f"about {seconds / 60.0:.0f} min" if seconds < 5400.0 else f"about {seconds / 3600.0:.1f} h"
-    )
 
 
 class Found(NamedTuple):
@@ -312,14 +313,15 @@ def _search(problem: DesignProblem, progress: Progress | None, announce: Announc
             allowed = Message("refused_case.designs_at_most_which_space", **values)
             raise InputError([Problem("design.method", "enumeration", allowed)], "design")
         size = estimate(problem, workers=workers)
-        announce(f"enumeration of {size}")
+        announce(Message("beside.enumeration", size=size.words))
         start = time.perf_counter()
         outcome = enumerate_designs(problem, progress=progress, chunk=size.chunk, workers=workers)
         return Found(outcome, method, time.perf_counter() - start)
     budget = design.evaluations
-    announce(f"{method}: {budget:,} evaluations in a space of {designs:,} designs")
+    announce(Message("beside.evaluations", method=method, budget=budget, designs=designs))
     if designs <= design.max_enumerated:
-        announce(f"enumeration would be exact: {estimate(problem, workers=workers)}")
+        size = estimate(problem, workers=workers)
+        announce(Message("beside.would_be_exact", size=size.words))
     if method == "nsga2":
         try:
             from catopt.design.nsga2 import nsga2 as search

@@ -12,7 +12,7 @@ from catopt.fem.newmark import Scheme
 from catopt.fem.sampling import Rules
 from catopt.model.kinds import Findings
 from catopt.waves import Sea, breaking_warning, repetition_warning
-from catopt.words import Message, term
+from catopt.words import Message
 
 
 @dataclass(frozen=True)
@@ -166,7 +166,7 @@ def step_warnings(
                 "step", f"{step:g} s", Message("refused_motion.has_periods_down_s_s", **values)
             )
         elif step > period / _WANTED * (1.0 + 1e-9):
-            values = {"step": step, "count": period / step, "what": term(name), "period": period}
+            values = {"step": step, "count": period / step, "what": name, "period": period}
             warnings.append(Message("motion.long_step", **values, wanted=_WANTED))
     found.raise_if_any()
     return warnings

@@ -177,7 +177,7 @@ def file_of(
         allowed = Message("refused_file.for_size_tanker")
         other = Finding(("ship",), Message("refused_file.a_ship"), allowed)
     elif key:
-        found = f"[{key[0]}]" if len(key) == 1 else "the segments of a line"
+        found = f"[{key[0]}]" if len(key) == 1 else Message("refused_file.segments_of_a_line")
         other = Finding(key, found, Message("refused.is_case_file"))
     if other is not None:
         raise InputError([other.as_problem()], source)

@@ -119,7 +119,7 @@ def design_in_motion(
     _refuse_rigid(problem)
     tell, said = progress or silent, announce or (lambda _: None)
     begun, size = perf_counter(), estimate(problem, workers=os.cpu_count() or 1)
-    said(f"enumeration of {size}")
+    said(Message("beside.enumeration", size=size.words))
     with waiting_interrupt() as ask:
         runs = _Runs(problem, convergence_check, workers, tell, said, ask)
         outcome = runs.front()
@@ -221,7 +221,8 @@ class _Runs:
 
     def _run(self, crew: Crew, asked: Sequence[tuple[bytes, Asked]]) -> None:
         done, count, cases = len(self.known), len(asked), [case for _, case in asked]
-        self.announce(f"in motion: {count} designs" + (f" after {done}" if done else ""))
+        said = "designs_run_after" if done else "designs_run"
+        self.announce(Message(f"beside.{said}", count=count, done=done))
 
         def tell(at: int, end: int) -> None:
             self._tell(round(_WHOLE * (done + at / end * count)), _WHOLE * (done + count))
@@ -250,7 +251,7 @@ class _Runs:
         key = self._key(best)
         if not self.known[key].is_run_once:
             return True
-        self.announce("in motion: the recommended design again")
+        self.announce(Message("beside.recommended_again"))
         before, case = self.known[key], case_of(self.problem.case, best)
         how = self.convergence_check, self.workers, None, self._tell
         try:

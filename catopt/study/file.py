@@ -37,7 +37,7 @@ MOST_VARIED: Final = 20
 class AnyValue(Kind):
     """What the key that is varied takes; it is read by that key."""
 
-    wanted = 'a value as the key takes it is wanted, such as "50 kN"'
+    wanted = Message("refused_study.value_of_key")
 
     def read(self, value: object) -> object:
         """Return it as it stands."""
@@ -55,7 +55,7 @@ class ByName(Kind):
     @property
     def wanted(self) -> str:
         """What is wanted."""
-        return f"names with a value each are wanted, such as {self.example}"
+        return Message("refused_study.names_with_values", example=self.example)
 
     def read(self, value: object) -> Mapping[str, Any]:
         """Return them as they stand."""

@@ -20,6 +20,7 @@ from catopt.sizing.kinds import schema_of
 from catopt.sizing.known import refused
 from catopt.study.base import Base
 from catopt.ties import largest
+from catopt.words import Message
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
@@ -46,23 +47,24 @@ def kind_of_key(base: Base, key: str) -> Kind:
     for at, part in enumerate(path, start=1):
         if isinstance(part, int):
             if entry is None or not entry.array:
-                raise _refused(key, "this is no array")
+                raise _refused(key, Message("refused_study.no_array"))
             if not isinstance(place, list) or part >= len(place):
                 there = len(place) if isinstance(place, list) else 0
-                raise _refused(key, f"the file has {there} of them, counted from 0")
+                raise _refused(key, Message("refused_study.so_many_there", count=there))
             place = place[part]
             continue
         if table is None:
-            raise _refused(key, "a single value has no keys")
+            raise _refused(key, Message("refused_study.no_keys"))
         if part not in entries(table):
-            raise _refused(key, f"no such key; {hint(table, part, top)}")
+            allowed = Message("refused_study.no_such_key", hint=hint(table, part, top))
+            raise _refused(key, allowed)
         entry = entries(table)[part]
         table = entry.table
         place = place.get(part) if isinstance(place, dict) else None
         if at == len(path) and entry.array:
-            raise _refused(key, f"an array; one of it is wanted, such as {key}[0]")
+            raise _refused(key, Message("refused_study.one_of_array", key=key))
     if entry is None or entry.kind is None:
-        raise _refused(key, "the key path of a single value, such as load.horizontal_force")
+        raise _refused(key, Message("refused_study.single_value"))
     return entry.kind
 
 
@@ -85,7 +87,7 @@ def in_file(kind: Kind, si: Any) -> Any:
     return si
 
 
-def _refused(key: str, allowed: str) -> InputError:
+def _refused(key: str, allowed: Message) -> InputError:
     return refused("key", f'"{key}"', allowed)
 
 

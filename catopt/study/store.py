@@ -298,15 +298,21 @@ def _numbers(cells: pd.Series[Any], name: str) -> Array:
 
     numbers = pd.to_numeric(cells, errors="coerce").to_numpy(dtype=np.float64)
     wrong = np.flatnonzero(~np.isfinite(numbers))
-    _refuse(name, wrong.tolist(), cells, "a number is wanted")
+    _refuse(name, wrong.tolist(), cells, Message("refused.number"))
     return numbers
 
 
 def _weights(cells: pd.Series[Any], name: str) -> Array:
     weights = _numbers(cells, name)
-    _refuse(name, np.flatnonzero(weights < 0.0).tolist(), cells, "must be 0 or more")
+    _refuse(
+        name, np.flatnonzero(weights < 0.0).tolist(), cells, Message("refused.or_more", bound="0")
+    )
     if not weights.sum() > 0.0:
-        raise refused(name, "all 0", Message("refused_study.what_each_row_counts_wanted"))
+        raise refused(
+            name,
+            Message("refused_study.all_0"),
+            Message("refused_study.what_each_row_counts_wanted"),
+        )
     return weights
 
 
@@ -343,7 +349,7 @@ def read_each(
     return found, problems
 
 
-def _refuse(name: str, rows: Sequence[int], cells: pd.Series[Any], allowed: str) -> None:
+def _refuse(name: str, rows: Sequence[int], cells: pd.Series[Any], allowed: Message) -> None:
     found = [
         Problem(f"{name}, value {row + 1}", as_written(cells.iloc[row]), allowed) for row in rows
     ]

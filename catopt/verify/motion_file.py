@@ -278,7 +278,7 @@ def lines_of(path: str) -> list[int]:
 def _fill(row: Array, line: int, cells: list[str], heads: list[str]) -> list[Problem]:
     if len(cells) != len(heads):
         wanted = Message("refused_motion.are_wanted", heads=len(heads))
-        return [Problem(f"line {line}", f"{len(cells)} cells", wanted)]
+        return [Problem(f"line {line}", Message("refused_motion.cells", count=len(cells)), wanted)]
     problems = []
     for column, cell in enumerate(cells):
         try:
@@ -286,7 +286,10 @@ def _fill(row: Array, line: int, cells: list[str], heads: list[str]) -> list[Pro
         except ValueError:
             row[column] = math.nan
         if not math.isfinite(row[column]):
-            where, found = f"line {line}, {heads[column]}", _shown(cell) or "an empty cell"
+            where, found = (
+                f"line {line}, {heads[column]}",
+                _shown(cell) or Message("refused_motion.empty_cell"),
+            )
             problems.append(Problem(where, found, Message("refused.number")))
     return problems
 
@@ -452,7 +455,13 @@ def read_wamit(motion: Motion) -> dict[str, Array]:
         at = place[per, beta], int(freedom) - 1
         if not math.isnan(size[at]):
             state = f"PER {per:g}, BETA {beta:g}, I {freedom:g}"
-            problems.append(Problem(state, "twice", Message("refused_motion.one_row_each_wanted")))
+            problems.append(
+                Problem(
+                    state,
+                    Message("refused_study.twice"),
+                    Message("refused_motion.one_row_each_wanted"),
+                )
+            )
         size[at], phase[at] = mod, math.radians(phs)
     known = ~np.isnan(size).all(axis=0)  # of a ship with fewer freedoms, the others are still
     for (per, beta), k in place.items():

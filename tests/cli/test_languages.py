@@ -177,7 +177,7 @@ def of_models() -> Iterator[str]:
 def of_runs() -> Iterator[str]:
     """Warn of waves that break and nearly repeat themselves, and of a step that is rather long."""
     sea = Sea(8.0, random_waves(jonswap(7.0, 9.0), 12, np.random.default_rng(1)))
-    yield from step_warnings(0.5, 600.0, {"the motion or force": 8.0}, sea)
+    yield from step_warnings(0.5, 600.0, {Message("motion.motion_or_force"): 8.0}, sea)
     yield from record_warnings(0.2, 0.1)
 
 

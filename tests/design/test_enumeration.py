@@ -149,10 +149,10 @@ def test_the_estimate_counts_the_designs_and_is_put_into_words() -> None:
     found = estimate(DesignProblem.of(small_case()))
     assert found.designs == 300
     assert found.seconds > 0.0
-    assert str(Estimate(2_000_000, 8.4)) == "2,000,000 designs, about 8 s"
-    assert str(Estimate(300, 0.001)) == "300 designs, less than a second"
-    assert str(Estimate(10**9, 4000.0)) == "1,000,000,000 designs, about 67 min"
-    assert str(Estimate(10**10, 40000.0)) == "10,000,000,000 designs, about 11.1 h"
+    assert Estimate(2_000_000, 8.4).words == "2,000,000 designs, about 8 s"
+    assert Estimate(300, 0.001).words == "300 designs, less than a second"
+    assert Estimate(10**9, 4000.0).words == "1,000,000,000 designs, about 67 min"
+    assert Estimate(10**10, 40000.0).words == "10,000,000,000 designs, about 11.1 h"
 
 
 def test_the_estimate_of_whole_moorings_counts_what_bounds_leave_out() -> None:

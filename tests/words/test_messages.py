@@ -127,6 +127,31 @@ def test_nothing_is_refused_in_plain_english() -> None:
     assert list(english_in(ast.parse("f'{count} of them are here'", mode="eval").body))
 
 
+SAYS = {
+    **dict.fromkeys(("note", "text", "progress", "working", "announce", "said"), 0),
+    **dict.fromkeys(("leave", "wrong", "missing"), 1),
+}
+"""What says something beside an answer, or makes a finding; which of its arguments is said."""
+
+
+def test_no_command_says_anything_in_plain_english() -> None:
+    """Neither beside an answer, nor while it works, nor where it ends; nor does what it reads."""
+    parts = ("cli", "design", "study", "casefile")
+    found = [
+        (path.relative_to(PACKAGE).as_posix(), node.lineno, said)
+        for part in parts
+        for path in (PACKAGE / part).rglob("*.py")
+        for tree in [ast.parse(path.read_text("utf-8"))]
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Call)
+        for name in [getattr(node.func, "attr", getattr(node.func, "id", ""))]
+        if name in SAYS and len(node.args) > SAYS[name]
+        for each in with_what_it_names(node.args[SAYS[name]], tree)
+        for said in english_in(each)
+    ]
+    assert found == []
+
+
 COMPOSED = {
     *("inputs", "columns", "captions", "solution", "curve", "answers", "quantities"),
     "note_motion",
