@@ -16,7 +16,7 @@ from contextlib import nullcontext
 from functools import cache
 from typing import Any, Final, TypeVar
 
-from catopt.errors import InputError, Problem
+from catopt.errors import refused
 from catopt.words import Message
 
 F = TypeVar("F", bound=Callable[..., Any])
@@ -108,7 +108,7 @@ def _mode() -> str:
     elif mode == "always" and not _has_numba():
         allowed = Message("refused.no_numba")
     if allowed:
-        raise InputError([Problem(VARIABLE, repr(mode), allowed)], "environment")
+        raise refused(VARIABLE, repr(mode), allowed, "environment")
     return mode
 
 

@@ -63,6 +63,11 @@ class InputError(CatoptError):
         return type(self), (self.problems, self.source)
 
 
+def refused(key: str, found: str, allowed: str, source: str = "") -> InputError:
+    """Return the error of one thing that is wrong: where, what was found, and what is allowed."""
+    return InputError([Problem(key, found, allowed)], source)
+
+
 class NoAnswerError(CatoptError):
     """The input is right, but no answer exists."""
 

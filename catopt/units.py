@@ -22,7 +22,7 @@ from typing import Final
 from catopt.constants import STANDARD_GRAVITY, YEAR
 from catopt.dimensions import UNITS as UNITS
 from catopt.dimensions import Dimension as Dimension
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, refused
 from catopt.numerals import readings
 from catopt.words import Message
 
@@ -264,7 +264,7 @@ class _Reading:
         found = as_written(self.value)
         if kind is not None:
             found = Message("refused.of_kind", value=found, kind=noun_of(kind))
-        return InputError([Problem(self.key, found, allowed)])
+        return refused(self.key, found, allowed)
 
     def and_wanted(self, key: str) -> Message:
         """Say what is wrong, and what is wanted."""

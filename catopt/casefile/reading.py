@@ -25,7 +25,7 @@ from catopt.casefile.document import FileSection, Finding, parts, read_tables, r
 from catopt.casefile.motion_consistency import motion_findings, network_motion_findings
 from catopt.casefile.schema import CaseTable, LineBetweenTable, NetworkTable
 from catopt.documents import attributes, parse_toml, read_text
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, Problem, refused
 from catopt.model import Anchor, Case, Line, PointLoad, Segment, Site, System
 from catopt.model.network import LineBetween, MooredBody, Network, Point
 from catopt.schemas import read_document
@@ -163,7 +163,7 @@ def _case_alone(found: Case | Network, path: str | os.PathLike[str]) -> Case:
     if isinstance(found, Network):
         from catopt.decks.reading import NOT_FOR_THIS
 
-        raise InputError([Problem("lines", "", NOT_FOR_THIS)], os.fspath(path))
+        raise refused("lines", "", NOT_FOR_THIS, os.fspath(path))
     return found
 
 
@@ -224,7 +224,7 @@ def case_of(document: dict[str, Any], source: str = "", *, folder: str = "") -> 
     if findings and (moored := moored_of(document)):  # no case but a file for ``catopt size``
         key = next(key for key in ("ship", "environment", "buoy") if key in document)
         allowed = Message("refused.for_size", moored=moored)
-        raise InputError([Problem(key, f"[{key}]", allowed)], source)
+        raise refused(key, f"[{key}]", allowed, source)
     refuse(document, findings, source)
     return build_case(table, catalogue, folder)
 
@@ -251,7 +251,7 @@ def read_mooring_or_design(path: Path, design: int | None) -> Case | Network:
         return read_design(path, design)
     if path.is_dir() and (path / DESIGN_DOCUMENT).exists():
         allowed = Message("refused_command.result_directory_add_design_k")
-        raise InputError([Problem("CASE", str(path), allowed)], "options")
+        raise refused("CASE", str(path), allowed, "options")
     return read_mooring(path)
 
 
@@ -265,7 +265,7 @@ def read_design(directory: Path, number: int) -> Case:
     front = read_design_document(directory)["front"]
     if not 1 <= number <= len(front):
         allowed = Message("refused_command.front_has_designs_1", front=len(front))
-        raise InputError([Problem("--design", str(number), allowed)], "options")
+        raise refused("--design", str(number), allowed, "options")
     case = read_case(directory / DESIGN_CASE)
     design = front[number - 1]
     title = f"{case.title}, design {number}" if case.title else f"Design {number}"
@@ -294,7 +294,7 @@ def read_design_document(directory: Path) -> dict[str, Any]:
     if not (directory / DESIGN_DOCUMENT).is_file():
         key = "refused_command.directory_catopt_design_out_wrote"
         wanted = Message(key, design_document=DESIGN_DOCUMENT)
-        raise InputError([Problem("CASE", str(directory), wanted)], "options")
+        raise refused("CASE", str(directory), wanted, "options")
     document = read_document(directory / DESIGN_DOCUMENT, "catopt.design/1")
     try:
         found: dict[str, Any] = with_messages(document, document.pop("messages", {}))

@@ -21,7 +21,7 @@ from catopt.casefile.schema import (
     entries,
 )
 from catopt.documents import Path, unfit
-from catopt.errors import InputError, Problem
+from catopt.errors import refused
 from catopt.model import (
     Case,
     CatalogueChoice,
@@ -139,7 +139,7 @@ def _around(case: Case, system: System) -> dict[str, Any]:
     if around != system:
         found = Message("refused_file.lines_of_their_own")
         allowed = Message("refused_command.case_file_holds_equal_lines")
-        raise InputError([Problem("system", found, allowed)], "write_case")
+        raise refused("system", found, allowed, "write_case")
     if system.judged_line_out:
         del arrangement["judged_line_out"]
     return {key: value for key, value in arrangement.items() if value is not None}
@@ -239,7 +239,7 @@ def _written(value: Any, unit: str | None) -> str:
     if isinstance(value, str):
         if unfit(value):
             allowed = Message("refused_command.take_out", value=value[:40])
-            raise InputError([Problem("text", unfit(value), allowed)])
+            raise refused("text", unfit(value), allowed)
         return f'"{value.translate(_ESCAPES)}"'
     return str(value).lower() if isinstance(value, bool) else str(int(value))
 
@@ -309,7 +309,7 @@ def template(name: str) -> str:
         from catopt.catalogue.family import meant
 
         allowed = meant(Message("refused.one_of", words=", ".join(TEMPLATES)), name, TEMPLATES)
-        raise InputError([Problem("template", as_written(name), allowed)])
+        raise refused("template", as_written(name), allowed)
     from importlib.resources import files
 
     text = (files(__package__) / "templates" / f"{name}.toml").read_text(encoding="utf-8")

@@ -24,7 +24,7 @@ from catopt.catalogue.components import (
 from catopt.catalogue.family import Family, in_mm
 from catopt.catalogue.formula import Coefficient, MeanLoad
 from catopt.constants import STANDARD_GRAVITY
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, Problem, refused
 from catopt.words import Cited, Message, is_said
 
 WEIGHT_SOURCE = Source("CATOPT", "catopt, from mass and volume", Cited("catopt.catalogue"))
@@ -59,7 +59,7 @@ class Evaluation:
         if quantity not in self._known:
             lacks = self.why_not(quantity)
             if lacks:
-                raise InputError([Problem(quantity, "", lacks)], self._name)
+                raise refused(quantity, "", lacks, self._name)
             self._known[quantity] = self.chosen[quantity].formula.value(self.diameter, self.value)
         return self._known[quantity]
 

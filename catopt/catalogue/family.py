@@ -10,7 +10,7 @@ from functools import cache
 from typing import Final, NamedTuple
 
 from catopt.catalogue.components import RECALLED, Confidence, Figure, Source
-from catopt.errors import InputError, Problem
+from catopt.errors import refused
 from catopt.model.kinds import Length
 from catopt.records import Record
 from catopt.units import as_written
@@ -126,7 +126,7 @@ def find_name(name: object, families: Iterable[Family]) -> ComponentName:
         allowed = Message("refused.did_you_mean", near=f'"{near}"')
     elif names:
         allowed = Message("refused.component", example=f'"{names[0][1]}"')
-    raise InputError([Problem("component", as_written(name), allowed)])
+    raise refused("component", as_written(name), allowed)
 
 
 def shared_names(families: Sequence[Family]) -> list[tuple[str, str]]:

@@ -20,7 +20,7 @@ from catopt.catenary.pieces import Pieces
 from catopt.catenary.root_search import BY_FORCE, BY_SPAN, BY_TENSION
 from catopt.catenary.state import CONVERGED, REASONS, REGIMES
 from catopt.compiled import compiled, is_compiled
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, Problem, refused
 from catopt.model import Line
 from catopt.model.kinds import Findings
 from catopt.words import Message
@@ -265,7 +265,7 @@ def _known(*given: Numbers | None) -> tuple[int, Numbers]:
     found = [(code, value) for code, value in zip(codes, given, strict=True) if value is not None]
     if len(found) != 1:
         said = Message("refused_motion.of_them", count=len(found))
-        raise InputError([Problem("load", said, Message("refused.one_load"))], "solve_many")
+        raise refused("load", said, Message("refused.one_load"), "solve_many")
     return found[0]
 
 

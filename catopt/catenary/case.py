@@ -10,7 +10,7 @@ from typing import Literal
 from catopt.catenary.find import find_case
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve, under_case
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, refused
 from catopt.model import Case, Load
 from catopt.model.wear import diameter_loss
 from catopt.words import Message
@@ -69,7 +69,7 @@ def under_a_load(case: Case) -> tuple[Case, tuple[str, ...]]:
         return case, ()
     if case.system is not None:
         wanted = Message("refused_motion.this_case_body_with_several")
-        raise InputError([Problem("system", Message("refused_motion.instead_of_load"), wanted)])
+        raise refused("system", Message("refused_motion.instead_of_load"), wanted)
     first, *others = case.load_cases
     if not others:
         return case.under(first), ()

@@ -23,7 +23,7 @@ from catopt.catenary.curve import (
 )
 from catopt.catenary.solution import Solution, check_buoys
 from catopt.catenary.solve import solve
-from catopt.errors import FloatsUpError, InputError, Problem
+from catopt.errors import FloatsUpError, refused
 from catopt.model import Case
 from catopt.model.kinds import Findings, Place, SomeForce
 from catopt.records import Record
@@ -159,7 +159,7 @@ def curve_case(
         last = _stepped(case, reference, over, BEYOND * force) if last is None else last
         if first == last and start is None and stop is None:
             reported = Message("refused_motion.span_this_line_does_not")
-            raise InputError([Problem("over", over, reported)], "curve")
+            raise refused("over", over, reported, "curve")
     check_range(first, last, points, unit, zero)
     kernel_over: Over = "horizontal_force" if over == "force" else "span"
     curve = _load_curve(case, reference, kernel_over, first, last, points)

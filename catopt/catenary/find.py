@@ -14,7 +14,7 @@ from typing import Any
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
 from catopt.catenary.sought import Condition, Found, Sought, find
-from catopt.errors import CatoptError, InputError, NoAnswerError, Problem
+from catopt.errors import CatoptError, InputError, NoAnswerError, Problem, refused
 from catopt.model import Case, Line, Load, Segment
 from catopt.model.kinds import Findings
 from catopt.units import plain
@@ -316,7 +316,7 @@ def find_limit_force(
         if segment is not None:
             which = Message("refused_motion.this_segment", segment=segment)
         allowed = Message("refused_motion.needs_mbl", which=which)
-        raise InputError([Problem("MBL", Message("refused.none"), allowed)], "find_limit_force")
+        raise refused("MBL", Message("refused.none"), allowed, "find_limit_force")
 
     def at(force: float) -> Solution:
         return solve(

@@ -36,7 +36,7 @@ from catopt.catenary.solution import (
 )
 from catopt.catenary.solve import solve
 from catopt.catenary.state import Regime
-from catopt.errors import InputError, NotConvergedError, Problem
+from catopt.errors import InputError, NotConvergedError, refused
 from catopt.model import Case, CurrentProfile, Line, Site
 from catopt.model.kinds import Force, Speed
 from catopt.model.line import drag_missing
@@ -234,7 +234,7 @@ class _Shot:
         left = math.hypot(known[0], known[1])
         if self.may_lie and known[2] < 0.0 and left < _SLACK * self.scale:
             said = Message("refused_case.current_slackens", left=Measure("tension", left))
-            raise InputError([Problem("current", "", said)], "current")
+            raise refused("current", "", said, "current")
 
     def left_open(self, known: Sequence[float]) -> float:
         """Bound what an error of the place of the fairlead leaves open of the forces, N."""
@@ -391,7 +391,7 @@ def _solution(shot: _Shot, known: Sequence[float], direction: float = 0.0) -> So
     lowest = min(node.z for nodes in laid.hung for node in nodes)
     if lowest < -ENOUGH * shot.length:
         allowed = Message("refused_case.current_and_bed", depth=-lowest)
-        raise InputError([Problem("current", "", allowed)], "current")
+        raise refused("current", "", allowed, "current")
     placed = [*laid.bed, *((laid.first + k, n) for k, ns in enumerate(laid.hung) for n in ns)]
     largest = [0.0] * len(line.segments)
     for k, node in placed:

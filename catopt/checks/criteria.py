@@ -21,7 +21,7 @@ from catopt.checks.kinds import (
 from catopt.checks.profiles import Profile, profiles_of
 from catopt.checks.profiles import profiles as all_profiles
 from catopt.checks.strength import Strength, strength_of
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, Problem, refused
 from catopt.model import Anchor, CatalogueChoice, Line, Segment, Service
 from catopt.model.load import Checks, LoadCaseKind
 from catopt.model.wear import Condition
@@ -314,7 +314,7 @@ def motion_profile(checks: Checks) -> Profile | None:
     if not found.is_for_motion:
         have = ", ".join(each.name for each in all_profiles() if each.is_for_motion)
         allowed = Message("refused_case.motion_code_has_no_factors", names=have)
-        raise InputError([Problem(key, as_written(checks.motion_code), allowed)], "checks")
+        raise refused(key, as_written(checks.motion_code), allowed, "checks")
     return found
 
 
@@ -366,7 +366,7 @@ def _of_anchor(
     ]
     if not factors:
         allowed = Message("refused_case.missing_give_factor_on_or", check=check)
-        raise InputError([Problem(f"{key}.safety_factor", "", allowed)], "checks")
+        raise refused(f"{key}.safety_factor", "", allowed, "checks")
     yield from factors
 
 

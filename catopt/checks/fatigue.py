@@ -30,7 +30,7 @@ from catopt.catalogue.components import Confidence
 from catopt.checks.kinds import USER, CheckSource
 from catopt.checks.strength import strength_of
 from catopt.constants import YEAR
-from catopt.errors import InputError, Problem, need_package
+from catopt.errors import InputError, Problem, need_package, refused
 from catopt.model import Case, Segment
 from catopt.model.kinds import Area, Force, Height
 from catopt.model.line import LineKind, line_kind
@@ -311,7 +311,7 @@ def _curve(case: Case, segment: Segment, index: int) -> FatigueCurve:
         if curve.line is not None and kind is not None and curve.line != kind:
             allowed = Message("refused_case.segment", line=curve.line, component=segment.component)
             key = f"fatigue.curves[{fatigue.curves.index(own)}].name"
-            raise InputError([Problem(key, own.name, allowed)])
+            raise refused(key, own.name, allowed)
         return replace(curve, line=kind or curve.line)
     of = next((name for start, name in _OF_COMPONENT if segment.component.startswith(start)), "")
     name = f"{_OF_CODE[fatigue.code]} {of}" if fatigue.code else ""
@@ -319,7 +319,7 @@ def _curve(case: Case, segment: Segment, index: int) -> FatigueCurve:
         code = fatigue.code or Message("refused_case.no_code")
         what = Message("refused_case.has_no_curve_give_one", value=code)
         found = segment.component or Message("refused_case.without_component")
-        raise InputError([Problem(f"line.segments[{index}]", found, what)])
+        raise refused(f"line.segments[{index}]", found, what)
     return CURVES[name]
 
 
@@ -333,7 +333,7 @@ def _strength(curve: FatigueCurve, segment: Segment, case: Case, index: int) -> 
         return FatigueStrength(curve, strength.need("MBL", key, curve.kind), diameter)
     if diameter is None:
         allowed = Message("refused_case.missing_curve_needs")
-        raise InputError([Problem(f"{key}.diameter", "", allowed)])
+        raise refused(f"{key}.diameter", "", allowed)
     if curve.ORQ:
         from catopt.catalogue import component
 
@@ -342,7 +342,7 @@ def _strength(curve: FatigueCurve, segment: Segment, case: Case, index: int) -> 
         return FatigueStrength(curve, MBL, diameter)
     if curve.line is None:
         allowed = Message("refused_case.missing_area_stress_chain_s")
-        raise InputError([Problem(f"{key}.component", "", allowed)])
+        raise refused(f"{key}.component", "", allowed)
     legs = 2.0 if curve.line == "chain" else 1.0
     return FatigueStrength(curve, legs * math.pi / 4.0 * diameter**2, diameter)
 
@@ -371,5 +371,5 @@ def design_factor(case: Case, curve: FatigueCurve) -> tuple[float, CheckSource]:
     factor = polyester if curve.line == "rope" else steel
     if confidence == "R" and not case.checks.allow_recalled:
         allowed = Message("fatigue.recalled_factor", factor=factor, code=fatigue.code)
-        raise InputError([Problem("fatigue.design_factor", "", allowed)], "fatigue")
+        raise refused("fatigue.design_factor", "", allowed, "fatigue")
     return factor, CheckSource(fatigue.code, document, "", confidence)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from catopt.checks.kinds import StrengthKind
 from catopt.constants import SEA_WATER_DENSITY, YEAR
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, refused
 from catopt.model import CatalogueChoice, Segment, Service
 from catopt.model.line import LineKind, line_kind
 from catopt.model.wear import end_diameter
@@ -55,7 +55,7 @@ class Strength:
             if why := dict(self.missing).get(kind):
                 allowed = Message("refused_case.reason_give_it", why=why)
             needs = Message("refused_case.needs", allowed=allowed, wanted_by=wanted_by)
-            raise InputError([Problem(f"{key}.{kind}", "", needs)], "checks")
+            raise refused(f"{key}.{kind}", "", needs, "checks")
         return value
 
 

@@ -13,7 +13,7 @@ from catopt.casefile.reading import DESIGN_CASE
 from catopt.cli.answering import INTERRUPTED, Asked, answering
 from catopt.cli.options import CaseArgument, CountOption, OutOption
 from catopt.cli.values import by_option, given_ones
-from catopt.errors import InputError, Problem
+from catopt.errors import refused
 from catopt.model import Case
 from catopt.words import Message, say
 
@@ -39,7 +39,7 @@ def design(
     read = read_case(case)
     if read.design is None:
         allowed = Message("refused_command.missing_table_design_says_what")
-        raise InputError([Problem("design", "", allowed)], str(case))
+        raise refused("design", "", allowed, str(case))
     with by_option():
         read = replace(read, design=replace(read.design, **how))
     from catopt.design.neighbours import NoFeasibleDesignError

@@ -16,7 +16,7 @@ from catopt.cli.help_words import WithWords, group
 from catopt.cli.options import LengthOption, TablesOutOption
 from catopt.cli.size import BuoyArgument, as_option, by_option, is_file, typed, with_inputs
 from catopt.cli.values import given_ones, in_si
-from catopt.errors import InputError, Problem
+from catopt.errors import refused
 from catopt.ties import largest
 from catopt.units import Dimension
 from catopt.words import Cited, Measure, Message, term
@@ -309,7 +309,7 @@ def _sea(of: ResolvedInputs) -> SeaState:
         return SeaState(of["period"] or 1.0, 0.0)
     if of["period"] is None:
         wanted = Message("refused_command.missing_waves_need_such_8")
-        raise InputError([Problem("period", "", wanted)], "waves")
+        raise refused("period", "", wanted, "waves")
     return SeaState(of["period"], of["hs"], of["hmax"])
 
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, TextIO, cast
 
 from catopt.compiled import when_cache_is_damaged, when_compiling
 from catopt.decks.reported import when_read
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, refused
 from catopt.words import Message, say
 
 if TYPE_CHECKING:
@@ -93,7 +93,7 @@ class _Answer(_Messages):
 
 
 def _refuse(why: Message) -> NoReturn:
-    raise InputError([Problem("standard output", "", why)])
+    raise refused("standard output", "", why)
 
 
 Progress = Callable[[int, int], None]

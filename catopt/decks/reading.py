@@ -23,7 +23,7 @@ from catopt.decks.to_case import (
     weight_of,
 )
 from catopt.documents import unfit
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, refused
 from catopt.model import Case, Line, Segment, Site
 from catopt.model.network import LineBetween, Network, Point, PointKind
 from catopt.words.message import Message
@@ -184,7 +184,7 @@ def read_deck(text: str, source: str = "", asked: Asked | None = None) -> Import
     """
     case, remarks = read_any_deck(text, source, asked)
     if isinstance(case, Network):
-        raise InputError([Problem("file", "", NOT_FOR_THIS)], source)
+        raise refused("file", "", NOT_FOR_THIS, source)
     return Imported(case, remarks)
 
 

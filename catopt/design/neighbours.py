@@ -18,7 +18,7 @@ from catopt.design.space import (
     LayoutVariable,
     SegmentVariable,
 )
-from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
+from catopt.errors import NoAnswerError, NotConvergedError, refused
 from catopt.ties import first_largest
 from catopt.words import Listed, Measure, Message, Sentence, Several
 from catopt.words.message import number
@@ -59,7 +59,7 @@ def no_feasible_design(problem: DesignProblem, outcome: Outcome) -> NoFeasibleDe
         return NoFeasibleDesignError(said, None, interrupted=outcome.interrupted)
     if flaw := problem.space.flaw(outcome.closest):
         allowed = Message("refused_case.nearer_anchor_or_longer_segments")
-        raise InputError([Problem("design.clump_weights", flaw, allowed)], "design")
+        raise refused("design.clump_weights", flaw, allowed, "design")
     miss = near_miss(problem, outcome.closest)
     reasons = [_check_words(result) for result in miss.failing] or [miss.reason]
     what = [Message("design.indented", said=reason) for reason in reasons]

@@ -24,7 +24,7 @@ from catopt.design.mooring import MooringProblem
 from catopt.design.neighbours import ends, neighbours, no_feasible_design
 from catopt.design.problem import Genes
 from catopt.design.result import DesignPoint, DesignResult
-from catopt.errors import InputError, NotConvergedError, Problem
+from catopt.errors import NotConvergedError, refused
 from catopt.model import Case
 from catopt.model.design import FoundBy, SearchMethod
 from catopt.words import Listed, Message
@@ -273,7 +273,7 @@ def design_case(
     """
     if case.design is not None and case.design.in_motion:
         allowed = Message("refused_case.designs_in_motion_by")
-        raise InputError([Problem("design.in_motion", "true", allowed)], "design")
+        raise refused("design.in_motion", "true", allowed, "design")
     if case.design is not None:
         given = {"method": method, "seed": seed, "evaluations": evaluations}
         own = {key: value for key, value in given.items() if value is not None}
@@ -311,7 +311,7 @@ def _search(problem: DesignProblem, progress: Progress | None, announce: Announc
         if designs > MOST_ENUMERATED:
             values = {"most_enumerated": MOST_ENUMERATED, "designs": designs}
             allowed = Message("refused_case.designs_at_most_which_space", **values)
-            raise InputError([Problem("design.method", "enumeration", allowed)], "design")
+            raise refused("design.method", "enumeration", allowed, "design")
         size = estimate(problem, workers=workers)
         announce(Message("beside.enumeration", size=size.words))
         start = time.perf_counter()
@@ -327,7 +327,7 @@ def _search(problem: DesignProblem, progress: Progress | None, announce: Announc
             from catopt.design.nsga2 import nsga2 as search
         except ModuleNotFoundError as error:
             allowed = Message("refused_case.not_installed_here_take_swarm", name=error.name)
-            raise InputError([Problem("design.method", "nsga2", allowed)], "design") from error
+            raise refused("design.method", "nsga2", allowed, "design") from error
     else:
         from catopt.design.swarm import swarm as search
     start, population = time.perf_counter(), min(design.population, budget)

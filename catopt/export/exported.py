@@ -18,7 +18,7 @@ from catopt.catenary.layout import end_of
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
 from catopt.constants import STANDARD_GRAVITY
-from catopt.errors import InputError, Problem
+from catopt.errors import refused
 from catopt.model import Case, Line, PointLoad, Segment
 from catopt.mooring.case import report_system
 from catopt.mooring.solution import SystemSolution
@@ -279,12 +279,12 @@ def of_segment(segment: Segment, water_density: float, key: str) -> BodyInWater:
     weight = segment.submerged_weight / STANDARD_GRAVITY
     if segment.mass == 0.0:
         allowed = Message("refused_command.must_be_above_0_kg")
-        raise InputError([Problem(f"{key}.mass", "0 kg/m", allowed)], "export")
+        raise refused(f"{key}.mass", "0 kg/m", allowed, "export")
     if segment.mass is not None:
         return _displacing(segment.mass, weight, water_density, f"{key}.mass", "kg/m")
     if weight <= 0.0:
         allowed = Message("refused_command.missing_segment_does_not_sink")
-        raise InputError([Problem(f"{key}.mass", "", allowed)], "export")
+        raise refused(f"{key}.mass", "", allowed, "export")
     mass = weight / (1.0 - water_density / STEEL_DENSITY)
     return BodyInWater(mass, mass / STEEL_DENSITY, is_known=False)
 
@@ -311,7 +311,7 @@ def _displacing(
     volume = (mass - weight) / water_density
     if volume < LEAST_VOLUME * mass / water_density:
         allowed = Message("refused_command.must_be_above_what_weight", weight=weight, unit=unit)
-        raise InputError([Problem(key, f"{mass:.6g} {unit}", allowed)], "export")
+        raise refused(key, f"{mass:.6g} {unit}", allowed, "export")
     return BodyInWater(mass, volume)
 
 

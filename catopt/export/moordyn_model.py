@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import accumulate, pairwise
 
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, Problem, refused
 from catopt.export.exported import (
     STEEL_DENSITY,
     BodyInWater,
@@ -154,7 +154,7 @@ def _line_type(
     key = f"line.segments[{number}]"
     if segment.is_inextensible:
         allowed = Message("refused_command.missing_lets_every_line_stretch", program=program)
-        raise InputError([Problem(f"{key}.EA", "", allowed)], program)
+        raise refused(f"{key}.EA", "", allowed, program)
     wanted = word(segment.name or segment.component, f"segment_{number + 1}")
     taken = {each.name for each in known.values()}
     names = (wanted, *(f"{wanted}_{k}" for k in range(2, len(taken) + 3)))

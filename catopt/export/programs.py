@@ -11,7 +11,7 @@ from typing import Literal
 from catopt.constants import STANDARD_GRAVITY
 from catopt.decks.deck import Deck, LineType, Notes, Point
 from catopt.decks.to_case import Chain, chains_of, weight_of
-from catopt.errors import InputError, Problem
+from catopt.errors import refused
 from catopt.export.deck import deck_of
 from catopt.export.exported import Exported, ExportedLines, Source, exact, exported, heading
 from catopt.export.moordyn_model import Model, common_remarks, is_above, model_of
@@ -124,7 +124,7 @@ def ontology_lines(deck: Deck, said: Iterable[str]) -> Iterator[str]:
     raised = max(chain.anchor.z for chain in chains) + deck.depth
     if raised > 0.0:
         allowed = Message("refused_command.must_be_0_ontology_anchors")
-        raise InputError([Problem("line.anchor_height", f"{raised:.6g} m", allowed)], "ontology")
+        raise refused("line.anchor_height", f"{raised:.6g} m", allowed, "ontology")
     for line in said:
         yield f"# {line}".rstrip()
     yield "site:"

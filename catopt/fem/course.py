@@ -14,7 +14,7 @@ from typing import Any, Final
 import numpy as np
 
 from catopt.arrays import Array
-from catopt.errors import InputError, Problem
+from catopt.errors import refused
 from catopt.fem.extremes import SeriesStatistics, peaks_above_mean
 from catopt.words import Message
 
@@ -102,7 +102,7 @@ class Course:
         """Say what it does; refused where nothing was followed."""
         if self.duration <= 0.0:
             allowed = Message("refused_motion.two_steps_or_more_are")
-            raise InputError([Problem("time", "nothing", allowed)], "statistics")
+            raise refused("time", "nothing", allowed, "statistics")
         return SeriesStatistics(
             mean=self.mean,
             std=self.std,

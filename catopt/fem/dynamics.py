@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from catopt.arrays import Array
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, Problem, refused
 from catopt.fem.course import FOLLOWED, course_of
 from catopt.fem.dynamic_model import LineProperties, lay_out_moving
 from catopt.fem.history import STOPPED, History
@@ -161,7 +161,7 @@ def _check_above_bed(fairlead: Array, slope: float) -> None:
     bed = float(fairlead[0]) * math.tan(slope)
     if not fairlead[2] > bed:
         allowed = Message("refused_motion.bed_rises_m_under_fairlead", bed=bed)
-        raise InputError([Problem("height", f"{fairlead[2]:g} m", allowed)], "run_dynamics")
+        raise refused("height", f"{fairlead[2]:g} m", allowed, "run_dynamics")
 
 
 def run_system_dynamics(

@@ -10,7 +10,7 @@ from typing import Annotated, Final
 import numpy as np
 
 from catopt.arrays import Array, Codes
-from catopt.errors import InputError, Problem
+from catopt.errors import refused
 from catopt.model.kinds import Positive, Share, Time
 from catopt.records import Counted, From, Record
 from catopt.words import Message
@@ -39,7 +39,7 @@ def series_statistics(time: Array, values: Array) -> SeriesStatistics:
     """
     if time.size < 2:
         allowed = Message("refused_motion.two_or_more_are_wanted")
-        raise InputError([Problem("time", f"{time.size} samples", allowed)], "series_statistics")
+        raise refused("time", f"{time.size} samples", allowed, "series_statistics")
     return SeriesStatistics(
         mean=float(values.mean()),
         std=float(values.std()),

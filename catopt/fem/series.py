@@ -17,7 +17,7 @@ import numpy.typing as npt
 
 from catopt.arrays import Array
 from catopt.compiled import compiled, packed
-from catopt.errors import InputError, Problem
+from catopt.errors import refused
 from catopt.model.kinds import Findings
 from catopt.waves.kinematics import cos_sin, row_at
 from catopt.words import Message
@@ -182,7 +182,7 @@ def series_rows(base: Array, series: Sequence[Series | None], ramp_time: float) 
             Message("refused_motion.different_ones"),
             Message("refused_motion.times_alike"),
         )
-        raise InputError([Problem("times", given, allowed)], "motion")
+        raise refused("times", given, allowed, "motion")
     spline = np.zeros((ends, max(times.size - 1, 0), 3, 4))
     for k, (waves, record) in enumerate(zip(regular, measured, strict=True)):
         if isinstance(waves, Harmonic):

@@ -13,7 +13,7 @@ import numpy as np
 
 from catopt.arrays import Array
 from catopt.constants import STANDARD_GRAVITY
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, refused
 from catopt.hydro.build import FloatingHull, HullOfCoefficients, Radiation
 from catopt.hydro.coefficient_files import read_capytaine, read_wamit
 from catopt.hydro.coefficients import Coefficients
@@ -104,7 +104,7 @@ def _hull(of: Floater, depth: float, density: float, pull: float, shape: BuoySha
     if upright <= 0.0:
         found = Message("refused_motion.above_bottom", height=centre)
         allowed = Message("refused_motion.so_high_would_not_float")
-        raise InputError([Problem("floater.centre_of_gravity", found, allowed)], "--dynamic")
+        raise refused("floater.centre_of_gravity", found, allowed, "--dynamic")
     radiation = _radiation(hull, slices, depth)
     inertia = hull.inertia + radiation.infinite[2, 2]
     own = 2.0 * (of.pitch_damping or 0.0) * math.sqrt(inertia * upright)
@@ -212,7 +212,7 @@ def hull_of_files(
     lacking = [key for key in _WANTED if getattr(known, key) is None]
     if lacking:
         allowed = Message("refused_motion.missing_from_files")
-        raise InputError([Problem("floater.hull.file", ", ".join(lacking), allowed)], "--dynamic")
+        raise refused("floater.hull.file", ", ".join(lacking), allowed, "--dynamic")
     assert known.stiffness is not None
     stiffness = known.stiffness.copy()
     if of.weightless:
@@ -223,7 +223,7 @@ def hull_of_files(
         if stiffness[freedom, freedom] <= 0.0:
             found = f"{key}: {stiffness[freedom, freedom]:.3g}"
             allowed = Message("refused_motion.stiffness_above_0")
-            raise InputError([Problem("floater.hull.file", found, allowed)], "--dynamic")
+            raise refused("floater.hull.file", found, allowed, "--dynamic")
     mass, memory = mass_about_point(of), known.memory(of.memory)
     infinite = known.infinite(memory)
     turning = (
@@ -250,7 +250,7 @@ def _read(of: HullAfloat, density: float) -> Coefficients:
         return read_capytaine(of.file)
     if of.ulen is None:
         allowed = Message("refused_motion.ulen_of_wamit")
-        raise InputError([Problem("floater.hull.ulen", "", allowed)], "--dynamic")
+        raise refused("floater.hull.ulen", "", allowed, "--dynamic")
     return read_wamit(of.file, ulen=of.ulen, density=density, gravity=STANDARD_GRAVITY)
 
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from catopt.arrays import Array
 from catopt.documents import MOST_BYTES_OF_DATA, read_text
-from catopt.errors import InputError, Problem, need_package
+from catopt.errors import InputError, Problem, need_package, refused
 from catopt.hydro.coefficients import FREEDOMS, Coefficients, Complex
 from catopt.model.kinds import Findings
 from catopt.units import as_written
@@ -80,7 +80,7 @@ def read_wamit(
         there.pop(".2", None)
     if not there:
         allowed = Message("refused_motion.wamit_files_wanted")
-        raise InputError([Problem("files", Message("refused.none"), allowed)], str(path))
+        raise refused("files", Message("refused.none"), allowed, str(path))
     problems: list[Problem] = []
     rows = {end: wamit_rows(each, end, problems) for end, each in there.items()}
     if problems:
@@ -296,13 +296,13 @@ def read_capytaine(path: str | os.PathLike[str]) -> Coefficients:
     import xarray
 
     if not Path(path).is_file():
-        raise InputError([Problem("file", str(path), Message("refused_motion.no_such_file"))])
+        raise refused("file", str(path), Message("refused_motion.no_such_file"))
     try:
         with xarray.open_dataset(path) as opened:
             data = opened.load()
     except (OSError, ValueError, ImportError) as error:
         allowed = Message("refused_motion.netcdf_not_opened", error=str(error).split("\n")[0])
-        raise InputError([Problem("file", "", allowed)], str(path)) from None
+        raise refused("file", "", allowed, str(path)) from None
     return _Capytaine(data, str(path)).read()
 
 

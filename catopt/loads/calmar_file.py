@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from catopt.documents import read_text, unfit
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, refused
 from catopt.loads.buoy_shape import BuoyShape, BuoySlice
 from catopt.model.kinds import Findings
 from catopt.words import Message
@@ -138,14 +138,14 @@ def _parsed(text: str, source: str) -> Element:
 
     if declared := re.search(r"<!(?!--)\w*", text):
         allowed = Message("refused_sizing.buoy_calmar_declares_nothing_take")
-        raise InputError([Problem("file", declared[0], allowed)], source)
+        raise refused("file", declared[0], allowed, source)
     try:
         return ElementTree.fromstring(text)
     except ElementTree.ParseError as error:
         line, column = error.position
         place = f"line {line}, column {column + 1}"
         reason = Message("refused_sizing.no_xml", said=str(error).partition(":")[0])
-        raise InputError([Problem(place, "", reason)], source) from None
+        raise refused(place, "", reason, source) from None
 
 
 def _check(of: Element, path: str, found: Findings) -> None:

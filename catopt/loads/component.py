@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from catopt.catalogue.components import RECALLED, Confidence
-from catopt.errors import InputError, Problem
+from catopt.errors import refused
 from catopt.model.kinds import Force, SomeForce
 from catopt.records import Record
 from catopt.shown import Tabled
@@ -56,7 +56,7 @@ def refuse_recalled(where: str, key: str, what: str, instead: str, *, allowed: b
     """
     if not allowed:
         out = Message("refused_sizing.recalled_r_read_no_document", instead=instead)
-        raise InputError([Problem(key, what, out)], where)
+        raise refused(key, what, out, where)
 
 
 Axis = Literal["along", "surge", "sway"]

@@ -11,7 +11,7 @@ from catopt.catalogue.components import Confidence, Source
 from catopt.catalogue.family import meant, words_of
 from catopt.catalogue.fittings import AnchorType, anchor_types
 from catopt.constants import SEA_WATER_DENSITY
-from catopt.errors import InputError, Problem
+from catopt.errors import refused
 from catopt.loads.component import CALMAR, NAVFAC, LoadSource
 from catopt.loads.drag_anchor import default_factor, holding_capacity
 from catopt.loads.ship import SINKER_MASSES, NextSize, neighbours, next_size
@@ -202,7 +202,7 @@ def friction_of(soil: str, material: Material = "concrete") -> tuple[float, Load
     of = SOIL_FRICTION[soil].of(material)
     if of is None:
         give = Message("refused_sizing.no_figure_on_give_friction", material=material)
-        raise InputError([Problem("soil", repr(soil), give)], "sinker")
+        raise refused("soil", repr(soil), give, "sinker")
     return of
 
 
@@ -428,7 +428,7 @@ def named_anchors(name: str) -> tuple[AnchorType, ...]:
     if exact:
         return tuple(exact[:1])
     wanted = meant(Message("refused.one_of", words="; ".join(every)), name, every)
-    raise InputError([Problem("anchor", as_written(name), wanted)], "catalogue")
+    raise refused("anchor", as_written(name), wanted, "catalogue")
 
 
 def anchors_held(

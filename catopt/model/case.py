@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Annotated, Literal
 
-from catopt.errors import InputError, Problem
+from catopt.errors import refused
 from catopt.model.anchor import Anchor
 from catopt.model.design import Design, DesignLoad, Find, body_misfits, inconsistencies
 from catopt.model.dynamics import (
@@ -239,7 +239,7 @@ class Case(Checked):
         """Raise InputError where a current acts at rest, for what takes still water."""
         if self.current_at_rest is not None:
             allowed = Message("refused_case.current_for_solve_and_check")
-            raise InputError([Problem("current", "", allowed)])
+            raise refused("current", "", allowed)
 
     def _check_levels(
         self, place: str, states: Sequence[LoadCase | DesignLoad], found: Findings

@@ -21,7 +21,7 @@ from typing import (
     get_type_hints,
 )
 
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, Problem, refused
 from catopt.units import Dimension, as_written, plain, to_si, wanted
 from catopt.words import Message
 
@@ -262,7 +262,7 @@ class Kind(ABC):
         """Return the value as the model takes it, or raise InputError with one problem."""
 
     def _refused(self, value: object, allowed: str = "") -> InputError:
-        return InputError([Problem("value", as_written(value), allowed or self.wanted)])
+        return refused("value", as_written(value), allowed or self.wanted)
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Annotated, Any, Final, Literal, NoReturn, TypeVar, get_args
 
 from catopt.constants import STANDARD_GRAVITY
-from catopt.errors import InputError, Problem
+from catopt.errors import Problem, refused
 from catopt.model.kinds import (
     Area,
     Checked,
@@ -139,7 +139,7 @@ class StrainTable:
 
     def _refuse(self, *_: object) -> NoReturn:
         allowed = Message("refused_case.table_is_no_stiffness")
-        raise InputError([Problem("EA", Message("refused_case.table_of_strain"), allowed)])
+        raise refused("EA", Message("refused_case.table_of_strain"), allowed)
 
     # What reckons with one axial stiffness does not know this rope.
     __float__ = __rtruediv__ = __truediv__ = __mul__ = __rmul__ = _refuse

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from catopt.constants import SEA_WATER_DENSITY
-from catopt.errors import InputError, Problem
+from catopt.errors import refused
 from catopt.model.kinds import (
     Checked,
     Density,
@@ -166,7 +166,7 @@ class Site(Checked):
         if self.seabed_slope != 0.0:
             allowed = Message("refused_case.level_bed_unless")
             found = f"{math.degrees(self.seabed_slope):g} deg"
-            raise InputError([Problem("site.seabed_slope", found, allowed)])
+            raise refused("site.seabed_slope", found, allowed)
 
 
 Code = Annotated[str, Text(filled=True, example='"break/5"')]

@@ -11,7 +11,7 @@ from types import MappingProxyType
 from typing import Annotated, Any, Final, NamedTuple
 
 from catopt.constants import YEAR
-from catopt.errors import InputError, Problem
+from catopt.errors import Problem, refused
 from catopt.model.kinds import Checked, Findings, Measured, OneOf, WearRate
 from catopt.units import Dimension
 from catopt.words import Message
@@ -88,7 +88,7 @@ class Service(Checked):
                     rates=", ".join(rates),
                 )
                 found = "" if wear_zone is None else f'"{wear_zone}"'
-                raise InputError([Problem("wear_zone", found, allowed)], "Service")
+                raise refused("wear_zone", found, allowed, "Service")
             wear_rate = rates[wear_zone]
         return self.life * (self.wear_rate if wear_rate is None else wear_rate)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Literal
 
-from catopt.errors import InputError, Problem
+from catopt.errors import refused
 from catopt.model.line import Line, Segment, line_kind
 from catopt.model.service import Service
 from catopt.words import Message
@@ -36,10 +36,10 @@ def end_diameter(segment: Segment, service: Service | None) -> float | None:
         return new
     if new is None:
         allowed = Message("refused_case.missing_wear_taken_off_give")
-        raise InputError([Problem("diameter", "", allowed)], "wear")
+        raise refused("diameter", "", allowed, "wear")
     if not new > loss:
         allowed = Message("checks.worn_away", loss=loss * 1e3)
-        raise InputError([Problem("diameter", f"{new * 1e3:g} mm", allowed)], "wear")
+        raise refused("diameter", f"{new * 1e3:g} mm", allowed, "wear")
     return new - loss
 
 

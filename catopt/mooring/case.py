@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from catopt.catenary.solution import above_water, named_line, weighs_as_in_water
-from catopt.errors import InputError, NoAnswerError, Problem
+from catopt.errors import NoAnswerError, refused
 from catopt.model import Case, System
 from catopt.model.kinds import Findings, Place, Stiffness
 from catopt.mooring.held import at_displacement
@@ -181,7 +181,7 @@ def report_system(
     system = case.system
     if system is None:
         wanted = Message("refused_motion.missing_table_system_with_anchor")
-        raise InputError([Problem("system", "", wanted)])
+        raise refused("system", "", wanted)
     solution = solve_system(system)
     above: list[str] = [*weighs_as_in_water(case.fairlead_height, case.site.water_depth)]
     for number, line in enumerate(solution.lines, start=1):

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from catopt.catenary.in_current import hung_on_float
-from catopt.errors import InputError, NoEquilibriumError, Problem
+from catopt.errors import InputError, NoEquilibriumError, Problem, refused
 from catopt.model import CurrentProfile, Site, System
 from catopt.model.network import LineBetween, MooredBody, Network, Point
 from catopt.mooring.chains import apart, in_rows, rows_of
@@ -144,13 +144,13 @@ def _with_its_body_held(network: Network) -> tuple[Network, tuple[float, float]]
     """Hold the one body that a network has, and say where its origin is; InputError for several."""
     if network.current_at_rest is not None:
         allowed = Message("refused_motion.nothing_is_held_in_a_current")
-        raise InputError([Problem("current", "", allowed)], "held body")
+        raise refused("current", "", allowed, "held body")
     if not network.bodies:
         return network, (0.0, 0.0)
     if len(network.bodies) > 1 or any(p.kind == "fairlead" and not p.body for p in network.points):
         names = ", ".join(body.name for body in network.bodies)
         allowed = Message("refused_motion.held_is_of_one_body")
-        raise InputError([Problem("bodies", names, allowed)], "held body")
+        raise refused("bodies", names, allowed, "held body")
     (body,) = network.bodies
     points = tuple(replace(point, body="") for point in network.points)
     return replace(network, points=points, bodies=()), (body.x, body.y)
@@ -303,7 +303,7 @@ def _ends_held(
             if not held[k][2] >= 0.0:
                 found = f"{point.name} at {held[k][2]:.6g} m"
                 allowed = Message("refused_motion.fairlead_must_not_be_below")
-                raise InputError([Problem("displacement", found, allowed)], "held body")
+                raise refused("displacement", found, allowed, "held body")
     return arms, held
 
 

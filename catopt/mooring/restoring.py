@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from catopt.errors import InputError, Problem
+from catopt.errors import refused
 from catopt.model.kinds import Angle, Findings, Force, Place, SomeForce, Strength
 from catopt.model.network import Network
 from catopt.model.system import System
@@ -89,7 +89,7 @@ def network_curve(
     if len(network.bodies) > 1 or not moves:
         found = ", ".join(body.name for body in network.bodies) or Message("refused.none")
         allowed = Message("refused_motion.curve_is_of_one_body")
-        raise InputError([Problem("bodies", found, allowed)], "restoring curve")
+        raise refused("bodies", found, allowed, "restoring curve")
     start = without_load(network) if is_free else None
     cosine, sine = math.cos(direction), math.sin(direction)
     points = []
@@ -212,7 +212,7 @@ def network_circle(network: Network, *, force: float, directions: int = 120) -> 
     if len(network.bodies) != 1:
         found = ", ".join(body.name for body in network.bodies) or Message("refused.none")
         allowed = Message("refused_motion.circle_is_of_one_body")
-        raise InputError([Problem("bodies", found, allowed)], "watch circle")
+        raise refused("bodies", found, allowed, "watch circle")
     (body,) = network.bodies
     start = without_load(network)
     responses = []

@@ -15,7 +15,7 @@ from catopt.checks.criteria import criteria_of
 from catopt.checks.result import CheckReport, ChecksInMotion
 from catopt.design.front import knee
 from catopt.design.result import PointInMotion
-from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
+from catopt.errors import NoAnswerError, NotConvergedError, refused
 from catopt.interrupt import waiting_interrupt
 from catopt.model.kinds import SomeForce
 from catopt.notes.motion import Progress, checks_in_motion
@@ -225,7 +225,7 @@ def refuse_without_tension(case: Case) -> None:
     if not any(each.check == "tension" for each in criteria_of(case, analysis="dynamic").all):
         allowed = Message("refused_command.codes_or_safety_factor_are")
         found = Message("refused_command.no_tension_limit")
-        raise InputError([Problem("checks", found, allowed)], "case file")
+        raise refused("checks", found, allowed, "case file")
 
 
 def processes_of(cases: Sequence[Asked], workers: int | None) -> int:

@@ -15,7 +15,7 @@ from catopt.casefile.reading import DESIGN_CASE, DESIGN_DOCUMENT, SIZING
 from catopt.casefile.schema import CaseTable, TableSchema, entries
 from catopt.documents import MOST_BYTES_OF_DATA, dotted, parse_toml, read_text
 from catopt.documents import Path as Keys
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, Problem, refused
 from catopt.model import Case
 from catopt.model.kinds import Kind, Measured
 from catopt.records import Digest
@@ -219,7 +219,7 @@ def case_path(path: Path) -> Path:
         contents = Message(f"refused_command.{key}", shown=shown, more=more)
     key = "refused_command.directory_with_wanted_out_catopt"
     allowed = Message(key, design_case=DESIGN_CASE, path=contents)
-    raise InputError([Problem("CASE", str(path), allowed)], "options")
+    raise refused("CASE", str(path), allowed, "options")
 
 
 def asked_in(path: Path, *, date: str = "", verify: bool = True) -> Asked:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from catopt.casefile.reading import DESIGN_CASE
 from catopt.casefile.writing import text_digest
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, refused
 from catopt.interrupt import signals_wait
 from catopt.render.files import csv_of, document_bytes
 from catopt.schemas import CASE_DIGEST
@@ -135,7 +135,7 @@ def _reason(error: OSError) -> Message:
 
 
 def _refused(directory: Path, why: Message) -> InputError:
-    return InputError([Problem("--out", str(directory), why)])
+    return refused("--out", str(directory), why)
 
 
 SYSTEM_CASE = "system.toml"

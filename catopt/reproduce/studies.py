@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import partial
 
-from catopt.errors import InputError, Problem
+from catopt.errors import refused
 from catopt.mooring.sharing_rule import load_sharing_factor
 from catopt.reproduce import (
     buoy_9p5m,
@@ -196,7 +196,7 @@ def reproduce(
         from catopt.catalogue.family import meant
 
         allowed = meant(Message("refused.one_of", words=", ".join(names())), name, names())
-        raise InputError([Problem("name", repr(name), allowed)], "reproduce")
+        raise refused("name", repr(name), allowed, "reproduce")
     wanted = names() if name is None else (name,)
     by_swarm = {buoy_9p5m.NAME: partial(buoy_9p5m.study, progress)}
     return Reproduction(tuple((_STUDIES | by_swarm)[each]() for each in wanted))

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from catopt.documents import MOST_BYTES_OF_DATA, parse_json, read_text
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, Problem, refused
 from catopt.words import Message
 
 __all__ = ["CASE_DIGEST", "is_ours", "names", "read_any", "read_document", "schema"]
@@ -34,7 +34,7 @@ def schema(name: str) -> dict[str, Any]:
     """
     if name not in names():
         allowed = Message("refused.one_of", words=", ".join(names()))
-        raise InputError([Problem("name", repr(name), allowed)])
+        raise refused("name", repr(name), allowed)
     resource = name.removeprefix("catopt.").replace("/", "-") + ".json"
     document: dict[str, Any] = json.loads(files(__name__).joinpath(resource).read_text("utf-8"))
     return document
@@ -51,7 +51,7 @@ def read_document(path: Path, name: str) -> dict[str, Any]:
     document = read_any(path)
     if document.get("schema") != name:
         wanted = Message("refused_command.wanted", name=name)
-        raise InputError([Problem("schema", repr(document.get("schema")), wanted)], str(path))
+        raise refused("schema", repr(document.get("schema")), wanted, str(path))
     problems = list(inconsistencies(document, schema(name)))
     if len(problems) > _SHOWN:
         more = Message("refused_command.more_kind", problems=len(problems) - _SHOWN)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import DesignPoint
+from catopt.errors import refused
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.environment import WaterLevels
 from catopt.model import Buoy, Design, LoadCase
@@ -22,7 +23,6 @@ from catopt.sizing.answer import (
     worn_name,
 )
 from catopt.sizing.buoy_request import BuoyRequest
-from catopt.sizing.known import refused
 from catopt.sizing.line_choice import LineChoice, sold
 from catopt.sizing.result import Sizing, SwingPart, SwingRadius
 from catopt.sizing.settle import (

@@ -9,12 +9,13 @@ from functools import partial
 from typing import Final, Literal, NamedTuple, get_args
 
 from catopt.constants import SEA_WATER_DENSITY
+from catopt.errors import refused
 from catopt.loads.environment import HEAD_ON, Headings, SeaState, SurfaceCurrent, WaterLevels, Wind
 from catopt.loads.ship import Ship
 from catopt.loads.weathervane import YAW_TYPES, CurrentYaw, Turning
 from catopt.model.kinds import Findings
 from catopt.sizing.kinds import usual
-from catopt.sizing.known import ResolvedInputs, refused
+from catopt.sizing.known import ResolvedInputs
 from catopt.units import UNITS, Dimension, as_written
 from catopt.words import Message
 

@@ -15,11 +15,10 @@ from types import MappingProxyType
 from typing import Any, Final
 
 from catopt.casefile.reading import Moored
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, Problem, refused
 from catopt.sizing.file import SizingFile, file_of
 from catopt.sizing.inputs import Input, inputs_of
 from catopt.sizing.kinds import choices_of
-from catopt.sizing.known import refused
 from catopt.units import Dimension
 from catopt.words import Language, Message, say
 

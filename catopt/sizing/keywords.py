@@ -6,9 +6,10 @@ from collections.abc import Mapping, Sequence
 from typing import TypedDict, Unpack
 
 from catopt.casefile.reading import Moored
+from catopt.errors import refused
 from catopt.sizing.buoy import sized_buoy
 from catopt.sizing.buoy_request import BuoyRequest
-from catopt.sizing.known import known, refused
+from catopt.sizing.known import known
 from catopt.sizing.requests import size
 from catopt.sizing.result import Sizing
 from catopt.sizing.tanker import sized_tanker

@@ -23,11 +23,6 @@ from catopt.words import Cited, Measure, Message, Several, term
 Made = TypeVar("Made")
 
 
-def refused(key: str, found: str, allowed: str, source: str = "") -> InputError:
-    """Make the error of one thing that is wrong, as those of `catopt.errors.Problem`."""
-    return InputError([Problem(key, found, allowed)], source)
-
-
 class Spelling(Protocol):
     """How a caller writes the name of an input."""
 

@@ -11,11 +11,10 @@ from catopt.catalogue.choice import chosen
 from catopt.catalogue.components import Component, within
 from catopt.checks.profiles import Method, profiles_of
 from catopt.constants import SEA_WATER_DENSITY, YEAR
-from catopt.errors import InputError
+from catopt.errors import InputError, refused
 from catopt.model import CatalogueChoice, Checks, Line, Segment, SegmentChoice, Service
 from catopt.model.kinds import Findings
 from catopt.sizing.kinds import usual
-from catopt.sizing.known import refused
 from catopt.words import Message
 
 Prefer = Literal["practice", "shortest", "cheapest", "lightest", "balanced", "least-swing"]

@@ -19,7 +19,7 @@ from catopt.catenary.solution import Solution
 from catopt.design.evaluation import sinker_of
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import DesignPoint
-from catopt.errors import InputError
+from catopt.errors import InputError, refused
 from catopt.loads.ship import neighbours
 from catopt.loads.sinker import SinkerSize
 from catopt.model import Anchor, Case
@@ -37,7 +37,6 @@ from catopt.sizing.in_motion import (
     in_sea,
     sea_of,
 )
-from catopt.sizing.known import refused
 from catopt.sizing.line_choice import LineChoice, sold
 from catopt.sizing.motion_judged import Judged, NoAnswer, judged, largest_heel
 from catopt.sizing.pattern import HEAVY_SINKERS

@@ -20,7 +20,7 @@ from catopt.checks.case import check_case
 from catopt.checks.profiles import profiles_of
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.neighbours import NoFeasibleDesignError
-from catopt.errors import NoAnswerError, NotConvergedError
+from catopt.errors import NoAnswerError, NotConvergedError, refused
 from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.environment import Headings
 from catopt.loads.sinker import SinkerSize
@@ -40,7 +40,6 @@ from catopt.sizing.in_motion import (
     sea_of,
     tightest_seas,
 )
-from catopt.sizing.known import refused
 from catopt.sizing.line_choice import sold
 from catopt.sizing.pattern import DragGround, Pattern
 from catopt.sizing.settle import ConvergedSizing, best_of

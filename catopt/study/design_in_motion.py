@@ -33,7 +33,7 @@ from catopt.design.search import (
     estimate,
     problem_of,
 )
-from catopt.errors import InputError, NotConvergedError, Problem
+from catopt.errors import InputError, NotConvergedError, Problem, refused
 from catopt.interrupt import waiting_interrupt
 from catopt.model import Case
 from catopt.notes.front_in_motion import (
@@ -44,7 +44,6 @@ from catopt.notes.front_in_motion import (
     refuse_without_tension,
     run_design,
 )
-from catopt.sizing.known import refused
 from catopt.verify.convergence_check import ConvergenceCheck
 from catopt.verify.dynamic_setup import check_for_motion, read_drive
 from catopt.verify.side_by_side import Crew, silent

@@ -17,11 +17,10 @@ from catopt.casefile.reading import moored_of
 from catopt.casefile.schema import TableSchema, entries
 from catopt.checks.criteria import criteria_of
 from catopt.documents import parse_toml, read_text
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, Problem, refused
 from catopt.model import Case
 from catopt.model.kinds import Kind, Measured, Seed, Size, Text, Whole
 from catopt.model.network import Network
-from catopt.sizing.known import refused
 from catopt.study.base import Base, Computed, ConvergenceCheck
 from catopt.study.member import kind_of_key, read_member
 from catopt.study.store import read_each, read_table

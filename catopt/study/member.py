@@ -11,13 +11,12 @@ from catopt.casefile.reading import case_of, network_of
 from catopt.casefile.schema import CaseTable, NetworkTable, TableSchema, entries
 from catopt.checks.case import check_case
 from catopt.checks.system import check_network
-from catopt.errors import CatoptError, InputError
+from catopt.errors import CatoptError, InputError, refused
 from catopt.model import Case
 from catopt.model.kinds import Kind, Measured
 from catopt.model.network import Network
 from catopt.sizing.file import SizingFile, file_of, sized
 from catopt.sizing.kinds import schema_of
-from catopt.sizing.known import refused
 from catopt.study.base import Base
 from catopt.ties import largest
 from catopt.words import Message

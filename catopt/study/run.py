@@ -15,11 +15,10 @@ from time import perf_counter
 
 import numpy as np
 
-from catopt.errors import InputError, NoAnswerError, NotConvergedError
+from catopt.errors import InputError, NoAnswerError, NotConvergedError, refused
 from catopt.model.kinds import Duration
 from catopt.patience import paced
 from catopt.records import Counted, Record
-from catopt.sizing.known import refused
 from catopt.study.base import Base
 from catopt.study.file import read_study
 from catopt.study.member import OfSizing, compute_member, reason_of

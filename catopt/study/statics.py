@@ -15,7 +15,7 @@ from catopt.arrays import Array, Codes
 from catopt.catenary.batch import Solutions, solve_many
 from catopt.catenary.case import solve_case
 from catopt.catenary.solution import Solution
-from catopt.errors import InputError, NoAnswerError, NotConvergedError
+from catopt.errors import InputError, NoAnswerError, NotConvergedError, refused
 from catopt.model import Case, Load, System
 from catopt.model.kinds import Measured
 from catopt.model.load import LOADS as OF_A_LINE
@@ -27,7 +27,6 @@ from catopt.mooring.held import at_rest as network_at_rest
 from catopt.mooring.held import without_load
 from catopt.mooring.joints import turned_line
 from catopt.mooring.network_rest import LinesAtRest
-from catopt.sizing.known import refused
 from catopt.study.base import Base
 from catopt.study.member import kind_of_key, read_member, reason_of
 from catopt.study.study import StudyPiece

@@ -17,9 +17,8 @@ import numpy as np
 
 from catopt.arrays import Array
 from catopt.documents import MOST_BYTES_OF_DATA, read_text
-from catopt.errors import InputError, Problem, need_package
+from catopt.errors import InputError, Problem, need_package, refused
 from catopt.model.kinds import Kind, Measured, Whole
-from catopt.sizing.known import refused
 from catopt.study.base import Base
 from catopt.study.member import in_file, kind_of_key
 from catopt.study.study import Axis, Study

@@ -9,7 +9,7 @@ from typing import Any, Literal
 
 from catopt.catenary.case import as_found, solve_case
 from catopt.catenary.solution import check_buoys, named_line
-from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
+from catopt.errors import InputError, NoAnswerError, NotConvergedError, refused
 from catopt.model import Case
 from catopt.model.network import Network
 from catopt.patience import paced
@@ -126,7 +126,7 @@ def load_states(case: Case | Network, wanted: str | None) -> list[tuple[str, Cas
 def _no_load_cases(wanted: str, names: str = "") -> InputError:
     none = Message("refused_command.case_has_no_load_cases")
     allowed = Message("refused.one_of", words=names) if names else none
-    return InputError([Problem("--load-case", as_written(wanted), allowed)], "options")
+    return refused("--load-case", as_written(wanted), allowed, "options")
 
 
 def _verified(name: str, case: Case, elements: int, tolerance: float) -> StaticComparison:

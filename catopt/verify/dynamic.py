@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from catopt.checks.fatigue import count_cycles
-from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
+from catopt.errors import InputError, NoAnswerError, NotConvergedError, refused
 from catopt.fem.history import STOPPED
 from catopt.floater.alone import HullHistory
 from catopt.interrupt import waiting_interrupt
@@ -119,7 +119,7 @@ def verify_dynamic(
     """
     if workers is not None and workers < 1:
         allowed = Message("refused_command.n_1_or_more_processes")
-        raise InputError([Problem("workers", f"{workers}", allowed)], "options")
+        raise refused("workers", f"{workers}", allowed, "options")
     check_for_motion(case)
     states = load_states(case, load_case)
     drives = [

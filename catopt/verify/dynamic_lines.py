@@ -13,7 +13,7 @@ import numpy as np
 from catopt.arrays import Array
 from catopt.catenary.batch import solve_many
 from catopt.catenary.case import solve_case
-from catopt.errors import InputError, Problem
+from catopt.errors import refused
 from catopt.fem.dynamics import (
     body_at_rest,
     line_at_rest,
@@ -76,7 +76,7 @@ class OneLine:
         if load.fairlead_tension is not None:
             allowed = Message("refused_motion.give_horizontal_force_or_span")
             found = f"{load.fairlead_tension:g} N"
-            raise InputError([Problem("load.fairlead_tension", found, allowed)], "--dynamic")
+            raise refused("load.fairlead_tension", found, allowed, "--dynamic")
         rest = cls(drive, load, 0.0).simulation()
         return cls(drive, load, float(rest.state.x[-1, 0]))
 

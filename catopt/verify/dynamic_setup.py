@@ -9,7 +9,7 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, Problem, refused
 from catopt.fem.dynamic_model import Fluid, LineProperties
 from catopt.fem.morison import OBLIQUE, MorisonSection, added_mass, steady_drag, wake_amplification
 from catopt.fem.newmark import LineDamping, Scheme
@@ -306,7 +306,7 @@ def read_drive(case: Case | Network) -> Excitation:
         if series.directions is not None and current.direction != 0.0:
             allowed = Message("refused_motion.stands_series_file_too_leave")
             found = f"{math.degrees(current.direction):g} deg"
-            raise InputError([Problem("current.direction", found, allowed)], "--dynamic")
+            raise refused("current.direction", found, allowed, "--dynamic")
         drive = replace(drive, current=series)
     if lower is not None and lower.file:
         drive = replace(drive, anchor_record=read_motion(lower.file, duration))
@@ -356,7 +356,7 @@ def check_for_motion(case: Case | Network) -> None:
     problems = []
     if case.floater is not None and case.floater.ship is not None:
         allowed = Message("refused_case.ship_on_two_scales")
-        raise InputError([Problem("floater.ship", "", allowed)], "--dynamic")
+        raise refused("floater.ship", "", allowed, "--dynamic")
     if case.dynamics is None:
         allowed = Message("refused_motion.missing_write_dynamics_with_duration")
         problems.append(Problem("dynamics", "", allowed))

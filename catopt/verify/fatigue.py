@@ -12,7 +12,7 @@ import numpy as np
 from catopt.checks.fatigue import FatigueStrength, design_factor, fatigue_strengths, need_rainflow
 from catopt.checks.kinds import CheckSource
 from catopt.constants import YEAR
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, refused
 from catopt.model import Case, FatigueSeaState, Segment
 from catopt.model.dynamics import share_misfits
 from catopt.model.kinds import Force, NotNegative, Place, Positive, Share
@@ -283,19 +283,19 @@ def verify_fatigue(
     """
     if case.fatigue is None:
         allowed = Message("refused_motion.fatigue_missing_sea_states_are")
-        raise InputError([Problem("fatigue", "", allowed)])
+        raise refused("fatigue", "", allowed)
     need_rainflow()
     check_for_motion(case)
     if case.dynamics is not None and case.dynamics.broken_line is not None:
         allowed = Message("refused_motion.leave_out_year_run_with")
-        raise InputError([Problem("dynamics.broken_line", "", allowed)])
+        raise refused("dynamics.broken_line", "", allowed)
     for strength in fatigue_strengths(case):
         design_factor(case, strength.curve)
     loads = load_states(case, load_case)
     if len(loads) > 1:
         names = ", ".join(name for name, _ in loads)
         allowed = Message("refused_motion.one_wanted_year_run_under", names=names)
-        raise InputError([Problem("--load-case", "", allowed)], "options")
+        raise refused("--load-case", "", allowed, "options")
     states = sea_states(case)
     seas = [_in_sea(case, state) for state in states]
     seconds = 0.0
@@ -358,7 +358,7 @@ def sea_states(case: Case) -> tuple[FatigueSeaState, ...]:
     given = [key for key in _LASTING if key in columns]
     if len(given) > 1:
         allowed = Message("refused_motion.one_them_wanted")
-        raise InputError([Problem("headings", " and ".join(given), allowed)], path)
+        raise refused("headings", " and ".join(given), allowed, path)
     shares = columns[given[0]] / (YEAR if given == ["time"] else 1.0)
     states, problems = [], share_misfits(shares.tolist())
     for row, (line, share) in enumerate(zip(lines_of(path), shares.tolist(), strict=True)):

@@ -15,7 +15,7 @@ import numpy.typing as npt
 
 from catopt.arrays import Array
 from catopt.documents import MOST_BYTES_OF_DATA, read_text
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, Problem, refused
 from catopt.fem.series import Harmonic, Sampled
 from catopt.hydro.coefficient_files import wamit_rows
 from catopt.hydro.coefficients import FREEDOMS, Coefficients
@@ -157,7 +157,7 @@ def _record_of(path: str, key: str, times: Array, duration: float) -> Iterator[N
     if length < duration * (1.0 - 1e-9):
         wanted = Message("refused_motion.run_is_longer", duration=duration)
         found = Message("refused_motion.s_from_first_row_last", length=length)
-        raise refused(path, key, found, wanted)
+        raise refused(key, found, wanted, path)
 
 
 def read_raos(path: str) -> Raos:
@@ -173,11 +173,11 @@ def read_raos(path: str) -> Raos:
     columns |= {each: np.radians(columns[each]) for each in phases if each in columns}
     period = columns["period"]
     if not (period > 0.0).all():
-        raise refused(path, "period", f"{period.min():g} s", Message("refused_motion.above_0_s"))
+        raise refused("period", f"{period.min():g} s", Message("refused_motion.above_0_s"), path)
     order = np.argsort(period)[::-1]
     if (np.diff(period[order]) == 0.0).any():
         wanted = Message("refused_motion.one_row_period")
-        raise refused(path, "period", Message("refused_motion.same_twice"), wanted)
+        raise refused("period", Message("refused_motion.same_twice"), wanted, path)
     response = responses(columns, _WAYS, period.size)
     return Raos(2.0 * math.pi / period[order], response[order])
 
@@ -209,7 +209,7 @@ def read_columns(
     """
     rows = _rows(path)
     if len(rows) < 2:
-        raise refused(path, "rows", f"{len(rows)}", Message("refused_motion.headings_and_rows"))
+        raise refused("rows", f"{len(rows)}", Message("refused_motion.headings_and_rows"), path)
     heads = [cell.split("(")[0].strip().casefold() for cell in rows[0][1]]
     one_of = Message("refused.one_of", words=", ".join(known))
     problems = [
@@ -318,12 +318,7 @@ def _rows(path: str) -> list[tuple[int, list[str]]]:
         ]
     except csv.Error as error:
         allowed = Message("refused_motion.no_table_of_numbers", error=error)
-        raise refused(path, "file", "", allowed) from None
-
-
-def refused(path: str, key: str, found: str, allowed: str) -> InputError:
-    """Return the refusal of one key of a file."""
-    return InputError([Problem(key, found, allowed)], path)
+        raise refused("file", "", allowed, path) from None
 
 
 _ANGLES = {"deg": math.pi / 180.0, "rad": 1.0}
@@ -404,13 +399,13 @@ def read_vessel_raos(motion: Motion) -> VesselRaos:
     frequencies = [omega[at] for at in rows]
     if any((np.diff(each) == 0.0).any() for each in frequencies):
         wanted = Message("refused_motion.one_row_heading_period")
-        raise refused(path, "period", Message("refused_motion.same_twice"), wanted)
+        raise refused("period", Message("refused_motion.same_twice"), wanted, path)
     if any(not np.array_equal(each, frequencies[0]) for each in frequencies):
         wanted = Message("refused_motion.every_heading_same")
-        raise refused(path, "period", Message("refused_motion.others_some_heading"), wanted)
+        raise refused("period", Message("refused_motion.others_some_heading"), wanted, path)
     if headings[-1] - headings[0] > 2.0 * math.pi * (1.0 + _SAME):
         wanted = Message("refused_motion.full_turn_at_most")
-        raise refused(path, "heading", Message("refused_motion.more_than_full_turn"), wanted)
+        raise refused("heading", Message("refused_motion.more_than_full_turn"), wanted, path)
     laid = np.array([response[at] for at in rows], dtype=np.complex128)
     reference = motion.rao_reference
     crest = motion.rao_crest or reference[:2]
@@ -425,7 +420,7 @@ def _frequencies(path: str, columns: dict[str, Array]) -> Array:
         raise InputError([Problem("headings", " and ".join(given), wanted)], path)
     values = columns[given[0]]
     if not (values > 0.0).all():
-        raise refused(path, given[0], f"{values.min():g}", Message("refused.above", bound=0))
+        raise refused(given[0], f"{values.min():g}", Message("refused.above", bound=0), path)
     return 2.0 * math.pi / values if given[0] == "period" else values
 
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass, replace
 
-from catopt.errors import InputError, Problem
+from catopt.errors import refused
 from catopt.fem import mesh_line
 from catopt.fem.network import LineEnd, MeetingPoint, NetworkSolution, solve_network
 from catopt.fem.result import TrussSolution, part_of
@@ -43,7 +43,7 @@ def verify_network(
     """
     if network.current_at_rest is not None:
         allowed = Message("refused_motion.truss_of_points_has_no_current")
-        raise InputError([Problem("current", "", allowed)], "verify")
+        raise refused("current", "", allowed, "verify")
     closed = at_rest(network)
     rows = rows_of(network)
     within = _places_in_rows(network, rows, closed.runs)

@@ -26,7 +26,7 @@ from catopt.checks.system import (
     state_words,
     strengths_of_lines,
 )
-from catopt.errors import InputError, NoAnswerError, Problem
+from catopt.errors import InputError, NoAnswerError, Problem, refused
 from catopt.fem.extremes import weibull_tail
 from catopt.floater.ship import ShipInWeather
 from catopt.floater.two_scales import MooredShip, ShipAtRest, ShipHistory, sample_step, scales_of
@@ -252,7 +252,7 @@ def moored_ship(case: Case, ship: ShipInWeather | None = None) -> tuple[MooredSh
     """Make the ship of a case on its lines, and what drives it; as `verify_ship`."""
     if case.floater is None or case.floater.ship is None or case.system is None:
         allowed = Message("refused_case.ship_wanted")
-        raise InputError([Problem("floater.ship", "", allowed)], "--dynamic")
+        raise refused("floater.ship", "", allowed, "--dynamic")
     floater, of, current = case.floater, case.floater.ship, case.current
     if current is not None and current.series_file:
         allowed = Message("refused_case.ship_steady_current")

@@ -24,7 +24,7 @@ from threading import Lock
 from typing import Any, Final
 
 from catopt.documents import MOST_BYTES
-from catopt.errors import InputError, Problem
+from catopt.errors import refused
 from catopt.page_api import CALLS, ask, shell
 from catopt.page_api.fields import DOORS, START
 from catopt.render.svg import stylesheet
@@ -133,11 +133,11 @@ def fetched(part: PinnedPart, folder: Path | None = None) -> bytes:
             with urlopen(part.url, timeout=_WAIT) as answer:
                 data = answer.read()
     except OSError as error:
-        raise InputError([Problem(part.name, str(error), way)], "web") from error
+        raise refused(part.name, str(error), way, "web") from error
     found = hashlib.sha256(data).hexdigest()
     if found != part.sha256:
         wanted = Message("refused_command.must_be", sha256=part.sha256, way=way)
-        raise InputError([Problem(part.name, f"SHA-256 {found}", wanted)], "web")
+        raise refused(part.name, f"SHA-256 {found}", wanted, "web")
     return data
 
 
