@@ -28,8 +28,7 @@ from catopt.catenary.solve import solve
 from catopt.checks.case import check_line
 from catopt.checks.kinds import ROUNDING
 from catopt.design.evaluation import DesignProblem
-from catopt.design.front import Outcome
-from catopt.design.problem import Floats, Genes
+from catopt.design.front import Floats, Genes, Outcome
 from catopt.design.search import Found, answer, design_case, enumerate_designs
 from catopt.machine_code import _inner
 from catopt.model import (

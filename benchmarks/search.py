@@ -23,9 +23,15 @@ from catopt.casefile import read_case
 from catopt.checks.kinds import ROUNDING
 from catopt.design import steps
 from catopt.design.evaluation import DesignProblem
-from catopt.design.front import Outcome, hypervolume, non_dominated, reference_point
+from catopt.design.front import (
+    Floats,
+    Outcome,
+    Problem,
+    hypervolume,
+    non_dominated,
+    reference_point,
+)
 from catopt.design.nsga2 import nsga2
-from catopt.design.problem import Floats, Problem
 from catopt.design.search import enumerate_designs
 from catopt.design.swarm import swarm
 from catopt.model.design import Objective

@@ -29,7 +29,7 @@ import numpy as np
 import numpy.typing as npt
 
 from benchmarks.common import page
-from catopt.reproduce.lines_in_motion import (
+from catopt.reproduce.reference_moorings import (
     BARS,
     CHAIN,
     DURATION,

@@ -31,8 +31,8 @@ from catopt.checks.result import CheckReport, ChecksInBrief
 from catopt.cli.new import NewFile
 from catopt.design.result import DesignResult
 from catopt.export.exported import Exported
-from catopt.loads.document import ComparedLoads
 from catopt.loads.sinker import AnchorHeld, SinkerHeld
+from catopt.loads.weathervane import ComparedLoads
 from catopt.model.kinds import OneOf, Size
 from catopt.mooring.case import SystemReport
 from catopt.mooring.network_out import NetworkOut

@@ -17,7 +17,7 @@ import catopt
 PACKAGE = Path(catopt.__file__).parent
 
 BASE = {
-    "errors", "constants", "documents", "numerals", "dimensions", "units",
+    "errors", "constants", "documents", "dimensions", "units",
     "quantities", "words",
     "arrays", "compiled", "interrupt", "patience", "threads", "ties", "shown", "records",
     "old_names",
@@ -46,9 +46,8 @@ MAY_IMPORT: dict[str, set[str]] = {
     "constants": set(),
     "arrays": set(),
     "documents": {"errors", "words"},
-    "numerals": set(),
     "dimensions": {"constants"},
-    "units": {"errors", "constants", "numerals", "dimensions", "words"},
+    "units": {"errors", "constants", "dimensions", "words"},
     "quantities": {"constants", "dimensions"},
     "words": {"quantities"},
     "compiled": {"errors", "machine_code", "words"},

@@ -14,7 +14,7 @@ from catopt.quantities import Quantity
 from catopt.words import Cited, Message
 
 if TYPE_CHECKING:
-    from catopt.study.base import Output
+    from catopt.study.member import Output
     from catopt.study.reliability import FirstOrder
     from catopt.study.result import ByChoice, Statistic, StudyResult
     from catopt.study.run import Plan

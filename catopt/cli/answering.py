@@ -99,7 +99,7 @@ class Asked:
             show(self.output, answer, self.language)
             return
         from catopt.render.card import show_card
-        from catopt.words.texts import group
+        from catopt.words.message import group
 
         # Below the card: what to type next, and how all of the answer is had.
         key = "answers.more_full" if answer.name == "size" else "answers.more"

@@ -381,7 +381,7 @@ def _what_is_taken(form: _Form, worst: ShipHeading, turning: Turning | None) -> 
 
 def _give(asked: Asked, *results: Loads, lyings: Sequence[ShipHeading] = ()) -> None:
     from catopt.answers.loads import loads_answer
-    from catopt.loads.document import loads_document
+    from catopt.loads.weathervane import loads_document
 
     asked.check_place()
     document = partial(loads_document, *results, lyings=lyings)

@@ -10,7 +10,7 @@ from typing import Annotated, Literal
 
 import typer
 
-from catopt.words.texts import LANGUAGES, Language
+from catopt.words.message import LANGUAGES, Language
 
 LANGUAGE_VARIABLE = "CATOPT_LANG"
 """Environment variable with the language of a user who does not type it each time."""

@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from catopt.errors import InputError, Problem
 from catopt.model.kinds import Findings
-from catopt.numerals import bare_number
-from catopt.units import Dimension, as_written, to_si
+from catopt.units import Dimension, as_written, bare_number, to_si
 from catopt.words import Message
 
 if TYPE_CHECKING:

@@ -40,8 +40,7 @@ from catopt.design.assess import (
 )
 from catopt.design.tables import BodyRoom, MooringTables, Room, Tables
 from catopt.model.anchor import sinker_needed
-from catopt.mooring.arrangement import Arrangement, Lines
-from catopt.mooring.balance import pull_at
+from catopt.mooring.balance import Arrangement, Lines, pull_at
 from catopt.mooring.descent import BodyLoad, BodyProblem, Freedom, Rest, freedom_of
 from catopt.mooring.static_equilibrium import static_equilibrium
 

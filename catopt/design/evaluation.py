@@ -16,7 +16,7 @@ from catopt.checks.criteria import criteria_of
 from catopt.checks.evaluation import NO_CHECK
 from catopt.compiled import compiled
 from catopt.design.assess import ANCHOR_LOAD, COST, EXCURSION, LENGTH, MASS, OFFSET, assess
-from catopt.design.problem import Evaluated, Floats, Genes
+from catopt.design.front import Evaluated, Floats, Genes
 from catopt.design.result import OBJECTIVES_MADE, DesignPoint, Neighbour
 from catopt.design.space import DesignSpace, resolve
 from catopt.design.tables import Tables, room, tables_of
@@ -69,7 +69,7 @@ class Assessed(NamedTuple):
 
 @dataclass(frozen=True)
 class DesignProblem:
-    """A case's design space with its evaluation; serves `catopt.design.problem.Problem`."""
+    """A case's design space with its evaluation; serves `catopt.design.front.Problem`."""
 
     case: Case
     states: tuple[LoadCase, ...]  # those of the case, or its load as the only one

@@ -16,8 +16,8 @@ from catopt.compiled import compiled
 from catopt.design.assess import BOUNDS, COST, MASS
 from catopt.design.assess_mooring import Search, assess_moorings
 from catopt.design.evaluation import Assessed, DesignProblem
+from catopt.design.front import Floats, Genes
 from catopt.design.mooring_point import mooring_point
-from catopt.design.problem import Floats, Genes
 from catopt.design.result import DesignPoint
 from catopt.design.space import (
     ClumpWeightVariable,

@@ -23,8 +23,7 @@ from pymoo.operators.crossover.sbx import SBX
 from pymoo.operators.mutation.pm import PM
 
 from catopt.checks.kinds import ROUNDING
-from catopt.design.front import EvaluationArchive
-from catopt.design.problem import Genes
+from catopt.design.front import EvaluationArchive, Genes
 from catopt.design.steps import explore, scattered
 
 CROSSOVER_PROBABILITY = 0.9

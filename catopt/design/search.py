@@ -19,10 +19,18 @@ from catopt.design.evaluation import (
     objective_words,
     present_line,
 )
-from catopt.design.front import Knee, Outcome, Progress, Tally, hypervolume, knee, reference_point
+from catopt.design.front import (
+    Genes,
+    Knee,
+    Outcome,
+    Progress,
+    Tally,
+    hypervolume,
+    knee,
+    reference_point,
+)
 from catopt.design.mooring import MooringProblem
 from catopt.design.neighbours import ends, neighbours, no_feasible_design
-from catopt.design.problem import Genes
 from catopt.design.result import DesignPoint, DesignResult
 from catopt.errors import NotConvergedError, refused
 from catopt.model import Case

@@ -15,7 +15,7 @@ from catopt.catalogue import Catalogue, Component
 from catopt.catalogue.choice import ChosenCatalogue, chosen
 from catopt.catalogue.components import RECALLED, within
 from catopt.checks.criteria import Criteria
-from catopt.design.problem import Genes
+from catopt.design.front import Genes
 from catopt.errors import InputError, Problem
 from catopt.model import Case, ClumpWeightChoice, Line, LoadCase, PointLoad, Segment, SegmentChoice
 from catopt.model.kinds import Findings

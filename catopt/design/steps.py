@@ -9,11 +9,12 @@ import numpy as np
 from catopt.design.front import (
     BudgetSpentError,
     EvaluationArchive,
+    Genes,
     Outcome,
+    Problem,
     Progress,
     crowding_distance,
 )
-from catopt.design.problem import Genes, Problem
 
 ROAMING = 0.6
 """Share of what is left of the budget that a search roams with before it improves its front.

@@ -19,8 +19,14 @@ from numpy.typing import NDArray
 
 from catopt.catenary.swarm.solve import velocity, without_logging
 from catopt.checks.kinds import ROUNDING
-from catopt.design.front import EvaluationArchive, crowding_distance
-from catopt.design.problem import Evaluated, Floats, Genes, Problem
+from catopt.design.front import (
+    Evaluated,
+    EvaluationArchive,
+    Floats,
+    Genes,
+    Problem,
+    crowding_distance,
+)
 from catopt.design.steps import explore, scattered
 from catopt.model import SwarmSettings
 

@@ -12,13 +12,13 @@ from numpy.typing import NDArray
 from catopt.catenary.batch import room_for_runs
 from catopt.catenary.layout import LineIntervals
 from catopt.checks.criteria import Criteria, Limits
+from catopt.design.front import Floats
 from catopt.design.mooring_point import states_of, widest_gap
-from catopt.design.problem import Floats
 from catopt.design.space import DesignSpace
 from catopt.model import Case, DesignLoad, LoadCase, SinkerChoice
 from catopt.model.line import weight_in_water
 from catopt.model.wear import left_of_section
-from catopt.mooring.arrangement import Arrangement, Lines
+from catopt.mooring.balance import Arrangement, Lines
 
 RESOLUTION = 2.0**-40
 """Part of the largest value of an objective that two designs must differ by to differ at all.

@@ -11,9 +11,9 @@ import math
 from collections.abc import Iterator, Sequence
 
 from catopt.decks.deck import Deck
-from catopt.export.deck import deck_of
 from catopt.export.exported import Exported, ExportedLines, Source, exported, heading, significant
 from catopt.export.moordyn_model import ELEMENTS, ROUNDING, Model, model_of, remarks_of, resting
+from catopt.export.programs import deck_of
 
 SINKING = 1e-3
 """How deep the bed's springs let the line's own weight sink in, m."""

@@ -23,8 +23,7 @@ from catopt.fem.run_settings import TimeStepping
 from catopt.fem.seabed import Seabed
 from catopt.fem.simulation import Simulation
 from catopt.fem.solve import Leg
-from catopt.floater.alone import HullHistory, history_of
-from catopt.floater.freedoms import freedoms
+from catopt.floater.alone import HullHistory, freedoms, history_of
 from catopt.hydro.build import AnyHull, record_of, room_of, state_of
 from catopt.hydro.hull import Hull, HullRoom, HullState, fill_forces_on_hull, fill_sea, turn_axes
 from catopt.waves import Sea

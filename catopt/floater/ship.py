@@ -29,8 +29,7 @@ from catopt.loads.ship_loads import AIR_DENSITY, depth_factor, share_above, widt
 from catopt.loads.ufc import longitudinal_loads, transverse_load, yaw_moment
 from catopt.loads.weathervane import YAW_TYPES
 from catopt.model import ShipAfloat
-from catopt.mooring.arrangement import Arrangement, Lines
-from catopt.mooring.balance import pull_at
+from catopt.mooring.balance import Arrangement, Lines, pull_at
 from catopt.waves import Waves
 from catopt.words import Message
 

@@ -25,7 +25,7 @@ from catopt.hydro.hull import monohull_response
 from catopt.loads.environment import gust_series
 from catopt.model import System
 from catopt.model.kinds import Angle, Force, Place
-from catopt.mooring.arrangement import room_for
+from catopt.mooring.balance import room_for
 from catopt.mooring.batch import as_arrays
 from catopt.mooring.descent import Rest
 from catopt.mooring.zero_load import ZeroLoadPosition, zero_load_position

@@ -13,8 +13,7 @@ from catopt.catenary.state import CONVERGED, REASONS
 from catopt.compiled import compiled
 from catopt.errors import InputError, Problem
 from catopt.model.system import System
-from catopt.mooring.arrangement import Arrangement, Lines, room_for
-from catopt.mooring.balance import pull_at
+from catopt.mooring.balance import Arrangement, Lines, pull_at, room_for
 from catopt.mooring.descent import TURNS_OVER, BodyLoad, BodyProblem, Freedom
 from catopt.mooring.static_equilibrium import static_equilibrium
 from catopt.mooring.zero_load import zero_load_position

@@ -11,8 +11,7 @@ from typing import Final, NamedTuple
 
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED
 from catopt.compiled import inlined
-from catopt.mooring.arrangement import Arrangement, Lines
-from catopt.mooring.balance import RestoringForce, pull_at
+from catopt.mooring.balance import Arrangement, Lines, RestoringForce, pull_at
 
 TURNS_OVER: Final = 100
 """Status beside those of a line: the lines stop the body at no heading."""

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 from catopt.model.kinds import Angle, Force, Height, Place, SomeForce
-from catopt.mooring.arrangement import Lines
+from catopt.mooring.balance import Lines
 from catopt.mooring.descent import Rest
 from catopt.mooring.network_rest import LinesAtRest
 from catopt.mooring.zero_load import ZeroLoadPosition

@@ -11,7 +11,7 @@ from catopt.catenary.span_or_tension import given_span
 from catopt.catenary.state import CONVERGED
 from catopt.errors import NotConvergedError
 from catopt.model.system import Leg, System
-from catopt.mooring.arrangement import Lines
+from catopt.mooring.balance import Lines
 from catopt.mooring.descent import Rest
 from catopt.mooring.position import Position
 from catopt.mooring.solution import LegState, SystemResidual, SystemSolution

@@ -10,8 +10,7 @@ from time import perf_counter
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT
 from catopt.errors import CatoptError, NoEquilibriumError, NotConvergedError
 from catopt.model.system import System
-from catopt.mooring.arrangement import Arrangement, Lines, arrange, room_for
-from catopt.mooring.balance import RestoringForce, pull_at
+from catopt.mooring.balance import Arrangement, Lines, RestoringForce, arrange, pull_at, room_for
 from catopt.mooring.descent import (
     TURNS_OVER,
     BodyLoad,

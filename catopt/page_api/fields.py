@@ -12,9 +12,9 @@ from typing import Any, Final, Literal
 from catopt.casefile.document import parts
 from catopt.catalogue import families
 from catopt.documents import parse_toml
-from catopt.numerals import bare_number
 from catopt.sizing.inputs import INPUTS, Input, rows_of
 from catopt.sizing.kinds import choices_of
+from catopt.units import bare_number
 from catopt.words import Message, term
 
 Door = Literal["line", "body", "buoy", "tanker"]

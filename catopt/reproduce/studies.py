@@ -12,7 +12,6 @@ from catopt.reproduce import (
     calmar,
     fso_rang_dong,
     fso_rang_dong_dynamic,
-    lines_in_motion,
     reference_moorings,
     ship_lines,
     ship_loads,
@@ -164,8 +163,8 @@ _STUDIES: dict[str, Callable[[], Study]] = {
     fso_rang_dong_dynamic.NAME: fso_rang_dong_dynamic.study,
     **{name: partial(reference_moorings.study, name) for name in reference_moorings.NAMES},
     "bridle": reference_moorings.bridle,
-    lines_in_motion.CHAIN: lines_in_motion.chain_study,
-    lines_in_motion.CABLE: lines_in_motion.cable_study,
+    reference_moorings.CHAIN: reference_moorings.chain_study,
+    reference_moorings.CABLE: reference_moorings.cable_study,
     calmar.NAME: calmar.study,
 }
 

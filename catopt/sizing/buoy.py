@@ -13,7 +13,6 @@ from catopt.errors import refused
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.environment import WaterLevels
 from catopt.model import Buoy, Design, LoadCase
-from catopt.sizing.afloat import buoy_afloat
 from catopt.sizing.answer import (
     case_of,
     in_place_of_allowance,
@@ -36,6 +35,7 @@ from catopt.sizing.settle import (
     rounded_up,
     settle,
 )
+from catopt.sizing.ship_afloat import buoy_afloat
 from catopt.ties import largest
 from catopt.words import Measure, Message
 

@@ -12,9 +12,8 @@ from typing import Annotated, Any
 from catopt.casefile.reading import Moored
 from catopt.casefile.schema import TableSchema
 from catopt.model.kinds import Flag, Kind, Measured, OneOf, Text, Whole
-from catopt.numerals import bare_number
 from catopt.sizing.inputs import Input, inputs_of, rows_of
-from catopt.units import Dimension, as_written
+from catopt.units import Dimension, as_written, bare_number
 
 
 @cache

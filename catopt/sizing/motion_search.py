@@ -24,7 +24,6 @@ from catopt.loads.ship import neighbours
 from catopt.loads.sinker import SinkerSize
 from catopt.model import Anchor, Case
 from catopt.patience import expect
-from catopt.sizing.afloat import run_in_still_water
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.in_motion import (
     Counted,
@@ -41,6 +40,7 @@ from catopt.sizing.line_choice import LineChoice, sold
 from catopt.sizing.motion_judged import Judged, NoAnswer, judged, largest_heel
 from catopt.sizing.pattern import HEAVY_SINKERS
 from catopt.sizing.settle import ConvergedSizing, best_of
+from catopt.sizing.ship_afloat import run_in_still_water
 from catopt.ties import largest
 from catopt.verify.case import load_states
 from catopt.verify.dynamic import Wanted, processes_for, run_once

@@ -22,7 +22,7 @@ from catopt.loads.sinker import (
 )
 from catopt.model import Anchor, Case, DesignLoad, Line, SinkerChoice, System
 from catopt.model.kinds import Angle, Findings, Force, Height, SomeForce
-from catopt.mooring.arrangement import Lines
+from catopt.mooring.balance import Lines
 from catopt.mooring.descent import Rest
 from catopt.mooring.sharing_rule import load_sharing_factor
 from catopt.mooring.solution import SystemSolution

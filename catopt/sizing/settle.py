@@ -12,16 +12,14 @@ from typing import Final, Literal
 import numpy as np
 
 from catopt.design.evaluation import OBJECTIVE_KEYS, DesignProblem, design_point
-from catopt.design.front import Outcome
+from catopt.design.front import Floats, Outcome
 from catopt.design.neighbours import NoFeasibleDesignError, no_feasible_design
-from catopt.design.problem import Floats
 from catopt.design.result import DesignPoint, DesignResult
 from catopt.design.search import design_case, enumerate_designs
 from catopt.errors import NotConvergedError
 from catopt.loads.component import Loads
-from catopt.loads.document import ComparedLoads
 from catopt.loads.drag_anchor import DragAnchorSize
-from catopt.loads.weathervane import ShipHeading
+from catopt.loads.weathervane import ComparedLoads, ShipHeading
 from catopt.model import Case
 from catopt.model.kinds import Force, Height, Length, SomeForce
 from catopt.records import Counted, Record

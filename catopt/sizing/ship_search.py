@@ -26,7 +26,6 @@ from catopt.loads.environment import Headings
 from catopt.loads.sinker import SinkerSize
 from catopt.model import Case, Line, Segment
 from catopt.patience import expect
-from catopt.sizing.afloat import MOTION_CODE
 from catopt.sizing.answer import worn_name
 from catopt.sizing.in_motion import (
     Counted,
@@ -41,10 +40,10 @@ from catopt.sizing.in_motion import (
     tightest_seas,
 )
 from catopt.sizing.line_choice import sold
+from catopt.sizing.motion_judged import JudgedLine, ShipLost, ShipRun, ShipState
 from catopt.sizing.pattern import DragGround, Pattern
 from catopt.sizing.settle import ConvergedSizing, best_of
-from catopt.sizing.ship_afloat import runs_afloat, ship_afloat
-from catopt.sizing.ship_runs import JudgedLine, ShipLost, ShipRun, ShipState
+from catopt.sizing.ship_afloat import MOTION_CODE, runs_afloat, ship_afloat
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.ties import largest
 from catopt.verify.ship_result import ShipWithoutLine

@@ -14,9 +14,8 @@ import numpy as np
 
 from catopt.checks.case import check_strengths
 from catopt.design.evaluation import OBJECTIVE_KEYS, DesignProblem, design_point
-from catopt.design.front import Outcome, Progress
+from catopt.design.front import Genes, Outcome, Progress
 from catopt.design.neighbours import NoFeasibleDesignError, no_feasible_design
-from catopt.design.problem import Genes
 from catopt.design.result import (
     DesignPoint,
     DesignResult,

@@ -21,8 +21,7 @@ from catopt.errors import InputError, Problem, refused
 from catopt.model import Case
 from catopt.model.kinds import Kind, Measured, Seed, Size, Text, Whole
 from catopt.model.network import Network
-from catopt.study.base import Base, Computed, ConvergenceCheck
-from catopt.study.member import kind_of_key, read_member
+from catopt.study.member import Base, Computed, ConvergenceCheck, kind_of_key, read_member
 from catopt.study.store import read_each, read_table
 from catopt.study.study import Axis, Distribution, DistributionKind, Study
 from catopt.units import Dimension, to_si

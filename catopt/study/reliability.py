@@ -21,8 +21,7 @@ from catopt.arrays import Array, Flags
 from catopt.errors import InputError, NoAnswerError, NotConvergedError
 from catopt.model.kinds import Share
 from catopt.records import Record
-from catopt.study.base import Output
-from catopt.study.member import compute_member
+from catopt.study.member import Output, compute_member
 from catopt.study.statics import at_rest
 from catopt.study.study import Study, StudyPiece
 from catopt.words import Message

@@ -16,7 +16,7 @@ from catopt.errors import need_package, refused
 from catopt.model.kinds import Share
 from catopt.records import Counted, FromZero, Record
 from catopt.shown import Displayable
-from catopt.study.base import Output
+from catopt.study.member import Output
 from catopt.study.reliability import FirstOrder, counted_interval, first_order
 from catopt.study.store import Store
 from catopt.study.study import Study

@@ -23,8 +23,7 @@ from catopt.design.evaluation import (
     design_point,
     sinker_of,
 )
-from catopt.design.front import Progress
-from catopt.design.problem import Floats, Genes
+from catopt.design.front import Floats, Genes, Progress
 from catopt.design.result import DesignPoint, DesignResult, InDraws, needed
 from catopt.design.search import search_design
 from catopt.errors import InputError, Problem

@@ -19,9 +19,8 @@ from catopt.errors import InputError, NoAnswerError, NotConvergedError, refused
 from catopt.model.kinds import Duration
 from catopt.patience import paced
 from catopt.records import Counted, Record
-from catopt.study.base import Base
 from catopt.study.file import read_study
-from catopt.study.member import OfSizing, compute_member, reason_of
+from catopt.study.member import Base, OfSizing, compute_member, reason_of
 from catopt.study.result import StudyResult
 from catopt.study.statics import at_rest
 from catopt.study.store import Computed, Store

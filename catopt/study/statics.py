@@ -27,8 +27,7 @@ from catopt.mooring.held import at_rest as network_at_rest
 from catopt.mooring.held import without_load
 from catopt.mooring.joints import turned_line
 from catopt.mooring.network_rest import LinesAtRest
-from catopt.study.base import Base
-from catopt.study.member import kind_of_key, read_member, reason_of
+from catopt.study.member import Base, kind_of_key, read_member, reason_of
 from catopt.study.study import StudyPiece
 from catopt.words import Message
 

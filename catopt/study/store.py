@@ -19,8 +19,7 @@ from catopt.arrays import Array
 from catopt.documents import MOST_BYTES_OF_DATA, read_text
 from catopt.errors import InputError, Problem, need_package, refused
 from catopt.model.kinds import Kind, Measured, Whole
-from catopt.study.base import Base
-from catopt.study.member import in_file, kind_of_key
+from catopt.study.member import Base, in_file, kind_of_key
 from catopt.study.study import Axis, Study
 from catopt.units import as_written, to_si
 from catopt.verify.motion_file import few

@@ -20,8 +20,7 @@ from catopt.constants import YEAR
 from catopt.model.kinds import Measured
 from catopt.quantities import Quantity
 from catopt.records import Counted, Digest, From
-from catopt.study.base import Base
-from catopt.study.member import kind_of_key
+from catopt.study.member import Base, kind_of_key
 
 DistributionKind = Literal["normal", "lognormal", "uniform", "gumbel"]
 

@@ -30,8 +30,7 @@ from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, Series, Together, series_rows, series_values
 from catopt.fem.simulation import Simulation
 from catopt.fem.solve import Leg
-from catopt.floater.alone import HullHistory
-from catopt.floater.freedoms import freedoms
+from catopt.floater.alone import HullHistory, freedoms
 from catopt.floater.hulls import buoy_hull, floating_buoy, hull_of_files
 from catopt.floater.moored import AtRest, moored_at_rest, run_moored
 from catopt.floater.scene import kept_nodes, scene_of

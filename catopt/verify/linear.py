@@ -13,7 +13,7 @@ from catopt.errors import InputError, Problem
 from catopt.fem.linear_model import LinearModel, linear_model
 from catopt.fem.linear_motion import LEAST_RESERVE, linear_motion
 from catopt.fem.series import Harmonic
-from catopt.floater.freedoms import current_across, unmirrored, waves_across, wind_across
+from catopt.floater.alone import current_across, unmirrored, waves_across, wind_across
 from catopt.floater.linear_moored import linear_hull
 from catopt.floater.moored import AtRest
 from catopt.hydro.build import FloatingHull

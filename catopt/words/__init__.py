@@ -35,7 +35,9 @@ reproduction, texts of plots.
 
 from catopt.words.labels import heading, is_term, quantity_name, term
 from catopt.words.message import (
+    LANGUAGES,
     Cited,
+    Language,
     Listed,
     Measure,
     Message,
@@ -46,7 +48,6 @@ from catopt.words.message import (
     is_said,
     say,
 )
-from catopt.words.texts import LANGUAGES, Language
 
 __all__ = [
     "LANGUAGES",

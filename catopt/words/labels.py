@@ -7,8 +7,7 @@ from functools import cache
 from typing import Protocol
 
 from catopt.quantities import Quantity
-from catopt.words.message import Message, Several, say, shown_name
-from catopt.words.texts import Language, group
+from catopt.words.message import Language, Message, Several, group, say, shown_name
 
 
 class Term(Message):

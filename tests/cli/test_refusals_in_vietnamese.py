@@ -22,7 +22,7 @@ from catopt.model.case import Boundary
 from catopt.reproduce import names as studies
 from catopt.sizing.inputs import inputs_of
 from catopt.words import LANGUAGES
-from catopt.words.texts import group, groups
+from catopt.words.message import group, groups
 from tests.casefile.test_schema import tables
 
 from .cases import write_files

@@ -16,8 +16,7 @@ import numpy as np
 
 from catopt import Line, PointLoad, Segment, solve_many
 from catopt.checks.kinds import ROUNDING
-from catopt.design.front import Front, non_dominated
-from catopt.design.problem import Evaluated, Floats, Genes
+from catopt.design.front import Evaluated, Floats, Front, Genes, non_dominated
 
 GRAVITY = 9.80665
 BUOYANT = 1.0 - 1025.0 / 7850.0

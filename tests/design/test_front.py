@@ -8,8 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pymoo.util.nds.non_dominated_sorting import NonDominatedSorting
 
-from catopt.design.front import empty_front, knee, merge, non_dominated
-from catopt.design.problem import Floats
+from catopt.design.front import Floats, empty_front, knee, merge, non_dominated
 
 GRID = st.integers(0, 6) | st.just(float("nan"))
 """Few values, so that rows are often equal in some objectives or in all."""

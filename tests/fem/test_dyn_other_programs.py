@@ -18,7 +18,7 @@ import pytest
 from catopt.fem import solve_line
 from catopt.model import Line, Segment
 from catopt.reproduce.items import published
-from catopt.reproduce.lines_in_motion import (
+from catopt.reproduce.reference_moorings import (
     CableCase,
     Depth,
     Heave,

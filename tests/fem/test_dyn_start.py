@@ -22,8 +22,7 @@ from catopt.fem import (
 )
 from catopt.model import Line, Segment
 from catopt.reproduce.items import published
-from catopt.reproduce.lines_in_motion import CHAIN, Depth, chain_of
-from catopt.reproduce.reference_moorings import segment_of
+from catopt.reproduce.reference_moorings import CHAIN, Depth, chain_of, segment_of
 from catopt.waves import Sea, regular_wave
 from catopt.words import Message, is_said
 

@@ -31,7 +31,7 @@ from catopt.loads.environment import Headings
 from catopt.loads.ufc import transverse_load
 from catopt.loads.weathervane import YAW_TYPES
 from catopt.model import ShipAfloat
-from catopt.mooring.arrangement import room_for
+from catopt.mooring.balance import room_for
 from catopt.mooring.batch import as_arrays
 from catopt.waves import Waves, jonswap, random_waves, regular_wave
 from catopt.waves.random_surface import fill_wave_numbers

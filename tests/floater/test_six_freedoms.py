@@ -17,8 +17,7 @@ from catopt.fem.run_settings import TimeStepping
 from catopt.fem.sampling import Rules
 from catopt.fem.seabed import Seabed
 from catopt.fem.solve import Leg
-from catopt.floater.alone import run_alone
-from catopt.floater.freedoms import freedoms
+from catopt.floater.alone import freedoms, run_alone
 from catopt.floater.moored import moored_at_rest, run_moored
 from catopt.hydro.build import FloatingHull, Radiation, record_of, room_of, state_of
 from catopt.hydro.cylinder import FloatingCylinder

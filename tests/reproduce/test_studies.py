@@ -13,7 +13,7 @@ from catopt.figures.studies import lines_to_scale
 from catopt.report.bundle import reproduction_pictures
 from catopt.reproduce import book, names, reproduce
 from catopt.reproduce.items import compare, published
-from catopt.reproduce.lines_in_motion import contact_offset
+from catopt.reproduce.reference_moorings import contact_offset
 from catopt.schemas import schema
 
 NAMES = (

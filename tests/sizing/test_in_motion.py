@@ -29,7 +29,6 @@ from catopt.notes.motion import checks_in_motion
 from catopt.render.card import card_lines
 from catopt.render.files import csv_files
 from catopt.report.bundle import size_files
-from catopt.sizing.afloat import MOST_SLIDE, buoy_afloat, run_in_still_water
 from catopt.sizing.in_motion import (
     Counted,
     InMotion,
@@ -43,6 +42,7 @@ from catopt.sizing.known import known
 from catopt.sizing.line_choice import LineChoice, sold
 from catopt.sizing.requests import request_of
 from catopt.sizing.result import Sizing
+from catopt.sizing.ship_afloat import MOST_SLIDE, buoy_afloat, run_in_still_water
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.judged import way_of
 from catopt.words import Language, Message

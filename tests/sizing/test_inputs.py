@@ -29,7 +29,7 @@ from catopt.sizing.known import ReadInput, ResolvedInputs, known
 from catopt.sizing.line_choice import PREFERENCES
 from catopt.sizing.requests import request_of, size
 from catopt.units import as_written
-from catopt.words.texts import group
+from catopt.words.message import group
 from tests.sizing_page import PAGE, up_to_date
 
 KINDS: tuple[Moored, ...] = ("buoy", "tanker")

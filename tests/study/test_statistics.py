@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from catopt.figures.studies import share_worse
-from catopt.study.base import Base
+from catopt.study.member import Base
 from catopt.study.result import StudyResult
 from catopt.study.store import Computed, Store
 from catopt.study.study import Axis, Distribution, Study

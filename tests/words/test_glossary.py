@@ -8,7 +8,7 @@ from pathlib import Path
 
 import catopt
 from catopt.words import Message, say
-from catopt.words.texts import group, groups
+from catopt.words.message import group, groups
 
 PACKAGE = Path(catopt.__file__).parent
 DOCS = PACKAGE.parent / "docs"

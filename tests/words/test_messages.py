@@ -22,8 +22,8 @@ from catopt import words
 from catopt.quantities import QUANTITIES
 from catopt.units import Dimension
 from catopt.words import LANGUAGES, Listed, Measure, Message, Sentence, Several, Told, say, term
+from catopt.words.message import group, groups
 from catopt.words.saved import messages_in, with_messages
-from catopt.words.texts import group, groups
 
 PACKAGE = Path(catopt.__file__).parent
 TEXTS = {f"{name}.{key}": text for name in groups() for key, text in group(name).items()}
