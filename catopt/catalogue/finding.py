@@ -19,6 +19,12 @@ from catopt.units import as_written
 from catopt.words import LANGUAGES, Message, Several, say, term
 
 
+def component_names() -> tuple[str, ...]:
+    """List what a case may name: every family that comes along, with its grade where it has any."""
+    named = ((each.name, grade) for each in standard().families for grade in each.grades or ("",))
+    return tuple(f"{name} {grade}".rstrip() for name, grade in named)
+
+
 def search(
     *,
     MBL_at_least: float | None = None,

@@ -59,13 +59,13 @@ def _names(kind: str) -> Iterable[str]:
 
             return (*SOILS, *SOIL_FRICTION)
     from catopt.catalogue import families
+    from catopt.catalogue.finding import component_names
 
     if kind == "family":
         return (each.name for each in families())
-    graded = [(each.name, grade) for each in families() for grade in each.grades]
     if kind == "grade":
-        return (grade for _, grade in graded if grade)
-    return (f"{name} {grade}".rstrip() for name, grade in graded)
+        return (grade for each in families() for grade in each.grades)
+    return component_names()
 
 
 def of_input(name: str, words: tuple[str, ...]) -> dict[str, Any]:

@@ -38,10 +38,10 @@ LangOption = Annotated[
 ]
 UnitsOption = Annotated[
     Literal["tf", "kN", "si"] | None,
-    typer.Option("--units", metavar="UNITS", envvar="CATOPT_UNITS", show_envvar=False),
+    typer.Option("--units", metavar="UNITS", envvar="CATOPT_UNITS"),
 ]
 JsonOption = Annotated[bool, typer.Option("--json")]
-FullOption = Annotated[bool, typer.Option("--full", envvar="CATOPT_FULL", show_envvar=False)]
+FullOption = Annotated[bool, typer.Option("--full", envvar="CATOPT_FULL")]
 OutOption = Annotated[Path | None, typer.Option("--out", metavar="DIR")]
 TablesOutOption = Annotated[Path | None, typer.Option("--out", metavar="DIR", help="tables_out")]
 PlaceOption = Annotated[Path | None, typer.Option("--out", metavar="PLACE")]

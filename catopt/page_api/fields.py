@@ -10,7 +10,7 @@ from itertools import pairwise
 from typing import Any, Final, Literal
 
 from catopt.casefile.document import parts
-from catopt.catalogue import families
+from catopt.catalogue.finding import component_names
 from catopt.documents import parse_toml
 from catopt.sizing.inputs import INPUTS, Input, rows_of
 from catopt.sizing.kinds import choices_of
@@ -151,17 +151,12 @@ def _of_case(key: str, how: str) -> Field:
         _such_as(_EXAMPLES.get(key, "")),
         _EXAMPLES.get(key, ""),
         _UNITS.get(_OF_KEY.get(key.rpartition(".")[2], ""), ()),
-        _components() if key.endswith("component") else (),
+        component_names() if key.endswith("component") else (),
         "first" in how,
         "slides" in how,
         "several" in how,
         how == "text",
     )
-
-
-def _components() -> tuple[str, ...]:
-    known = ((each.name, grade) for each in families() for grade in each.grades or ("",))
-    return tuple(f"{name} {grade}".rstrip() for name, grade in known)
 
 
 def _such_as(example: str) -> str:

@@ -184,6 +184,7 @@ class ShipRun(NamedTuple):
     at_rest: Solution  # the most loaded line under the steady load of that load case
     lost: ShipLost
     worn: bool = False  # whether its lines weigh what wear leaves of them
+    cycles: int = 0  # slow ones of all its runs
 
     @property
     def line(self) -> LineOfShip:

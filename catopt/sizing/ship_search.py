@@ -46,7 +46,7 @@ from catopt.sizing.settle import ConvergedSizing, best_of
 from catopt.sizing.ship_afloat import MOTION_CODE, runs_afloat, ship_afloat
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.ties import largest
-from catopt.verify.ship_result import ShipWithoutLine
+from catopt.verify.ship_result import ShipWithoutLine, few_cycles, slow_cycles
 from catopt.verify.two_scales import check_hanging, run_without, verify_ship
 from catopt.words import Message
 
@@ -356,7 +356,15 @@ class _Search:
             without = rest.line_out.line_force
         lost = ShipLost(said, case, found.lost, without, offset)
         return ShipRun(
-            said, case, found.lines, found.hanging, found.most_loaded, at_rest, lost, state.worn
+            said,
+            case,
+            found.lines,
+            found.hanging,
+            found.most_loaded,
+            at_rest,
+            lost,
+            state.worn,
+            slow_cycles(found.runs, found.rest),
         )
 
     def _without_line(
@@ -422,6 +430,8 @@ class _Search:
         failing = sorted((e for e in results if not e.passes), key=lambda check: -check.exceedance)
         sets = len(judged.runs) + sum(len(each.lost) for each in every)
         tried = LineTried.of(judged.line, sets * self.how.seeds, tuple(failing))
+        if judged.runs:  # of the load case that has seen the fewest
+            warnings |= dict.fromkeys(few_cycles(min(each.cycles for each in judged.runs)))
         checks = CheckReport(settled.case.title, tuple(results), (), tuple(warnings))
         held = replace(judged, anchor=anchor, drag_anchor=size, sinker=sinker)
         seas = tightest_seas(zip(results, of_sea, strict=True)) if self.how.periods else ()

@@ -265,13 +265,18 @@ def judged_by_words(lines: tuple[LineOfShip, ...], dynamics: Dynamics) -> Iterat
     yield Message(f"floater.judged_{by.replace('-', '_')}", **said)
 
 
-def few_cycles(runs: tuple[ShipHistory, ...], rest: ShipAtRest) -> Iterator[Message]:
-    """Yield that slow motion was too short to know its deviation."""
+def slow_cycles(runs: tuple[ShipHistory, ...], rest: ShipAtRest) -> int:
+    """Count how often the slow way from rest rises through its mean in all runs."""
     count = 0
     for each in runs:
         off = np.hypot(*(each.slow[:, :2] - np.array(rest.zero)).T)
         off -= off.mean()
         count += int(((off[:-1] < 0.0) & (off[1:] >= 0.0)).sum())
+    return count
+
+
+def few_cycles(count: int) -> Iterator[Message]:
+    """Yield that slow motion was too short to know its deviation."""
     if count < _CYCLES:
         yield Message("floater.few_cycles", count=count, wanted=_CYCLES)
 

@@ -42,6 +42,7 @@ from catopt.verify.ship_result import (
     judged_by_words,
     offset_of,
     remarks_of,
+    slow_cycles,
 )
 from catopt.verify.side_by_side import Progress
 from catopt.waves import Waves
@@ -125,7 +126,7 @@ def verify_ship(
     asked = case.system is not None and case.system.judged_line_out
     remarks = (
         *judged_by_words(lines, dynamics),
-        *few_cycles(histories, rest),
+        *few_cycles(slow_cycles(histories, rest)),
         *remarks_of(case, moored, drive.sea(0), rest),
         *_of_losses(lost, needless),
         *(

@@ -66,6 +66,7 @@ def test_a_shell_is_answered() -> None:
         ("catopt size tanker --anchor Stev", ["Stevpris\\ Mk5"]),
         ("catopt size buoy --prefer l", ["lightest", "least-swing"]),
         ("catopt size buoy --sinker ", ["concrete", "steel"]),
+        ("catopt size buoy --chain ", ["chain\\ studless\\ R3", "chain\\ open-link\\ 9D"]),
         ("catopt size buoy pil", ["pillar\\ 1.8\\ m"]),
         ('catopt size buoy "pil', ["pillar 1.8 m"]),  # an open quote needs no escape
         ("catopt loads buoy pil", ["pillar\\ 1.8\\ m"]),
