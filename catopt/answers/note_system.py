@@ -55,7 +55,7 @@ from catopt.words import Measure, Message, Sentence, Several
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
-    from catopt.mooring.response import Response
+    from catopt.mooring.restoring import Response
     from catopt.mooring.solution import LegState, SystemSolution
     from catopt.notes.system import NetworkNote, SystemNote
 

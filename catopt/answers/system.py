@@ -28,8 +28,7 @@ if TYPE_CHECKING:
     from catopt.mooring.case import SystemReport
     from catopt.mooring.network_out import NetworkOut
     from catopt.mooring.network_rest import FloatsInCurrent, HeldBody, LinesAtRest, NetworkAtRest
-    from catopt.mooring.response import Response
-    from catopt.mooring.restoring import RestoringCurve, WatchCircle
+    from catopt.mooring.restoring import Response, RestoringCurve, WatchCircle
     from catopt.mooring.solution import SystemSolution
 
 _EVERY = 10

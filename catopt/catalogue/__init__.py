@@ -20,8 +20,7 @@ from catopt.catalogue.components import (
     Source,
 )
 from catopt.catalogue.family import ComponentName, Family, Sizes
-from catopt.catalogue.finding import search
-from catopt.catalogue.standard import standard
+from catopt.catalogue.finding import search, standard
 from catopt.constants import SEA_WATER_DENSITY
 
 __all__ = [

@@ -25,7 +25,7 @@ from catopt.shown import Tabled
 from catopt.words import Message
 
 if TYPE_CHECKING:
-    from catopt.catalogue.evaluation import Evaluation
+    from catopt.catalogue.collection import Evaluation
 
 Confidence = Literal["A", "B", "C", "R"]
 """A: read in the primary or official document. B: read in two independent secondary sources, or in

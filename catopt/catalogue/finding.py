@@ -5,18 +5,26 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from typing import Final, TypeAlias
 
 from catopt.catalogue.collection import ALL, NO_VARIANTS, Catalogue
 from catopt.catalogue.components import SPECS, Component, within
 from catopt.catalogue.family import Family, in_mm, nearest, words_of
 from catopt.catalogue.fittings import AnchorType, Fitting, anchor_types, fittings
-from catopt.catalogue.standard import standard
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import InputError, Problem
 from catopt.model.kinds import Findings
 from catopt.units import as_written
 from catopt.words import LANGUAGES, Message, Several, say, term
+
+
+@cache
+def standard() -> Catalogue:
+    """Return the catalogue that comes with catopt; it is read once."""
+    from catopt.catalogue.reading import read_standard
+
+    return read_standard()
 
 
 def component_names() -> tuple[str, ...]:

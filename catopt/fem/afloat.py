@@ -21,8 +21,7 @@ from catopt.fem.banded import (
     solve_dense,
 )
 from catopt.fem.moving import Blend, BodyNode, Moving, MovingLines
-from catopt.fem.moving_assembly import assemble_moving
-from catopt.fem.newmark import predict
+from catopt.fem.newmark import assemble_moving, predict
 from catopt.fem.sampling import Room, Setting, take_water
 from catopt.hydro.hull import (
     PARTS,

@@ -18,8 +18,7 @@ from catopt.fem.march import SLIDING, StepCounts, march
 from catopt.fem.mesh import bar_nodes, end_nodes
 from catopt.fem.morison import fill_water
 from catopt.fem.moving import Blend, BodyNode, Equations, Moving, MovingLines, WaterAt
-from catopt.fem.moving_assembly import assemble_moving
-from catopt.fem.newmark import solve_moving
+from catopt.fem.newmark import assemble_moving, solve_moving
 from catopt.fem.problem import place_of
 from catopt.fem.run_settings import StepControls, TimeStepping
 from catopt.fem.sampling import Record, Room, Setting, fill_energy, first_joint

@@ -28,7 +28,7 @@ from catopt.model.kinds import Angle, Force, Place
 from catopt.mooring.balance import room_for
 from catopt.mooring.batch import as_arrays
 from catopt.mooring.descent import Rest
-from catopt.mooring.zero_load import ZeroLoadPosition, zero_load_position
+from catopt.mooring.static_equilibrium import ZeroLoadPosition, zero_load_position
 from catopt.records import Record
 from catopt.waves import Waves
 from catopt.waves.random_surface import wave_numbers

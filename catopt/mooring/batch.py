@@ -15,8 +15,7 @@ from catopt.errors import InputError, Problem
 from catopt.model.system import System
 from catopt.mooring.balance import Arrangement, Lines, pull_at, room_for
 from catopt.mooring.descent import TURNS_OVER, BodyLoad, BodyProblem, Freedom
-from catopt.mooring.static_equilibrium import static_equilibrium
-from catopt.mooring.zero_load import zero_load_position
+from catopt.mooring.static_equilibrium import static_equilibrium, zero_load_position
 from catopt.words import Message
 
 __all__ = ["Batch", "SystemSolutions", "solve_system_many"]

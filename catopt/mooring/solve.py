@@ -15,7 +15,7 @@ from catopt.mooring.balance import Lines
 from catopt.mooring.descent import Rest
 from catopt.mooring.position import Position
 from catopt.mooring.solution import LegState, SystemResidual, SystemSolution
-from catopt.mooring.zero_load import ZeroLoadPosition, is_held, zero_load_position
+from catopt.mooring.static_equilibrium import ZeroLoadPosition, is_held, zero_load_position
 from catopt.words import Message
 
 _AGAINST_X = -math.pi + 1e-12

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 from catopt.errors import refused
-from catopt.mooring.sharing_rule import load_sharing_factor
+from catopt.mooring.case import load_sharing_factor
 from catopt.reproduce import (
     buoy_9p5m,
     calmar,

@@ -12,8 +12,8 @@ from typing import Any, TypeVar
 import numpy as np
 
 from catopt.arrays import Array
-from catopt.catenary.by_table import ROUNDS, grown, has_table
 from catopt.catenary.solution import Solution
+from catopt.catenary.solve import ROUNDS, grown, has_table
 from catopt.errors import NotConvergedError
 from catopt.fem import Leg as TrussLeg
 from catopt.fem import LineMesh, TrussSolution, mesh_line, solve_line
@@ -251,7 +251,7 @@ def _solved(
 def _by_table(case: Case, mesh: LineMesh, **load: Any) -> TrussSolution:
     """Solve with bars that each stretch as their table does about their own tension.
 
-    A strain e + c T is that of a bar of (1 + e) times the length; see `catopt.catenary.by_table`.
+    A strain e + c T is that of a bar of (1 + e) times the length; see `catopt.catenary.solve`.
     """
     tension = np.zeros(mesh.elements)
     for _ in range(ROUNDS):

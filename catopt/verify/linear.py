@@ -14,8 +14,7 @@ from catopt.fem.linear_model import LinearModel, linear_model
 from catopt.fem.linear_motion import LEAST_RESERVE, linear_motion
 from catopt.fem.series import Harmonic
 from catopt.floater.alone import current_across, unmirrored, waves_across, wind_across
-from catopt.floater.linear_moored import linear_hull
-from catopt.floater.moored import AtRest
+from catopt.floater.moored import AtRest, linear_hull
 from catopt.hydro.build import FloatingHull
 from catopt.model import Case, WaveState
 from catopt.verify.dynamic_lines import LinesOfABody, LinesOfAFloater, OneLine, lines_at_rest

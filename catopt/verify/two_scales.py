@@ -32,7 +32,7 @@ from catopt.floater.ship import ShipInWeather
 from catopt.floater.two_scales import MooredShip, ShipAtRest, ShipHistory, sample_step, scales_of
 from catopt.model import Case, System
 from catopt.model.dynamics import Dynamics
-from catopt.mooring.zero_load import zero_load_position
+from catopt.mooring.static_equilibrium import zero_load_position
 from catopt.verify.dynamic_setup import Excitation, read_drive
 from catopt.verify.ship_result import (
     LineOfShip,

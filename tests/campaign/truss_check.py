@@ -11,7 +11,7 @@ from collections.abc import Callable
 
 from catopt.errors import FloatsUpError, NoEquilibriumError, NotConvergedError
 from catopt.mooring.held import at_rest
-from catopt.verify.network import verify_network
+from catopt.verify.case import verify_network
 from tests.campaign.networks import counted, drawn
 
 ELEMENTS = 40

@@ -5,9 +5,8 @@ from __future__ import annotations
 import pytest
 
 from catopt.catalogue.family import split_size, words_of
-from catopt.catalogue.finding import MOST_ROWS, find, read_query
+from catopt.catalogue.finding import MOST_ROWS, find, read_query, standard
 from catopt.catalogue.fittings import fittings
-from catopt.catalogue.standard import standard
 from catopt.errors import InputError
 
 STUDLESS_76 = [f"chain studless {g} 76 mm" for g in ("ORQ", "R3", "R3S", "R4", "R4S", "R5")]

@@ -12,8 +12,7 @@ from catopt.fem.banded import back_substitute_blocks, eliminate_blocks
 from catopt.fem.dynamic_model import Fluid, LineProperties, lay_out_moving
 from catopt.fem.morison import MorisonSection
 from catopt.fem.moving import Blend, Equations, Moving
-from catopt.fem.moving_assembly import assemble_moving
-from catopt.fem.newmark import LineDamping, Scheme, rayleigh_factors
+from catopt.fem.newmark import LineDamping, Scheme, assemble_moving, rayleigh_factors
 from catopt.fem.run_settings import StepControls
 from catopt.fem.seabed import Seabed
 from catopt.fem.simulation import Simulation

@@ -175,7 +175,7 @@ def test_tangent_is_the_derivative(scheme: Scheme) -> None:
     x, v, a = state.x[1].copy(), state.v[1].copy(), state.a[1].copy()
 
     def left(by: np.ndarray) -> np.ndarray:
-        from catopt.fem.moving_assembly import assemble_moving
+        from catopt.fem.newmark import assemble_moving
 
         state.x[1], state.v[1], state.a[1] = x + by, v + by_v * by, a + by_a * by
         assemble_moving(lines, simulation.body, state, before, blend, room)

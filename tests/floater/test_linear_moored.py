@@ -17,8 +17,7 @@ from catopt.fem.mesh import mesh_line
 from catopt.fem.morison import MorisonSection
 from catopt.fem.run_settings import TimeStepping
 from catopt.fem.solve import Leg
-from catopt.floater.linear_moored import linear_hull
-from catopt.floater.moored import moored_at_rest, run_moored
+from catopt.floater.moored import linear_hull, moored_at_rest, run_moored
 from catopt.hydro.build import FloatingHull, Radiation
 from catopt.hydro.cylinder import FloatingCylinder
 from catopt.verify.dynamic import verify_dynamic

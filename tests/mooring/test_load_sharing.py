@@ -8,7 +8,7 @@ import pytest
 
 import catopt
 from catopt.errors import InputError
-from catopt.mooring.sharing_rule import load_sharing_factor
+from catopt.mooring.case import load_sharing_factor
 
 
 def test_the_sums_of_six_eight_and_ten_lines() -> None:

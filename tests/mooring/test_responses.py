@@ -17,9 +17,8 @@ from catopt import (
     solve_system,
 )
 from catopt.model import Leg
-from catopt.mooring.case import at_levels, one_line_out
+from catopt.mooring.case import at_levels, one_line_out, sharing_rule
 from catopt.mooring.restoring import offset_curve, restoring_curve, watch_circle
-from catopt.mooring.sharing_rule import sharing_rule
 from catopt.words import Message
 from tests.mooring.layouts import CHAIN, fso, spread
 

@@ -16,8 +16,8 @@ from catopt.model import CurrentProfile, Site
 from catopt.model.network import LineBetween, MooredBody, Network, Point
 from catopt.mooring.held import at_rest
 from catopt.schemas import schema
-from catopt.verify import network as by_both
-from catopt.verify.network import verify_network
+from catopt.verify import case as by_both
+from catopt.verify.case import verify_network
 from catopt.verify.result import StaticComparison
 from tests.campaign.networks import drawn
 from tests.campaign.truss_check import judge
