@@ -84,7 +84,9 @@ def _failed(error: Exception, output: Printer) -> int:
         output.refusal(error)
         return error.exit_status
     if (said := _of_the_place(error)) and not output.debug:
-        output.note(f"catopt: {said}")
+        from catopt.words import say
+
+        output.note(f"catopt: {say(said, output.language)}")
         return WRONG_INPUT
     if was_interrupted() and not output.debug:  # what is stopped half-way says anything
         return INTERRUPTED
@@ -111,7 +113,9 @@ def _of_the_place(error: Exception) -> str:
     try:
         Path.cwd()
     except FileNotFoundError:
-        return "the working directory is gone: change to one that is there and run it again"
+        from catopt.words import Message
+
+        return Message("beside.no_working_directory")
     if error.errno not in (EDQUOT, ELOOP, ENAMETOOLONG, ENOSPC, EROFS):
         return ""
     name = str(error.filename or "")

@@ -110,7 +110,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     | DESIGNING
     | {"mooring", "fem", "waves", "verify", "floater"},
     "cli": ALL_BUT_CLI | {"compile_jobs", "_version"},
-    "__main__": {"cli", "errors", "interrupt", "threads", "_version"},
+    "__main__": {"cli", "errors", "interrupt", "threads", "words", "_version"},
     "__init__": SOLVING
     | READING
     | DESIGNING
