@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import replace
-from typing import Literal
+from typing import Final, Literal
 
 from catopt.catenary.find import find_case
 from catopt.catenary.solution import Solution
@@ -16,6 +16,10 @@ from catopt.model.wear import diameter_loss
 from catopt.words import Message
 
 Method = Literal["closed-form", "pso"]
+
+
+STRENGTH_OF_NEW: Final = "catenary.strength_of_new"
+"""Key of what is said where wear is not taken off strengths."""
 
 
 def solve_case(
@@ -51,7 +55,7 @@ def of_wear(case: Case) -> Iterator[Message]:
             if each.MBL is not None or each.proof_load is not None
         ]
         if any(lost):
-            yield Message("catenary.strength_of_new", loss=1e3 * max(lost))
+            yield Message(STRENGTH_OF_NEW, loss=1e3 * max(lost))
 
 
 def as_found(case: Case) -> Case:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-from catopt.catenary.case import as_found, solve_case
+from catopt.catenary.case import STRENGTH_OF_NEW, as_found, solve_case
 from catopt.catenary.solution import Solution
 from catopt.checks.criteria import Criteria, allowed_by, criteria_of, motion_profile
 from catopt.checks.evaluation import (
@@ -38,7 +38,7 @@ from catopt.errors import FloatsUpError, InputError, NoEquilibriumError, NotConv
 from catopt.model import Anchor, Case, Line, LoadCase, Segment, Service
 from catopt.model.load import LoadCaseKind
 from catopt.model.network import Network
-from catopt.words import Listed, Message
+from catopt.words import Listed, Message, is_said
 
 LOAD = "load"
 """Name of the load case of a case that has only its ``[load]``."""
@@ -99,10 +99,10 @@ def check_case(case: Case) -> CheckReport:
         try:
             solution = solve_case(case.under(each) if case.load_cases else case)
         except NoEquilibriumError as error:
-            said = in_load_case(name, error.args[0])
+            said = in_load_case(name, said=error.args[0])
             raise NoEquilibriumError(said, error.quantity, error.missing) from error
         except (FloatsUpError, NotConvergedError) as error:
-            raise type(error)(in_load_case(name, error.args[0])) from error
+            raise type(error)(in_load_case(name, said=error.args[0])) from error
         solutions.append((name, solution))
         where = Message("checks.named_case" if case.load_cases else "checks.under_load", name=name)
         lifted.append(Lifted(where, each.state, kind, solution))
@@ -123,10 +123,24 @@ def check_case(case: Case) -> CheckReport:
             *of_criteria(criteria, case.line, strengths),
             *(() if "one_line_out" in of_mooring else of_other_states(criteria)),
             *of_uplift(lifted, criteria, case.anchor),
-            *(in_load_case(name, said) for name, found in solutions for said in found.warnings),
+            *_of_solutions(solutions),
         ),
         load_cases=case.load_cases,
     )
+
+
+def _of_solutions(solutions: Sequence[tuple[str, Solution]]) -> Iterator[Message]:
+    """Yield what is to be known of equilibria, once for all load cases in which it is.
+
+    That strengths are those of the new line is none of it: the checks take wear off them.
+    """
+    cases: dict[str, list[str]] = {}
+    for name, solution in solutions:
+        for said in solution.warnings:
+            if not is_said(said, STRENGTH_OF_NEW):
+                cases.setdefault(said, []).append(name)
+    for said, names in cases.items():
+        yield in_load_case(*names, said=said)
 
 
 def is_of_load(warning: str) -> bool:

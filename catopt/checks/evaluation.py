@@ -38,9 +38,12 @@ _LEVEL = 1e-9
 """rad; an inclination that is rounding."""
 
 
-def in_load_case(load_case: str, said: str) -> Message:
-    """Say of which load case something is said."""
-    return Message(IN_LOAD_CASE, name=load_case, said=said)
+def in_load_case(*load_cases: str, said: str) -> Message:
+    """Say of which load case, or cases, something is said."""
+    if len(load_cases) == 1:
+        return Message(IN_LOAD_CASE, name=load_cases[0], said=said)
+    names = Several((Message("checks.quoted", name=each) for each in load_cases), ", ")
+    return Message("checks.in_load_cases", names=names, said=said)
 
 
 def of_criteria(criteria: Criteria, line: Line, strengths: Sequence[Strength]) -> Iterator[str]:

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from catopt import check_case
+from catopt import check_case, solve_case
 from catopt.casefile import parse_case
 from catopt.casefile.writing import write_case
 from catopt.checks.case import LineInMotion, check_motion
@@ -137,3 +137,17 @@ def test_a_condition_without_a_service_is_refused() -> None:
     assert {each.key for each in told.value.problems} >= {"load_cases[1].condition"}
     with pytest.raises(InputError, match="condition"):
         LoadCase("storm", 1.0, condition="old")  # type: ignore[arg-type]
+
+
+def test_what_is_known_of_several_load_cases_is_said_once_and_nothing_of_the_new_line() -> None:
+    """A fairlead 2 m above the water of every case; `solve` alone says whose its strengths are."""
+    text = CASE.replace("[line]\n", "[line]\nfairlead_height = 12.0\n")
+    warnings = check_case(parse_case(text)).warnings
+    (above,) = (each for each in warnings if "above the water" in each)
+    assert above.startswith('load cases "plain", "new", "worn": the fairlead is 2 m above')
+    assert not any("those of the new line" in each for each in warnings)
+    alone = text[: text.index("[[load_cases]]")].replace(
+        "[line]\n", f"[load]\nhorizontal_force = {H}\n[line]\n"
+    )
+    assert any("those of the new line" in each for each in solve_case(parse_case(alone)).warnings)
+    assert not any("those of the new" in each for each in check_case(parse_case(alone)).warnings)

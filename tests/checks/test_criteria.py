@@ -148,8 +148,8 @@ def test_a_strength_that_no_load_case_asks_for_may_be_missing() -> None:
 
 
 def test_what_is_said_of_the_load_alone_is_told_from_the_rest() -> None:
-    assert is_of_load(in_load_case("load", "x"))
-    assert not is_of_load(in_load_case("storm", "x"))
+    assert is_of_load(in_load_case("load", said="x"))
+    assert not is_of_load(in_load_case("storm", said="x"))
     assert not is_of_load("x")
     assert not is_of_load(Message("checks.none"))
 
