@@ -29,7 +29,7 @@ from catopt.catenary.state import CONVERGED
 from catopt.compile_jobs import compile_always
 from catopt.model import Line, Segment, System
 from catopt.mooring.batch import Batch, solve_system_many
-from catopt.mooring.solve import solve_system
+from catopt.mooring.solution import solve_system
 
 DEPTH, ANCHOR_RADIUS = 71.4, 1056.0
 LEG = Line(

@@ -22,7 +22,7 @@ from pathlib import Path
 
 from benchmarks.common import page
 from catopt.fem import Bed, HeldBed, Leg, TrussSolution, solve_line, solve_system
-from catopt.fem.result import SystemSolution
+from catopt.fem.solve import SystemSolution
 from catopt.model import Line, Segment
 
 G = 9.80665

@@ -46,7 +46,7 @@ if TYPE_CHECKING:
     from catopt.model import Site as Site
     from catopt.model import StrainTable as StrainTable
     from catopt.model import System as System
-    from catopt.mooring.solve import solve_system as solve_system
+    from catopt.mooring.solution import solve_system as solve_system
     from catopt.sizing.file import read_sizing as read_sizing
     from catopt.sizing.keywords import size_buoy as size_buoy
     from catopt.sizing.keywords import size_tanker as size_tanker
@@ -70,7 +70,7 @@ _HOMES = {
     "catopt.design.search": "design_case",
     "catopt.errors": "CatoptError InputError NoEquilibriumError NotConvergedError",
     "catopt.model": "Case Line Load PointLoad Segment Site StrainTable System",
-    "catopt.mooring.solve": "solve_system",
+    "catopt.mooring.solution": "solve_system",
     "catopt.sizing.file": "read_sizing",
     "catopt.sizing.keywords": "size_buoy size_tanker",
     "catopt.study.run": "run_study",

@@ -29,7 +29,7 @@ from catopt.model.kinds import File
 from catopt.model.line import StrainTable, weight_in_water
 from catopt.units import as_written
 from catopt.words import Listed, Message
-from catopt.words.labels import problem_words
+from catopt.words.message import problem_words
 
 if TYPE_CHECKING:
     from catopt.catalogue import Component

@@ -14,10 +14,10 @@ import numpy as np
 import numpy.typing as npt
 
 from catopt.arrays import Array, Codes, Flags
+from catopt.catenary.equilibrium import BY_FORCE, BY_SPAN, BY_TENSION
 from catopt.catenary.layout import LineIntervals, most_runs
 from catopt.catenary.many import COLUMNS, fill
 from catopt.catenary.pieces import Pieces
-from catopt.catenary.root_search import BY_FORCE, BY_SPAN, BY_TENSION
 from catopt.catenary.state import CONVERGED, REASONS, REGIMES
 from catopt.compiled import compiled, is_compiled
 from catopt.errors import InputError, Problem, refused

@@ -16,10 +16,9 @@ from typing import Annotated, Literal, get_args
 import numpy as np
 
 from catopt.arrays import Array
-from catopt.catenary.equilibrium import given_force
+from catopt.catenary.equilibrium import BY_FORCE, BY_SPAN, given_force
 from catopt.catenary.find import find_limit_force
 from catopt.catenary.pieces import LineProblem, cut
-from catopt.catenary.root_search import BY_FORCE, BY_SPAN
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import by_first_rows, has_table, solution_of, solve, solve_by_table
 from catopt.catenary.span_or_tension import given_span

@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 from typing import Any, Final
 
-from catopt.catenary.equilibrium import given_force
+from catopt.catenary.equilibrium import BY_FORCE, BY_SPAN, force_uncertainty, given_force
 from catopt.catenary.layout import LineIntervals, runs_misfit, runs_of
 from catopt.catenary.pieces import LineProblem, Pieces, split, total_length
-from catopt.catenary.root_search import BY_FORCE, BY_SPAN, force_uncertainty
 from catopt.catenary.span_or_tension import given_span, given_tension
 from catopt.catenary.state import (
     CONVERGED,

@@ -15,7 +15,13 @@ from dataclasses import replace
 from itertools import accumulate
 from typing import Final, Literal
 
-from catopt.catenary.equilibrium import given_force
+from catopt.catenary.equilibrium import (
+    BY_FORCE,
+    BY_SPAN,
+    BY_TENSION,
+    force_uncertainty,
+    given_force,
+)
 from catopt.catenary.layout import (
     Stretch,
     end_of,
@@ -33,7 +39,6 @@ from catopt.catenary.pieces import (
     is_plain,
     joints_of,
 )
-from catopt.catenary.root_search import BY_FORCE, BY_SPAN, BY_TENSION, force_uncertainty
 from catopt.catenary.solution import (
     PointLoadState,
     Residual,

@@ -4,7 +4,16 @@ from __future__ import annotations
 
 import math
 
-from catopt.catenary.equilibrium import given_force, hang_slack, without_force
+from catopt.catenary.equilibrium import (
+    BY_SPAN,
+    BY_TENSION,
+    bracketed_search,
+    given_force,
+    hang_slack,
+    newton,
+    tension_of,
+    without_force,
+)
 from catopt.catenary.pieces import (
     GREATEST_FORCE,
     LEAST_FORCE,
@@ -15,7 +24,6 @@ from catopt.catenary.pieces import (
     total_length,
     total_weight,
 )
-from catopt.catenary.root_search import BY_SPAN, BY_TENSION, bracketed_search, newton, tension_of
 from catopt.catenary.sliding import from_its_anchor, loose, onset_of, turned_back
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_HEAVY, TOO_SHORT, State, failed
 from catopt.catenary.suspended import grounded_guess, top_weight

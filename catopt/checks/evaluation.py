@@ -9,7 +9,7 @@ from typing import Final, NamedTuple
 
 from catopt.catalogue.components import RECALLED
 from catopt.catenary.solution import Solution
-from catopt.checks.criteria import UPLIFT, Criteria, allowed_by
+from catopt.checks.criteria import UPLIFT, Criteria, Strength, allowed_by
 from catopt.checks.kinds import (
     CHECK_KINDS,
     OF_LINE,
@@ -22,7 +22,6 @@ from catopt.checks.kinds import (
     ratio_exceedance,
 )
 from catopt.checks.result import CheckResult
-from catopt.checks.strength import Strength
 from catopt.model import Anchor, Line, Segment
 from catopt.model.load import LoadCaseKind
 from catopt.ties import largest

@@ -27,8 +27,8 @@ import numpy as np
 
 from catopt.arrays import Array
 from catopt.catalogue.components import Confidence
+from catopt.checks.criteria import strength_of
 from catopt.checks.kinds import USER, CheckSource
-from catopt.checks.strength import strength_of
 from catopt.constants import YEAR
 from catopt.errors import InputError, Problem, need_package, refused
 from catopt.model import Case, Segment

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from catopt.checks.criteria import HORIZONTAL_PULL, Criteria, criteria_of
+from catopt.checks.criteria import HORIZONTAL_PULL, Criteria, Strength, criteria_of
 from catopt.checks.evaluation import (
     Lifted,
     check_buoyancy,
@@ -17,7 +17,6 @@ from catopt.checks.evaluation import (
 )
 from catopt.checks.kinds import Criterion, Place, State
 from catopt.checks.result import CheckReport, CheckResult, line_in_state
-from catopt.checks.strength import Strength
 from catopt.errors import InputError, Problem
 from catopt.model import Anchor, Case, Leg, Line
 from catopt.model.network import Network
@@ -25,8 +24,7 @@ from catopt.mooring.case import LineOut, SystemReport, one_line_out, report_syst
 from catopt.mooring.held import at_rest
 from catopt.mooring.network_out import NetworkOut, each_line_out
 from catopt.mooring.network_rest import LinesAtRest
-from catopt.mooring.solution import SystemSolution
-from catopt.mooring.solve import of_line
+from catopt.mooring.solution import SystemSolution, of_line
 from catopt.words import Message
 
 

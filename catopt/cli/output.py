@@ -126,7 +126,7 @@ class Printer:
 
     def refusal(self, error: CatoptError) -> None:
         """Say why there is no answer, in the language that was asked for."""
-        from catopt.words.labels import say_refusal
+        from catopt.words.message import say_refusal
 
         said = str(error)
         if self.language != "en":

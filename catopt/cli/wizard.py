@@ -12,7 +12,7 @@ from catopt.sizing.inputs import Input, inputs_of
 from catopt.sizing.kinds import choices_of, from_text, kind_of
 from catopt.sizing.known import Spelling, is_needless
 from catopt.words import Cited, Language, Message, say, term
-from catopt.words.labels import problem_words
+from catopt.words.message import problem_words
 
 _OWN = "own"
 """Answer of one whose buoy is not in the library."""

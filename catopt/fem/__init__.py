@@ -1,9 +1,9 @@
 """The spatial truss model: lines cut into bars, at rest on a bed that only pushes and in motion."""
 
-from catopt.fem.course import Course
 from catopt.fem.dynamic_model import Fluid, LineProperties
 from catopt.fem.dynamics import run_dynamics, run_system_dynamics
 from catopt.fem.extremes import (
+    Course,
     Extreme,
     GumbelFit,
     SeriesStatistics,
@@ -16,17 +16,15 @@ from catopt.fem.extremes import (
 from catopt.fem.history import History
 from catopt.fem.linear_model import line_frequencies, natural_frequencies
 from catopt.fem.loads import Current, DragSection
-from catopt.fem.mesh import LineMesh, mesh_line
+from catopt.fem.mesh import LineMesh, Water, mesh_line
 from catopt.fem.morison import MorisonSection
 from catopt.fem.newmark import LineDamping, Scheme, rayleigh_factors
-from catopt.fem.problem import Water
-from catopt.fem.result import EndForce, SystemSolution, TrussSolution
 from catopt.fem.run_settings import BodyInertia, StepControls, TimeStepping
 from catopt.fem.seabed import Bed, HeldBed, Seabed
 from catopt.fem.series import Harmonic, Sampled, Together
 from catopt.fem.settle import Controls
 from catopt.fem.simulation import Simulation
-from catopt.fem.solve import Leg, solve_line, solve_system
+from catopt.fem.solve import EndForce, Leg, SystemSolution, TrussSolution, solve_line, solve_system
 
 __all__ = [
     "Bed",

@@ -11,11 +11,18 @@ import numpy as np
 
 from catopt.arrays import Array, Codes, Flags
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
-from catopt.fem.mesh import SAME_PLACE, LineMesh, by_bar, first_bars, heaviest, to_nodes
+from catopt.fem.mesh import (
+    SAME_PLACE,
+    LineMesh,
+    by_bar,
+    first_bars,
+    heaviest,
+    node_friction,
+    to_nodes,
+)
 from catopt.fem.morison import MorisonSection
 from catopt.fem.moving import MovingLines
 from catopt.fem.newmark import LineDamping
-from catopt.fem.problem import node_friction
 from catopt.fem.seabed import HeldBed, Seabed
 from catopt.model import PointLoad
 from catopt.model.kinds import Findings

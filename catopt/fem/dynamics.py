@@ -14,8 +14,8 @@ import numpy as np
 
 from catopt.arrays import Array
 from catopt.errors import InputError, Problem, refused
-from catopt.fem.course import FOLLOWED, course_of
 from catopt.fem.dynamic_model import LineProperties, lay_out_moving
+from catopt.fem.extremes import FOLLOWED, course_of
 from catopt.fem.history import STOPPED, History
 from catopt.fem.march import StepCounts
 from catopt.fem.mesh import SAME_PLACE, LineMesh, end_nodes, mesh_line

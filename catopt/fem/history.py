@@ -7,9 +7,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from catopt.arrays import Array, Codes, Flags
-from catopt.fem.course import FOLLOWED, Course
 from catopt.fem.energy_balance import EnergyBalance
-from catopt.fem.extremes import SeriesStatistics
+from catopt.fem.extremes import FOLLOWED, Course, SeriesStatistics
 from catopt.model.kinds import Duration, Time
 from catopt.old_names import OldName
 from catopt.records import FromZero

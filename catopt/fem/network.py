@@ -8,12 +8,11 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from catopt.arrays import Array, Flags
-from catopt.fem.mesh import LineMesh, end_nodes
-from catopt.fem.problem import Problem, Water, build, straight
+from catopt.fem.mesh import LineMesh, Problem, Water, build, end_nodes, straight
 from catopt.fem.resting import Body
-from catopt.fem.result import TrussSolution, read_line
 from catopt.fem.seabed import Bed, HeldBed
 from catopt.fem.settle import Controls, Rest, follow, settle
+from catopt.fem.solve import TrussSolution, read_line
 
 Vector = tuple[float, float, float]
 

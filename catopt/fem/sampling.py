@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from catopt.arrays import Array, Codes, Flags
 from catopt.compiled import inlined, packed
 from catopt.fem.banded import copy_blocks, copy_values
-from catopt.fem.course import follow
+from catopt.fem.extremes import follow
 from catopt.fem.morison import fill_water, wet_bars
 from catopt.fem.moving import BodyNode, Equations, Moving, MovingLines, WaterAt
 from catopt.fem.moving_bar import immersion, inertia_of_half

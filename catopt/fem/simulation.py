@@ -12,14 +12,13 @@ from catopt.arrays import Array
 from catopt.compiled import compiled
 from catopt.errors import NotConvergedError
 from catopt.fem.afloat import Afloat
-from catopt.fem.course import FOLLOWED, STATE
 from catopt.fem.energy_balance import EnergyBalance
+from catopt.fem.extremes import FOLLOWED, STATE
 from catopt.fem.march import SLIDING, StepCounts, march
-from catopt.fem.mesh import bar_nodes, end_nodes
+from catopt.fem.mesh import bar_nodes, end_nodes, place_of
 from catopt.fem.morison import fill_water
 from catopt.fem.moving import Blend, BodyNode, Equations, Moving, MovingLines, WaterAt
 from catopt.fem.newmark import assemble_moving, solve_moving
-from catopt.fem.problem import place_of
 from catopt.fem.run_settings import StepControls, TimeStepping
 from catopt.fem.sampling import Record, Room, Setting, fill_energy, first_joint
 from catopt.fem.seabed import drag_feet

@@ -21,8 +21,7 @@ from catopt.mooring.restoring import (
     restoring_curve,
     watch_circle,
 )
-from catopt.mooring.solution import SystemSolution
-from catopt.mooring.solve import of_line, solution_at, solve_system
+from catopt.mooring.solution import SystemSolution, of_line, solution_at, solve_system
 from catopt.mooring.static_equilibrium import zero_load_position
 from catopt.old_names import OldName
 from catopt.patience import paced

@@ -34,8 +34,8 @@ from catopt.mooring.network_rest import (
     HeldLine,
     LinesAtRest,
     NetworkAtRest,
+    Position,
 )
-from catopt.mooring.position import Position
 from catopt.old_names import old_function
 from catopt.words import Message
 

@@ -14,8 +14,8 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
+from catopt.catenary.equilibrium import BY_SPAN
 from catopt.catenary.pieces import Pieces, cut
-from catopt.catenary.root_search import BY_SPAN
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import refusal, solution_of
 from catopt.catenary.state import CONVERGED

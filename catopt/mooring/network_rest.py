@@ -8,12 +8,26 @@ from typing import Annotated, Literal, NamedTuple
 
 from catopt.catenary.in_current import CurrentEffect, SolutionInCurrent
 from catopt.catenary.solution import Solution
-from catopt.model.kinds import Force, Height, Place, Size, SomeForce
+from catopt.model.kinds import Angle, Force, Height, Place, Size, SomeForce
 from catopt.model.network import MooredBody, Network, Point
 from catopt.mooring.joints import JointsAtRest, Run, is_anchored, laid_out
 from catopt.mooring.line_ends import Vector
-from catopt.mooring.position import Position
 from catopt.records import From, FromZero, Record
+
+
+@dataclass(frozen=True)
+class Position(Record):
+    """Where the body is."""
+
+    DOCUMENT = "x y yaw"
+
+    x: Place
+    """Of its origin."""
+    y: Place
+    """Of its origin."""
+    yaw: Angle = 0.0
+    """Counter-clockwise."""
+
 
 _ROUNDING = 1e-9
 """Part of a stiffness below which it may be rounding."""

@@ -18,7 +18,7 @@ from catopt.checks.evaluation import NO_CHECK
 from catopt.errors import CatoptError
 from catopt.loads.component import CALMAR, LoadSource
 from catopt.loads.sinker import DENSITIES, FACTOR_SOURCE, SAFETY_FACTOR
-from catopt.mooring.solve import solve_system
+from catopt.mooring.solution import solve_system
 from catopt.notes.motion import (
     InMotion,
     Progress,

@@ -13,7 +13,7 @@ from catopt.checks.criteria import Criteria, criteria_of
 from catopt.errors import CatoptError
 from catopt.model import Anchor, Load
 from catopt.model.network import Network
-from catopt.mooring.solve import solve_system
+from catopt.mooring.solution import solve_system
 from catopt.words import Message
 
 if TYPE_CHECKING:

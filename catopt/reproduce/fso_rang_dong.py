@@ -267,7 +267,7 @@ def _restraints(source: Published) -> SideBySide:
         for name in ("MOORING_2017", "OrcaFlex")
     }
     # Solve with a bed that only pushes and the stiffened lines, in closed form.
-    from catopt.mooring.solve import solve_system
+    from catopt.mooring.solution import solve_system
 
     system = turret(source)
     factor, segments = source.inputs["EA_multiplier"], system.legs[0].line.segments

@@ -25,8 +25,7 @@ from catopt.model.kinds import Angle, Findings, Force, Height, SomeForce
 from catopt.mooring.balance import Lines
 from catopt.mooring.case import load_sharing_factor
 from catopt.mooring.descent import Rest
-from catopt.mooring.solution import SystemSolution
-from catopt.mooring.solve import solution_at
+from catopt.mooring.solution import SystemSolution, solution_at
 from catopt.mooring.static_equilibrium import ZeroLoadPosition, zero_load_position
 from catopt.records import Counted, From, Record
 from catopt.sizing.kinds import usual

@@ -13,7 +13,7 @@ from catopt.catenary.solution import check_buoys, named_line
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, refused
 from catopt.fem import mesh_line
 from catopt.fem.network import LineEnd, MeetingPoint, NetworkSolution, solve_network
-from catopt.fem.result import TrussSolution, part_of
+from catopt.fem.solve import TrussSolution, part_of
 from catopt.model import Case
 from catopt.model.network import Network, joined
 from catopt.mooring.chains import Row, in_rows, rows_of

@@ -39,7 +39,7 @@ from catopt.model import Case, Load
 from catopt.model.dynamics import InitialFriction
 from catopt.model.network import Network
 from catopt.mooring import held, network_rest
-from catopt.mooring.solve import solve_system
+from catopt.mooring.solution import solve_system
 from catopt.verify.dynamic_result import Between
 from catopt.verify.dynamic_setup import Excitation, section_of
 from catopt.verify.line import truss_legs, turned

@@ -13,13 +13,13 @@ import numpy as np
 
 from catopt.arrays import Array
 from catopt.checks.result import ChecksInMotion
-from catopt.fem.course import taken_together
 from catopt.fem.extremes import (
     Extreme,
     GumbelFit,
     SeriesStatistics,
     TailFit,
     block_maxima,
+    taken_together,
     weibull_tail,
 )
 from catopt.fem.extremes import gumbel as gumbel_of

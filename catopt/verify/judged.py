@@ -14,11 +14,11 @@ from catopt.catenary.case import solve_case
 from catopt.catenary.solution import Solution
 from catopt.checks.case import Carried, LineInMotion, Pull, check_motion
 from catopt.checks.result import CheckReport, CheckResult
-from catopt.fem.course import taken_together
+from catopt.fem.extremes import taken_together
 from catopt.model import Anchor, Case, Dynamics, Line
 from catopt.model.network import Network
 from catopt.mooring.held import at_rest
-from catopt.mooring.solve import solve_system
+from catopt.mooring.solution import solve_system
 from catopt.ties import first_largest, largest
 from catopt.verify.dynamic_result import BeyondMBL, DynamicPart
 from catopt.verify.dynamic_run import DynamicRun

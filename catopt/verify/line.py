@@ -22,8 +22,7 @@ from catopt.fem import solve_system as solve_truss
 from catopt.model import Case, Line, System
 from catopt.model.line import StrainTable
 from catopt.mooring.network_rest import BodyAtRest
-from catopt.mooring.solution import SystemSolution
-from catopt.mooring.solve import solve_system
+from catopt.mooring.solution import SystemSolution, solve_system
 from catopt.verify.compared import ORDER, Compared, Unit
 from catopt.verify.result import LinePair, Mesh, StaticComparison, largest_distances
 from catopt.words import Message, Several

@@ -27,13 +27,12 @@ The groups of texts that are no sentences:
 
 `heading` puts a name, the quantity's symbol and its unit together: ``Fairlead tension T (kN)``.
 
-What is wrong with an input is said by `catopt.words.labels.say_refusal`.
+What is wrong with an input is said by `catopt.words.message.say_refusal`.
 
 Not messages yet: the formulas of loads (`catopt.loads.component`), names of drawings of a
 reproduction, texts of plots.
 """
 
-from catopt.words.labels import heading, is_term, quantity_name, term
 from catopt.words.message import (
     LANGUAGES,
     Cited,
@@ -45,8 +44,12 @@ from catopt.words.message import (
     Several,
     Told,
     Unit,
+    heading,
     is_said,
+    is_term,
+    quantity_name,
     say,
+    term,
 )
 
 __all__ = [

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
-from catopt.words.labels import Term
-from catopt.words.message import Listed, Measure, Message, Sentence, Several, Told
+from catopt.words.message import Listed, Measure, Message, Sentence, Several, Term, Told
 
 
 def messages_in(document: object) -> dict[str, Any]:

@@ -22,7 +22,7 @@ from catopt.design.mooring import MooringProblem
 from catopt.errors import NoAnswerError
 from catopt.model import Case, Checks, Design, DesignLoad, Line, SegmentChoice, Site, System
 from catopt.mooring.case import one_line_out
-from catopt.mooring.solve import solve_system
+from catopt.mooring.solution import solve_system
 from tests.design.mooring_cases import LINE
 
 pytestmark = pytest.mark.slow

@@ -10,7 +10,7 @@ import pytest
 
 from catopt import NoEquilibriumError, System, solve_system
 from catopt.model import Leg
-from catopt.mooring.position import Position
+from catopt.mooring.network_rest import Position
 from tests.campaign.random_system import drawn_system
 from tests.campaign.systems import Tally, faults_of_answer, faults_of_refusal, run
 from tests.mooring.layouts import CHAIN, fso

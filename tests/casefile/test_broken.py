@@ -13,7 +13,7 @@ import pytest
 from catopt.casefile import read_case
 from catopt.errors import InputError
 from catopt.words import Message, say
-from catopt.words.labels import say_refusal
+from catopt.words.message import say_refusal
 
 BROKEN = Path(__file__).parent / "broken"
 NAMES = sorted(path.stem for path in BROKEN.glob("*.toml"))

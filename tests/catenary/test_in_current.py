@@ -16,7 +16,7 @@ from catopt import InputError, Line, PointLoad, Segment, fem, solve_case
 from catopt import solve as solve_still
 from catopt.casefile import parse_case, write_case
 from catopt.catenary.in_current import SolutionInCurrent
-from catopt.fem.problem import Water
+from catopt.fem.mesh import Water
 from catopt.model import Case, Load, Site
 from catopt.model.sea import CurrentProfile
 from catopt.waves import PowerLawCurrent, Sea, TableCurrent, WindCurrent

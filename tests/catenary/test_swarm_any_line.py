@@ -8,10 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
+from catopt.catenary.equilibrium import BY_FORCE
 from catopt.catenary.find import find_length
 from catopt.catenary.layout import lay_out
 from catopt.catenary.pieces import LineProblem, cut
-from catopt.catenary.root_search import BY_FORCE
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solution_of, solve
 from catopt.catenary.state import REGIMES

@@ -8,9 +8,9 @@ import pytest
 
 from catopt import catalogue
 from catopt.checks.case import check_case
+from catopt.checks.criteria import strength_of
 from catopt.checks.kinds import CheckSource
 from catopt.checks.result import CheckReport, CheckResult
-from catopt.checks.strength import strength_of
 from catopt.constants import YEAR
 from catopt.errors import InputError
 from catopt.model import CatalogueChoice, Checks, Line, Segment, Service

@@ -9,7 +9,7 @@ import pytest
 from catopt import check_case
 from catopt.casefile import parse_case
 from catopt.casefile.writing import write_case
-from catopt.checks.strength import strength_of
+from catopt.checks.criteria import strength_of
 from catopt.constants import YEAR
 from catopt.errors import InputError
 from catopt.model import Case, Line, Load, Segment, Service, Site

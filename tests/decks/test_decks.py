@@ -13,7 +13,7 @@ from catopt.casefile import parse_case, write_case
 from catopt.decks.reading import Asked, is_deck, read_deck
 from catopt.mooring.case import report_system
 from catopt.words import say
-from catopt.words.labels import say_refusal
+from catopt.words.message import say_refusal
 from tests.cli.test_refusals_in_vietnamese import ENGLISH, words_of
 from tests.decks.own import C06, MAP, MOORDYN, ONTOLOGY, TWO_SEGMENTS, V1, problems, said
 from tests.export.cases import CASES

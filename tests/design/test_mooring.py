@@ -21,7 +21,7 @@ from catopt.design.tables import room
 from catopt.errors import InputError
 from catopt.model import Case, Checks, DesignLoad, SegmentChoice, System
 from catopt.mooring.case import one_line_out
-from catopt.mooring.solve import solve_system
+from catopt.mooring.solution import solve_system
 from tests.design.mooring_by_hand import Chain, Pull, all_round, mooring
 from tests.design.mooring_cases import HEIGHT, SIX, mooring_case, random_case
 

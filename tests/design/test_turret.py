@@ -13,7 +13,7 @@ import catopt
 from catopt.checks.system import check_system
 from catopt.model import System
 from catopt.mooring.case import one_line_out
-from catopt.mooring.solve import solve_system
+from catopt.mooring.solution import solve_system
 from catopt.mooring.static_equilibrium import zero_load_position
 
 CASE = Path("cases/design-turret-56m/case.toml")

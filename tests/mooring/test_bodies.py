@@ -19,7 +19,7 @@ from catopt.mooring.held import at_rest, hold
 from catopt.mooring.network_out import each_line_out
 from catopt.mooring.network_rest import LinesAtRest
 from catopt.mooring.restoring import network_circle, network_curve, restoring_curve, watch_circle
-from catopt.mooring.solve import solve_system
+from catopt.mooring.solution import solve_system
 
 from .layouts import CHAIN, fso, spread, unequal_legs
 

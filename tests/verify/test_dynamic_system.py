@@ -25,7 +25,7 @@ from catopt.model import (
     WaveState,
     WaveTrain,
 )
-from catopt.mooring.solve import solve_system
+from catopt.mooring.solution import solve_system
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_lines import LinesOfABody, lines_at_rest
 from catopt.verify.dynamic_result import DynamicVerification

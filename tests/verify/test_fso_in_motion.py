@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from catopt.casefile import read_case
-from catopt.mooring.solve import solve_system
+from catopt.mooring.solution import solve_system
 from catopt.reproduce.fso_rang_dong_dynamic import NAME
 from catopt.reproduce.items import published
 from catopt.verify.dynamic import verify_dynamic

@@ -12,8 +12,7 @@ import pytest
 
 from catopt.casefile import read_case
 from catopt.checks.fatigue import count_cycles
-from catopt.fem.course import FOLLOWED, STATE, course_of, follow
-from catopt.fem.extremes import peaks_above_mean
+from catopt.fem.extremes import FOLLOWED, STATE, course_of, follow, peaks_above_mean
 from catopt.model import Case, Dynamics, Line, Load, Motion, Segment, Site, WaveState
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicPart

@@ -11,7 +11,7 @@ import pytest
 
 import catopt
 from catopt.model import Leg, Line, PointLoad, Segment, System
-from catopt.mooring.solve import solve_system
+from catopt.mooring.solution import solve_system
 from catopt.schemas import schema
 from catopt.verify.line import verify_system
 from catopt.verify.result import StaticComparison

@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 
+from catopt.catenary.equilibrium import BY_FORCE
 from catopt.catenary.pieces import LineProblem, cut
-from catopt.catenary.root_search import BY_FORCE
 from catopt.catenary.solution import Solution, SwarmReport
 from catopt.catenary.solve import solution_of, solve
 from catopt.catenary.swarm.objective import Array, Objective, objective_of
