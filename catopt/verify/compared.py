@@ -39,7 +39,7 @@ class Compared(Record):
     """One quantity by both models."""
 
     DOCUMENT = (
-        "quantity line+1 point? unit closed_form fem order is_smooth extrapolated "
+        "quantity line+1 named_point=point? unit closed_form fem order is_smooth extrapolated "
         "difference_before difference scale allowed agrees"
     )
 
@@ -64,6 +64,11 @@ class Compared(Record):
     """Order by which the error should fall."""
     point: str = ""
     """Name of the joint or body, of points joined by lines."""
+
+    @property
+    def named_point(self) -> str | None:
+        """Name of the joint or body, of points joined by lines."""
+        return self.point or None
 
     @property
     def key(self) -> str:

@@ -228,7 +228,7 @@ class StaticComparison(Record):
 
     DOCUMENT = (
         "name=load_case kind verdict tolerance closed_form fem difference "
-        "worst(quantity line+1 point? unit gap) meshes quantities remarks"
+        "worst(quantity line+1 named_point=point? unit gap) meshes quantities remarks"
     )
 
     name: str

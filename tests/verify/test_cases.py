@@ -94,6 +94,8 @@ def test_the_document_says_what_was_found() -> None:
     assert static["difference"]["span_m"] == span.difference
     assert len(static["meshes"]) == 3
     assert document["load_cases"] == [static]
+    # Only lines between points have joints and bodies.
+    assert not any("point" in each for each in (static["worst"], *static["quantities"]))
 
 
 def test_static_is_the_load_case_that_agrees_least() -> None:
