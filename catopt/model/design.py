@@ -218,7 +218,9 @@ class SinkerChoice(Checked):
     """Where the factor is from, for the checks; the user when empty."""
 
     def _check(self, found: Findings) -> None:
-        if self.factor_source and self.safety_factor is None:
+        if self.factor_source and not self.factor_source.strip():
+            found.add("factor_source", f'"{self.factor_source}"', Message("refused.text"))
+        elif self.factor_source and self.safety_factor is None:
             found.add("factor_source", "", Message("refused.with_safety_factor"))
         found.some("masses", Message("refused_case.at_least_one_mass_wanted"))
         found.check()

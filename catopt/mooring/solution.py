@@ -325,7 +325,9 @@ def _warnings(
         found.insert(0, Message("mooring.drifts"))
     for other in others:
         x, y = (f"{round(each, 3) + 0.0:.3f}" for each in (other.x, other.y))
-        found.append(Message("mooring.other_heading", yaw=math.degrees(other.yaw), x=x, y=y))
+        yaw = math.degrees(other.yaw)
+        yaw = 180.0 if round(yaw, 2) == -180.0 else yaw  # the same heading
+        found.append(Message("mooring.other_heading", yaw=yaw, x=x, y=y))
     return tuple(found)
 
 

@@ -152,7 +152,7 @@ ANCHORS = st.one_of(
         kind=st.just("drag"),
         holding_capacity=POSITIVE,
         safety_factor=FACTOR,
-        factor_source=TEXT,
+        factor_source=TEXT.filter(lambda text: not text or bool(text.strip())),
         mass=st.none() | POSITIVE,
     ),
 )
