@@ -37,8 +37,8 @@ class Problem:
     """What would be right, with the way out."""
 
     def __str__(self) -> str:
-        found = f"found {self.found}; " if self.found else ""
-        return f"{self.key}: {found}{self.allowed}".replace("\n", "\\n")
+        what = f"found {self.found}; " if self.found else ""
+        return f"{self.key}: {what}{self.allowed}".replace("\n", "\\n")
 
 
 class InputError(CatoptError):

@@ -28,7 +28,7 @@ from catopt.model import Case, CatalogueChoice, Checks, Line, Segment, SegmentCh
 from catopt.model.kinds import File
 from catopt.model.line import StrainTable, weight_in_water
 from catopt.units import as_written
-from catopt.words import Listed, Message
+from catopt.words import Message, given_keys
 from catopt.words.message import problem_words
 
 if TYPE_CHECKING:
@@ -82,7 +82,7 @@ def findings(values: Values, section: FileSection, *, required: bool = False) ->
     if required and section.lacks(*values.keys):
         yield section.missing(values.many, Message("refused.ways_wanted", ways=wanted(values)))
     elif len(singly) + bool(ranged) > 1:
-        found = Listed([*singly, *ranged], "and")
+        found = given_keys([*singly, *ranged])
         yield Finding(section.path, found, Message("refused.one_way", ways=wanted(values)))
     elif ranged and not section.misspelt(*values.keys):
         yield from _range_findings(values, section)

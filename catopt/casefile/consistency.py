@@ -29,7 +29,7 @@ from catopt.model.line import (
 from catopt.model.service import wear_misfits
 from catopt.model.system import system_misfits
 from catopt.units import Dimension
-from catopt.words import Message
+from catopt.words import Message, given_keys
 
 if TYPE_CHECKING:
     from catopt.catalogue import Component
@@ -364,7 +364,7 @@ def _sizes(choice: FileSection) -> Iterator[Finding]:
     singly = [key for key in ("diameter", "diameters") if key in choice]
     if len(singly) + bool(ranged) > 1:
         allowed = Message("refused.diameters_one_way")
-        yield Finding(choice.path, " and ".join([*singly, *ranged]), allowed)
+        yield Finding(choice.path, given_keys([*singly, *ranged]), allowed)
     yield from ranges.upside_down(choice, "diameter_min", "diameter_max")
     yield from duplicates(choice, "diameters")
 
@@ -375,7 +375,7 @@ def _clump_weight(choice: FileSection) -> Iterator[Finding]:
     yield from ranges.findings(POSITIONS, choice)
     placed = [key for key in POSITIONS.keys if key in choice]
     if placed and "joint" in choice:
-        found = " and ".join([*placed, "joint"])
+        found = given_keys([*placed, "joint"])
         yield Finding(choice.path, found, Message("refused.positions_or_joint"))
     if choice.lacks(*POSITIONS.keys, "joint"):
         ways = Message("refused.or_a_joint", ways=ranges.wanted(POSITIONS))

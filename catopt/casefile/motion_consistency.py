@@ -13,7 +13,7 @@ from catopt.model import CurrentProfile, Motion
 from catopt.model import dynamics as run
 from catopt.model.sea import CURRENT_PROFILES, MOTION_WAYS, OF_A_BODY, train_misfits, wave_misfits
 from catopt.model.system import floater_misfits, ship_misfits
-from catopt.words import Message
+from catopt.words import Message, given_keys
 
 _FOR_FATIGUE = ("dynamics", "waves", "service")
 
@@ -160,9 +160,8 @@ def _shares(fatigue: FileSection) -> Iterator[Finding]:
         given = [key for key in ("share", "time_per_year") if key in state]
         if len(given) != 1:
             if not state.misspelt("share", "time_per_year"):
-                found = " and ".join(given) or Message("refused_file.none_of_them")
                 allowed = Message("refused.exactly_one", ways="share, time_per_year")
-                yield Finding(state.path, found, allowed)
+                yield Finding(state.path, given_keys(given), allowed)
             continue
         share = share_of_year({key: state.number(key) for key in given})
         if share is not None and share > 1.0 and "time_per_year" in given:

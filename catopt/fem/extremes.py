@@ -44,7 +44,8 @@ def series_statistics(time: Array, values: Array) -> SeriesStatistics:
     """
     if time.size < 2:
         allowed = Message("refused_motion.two_or_more_are_wanted")
-        raise refused("time", f"{time.size} samples", allowed, "series_statistics")
+        samples = Message("refused_motion.samples", count=time.size)
+        raise refused("time", samples, allowed, "series_statistics")
     return SeriesStatistics(
         mean=float(values.mean()),
         std=float(values.std()),
@@ -443,7 +444,7 @@ class Course:
         """Say what it does; refused where nothing was followed."""
         if self.duration <= 0.0:
             allowed = Message("refused_motion.two_steps_or_more_are")
-            raise refused("time", "nothing", allowed, "statistics")
+            raise refused("time", Message("refused_motion.nothing"), allowed, "statistics")
         return SeriesStatistics(
             mean=self.mean,
             std=self.std,

@@ -263,7 +263,7 @@ def _check_times(times: Array, found: Findings) -> None:
     steps = np.diff(times)
     if not (steps > 0.0).all():
         row = int(np.flatnonzero(steps <= 0.0)[0])
-        said = f"{times[row]:g} s, then {times[row + 1]:g} s"
+        said = Message("refused_motion.then", one=times[row], other=times[row + 1])
         found.add("times", said, Message("refused_motion.must_rise"))
         return
     usual = float(np.median(steps))

@@ -225,7 +225,8 @@ class Memory:
         """
         found = Findings("Memory")
         if not (omega.size > 3 and (np.diff(omega) > 0.0).all() and omega[0] > 0.0):
-            found.add("omega", f"{omega.size} values", Message("refused_motion.four_rising"))
+            values = Message("refused_motion.values", count=omega.size)
+            found.add("omega", values, Message("refused_motion.four_rising"))
         found.number("longest", longest, "s", above=0.0)
         found.raise_if_any()
         t = np.linspace(0.0, longest, _SAMPLES)

@@ -406,9 +406,11 @@ def _check_conditions(findings: Findings, of: ShipCoefficients) -> None:
         own = of.in_condition(condition)
         if len(own.wind) > 1:
             allowed = Message("refused_sizing.one_ship", condition=term(condition))
-            findings.add("wind", f"{len(own.wind)} tables", allowed)
+            tables = Message("refused_sizing.tables", count=len(own.wind))
+            findings.add("wind", tables, allowed)
         ratios = [each.depth_over_draught for each in own.current]
         if len(ratios) > 1 and (None in ratios or len(set(ratios)) < len(ratios)):
             key = "refused_sizing.each_ship_wants_depth_over"
             allowed = Message(key, condition=term(condition))
-            findings.add("current", f"{len(ratios)} tables", allowed)
+            tables = Message("refused_sizing.tables", count=len(ratios))
+            findings.add("current", tables, allowed)

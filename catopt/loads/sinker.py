@@ -322,7 +322,7 @@ def _check(
     found.number("vertical_force", vertical, "N", at_least=0.0)
     found.number("safety_factor", factor, "", at_least=1.0)
     if (soil is None) == (friction is None):
-        given = "neither" if soil is None else "both"
+        given = Message("refused_motion.neither" if soil is None else "refused_motion.both")
         found.add("soil", given, Message("refused_sizing.one_soil_friction_wanted"))
     if friction is not None:
         found.number("friction", friction, "", above=0.0, at_most=1.5)

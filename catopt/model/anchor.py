@@ -56,9 +56,8 @@ class Anchor(Checked):
             found.add("max_slide", f"{self.max_slide:g} m", Message("refused.not_with_drag"))
         elif self.max_slide is not None and self.mass is None:
             found.add("mass", "", Message("refused.needed_by_max_slide"))
-        if self.factor_source and not self.factor_source.strip():
-            found.add("factor_source", f'"{self.factor_source}"', Message("refused.text"))
-        elif self.factor_source and self.safety_factor is None:
+        found.check("factor_source")
+        if self.factor_source and self.safety_factor is None:
             found.add("factor_source", "", Message("refused.with_safety_factor"))
 
 

@@ -207,9 +207,8 @@ class Case(Checked):
             found.problems += broken_line_misfits(self.dynamics.broken_line, lines)
         lower = self.anchor_motion
         if lower is not None and (lower.rao_file or lower.of_a_body):
-            found.add(
-                "anchor_motion", "RAOs or a drift", Message("refused_case.give_period_or_file")
-            )
+            given = Message("refused_case.raos_or_drift")
+            found.add("anchor_motion", given, Message("refused_case.give_period_or_file"))
 
     def _check_current(self, found: Findings) -> None:
         """Find what does not go with a current on a line at rest."""

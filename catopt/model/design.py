@@ -108,9 +108,11 @@ def inconsistencies(
         return found.problems
     if load is not None and seeks_force:
         allowed = Message("refused.seeks_force", what=find.quantity)
-        found.add("load", " and ".join(load) or "a load", allowed)
+        given = Listed(load, "and") if load else Message("refused_case.a_load")
+        found.add("load", given, allowed)
     if seeks_length and load is not None and "span" in load:
-        found.add("load.span", "a span", Message("refused.length_sought"))
+        given = Message("refused_case.a_span")
+        found.add("load.span", given, Message("refused.length_sought"))
     _count(found, "segment", find.segment, len(MBL_known))
     if find.quantity == "clump_weight" and point_loads == 0:
         found.add("find.quantity", find.quantity, Message("refused.no_point_load"))
@@ -218,9 +220,8 @@ class SinkerChoice(Checked):
     """Where the factor is from, for the checks; the user when empty."""
 
     def _check(self, found: Findings) -> None:
-        if self.factor_source and not self.factor_source.strip():
-            found.add("factor_source", f'"{self.factor_source}"', Message("refused.text"))
-        elif self.factor_source and self.safety_factor is None:
+        found.check("factor_source")
+        if self.factor_source and self.safety_factor is None:
             found.add("factor_source", "", Message("refused.with_safety_factor"))
         found.some("masses", Message("refused_case.at_least_one_mass_wanted"))
         found.check()
@@ -319,7 +320,7 @@ class Design(Checked):
             allowed = Message("refused_case.two_or_three_of", words=", ".join(OBJECTIVES))
             found.add("objectives", ", ".join(unknown), allowed)
         elif not 2 <= len(set(self.objectives)) == len(self.objectives) <= 3:
-            named = ", ".join(self.objectives) or "none"
+            named = ", ".join(self.objectives) or Message("refused.none")
             found.add("objectives", named, Message("refused.two_or_three"))
         found.check("method", "evaluations", "population", "seed", "max_enumerated", "max_run")
         self._check_joints(found)
@@ -332,7 +333,8 @@ class Design(Checked):
         found.check("anchor_radii", "pretensions")
         if self.anchor_radii and self.pretensions:
             allowed = Message("refused_case.one_both_places_anchors_give")
-            found.add("pretensions", "beside anchor_radii", allowed)
+            given = Message("refused_case.beside", key="anchor_radii")
+            found.add("pretensions", given, allowed)
         found.check("headings")
 
     def _check_joints(self, found: Findings) -> None:
@@ -369,7 +371,7 @@ def body_misfits(
     if not has_system:
         allowed = Message("refused_case.body_with_several_lines_add")
         for key in filter(said, _OF_A_BODY):
-            yield Problem(f"design.{key}", "without a system", allowed)
+            yield Problem(f"design.{key}", Message("refused_case.without_system"), allowed)
         return
     if not has_force and not given.get("loads"):
         allowed = Message("refused_case.missing_design_force_on_body")
@@ -377,10 +379,11 @@ def body_misfits(
     if given.get("loads"):
         allowed = Message("refused_case.say_each_design_loads_leave")
         for key in filter(said, ("headings", "line_out")):
-            yield Problem(f"design.{key}", "beside design.loads", allowed)
+            beside = Message("refused_case.beside", key="design.loads")
+            yield Problem(f"design.{key}", beside, allowed)
     if given.get("sinker"):
         allowed = Message("refused_case.leave_out_mooring_searched_with")
-        yield Problem("design.sinker", "beside a system", allowed)
+        yield Problem("design.sinker", Message("refused_case.beside_a_system"), allowed)
     objectives = given.get("objectives")
     if isinstance(objectives, (tuple, list)) and "excursion" in objectives:
         allowed = Message("refused_case.take_offset_body_counted_from")

@@ -26,7 +26,7 @@ from catopt.model.kinds import (
 )
 from catopt.model.sea import OF_A_BODY, RAO_CONVENTIONS
 from catopt.units import Dimension, as_written
-from catopt.words import Listed, Message
+from catopt.words import Message, given_keys
 
 BedStiffness = Annotated[
     float, Measured(Dimension.PRESSURE, above=0.0, example='"30 kN/m^2"', si="N/m^2")
@@ -368,8 +368,7 @@ def curve_misfits(given: Collection[str]) -> list[Problem]:
     """List any but exactly one way of giving a curve: a name, log_a_D with m, or K with M."""
     if set(given) - {"segment"} in [set(way) for way in _WAYS]:
         return []
-    keys = [key for key in given if key != "segment"]
-    found = Listed(keys, "and") if keys else Message("refused_file.none_of_them")
+    found = given_keys(key for key in given if key != "segment")
     return [Problem("", found, Message("refused_case.exactly_one_name_log_d"))]
 
 
@@ -378,9 +377,8 @@ def fatigue_misfits(given: Collection[str]) -> list[Problem]:
     problems = []
     states = [key for key in ("sea_states", "sea_states_file") if key in given]
     if len(states) != 1:
-        found = Listed(states, "and") if states else Message("refused_file.none_of_them")
         allowed = Message("refused_case.exactly_one_sea_states_sea")
-        problems.append(Problem("", found, allowed))
+        problems.append(Problem("", given_keys(states), allowed))
     if "code" not in given:
         codes = ", ".join(FATIGUE_CODES)
         allowed = Message("refused_case.missing_give_or_code_one", fatigue_codes=codes)

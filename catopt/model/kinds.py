@@ -91,6 +91,8 @@ class Findings:
             self.count(key, value)
         elif isinstance(kind, OneOf) and not annotation.is_array:
             self.word(key, value, kind.words, quoted=kind.quoted)
+        elif isinstance(kind, Text) and kind.filled and value and not str(value).strip():
+            self.add(key, as_written(value), kind.wanted)  # a file refuses blanks, too
 
     def _vector(self, key: str, unit: str, size: int) -> None:
         """Check numbers of which there are none, or so many."""

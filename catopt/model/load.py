@@ -26,7 +26,7 @@ from catopt.model.kinds import (
 )
 from catopt.model.wear import Condition
 from catopt.units import Dimension
-from catopt.words import Message, term
+from catopt.words import Message, given_keys, term
 
 LOADS = ("horizontal_force", "span", "fairlead_tension")
 """The quantities of which one is known."""
@@ -54,8 +54,7 @@ class Load(Checked):
 
     def _check(self, found: Findings) -> None:
         if len(self.given) != 1:
-            said = " and ".join(self.given) or Message("refused_file.none_of_them")
-            found.add("load", said, Message("refused.one_load"))
+            found.add("load", given_keys(self.given), Message("refused.one_load"))
             found.raise_if_any()
         found.check()
 

@@ -280,7 +280,9 @@ class Network(Checked):
             )
             if not is_alone:
                 allowed = Message("refused_case.current_wants_floats")
-                found.add("current", f"line {line.name or k + 1}", allowed)
+                found.add(
+                    "current", Message("refused_case.a_line", name=line.name or k + 1), allowed
+                )
             found.problems += drag_missing(line.line, f"lines[{k}]")
 
     def _check_bodies(self, found: Findings) -> None:

@@ -28,7 +28,7 @@ from catopt.model.kinds import (
     Whole,
 )
 from catopt.units import Dimension
-from catopt.words import Message
+from catopt.words import Message, given_keys
 
 WaveSpectrum = Literal["jonswap", "pierson-moskowitz", "regular"]
 WAVE_SPECTRA: tuple[str, ...] = get_args(WaveSpectrum)
@@ -148,9 +148,8 @@ def wave_misfits(given: Mapping[str, Any]) -> list[Problem]:
     """
     ways = [key for key in WAVE_WAYS if key in given]
     if len(ways) != 1:
-        said = " and ".join(ways) or Message("refused_file.none_of_them")
         wanted = Message("refused.exactly_one", ways=", ".join(WAVE_WAYS))
-        return [Problem("waves", said, wanted)]
+        return [Problem("waves", given_keys(ways), wanted)]
     (way,) = ways
     problems = []
     for key, value in given.items():
@@ -313,7 +312,8 @@ class CurrentProfile(Checked):
         depths, others = len(self.depths), len(getattr(self, key))
         if depths and others and depths != others:
             allowed = Message("refused.as_many_as_depths", what=key)
-            found.add(key, f"{depths} depths, {others} {key}", allowed)
+            sizes = Message("refused_case.depths_beside", depths=depths, count=others, key=key)
+            found.add(key, sizes, allowed)
 
 
 def turns(directions: tuple[float, ...]) -> list[float]:
@@ -386,8 +386,7 @@ class Motion(Checked):
         given = [key for key in MOTION_WAYS if getattr(self, key) not in (None, "")]
         if len(given) != 1:
             wanted = Message("refused.exactly_one", ways=", ".join(MOTION_WAYS))
-            said = " and ".join(given) or Message("refused_file.none_of_them")
-            found.add("motion", said, wanted)
+            found.add("motion", given_keys(given), wanted)
         found.check("period", *HARMONIC, "rao_phase", "rao_rotation", "rao_per")
         found.check("rao_reference", "rao_crest", "drift")
         if given in (["file"], ["rao_file"]):

@@ -344,7 +344,7 @@ class System(Checked):
         found.some("legs", Message("refused_motion.system_has_at_least_one"))
         if len(self.force) != 2:
             allowed = Message("refused_case.two_are_wanted_along_x")
-            found.add("force", f"{len(self.force)} numbers", allowed)
+            found.add("force", Message("refused.numbers", count=len(self.force)), allowed)
         found.check("force", "moment", "seabed_friction")
         if self.yaw_free and not self.has_arms:
             allowed = Message("refused_case.no_fairlead_lies_off_body")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import math
 from collections.abc import Iterator
 from contextlib import suppress
@@ -35,6 +34,7 @@ from catopt.notes.origin import (
     asked_in,
     origin_of,
     read_with_sources,
+    source_of,
 )
 from catopt.notes.sheet import AnyNote, both_models, doubts_of_models, sheet_of
 from catopt.sizing.kinds import schema_of
@@ -254,7 +254,7 @@ def size_note(sizing: Sizing, given: Given, asked: Asked | None = None) -> SizeN
     asked = asked or Asked()
     # The case of the recommended line, as ``catopt size --save`` writes it.
     text = write_case(sizing.line_case)
-    file = SourceFile(DESIGN_CASE, text, hashlib.sha256(text.encode()).hexdigest())
+    file = source_of(DESIGN_CASE, text)
     chosen = Chosen(_front(sizing), sizing.settled.index + 1)
     line = note_of(sizing.case, (file,), asked, chosen)
     origin = Origin((), (), asked.date)

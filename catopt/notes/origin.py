@@ -78,6 +78,11 @@ def origin_of(
     return Origin(files, inputs_of(document, schema), _writable(date))
 
 
+def source_of(name: str, text: str) -> SourceFile:
+    """Take a text as the file of a name."""
+    return SourceFile(name, text, hashlib.sha256(text.encode()).hexdigest())
+
+
 def read_source(path: Path) -> SourceFile:
     """Read a file that a note rests on; InputError where it cannot be read."""
     text = read_text(path, str(path), most=MOST_BYTES_OF_DATA)

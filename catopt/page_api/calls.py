@@ -362,13 +362,11 @@ def _sized(text: str, door: Door) -> _Laid:
 
 def _note(text: str, language: Language) -> Reply:
     """Make the calculation note, without the truss model, which catopt report puts beside it."""
-    import hashlib
-
-    from catopt.notes.origin import Asked, SourceFile
+    from catopt.notes.origin import Asked, source_of
     from catopt.render.page import page
 
     door, asked = _door(text), Asked(verify=False)
-    file = SourceFile(_name(door), text, hashlib.sha256(text.encode()).hexdigest())
+    file = source_of(_name(door), text)
     if door == "line":
         from catopt.answers.note_line import line_note_answer
         from catopt.notes.line import note_of

@@ -92,7 +92,7 @@ class LineChoice:
         found.number("life", self.life, "s", at_least=0.0)
         if self.life > _LONGEST_LIFE * YEAR:
             allowed = Message("refused_sizing.must_be_years_or_less", longest_life=_LONGEST_LIFE)
-            found.add("life", f"{self.life / YEAR:g} years", allowed)
+            found.add("life", Message("refused_file.years", count=self.life / YEAR), allowed)
         found.number("wear_rate", self.wear_rate, "m/s", at_least=0.0)
         if self.wear_rate > _FASTEST_WEAR / YEAR:
             most = _FASTEST_WEAR * 1000.0

@@ -52,7 +52,7 @@ from catopt.sizing.result import Sizing
 from catopt.sizing.tanker import sized_tanker
 from catopt.sizing.tanker_request import MooredShip, TankerRequest, note_aground
 from catopt.units import lasting
-from catopt.words import Cited, Message, Several, term
+from catopt.words import Cited, Message, Several, given_keys, term
 
 
 def size(of: ResolvedInputs) -> Sizing:
@@ -215,7 +215,7 @@ def _body(of: ResolvedInputs) -> BuoyShape | GivenBuoy | None:
     errors, pair = of.errors, ("force", "reserve_buoyancy")
     by_force = [name for name in pair if name in of.given or errors.is_reported(name)]
     if "buoy" in of.given and by_force:
-        instead = " and ".join(map(errors.spell, by_force))
+        instead = given_keys(map(errors.spell, by_force))
         errors.add("buoy", f'"{of["buoy"]}"', Message("refused.leave_out_or", other=instead))
         return None
     if "buoy" in of.given:

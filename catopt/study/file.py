@@ -128,7 +128,7 @@ def read_study(path: str | os.PathLike[str]) -> Study:
     study = Study(table.title, base, tuple(axes), limits, **share)
     if len(study) > _MOST:
         allowed = Message("refused_study.members_are_most_give_fewer", most=_MOST)
-        raise refused("vary", f"{len(study):,} members", allowed, source)
+        raise refused("vary", Message("refused_study.members", count=len(study)), allowed, source)
     case = read_member(base, study.piece(0).changes(0))
     if base.compute == "linear" and base.is_network:
         allowed = Message("refused_study.no_linear_of_points")

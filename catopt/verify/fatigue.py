@@ -28,7 +28,7 @@ from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, Verdi
 from catopt.verify.dynamic_setup import check_for_motion, read_drive
 from catopt.verify.motion_file import OF_TOTAL, lines_of, read_columns
 from catopt.verify.side_by_side import Progress, effort_of, share_of
-from catopt.words import Message
+from catopt.words import Message, given_keys
 
 _WHOLE = 1e-6
 """By which the shares may miss the whole year before that is said."""
@@ -358,7 +358,7 @@ def sea_states(case: Case) -> tuple[FatigueSeaState, ...]:
     given = [key for key in _LASTING if key in columns]
     if len(given) > 1:
         allowed = Message("refused_motion.one_them_wanted")
-        raise refused("headings", " and ".join(given), allowed, path)
+        raise refused("headings", given_keys(given), allowed, path)
     shares = columns[given[0]] / (YEAR if given == ["time"] else 1.0)
     states, problems = [], share_misfits(shares.tolist())
     for row, (line, share) in enumerate(zip(lines_of(path), shares.tolist(), strict=True)):

@@ -21,7 +21,7 @@ from catopt.hydro.coefficient_files import wamit_rows
 from catopt.hydro.coefficients import FREEDOMS, Coefficients
 from catopt.units import UNITS, Dimension, as_written
 from catopt.waves import CurrentSeries, ElevationRecord, Waves
-from catopt.words import Message
+from catopt.words import Message, given_keys
 
 if TYPE_CHECKING:
     from catopt.model import Motion
@@ -286,10 +286,8 @@ def _fill(row: Array, line: int, cells: list[str], heads: list[str]) -> list[Pro
         except ValueError:
             row[column] = math.nan
         if not math.isfinite(row[column]):
-            where, found = (
-                f"line {line}, {heads[column]}",
-                _shown(cell) or Message("refused_motion.empty_cell"),
-            )
+            where = f"line {line}, {heads[column]}"
+            found = _shown(cell) or Message("refused_motion.empty_cell")
             problems.append(Problem(where, found, Message("refused.number")))
     return problems
 
@@ -417,7 +415,7 @@ def _frequencies(path: str, columns: dict[str, Array]) -> Array:
     given = [key for key in ("period", "frequency") if key in columns]
     if len(given) != 1:
         wanted = Message("refused_motion.one_period_frequency_wanted")
-        raise InputError([Problem("headings", " and ".join(given), wanted)], path)
+        raise refused("headings", given_keys(given), wanted, path)
     values = columns[given[0]]
     if not (values > 0.0).all():
         raise refused(given[0], f"{values.min():g}", Message("refused.above", bound=0), path)

@@ -11,7 +11,7 @@ import numpy as np
 from catopt.arrays import Array, Flags
 from catopt.errors import InputError, Problem
 from catopt.model.kinds import Findings
-from catopt.words import Message
+from catopt.words import Listed, Message
 
 _ARRAYS: Final = ("amplitude", "omega", "phase", "direction")
 
@@ -226,7 +226,7 @@ class ElevationRecord:
         t, eta = self.times, self.elevation
         if t.ndim != 1 or t.shape != eta.shape or t.size < _FEWEST:
             wanted = Message("refused_motion.times_or_more_are_wanted", fewest=_FEWEST)
-            found.add("times", f"{t.shape} and {eta.shape}", wanted)
+            found.add("times", Listed((f"{t.shape}", f"{eta.shape}"), "and"), wanted)
         elif not (np.isfinite(t).all() and np.isfinite(eta).all()):
             wanted = Message("refused_motion.finite_numbers_are_wanted")
             found.add("elevation", Message("refused_motion.nan"), wanted)
@@ -234,7 +234,8 @@ class ElevationRecord:
             self._check_steps(found)
             if not found.problems and float(np.ptp(eta)) == 0.0:
                 wanted = Message("refused_motion.surface_moves_wanted")
-                found.add("elevation", f"{eta[0]:g} m throughout", wanted)
+                still = Message("refused_motion.throughout", height=eta[0])
+                found.add("elevation", still, wanted)
         found.raise_if_any()
 
     def _check_steps(self, found: Findings) -> None:

@@ -93,15 +93,13 @@ class TableCurrent:
         found = Findings("TableCurrent")
         found.number("direction", self.direction, "rad")
         if not self.depths or len(self.depths) != len(self.speeds):
-            sizes = f"{len(self.depths)} depths, {len(self.speeds)} speeds"
-            found.add("speeds", sizes, Message("refused.speeds_and_depths"))
+            found.add("speeds", self._sizes("speeds"), Message("refused.speeds_and_depths"))
         for i, (depth, speed) in enumerate(zip(self.depths, self.speeds, strict=False)):
             found.number(f"depths[{i}]", depth, "m", at_least=0.0)
             found.number(f"speeds[{i}]", speed, "m/s")
         if self.directions and len(self.directions) != len(self.depths):
-            sizes = f"{len(self.depths)} depths, {len(self.directions)} directions"
             wanted = Message("refused_motion.many_directions_depths_are_wanted")
-            found.add("directions", sizes, wanted)
+            found.add("directions", self._sizes("directions"), wanted)
         for i, direction in enumerate(self.directions):
             found.number(f"directions[{i}]", direction, "rad")
         found.raise_if_any()
@@ -110,6 +108,10 @@ class TableCurrent:
                 above = Message("refused_motion.must_be_below_row_before", value=self.depths[i - 1])
                 found.add(f"depths[{i}]", repr(self.depths[i]), above)
         found.raise_if_any()
+
+    def _sizes(self, key: str) -> Message:
+        count = len(getattr(self, key))
+        return Message("refused_case.depths_beside", depths=len(self.depths), count=count, key=key)
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,7 +142,7 @@ class CurrentSeries:
                 found.add(key, Message("refused_motion.nan"), wanted)
         if not found.problems and not (np.diff(t) > 0.0).all():
             at = int(np.argmax(np.diff(t) <= 0.0))
-            said = f"{t[at + 1]:g} s after {t[at]:g} s"
+            said = Message("refused_motion.after", one=t[at + 1], other=t[at])
             found.add("times", said, Message("refused_motion.must_rise"))
         found.raise_if_any()
 

@@ -195,6 +195,12 @@ class Listed(Message):
         return f"{', '.join(first)} {word} {last}" if first else last
 
 
+def given_keys(keys: Iterable[str]) -> Message:
+    """Say which of several keys were given, or that none was."""
+    there = tuple(keys)
+    return Listed(there, "and") if there else Message("refused_file.none_of_them")
+
+
 class Sentence(Message):
     """Words made a sentence: with a full stop, and a capital where it is wanted."""
 

@@ -297,4 +297,11 @@ def test_a_ship_s_line_passes_in_every_sea_and_what_governs_is_named() -> None:
         assert each.check.exceedance == max(e.exceedance for e in alike)
         assert each.check.load_case.endswith(f"Tp {each.period:g} s")
     assert "Seas: Tp of 5, 8 s: tension is decided at" in card
+    # 20 minutes are too short for slow motion, as the run of the case says, too; 3 h are not.
+    (few,) = (each for each in found.checks.warnings if "slow cycles in all runs" in each)
+    assert int(few.split()[0]) < 50
+    assert any("slow cycles in all runs" in each for each in verify_ship(case).remarks)
+    whole = sized().in_motion
+    assert whole is not None
+    assert not any("slow cycles" in each for each in whole.checks.warnings)
     jsonschema.validate(of.to_dict(), schema("catopt.size/1"))

@@ -75,6 +75,10 @@ def test_every_text_is_there_in_both_languages_with_the_same_holes() -> None:
         assert len({frozenset(holes(form) - {"count"}) for form in told}) == 1, key
 
 
+ONE_WORD = re.compile(r"(?<![\w./=\"\[-])[a-z]{4,}\b(?![.=:])")
+"""In an f-string: a word that is no key, no unit and no label."""
+
+
 def english_in(node: ast.expr) -> Iterator[str]:
     """Yield what an argument says in plain words, outside of what makes a message."""
     if isinstance(node, ast.Call):
@@ -90,7 +94,8 @@ def english_in(node: ast.expr) -> Iterator[str]:
         for each in ast.iter_child_nodes(node):
             if isinstance(each, ast.expr):
                 yield from english_in(each)
-    if re.search(r"(?<![\w./=-])[a-z]{2,} +([\d.]+ +)?[a-z]{2,}(?![\w.=-])", said):
+    is_word = isinstance(node, ast.JoinedStr) and ONE_WORD.search(said)
+    if is_word or re.search(r"(?<![\w./=-])[a-z]{2,} +([\d.]+ +)?[a-z]{2,}(?![\w.=-])", said):
         yield said
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -21,6 +20,7 @@ from catopt.catenary.swarm.objective import Array, Objective, objective_of
 from catopt.errors import NoAnswerError, NotConvergedError
 from catopt.model import Case, Line, SwarmSettings
 from catopt.model.kinds import Findings
+from catopt.threads import environment
 from catopt.words import Message
 
 _VARIABLE = "LOG_CFG"
@@ -31,16 +31,8 @@ _LOCK = RLock()  # the environment belongs to the process: one thread at a time
 @contextmanager
 def without_logging() -> Iterator[None]:
     """Let pyswarms be imported and its objects be built without touching logging."""
-    with _LOCK:
-        before = os.environ.get(_VARIABLE)
-        os.environ[_VARIABLE] = str(_NOTHING)
-        try:
-            yield
-        finally:
-            if before is None:
-                del os.environ[_VARIABLE]
-            else:
-                os.environ[_VARIABLE] = before
+    with _LOCK, environment({_VARIABLE: str(_NOTHING)}):
+        yield
 
 
 with without_logging():
