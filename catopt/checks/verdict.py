@@ -233,15 +233,16 @@ SUBJECTS: Final[dict[str, Subject]] = {
         lambda of: of.has_said("checks.no_strength_criterion") and not of.has_check("tension"),
         ways=("case", "size"),
     ),
-    "yaw": Subject(_yaws, _has_yaw, ("case", "size")),
-    "soil": Subject(_slides, ways=("case", "size", "page"), words=_soil_words),
     "breaking": Subject(
         lambda of: of.has_said(
-            *("loads.calmar_stops", "loads.breaks", "loads.breaks_above"),
+            *("loads.calmar_stops", "loads.departs_breaking", "loads.breaks"),
+            "loads.breaks_above",
             *("loads.breaks_beyond_drift", "motion.waves_break", "motion.wave_breaks"),
         )
     ),
     "grounding": Subject(lambda of: of.has_said("sizing.touches_bed")),
+    "yaw": Subject(_yaws, _has_yaw, ("case", "size")),
+    "soil": Subject(_slides, ways=("case", "size", "page"), words=_soil_words),
     "heel": Subject(_is_buoy_in_motion, lambda of: of.has_check("heel", "pitch")),
     "convergence": Subject(_is_run, _is_proven, ("case", "size", "page")),
     "wear": Subject(_wears, _is_worn, ("case", "size", "page")),
