@@ -25,7 +25,7 @@ class Lazy(type):
         return made
 
     @property
-    def __annotations__(cls) -> dict[str, Any]:
+    def __annotations__(cls) -> dict[str, Any]:  # type: ignore[override]
         return _KEPT.get(cls, {})
 
 

@@ -83,7 +83,12 @@ def test_the_way_out_says_what_it_is_and_what_it_did_not_judge() -> None:
 
 
 def test_a_force_that_is_given_stands_in_no_sea_that_breaks() -> None:
-    place = {"depth": "4 m", "hs": "4 m", "force": "5 kN", "reserve_buoyancy": "20 kN"}
+    place: dict[str, Any] = {
+        "depth": "4 m",
+        "hs": "4 m",
+        "force": "5 kN",
+        "reserve_buoyancy": "20 kN",
+    }
     with pytest.raises(BreakingSeaError):
         size_buoy(**place)
     found = size_buoy(**place, load_method="catopt-buoy").judgement
