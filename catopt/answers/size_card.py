@@ -360,7 +360,7 @@ def _helps(kind: str, of: ResolvedInputs, size: float) -> Iterator[Message]:
         "grounded_length": ("diameter_max",),
         "span": ("max_swing", "diameter_max", *weight, "lines"),
         "buoyancy": ("buoy", "reserve_buoyancy", "chain"),
-        "sliding": ("anchor", "soil", "sinker"),
+        "sliding": ("anchor", "soil", "sinker", "base_area"),
     }
     for name in ways.get(kind, ()):
         is_thinnest = kind == "buoyancy" and name == "chain" and size <= _thinnest(of) + _SAME_SIZE
@@ -378,7 +378,7 @@ def _is_open(name: str, of: ResolvedInputs) -> bool:
             return _has_higher_grade(of)
         case "life":
             return bool(of["life"] and of["wear"])
-        case "max_swing" | "reserve_buoyancy":
+        case "max_swing" | "reserve_buoyancy" | "base_area":
             return name in of.given
         case "buoy":
             return of["buoy"] is not None
