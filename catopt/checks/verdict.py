@@ -108,8 +108,6 @@ class Matter:
     """How it was judged in motion, in words; empty: by runs of the full model."""
     moves: bool = False
     """Whether what is moored moves, though the case does not say so."""
-    soil: str = ""
-    """Soil that was named and is softer than the friction that was taken; empty for none."""
     remarks: tuple[str, ...] = ()
     """What was said beside the checks' warnings."""
     invalid: tuple[str, ...] = ()
@@ -216,15 +214,13 @@ def _is_worn(of: Matter) -> bool:
 def _slides(of: Matter) -> bool:
     """Whether a sinker has more friction than any soil has."""
     anchor = None if of.case is None else of.case.anchor
-    return bool(of.soil) or (anchor is not None and (anchor.friction or 0.0) > MOST_FRICTION)
+    return anchor is not None and (anchor.friction or 0.0) > MOST_FRICTION
 
 
 def _soil_words(of: Matter) -> Message:
-    anchor = None if of.case is None else of.case.anchor
-    friction = MOST_FRICTION if anchor is None else anchor.friction or 0.0
-    if of.soil:
-        return Message("verdict.soil_softer", soil=of.soil, friction=friction)
-    return Message("verdict.soil", friction=friction)
+    assert of.case is not None
+    assert of.case.anchor is not None
+    return Message("verdict.soil", friction=of.case.anchor.friction)
 
 
 SUBJECTS: Final[dict[str, Subject]] = {

@@ -18,14 +18,12 @@ def judgement_of(of: Sizing) -> Judgement:
 
     The same words stand on the screen, on the page, in the note and in the document.
     """
-    soft = (each for each in of.defaults if is_said(each, "sizing.mud_by_code"))
     matter = Matter(
         case=of.whole_case,
         at_rest=of.point.checks,
         in_motion=None if of.in_motion is None else of.in_motion.checks,
         who="size",
         moves=True,
-        soil=next((str(each.values["soil"]) for each in soft if isinstance(each, Message)), ""),
         remarks=(*of.assumptions, *of.warnings),
         no_way=("motion",) if of.afloat is None and of.ship_case is None else (),
     )
