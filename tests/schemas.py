@@ -38,6 +38,7 @@ from catopt.mooring.case import SystemReport
 from catopt.mooring.network_out import NetworkOut
 from catopt.mooring.network_rest import NetworkReport
 from catopt.mooring.restoring import RestoringCurve, WatchCircle
+from catopt.notes.again import NoteAgain
 from catopt.notes.front_in_motion import FrontInMotion
 from catopt.notes.written import WrittenNote
 from catopt.records import From, Key, Matching, OrNull, Record, parts, unit_of
@@ -63,6 +64,7 @@ RECORDS: Mapping[str, tuple[type[Record], ...]] = {
     "loads": (ComparedLoads,),
     "network": (NetworkReport,),
     "new": (NewFile,),
+    "note_again": (NoteAgain,),
     "report": (WrittenNote,),
     "reproduction": (Reproduction,),
     "size": (Sizing,),

@@ -7,10 +7,14 @@ from typing import TYPE_CHECKING
 from catopt._version import identity
 from catopt.answers import blocks
 from catopt.answers.blocks import Rows, answered, section, tabulate
+from catopt.quantities import Quantity
 from catopt.words import Cited, Message
 
 if TYPE_CHECKING:
     from catopt.notes.again import NoteAgain
+
+
+_CHANGE = Quantity("change", "Change", "", "-", "-", 1.0, 1, "scientific")
 
 
 def again_answer(result: NoteAgain) -> blocks.Answer:
@@ -33,6 +37,6 @@ def again_answer(result: NoteAgain) -> blocks.Answer:
         of.texts("column", lambda each: Cited(each.column)),
         of.texts("then", lambda each: Cited(each.then), quantity=blocks.named("coefficient")),
         of.texts("now", lambda each: Cited(each.now), quantity=blocks.named("coefficient")),
-        of.measured("relative", "change", "change", symbol=""),
+        of.measured(_CHANGE, "change", "change"),
     )
     return answered("note_again", Cited(result.note), section("terms.comparison", *said, table))

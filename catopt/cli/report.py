@@ -127,7 +127,7 @@ def _compare_again(asked: Asked, place: Path) -> None:
         note = note_of_file(beside, verify=has_truss, motion=has_motion or None)
         now = read_written_note(page(answer_of(note), old.language).decode(), str(place))
     result = compared_notes(str(place), old, replace(now, version=""))
-    asked.give(again_answer(result), result.to_dict)
+    replace(asked, full=True).give(again_answer(result), result.to_dict)
 
 
 def _place(out: Path | None, name: str) -> tuple[Path, str, bool]:
