@@ -26,7 +26,7 @@ def again_answer(result: NoteAgain) -> blocks.Answer:
         count=len(result.otherwise),
         **words,
     )
-    said = [blocks.Verdict(verdict, not result.otherwise)]
+    said: list[blocks.Block] = [blocks.Verdict(verdict, not result.otherwise)]
     if result.gone or result.new:
         only = Message("note.again_only", gone=result.gone, new=result.new)
         said.append(blocks.Text(only))
