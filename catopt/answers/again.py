@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from catopt._version import identity
 from catopt.answers import blocks
 from catopt.answers.blocks import Rows, answered, section, tabulate
 from catopt.quantities import Quantity
@@ -20,7 +19,7 @@ _CHANGE = Quantity("change", "Change", "", "-", "-", 1.0, 1, "scientific")
 def again_answer(result: NoteAgain) -> blocks.Answer:
     """Lay out how many numbers are the same, and each that is not, then and now."""
     of = Rows(result.otherwise)
-    words = {"then": result.written_by, "now": identity(), "same": result.same}
+    words = {"then": result.written_by, "now": result.now, "same": result.same}
     verdict = Message(
         "note.again_otherwise" if result.otherwise else "note.again_same",
         count=len(result.otherwise),

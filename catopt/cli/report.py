@@ -126,7 +126,7 @@ def _compare_again(asked: Asked, place: Path) -> None:
         has_truss = any("verification" in name for name in old.sections)
         note = note_of_file(beside, verify=has_truss, motion=has_motion or None)
         now = read_written_note(page(answer_of(note), old.language).decode(), str(place))
-    result = compared_notes(str(place), old, replace(now, version=""))
+    result = compared_notes(str(place), old, now)
     replace(asked, full=True).give(again_answer(result), result.to_dict)
 
 

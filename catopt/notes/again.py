@@ -73,13 +73,15 @@ class Otherwise(Record):
 class NoteAgain(Displayable, Record):
     """An old note beside one of the same file by this version of catopt."""
 
-    DOCUMENT = "note written_by same otherwise gone new"
+    DOCUMENT = "note written_by now same otherwise gone new"
     SCHEMA = "catopt.note_again/1"
 
     note: str
     """The old note's file."""
     written_by: str
     """Version of catopt that wrote it."""
+    now: str
+    """This version."""
     same: FromZero
     """Numbers that both have, alike to a millionth."""
     otherwise: tuple[Otherwise, ...]
@@ -124,6 +126,7 @@ def compared_notes(source: str, old: ReadNote, new: ReadNote) -> NoteAgain:
     return NoteAgain(
         source,
         old.version,
+        new.version,
         len(both) - len(found),
         tuple(found),
         len(old.numbers) - len(both),
