@@ -40,7 +40,7 @@ _TAKEN = {
 """What the loads take when it is left out, in place of what a sizing takes."""
 
 _WEATHER = ("depth", "low_water", "wind", "current", "hs", "hmax", "period", "water_density")
-_BUOY = (*_WEATHER, "growth", "buoys")
+_BUOY = (*_WEATHER, "growth", "buoys", "load_method")
 _SHIP = (
     *(*_WEATHER, "length", "breadth", "draught", "ballast_draught"),
     *("frontal_area", "lateral_area", "condition", "coefficients"),
@@ -85,6 +85,7 @@ def buoy(
 ) -> None:
     """Compute the loads on a buoy and its chain, after IALA's CALMAR reference."""
     from catopt.loads import WaterLevels, buoy_loads
+    from catopt.loads.buoy import BUOY_METHODS
     from catopt.sizing.requests import shape_of
 
     place = name if is_file(name) else None
@@ -114,6 +115,7 @@ def buoy(
                     wave_height=wave_height,
                     chain_waves=chain_waves,
                     water_density=of["water_density"],
+                    method=of["load_method"] or BUOY_METHODS[0],
                 )
                 for each in dict.fromkeys((levels, WaterLevels.steady(levels.low)))
             ),

@@ -86,6 +86,7 @@ def _of_a_buoy(of: ResolvedInputs) -> BuoyRequest | None:
         marine_growth=of["growth"] or 0.0,
         wave_height=of["wave_height"] or "hs",
         chain_waves=bool(of["chain_waves"]),
+        load_method=of["load_method"],
         scope=of["scope"],
         in_motion=_runs(of) if of["in_motion"] else None,
         title=of["title"] or "",
