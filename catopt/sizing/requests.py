@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import partial
 from types import MappingProxyType
 from typing import Any, Final
@@ -25,7 +25,7 @@ from catopt.loads.ship import (
     estimates,
 )
 from catopt.loads.ship_coefficients import SQUARE_ENDED, ShipCoefficients, read_ship_coefficients
-from catopt.loads.sinker import AS_CLAY, MUD
+from catopt.loads.sinker import AS_CLAY, soil_named
 from catopt.loads.weathervane import Afloat
 from catopt.model import Checks
 from catopt.model.kinds import Findings
@@ -466,11 +466,22 @@ def _ground(of: ResolvedInputs) -> DragGround | SinkerGround | None:
         soil = AS_CLAY.get(of["soil"], of["soil"])
         recalled = bool(of["recalled"])
         return of.errors.make(partial(DragGround, of["anchor"], soil, allow_recalled=recalled))
-    soil = of["soil"] or (None if of["friction"] is not None else _soil_of(of["code"]))
-    if soil in MUD and _soil_of(of["code"]) == CALMAR_SOIL:
-        soil = CALMAR_SOIL  # which the code has for any ground
+    soil = soil_named(of["soil"]) if of["soil"] else None
+    if soil is None and of["friction"] is None:
+        soil = _soil_of(of["code"])
     figures = soil, of["friction"], of["sinker"], of["sinker_density"]
-    return of.errors.make(partial(SinkerGround, *figures))
+    block = of["base_area"], of["embedment"] or 0.0
+    return of.errors.make(partial(SinkerGround, *figures, *block))
+
+
+def _soil_taken(of: ResolvedInputs, ground: DragGround | SinkerGround) -> Iterator[Message]:
+    """Say which soil a word was taken for, and which base of a sinker on clay."""
+    if ground.soil not in (None, of["soil"]):
+        key = "sizing.mud_as_clay" if isinstance(ground, DragGround) else "sizing.soil_taken_for"
+        word = term(of["soil"]) if of["soil"] in AS_CLAY else of["soil"]
+        yield Message(key, soil=word, taken=term(str(ground.soil)))
+    if isinstance(ground, SinkerGround) and ground.bond is not None and of["base_area"] is None:
+        yield Message("sizing.taken_base")
 
 
 def _soil_of(code: str) -> str:
@@ -498,10 +509,8 @@ def _taken(
     if of.given.isdisjoint({"soil", "friction"}) and ground is not None:
         key = "sizing.taken_friction" if ground.soil == CALMAR_SOIL else "sizing.taken_soil"
         words.append(Message(key, soil=term(str(ground.soil))))
-    if of["soil"] in MUD and isinstance(ground, SinkerGround):
-        words.append(Message("sizing.mud_by_code", soil=term(of["soil"])))
-    if of["soil"] in AS_CLAY and isinstance(ground, DragGround):
-        words.append(Message("sizing.mud_as_clay", soil=term(of["soil"])))
+    if of["soil"] and ground is not None:
+        words += _soil_taken(of, ground)
     if "return_period" not in of.given:
         words.append(Message("sizing.no_return_period"))
     if "chain" not in of.given:
