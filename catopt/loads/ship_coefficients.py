@@ -164,6 +164,7 @@ class ShipCoefficients:
     current: tuple[CoefficientTable, ...] = ()  # of a condition by rising depth over draught
     # whether the current across is no less than UFC's, which has shallow water in it
     is_least_ufc: bool = False
+    file: str = ""  # that they were read from; empty: made otherwise
 
     def in_condition(self, condition: str) -> ShipCoefficients:
         """Keep the tables of a condition."""
@@ -324,7 +325,7 @@ def read_ship_coefficients(path: str | os.PathLike[str]) -> ShipCoefficients:
     """
     source = os.fspath(path)
     text = read_text(Path(path), source, kind="file of coefficients")
-    return parse_ship_coefficients(text, source)
+    return replace(parse_ship_coefficients(text, source), file=os.fspath(Path(source).resolve()))
 
 
 def parse_ship_coefficients(text: str, source: str = "") -> ShipCoefficients:

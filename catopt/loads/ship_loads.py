@@ -226,13 +226,10 @@ def ship_loads(
         own_tables = coefficients if method == UFC_BLENDERMANN else None
         has_any = own_tables is not None and (own_tables.wind or own_tables.current)
         table = own_tables if has_any else None  # all of them may be of the other condition
+        may = allow_recalled or is_recalled
         components = (
-            *(
-                table.loads("wind", ship, wind.speed, AIR_DENSITY, headings.wind, depth)
-                if table is not None and table.wind
-                else _wind(ship, wind, blow, headings.wind, allow_recalled or is_recalled)
-            ),
-            *_current(ship, current.speed, depth, table, **stream),
+            *wind_components(ship, wind, blow, headings.wind, depth, table, allow_recalled=may),
+            *current_components(ship, current.speed, depth, table, **stream),
             *ship_drift(
                 sea, *size, depth, angle=headings.waves, **waves, water_density=water_density
             ),
@@ -312,16 +309,26 @@ def _is_off_the_bow(headings: Headings) -> bool:
     return abs(math.sin(headings.wind)) > ALONG
 
 
-def _wind(
-    ship: Ship, wind: Wind, wind_on: str | UfcWind, angle: float, allow_recalled: bool
+def wind_components(
+    ship: Ship,
+    wind: Wind,
+    wind_on: str | UfcWind,
+    angle: float,
+    depth: float,
+    own: ShipCoefficients | None = None,
+    *,
+    allow_recalled: bool = False,
 ) -> tuple[LoadComponent, ...]:
+    """Compute the wind along and across at an angle off the bow, rad, by tables or by a method."""
+    if own is not None and own.wind:
+        return own.loads("wind", ship, wind.speed, AIR_DENSITY, angle, depth)
     air = {"angle": angle, "air_density": AIR_DENSITY}
     if isinstance(wind_on, UfcWind):
         return ufc_wind_loads(ship, wind, wind_on, **air, allow_recalled=allow_recalled)
     return blendermann_loads(ship, wind, wind_on, **air)
 
 
-def _current(
+def current_components(
     ship: Ship, speed: float, depth: float, own: ShipCoefficients | None, **stream: float
 ) -> tuple[LoadComponent, ...]:
     """Compute the current along and across, by tables or by UFC."""
