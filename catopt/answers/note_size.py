@@ -40,7 +40,7 @@ from catopt.answers.note import (
 )
 from catopt.answers.note_line import of_the_front, of_the_line
 from catopt.answers.note_system import near_blocks, plan_blocks, pull_of
-from catopt.answers.size_card import storm_time, verdict
+from catopt.answers.size_card import storm_time
 from catopt.answers.trail import step_of
 from catopt.checks.kinds import QUANTITY_OF
 from catopt.constants import STANDARD_GRAVITY, YEAR
@@ -118,7 +118,7 @@ def _opening(note: SizeNote) -> Iterator[Section]:
         tension=of.largest_tension,
         in_motion=of.in_motion is not None,
         in_storm=tuple(_in_storm(of)),
-        verdict=verdict(of),
+        judgement=of.judgement,
     )
 
 

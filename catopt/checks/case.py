@@ -126,6 +126,7 @@ def check_case(case: Case) -> CheckReport:
             *_of_solutions(solutions),
         ),
         load_cases=case.load_cases,
+        case=case,
     )
 
 
@@ -330,7 +331,9 @@ def check_motion(case: Case | Network, lines: Sequence[LineInMotion]) -> CheckRe
     on_mean = any(each.mean_factor is not None for each in criteria.all)
     if on_mean and any(each.mean is None for each in judged):
         warnings.append(Message("checks.motion_no_mean"))
-    return CheckReport(case.title, tuple(results), (), tuple(warnings))
+    return CheckReport(
+        case.title, tuple(results), (), tuple(warnings), case=case, is_in_motion=True
+    )
 
 
 def _others(

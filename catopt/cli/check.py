@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from catopt.answers.check import check_answer, verdict_sentence
+from catopt.answers.check import check_answer
 from catopt.casefile.reading import read_mooring_or_design
 from catopt.cli.answering import FAILED, Asked, answering
 from catopt.cli.completion import completed
@@ -44,4 +44,4 @@ def check(
     report = check_network(read) if isinstance(read, Network) else check_case(read)
     asked.give(check_answer(report, of_points=of_points), report.to_dict, read)
     if strict and not report.verdict:
-        asked.leave(FAILED, verdict_sentence(report))
+        asked.leave(FAILED, report.judgement.said)

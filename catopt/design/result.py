@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Annotated, Any, TypedDict
 
 from catopt.checks.result import CheckReport, CheckResult, ChecksInMotion
+from catopt.checks.verdict import Judgement, verdict_of
 from catopt.design.mooring_point import MooringPoint, under
 from catopt.model import Anchor, Case, Line
 from catopt.model.design import FoundBy, loads_of
@@ -225,6 +226,14 @@ class DesignPoint(Displayable, Record):
     """Only where designs have to pass in motion: what it came to there."""
 
     @property
+    def judgement(self) -> Judgement:
+        """What it comes to at rest and, where it was run, in motion."""
+        moved = None if self.in_motion is None else self.in_motion.checks
+        if moved is not None and self.in_motion is not None:
+            moved = replace(moved, is_proven=self.in_motion.verdict == "converged")
+        return verdict_of(replace(self.checks.matter, in_motion=moved))
+
+    @property
     def passes(self) -> bool:
         """Whether it passes every check, and as many draws as it has to where values are drawn."""
         return self.checks.passes and (self.draws is None or self.draws.passes)
@@ -378,7 +387,7 @@ class DesignResult(Displayable, Record):
     DOCUMENT = (
         "case.title objectives load_cases front recommended_index=recommended recommendation ends "
         "neighbours present method is_exact designs evaluations feasible hypervolume "
-        "reference_point seed interrupted warnings excluded? in_motion?"
+        "reference_point seed interrupted warnings excluded? in_motion? best.judgement=verdict"
     )
 
     case: Case  # what was asked

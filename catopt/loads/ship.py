@@ -11,7 +11,7 @@ from typing import Final, Literal, NamedTuple, get_args
 
 from catopt.errors import NoAnswerError
 from catopt.loads.component import MARPOL, LoadSource
-from catopt.model.kinds import Findings, NotNegative, Positive, SomeMass
+from catopt.model.kinds import Findings, NotNegative, Positive, SomeMass, exceeds
 from catopt.shown import Tabled
 from catopt.words import Message
 
@@ -79,7 +79,7 @@ class Ship:
         )
         for key, unit, most, words in limits:
             value = getattr(self, key)
-            if value > most:
+            if exceeds(value, most):
                 found.add(key, f"{value:g} {unit}", Message(words, limit=most))
 
     @property
@@ -188,11 +188,12 @@ def ship_dimensions(kind: str, deadweight: float) -> ShipDimensions:
     found.raise_if_any()
     rows = _TABLE[kind]
     tonnes, known = deadweight / _TONNE, sorted(rows)
-    if not known[0] <= tonnes <= known[-1]:
+    if exceeds(known[0], tonnes) or exceeds(tonnes, known[-1]):
         values = {"kind": kind, "value": known[0], "value2": known[-1]}
         allowed = Message("refused_sizing.dimensions_are_known_from_t", **values)
         found.add("deadweight", f"{tonnes:.6g} t", allowed)
     found.raise_if_any()
+    tonnes = min(max(tonnes, known[0]), known[-1])
     if tonnes in rows:
         return ShipDimensions(*rows[tonnes])
     upper = bisect_left(known, tonnes)
