@@ -321,8 +321,7 @@ class _Form(NamedTuple):
 def _ships_afloat(of: ResolvedInputs, form: _Form) -> Iterator[Afloat]:
     """Make the ship at each draught that is known."""
     from catopt.loads import Afloat, Ship
-    from catopt.loads.ship import BLOCK
-    from catopt.loads.ship import TAKEN_FOR
+    from catopt.loads.ship import BLOCK, TAKEN_FOR
     from catopt.sizing.requests import draughts_of, own_tables, ship_at
     from catopt.sizing.tanker_request import check_deadweight
 

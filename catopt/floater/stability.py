@@ -14,7 +14,7 @@ from catopt.floater.ship import SlowShip, rates
 from catopt.mooring.balance import room_for
 from catopt.mooring.batch import as_arrays
 
-_STEPS: Final = (0.05, 0.05, 0.01, 0.02, 0.02, 2e-4)
+_STEPS: Final = (0.05, 0.05, 1e-3, 1e-3, 1e-3, 1e-5)
 """Of place, yaw and speeds, from which slopes are taken: m, rad, m/s and rad/s."""
 
 

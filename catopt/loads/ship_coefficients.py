@@ -6,7 +6,7 @@ import math
 import os
 from bisect import bisect_left
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from pathlib import Path
 from types import MappingProxyType
@@ -164,7 +164,8 @@ class ShipCoefficients:
     current: tuple[CoefficientTable, ...] = ()  # of a condition by rising depth over draught
     # whether the current across is no less than UFC's, which has shallow water in it
     is_least_ufc: bool = False
-    file: str = ""  # that they were read from; empty: made otherwise
+    # that they were read from; empty: made otherwise
+    file: str = field(default="", compare=False)
 
     def in_condition(self, condition: str) -> ShipCoefficients:
         """Keep the tables of a condition."""

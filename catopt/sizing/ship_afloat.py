@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
-from typing import Final, Literal, get_args
+from typing import Any, Final, Literal, cast, get_args
 
 from catopt.catalogue import component, standard
 from catopt.checks.profiles import profiles_of
@@ -263,12 +263,16 @@ def ship_afloat(
         site=replace(held.site, water_depth=at.depth),
         checks=checks,
         waves=WaveState("jonswap", height, period, direction=off.waves, components=_COMPONENTS),
-        current=CurrentProfile("power", speed=env.current.speed, direction=off.current)
-        if flows
-        else None,
+        current=_same_over_depth(env.current.speed, at.depth, off.current) if flows else None,
         floater=Floater(ship=_ship(moored, env.water_density, off, vane.turning), wind_speed=wind),
         dynamics=_dynamics(request.in_motion),
     )
+
+
+def _same_over_depth(speed: float, depth: float, direction: float) -> CurrentProfile:
+    """Give a ship the speed over all of her draught, as her loads at rest have it."""
+    ends = {"depths": (0.0, depth), "speeds": (speed, speed)}
+    return CurrentProfile("table", **ends, direction=direction)
 
 
 def _along_x(lies: ShipHeading) -> Headings:
@@ -336,7 +340,7 @@ def _ship(
         moulded_depth=ship.draught + max(moored.fairlead, _LEAST_FREEBOARD),
         condition="ballast" if moored.condition == "ballast" else "loaded",
         kind=kind,
-        propeller=ship.propeller or "",
+        propeller=cast(Any, ship.propeller or ""),
         coefficients="" if own is None else own.file,
         length_waterline=ship.length_waterline,
         mooring_point=(turning or Turning(None)).lever(ship),

@@ -197,8 +197,8 @@ def _histories(
         waves = _waves(drive, number)
         seed = 0 if drive.case.waves is None else drive.case.waves.seed
         generator = np.random.default_rng([seed, number, 1])
-        how = {"step": step, "start": start}
-        return moored.run(waves, dynamics.duration, drive.ramp, generator, **how)
+        until = dynamics.duration
+        return moored.run(waves, until, drive.ramp, generator, step=step, start=start)
 
     # The first run by itself: whatever has to be compiled then is.
     found = [run(0)]
