@@ -160,8 +160,10 @@ def _holding(of: Sizing) -> Iterator[_Row]:
         values |= {"anchor": of.drag_anchor.anchor, "soil": term(of.drag_anchor.soil)}
         name, words = term("Drag anchor"), Message("sizing.drag_anchor", **values)
     else:
-        assert of.sinker is not None
-        words = Message(f"sizing.{of.sinker.material}_sinker", **values)
+        sinker = of.own_sinker
+        assert sinker is not None
+        values |= {"side": sinker.side, "height": sinker.height}
+        words = Message(f"sizing.{sinker.material}_sinker", **values)
         name = term("Sinker")
     yield _Row(name, mass, QUANTITIES["mass"], words)
     other = of.other_sinker

@@ -201,7 +201,7 @@ class DesignPoint(Displayable, Record):
         "line.segments(name catalogued=component nominal_diameter length "
         "submerged_weight mass EA MBL proof_load price wear_rate wear_zone~) "
         "line.point_loads(name position submerged_weight mass) "
-        "sinker(mass submerged_weight friction safety_factor) checks.results=checks "
+        "sinker(mass submerged_weight friction base_holding? safety_factor) checks.results=checks "
         "checks.nearest=governing passes=feasible spans genes "
         "in_motion? mooring=system(azimuths anchor_radius pretension? state=farthest_state "
         "farthest.system.force=farthest_force_N load.water_level=farthest_water_level_m~ "
