@@ -271,8 +271,8 @@ def ship_afloat(
 
 def _same_over_depth(speed: float, depth: float, direction: float) -> CurrentProfile:
     """Give a ship the speed over all of her draught, as her loads at rest have it."""
-    ends = {"depths": (0.0, depth), "speeds": (speed, speed)}
-    return CurrentProfile("table", **ends, direction=direction)
+    ends = ((0.0, depth), (speed, speed))
+    return CurrentProfile("table", depths=ends[0], speeds=ends[1], direction=direction)
 
 
 def _along_x(lies: ShipHeading) -> Headings:
