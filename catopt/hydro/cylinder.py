@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, Final, NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -110,8 +110,7 @@ class FloatingCylinder:
 class Matched:
     """The potentials of one frequency, with unit speeds of the body."""
 
-    def __init__(self, of: Any, omega: float) -> None:
-        """Match those of a `FloatingCylinder`, or of what else has its dimensions."""
+    def __init__(self, of: FloatingCylinder, omega: float) -> None:
         self.of, self.omega = of, omega
         self.d = of.depth - of.draught
         self._eigenvalues()

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from copy import copy
 from dataclasses import dataclass, replace
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 
@@ -139,7 +139,8 @@ class MatchedSection(Matched):
     def __init__(self, of: Section, omega: float, along: float = 0.0) -> None:
         self.half = of.radius
         self._turn(along)
-        super().__init__(of, omega)
+        alike: Any = of  # in all that its cylinder is asked for
+        super().__init__(alike, omega)
 
     def obliquely(self, along: float) -> MatchedSection:
         """Match them anew for waves that meet the ship at another angle."""
