@@ -107,12 +107,14 @@ class Axis:
 
     `columns`: values by key path, all of the same length: numbers in SI as an array, words and
     counts as they are; `weights`: what each of them counts; None where all count the same;
-    `distributions`: by key path, what they were drawn from; empty where they were not.
+    `distributions`: by key path, what they were drawn from; empty where they were not; `counted`:
+    how many rows of a table they are; empty where they are of none.
     """
 
     columns: Mapping[str, Sequence[Any] | Array]
     weights: Array | None = None
     distributions: Mapping[str, Distribution] = field(default_factory=dict)
+    counted: str = ""
 
     @property
     def keys(self) -> Annotated[tuple[str, ...], From(1)]:
