@@ -187,10 +187,11 @@ class _Meeting:
         self.of, self.cosine, self.sine = of, cosine, sine
         k, hull = of.k, of.hull
         self.crest = np.exp(1j * k * cosine * of.x)
-        self.oblique = of.own.obliquely(cosine)
-        # Waves along a ship spread aside over her length, as far as so much across them goes.
-        least = math.sqrt(min(1.0, sine * sine + 1.0 / (k * hull.length)))
-        self.spread = least, of.own.obliquely(math.sqrt(1.0 - least * least))
+        # Waves along a ship spread aside over her length, as far as so much across them goes; what
+        # is not alike on both sides is in proportion to what is left of that.
+        self.least = math.sqrt(min(1.0, sine * sine + 1.0 / (k * hull.length)))
+        self.spread = of.own.obliquely(math.sqrt(1.0 - self.least**2))
+        self.odd = sine / self.least
         self._move()
 
     def _move(self) -> None:
@@ -205,11 +206,12 @@ class _Meeting:
         push = own.heaved(self.sine) * crest
         self.heave = (weight @ push) / (float_ * long - square * mass)
         self.pitch = -(weight @ (x * push)) / (float_ * third - square * about)
-        aside = self.oblique.excited(SWAY) * crest
+        sideways = self.spread.excited(SWAY) * self.odd
+        aside = sideways * crest
         self.yaw = (weight @ (x * aside)) / (-water[SWAY, SWAY] * third - square * about)
         matrix = -water[np.ix_([SWAY, TILT], [SWAY, TILT])] * long
         matrix[0, 0] -= square * mass
-        pushed = (weight @ crest) * np.array([1.0, 0.0]) * self.oblique.excited(SWAY)
+        pushed = (weight @ crest) * np.array([sideways, 0.0])
         if hull.roll_period is None:
             self.sway, self.tilt = pushed[0] / matrix[0, 0], 0.0
             return
@@ -225,10 +227,10 @@ class _Meeting:
     def by_sections(self) -> tuple[float, float, float]:
         """Far-field drift of what all sections send out."""
         of, hull, waves = self.of, self.of.hull, self.of.own.waves * (-1j * self.of.omega)
-        least, spread = self.spread
-        even = least * 0.5 * (spread.phases[0] - 1.0) * self.crest
+        phases = self.spread.phases
+        even = self.least * 0.5 * (phases[0] - 1.0) * self.crest
         even = even + waves[HEAVE] * (self.heave - of.x * self.pitch)
-        odd = 0.5 * (self.oblique.phases[1] + 1.0) * self.crest
+        odd = self.odd * 0.5 * (phases[1] + 1.0) * self.crest
         odd = odd + waves[SWAY] * (self.sway + of.x * self.yaw) + waves[TILT] * self.tilt
         starboard = -of.sin  # part of a dipole that a direction sees
         sent = of.leaving @ even + starboard * (of.leaving @ odd)

@@ -153,17 +153,17 @@ def test_the_ship_abeam_is_her_section() -> None:
 def test_a_barge_s_end_reflects_short_waves_whole() -> None:
     """1/2 rho g a^2 B of a flat bow; 2/3 of it for a round one, 1/4 for one of 30 deg, by hand.
 
-    Faltinsen's integral of sin^2. What spreads along her sides comes on top: up to 7 %.
+    Faltinsen's integral of sin^2. What spreads along her sides comes on top: up to 2 %.
     """
     flat = HullForm(200.0, 20.0, 10.0, 100.0, block=1.0, entrance=0.5 * math.pi)
     unit = 0.5 * flat.density * flat.gravity * 20.0
-    assert flat.mean_drift(3.0, math.pi)[0] == pytest.approx(-unit, rel=0.08)
+    assert flat.mean_drift(3.0, math.pi)[0] == pytest.approx(-unit, rel=0.02)
     # An end as long as half the breadth: (1 - C) L/(2 - pi/2) = 10 m.
     shape = 1.0 - 10.0 * (2.0 - 0.5 * math.pi) / 200.0
     round_ = replace(flat, entrance=None, waterplane=shape)
-    assert round_.mean_drift(3.0, math.pi)[0] == pytest.approx(-unit * 2.0 / 3.0, rel=0.08)
+    assert round_.mean_drift(3.0, math.pi)[0] == pytest.approx(-unit * 2.0 / 3.0, rel=0.02)
     wedge = replace(flat, entrance=math.radians(30.0))
-    assert wedge.mean_drift(3.0, math.pi)[0] == pytest.approx(-unit * 0.25, rel=0.08)
+    assert wedge.mean_drift(3.0, math.pi)[0] == pytest.approx(-unit * 0.25, rel=0.02)
 
 
 def test_all_round_by_symmetry_and_by_the_table() -> None:
