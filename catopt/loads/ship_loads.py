@@ -23,22 +23,13 @@ from catopt.loads.ufc import (
 )
 from catopt.model.kinds import Findings
 from catopt.ties import largest
+from catopt.waves.random_surface import depth_factor as depth_factor
 from catopt.words import Measure, Message, Several, term
 
 DriftWave = Literal["sea state", "largest wave"]
 """The mean over an irregular sea of height Hs, or that under regular waves of the height Hmax."""
 
 _SOURCE = LoadSource(DTOCEAN, "flat side, after Hermans and Remery 1970; depth, McIver 1987", "C")
-
-
-def depth_factor(wave_number: float, depth: float) -> float:
-    """1 + 2 k h/sinh(2 k h): what shallow water adds; 1 in deep water, 2 in shallow (C).
-
-    DTOcean has it for a fixed cylinder. It is the ratio of twice the group to the phase velocity,
-    which the momentum in any wave is multiplied with. k in rad/m, h in m.
-    """
-    double = 2.0 * wave_number * depth
-    return 1.0 + (double / math.sinh(double) if double < 700.0 else 0.0)
 
 
 def share_above(wave_number: float, draught: float, depth: float) -> float:
