@@ -55,7 +55,8 @@ def solution_answer(case: Case, solution: Solution, *, with_profile: bool = Fals
     if solution.point_loads:
         results.append(point_loads_table(solution))
     method, shape = method_name(solution.method), Message("captions.line_shape")
-    solved = Message("solution.solved", method=method, hangs=how_it_hangs(solution))
+    hangs = Message("solution.in_air") if case.site.is_in_air else how_it_hangs(solution)
+    solved = Message("solution.solved", method=method, hangs=hangs)
     whole = blocks.answered(
         "solution",
         case.title or Message("captions.mooring_line"),
@@ -87,12 +88,13 @@ def _card(
     parting = [each for each in solution.warnings if is_said(each, "catenary.beyond_MBL")]
     if parting:
         yield blocks.Verdict(Message("solution.parts", said=Several(parting)), passes=False)
-    on_card = _ON_CARD - bool(parting)
+    hung = tuple(lowest_facts(solution))
+    on_card = _ON_CARD - bool(parting) - 2 * bool(hung)
     facts = (
         *found_facts(solution),
         *_of_current(solution),
         *result_facts(solution)[:on_card],
-        fact("grounded_length", solution.grounded_length),
+        *(hung or (fact("grounded_length", solution.grounded_length),)),
         fact("mass", solution.line.mass),
     )
     known = (replace(each, also=()) for each in facts if each.value is not None)
@@ -120,13 +122,15 @@ def given_facts(case: Case) -> Iterator[blocks.Fact]:
     yield stated("title", case.title, only="files")
     yield stated("source", case.source, only="files")
     site = case.site
-    yield fact("water_depth", site.depth_to_seabed)
+    if not site.is_in_air:
+        yield fact("water_depth", site.depth_to_seabed)
     yield fact("fairlead_height", site.height_above_seabed(case.fairlead_height))
     yield fact("anchor_height", site.height_above_seabed(case.anchor_height))
     if site.contact_offset:
         yield fact("contact_offset", site.contact_offset)
-    yield fact("friction", case.site.seabed_friction)
-    yield fact("density", case.site.water_density, "water_density")
+    if not site.is_in_air:
+        yield fact("friction", case.site.seabed_friction)
+        yield fact("density", case.site.water_density, "water_density")
     if (current := case.current_at_rest) is not None:
         yield stated("current", current_in_words(current, site.water_depth))
     load = case.load
@@ -253,8 +257,19 @@ def result_facts(solution: Solution) -> tuple[blocks.Fact, ...]:
         fact("suspended_length", solution.suspended_length),
         fact("stretched_length", solution.stretched_length),
         fact("mass", solution.line.mass, "line_mass_in_air", symbol=""),
+        *lowest_facts(solution),
         *_of_current(solution),
     )
+
+
+def lowest_facts(solution: Solution) -> Iterator[blocks.Fact]:
+    """Say where a line is lowest and how far it sags, where that is below both of its ends."""
+    if solution.method == "shooting" or not solution.hangs_below_its_ends:
+        return
+    found = solution.lowest
+    yield fact("height", found.z, "lowest_point", symbol="")
+    yield fact("x", found.x, "lowest_point_from_anchor", symbol="")
+    yield fact("height", found.sag, "sag", symbol="")
 
 
 def _of_current(solution: Solution) -> Iterator[blocks.Fact]:

@@ -351,6 +351,7 @@ class CaseTable(TableSchema):
     elsewhere: ClassVar = {"verify": "refused.later", "environment": "refused.belongs_to_size"}
     symbols: ClassVar = {"catalog": "catalogue"}
 
+    site: model.Site | None = None
     load: Load | None = None
     anchor_motion: EndMotionTable | None = None
     pso: SwarmSettings | None = None

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from itertools import count
 from typing import Annotated, Any, Literal, NotRequired, TypedDict
 
-from catopt.catenary.layout import Profile, Stretch, sample
+from catopt.catenary.layout import Profile, Stretch, end_of, sample
 from catopt.catenary.state import Regime
 from catopt.errors import FloatsUpError
 from catopt.model import Line
@@ -22,6 +22,7 @@ from catopt.words import Measure, Message
 __all__ = [
     "EndState",
     "FoundQuantity",
+    "LowestPoint",
     "PointLoadState",
     "Residual",
     "SegmentState",
@@ -188,6 +189,20 @@ class FoundQuantity(Record):
         return "m" if self.quantity == "length" else "N"
 
 
+@dataclass(frozen=True)
+class LowestPoint(Record):
+    """Where a line is lowest, and how far it hangs below the straight line between its ends."""
+
+    DOCUMENT = "x z sag"
+
+    x: Place
+    """Horizontal distance from the anchor."""
+    z: Place
+    """Above the seabed."""
+    sag: Height
+    """Largest vertical distance below the chord from the anchor to the fairlead."""
+
+
 @dataclass(frozen=True, repr=False)
 class Solution(Displayable, Record):
     """Equilibrium of one mooring line.
@@ -200,7 +215,7 @@ class Solution(Displayable, Record):
     DOCUMENT = (
         "title method status regime horizontal_force span fairlead_height anchor_height "
         "seabed_friction fairlead anchor grounded_length suspended_length stretched_length "
-        "line.mass=line_mass_kg safety_factor segments point_loads residual warnings found? "
+        "line.mass=line_mass_kg safety_factor segments point_loads lowest residual warnings found? "
         "swarm=pso? profile*"
     )
 
@@ -279,6 +294,27 @@ class Solution(Displayable, Record):
         """Return the same answer with what was sought."""
         return replace(self, found=found)
 
+    def lowered(self, lift: float) -> Solution:
+        """Return the same answer with every height less, m."""
+        return replace(
+            self,
+            fairlead_height=self.fairlead_height - lift,
+            anchor_height=self.anchor_height - lift,
+            point_loads=tuple(replace(each, z=each.z - lift) for each in self.point_loads),
+            stretches=tuple(replace(each, z=each.z - lift) for each in self.stretches),
+        )
+
+    @property
+    def lowest(self) -> LowestPoint:
+        """The lowest point of the line, and how far it sags below the chord of its ends."""
+        return lowest_point(self)
+
+    @property
+    def hangs_below_its_ends(self) -> bool:
+        """Whether the lowest point is between the ends, and not on a bed."""
+        lower = min(self.anchor_height, self.fairlead_height)
+        return self.grounded_length == 0.0 and self.lowest.z < lower - 1e-9 * self.line.length
+
     def with_warnings(self, warnings: tuple[str, ...]) -> Solution:
         """Return the same answer with warnings added."""
         return replace(self, warnings=(*self.warnings, *warnings)) if warnings else self
@@ -295,6 +331,28 @@ IN_AIR = 0.05
 
 ROUNDING = 1e-9
 """How far above the surface, over the water depth, a buoy may be by rounding."""
+
+
+def lowest_point(solution: Solution) -> LowestPoint:
+    """Find the lowest point and the sag: where the line is level, and where it is as its chord.
+
+    A stretch rises as V/H, which grows by w along it; where V/H is that of the level or of the
+    chord is known, and else its ends are looked at.
+    """
+    height = solution.fairlead_height - solution.anchor_height
+    chord = height / solution.span if solution.span > 0.0 else 0.0
+    low, sag = (math.inf, 0.0), 0.0
+    for each in solution.stretches:
+        w, H, V = each.submerged_weight, each.horizontal_force, each.vertical_force
+        lengths = {0.0, each.length}
+        if w != 0.0 and not each.on_bed:
+            level, along = (min(max((H * t - V) / w, 0.0), each.length) for t in (0.0, chord))
+            lengths |= {level, along}
+        for length in lengths:
+            x, z = end_of(each, length)
+            low = min(low, (z, x))
+            sag = max(sag, solution.anchor_height + chord * x - z)
+    return LowestPoint(low[1], low[0], sag)
 
 
 def plausibility(solution: Solution) -> Iterator[Message]:
