@@ -329,7 +329,8 @@ def _sold(
 
 def build_case(table: CaseTable, catalogue: FromCatalogue, folder: str) -> Case:
     """Build a case."""
-    site = Site(**table.site.given()) if table.site else Site.in_air()
+    place = table.given().get("site")
+    site = Site.in_air() if place is None else Site(**place.given())
     build = _Builder(catalogue, FilePath(folder).absolute(), site, table)
     line = Line(
         [build.part(each, ("line", "segments", k)) for k, each in enumerate(table.line.segments)],

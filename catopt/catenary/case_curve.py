@@ -148,8 +148,8 @@ def curve_case(
     case = require_case(case)
     if case.site.is_in_air:
         lifted, lift = case.clear_of_the_ground
-        curve = curve_case(lifted, over=over, start=start, stop=stop, points=points)
-        return replace(curve, case=case, reference=curve.reference.lowered(lift))
+        found_above = curve_case(lifted, over=over, start=start, stop=stop, points=points)
+        return replace(found_above, case=case, reference=found_above.reference.lowered(lift))
     case.check_still_water()
     case, warnings = under_a_load(case)
     reference = solve_case(case).with_warnings(warnings)

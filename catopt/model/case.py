@@ -273,11 +273,9 @@ class Case(Checked):
     def clear_of_the_ground(self) -> tuple[Case, float]:
         """The case of a line in air so high above a bed that none of it is met, and how high, m."""
         lift = 2.0 * self.line.length
-        heights = {
-            "fairlead_height": self.fairlead_height + lift,
-            "anchor_height": self.anchor_height + lift,
-        }
-        return replace(self, site=Site(10.0 * sum(heights.values())), **heights), lift
+        upper, lower = self.fairlead_height + lift, self.anchor_height + lift
+        site = Site(10.0 * (upper + lower))
+        return replace(self, site=site, fairlead_height=upper, anchor_height=lower), lift
 
     def under(self, state: LoadCase) -> Case:
         """Return the case in one of its states, with water and fairlead at its levels.

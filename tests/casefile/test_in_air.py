@@ -96,9 +96,8 @@ def test_every_command_answers_or_says_what_it_wants(run: Run, tmp_path: Path) -
     for command in ("check", "curve", "verify"):
         assert run(command, place).status == 0, command
     assert run("solve", place, "--out", tmp_path / "out").status == 0
-    for command in (("report",), ("export", "--to", "moordyn"), ("system",)):
-        ran = run(*command, place)
-        assert ran.status == 2, command
+    for typed in (("report",), ("export", "--to", "moordyn"), ("system",)):
+        assert run(*typed, place).status == 2, typed
     assert "[site] with water_depth" in words(run("report", place).err)
 
 
