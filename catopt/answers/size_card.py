@@ -208,7 +208,7 @@ def _of_the_runs(of: InMotion) -> Iterator[Brief]:
     yield Brief((of.counted.words,), Message("sizing.card_in_motion"), 2)
     proof = proof_words(of)
     if proof is not None:
-        yield Brief((proof,), Message("sizing.card_proof"), 3)
+        yield Brief((proof,), Message("sizing.card_rerun"), 3)
     if of.seas:
         yield Brief((seas_words(of),), Message("sizing.card_seas"), 3)
     if of.less:

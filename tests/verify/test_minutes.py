@@ -39,7 +39,7 @@ def test_by_hand() -> None:
     assert found.amount == pytest.approx(2.0)
     assert found.size == pytest.approx(2.0 / 22.0)
     assert found.chance == pytest.approx(2.920 * 4.0 / math.sqrt(3.0), rel=1e-3)
-    assert found.by_chance == pytest.approx(found.chance / 22.0)
+    assert found.by_chance == pytest.approx(2.920 * 4.0 / math.sqrt(3.0) / 22.0, rel=1e-3)
     both = paired_change("fairlead_tension", "both", old, new)
     assert both is not None
     assert both.amount == pytest.approx(8.0 / 3.0)  # three quarters of the error are shown
@@ -72,10 +72,11 @@ def test_too_few_minutes_prove_nothing() -> None:
 
 def test_both_ways_together_are_from_the_first_to_the_last_run() -> None:
     first, again = snaps(1.2)
-    there = [
-        paired_change("anchor_tension", way, *pair)
-        for way, *pair in (("step", first, again), ("bars", again, first), ("both", first, first))
-    ]
+    there = (
+        paired_change("anchor_tension", "step", first, again),
+        paired_change("anchor_tension", "bars", again, first),
+        paired_change("anchor_tension", "both", first, first),
+    )
     (found,) = largest_changes(added(each for each in there if each is not None))
     assert (found.way, found.amount) == ("both", 0.0)  # errors that cancel leave none
 
