@@ -30,6 +30,7 @@ from catopt.catalogue.choice import chosen
 from catopt.catalogue.family import chain_words
 from catopt.checks.kinds import is_wanted
 from catopt.constants import YEAR
+from catopt.loads.ship import SHORTEST
 from catopt.model import CatalogueChoice
 from catopt.units import lasting
 from catopt.words import Measure, Message, Sentence, Several, is_said, term
@@ -304,10 +305,13 @@ def _to_be_known(of: Sizing) -> Iterator[str]:
     yield from (each for each in of.defaults if is_said(each, "sizing.beyond_scope"))
     if any(is_said(each, "sizing.estimated_dimensions") for each in of.warnings):
         yield Message("sizing.card_estimated")
+    if any(is_said(each, "sizing.small_craft") for each in of.warnings):
+        yield Message("sizing.card_small_craft", shortest=SHORTEST)
     yield from of.advice
     said = [Sentence(each, capital=True) for each in of.breaking_seas()]
+    shorter = ("sizing.estimated_dimensions", "sizing.small_craft")
     for each in of.warnings:
-        if not is_said(each, "sizing.estimated_dimensions") and each not in said:
+        if each not in said and not any(is_said(each, key) for key in shorter):
             yield each
     if of.recalled:
         yield Message("loads.recalled", names=Several(of.recalled, ", "))

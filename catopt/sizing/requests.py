@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
-from types import MappingProxyType
 from typing import Any, Final
 
+from catopt.catalogue.practice import own_cable
 from catopt.checks.profiles import profiles_of
+from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import InputError
 from catopt.loads import BuoyShape, SeaState, SurfaceCurrent, WaterLevels, Wind, buoys, read_buoys
 from catopt.loads.buoy import buoy as look_up
@@ -16,7 +17,10 @@ from catopt.loads.calmar_file import SUFFIX, read_calmar_buoy
 from catopt.loads.environment import HMAX_OVER_HS
 from catopt.loads.ship import (
     BALLAST_SOURCE,
+    BARGE,
     MOULDED,
+    SHORTEST,
+    TAKEN_FOR,
     Condition,
     Ship,
     ballast_draught,
@@ -83,6 +87,7 @@ def _of_a_buoy(of: ResolvedInputs) -> BuoyRequest | None:
         marine_growth=of["growth"] or 0.0,
         wave_height=of["wave_height"] or "hs",
         chain_waves=bool(of["chain_waves"]),
+        load_method=of["load_method"],
         scope=of["scope"],
         in_motion=_runs(of) if of["in_motion"] else None,
         title=of["title"] or "",
@@ -98,15 +103,13 @@ def _of_a_tanker(of: ResolvedInputs) -> TankerRequest | None:
     ships = _ships(of)
     place = _environment(of, wind=wind_of_30_s(of))
     shape = None if of["buoy"] is None else shape_of(of)
-    largest = float(of["diameter_max"])
-    if "diameter_max" not in of.given:  # a smallest size that is given moves the usual bound
-        largest = max(of["diameter_min"] or 0.0, largest)
+    largest, bound = _largest_chain(of, ships, shape)
     line = _line(of, of["diameter_min"], largest)
     ground = _ground(of)
     vane = weathervaning_of(of, is_turned=turns_by_itself(ships))
     words = _taken(of, place, ground)
     if of.given.isdisjoint({"diameter_min", "diameter_max"}):
-        words = (*words, Message("sizing.sizes_up_to", most=of["diameter_max"] * 1e3))
+        words = (bound, *words) if bound.key == "sizing.sizes_by_her_cable" else (*words, bound)
     maker = partial(
         TankerRequest,
         buoy=shape,
@@ -288,20 +291,6 @@ def of_the_ballast(of: ResolvedInputs) -> tuple[Message, ...]:
     return (Message("sizing.ballast_estimated", draught=draught, source=source),)
 
 
-BARGE: Final = "barge"
-
-TAKEN_FOR: Final[Mapping[str, tuple[str, str | None]]] = MappingProxyType(
-    {
-        "tanker": ("tanker {}", "tanker"),
-        "bulk carrier": ("tanker {}", "cargo"),
-        "general cargo": ("cargo loaded", "cargo"),
-        BARGE: ("cargo loaded", None),
-    }
-)
-"""For which kind of ship each is taken by wind, after Blendermann, and by propeller, after UFC. The
-first lacks bulk carriers; a tanker's bow has the largest coefficient. The wind on a barge is by
-`SQUARE_ENDED`."""
-
 _SHORT: Final = 4.5
 """Length over breadth of a hull that may be a barge's; merchant ships have 5 to 7."""
 
@@ -337,8 +326,8 @@ def of_the_hull(of: ResolvedInputs) -> tuple[Message, ...]:
         return box_estimates()
     is_short = None not in (of["length"], of["breadth"]) and of["length"] < _SHORT * of["breadth"]
     if of["coefficients"] is None and (is_short or of["ship"] == "general cargo"):
-        return (*estimates(), Message("sizing.not_square_ended"))
-    return estimates()
+        return (*estimates(of["length"] or SHORTEST), Message("sizing.not_square_ended"))
+    return estimates(of["length"] or SHORTEST)
 
 
 def ship_at(
@@ -427,6 +416,39 @@ def _line(of: ResolvedInputs, least: float | None, most: float | None) -> LineCh
     choice |= _preference(of, usual_line if is_known else None)
     line = make(lambda: LineChoice(of["chain"], of["code"], **choice))
     return line if is_known else None
+
+
+_CARRIED: Final = 2.0
+"""Times her own cable: the thickest chain that is looked at for a ship's bow; catopt's own."""
+
+
+def _largest_chain(
+    of: ResolvedInputs, ships: tuple[MooredShip, ...] | None, shape: BuoyShape | None
+) -> tuple[float, Message]:
+    """Bound a ship's chain, m, and say by what.
+
+    A bound that is given counts. At her bow the chain is no thicker than her own gear takes, but of
+    the smallest size that is sold at least; a smallest size that is given moves the usual bound.
+    """
+    usual_most, least = float(of["diameter_max"]), float(of["diameter_min"] or 0.0)
+    said = Message("sizing.sizes_up_to", most=usual_most * 1e3)
+    if "diameter_max" in of.given:
+        return usual_most, said
+    cable = None
+    if ships and shape is None:
+        ship = ships[0].ship  # loaded, where she counts so
+        mass = ship.displacement * SEA_WATER_DENSITY
+        cable = own_cable(mass, ship.frontal_area, ship.lateral_area)
+    if cable is None or _CARRIED * cable >= usual_most:
+        return max(least, usual_most), said
+    choice = LineChoice(of["chain"], usual("code", of.moored), allow_recalled=bool(of["recalled"]))
+    try:
+        sizes = [each.nominal_diameter or 0.0 for each in sold(choice, of["water_density"])]
+    except InputError:  # which is told of the chain
+        sizes = []
+    bound = max(_CARRIED * cable, min(sizes, default=0.0))
+    values = {"most": bound * 1e3, "cable": cable * 1e3, "times": _CARRIED}
+    return max(least, bound), Message("sizing.sizes_by_her_cable", **values)
 
 
 def _scope(of: ResolvedInputs) -> tuple[float, float]:

@@ -21,7 +21,7 @@ from catopt.records import Counted, Record
 from catopt.shown import Displayable
 from catopt.sizing.alternatives import Alternative, Candidate, Limit
 from catopt.sizing.in_motion import InMotion
-from catopt.sizing.known import ReadInput, estimated_dimensions
+from catopt.sizing.known import ReadInput, estimated_dimensions, small_craft
 from catopt.sizing.pattern import Pattern, system_case
 from catopt.sizing.settle import ConvergedSizing, point_diameter
 from catopt.sizing.verdict import judgement_of
@@ -376,6 +376,7 @@ class Sizing(Displayable, Record):
         notes = [
             *(Sentence(each, capital=True) for each in first),
             *estimated_dimensions(self.inputs),
+            *small_craft(self.inputs),
             *(warning for part in parts for warning in part.warnings),
             *map(Sentence, self.settled.warnings),
             *(Sentence(note, capital=True) for note in (self.sinker.notes if self.sinker else ())),
