@@ -88,7 +88,7 @@ def searched(
         searching,
         "InMotion",
         lambda *found, seas, heel, proof, changes: SimpleNamespace(
-            counted=found[5], by_length=found[7], seas=seas, heel=heel, proof=proof
+            counted=found[5], by_length=found[7], seas=seas, heel=heel, proof=proof, changes=changes
         ),
     )
     patched.setattr(searching, "_sinker_size", lambda *_: None)
