@@ -9,7 +9,6 @@ from __future__ import annotations
 from importlib import import_module
 
 from catopt import shown
-from catopt._version import __version__ as __version__
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -18,6 +17,7 @@ if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
 
+    from catopt._version import __version__ as __version__
     from catopt.casefile import read_case as read_case
     from catopt.catalogue import component as component
     from catopt.catenary.batch import solve_many as solve_many
@@ -46,6 +46,12 @@ if TYPE_CHECKING:
     from catopt.model import Site as Site
     from catopt.model import StrainTable as StrainTable
     from catopt.model import System as System
+    from catopt.model.network import LineBetween as LineBetween
+    from catopt.model.network import MooredBody as MooredBody
+    from catopt.model.network import Network as Network
+    from catopt.model.network import Point as Point
+    from catopt.mooring.network_rest import LinesAtRest as LinesAtRest
+    from catopt.mooring.solution import SystemSolution as SystemSolution
     from catopt.mooring.solution import solve_system as solve_system
     from catopt.sizing.file import read_sizing as read_sizing
     from catopt.sizing.keywords import size_buoy as size_buoy
@@ -55,6 +61,7 @@ if TYPE_CHECKING:
     from catopt.verify.dynamic import verify_dynamic as verify_dynamic
 
 _HOMES = {
+    "catopt._version": "__version__",
     "catopt.catalogue": "component",
     "catopt.casefile": "read_case",
     "catopt.catenary.batch": "solve_many",
@@ -70,7 +77,9 @@ _HOMES = {
     "catopt.design.search": "design_case",
     "catopt.errors": "CatoptError InputError NoEquilibriumError NotConvergedError",
     "catopt.model": "Case Line Load PointLoad Segment Site StrainTable System",
-    "catopt.mooring.solution": "solve_system",
+    "catopt.model.network": "LineBetween MooredBody Network Point",
+    "catopt.mooring.network_rest": "LinesAtRest",
+    "catopt.mooring.solution": "SystemSolution solve_system",
     "catopt.sizing.file": "read_sizing",
     "catopt.sizing.keywords": "size_buoy size_tanker",
     "catopt.study.run": "run_study",
@@ -78,7 +87,7 @@ _HOMES = {
     "catopt.verify.dynamic": "verify_dynamic",
 }
 _HOME_OF = {name: home for home, names in _HOMES.items() for name in names.split()}
-__all__ = sorted([*_HOME_OF, "__version__"])
+__all__ = sorted(_HOME_OF)
 
 
 if not TYPE_CHECKING:  # so that a type checker still finds a misspelt name

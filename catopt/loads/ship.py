@@ -82,6 +82,11 @@ class Ship:
             if exceeds(value, most):
                 found.add(key, f"{value:g} {unit}", Message(words, limit=most))
 
+    @property
+    def block(self) -> float:
+        """Block coefficient: of the displacement."""
+        return self.displacement / (self.length_waterline * self.breadth * self.draught)
+
     def check_afloat(self, depth: float) -> None:
         """Raise InputError unless there is water, of a depth in m, under the keel."""
         found = self._findings()
@@ -97,6 +102,20 @@ class Ship:
 
 ShipKind = Literal["tanker", "bulk carrier", "general cargo", "barge"]
 """A barge or a pontoon has square ends."""
+
+BARGE: Final = "barge"
+
+TAKEN_FOR: Final = MappingProxyType(
+    {
+        "tanker": ("tanker {}", "tanker"),
+        "bulk carrier": ("tanker {}", "cargo"),
+        "general cargo": ("cargo loaded", "cargo"),
+        BARGE: ("cargo loaded", None),
+    }
+)
+"""For which kind of ship each is taken by wind, after Blendermann, and by propeller, after UFC. The
+first lacks bulk carriers; a tanker's bow has the largest coefficient. The wind on a barge is by
+`catopt.loads.ship_coefficients.SQUARE_ENDED`."""
 
 DIMENSIONS_SOURCE: Final = "PIANC 2002 / ROM 3.1 [R]"
 """Recalled, read in neither; checked by their block coefficients (0.71 to 0.84)."""
@@ -269,16 +288,38 @@ BALLAST_SOURCE: Final = LoadSource(MARPOL, "2.1, of tankers", "B")
 
 HOUSE_HEIGHT: Final = 15.0
 HOUSE_LENGTH: Final = 25.0
-"""Of the deckhouse, m; it is as wide as the ship."""
+"""Of the deckhouse of a ship of `SHORTEST` and more, m; it is as wide as the ship."""
+
+SHORTEST: Final = 90.0
+"""m, over all: the shortest ship of the table of dimensions. The estimates come from such ships and
+longer ones; below, a deckhouse goes with the length, and the screen says so."""
 
 
-def estimates() -> tuple[Message, Message]:
-    """Say what is taken of hull and deckhouse where nothing is given; catopt's own figures."""
+def deckhouse(length: float) -> tuple[float, float]:
+    """Estimate height and length of the deckhouse of a ship of a length over all, m.
+
+    Examples
+    --------
+    >>> from catopt.loads.ship import deckhouse
+    >>> deckhouse(234.0), deckhouse(18.0)
+    ((15.0, 25.0), (3.0, 5.0))
+    """
+    scale = min(1.0, length / SHORTEST)
+    return scale * HOUSE_HEIGHT, scale * HOUSE_LENGTH
+
+
+def estimates(length: float) -> tuple[Message, Message]:
+    """Say what is taken of hull and deckhouse where nothing is given; catopt's own figures.
+
+    `length` over all, m.
+    """
+    height, long = deckhouse(length)
+    key = "loads.estimated_house" if length >= SHORTEST else "loads.scaled_house"
     return (
         Message(
             "loads.estimated_hull", part=WATERLINE, loaded="0.80", ballast="0.72", midship=MIDSHIP
         ),
-        Message("loads.estimated_house", height=HOUSE_HEIGHT, length=HOUSE_LENGTH),
+        Message(key, height=height, length=long, shortest=SHORTEST),
     )
 
 
@@ -315,12 +356,14 @@ def estimated_tanker(
     propeller: str | None = "tanker",
     lateral_centre: float = 0.0,
     is_square_ended: bool = False,
+    length_waterline: float | None = None,
 ) -> Ship:
     """Make a tanker out of its main dimensions, in m: length over all, depth from deck to keel.
 
-    The block coefficient is that of the condition. The areas above water, m2, are estimated when
-    left out; `lateral_centre` is of an area that is given, m forward of midships: that of the
-    estimated one follows from a deckhouse at the stern. A square-ended hull is a box without one.
+    The block coefficient is that of the condition. The areas above water, m2, and the length of the
+    waterline are estimated when left out; `lateral_centre` is of an area that is given, m forward
+    of midships: that of the estimated one follows from a deckhouse at the stern. A square-ended
+    hull is a box without one.
 
     Raises
     ------
@@ -338,14 +381,17 @@ def estimated_tanker(
         found.add("moulded_depth", f"{moulded_depth:g} m", low)
     found.raise_if_any()
     freeboard = moulded_depth - draught
-    waterline, block, midship, height = WATERLINE * length, BLOCK[condition], MIDSHIP, HOUSE_HEIGHT
+    waterline, block, midship = WATERLINE * length, BLOCK[condition], MIDSHIP
+    height, long = deckhouse(length)
     if is_square_ended:
         waterline, block, midship, height = length, 1.0, 1.0, 0.0
+    if length_waterline is not None:
+        waterline = length_waterline
     section = breadth * draught
     frontal = breadth * (freeboard + height)
-    house = height * HOUSE_LENGTH
+    house = height * long
     lateral = length * freeboard + house
-    house_lever = -house * 0.5 * (length - HOUSE_LENGTH) / lateral
+    house_lever = -house * 0.5 * (length - long) / lateral
     return Ship(
         name,
         length_overall=length,

@@ -203,9 +203,13 @@ INPUTS: Final = (
         left_out="left_out.period",
     ),
     Input(
-        "load_method", "environment.load_method", "WHICH", ("UFC-Blendermann", "22TCN-222-95"),
-        "UFC-Blendermann", of=_TANKER, words=("UFC-Blendermann", "UFC-4-159-03", "22TCN-222-95"),
-        several=True, called=("load_methods",), also=("load_methods",),
+        "load_method", "environment.load_method", "WHICH", "catopt-buoy", "IALA-CALMAR",
+        words=("IALA-CALMAR", "catopt-buoy"),
+        tanker=(
+            ("example", ("UFC-Blendermann", "22TCN-222-95")), ("default", "UFC-Blendermann"),
+            ("words", ("UFC-Blendermann", "UFC-4-159-03", "22TCN-222-95")), ("several", True),
+            ("called", ("load_methods",)), ("also", ("load_methods",)),
+        ),
     ),
     Input(
         "wave_coefficient", "environment.wave_coefficient", "NUMBER", 0.1, of=_TANKER,
@@ -300,6 +304,14 @@ INPUTS: Final = (
     Input(
         "friction", "sinker.friction", "NUMBER", 0.4, above=0.0, most="1.5", also=("mu",),
         not_with=("soil",), left_out="left_out.friction",
+    ),
+    Input(
+        "base_area", "sinker.base_area", "AREA", "2.2 m^2", above=0.0, also=("base",),
+        left_out="left_out.base_area",
+    ),
+    Input(
+        "embedment", "sinker.embedment", "LENGTH", "0.3 m", at_least=0.0, most="10 m",
+        only_with="soil",
     ),
     Input(
         "code", "checks.code", "NAME", "break/5", "IALA-CALMAR",

@@ -44,6 +44,8 @@ class _Inputs(TypedDict, total=False):
     sinker_density: float | str
     soil: str
     friction: float | str
+    base_area: float | str
+    embedment: float | str
     code: str
     recalled: bool
     life: float | str
@@ -65,6 +67,7 @@ class BuoyInputs(_Inputs, total=False):
     keel_depth: float | str
     wave_height: str
     chain_waves: bool
+    load_method: str
     other_lengths: int
     max_slide: float | str
     centre_of_gravity: float | str

@@ -12,8 +12,8 @@ from typing import Any, Literal, Protocol, TypeVar
 from catopt.casefile.reading import Moored
 from catopt.catalogue.family import nearest
 from catopt.errors import InputError, Problem
-from catopt.loads.buoy import buoys
-from catopt.loads.ship import DIMENSIONS_SOURCE, ship_dimensions
+from catopt.loads.buoy import BreakingSeaError, buoys
+from catopt.loads.ship import DIMENSIONS_SOURCE, SHORTEST, ship_dimensions
 from catopt.records import Record
 from catopt.sizing.inputs import SINKER, Input, inputs_of
 from catopt.sizing.kinds import default_of, kind_of, usual
@@ -115,8 +115,14 @@ class ErrorCollector:
         return as_written(value) if isinstance(value, str) and is_bare else found
 
     def made(self, maker: Callable[..., Made], *parts: Any) -> Made:
-        """Make a value as `make` does; raise with all that was kept where anything is wrong."""
-        found = self.make(maker, *parts)
+        """Make a value as `make` does; raise with all that was kept where anything is wrong.
+
+        What a method refuses names the way out as it is spelt.
+        """
+        try:
+            found = self.make(maker, *parts)
+        except BreakingSeaError as error:
+            raise error.spelt(self.spell("load_method")) from None
         self.raise_if_any()
         assert found is not None
         return found
@@ -368,3 +374,13 @@ def estimated_dimensions(inputs: Iterable[ReadInput]) -> tuple[Message, ...]:
         return ()
     names = Several((each.name for each in found), ", ")
     return (Message("sizing.estimated_dimensions", names=names, source=found[0].source),)
+
+
+def small_craft(inputs: Iterable[ReadInput]) -> tuple[Message, ...]:
+    """Say that the ship is shorter than those from which her areas above water are estimated."""
+    of = {each.keyword: each.value for each in inputs}
+    length = of.get("length")
+    is_known = {"frontal_area", "lateral_area"} <= set(of) or of.get("ship") == "barge"
+    if is_known or not isinstance(length, float) or length >= SHORTEST:
+        return ()
+    return (Message("sizing.small_craft", length=length, shortest=SHORTEST),)
