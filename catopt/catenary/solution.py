@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from itertools import count
 from typing import Annotated, Any, Literal, NotRequired, TypedDict
 
-from catopt.catenary.layout import Profile, Stretch, end_of, sample
+from catopt.catenary.layout import LowestPoint, Profile, Stretch, lowest_point, sag_of, sample
 from catopt.catenary.state import Regime
 from catopt.errors import FloatsUpError
 from catopt.model import Line
@@ -22,7 +22,6 @@ from catopt.words import Measure, Message
 __all__ = [
     "EndState",
     "FoundQuantity",
-    "LowestPoint",
     "PointLoadState",
     "Residual",
     "SegmentState",
@@ -86,7 +85,7 @@ def segment_states(line: Line, largest: Iterable[float]) -> tuple[SegmentState, 
 class PointLoadState(Record):
     """One clump weight or buoy under load: where it is and what the bed carries of it."""
 
-    DOCUMENT = "name position x z seabed_reaction"
+    DOCUMENT = "name position x y? z seabed_reaction"
 
     name: str
     """As in the case file; may be empty."""
@@ -98,6 +97,8 @@ class PointLoadState(Record):
     """Above the seabed."""
     seabed_reaction: Force
     """What the seabed carries of its weight; 0 when it hangs."""
+    y: Place | None = None
+    """Across x, to the left seen from the anchor; only in a current."""
 
 
 @dataclass(frozen=True)
@@ -189,20 +190,6 @@ class FoundQuantity(Record):
         return "m" if self.quantity == "length" else "N"
 
 
-@dataclass(frozen=True)
-class LowestPoint(Record):
-    """Where a line is lowest, and how far it hangs below the straight line between its ends."""
-
-    DOCUMENT = "x z sag"
-
-    x: Place
-    """Horizontal distance from the anchor."""
-    z: Place
-    """Above the seabed."""
-    sag: Height
-    """Largest vertical distance below the chord from the anchor to the fairlead."""
-
-
 @dataclass(frozen=True, repr=False)
 class Solution(Displayable, Record):
     """Equilibrium of one mooring line.
@@ -214,9 +201,9 @@ class Solution(Displayable, Record):
     SCHEMA = "catopt.solution/1"
     DOCUMENT = (
         "title method status regime horizontal_force span fairlead_height anchor_height "
-        "seabed_friction fairlead anchor grounded_length suspended_length stretched_length "
-        "line.mass=line_mass_kg safety_factor segments point_loads lowest residual warnings found? "
-        "swarm=pso? profile*"
+        "seabed_friction fairlead anchor lowest_point sag grounded_length suspended_length "
+        "stretched_length line.mass=line_mass_kg safety_factor segments point_loads residual "
+        "warnings found? swarm=pso? profile*"
     )
 
     line: Line
@@ -268,8 +255,30 @@ class Solution(Displayable, Record):
 
     @property
     def horizontal_force(self) -> SomeForce:
-        """Horizontal force at the fairlead; the same along everything that hangs from it."""
+        """Horizontal force at the fairlead; the same along all that hangs from it in still water.
+
+        Seabed friction and a current change it along the line; anchor has that at the anchor.
+        """
         return self.fairlead.horizontal_force
+
+    @property
+    def force_varies(self) -> bool:
+        """Whether the horizontal force at the anchor is another than that at the fairlead."""
+        here, there = self.horizontal_force, self.anchor.horizontal_force
+        return abs(here - there) > VARIES * max(self.fairlead.tension, self.anchor.tension)
+
+    @property
+    def lowest_point(self) -> LowestPoint:
+        """Where the line is lowest; of what lies on the bed the end towards the fairlead."""
+        return lowest_point(self.stretches)
+
+    @property
+    def sag(self) -> Height:
+        """Largest vertical distance of the line below the straight one between its ends.
+
+        Where they are one above the other, below the lower of them.
+        """
+        return sag_of(self.stretches, self.span, self.fairlead_height)
 
     @property
     def least_tension(self) -> SomeForce:
@@ -304,21 +313,13 @@ class Solution(Displayable, Record):
             stretches=tuple(replace(each, z=each.z - lift) for each in self.stretches),
         )
 
-    @property
-    def lowest(self) -> LowestPoint:
-        """The lowest point of the line, and how far it sags below the chord of its ends."""
-        return lowest_point(self)
-
-    @property
-    def hangs_below_its_ends(self) -> bool:
-        """Whether the lowest point is between the ends, and not on a bed."""
-        lower = min(self.anchor_height, self.fairlead_height)
-        return self.grounded_length == 0.0 and self.lowest.z < lower - 1e-9 * self.line.length
-
     def with_warnings(self, warnings: tuple[str, ...]) -> Solution:
         """Return the same answer with warnings added."""
         return replace(self, warnings=(*self.warnings, *warnings)) if warnings else self
 
+
+VARIES = 1e-9
+"""Of the tension: by less two horizontal forces are one, and differ by rounding."""
 
 OPEN_FORCE = 1e-6
 """Beyond this part of the tension the rounding of the input shows in the digits printed."""
@@ -331,28 +332,6 @@ IN_AIR = 0.05
 
 ROUNDING = 1e-9
 """How far above the surface, over the water depth, a buoy may be by rounding."""
-
-
-def lowest_point(solution: Solution) -> LowestPoint:
-    """Find the lowest point and the sag: where the line is level, and where it is as its chord.
-
-    A stretch rises as V/H, which grows by w along it; where V/H is that of the level or of the
-    chord is known, and else its ends are looked at.
-    """
-    height = solution.fairlead_height - solution.anchor_height
-    chord = height / solution.span if solution.span > 0.0 else 0.0
-    low, sag = (math.inf, 0.0), 0.0
-    for each in solution.stretches:
-        w, H, V = each.submerged_weight, each.horizontal_force, each.vertical_force
-        lengths = {0.0, each.length}
-        if w != 0.0 and not each.on_bed:
-            level, along = (min(max((H * t - V) / w, 0.0), each.length) for t in (0.0, chord))
-            lengths |= {level, along}
-        for length in lengths:
-            x, z = end_of(each, length)
-            low = min(low, (z, x))
-            sag = max(sag, solution.anchor_height + chord * x - z)
-    return LowestPoint(low[1], low[0], sag)
 
 
 def plausibility(solution: Solution) -> Iterator[Message]:
