@@ -259,7 +259,7 @@ def _about_the_leeward_lines(source: Published) -> str:
     )
     ours, own, found = (_leeward(source, each) for each in runs)
     off = [
-        sum(100.0 * (item.computed / item.published - 1.0) for item in each) / len(each)
+        sum(100.0 * ((item.computed or 0.0) / item.published - 1.0) for item in each) / len(each)
         for each in (ours, own)
     ]
     return Message(
