@@ -12,6 +12,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from types import MappingProxyType
 from typing import Final, NamedTuple
 
 from catopt.dimensions import UNITS, Dimension
@@ -25,6 +26,15 @@ MOST_CELLS: Final = 3_000_000
 SHOWN: Final = 10
 """Faulty cells that are told of one table."""
 _BRACKETS: Final = {")": "(", "]": "["}
+
+
+FLAGS: Final[Mapping[str, bool]] = MappingProxyType(
+    {
+        **dict.fromkeys(("true", "yes", "có"), True),
+        **dict.fromkeys(("false", "no", "không"), False),
+    }
+)
+"""Words of a cell that say yes or no, in small letters."""
 
 
 class Row(NamedTuple):
@@ -139,7 +149,7 @@ def heading(cell: str) -> tuple[str, str]:
     """
     text = cell.strip()
     opening = _BRACKETS.get(text[-1:], "")
-    name, found, unit = text.partition(opening) if opening else (text, "", "")
+    name, found, unit = text.rpartition(opening) if opening else (text, "", "")
     return (name.strip(), unit[:-1].strip()) if found else (text, "")
 
 
