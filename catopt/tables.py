@@ -232,6 +232,9 @@ def _of_headings(
 ) -> Iterator[Problem]:
     """Yield headings that are unknown, missing or there twice."""
     one_of = Message("refused.one_of", words=", ".join(known))
+    if not any(name in known for name in names):  # another file, whose words are not told
+        yield Problem("headings", "", one_of)
+        return
     for cell, name in zip(cells, names, strict=True):
         if name not in known:
             yield Problem("headings", shown(cell) or Message("refused_file.an_empty_one"), one_of)
@@ -245,11 +248,11 @@ def _of_headings(
         yield Problem("headings", "", missing)
 
 
-def few(problems: Sequence[Problem], of: str = "file") -> list[Problem]:
+def few(problems: Sequence[Problem], of: str = "file", most: int = SHOWN) -> list[Problem]:
     """Keep the first problems of a file or a table, and say how many more there are."""
-    more = len(problems) - SHOWN
+    more = len(problems) - most
     rest = [Problem(of, "", Message("refused_motion.more_kind", more=more))] if more > 0 else []
-    return [*problems[:SHOWN], *rest]
+    return [*problems[:most], *rest]
 
 
 def shown(cell: str) -> str:
