@@ -19,6 +19,8 @@ from functools import cached_property
 from types import FunctionType
 from typing import Annotated, Any, ClassVar, NamedTuple, get_args, get_type_hints
 
+from catopt._version import identity
+
 
 class From(NamedTuple):
     """Least value of a whole number, or fewest values of an array; stands in ``Annotated``."""
@@ -78,7 +80,7 @@ def laid_out(of: object, document: str = "") -> dict[str, Any]:
     found: dict[str, Any] = {}
     if isinstance(of, Record) and not document:
         document = of.DOCUMENT
-        found |= {"schema": of.SCHEMA} if of.SCHEMA else {}
+        found |= {"schema": of.SCHEMA, "catopt": identity()} if of.SCHEMA else {}
     for part in parts(type(of), document):
         value: Any = of
         for name in part.path:

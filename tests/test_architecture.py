@@ -59,7 +59,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "threads": set(),
     "ties": set(),
     "shown": set(),
-    "records": set(),
+    "records": {"_version"},
     "old_names": set(),
     "schemas": {"errors", "documents", "words"},
     "model": BASE,
@@ -105,7 +105,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     | READING
     | DESIGNING
     | {"mooring", "loads", "sizing", "answers", "figures", "notes", "render", "_version"},
-    "web": {"errors", "documents", "words", "page_api", "render"},
+    "web": {"errors", "documents", "words", "page_api", "render", "_version"},
     "compile_jobs": SOLVING
     | READING
     | DESIGNING

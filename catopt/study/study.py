@@ -14,7 +14,7 @@ from typing import Annotated, Any, Literal
 
 import numpy as np
 
-from catopt._version import __version__
+from catopt._version import identity
 from catopt.arrays import Array, Codes
 from catopt.constants import YEAR
 from catopt.model.kinds import Measured
@@ -286,7 +286,7 @@ class Study:
     def digest(self) -> Digest:
         """SHA-256 of all that decides the numbers: case, files, values, version."""
         base = self.base
-        own = [__version__, base.compute, base.moored, base.convergence_check, base.document]
+        own = [identity(), base.compute, base.moored, base.convergence_check, base.document]
         digest = sha256(json.dumps(own, sort_keys=True, default=str).encode())
         for path in _files(base.document, base.folder):
             digest.update(path.read_bytes())
