@@ -285,7 +285,8 @@ def heel_words(moved: InMotion | None) -> Iterator[Message]:
     if moved is not None and moved.heel is not None:
         is_given = moved.how.centre_of_gravity is not None
         key = "sizing.heels_by_own" if is_given else "sizing.heels"
-        yield Message(key, heel=math.degrees(moved.heel))
+        mean = math.degrees(moved.mean_heel or 0.0)
+        yield Message(key, heel=math.degrees(moved.heel), mean=mean)
         if moved.worst_change is None:
             yield Message("sizing.runs_made_once")
 

@@ -65,6 +65,7 @@ class RunsAfloat:
     heights: tuple[Length, ...] = ()
     """Significant, of these seas; empty: all have that of the place."""
     centre_of_gravity: float | None = None  # of a buoy, above the bottom of its hull, m
+    max_heel: Angle | None = None  # mean heel of a buoy that is allowed, rad; None: not judged
 
     def __post_init__(self) -> None:
         found = Findings("RunsAfloat")
@@ -257,7 +258,7 @@ class InMotion(Record):
 
     DOCUMENT = (
         "how.seeds how.duration how.judged_by elements case.dynamics.duration_of_interest "
-        f"{within('storm', STORM)} factor allowance heel? slides~ proof~ changes~ "
+        f"{within('storm', STORM)} factor allowance heel? mean_heel~ slides~ proof~ changes~ "
         "checks.results=checks "
         "checks.nearest=governing how.periods~ how.heights~ seas~ directions~ "
         "counted=lines(considered at_rest excluded run runs) tried by_length checks.warnings"
@@ -285,6 +286,8 @@ class InMotion(Record):
     """What decides each kind of check, where periods are given."""
     heel: Angle | None = None
     """Largest heel of the buoy in its runs; None of a ship."""
+    mean_heel: Angle | None = None
+    """The largest mean of a load case; None of a ship."""
     slides: tuple[SinkerSlide, ...] = ()
     """Of the sinker and of the sizes beside it that were looked at, the lighter first; empty where
     it may not slide."""

@@ -52,6 +52,7 @@ from catopt.verify.dynamic_setup import read_drive
 from catopt.verify.judged import (
     judged_as,
     line_in_motion,
+    mean_heel,
     way_of,
     with_more_runs,
     with_verdicts,
@@ -127,6 +128,7 @@ def search_in_motion(
             len(chosen.case.load_cases),
             seas=chosen.seas,
             heel=largest_heel(chosen.parts),
+            mean_heel=mean_heel([run for part in chosen.parts for run in part.runs]),
             slides=_slides(chosen),
             proof=chosen.verdict,
             changes=tuple(largest_changes(e for p in chosen.parts for e in p.added_changes)),

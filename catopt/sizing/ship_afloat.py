@@ -79,7 +79,10 @@ def buoy_afloat(case: Case, request: BuoyRequest) -> Case | None:
         waves=WaveState("jonswap", sea.hs, sea.period, components=COMPONENTS),
         current=CurrentProfile("power", speed=env.current.speed) if flows else None,
         floater=Floater(
-            shape.name, wind_speed=env.wind.speed, centre_of_gravity=how.centre_of_gravity
+            shape.name,
+            wind_speed=env.wind.speed,
+            centre_of_gravity=how.centre_of_gravity,
+            max_heel=how.max_heel,
         ),
         dynamics=Dynamics(how.duration, elements=how.elements),
     )
