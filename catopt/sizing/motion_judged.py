@@ -12,7 +12,6 @@ from catopt.checks.case import check_case
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.evaluation import sinker_of
 from catopt.errors import NoAnswerError, NotConvergedError
-from catopt.floater.alone import PITCH, ROLL
 from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.environment import Headings
 from catopt.loads.sinker import SinkerSize
@@ -33,6 +32,8 @@ from catopt.verify.judged import check_parts, judged_as, solutions_at_rest, way_
 from catopt.verify.ship_result import LineOfShip, ShipWithoutLine
 from catopt.words import Message
 
+_ROLL, _PITCH = 3, 4
+"""Rows of the extremes of a hull."""
 _TURNED_OVER: Final = 0.5 * math.pi
 """Heel of a buoy from which it has turned over, rad."""
 
@@ -111,7 +112,7 @@ def judged(
 def largest_heel(parts: Sequence[DynamicPart]) -> float:
     """Return how far a buoy heels or pitches at most, rad; 0 where there is none."""
     hulls = (run.hull for part in parts for run in part.runs if run.hull is not None)
-    angles = (abs(each.extreme[row]).max() for each in hulls for row in (ROLL, PITCH))
+    angles = (abs(each.extreme[row]).max() for each in hulls for row in (_ROLL, _PITCH))
     return float(max((each for each in angles if math.isfinite(each)), default=0.0))
 
 
