@@ -71,6 +71,7 @@ def shell(language: Language = "en") -> str:
 
     rendered = template("catopt.page_api", "shell.html").render(
         language=language,
+        languages=[(each, say(Message("desk.own_name"), each)) for each in LANGUAGES],
         doors=DOORS,
         fields={door: fields_of(door) for door in DOORS},
         start=START,
