@@ -159,16 +159,10 @@ def ship(
 ) -> None:
     """Compute the loads on a ship, from wind, current and waves."""
     from catopt.loads import METHODS, WaterLevels, every_lying, every_method
-    from catopt.loads.ship import MIDSHIP, WATERLINE, box_estimates, estimates
+    from catopt.loads.ship import BARGE, MIDSHIP, TAKEN_FOR, WATERLINE, box_estimates, estimates
     from catopt.sizing.environment import DIRECTIONS, directions_of, read_turning, turned_round
     from catopt.sizing.known import estimated_dimensions, small_craft
-    from catopt.sizing.requests import (
-        BARGE,
-        TAKEN_FOR,
-        of_the_wind,
-        turns_by_itself,
-        wind_of_30_s,
-    )
+    from catopt.sizing.requests import of_the_wind, turns_by_itself, wind_of_30_s
 
     lengths = {
         "--waterline": waterline,
@@ -329,8 +323,8 @@ class _Form(NamedTuple):
 def _ships_afloat(of: ResolvedInputs, form: _Form) -> Iterator[Afloat]:
     """Make the ship at each draught that is known."""
     from catopt.loads import Afloat, Ship
-    from catopt.loads.ship import BLOCK
-    from catopt.sizing.requests import TAKEN_FOR, draughts_of, own_tables, ship_at
+    from catopt.loads.ship import BLOCK, TAKEN_FOR
+    from catopt.sizing.requests import draughts_of, own_tables, ship_at
     from catopt.sizing.tanker_request import check_deadweight
 
     wind_on, _ = TAKEN_FOR[of["ship"] or "tanker"]
