@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass
 from pathlib import PurePath
 from typing import Any
 
-from catopt.decks.deck import Deck, Notes
+from catopt.decks.deck import Deck, Notes, check_sizes
 from catopt.decks.to_case import (
     Chain,
     case_of,
@@ -122,7 +122,7 @@ class Imported:
     remarks: tuple[Message, ...]
 
 
-_BEGINS = r"(?m)^(mooring_systems|mooring_line_configs)\s*:", r"(?m)^LineTypes\s*:"
+_BEGINS = r"(?m)^(mooring_systems|mooring_line_configs)[ \t]*:", r"(?m)^LineTypes[ \t]*:"
 """How the ontology and OrcaFlex's text data are known."""
 
 
@@ -135,19 +135,27 @@ def is_deck(text: str) -> bool:
     >>> is_deck("--- LINE TYPES ---"), is_deck("[site]")
     (True, False)
     """
-    begins = (r"(?mi)^.*---.*\bLINE\s+(TYPES|DICTIONARY)\b", *_BEGINS)
-    return any(re.search(each, text) is not None for each in begins)
+    for line in text.split("\n"):
+        _, dashes, name = line.partition("---")
+        if dashes and re.search(r"(?i)\bLINE[ \t]+(TYPES|DICTIONARY)\b", name):
+            return True
+    return any(re.search(each, text) is not None for each in _BEGINS)
 
 
 def _is_of_mappp(text: str) -> bool:
     """Whether a deck is MAP++'s: it has no columns, sections or options of MoorDyn's."""
-    if not re.search(r"(?mi)^-.*SOLVER OPTIONS", text):
+    lines = text.split("\n")
+
+    def has(pattern: str) -> bool:
+        """Whether a line begins so: by lines, so that no blank is looked at twice."""
+        return any(re.match(f"(?i){pattern}", line) for line in lines)
+
+    if not has("-.*SOLVER OPTIONS"):
         return False
-    heads = r"\b(NumSegs|NumNodes|EI|BA\S*|Can|CdAx|CdA)\b"
-    of_map = r"(?mi)^\s*LineType\s.*\bCB\b"
-    if re.search(of_map, text) or re.search(r"(?mi)^\s*Option\s*$", text):
+    if has(r"[ \t]*LineType\s.*\bCB\b") or has(r"[ \t]*Option\s*$"):
         return True
-    return not re.search(rf"(?mi)^\s*\w+\s.*{heads}|^-.*\b(POINTS|CONNECTION|OUTPUTS)\b", text)
+    heads = r"\b(NumSegs|NumNodes|EI|BA\S*|Can|CdAx|CdA)\b"
+    return not has(rf"[ \t]*\w+\s.*{heads}|-.*\b(POINTS|CONNECTION|OUTPUTS)\b")
 
 
 def read_deck(text: str, source: str = "", asked: Asked | None = None) -> Imported:
@@ -203,6 +211,7 @@ def read_any_deck(
     for begins, other in zip(_BEGINS, (parse_ontology, parse_orcaflex), strict=True):
         parse = other if re.search(begins, text) else parse
     deck = parse(text, notes, given)
+    check_sizes(deck, notes)
     notes.raise_if_any()
     title = PurePath(source).stem
     case: Case | Network
