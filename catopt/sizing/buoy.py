@@ -222,7 +222,8 @@ def _reserve_left(request: BuoyRequest, assumed: Assumed) -> float:
     left = request.reserve_buoyancy - growth
     if left <= 0.0:
         values = {"weight": growth / 1e3, "reserve": request.reserve_buoyancy / 1e3}
-        raise NoFeasibleDesignError(Message("sizing.growth_sinks", **values), None)
+        allowed = Message("sizing.growth_sinks", **values)
+        raise refused("marine_growth", f"{request.marine_growth:g} m", allowed, "BuoyRequest")
     return left
 
 

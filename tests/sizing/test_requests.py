@@ -225,6 +225,8 @@ def test_growth_weighs_on_hull_and_chain_and_takes_of_the_reserve() -> None:
     by_hand = ring * 5e3 / chain.submerged_weight + 300.0 * 9.80665 * 0.05 * wet
     assert grown == pytest.approx(by_hand, rel=1e-12)
     assert growth_weight(of_a_buoy(), Assumed(0.030, 5e3)) == 0.0
+    with pytest.raises(InputError, match="more than the reserve of buoyancy"):
+        pose_buoy(of_a_buoy(growth="400 mm"), Assumed(0.030, 5e3))
     case = pose_buoy(request, Assumed(0.030, 5e3)).case
     assert case.buoy is not None
     assert case.buoy.reserve_buoyancy == pytest.approx(request.reserve_buoyancy - grown)
