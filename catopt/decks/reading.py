@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import PurePath
-from typing import Any
+from typing import Any, Final
 
 from catopt.decks.deck import Deck, Notes
 from catopt.decks.to_case import (
@@ -21,9 +21,10 @@ from catopt.decks.to_case import (
     site_of,
     site_of_chains,
     weight_of,
+    without_floating_ends,
 )
 from catopt.documents import unfit
-from catopt.errors import InputError
+from catopt.errors import InputError, refused
 from catopt.model import Case, Line, Segment, Site
 from catopt.model.network import LineBetween, Network, Point, PointKind
 from catopt.words.message import Message
@@ -102,13 +103,15 @@ def _network(
 class Asked:
     """What the user says beside the deck: m/s2, kg/m3 and m, where the deck has none.
 
-    `line`: only this one, counted from 1 as they come in the deck.
+    `line`: only this one, counted from 1 as they come in the deck; `turbines`: x and y of each
+    turbine of a farm, m.
     """
 
     gravity: float | None = None
     density: float | None = None
     depth: float | None = None
     line: int | None = None
+    turbines: tuple[tuple[float, float], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -122,8 +125,19 @@ class Imported:
     remarks: tuple[Message, ...]
 
 
-_BEGINS = r"(?m)^(mooring_systems|mooring_line_configs)\s*:", r"(?m)^LineTypes\s*:"
+_SHOWN_KEYS: Final = 6
+
+
+_BEGINS = (
+    r"(?m)^(mooring_systems|mooring_line_configs)\s*:",
+    r"(?m)^(- +)?(LineTypes|[Ii]nclude[Ff]ile)\s*:",
+)
 """How the ontology and OrcaFlex's text data are known."""
+
+
+def is_of_tables(text: str) -> bool:
+    """Whether a YAML file has a mooring of RAFT's or windIO's tables."""
+    return all(re.search(rf"(?m)^\s*{key}\s*:", text) for key in ("mooring", "line_types"))
 
 
 def is_deck(text: str) -> bool:
@@ -136,7 +150,21 @@ def is_deck(text: str) -> bool:
     (True, False)
     """
     begins = (r"(?mi)^.*---.*\bLINE\s+(TYPES|DICTIONARY)\b", *_BEGINS)
-    return any(re.search(each, text) is not None for each in begins)
+    return any(re.search(each, text) is not None for each in begins) or is_of_tables(text)
+
+
+def is_yaml(text: str, source: str) -> bool:
+    """Whether a text is YAML by its ending or its first line, and no case file."""
+    ending = PurePath(source).suffix.lower()
+    return ending in (".yaml", ".yml") or re.match(r"%YAML|---\s*$", text.lstrip()) is not None
+
+
+def refuse_yaml(text: str, source: str) -> InputError:
+    """Say what a YAML file has at its top, and which files are read."""
+    keys = list(dict.fromkeys(re.findall(r"(?m)^(?:- +)?([A-Za-z][\w ]*?)\s*:", text)))
+    named = ", ".join(keys[:_SHOWN_KEYS]) + (", ..." if len(keys) > _SHOWN_KEYS else "")
+    found = Message("refused_deck.yaml_of_keys", keys=named) if keys else Message("refused.none")
+    return refused("file", found, Message("refused_deck.yaml_that_is_read"), source)
 
 
 def _is_of_mappp(text: str) -> bool:
@@ -190,20 +218,23 @@ def read_any_deck(
     from catopt.decks.moordyn import parse_moordyn
     from catopt.decks.ontology import parse_ontology
     from catopt.decks.orcaflex import parse_orcaflex
+    from catopt.decks.tables import parse_tables
 
     given = {key: value for key, value in asdict(asked or Asked()).items() if value is not None}
-    line = given.pop("line", None)
-    notes = Notes(source, line)
+    notes = Notes(source, given.pop("line", None), given.pop("turbines", ()))
     text = text.replace("\r\n", "\n")
     for row, said in enumerate(text.split("\n"), start=1):
         if unfit(said):
             notes.refuse(row, unfit(said), "out_of_file")
     notes.raise_if_any()
     parse = parse_mappp if _is_of_mappp(text) else parse_moordyn
+    if is_of_tables(text):
+        parse = parse_tables
     for begins, other in zip(_BEGINS, (parse_ontology, parse_orcaflex), strict=True):
         parse = other if re.search(begins, text) else parse
     deck = parse(text, notes, given)
     notes.raise_if_any()
+    deck = without_floating_ends(deck, notes)
     title = PurePath(source).stem
     case: Case | Network
     if notes.only is None and has_joints(deck):

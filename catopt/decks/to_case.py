@@ -71,6 +71,34 @@ def chains_of(deck: Deck, notes: Notes, only: int | None = None) -> list[Chain]:
     return found
 
 
+def without_floating_ends(deck: Deck, notes: Notes) -> Deck:
+    """Put the buoyancy of a line that floats with a free end on the point from which it floats.
+
+    In still water it stands upright there and pulls with its net buoyancy, whatever its length.
+    """
+    points, pieces = dict(deck.points), list(deck.pieces)
+    for number, piece in enumerate(deck.pieces, start=1):
+        kind = deck.types.get(piece.type)
+        if kind is None or not set(piece.ends) <= points.keys() or piece.ends[0] == piece.ends[1]:
+            continue
+        lift = -weight_of(deck, kind) * piece.length
+        meeting = [end for each in deck.pieces for end in each.ends]
+        loose = [end for end in piece.ends if meeting.count(end) == 1]
+        bare = [end for end in loose if points[end].end == "free" and not any(points[end].body)]
+        if not lift > 0.0 or len(bare) != 1 or any(points[bare[0]].force):
+            continue
+        (foot,) = (points[end] for end in piece.ends if end != bare[0])
+        if foot.end != "free":
+            continue
+        own = {"name": f"{number}", "point": foot.name, "length": piece.length}
+        notes.say("floats_free", line=piece.row, lift=lift, **own)
+        volume = foot.volume + lift / (deck.density * deck.gravity)
+        points[foot.name] = replace(foot, volume=volume)
+        del points[bare[0]]
+        pieces.remove(piece)
+    return replace(deck, points=points, pieces=pieces)
+
+
 def check_meeting(deck: Deck, notes: Notes) -> dict[str, list[DeckPiece]]:
     """List the lines that meet in every point; a free one that holds nothing is refused."""
     meeting = _meeting(deck, notes)
@@ -153,13 +181,14 @@ class DeckSection:
 
 @dataclass(frozen=True)
 class PointMass:
-    """What hangs between two sections: kg, m3, Cd A in m2, and Ca."""
+    """What hangs between two sections: kg, m3, Cd A in m2, Ca, and its name."""
 
     row: int
     mass: float
     volume: float
     drag_area: float = 0.0
     added_mass: float = 0.0
+    name: str = ""
 
 
 def from_sections(
@@ -202,6 +231,7 @@ def _with(point: Point, hung: PointMass) -> Point:
         volume=volume,
         drag_area=point.drag_area + hung.drag_area,
         added_mass=added / volume if volume else 0.0,
+        hung=", ".join(filter(None, (point.hung, hung.name))),
     )
 
 
@@ -239,6 +269,10 @@ def site_of_chains(deck: Deck, chains: Sequence[Chain], notes: Notes) -> tuple[S
     return found
 
 
+ABOVE_BED = 0.01
+"""Of the depth: a point that is fixed higher above the bed is remarked on."""
+
+
 def site_of(
     deck: Deck, pieces: Sequence[DeckPiece], ends: Sequence[Point], notes: Notes
 ) -> tuple[Site, str]:
@@ -251,6 +285,9 @@ def site_of(
     for point in ends:
         if point.z < -deck.depth * (1.0 + 1e-9):
             notes.refuse(point.row, f"Z {point.z:g} m", "below_bed", bed=-deck.depth)
+        elif point.end == "fixed" and point.z + deck.depth > ABOVE_BED * deck.depth:
+            height = point.z + deck.depth
+            notes.say("anchor_above_bed", line=point.row, name=point.name, height=height)
     notes.raise_if_any()
     for name in used:
         # Say the weight in water of a line type, and its drag.
@@ -304,7 +341,7 @@ def _line(deck: Deck, chain: Chain) -> Line:
                     math.fsum(piece.length for piece in chain.pieces[:number]),
                     deck.hung_weight(point),
                     mass=point.mass,
-                    name=f"point {point.name}",
+                    name=point.hung or f"point {point.name}",
                     drag_area=point.drag_area or None,
                     drag_coefficient=1.0 if point.drag_area else None,
                     added_mass_coefficient=point.added_mass if point.volume else 0.0,
