@@ -208,7 +208,8 @@ _AS_FORCE = {
     **dict.fromkeys(("lb", "lbs", "pounds"), "lbf"),
 }
 
-_LONGEST_UNIT = 24
+_LONGEST_UNIT, _LONGEST = 24, 100
+"""Characters of a unit, and of a number with its unit."""
 _NUMBER = re.compile(r"([+-]?(?:\d[\d.,]*|\.\d+)(?:[eE][+-]?\d+)?)(.*)", re.ASCII | re.DOTALL)
 _FRACTION = re.compile(r"(?:(\d{1,3})[ -])?(\d{1,3})/([1-9]\d{0,2})(\s*[^\W\d].*)", re.ASCII)
 _NOT_FINITE = re.compile(r"[+-]?(?:nan|inf|infinity)\b.*", re.IGNORECASE | re.DOTALL)
@@ -360,6 +361,8 @@ class _Reading:
     def split(self, text: str) -> tuple[str, str]:
         """Part a text into number and unit, the unit in the spelling of the table."""
         plain = text.translate(_SPELLINGS).strip()
+        if len(plain) > _LONGEST:
+            raise self.error(self.wanted)
         if fraction := _FRACTION.fullmatch(plain):
             whole, above, below, unit = fraction.groups()
             plain = f"{int(whole or 0) + int(above) / int(below)!r}{unit}"

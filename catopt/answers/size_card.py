@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     from catopt.design.result import NearMiss
     from catopt.sizing import Sizing
     from catopt.sizing.alternatives import Alternative
-    from catopt.sizing.in_motion import InMotion, LineTried
+    from catopt.sizing.in_motion import Band, InMotion, LineTried
     from catopt.sizing.known import ResolvedInputs
 
 
@@ -166,6 +166,21 @@ def runs_words(of: InMotion) -> Message:
     return said
 
 
+def band_words(of: Band) -> Message:
+    """Say what a ship's tension is over the ranges of what decides it."""
+
+    def said(tension: float | None) -> Measure | Message:
+        return Message("sizing.band_none") if tension is None else about("tension", tension)
+
+    reaches = (
+        Message(
+            f"sizing.band_{each.cause}", low=said(each.favourable), high=said(each.unfavourable)
+        )
+        for each in of.reaches
+    )
+    return Message("sizing.band", middle=said(of.middle), reaches=Several(reaches, ", "))
+
+
 def seas_words(of: InMotion) -> Message:
     """Say in which seas lines were run, and which decides each kind of check."""
     governs = "sizing.governs_in_sea_of_height" if of.how.heights else "sizing.governs_in_sea"
@@ -206,6 +221,8 @@ def _worded(name: str, said: Value) -> Fact:
 def _of_the_runs(of: InMotion) -> Iterator[Brief]:
     """Yield how lines were run, and how many."""
     yield Brief((runs_words(of),), Message("sizing.card_runs"), 2)
+    if of.band is not None:
+        yield Brief((band_words(of.band),), Message("sizing.card_band"), 4)
     yield Brief((of.counted.words,), Message("sizing.card_in_motion"), 2)
     proof = proof_words(of)
     if proof is not None:

@@ -24,6 +24,7 @@ from catopt.casefile.consistency import (
 )
 from catopt.casefile.document import FileSection, Finding, parts, read_tables, refuse, table
 from catopt.casefile.motion_consistency import motion_findings, network_motion_findings
+from catopt.casefile.plausibility import plausibility_findings
 from catopt.casefile.schema import CaseTable, LineBetweenTable, NetworkTable
 from catopt.documents import attributes, parse_toml, read_text
 from catopt.errors import InputError, Problem, refused
@@ -95,6 +96,7 @@ def network_of(document: dict[str, Any], source: str = "", *, folder: str = "") 
     for line in case.tables("lines"):
         findings += [each for part in line.tables("segments") for each in segment_findings(part)]
     findings += [*judged_findings(case, []), *network_motion_findings(case)]
+    findings += plausibility_findings(case, findings)
     refuse(document, findings, source)
     problems: list[Problem] = []
     points = [
@@ -214,6 +216,7 @@ def case_of(document: dict[str, Any], source: str = "", *, folder: str = "") -> 
     findings += consistency_findings(case, catalogue.segments)
     findings += design_findings(case)
     findings += motion_findings(case)
+    findings += plausibility_findings(case, findings)
     if findings and (moored := moored_of(document)):  # no case but a file for ``catopt size``
         key = next(key for key in ("ship", "environment", "buoy") if key in document)
         allowed = Message("refused.for_size", moored=moored)

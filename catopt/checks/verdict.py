@@ -164,22 +164,6 @@ def _moves(of: Matter) -> bool:
     return of.moves or (case is not None and case.dynamics is not None)
 
 
-def _yaws(of: Matter) -> bool:
-    """Whether a ship was run in a current; while she was not run, motion as a whole is named."""
-    case, moved = of.case, of.moved
-    if case is None or moved is None or case.floater is None or case.floater.ship is None:
-        return False
-    current = case.current
-    return current is not None and bool(current.speed or any(current.speeds) or current.series_file)
-
-
-def _has_yaw(of: Matter) -> bool:
-    case = of.case
-    assert case is not None
-    ship = None if case.floater is None else case.floater.ship
-    return ship is not None and bool(ship.current_yaw)
-
-
 def _is_buoy_in_motion(of: Matter) -> bool:
     case = of.case
     has_buoy = case is not None and case.floater is not None and bool(case.floater.buoy)
@@ -237,7 +221,6 @@ SUBJECTS: Final[dict[str, Subject]] = {
         )
     ),
     "grounding": Subject(lambda of: of.has_said("sizing.touches_bed")),
-    "yaw": Subject(_yaws, _has_yaw, ("case", "size")),
     "soil": Subject(_slides, ways=("case", "size", "page"), words=_soil_words),
     "heel": Subject(_is_buoy_in_motion, lambda of: of.has_check("heel", "pitch")),
     "convergence": Subject(_is_run, _is_proven, ("case", "size", "page")),

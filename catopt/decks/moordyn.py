@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from catopt import tables
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.decks.deck import (
     Deck,
@@ -28,6 +29,7 @@ from catopt.decks.deck import (
 from catopt.documents import read_text
 from catopt.errors import InputError
 from catopt.model.line import StrainTable
+from catopt.words import Message
 
 _SECTIONS = (
     (r"SYROPE", "syrope_ic"),
@@ -314,11 +316,11 @@ def _strain_table(row: Row, word: str, notes: Notes) -> float | StrainTable:
     try:
         # Two lines of heads come first.
         strain, tension = zip(
-            *((float(a), float(b)) for a, b in filter(None, rows[2:])), strict=True
+            *((tables.number(a), tables.number(b)) for a, b in filter(None, rows[2:])), strict=True
         )
         return StrainTable(strain, tension)
     except (ValueError, InputError) as error:
-        said = error.problems[0] if isinstance(error, InputError) else error
+        said = error.problems[0] if isinstance(error, InputError) else Message("refused.number")
         notes.refuse(row.number, f"EA {word}", "no_table_of_strain", said=f"{said}")
         return math.nan
 

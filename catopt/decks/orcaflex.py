@@ -12,6 +12,7 @@ from catopt.constants import STANDARD_GRAVITY
 from catopt.decks.deck import Deck, DeckPiece, LineType, Notes, Point, along_axes
 from catopt.decks.to_case import DeckSection, PointMass, from_sections
 from catopt.decks.tree import YamlTable, parse_yaml
+from catopt.tables import number
 
 TONNE, KILO = 1e3, 1e3
 """kg and N of OrcaFlex's units of mass and force."""
@@ -154,7 +155,9 @@ def _each(kind: YamlTable, key: str) -> list[float]:
     found = kind.item(key)
     words = [each.value for each in found.value] if isinstance(found.value, list) else []
     try:
-        numbers = [0.0 if word is None else float(word) for word in words]
+        numbers = [0.0 if word is None else number(word) for word in words]
+        if any(map(math.isnan, numbers)):
+            raise ValueError
     except (TypeError, ValueError):
         kind.notes.say("variable", line=found.row, key=key, value=", ".join(map(str, words)))
         return []

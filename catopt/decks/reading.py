@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass
 from pathlib import PurePath
 from typing import Any, Final
 
-from catopt.decks.deck import Deck, Notes
+from catopt.decks.deck import LONGEST, Deck, Notes, check_sizes
 from catopt.decks.to_case import (
     Chain,
     case_of,
@@ -129,15 +129,16 @@ _SHOWN_KEYS: Final = 6
 
 
 _BEGINS = (
-    r"(?m)^(mooring_systems|mooring_line_configs)\s*:",
-    r"(?m)^(- +)?(LineTypes|[Ii]nclude[Ff]ile)\s*:",
+    r"(?m)^(mooring_systems|mooring_line_configs)[ \t]*:",
+    r"(?m)^(-[ ]+)?(LineTypes|[Ii]nclude[Ff]ile)[ \t]*:",
 )
 """How the ontology and OrcaFlex's text data are known."""
 
 
 def is_of_tables(text: str) -> bool:
     """Whether a YAML file has a mooring of RAFT's or windIO's tables."""
-    return all(re.search(rf"(?m)^\s*{key}\s*:", text) for key in ("mooring", "line_types"))
+    keys = ("mooring", "line_types")
+    return all(re.search(rf"(?m)^[ \t]*{key}[ \t]*:", text) is not None for key in keys)
 
 
 def is_deck(text: str) -> bool:
@@ -149,33 +150,44 @@ def is_deck(text: str) -> bool:
     >>> is_deck("--- LINE TYPES ---"), is_deck("[site]")
     (True, False)
     """
-    begins = (r"(?mi)^.*---.*\bLINE\s+(TYPES|DICTIONARY)\b", *_BEGINS)
-    return any(re.search(each, text) is not None for each in begins) or is_of_tables(text)
+    for line in text.split("\n"):
+        _, dashes, name = line.partition("---")
+        if dashes and re.search(r"(?i)\bLINE[ \t]+(TYPES|DICTIONARY)\b", name):
+            return True
+    return any(re.search(each, text) is not None for each in _BEGINS) or is_of_tables(text)
 
 
 def is_yaml(text: str, source: str) -> bool:
     """Whether a text is YAML by its ending or its first line, and no case file."""
     ending = PurePath(source).suffix.lower()
-    return ending in (".yaml", ".yml") or re.match(r"%YAML|---\s*$", text.lstrip()) is not None
+    first = text.lstrip().partition("\n")[0].rstrip()
+    return ending in (".yaml", ".yml") or first == "---" or first.startswith("%YAML")
 
 
 def refuse_yaml(text: str, source: str) -> InputError:
     """Say what a YAML file has at its top, and which files are read."""
-    keys = list(dict.fromkeys(re.findall(r"(?m)^(?:- +)?([A-Za-z][\w ]*?)\s*:", text)))
-    named = ", ".join(keys[:_SHOWN_KEYS]) + (", ..." if len(keys) > _SHOWN_KEYS else "")
-    found = Message("refused_deck.yaml_of_keys", keys=named) if keys else Message("refused.none")
+    lines = (line.removeprefix("- ") for line in text.split("\n"))
+    keys = dict.fromkeys(key for key, colon, _ in (e.partition(":") for e in lines) if colon)
+    top = [key for key in keys if key[:1].isalpha() and len(key) <= LONGEST]
+    named = ", ".join(top[:_SHOWN_KEYS]) + (", ..." if len(top) > _SHOWN_KEYS else "")
+    found = Message("refused_deck.yaml_of_keys", keys=named) if top else Message("refused.none")
     return refused("file", found, Message("refused_deck.yaml_that_is_read"), source)
 
 
 def _is_of_mappp(text: str) -> bool:
     """Whether a deck is MAP++'s: it has no columns, sections or options of MoorDyn's."""
-    if not re.search(r"(?mi)^-.*SOLVER OPTIONS", text):
+    lines = text.split("\n")
+
+    def has(pattern: str) -> bool:
+        """Whether a line begins so: by lines, so that no blank is looked at twice."""
+        return any(re.match(f"(?i){pattern}", line) for line in lines)
+
+    if not has("-.*SOLVER OPTIONS"):
         return False
-    heads = r"\b(NumSegs|NumNodes|EI|BA\S*|Can|CdAx|CdA)\b"
-    of_map = r"(?mi)^\s*LineType\s.*\bCB\b"
-    if re.search(of_map, text) or re.search(r"(?mi)^\s*Option\s*$", text):
+    if has(r"[ \t]*LineType\s.*\bCB\b") or has(r"[ \t]*Option\s*$"):
         return True
-    return not re.search(rf"(?mi)^\s*\w+\s.*{heads}|^-.*\b(POINTS|CONNECTION|OUTPUTS)\b", text)
+    heads = r"\b(NumSegs|NumNodes|EI|BA\S*|Can|CdAx|CdA)\b"
+    return not has(rf"[ \t]*\w+\s.*{heads}|-.*\b(POINTS|CONNECTION|OUTPUTS)\b")
 
 
 def read_deck(text: str, source: str = "", asked: Asked | None = None) -> Imported:
@@ -233,6 +245,7 @@ def read_any_deck(
     for begins, other in zip(_BEGINS, (parse_ontology, parse_orcaflex), strict=True):
         parse = other if re.search(begins, text) else parse
     deck = parse(text, notes, given)
+    check_sizes(deck, notes)
     notes.raise_if_any()
     deck = without_floating_ends(deck, notes)
     title = PurePath(source).stem

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections import Counter
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby
@@ -76,27 +77,29 @@ def without_floating_ends(deck: Deck, notes: Notes) -> Deck:
 
     In still water it stands upright there and pulls with its net buoyancy, whatever its length.
     """
-    points, pieces = dict(deck.points), list(deck.pieces)
+    points, pieces = dict(deck.points), []
+    meeting = Counter(end for piece in deck.pieces for end in piece.ends)
     for number, piece in enumerate(deck.pieces, start=1):
-        kind = deck.types.get(piece.type)
-        if kind is None or not set(piece.ends) <= points.keys() or piece.ends[0] == piece.ends[1]:
+        kind, known = deck.types.get(piece.type), set(piece.ends) <= points.keys()
+        lift = 0.0 if kind is None else -weight_of(deck, kind) * piece.length
+        ends = [points[end] for end in piece.ends] if known and lift > 0.0 else []
+        bare = [end for end in ends if meeting[end.name] == 1 and _is_bare(end)]
+        feet = [end for end in ends if end not in bare]
+        if len(bare) != 1 or len(feet) != 1 or feet[0].end != "free":
+            pieces.append(piece)
             continue
-        lift = -weight_of(deck, kind) * piece.length
-        meeting = [end for each in deck.pieces for end in each.ends]
-        loose = [end for end in piece.ends if meeting.count(end) == 1]
-        bare = [end for end in loose if points[end].end == "free" and not any(points[end].body)]
-        if not lift > 0.0 or len(bare) != 1 or any(points[bare[0]].force):
-            continue
-        (foot,) = (points[end] for end in piece.ends if end != bare[0])
-        if foot.end != "free":
-            continue
+        (foot,) = feet
         own = {"name": f"{number}", "point": foot.name, "length": piece.length}
         notes.say("floats_free", line=piece.row, lift=lift, **own)
         volume = foot.volume + lift / (deck.density * deck.gravity)
         points[foot.name] = replace(foot, volume=volume)
-        del points[bare[0]]
-        pieces.remove(piece)
+        del points[bare[0].name]
     return replace(deck, points=points, pieces=pieces)
+
+
+def _is_bare(point: Point) -> bool:
+    """Whether a point is free, with nothing on it."""
+    return point.end == "free" and not any(point.body) and not any(point.force)
 
 
 def check_meeting(deck: Deck, notes: Notes) -> dict[str, list[DeckPiece]]:

@@ -23,6 +23,7 @@ from catopt.model.kinds import (
     Moment,
     NotNegative,
     Place,
+    Positive,
     Share,
     Size,
     SomeMass,
@@ -110,9 +111,17 @@ class ShipAfloat(Checked):
     """What the current turns the ship by: the lever of the derivatives of Clarke, Gedling and Hine
     (1983) or a hull of UFC's table 4-10, whose figures are recalled; empty: her own coefficients
     where they have it, else Clarke's lever."""
+    lever_factor: Positive = 1.0
+    """On where the current acts before midships."""
+    turn_factor: NotNegative = 1.0
+    """On the moment by which the water slows a turn."""
     reflection: Share | None = None
-    """Part of the height of every wave that the hull reflects, for the drift; None: of each wave
-    the energy that flows above the keel."""
+    """Part of the height of every wave that the hull reflects, for the drift; None: by her form."""
+    entrance: Angle | None = None
+    """Half angle between the sides of the waterline at her ends, rad; None: half ellipses 1.75
+    half-breadths long, of a barge a right angle."""
+    drift_factor: NotNegative = 1.0
+    """On the drift by her form."""
     drift_file: Annotated[str, File(example='"ship.8"')] = ""
     """Path of WAMIT's .8 file with the mean drift; empty: by `reflection`."""
     ulen: Length | None = None

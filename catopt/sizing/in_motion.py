@@ -12,6 +12,7 @@ from catopt.checks.kinds import CHECK_KINDS
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import NearMiss
+from catopt.loads.ship_ranges import Cause
 from catopt.model import Case, Line
 from catopt.model.dynamics import JudgedBy
 from catopt.model.kinds import (
@@ -234,6 +235,36 @@ class Counted(NamedTuple):
 
 
 @dataclass(frozen=True)
+class Reach(Record):
+    """Tension of the most loaded line over the range of one input, others in the middle of theirs.
+
+    None where a line does not reach.
+    """
+
+    DOCUMENT = "cause favourable=favourable_tension_N unfavourable=unfavourable_tension_N"
+
+    cause: Cause
+    """Input."""
+    favourable: SomeForce | None
+    """N, at the fairlead, most probable in the storm."""
+    unfavourable: SomeForce | None
+    """N, likewise; the verdict has every input at this end."""
+
+
+@dataclass(frozen=True)
+class Band(Record):
+    """Tensions in the load case of the largest, by the same seas and gusts throughout."""
+
+    DOCUMENT = "middle=middle_tension_N reaches"
+
+    middle: SomeForce | None
+    """N, at the fairlead: every input in the middle of its range; None where a line does not
+    reach."""
+    reaches: tuple[Reach, ...]
+    """Of each input alone."""
+
+
+@dataclass(frozen=True)
 class InMotion(Record):
     """What the recommended line came to in runs with its buoy or ship afloat.
 
@@ -244,7 +275,7 @@ class InMotion(Record):
         "how.seeds how.duration how.judged_by elements case.dynamics.duration_of_interest "
         f"{within('storm', STORM)} factor allowance heel? proof~ changes~ checks.results=checks "
         "checks.nearest=governing how.periods~ how.heights~ seas~ directions~ "
-        "counted=lines(considered at_rest excluded run runs) tried by_length checks.warnings"
+        "counted=lines(considered at_rest excluded run runs) tried by_length checks.warnings band?"
     )
 
     how: RunsAfloat
@@ -269,6 +300,8 @@ class InMotion(Record):
     """What decides each kind of check, where periods are given."""
     heel: Angle | None = None
     """Largest heel of the buoy in its runs; None of a ship."""
+    band: Band | None = None
+    """Of a ship, over what is known of her motion to no better than a range; None of a buoy."""
     proof: Literal["converged", "not converged", "not proven"] = "not proven"
     """Whether its runs come to the same at half the step and with twice the bars."""
     changes: tuple[Change, ...] = ()

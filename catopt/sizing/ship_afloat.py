@@ -16,6 +16,7 @@ from catopt.loads.environment import Headings
 from catopt.loads.ship import TAKEN_FOR, ShipKind
 from catopt.loads.ship_coefficients import SQUARE_ENDED
 from catopt.loads.ship_loads import METHODS
+from catopt.loads.ship_ranges import at_the_end
 from catopt.loads.weathervane import (
     CLARKE_LEVER,
     YAW_TYPES,
@@ -330,10 +331,10 @@ def _turned(case: Case, force: tuple[float, float]) -> Case:
 def _ship(
     moored: MooredShip, water_density: float, off: Headings, turning: Turning | None
 ) -> ShipAfloat:
-    """Describe the ship that the loads at rest are of; two conditions have one kind."""
+    """Describe the ship that the loads at rest are of, at the unfavourable end of every range."""
     ship, own, kind = moored.ship, moored.coefficients, _kind_of(moored)
     assert kind is not None
-    return ShipAfloat(
+    afloat = ShipAfloat(
         length=ship.length_overall,
         breadth=ship.breadth,
         draught=ship.draught,
@@ -352,6 +353,7 @@ def _ship(
         wind_direction=off.wind,
         current_yaw=_yaw_of(turning),
     )
+    return at_the_end(afloat)
 
 
 def _kind_of(moored: MooredShip) -> ShipKind | None:
