@@ -5,6 +5,7 @@ Positions are global, those on an object count along its axes; sections run from
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
