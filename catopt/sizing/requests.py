@@ -77,7 +77,8 @@ def request_of(of: ResolvedInputs) -> BuoyRequest | TankerRequest:
     weather = [] if "force" in of.given else [k for k in _WEATHER if k not in of.given]
     if "return_period" in of.given and weather:
         allowed = Message("refused_sizing.period_of_weather", missing=Listed(weather, "and"))
-        of.errors.add("return_period", f"{of['return_period'] / YEAR:g} years", allowed)
+        years = Message("refused_file.years", count=of["return_period"] / YEAR)
+        of.errors.add("return_period", years, allowed)
     of.errors.raise_if_any()
     assert request is not None
     return request
