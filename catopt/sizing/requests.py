@@ -142,7 +142,7 @@ def _runs(of: ResolvedInputs) -> RunsAfloat | None:
     """Say how lines are run with the buoy or the ship."""
     own: dict[str, Any] = {}
     if of.moored == "buoy":
-        own = {key: of[key] for key in ("max_slide", "centre_of_gravity")}
+        own = {key: of[key] for key in ("max_slide", "centre_of_gravity", "max_heel")}
         own["other_lengths"] = of["other_lengths"] or 0
     own["periods"], own["heights"] = of["peak_period"] or (), of["sea_height"] or ()
     sea = of.errors.make(_sea, of) if of["period_range"] or of["sea_height"] else None
