@@ -275,7 +275,8 @@ class InMotion(Record):
         "how.seeds how.duration how.judged_by elements case.dynamics.duration_of_interest "
         f"{within('storm', STORM)} factor allowance heel? proof~ changes~ checks.results=checks "
         "checks.nearest=governing how.periods~ how.heights~ seas~ directions~ "
-        "counted=lines(considered at_rest excluded run runs) tried by_length checks.warnings band?"
+        "counted=lines(considered at_rest excluded run runs) tried by_length checks.warnings "
+        "band? own?"
     )
 
     how: RunsAfloat
@@ -300,6 +301,8 @@ class InMotion(Record):
     """What decides each kind of check, where periods are given."""
     heel: Angle | None = None
     """Largest heel of the buoy in its runs; None of a ship."""
+    own: LineTried | None = None
+    """Of a ship on one line: a line of the size of her own cable; None where it was not run."""
     band: Band | None = None
     """Of a ship, over what is known of her motion to no better than a range; None of a buoy."""
     proof: Literal["converged", "not converged", "not proven"] = "not proven"
