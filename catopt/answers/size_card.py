@@ -134,8 +134,14 @@ def _in_motion(of: InMotion) -> Iterator[Fact]:
         said = Message("sizing.from_to", value=probable, **ends)
     yield Fact(Message("sizing.card_tension_in_storm", time=storm_time(of)), said)
     yield _measured("tension_at_rest", "tension", storm.at_rest)
-    factors = {"factor": of.factor, "allowance": of.allowance}
-    yield _worded("motion_factor", Message("sizing.in_place_of", **factors))
+    own = of.own_slide
+    if of.is_of_ship:
+        factors = {"factor": of.factor, "allowance": of.allowance}
+        yield _worded("motion_factor", Message("sizing.in_place_of", **factors))
+    elif own is not None and of.case.anchor is not None:
+        values = {"way": own.expected, "upper": own.upper, "most": of.case.anchor.max_slide}
+        slides = Message("sizing.slides", **values)
+        yield Fact(Message("sizing.card_slides", time=storm_time(of)), slides)
 
 
 def storm_time(of: InMotion) -> str:
@@ -302,7 +308,8 @@ def heel_words(moved: InMotion | None) -> Iterator[Message]:
     if moved is not None and moved.heel is not None:
         is_given = moved.how.centre_of_gravity is not None
         key = "sizing.heels_by_own" if is_given else "sizing.heels"
-        yield Message(key, heel=math.degrees(moved.heel))
+        mean = math.degrees(moved.mean_heel or 0.0)
+        yield Message(key, heel=math.degrees(moved.heel), mean=mean)
         if moved.worst_change is None:
             yield Message("sizing.runs_made_once")
 
@@ -319,6 +326,16 @@ def proof_words(of: InMotion) -> Message | None:
         return Message(key, **values, chance="")
     by = Message("sizing.proof_chance", chance=worst.by_chance)
     return Message(key, **values, chance=by)
+
+
+def slides_words(of: InMotion) -> Iterator[Message]:
+    """Say how far the sinker slides in the storm, and the sizes beside it."""
+    every = (
+        Message("sizing.slides_of", mass=s.mass / 1e3, way=s.expected, upper=s.upper)
+        for s in of.slides
+    )
+    if of.slides:
+        yield Message("sizing.slides_by_mass", time=storm_time(of), slides=Several(every, "; "))
 
 
 def _to_be_known(of: Sizing) -> Iterator[str]:

@@ -222,7 +222,7 @@ SUBJECTS: Final[dict[str, Subject]] = {
     ),
     "grounding": Subject(lambda of: of.has_said("sizing.touches_bed")),
     "soil": Subject(_slides, ways=("case", "size", "page"), words=_soil_words),
-    "heel": Subject(_is_buoy_in_motion, lambda of: of.has_check("heel", "pitch")),
+    "heel": Subject(_is_buoy_in_motion, lambda of: of.has_check("heel"), ways=("case", "size")),
     "convergence": Subject(_is_run, _is_proven, ("case", "size", "page")),
     "wear": Subject(_wears, _is_worn, ("case", "size", "page")),
 }

@@ -182,6 +182,7 @@ _OF_A_BUOY: Final[Mapping[str, object]] = {
     "centre_of_gravity": None,
     "pitch_radius": None,
     "pitch_damping": None,
+    "max_heel": None,
     "heave_drag": HEAVE_DRAG,
 }
 """What others have none of, with what it is where it is not used."""
@@ -249,9 +250,15 @@ class Floater(Checked):
     None: not known, and then nothing."""
     heave_drag: Coefficient = HEAVE_DRAG
     """Drag coefficient along the axis, on the widest section."""
+    max_heel: Angle | None = None
+    """Largest mean heel of a buoy in motion, rad, above 0 and below 90 deg: such as half of the
+    vertical divergence of its light; None: not judged."""
 
     def _check(self, found: Findings) -> None:
         found.check()
+        if self.max_heel is not None and not 0.0 < self.max_heel < 0.5 * math.pi:
+            allowed = Message("refused_case.upright_to_lying")
+            found.add("max_heel", f"{math.degrees(self.max_heel):g} deg", allowed)
         default = {each.name: each.default for each in fields(self)}
         given = {key: value for key, value in vars(self).items() if value != default[key]}
         found.problems += floater_misfits(given)

@@ -82,6 +82,7 @@ def shell(language: Language = "en", *, runs: bool | None = None) -> str:
 
     rendered = template("catopt.page_api", "shell.html").render(
         language=language,
+        languages=[(each, say(Message("desk.own_name"), each)) for each in LANGUAGES],
         doors=DOORS,
         fields={door: fields_of(door, runs=runs) for door in DOORS},
         start=START,

@@ -37,7 +37,7 @@ def laid(holds: Callable[[float, float], bool]) -> tuple[float, float] | None:
     if best is None:
         return None
     (segment,) = best.line.segments
-    return round(1e3 * segment.nominal_diameter, 6), best.line.length
+    return round(1e3 * (segment.nominal_diameter or 0.0), 6), best.line.length
 
 
 def needs(weather: float) -> Callable[[float, float], bool]:
