@@ -25,7 +25,7 @@ from catopt.answers.blocks import (
     tabulate,
     texts,
 )
-from catopt.answers.check import demand_and_capacity, verdict_column
+from catopt.answers.check import demand_and_capacity
 from catopt.catalogue.choice import chosen
 from catopt.catalogue.family import chain_words
 from catopt.checks.kinds import is_wanted
@@ -37,6 +37,7 @@ from catopt.words import Measure, Message, Sentence, Several, is_said, term
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckResult
+    from catopt.checks.verdict import Judgement
     from catopt.design.neighbours import NoFeasibleDesignError
     from catopt.design.result import NearMiss
     from catopt.sizing import Sizing
@@ -77,16 +78,27 @@ def size_card(of: Sizing, *, with_others: bool = True) -> tuple[CardBlock, ...]:
 def fleet_answer(every: Sequence[Sizing]) -> Answer:
     """Lay out a fleet, a row a mooring: its line, what it takes, and its verdict."""
     of = Rows(every)
-    reports = [each.point.checks for each in every]
+    found = [each.judgement for each in every]
     table = tabulate(
         "fleet",
         texts("no", range(1, len(every) + 1)),
         of.texts("title", lambda each: each.case.title),
         of.texts("line", "one_line"),
         of.measured("length", "swing.total", "sizing.card_swing", symbol=""),
-        verdict_column(each.passes for each in reports),
+        texts("verdict", map(_in_a_word, found), passes=tuple(_is_green(e) for e in found)),
+        texts("not_judged", [Several((e.said for e in each.not_judged), ", ") for each in found]),
     )
     return answered("fleet", Message("sizing.fleet"), section("sizing.fleet", table))
+
+
+def _in_a_word(of: Judgement) -> Message:
+    if of.colour == "amber":
+        return Message("answers.passes_in_part")
+    return Message("answers.passes" if of.passes else "answers.fails")
+
+
+def _is_green(of: Judgement) -> bool | None:
+    return None if of.colour == "amber" else of.passes
 
 
 def _numbers(of: Sizing) -> Iterator[Fact]:
@@ -235,6 +247,12 @@ def _of_the_runs(of: InMotion) -> Iterator[Brief]:
         yield Brief((proof,), Message("sizing.card_rerun"), 3)
     if of.seas:
         yield Brief((seas_words(of),), Message("sizing.card_seas"), 3)
+    if of.own is not None:
+        said = less_words(of.own)
+        if of.own.passes:
+            size = round(1e3 * of.own.diameter, 6)
+            said = Message("sizing.own_passes", size=size, length=of.own.length)
+        yield Brief((said,), Message("sizing.card_own"), 2)
     if of.less:
         failing = (less_words(each) for each in of.less)
         yield Brief((Several(failing, "; "),), Message("sizing.card_less"), 2)

@@ -257,14 +257,17 @@ def verdict_of(of: Matter, said: str = "") -> Judgement:
     reports = of.reports
     doubted = any(each.is_doubted and each.passes for each in reports)
     failed = any(not each.passes for each in reports)
+    invalid = of.invalid
+    if failed and any(each.is_doubted for each in reports):
+        invalid = (*invalid, Message("checks.motion_doubted"))
     # Of what fails, or of nothing, there is no more to judge.
-    is_open = bool(reports) and not failed and not doubted and not of.invalid
+    is_open = bool(reports) and not failed and not doubted and not invalid
     left = not_judged(of) if is_open else ()
     colour: Colour = "amber" if left else "green"
     if not is_open:
-        colour = "red" if reports or of.invalid else "none"
+        colour = "red" if reports or invalid else "none"
     checks = said or _checks_sentence(of, rests=any(each.subject == "motion" for each in left))
-    sentences = [*(Message("verdict.invalid", why=each) for each in of.invalid), checks]
+    sentences = [*(Message("verdict.invalid", why=each) for each in invalid), checks]
     if left:
         items = Several(each.words for each in left)
         sentences.append(Message("verdict.not_judged", items=items))
@@ -282,7 +285,7 @@ def verdict_of(of: Matter, said: str = "") -> Judgement:
             if each is not None and each.results
         ),
         left,
-        of.invalid,
+        invalid,
         "" if decides is None else decides.nearest,
     )
 

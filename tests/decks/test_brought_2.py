@@ -15,6 +15,7 @@ from catopt.decks.reading import Asked, read_any_deck
 from catopt.errors import InputError
 from catopt.model.network import Network
 from tests.cli.conftest import Run, run, words
+from tests.decks.own import BRIDLE, MOORDYN
 
 __all__ = ("run",)
 
@@ -205,3 +206,58 @@ def test_lengths_of_the_field(text: str, si: float) -> None:
 
     assert to_si(text, Dimension.LENGTH) == pytest.approx(si, rel=1e-12)
     assert to_si("1 shot", Dimension.LENGTH) == 27.5
+
+
+RODS = """--- ROD TYPES ---
+TypeName Diam Mass/m Cd Ca CdEnd CaEnd
+(name) (m) (kg/m) (-) (-) (-) (-)
+end 0.1 10 1 1 1 1
+--- RODS ---
+ID RodType Attachment Xa Ya Za Xb Yb Zb NumSegs RodOutputs
+(#) (name) (#/key) (m) (m) (m) (m) (m) (m) (-) (-)
+1 end Coupled 5.2 0 -70 5.2 0 -70 0 -
+2 end VesPin -2.6 4.503332 -70 -2.6 4.503332 -69 0 -
+3 end Vessel -2.6 -4.503332 -70 -2.6 -4.503332 -70 0 -
+4 end Pinned -426.935 -739.473112 -320 -426.935 -739.473112 -320 0 -
+--- POINTS ---"""
+
+
+def test_rods_of_no_length_are_points() -> None:
+    """OC3's lines end at clamps of no length, which MoorDyn writes as rods of 0 segments."""
+    points = [line for line in MOORDYN.splitlines(keepends=True) if "Coupled" in line]
+    held = next(line for line in MOORDYN.splitlines(keepends=True) if line.startswith("3 Fixed"))
+    text = MOORDYN.replace("--- POINTS ---", RODS).replace("main 1 4", "main 1 R1A")
+    text = text.replace("main 5 2", "main r2B 2").replace("main 3 6", "main R4A R3B")
+    for line in (*points, held):
+        text = text.replace(line, "")
+    found, remarks = read_any_deck(text, "rods.txt")
+    expected, _ = read_any_deck(MOORDYN, "rods.txt")
+    assert found == expected
+    assert any("rod 1 has no length: it is a point" in str(each) for each in remarks)
+    long = text.replace("5.2 0 -70 5.2 0 -70 0 -", "5.2 0 -70 5.2 0 -60 4 -")
+    with pytest.raises(InputError, match="no rods with a length"):
+        read_any_deck(long, "rods.txt")
+
+
+def test_lines_meet_in_a_free_rod_of_no_length() -> None:
+    """The bridle's joint as a rod: the same network."""
+    text = BRIDLE
+    (joint,) = [line for line in text.splitlines() if line.split()[1:2] == ["Free"]][:1]
+    number, _, x, y, z, *_ = joint.split()
+    row = f"7 end Free {x} {y} {z} {x} {y} {z} 0 -"
+    own = "\n".join(RODS.splitlines()[:7])
+    text = text.replace(joint + "\n", "").replace("--- POINTS ---", f"{own}\n{row}\n--- POINTS ---")
+    head, lines = text.split("--- LINES ---")
+    rows = [
+        " ".join("R7A" if k in (2, 3) and word == number else word for k, word in enumerate(each))
+        for each in map(str.split, lines.splitlines())
+    ]
+    found, _ = read_any_deck(head + "--- LINES ---" + "\n".join(rows), "bridle.txt")
+    bare = BRIDLE.replace(joint, f"{number} Free {x} {y} {z} 0 0 0 0")  # a rod weighs nothing
+    expected, _ = read_any_deck(bare, "bridle.txt")
+    assert isinstance(found, Network)
+    assert isinstance(expected, Network)
+    ours, theirs = catopt.solve_system(found), catopt.solve_system(expected)
+    assert [each.fairlead.tension for each in ours.lines] == pytest.approx(
+        [each.fairlead.tension for each in theirs.lines], rel=1e-9
+    )
