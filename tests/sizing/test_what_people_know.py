@@ -119,6 +119,7 @@ def test_soft_ground_never_gets_the_smaller_sinker() -> None:
         said.append((*sizing.defaults, *sizing.departures))
         # What a tender lifts: 9.80665 (1 - 1025/2400) N of each kg of concrete, and the chain.
         line = sizing.point.line
+        assert line.mass is not None
         hung = masses[-1] * 9.80665 * (1.0 - 1025.0 / 2400.0)
         hung += line.length * line.segments[0].submerged_weight
         answer = csv_files(size_answer(sizing))
