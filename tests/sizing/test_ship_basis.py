@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import numpy as np
 import pytest
 
 from catopt.casefile import parse_case
@@ -41,4 +42,4 @@ def test_the_spectrum_that_is_written_out_is_the_one_that_is_drawn() -> None:
     """320 (U/10)^2/(1 + x^0.468)^3.561 at 0.01 Hz and 20 m/s, by hand."""
     x = 172.0 * 0.01 * 2.0**-0.75
     wanted = 320.0 * 4.0 / (1.0 + x**0.468) ** 3.561
-    assert float(npd_spectrum(0.01, 20.0)) == pytest.approx(wanted, rel=1e-3)
+    assert float(npd_spectrum(np.array([0.01]), 20.0)[0]) == pytest.approx(wanted, rel=1e-3)
