@@ -19,6 +19,7 @@ from tests.decks.own import BRIDLE, MOORDYN
 
 __all__ = ("run",)
 
+INCLUDED = ("01_env.yml", "02_types.yml", "03_buoys.yml", "04_lines.yml")
 BROUGHT = Path(__file__).parent / "brought"
 
 
@@ -102,6 +103,24 @@ def test_an_orcaflex_model_in_several_files() -> None:
     assert found.fairlead.tension == pytest.approx(147.999e3, abs=0.5)
     assert "inc/01_env.yml" in said
     assert "line 8: the end stands 0.0225 m lower" in said  # the line that names inc/04_lines.yml
+
+
+def test_a_file_may_stand_for_one_line_of_a_list(tmp_path: Path) -> None:
+    """Also with Windows' strokes, and in a file that is itself taken in; a circle has an end."""
+    parts = {k: (BROUGHT / "inc" / name).read_text("utf-8") for k, name in enumerate(INCLUDED)}
+    one_line = "\n".join(row[2:] for row in parts[3].splitlines()[1:])
+    (tmp_path / "sub").mkdir()
+    (tmp_path / "sub" / "line.yml").write_text(one_line, encoding="utf-8")
+    whole = f"{parts[0]}\n{parts[1]}\n{parts[2]}\nLines:\n  - includefile: sub\\line.yml\n"
+    (tmp_path / "whole.yml").write_text(whole, encoding="utf-8")
+    text = "%YAML 1.1\n---\nincludefile: whole.yml\n"
+    case, _ = read_any_deck(text, str(tmp_path / "model.yml"))
+    assert not isinstance(case, Network)
+    found = catopt.solve_case(case)
+    assert found.horizontal_force == pytest.approx(93.187e3, abs=0.5)
+    (tmp_path / "loop.yml").write_text("- includefile: loop.yml\n", encoding="utf-8")
+    with pytest.raises(InputError, match="100 included files at most"):
+        read_any_deck("- includefile: loop.yml\n", str(tmp_path / "model.yml"))
 
 
 def test_a_file_that_is_not_there_is_named(tmp_path: Path) -> None:
