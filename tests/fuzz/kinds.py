@@ -338,8 +338,8 @@ def form_of_a_buoy() -> bytes:
     for row in book["Form"].iter_rows(min_row=4):
         row[1].value = given.get(f"{row[4].value}")
     keys = [cell.value for cell in book["Fleet"][3]]
-    for row, depth in enumerate((9, 14), start=4):
-        book["Fleet"].cell(row, 1 + keys.index("site.water_depth"), depth)
+    for at, depth in enumerate((9, 14), start=4):
+        book["Fleet"].cell(at, 1 + keys.index("site.water_depth"), depth)
     stream = BytesIO()
     book.save(stream)
     return stream.getvalue()
