@@ -167,7 +167,7 @@ def read_mooring(path: str | os.PathLike[str]) -> Case | Network:
     """Read a case file, or a file of lines that meet in joints; as `read_case`."""
     source = os.fspath(path)
     if Path(path).suffix.lower() != ".toml":
-        from catopt.decks.reading import is_deck, read_any_deck
+        from catopt.decks.reading import is_deck, is_yaml, read_any_deck, refuse_yaml
         from catopt.decks.reported import tell
 
         deck = read_text(Path(path), source, broken=True)
@@ -175,6 +175,8 @@ def read_mooring(path: str | os.PathLike[str]) -> Case | Network:
             case, remarks = read_any_deck(deck, source)
             tell(remarks)
             return case
+        if is_yaml(deck, source):
+            raise refuse_yaml(deck, source)
     return parse_mooring(read_text(Path(path), source), source, folder=str(Path(path).parent))
 
 

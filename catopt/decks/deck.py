@@ -46,7 +46,10 @@ class LineType:
 
 @dataclass(frozen=True)
 class Point:
-    """Where lines end or meet; M (kg), V (m3), Cd A (m2) and force (N) of what hangs there."""
+    """Where lines end or meet; M (kg), V (m3), Cd A (m2) and force (N) of what hangs there.
+
+    `hung`: name of that, where the deck has one.
+    """
 
     row: int
     name: str
@@ -59,11 +62,27 @@ class Point:
     drag_area: float = 0.0
     added_mass: float = 0.0
     force: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    hung: str = ""
 
     @property
     def body(self) -> tuple[float, float, float, float]:
         """M, V, Cd A and Ca of what hangs there."""
         return self.mass, self.volume, self.drag_area, self.added_mass
+
+
+def along_axes(
+    place: tuple[float, float, float], turned: Sequence[float]
+) -> tuple[float, float, float]:
+    """Return a place along the axes of a body along x, y, z; turned about x, then y, then z, deg.
+
+    Where it is turned about one of them the order does not matter.
+    """
+    x, y, z = place
+    roll, pitch, yaw = map(math.radians, turned)
+    y, z = y * math.cos(roll) - z * math.sin(roll), y * math.sin(roll) + z * math.cos(roll)
+    x, z = x * math.cos(pitch) + z * math.sin(pitch), z * math.cos(pitch) - x * math.sin(pitch)
+    x, y = x * math.cos(yaw) - y * math.sin(yaw), x * math.sin(yaw) + y * math.cos(yaw)
+    return x, y, z
 
 
 @dataclass(frozen=True)
@@ -136,12 +155,13 @@ def _place(rows: Sequence[int]) -> Message:
 class Notes:
     """What is wrong with a deck and what is to be said of it, gathered while it is read.
 
-    `source`: name of the file; `only`: the one line that is wanted, counted from 1; `problems`:
-    with their lines of the file.
+    `source`: name of the file; `only`: the one line that is wanted, counted from 1; `turbines`: x
+    and y of each turbine of a farm, m; `problems`: with their lines of the file.
     """
 
     source: str = ""
     only: int | None = None
+    turbines: Sequence[tuple[float, float]] = ()
     problems: dict[Problem, int] = field(default_factory=dict)
     remarks: list[Message] = field(default_factory=list)
     _said: set[Message] = field(default_factory=set)
