@@ -22,6 +22,7 @@ from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 from unittest.mock import patch
 
 import openpyxl
@@ -30,6 +31,7 @@ import pandas as pd
 from catopt.__main__ import main
 from catopt.answers.blocks import Answer, Column, Facts, Table
 from catopt.cli.answering import STOPPED
+from catopt.cli.output import Printer
 from catopt.quantities import Units
 from catopt.render.card import card_lines
 from catopt.render.files import csv_files
@@ -126,27 +128,33 @@ def _faces(asked: tuple[str, ...], place: Path) -> Iterator[tuple[str, str]]:
         yield "refusal", _of_refusal(err)
         return
     if asked[0] == "report":
-        note = Path(asked[2])
-        yield "note", _of_note(note)
+        yield "note", _of_note(Path(asked[2]))
         return
-    (answer,) = told
-    document = None
     status, out, err = typed([*command, "--json"])
-    try:
-        document = json.loads(out)
-    except ValueError:
-        yield "json", f"no document: {out[:100]} {err[-300:]}"
-    else:
-        yield "json", _of_document(answer, document)
+    yield "json", _guarded(partial(_of_json, told[0], out, err))
+    for face, look in _looks(told[0]):
+        yield face, _guarded(look)
+
+
+def _looks(answer: Answer) -> Iterator[tuple[str, Callable[[], str]]]:
+    """Yield the faces that are made of an answer, with what finds their faults."""
     for language in LANGUAGES:
         for units in IN_UNITS:
             name = f"screen {language} {units}".strip()
-            yield name, _guarded(partial(_of_screen, answer, language, units))
-            yield f"all {name}", _guarded(partial(_of_all, answer, language, units))
-    for width in WIDTHS if len(asked) == 1 else ():  # each runs the command again
-        yield f"{width} columns", _guarded(partial(_of_width, command, width))
-    yield "csv", _guarded(partial(_of_tables, answer))
-    yield "xlsx", _guarded(partial(_of_workbook, answer))
+            yield name, partial(_of_screen, answer, language, units)
+            yield f"all {name}", partial(_of_all, answer, language, units)
+        for width in WIDTHS:
+            yield f"{width} columns {language}", partial(_of_width, answer, language, width)
+    yield "csv", partial(_of_tables, answer)
+    yield "xlsx", partial(_of_workbook, answer)
+
+
+def _of_json(answer: Answer, out: str, err: str) -> str:
+    try:
+        document = json.loads(out)
+    except ValueError:
+        return f"no document: {out[:100]} {err[-300:]}"
+    return _of_document(answer, document)
 
 
 def typed(command: list[str], *, full: bool = False, width: int = 80) -> tuple[int, str, str]:
@@ -312,12 +320,16 @@ def _left_out(language: Language) -> str:
     return Message("answers.left_out", columns="").said(language).split(":")[0]
 
 
-def _of_width(command: list[str], width: int) -> str:
+def _of_width(answer: Answer, language: Language, width: int) -> str:
     """Look at all of it on a terminal of so many columns."""
-    status, out, err = typed([*command, "--full"], width=width)
-    if status not in ENDED or not out:
-        return f"status {status}: {err[-300:]}"
-    return "a word is cut" if "…" in out else ""
+    out = io.StringIO()
+    with patch.dict(os.environ, {"COLUMNS": f"{width}"}), redirect_stdout(out):
+        show(Printer(), answer, language)
+    said = out.getvalue()
+    if not said.strip():
+        return "nothing is printed"
+    widest = max(map(len, said.splitlines()))
+    return f"{widest} columns" if widest > max(width, WIDTH) else ""
 
 
 def _of_tables(answer: Answer) -> str:
@@ -332,7 +344,7 @@ def _of_tables(answer: Answer) -> str:
                 quantity = column.quantity_of(row)
                 if quantity is None or not isinstance(value, float) or not math.isfinite(value):
                     continue
-                found = float(frame.iloc[row, k])
+                found = float(str(frame.iloc[row, k]))
                 if not math.isclose(quantity.to_si(found), value, rel_tol=1e-11, abs_tol=1e-300):
                     return f"{block.name}: {column.said_heading()}: {found} for {value}"
     return ""
@@ -344,7 +356,7 @@ def _of_workbook(answer: Answer) -> str:
     cells = (each for sheet in book for row in sheet for each in row)
     formats: dict[float, str] = {}
     for each in cells:
-        held: object = each.value
+        held: Any = each.value
         if isinstance(held, int | float):
             formats[float(held)] = str(each.number_format)
     every, scales = sorted(formats), _scales(answer)
