@@ -40,7 +40,7 @@ from catopt.answers.note import (
 )
 from catopt.answers.note_line import of_the_front, of_the_line
 from catopt.answers.note_system import near_blocks, plan_blocks, pull_of
-from catopt.answers.size_card import storm_time
+from catopt.answers.size_card import band_words, storm_time
 from catopt.answers.trail import step_of
 from catopt.checks.kinds import QUANTITY_OF
 from catopt.constants import STANDARD_GRAVITY, YEAR
@@ -48,7 +48,18 @@ from catopt.figures.sizing import elevation, swing_circle
 from catopt.model.anchor import sinker_needed
 from catopt.model.line import weight_in_water
 from catopt.quantities import GREEK, QUANTITIES
-from catopt.words import Cited, Measure, Message, Sentence, Several, Told, say, term
+from catopt.words import (
+    LANGUAGES,
+    Cited,
+    Language,
+    Measure,
+    Message,
+    Sentence,
+    Several,
+    Told,
+    say,
+    term,
+)
 
 if TYPE_CHECKING:
     from catopt.loads.component import Loads
@@ -144,6 +155,10 @@ def _in_motion(note: SizeNote) -> Iterator[Block]:
     yield tightest_table(of.checks)
     yield sized.checks_of(of)
     yield from sized.tried_blocks(of)
+    if of.band is not None:
+        yield Text(band_words(of.band))
+    if of.basis:
+        yield blocks.Points(of.basis, Message("note_size.motion_basis"))
     if of.checks.warnings:
         yield blocks.Warnings(of.checks.warnings)
 
@@ -185,7 +200,7 @@ def _recommendation(note: SizeNote) -> Message:
         "",
     )
     values = {
-        "chain": Told({"en": code, "vi": f"{code} ({say(described(of.case, first), 'vi')})"}),
+        "chain": Told({each: _chain(code, described(of.case, first), each) for each in LANGUAGES}),
         "length": f"{line.length:g}",
         "shots": f"{of.shots:.2f}",
         "weights": weights,
@@ -195,6 +210,11 @@ def _recommendation(note: SizeNote) -> Message:
     if pattern is None:
         return Message("note_size.identity_one", **values)
     return Message("note_size.identity_several", lines=pattern.lines, **values)
+
+
+def _chain(code: str, said: str, language: Language) -> str:
+    """Name a chain as the catalogue does; where that is English, with what it is behind it."""
+    return code if language == "en" else f"{code} ({say(said, language)})"
 
 
 # ------------------------------------------------------------------ loads

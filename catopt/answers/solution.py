@@ -55,7 +55,8 @@ def solution_answer(case: Case, solution: Solution, *, with_profile: bool = Fals
     if solution.point_loads:
         results.append(point_loads_table(solution))
     method, shape = method_name(solution.method), Message("captions.line_shape")
-    solved = Message("solution.solved", method=method, hangs=how_it_hangs(solution))
+    hangs = Message("solution.in_air") if case.site.is_in_air else how_it_hangs(solution)
+    solved = Message("solution.solved", method=method, hangs=hangs)
     whole = blocks.answered(
         "solution",
         case.title or Message("captions.mooring_line"),
@@ -123,13 +124,15 @@ def given_facts(case: Case) -> Iterator[blocks.Fact]:
     yield stated("title", case.title, only="files")
     yield stated("source", case.source, only="files")
     site = case.site
-    yield fact("water_depth", site.depth_to_seabed)
+    if not site.is_in_air:
+        yield fact("water_depth", site.depth_to_seabed)
     yield fact("fairlead_height", site.height_above_seabed(case.fairlead_height))
     yield fact("anchor_height", site.height_above_seabed(case.anchor_height))
     if site.contact_offset:
         yield fact("contact_offset", site.contact_offset)
-    yield fact("friction", case.site.seabed_friction)
-    yield fact("density", case.site.water_density, "water_density")
+    if not site.is_in_air:
+        yield fact("friction", case.site.seabed_friction)
+        yield fact("density", case.site.water_density, "water_density")
     if (current := case.current_at_rest) is not None:
         yield stated("current", current_in_words(current, site.water_depth))
     load = case.load

@@ -13,7 +13,7 @@ from types import MappingProxyType
 from typing import Annotated, Any, ClassVar
 
 from catopt import model
-from catopt.model import ClumpWeightChoice, Load, PointLoad, SwarmSettings
+from catopt.model import ClumpWeightChoice, Load, PointLoad, Site, SwarmSettings
 from catopt.model.design import Component
 from catopt.model.kinds import (
     Angle,
@@ -346,11 +346,12 @@ class CaseTable(TableSchema):
     """A whole case file."""
 
     model = model.Case
-    keys = """title source site line load load_cases system find checks service buoy anchor
+    keys = """title source accept site line load load_cases system find checks service buoy anchor
         catalogue design waves current motion anchor_motion body floater dynamics fatigue pso"""
     elsewhere: ClassVar = {"verify": "refused.later", "environment": "refused.belongs_to_size"}
     symbols: ClassVar = {"catalog": "catalogue"}
 
+    site: Site | None = None
     load: Load | None = None
     anchor_motion: EndMotionTable | None = None
     pso: SwarmSettings | None = None
@@ -396,8 +397,8 @@ class NetworkTable(TableSchema):
     """A whole file of points, lines between them and bodies."""
 
     model = Network
-    keys = """title source site points lines bodies waves current motion dynamics checks service
-        anchor catalogue"""
+    keys = """title source accept site points lines bodies waves current motion dynamics checks
+        service anchor catalogue"""
 
     motion: EndMotionTable | None = None
 

@@ -201,12 +201,14 @@ def practice_of_buoy(
         lengths = Message("practice.lengths", least=least, most=most)
         if least == most:
             lengths = Message("practice.length", length=least)
+        # Of another size of buoy its length says something, its chain nothing.
+        chains = (laid.chain, laid.chain) if laid.is_of_size else chain_limits or (0.0, math.inf)
         values = {
             "size": laid.buoy_diameter,
             "chain": laid.chain / _MM,
             "lengths": lengths,
             "verdict": _verdict(
-                _compared(diameter, laid.chain, laid.chain, _SAME_CHAIN, "chain"),
+                _compared(diameter, *chains, _SAME_CHAIN, "chain"),
                 _compared(length, least, most, _ROUNDING, "length"),
             ),
         }
@@ -214,7 +216,7 @@ def practice_of_buoy(
         said.append(Message(key, **values))
     if chain_limits is not None:
         low, high = chain_limits
-        said.append(Message("practice.limits", least=low / _MM, most=high / _MM))
+        said.insert(0, Message("practice.limits", least=low / _MM, most=high / _MM))
     return Practice(Several(said), laid)
 
 
@@ -230,6 +232,10 @@ def _verdict(*compared: Message | None) -> Message:
 
 
 # ------------------------------------------------------------------ ships
+
+
+_READ_NUMBER: Final = 2990.0
+"""Of the row of equipment that was read in a secondary copy (C)."""
 
 
 def equipment_number(displacement: float, front: float, side: float) -> float:
@@ -300,6 +306,23 @@ def own_cable(displacement: float, front: float, side: float) -> float | None:
     if own.number > first.above:
         return None
     return first.grades[1] * math.sqrt(own.number / first.above)
+
+
+def laid_cable(displacement: float, front: float, side: float) -> float:
+    """Estimate the cable that a ship would be laid on, m: nominal diameter of Grade 3.
+
+    That of the row that was read (C), by the root of her equipment number: catopt's own, within
+    8 % of the recalled rows. The rest is as of `equipment_number`.
+
+    Examples
+    --------
+    >>> from catopt.catalogue.practice import laid_cable
+    >>> round(1e3 * laid_cable(67.8e6, 605.0, 1173.0))
+    73
+    """
+    number = equipment_number(displacement, front, side)
+    read = next(each for each in equipment_rows() if each.above < _READ_NUMBER <= each.up_to)
+    return read.grades[2] * math.sqrt(number / (0.5 * (read.above + read.up_to)))
 
 
 def practice_of_ship(

@@ -303,6 +303,16 @@ class Solution(Displayable, Record):
         """Return the same answer with what was sought."""
         return replace(self, found=found)
 
+    def lowered(self, lift: float) -> Solution:
+        """Return the same answer with every height less, m."""
+        return replace(
+            self,
+            fairlead_height=self.fairlead_height - lift,
+            anchor_height=self.anchor_height - lift,
+            point_loads=tuple(replace(each, z=each.z - lift) for each in self.point_loads),
+            stretches=tuple(replace(each, z=each.z - lift) for each in self.stretches),
+        )
+
     def with_warnings(self, warnings: tuple[str, ...]) -> Solution:
         """Return the same answer with warnings added."""
         return replace(self, warnings=(*self.warnings, *warnings)) if warnings else self

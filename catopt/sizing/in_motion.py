@@ -5,13 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 from catopt.catalogue.family import chain_words
 from catopt.checks.kinds import CHECK_KINDS
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import NearMiss
+from catopt.loads.ship_ranges import Cause
 from catopt.model import Case, Line
 from catopt.model.dynamics import JudgedBy
 from catopt.model.kinds import (
@@ -19,6 +20,7 @@ from catopt.model.kinds import (
     Factor,
     Findings,
     Force,
+    Height,
     Length,
     Positive,
     SomeForce,
@@ -29,6 +31,7 @@ from catopt.records import Counted as FromOne
 from catopt.records import FromZero, Record, within
 from catopt.sizing.kinds import usual
 from catopt.ties import largest
+from catopt.verify.convergence_check import Change
 from catopt.words import Message, Several
 
 LEAST_DURATION = 60.0
@@ -63,6 +66,7 @@ class RunsAfloat:
     heights: tuple[Length, ...] = ()
     """Significant, of these seas; empty: all have that of the place."""
     centre_of_gravity: float | None = None  # of a buoy, above the bottom of its hull, m
+    max_heel: Angle | None = None  # mean heel of a buoy that is allowed, rad; None: not judged
 
     def __post_init__(self) -> None:
         found = Findings("RunsAfloat")
@@ -161,6 +165,20 @@ STORM = (
 
 
 @dataclass(frozen=True)
+class SinkerSlide(Record):
+    """How far a sinker slides in the storm: a block on its soil under the pull of the runs."""
+
+    DOCUMENT = "mass expected upper"
+
+    mass: SomeMass
+    """In air."""
+    expected: Height
+    """In the storm, by the slides of all runs."""
+    upper: Height
+    """Upper end of its interval, 90 %, which the check is held against."""
+
+
+@dataclass(frozen=True)
 class LengthRun(Record):
     """What a length of the recommended size comes to in motion, every seed of it run."""
 
@@ -233,6 +251,36 @@ class Counted(NamedTuple):
 
 
 @dataclass(frozen=True)
+class Reach(Record):
+    """Tension of the most loaded line over the range of one input, others in the middle of theirs.
+
+    None where a line does not reach.
+    """
+
+    DOCUMENT = "cause favourable=favourable_tension_N unfavourable=unfavourable_tension_N"
+
+    cause: Cause
+    """Input."""
+    favourable: SomeForce | None
+    """N, at the fairlead, most probable in the storm."""
+    unfavourable: SomeForce | None
+    """N, likewise; the verdict has every input at this end."""
+
+
+@dataclass(frozen=True)
+class Band(Record):
+    """Tensions in the load case of the largest, by the same seas and gusts throughout."""
+
+    DOCUMENT = "middle=middle_tension_N reaches"
+
+    middle: SomeForce | None
+    """N, at the fairlead: every input in the middle of its range; None where a line does not
+    reach."""
+    reaches: tuple[Reach, ...]
+    """Of each input alone."""
+
+
+@dataclass(frozen=True)
 class InMotion(Record):
     """What the recommended line came to in runs with its buoy or ship afloat.
 
@@ -241,9 +289,11 @@ class InMotion(Record):
 
     DOCUMENT = (
         "how.seeds how.duration how.judged_by elements case.dynamics.duration_of_interest "
-        f"{within('storm', STORM)} factor allowance heel? checks.results=checks "
+        f"{within('storm', STORM)} factor allowance heel? mean_heel~ slides~ proof~ changes~ "
+        "checks.results=checks "
         "checks.nearest=governing how.periods~ how.heights~ seas~ directions~ "
-        "counted=lines(considered at_rest excluded run runs) tried by_length checks.warnings"
+        "counted=lines(considered at_rest excluded run runs) tried by_length checks.warnings "
+        "band? own? basis?"
     )
 
     how: RunsAfloat
@@ -268,6 +318,33 @@ class InMotion(Record):
     """What decides each kind of check, where periods are given."""
     heel: Angle | None = None
     """Largest heel of the buoy in its runs; None of a ship."""
+    own: LineTried | None = None
+    """Of a ship on one line: a line of the size of her own cable; None where it was not run."""
+    mean_heel: Angle | None = None
+    """The largest mean of a load case; None of a ship."""
+    slides: tuple[SinkerSlide, ...] = ()
+    """Of the sinker and of the sizes beside it that were looked at, the lighter first; empty where
+    it may not slide."""
+    basis: tuple[str, ...] = ()
+    """What the runs of a ship stand on, with numbers; empty of a buoy."""
+    band: Band | None = None
+    """Of a ship, over what is known of her motion to no better than a range; None of a buoy."""
+    proof: Literal["converged", "not converged", "not proven"] = "not proven"
+    """Whether its runs come to the same at half the step and with twice the bars."""
+    changes: tuple[Change, ...] = ()
+    """Largest of each judged value there, by all ways together; empty where nothing ran again."""
+
+    @property
+    def own_slide(self) -> SinkerSlide | None:
+        """That of its sinker; None where it may not slide."""
+        own = None if self.case.anchor is None else self.case.anchor.mass
+        return next((each for each in self.slides if each.mass == own), None)
+
+    @property
+    def worst_change(self) -> Change | None:
+        """Of a tension the largest; None where nothing was run again."""
+        of = [each for each in self.changes if each.quantity.endswith("tension")]
+        return largest(of, lambda each: each.size) if of else None
 
     @property
     def is_of_ship(self) -> bool:

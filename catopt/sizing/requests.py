@@ -9,7 +9,7 @@ from typing import Any, Final
 
 from catopt.catalogue.practice import own_cable
 from catopt.checks.profiles import profiles_of
-from catopt.constants import SEA_WATER_DENSITY
+from catopt.constants import SEA_WATER_DENSITY, YEAR
 from catopt.errors import InputError
 from catopt.loads import BuoyShape, SeaState, SurfaceCurrent, WaterLevels, Wind, buoys, read_buoys
 from catopt.loads.buoy import buoy as look_up
@@ -56,7 +56,10 @@ from catopt.sizing.result import Sizing
 from catopt.sizing.tanker import sized_tanker
 from catopt.sizing.tanker_request import MooredShip, TankerRequest, note_aground
 from catopt.units import lasting
-from catopt.words import Cited, Message, Several, given_keys, term
+from catopt.words import Cited, Listed, Message, Several, given_keys, term
+
+_WEATHER: Final = ("wind", "current", "hs")
+"""What a return period is of."""
 
 
 def size(of: ResolvedInputs) -> Sizing:
@@ -71,6 +74,11 @@ def size(of: ResolvedInputs) -> Sizing:
 def request_of(of: ResolvedInputs) -> BuoyRequest | TankerRequest:
     """Make the request for a buoy or a tanker; every mistake is told at once."""
     request = _of_a_buoy(of) if of.moored == "buoy" else _of_a_tanker(of)
+    weather = [] if "force" in of.given else [k for k in _WEATHER if k not in of.given]
+    if "return_period" in of.given and weather:
+        allowed = Message("refused_sizing.period_of_weather", missing=Listed(weather, "and"))
+        years = Message("refused_file.years", count=of["return_period"] / YEAR)
+        of.errors.add("return_period", years, allowed)
     of.errors.raise_if_any()
     assert request is not None
     return request
@@ -142,7 +150,7 @@ def _runs(of: ResolvedInputs) -> RunsAfloat | None:
     """Say how lines are run with the buoy or the ship."""
     own: dict[str, Any] = {}
     if of.moored == "buoy":
-        own = {key: of[key] for key in ("max_slide", "centre_of_gravity")}
+        own = {key: of[key] for key in ("max_slide", "centre_of_gravity", "max_heel")}
         own["other_lengths"] = of["other_lengths"] or 0
     own["periods"], own["heights"] = of["peak_period"] or (), of["sea_height"] or ()
     sea = of.errors.make(_sea, of) if of["period_range"] or of["sea_height"] else None
@@ -462,7 +470,8 @@ def _scope(of: ResolvedInputs) -> tuple[float, float]:
 def _preference(of: ResolvedInputs, line: LineChoice | None) -> dict[str, Any]:
     """Say which design is wanted: as asked for, or a buoy's by practice, a ship's balanced."""
     prefer, swing_price = of["prefer"], of["swing_price"] or 0.0
-    own = "practice" if of.moored == "buoy" else "balanced"
+    # What is laid, of a buoy and of a ship whose lines are run.
+    own = "practice" if of.moored == "buoy" or of["in_motion"] else "balanced"
     if (of["lines"] or 1) > 1:
         own = "lightest"  # several lines hold the ship in its place: swing decides nothing
     if line is None:
@@ -535,6 +544,11 @@ def _taken(
         words += _soil_taken(of, ground)
     if "return_period" not in of.given:
         words.append(Message("sizing.no_return_period"))
+    elif of["life"]:
+        years, life = of["return_period"], of["life"]
+        chance = -math.expm1(life * math.log1p(-min(1.0 - 1e-12, YEAR / years)) / YEAR)
+        values = {"years": years / YEAR, "life": life / YEAR, "chance": chance}
+        words.append(Message("sizing.exceeded_in_life", **values))
     if "chain" not in of.given:
         words += of["chain"]
     if "code" not in of.given:

@@ -44,6 +44,7 @@ from catopt.sizing.motion_judged import JudgedLine, ShipLost, ShipRun, ShipState
 from catopt.sizing.pattern import DragGround, Pattern
 from catopt.sizing.settle import ConvergedSizing, best_of
 from catopt.sizing.ship_afloat import MOTION_CODE, runs_afloat, ship_afloat
+from catopt.sizing.ship_band import band_of, basis_of
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.ties import largest
 from catopt.verify.ship_result import ShipWithoutLine, few_cycles, slow_cycles
@@ -58,6 +59,11 @@ _LEAP: Final = 4.0
 """By which it rises at most: a line that is nearly taut moves harder than the next one will."""
 _HOUR: Final = 0.25
 """s, about, that an hour of a ship on a line takes to run."""
+_LEAST_SCOPE: Final = 6.0
+"""Of a line that is laid, in depths at high water: what UR A1 takes for her own anchors (C)."""
+_MOST_SCOPES: Final = (16.0, 24.0)
+"""Likewise, before the size rises: catopt's own."""
+_SAME_SIZE: Final = 5e-4
 _LINES: Final = 8
 """Lines that a search runs, about: for its announcement."""
 
@@ -96,6 +102,12 @@ def search_ship_in_motion(
     hours = _LINES * how.seeds * how.duration / 3600.0 * states * request.lines
     expect(Message("sizing.running_ship"), _HOUR * hours)
     found = _Search(request, how, start, settle, around)
+    laid = request.line.looks_for == "practice" and request.lines == 1
+    passing = found.laid(start.point.line) if laid else None
+    if passing is not None:
+        return _moved(request, how, found, passing)
+    if laid:
+        found.prefer_lightest()
     passing = found.passing(start.point.line)
     if passing is None:
         every = found.judged.values()
@@ -120,16 +132,21 @@ class _Search:
         self.judged: dict[Line, JudgedLine] = {}
         self._settled: dict[Line, ConvergedSizing] = {}
         # By load case and directions, with tables that their lines share.
-        self._ships: dict[tuple[str, Headings], Any] = {}
+        self._ships: dict[tuple[str, Headings, bool], Any] = {}
         # The one that stopped the last line first.
         outs = (True, False) if request.lines > 1 else (False,)
         wears = start.posed.case.service is not None
+        self.own: LineTried | None = None
+        env = request.environment
+        # A current turns a ship the more, the less wind there is to hold her head to it.
+        lulls = request.lines == 1 and env.current.speed > 0.0 and env.wind.speed > 0.0
+        ways = [(False, False), *([(True, False)] * wears), *([(False, True)] * lulls)]
         self._order = [
-            ShipState(each.load_case, sea, directions, out, worn)
-            for worn in ((False, True) if wears else (False,))
+            ShipState(each.load_case, sea, directions, out, worn, lull)
+            for worn, lull in ways
             for out in outs
             for directions in request.weathervaning.directions
-            for sea in how.seas(request.environment.sea.hs, request.environment.sea.period)
+            for sea in how.seas(env.sea.hs, env.sea.period)
             for each in start.posed.loads
         ]
         design = start.posed.case.design
@@ -142,7 +159,55 @@ class _Search:
         self._line = replace(own, code=code, prefer=own.looks_for)
         self._without_allowance = replace(request, line=replace(own, dynamic_factor=1.0))
 
+    def prefer_lightest(self) -> None:
+        """Look for the lightest from now on: where nothing that is laid holds."""
+        self.request = replace(self.request, line=self.request.line.by("lightest"))
+        self._line = self._line.by("lightest")
+
     # ------------------------------------------------------------------ lines
+
+    def laid(self, line: Line) -> JudgedLine | None:
+        """Find the line that would be laid: no thinner than her own cable, by rule as short.
+
+        The thinnest that passes at sixteen depths, or else at twenty-four, and of that the shortest
+        from six on, taken that what is longer passes. None where none does: then the lightest.
+        """
+        (segment,) = line.segments
+        sizes = sorted((e for e in self._sizes if e.component == segment.component), key=_size)
+        own = self.request.own_cable
+        sizes = [each for each in sizes if _size(each) >= own - _SAME_SIZE] or sizes[-1:]
+        depth = self.request.environment.levels.high
+        shortest = _LEAST_SCOPE * depth
+        lengths = [e for e in self.lengths if e >= shortest] or list(self.lengths[-1:])
+        scopes = [sum(e <= most * depth for e in lengths) or 1 for most in _MOST_SCOPES]
+
+        def judged(each: Segment, length: float) -> JudgedLine:
+            return self.tried(replace(line, segments=(replace(each, length=length),)))
+
+        def least(count: int, passes: Callable[[int], bool]) -> int:
+            """Count those that fail before the first that passes: all of them where none does."""
+            low, high = 0, count
+            while low < high:
+                middle = 0 if not low and high == count else (low + high) // 2
+                low, high = (low, middle) if passes(middle) else (middle + 1, high)
+            return low
+
+        self.own = judged(sizes[0], lengths[scopes[0] - 1]).tried
+        holds = (
+            (k, count)
+            for count in dict.fromkeys(scopes)
+            for k, each in enumerate(sizes)
+            if judged(each, lengths[count - 1]).tried.passes
+        )
+        found = next(holds, None)
+        if found is None:
+            return None
+        at, count = found
+        place = least(count, lambda k: judged(sizes[at], lengths[k]).tried.passes)
+        length = lengths[min(place, count - 1)]
+        if at:
+            judged(sizes[at - 1], length)
+        return judged(sizes[at], length)
 
     def passing(self, line: Line) -> JudgedLine | None:
         """Size lines for what the runs of the one before ask for, until one passes its own."""
@@ -343,7 +408,8 @@ class _Search:
         self, state: ShipState, settled: ConvergedSizing, around: Pattern | None
     ) -> ShipRun:
         name, said = state.load_case, self._said(state)
-        case, weather = self._afloat(state, settled, around), (name, state.directions)
+        case = self._afloat(state, settled, around)
+        weather = (name, state.directions, state.lull)
         found = verify_ship(self._as_judged(case), ship=self._ships.get(weather))
         self._ships[weather] = found.moored.ship
         offset = max(found.offset.judged, _offset(found.lost))
@@ -372,7 +438,8 @@ class _Search:
     ) -> ShipLost:
         """Run it without line 1, in weather from the side that is then hardest at rest."""
         name, said = state.load_case, self._said(state)
-        case, weather = self._afloat(state, settled, around), (name, state.directions)
+        case = self._afloat(state, settled, around)
+        weather = (name, state.directions, state.lull)
         found, moored = run_without(self._as_judged(case), 1, ship=self._ships.get(weather))
         self._ships[weather] = moored.ship
         without = around.state_in(name).line_out.line_force
@@ -381,6 +448,8 @@ class _Search:
     def _said(self, state: ShipState) -> str:
         """Name a load case with its sea and directions, where there are several."""
         name = worn_name(state.load_case) if state.worn else state.load_case
+        if state.lull:
+            name = Message("sizing.in_a_lull", load_case=name)
         said = in_sea(name, self.how, state.sea)
         if len(self.request.weathervaning.directions) == 1:
             return said
@@ -499,10 +568,13 @@ def _moved(
             request.line.allowance,
             _counted(found),
             tuple(each.tried for each in found.judged.values()),
-            load_cases=len({(each.load_case, each.worn) for each in found._order}),
+            load_cases=len({(each.load_case, each.worn, each.lull) for each in found._order}),
             directions=len(request.weathervaning.directions),
             seas=chosen.seas,
             less=tuple(found.failing_below(chosen.line)),
+            basis=basis_of(case),
+            band=band_of(case),
+            own=found.own,
         ),
         chosen.drag_anchor,
         chosen.sinker,

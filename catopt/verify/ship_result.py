@@ -324,7 +324,7 @@ def _of_waves(moored: MooredShip, waves: Waves) -> Iterator[Message]:
         yield Message("floater.drift_of_file")
         yield from ship.remarks
     elif of.reflection is None:
-        yield Message("floater.drift_above_keel")
+        yield Message("floater.drift_by_form")
     else:
         yield Message("floater.drift_by_reflection", part=of.reflection)
     if k * ship.depth < 0.5 * math.pi:
@@ -348,6 +348,7 @@ def _of_slow_motion(ship: ShipInWeather) -> Iterator[Message]:
     dampings = {"surge": of.surge_damping, "sway": of.sway_damping, "yaw": of.yaw_damping}
     yield Message("floater.slow_damping", **dampings)
     if math.hypot(*ship.wind) > 0.0:
+        yield from ship.scaled
         yield Message("floater.gusts_npd" if of.gusts == "NPD" else "floater.gusts_none")
     if math.hypot(*ship.current) == 0.0:
         return
