@@ -138,6 +138,9 @@ def search_in_motion(
 
 
 def _check_afloat(settled: ConvergedSizing, request: BuoyRequest) -> None:
+    if request.marine_growth:
+        allowed = Message("refused.growth_in_motion")
+        raise refused("marine_growth", f"{request.marine_growth:g} m", allowed, "BuoyRequest")
     case, allowed = run_in_still_water(settled.case, request), Message("refused.not_afloat")
     if case is not None:
         try:
