@@ -63,6 +63,8 @@ class RunsAfloat:
     heights: tuple[Length, ...] = ()
     """Significant, of these seas; empty: all have that of the place."""
     centre_of_gravity: float | None = None  # of a buoy, above the bottom of its hull, m
+    # by the fast judgement, in seconds: `catopt.sizing.quick`
+    quick: bool = False
 
     def __post_init__(self) -> None:
         found = Findings("RunsAfloat")

@@ -47,7 +47,7 @@ from catopt.sizing.ship_afloat import MOTION_CODE, runs_afloat, ship_afloat
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.ties import largest
 from catopt.verify.ship_result import ShipWithoutLine, few_cycles, slow_cycles
-from catopt.verify.two_scales import check_hanging, run_without, verify_ship
+from catopt.verify.two_scales import check_hanging, on_tables, run_without, verify_ship
 from catopt.words import Message
 
 _MOST_FACTOR: Final = 100.0
@@ -56,6 +56,8 @@ _RISE: Final = 1.05
 """By which the allowance rises at least where the line that it gives fails."""
 _LEAP: Final = 4.0
 """By which it rises at most: a line that is nearly taut moves harder than the next one will."""
+_NEAR: Final = 0.75
+"""Of a size: the least that the fast search looks at in its place."""
 _HOUR: Final = 0.25
 """s, about, that an hour of a ship on a line takes to run."""
 _LINES: Final = 8
@@ -121,6 +123,8 @@ class _Search:
         self._settled: dict[Line, ConvergedSizing] = {}
         # By load case and directions, with tables that their lines share.
         self._ships: dict[tuple[str, Headings], Any] = {}
+        heights = (sea.height for sea in how.seas(request.environment.sea.hs, 1.0))
+        self._run_on: dict[str, Any] = {"on_lines": on_tables(max(heights))} if how.quick else {}
         # The one that stopped the last line first.
         outs = (True, False) if request.lines > 1 else (False,)
         wears = start.posed.case.service is not None
@@ -242,10 +246,11 @@ class _Search:
                 yield replace(line, segments=(replace(segment, length=each),))
 
     def _thinner(self, line: Line) -> Iterator[Line]:
-        """Yield thinner lines of its length, the thickest first."""
+        """Yield thinner lines of its length, the thickest first; the fast search the next few."""
         (segment,) = line.segments
+        least = _NEAR * _size(segment) if self.how.quick else 0.0
         for each in sorted(self._sizes, key=_size, reverse=True):
-            if each.component == segment.component and _size(each) < _size(segment):
+            if each.component == segment.component and least <= _size(each) < _size(segment):
                 yield replace(line, segments=(replace(each, length=segment.length),))
 
     def _thickest(self, component: str) -> Segment:
@@ -344,7 +349,7 @@ class _Search:
     ) -> ShipRun:
         name, said = state.load_case, self._said(state)
         case, weather = self._afloat(state, settled, around), (name, state.directions)
-        found = verify_ship(self._as_judged(case), ship=self._ships.get(weather))
+        found = verify_ship(self._as_judged(case), ship=self._ships.get(weather), **self._run_on)
         self._ships[weather] = found.moored.ship
         offset = max(found.offset.judged, _offset(found.lost))
         if around is None:
@@ -373,7 +378,8 @@ class _Search:
         """Run it without line 1, in weather from the side that is then hardest at rest."""
         name, said = state.load_case, self._said(state)
         case, weather = self._afloat(state, settled, around), (name, state.directions)
-        found, moored = run_without(self._as_judged(case), 1, ship=self._ships.get(weather))
+        ship = self._ships.get(weather)
+        found, moored = run_without(self._as_judged(case), 1, ship=ship, **self._run_on)
         self._ships[weather] = moored.ship
         without = around.state_in(name).line_out.line_force
         return ShipLost(said, case, (found,), without, _offset((found,)))

@@ -11,6 +11,7 @@ import pytest
 from catopt import Line, Segment, System, solve_system
 from catopt.errors import InputError
 from catopt.floater import two_scales
+from catopt.floater.line_tables import no_tables
 from catopt.floater.ship import ShipInWeather, SlowShip, rates
 from catopt.floater.two_scales import (
     MooredShip,
@@ -231,7 +232,9 @@ def test_rates_of_a_turning_ship() -> None:
     state = np.array([0.0, 0.0, 0.6, 1.2, -0.4, 0.01])
     out = np.empty(6)
     lines = as_arrays(room_for(8))
-    assert rates(0.0, state, slow, as_arrays(moored.zero_load.arrangement), lines, out) == -1
+    none_of_lines = as_arrays(no_tables())
+    there = as_arrays(moored.zero_load.arrangement)
+    assert rates(0.0, state, slow, there, none_of_lines, lines, out) == -1
     speeds = state[3:]
     # At the zero-load position the lines pull to no side.
     assert abs(speeds @ inertia @ out[3:]) < 1e-3 * abs(m * 1.2 * 0.4 * 0.01)
