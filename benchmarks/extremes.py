@@ -197,7 +197,7 @@ def _error(values: Array, true: float) -> str:
 
 def _storm(runs: int) -> Case:
     """Chain of the example in runs of which 10 minutes count."""
-    case = read_case(CASE)
+    case: Case = read_case(CASE)
     assert case.dynamics is not None
     settings = replace(
         case.dynamics, duration=630.0, ramp=30.0, runs=runs, elements=12, output_interval=0.2

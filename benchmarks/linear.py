@@ -111,7 +111,7 @@ def linear(drive: Excitation, lines: OneLine, model: LinearModel, times):  # typ
 
 def in_sea(height: float, period: float, duration: float) -> Case:
     """Put a sea state into the case."""
-    case = catopt.read_case(CASE)
+    case: Case = catopt.read_case(CASE)
     assert case.waves is not None
     assert case.dynamics is not None
     waves = replace(case.waves, height=height, period=period)

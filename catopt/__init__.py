@@ -46,6 +46,12 @@ if TYPE_CHECKING:
     from catopt.model import Site as Site
     from catopt.model import StrainTable as StrainTable
     from catopt.model import System as System
+    from catopt.model.network import LineBetween as LineBetween
+    from catopt.model.network import MooredBody as MooredBody
+    from catopt.model.network import Network as Network
+    from catopt.model.network import Point as Point
+    from catopt.mooring.network_rest import LinesAtRest as LinesAtRest
+    from catopt.mooring.solution import SystemSolution as SystemSolution
     from catopt.mooring.solution import solve_system as solve_system
     from catopt.sizing.file import read_sizing as read_sizing
     from catopt.sizing.keywords import size_buoy as size_buoy
@@ -70,7 +76,9 @@ _HOMES = {
     "catopt.design.search": "design_case",
     "catopt.errors": "CatoptError InputError NoEquilibriumError NotConvergedError",
     "catopt.model": "Case Line Load PointLoad Segment Site StrainTable System",
-    "catopt.mooring.solution": "solve_system",
+    "catopt.model.network": "LineBetween MooredBody Network Point",
+    "catopt.mooring.network_rest": "LinesAtRest",
+    "catopt.mooring.solution": "SystemSolution solve_system",
     "catopt.sizing.file": "read_sizing",
     "catopt.sizing.keywords": "size_buoy size_tanker",
     "catopt.study.run": "run_study",

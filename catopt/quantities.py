@@ -191,6 +191,8 @@ _TABLE = (
     Quantity("safety_factor", "Safety factor", "SF", "-", "-", 1.0, 2),
     Quantity("friction", "Seabed friction", "mu", "-", "-", 1.0, 2),
     Quantity("density", "Density", "rho", "kg/m^3", "kg/m^3", 1.0, 1),
+    Quantity("adhesion", "Adhesion", "c", "N/m^2", "kPa", 1e3, 1),
+    Quantity("base_area", "Area of the base", "A", "m^2", "m^2", 1.0, 2),
     Quantity("moment", "Moment on the body", "M", "N*m", "kN*m", 1e3, 1),
     Quantity("stiffness", "Stiffness", "k", "N/m", "kN/m", 1e3, 3),
     Quantity("force_by_turning", "Force by turning", "k", "N/rad", "kN/rad", 1e3, 1),

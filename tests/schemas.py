@@ -31,7 +31,7 @@ from catopt.checks.result import CheckReport, ChecksInBrief
 from catopt.cli.new import NewFile
 from catopt.design.result import DesignResult
 from catopt.export.exported import Exported
-from catopt.loads.sinker import AnchorHeld, SinkerHeld
+from catopt.loads.held import AnchorHeld, SinkerHeld
 from catopt.loads.weathervane import ComparedLoads
 from catopt.model.kinds import OneOf, Size
 from catopt.mooring.case import SystemReport

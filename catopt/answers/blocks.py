@@ -29,6 +29,8 @@ from catopt.words import (
 if TYPE_CHECKING:
     import pandas as pd
 
+    from catopt.checks.verdict import Judgement
+
 Value = float | str | None
 """A number in SI, a count, a message, the user's own words, or None where it is not known."""
 
@@ -171,16 +173,28 @@ class Text:
 
 @dataclass(frozen=True)
 class Verdict:
-    """What an answer comes to: good, bad, or neither where that is None."""
+    """What an answer comes to: good, bad, or neither where that is None.
+
+    Of the verdict on a mooring `of_judgement` makes it.
+    """
 
     said: str
     passes: bool | None
+    is_partial: bool = False
+    """Whether it passes as far as it was judged, and that is not all."""
+
+    @classmethod
+    def of_judgement(cls, of: Judgement) -> Verdict:
+        """Take word and colour."""
+        return cls(of.said, of.passes, of.colour == "amber")
 
     @property
-    def kind(self) -> Literal["", "passes", "fails"]:
+    def kind(self) -> Literal["", "passes", "in-part", "fails"]:
         """How it looks."""
         if self.passes is None:
             return ""
+        if self.passes and self.is_partial:
+            return "in-part"
         return "passes" if self.passes else "fails"
 
 

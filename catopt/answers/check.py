@@ -72,11 +72,9 @@ def _card(report: CheckReport) -> Iterator[blocks.CardBlock]:
         yield from blocks.briefly(said, Message(f"answers.card_{label}"), 3)
 
 
-def verdict_blocks(
-    report: CheckReport, passes: bool | None = None
-) -> Iterator[blocks.Verdict | blocks.Text]:
-    """Say whether all checks are passed, and which governs."""
-    yield blocks.Verdict(verdict_sentence(report), report.passes if passes is None else passes)
+def verdict_blocks(report: CheckReport) -> Iterator[blocks.Verdict | blocks.Text]:
+    """Say whether all checks are passed, what was not judged, and which governs."""
+    yield blocks.Verdict.of_judgement(report.judgement)
     if report.results:
         yield blocks.Text(governing_sentence(report))
 
@@ -124,7 +122,7 @@ def checks_in_motion(report: CheckReport) -> Iterator[blocks.Block]:
         yield motion_table("dynamic_checks", report, shown, of_a_body=of_a_body)
         yield _criteria([results[row] for row in shown])
         yield from _confidence(report)
-    yield from verdict_blocks(report, report.verdict is True)
+    yield from verdict_blocks(report)
     yield blocks.Warnings(report.warnings)
 
 
@@ -312,16 +310,6 @@ def load_case_table(report: CheckReport) -> blocks.Table:
 
 
 # ------------------------------------------------------------------ sentences
-
-
-def verdict_sentence(report: CheckReport) -> Message:
-    """Say whether all checks are passed: ``"2 of 9 checks fail."``."""
-    count, failed = len(report.results), len(report.failed)
-    if failed:
-        return Message("checks.some_fail", count=failed, checks=count)
-    if count and report.is_doubted:
-        return Message("checks.pass_in_doubt", count=count)
-    return Message("checks.all_pass", count=count) if count else Message("checks.nothing")
 
 
 def governing_sentence(report: CheckReport) -> str:

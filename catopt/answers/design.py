@@ -14,11 +14,10 @@ from catopt.answers.check import (
     governing_sentence,
     tightest_checks,
     tightest_table,
-    verdict_blocks,
-    verdict_sentence,
 )
 from catopt.answers.motion import FORCE, PERCENT, RATIO
 from catopt.checks.kinds import QUANTITY_OF
+from catopt.checks.verdict import report_sentence
 from catopt.design.result import (
     anchor_words,
     clump_weight_words,
@@ -82,7 +81,8 @@ def _card(result: DesignResult) -> Iterator[blocks.CardBlock]:
     """Say which design is recommended, what it comes to, its neighbours, and how it was found."""
     own, count, number = result.best, len(result.front), result.recommended
     yield blocks.Text(Message("design.card", number=number, count=count, line=made_of(own)))
-    yield from verdict_blocks(own.checks)
+    yield blocks.Verdict.of_judgement(own.judgement)
+    yield blocks.Text(governing_sentence(own.checks))
     yield from _short_in_motion(result)
     of = Rows(result.front)
     near = range(max(number - 1 - _NEAR, 0), min(number + _NEAR, count))
@@ -204,7 +204,7 @@ def _moved(of: Rows) -> Iterator[blocks.Column]:
         )
 
 
-def _short_in_motion(result: DesignResult) -> Iterator[blocks.Verdict]:
+def _short_in_motion(result: DesignResult) -> Iterator[blocks.Text]:
     """Say in one sentence what `_in_motion` says."""
     search, own = result.in_motion, result.best.in_motion
     if search is None or own is None or own.checks is None:
@@ -214,8 +214,7 @@ def _short_in_motion(result: DesignResult) -> Iterator[blocks.Verdict]:
     used = "-" if worst.utilisation is None else f"{worst.utilisation:.3f}"
     values = {"check": worst.name, "used": used, "count": search.run}
     key = "design.short_in_motion" if search.complete else "design.short_of_some"
-    said = Message(key, **values, failing=len(search.failing))
-    yield blocks.Verdict(said, own.checks.passes and search.complete)
+    yield blocks.Text(Message(key, **values, failing=len(search.failing)))
 
 
 def _in_motion(result: DesignResult) -> Iterator[blocks.Verdict | blocks.Text]:
@@ -223,9 +222,7 @@ def _in_motion(result: DesignResult) -> Iterator[blocks.Verdict | blocks.Text]:
     search, own = result.in_motion, result.best.in_motion
     if search is None or own is None or own.checks is None:
         return
-    yield blocks.Verdict(
-        Message("design.passes_in_motion", verdict=verdict_sentence(own.checks)), own.checks.passes
-    )
+    yield blocks.Text(Message("design.passes_in_motion", verdict=report_sentence(own.checks)))
     yield blocks.Text(Message("design.governs_in_motion", said=governing_sentence(own.checks)))
     fails = Message("design.run_of_which_fail", count=search.run, failing=len(search.failing))
     proof = Message("design.run_again" if search.proven else "design.not_run_again")
@@ -285,7 +282,8 @@ def _of_files(of: Rows) -> Iterator[blocks.Column]:
 def _recommended(result: DesignResult) -> Iterator[blocks.Block]:
     point = result.best
     said = Message("design.recommended", number=result.recommended)
-    yield blocks.Verdict(said, point.passes)
+    yield blocks.Text(said)
+    yield blocks.Verdict.of_judgement(point.judgement)
     yield blocks.Text(result.recommendation)
     yield blocks.Facts("recommended", tuple(_made_of(result, point)), only="not csv")
     yield tightest_table(point.checks)

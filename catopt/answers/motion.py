@@ -90,7 +90,7 @@ def _card_of_load_cases(
     found: DynamicVerification, checks: CheckReport
 ) -> Iterator[blocks.CardBlock]:
     """Say what the checks come to, what is not proven, and what the hardest load case is like."""
-    yield from verdict_blocks(checks, checks.verdict is True)
+    yield from verdict_blocks(checks)
     unproven: dict[str, list[str]] = {}
     for part in found.parts:
         if part.verdict != "converged":

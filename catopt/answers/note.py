@@ -22,10 +22,11 @@ from catopt.answers.blocks import (
     tabulate,
     texts,
 )
-from catopt.answers.check import governing_sentence, kind_name, verdict_sentence
+from catopt.answers.check import governing_sentence, kind_name
 from catopt.answers.solution import given_tables
 from catopt.answers.verification import closing_in_note, compared_in_note, lines_in_note
 from catopt.checks.kinds import limit_quantity
+from catopt.checks.verdict import verdict_of
 from catopt.constants import YEAR
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.verify.motion_words import part_sentence
@@ -34,6 +35,8 @@ from catopt.words import Cited, Measure, Message, Several, quantity_name, term
 if TYPE_CHECKING:
     from catopt.catalogue import Component
     from catopt.checks.kinds import Criterion
+    from catopt.checks.result import CheckReport
+    from catopt.checks.verdict import Judgement
     from catopt.model import Case, Line, Segment
     from catopt.model.network import Network
     from catopt.notes.line import Note
@@ -109,7 +112,8 @@ def opening(
     tension: float,
     in_motion: bool = False,
     in_storm: Sequence[Number] = (),
-    verdict: Verdict | None = None,
+    moved: CheckReport | None = None,
+    judgement: Judgement | None = None,
 ) -> Iterator[Section]:
     """Begin a note: the first page, who answers for it, and what is to be known.
 
@@ -117,11 +121,14 @@ def opening(
     answer is `said` in sentences, `force` pulls, `reach` is how far the mooring lets go, `tension`
     the largest at a fairlead (N). `in_motion` says whether the lines were run in time, too,
     `in_storm` what they came to there, beside which the others are said to be at rest, and
-    `verdict` goes in the place of that of the checks, in words of the answer's own.
+    `moved` are the checks in motion; `judgement` goes in the place of that of the checks, in words
+    of the answer's own.
     """
     sheet, report = note.sheet, note.sheet.report
-    words = [each for each in (verdict_sentence(report), governing_sentence(report)) if each]
-    verdict = verdict or Verdict(Several(words, " "), report.passes if report.results else None)
+    if judgement is None:
+        own = verdict_of(replace(report.matter, in_motion=moved))
+        words = (own.said, governing_sentence(report if moved is None else moved))
+        judgement = replace(own, said=Several(filter(None, words), " "))
     largest = (Message("columns.largest_tension"), "tension", tension)
     still: list[Number] = [force, largest, _reserve(sheet)]
     if in_storm:
@@ -130,7 +137,7 @@ def opening(
     rows = [(name, (value, rounded(key, value))) for name, key, value in four]
     answer = (
         *(Text(each) for each in said),
-        verdict,
+        Verdict.of_judgement(judgement),
         from_rows("four", ("page.what", "value"), rows),
         *drawing,
         blocks.Points(tuple(_not_covered(sheet, in_motion)), Message("note_first.not_covered")),

@@ -112,6 +112,7 @@ def _opening(note: Note) -> Iterator[Section]:
         reach=(Message("quantities.span"), "span", max(each.span for each in intact)),
         tension=max(part.max_tension for each in intact for part in each.segments),
         in_motion=note.motion is not None,
+        moved=None if note.motion is None else note.motion.checks,
     )
 
 

@@ -40,12 +40,13 @@ from catopt.answers.note import (
 )
 from catopt.answers.note_line import of_the_front, of_the_line
 from catopt.answers.note_system import near_blocks, plan_blocks, pull_of
-from catopt.answers.size_card import storm_time, verdict
+from catopt.answers.size_card import storm_time
 from catopt.answers.trail import step_of
 from catopt.checks.kinds import QUANTITY_OF
 from catopt.constants import STANDARD_GRAVITY, YEAR
 from catopt.figures.sizing import elevation, swing_circle
 from catopt.model.anchor import sinker_needed
+from catopt.model.line import weight_in_water
 from catopt.quantities import GREEK, QUANTITIES
 from catopt.words import Cited, Measure, Message, Sentence, Several, Told, say, term
 
@@ -118,7 +119,7 @@ def _opening(note: SizeNote) -> Iterator[Section]:
         tension=of.largest_tension,
         in_motion=of.in_motion is not None,
         in_storm=tuple(_in_storm(of)),
-        verdict=verdict(of),
+        judgement=of.judgement,
     )
 
 
@@ -489,12 +490,23 @@ def _sinker(of: SinkerSize, note: SizeNote) -> Iterator[Step]:
     yield step("note_size.hold_water", "ρw", _DENSITY, water)
     yield step("note_size.hold_needed_weight", "W₁", _LIFT, needed, "{V} + {SF} · {H}/{μ}")
     formula = "{W₁}/({g} · (1 − {ρw}/{ρ}))"
+    by_weight = needed / weight_in_water(1.0, rho, water)
+    formula = formula if math.isclose(of.needed_mass, by_weight) else ""  # what the base needs
     yield step("note_size.hold_needed_mass", "m₁", _MASS, of.needed_mass, formula)
     yield step("note_size.hold_next", "m", _MASS, of.mass)
     formula = "{g} · {m} · (1 − {ρw}/{ρ})"
     yield step("note_size.hold_weight", "W", _LIFT, of.submerged_weight, formula)
+    formula = "{μ} · ({W} − {V})/{H}"
+    if of.bond is not None and of.base_holding is not None:
+        c, A, B = of.bond.adhesion, of.base_area, of.base_holding
+        step = partial(step_of, numbers | {"m": of.mass, "W": of.submerged_weight, "B": B})
+        adhesion = Cited(of.bond.source.text)
+        yield step("note_size.hold_adhesion", "c", QUANTITIES["adhesion"], c, source=adhesion)
+        yield step("note_size.hold_base", "A", QUANTITIES["base_area"], A)
+        yield step("note_size.hold_on_base", "B", _PULL, B)
+        formula = formula if of.held < B else "{B}/{H}"
     if of.factor is not None:
-        yield step("note_size.hold_reached", "", _NUMBER, of.factor, "{μ} · ({W} − {V})/{H}")
+        yield step("note_size.hold_reached", "", _NUMBER, of.factor, formula)
     own = None if note.sizing.point.anchor is None else note.sizing.point.anchor.mass
     if own is not None and not math.isclose(own, of.mass):
         yield step("note_size.hold_own", "m", _MASS, own)

@@ -134,6 +134,7 @@ def _opening(note: SystemNote) -> Iterator[Section]:
         reach=(Message("quantities.offset"), "offset", offset),
         tension=max(part.max_tension for each in note.sheet.intact for part in each.segments),
         in_motion=note.motion is not None,
+        moved=note.motion_checks,
     )
 
 
@@ -476,6 +477,7 @@ def _network_opening(note: NetworkNote) -> Iterator[Section]:
         reach=(Message("note_system.longest_on_bed"), "grounded_length", lies),
         tension=tension,
         in_motion=note.motion is not None,
+        moved=note.motion_checks,
     )
 
 

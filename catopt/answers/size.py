@@ -16,7 +16,7 @@ from catopt.answers.check import (
     verdict_column,
 )
 from catopt.answers.loads import forces_table, notes_table, numbers_table
-from catopt.answers.size_card import heel_words, runs_words, size_card, verdict
+from catopt.answers.size_card import heel_words, runs_words, size_card
 from catopt.constants import YEAR
 from catopt.figures.sizing import tension_by_length
 from catopt.quantities import QUANTITIES, Quantity
@@ -53,7 +53,7 @@ def size_answer(of: Sizing) -> blocks.Answer:
         section(
             term("Sizing"),
             blocks.Text(of.one_line),
-            verdict(of),
+            blocks.Verdict.of_judgement(of.judgement),
             *map(blocks.Text, _beside(of)),
             summary_table(of),
             why,
@@ -160,8 +160,10 @@ def _holding(of: Sizing) -> Iterator[_Row]:
         values |= {"anchor": of.drag_anchor.anchor, "soil": term(of.drag_anchor.soil)}
         name, words = term("Drag anchor"), Message("sizing.drag_anchor", **values)
     else:
-        assert of.sinker is not None
-        words = Message(f"sizing.{of.sinker.material}_sinker", **values)
+        sinker = of.own_sinker
+        assert sinker is not None
+        values |= {"side": sinker.side, "height": sinker.height}
+        words = Message(f"sizing.{sinker.material}_sinker", **values)
         name = term("Sinker")
     yield _Row(name, mass, QUANTITIES["mass"], words)
     other = of.other_sinker

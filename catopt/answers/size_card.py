@@ -25,11 +25,12 @@ from catopt.answers.blocks import (
     tabulate,
     texts,
 )
-from catopt.answers.check import demand_and_capacity, verdict_column, verdict_sentence
+from catopt.answers.check import demand_and_capacity, verdict_column
 from catopt.catalogue.choice import chosen
 from catopt.catalogue.family import chain_words
 from catopt.checks.kinds import is_wanted
 from catopt.constants import YEAR
+from catopt.loads.ship import SHORTEST
 from catopt.model import CatalogueChoice
 from catopt.units import lasting
 from catopt.words import Measure, Message, Sentence, Several, is_said, term
@@ -56,9 +57,6 @@ def size_card(of: Sizing, *, with_others: bool = True) -> tuple[CardBlock, ...]:
     run: tuple[Brief, ...] = ()
     if of.in_motion is not None:
         run = tuple(_of_the_runs(of.in_motion))
-    elif of.kind == "tanker":  # its line is at rest: say so, and what runs it
-        key = "sizing.not_run" if of.ship_case is None else "sizing.not_run_yet"
-        run = (Brief((Message(key),), Message("sizing.card_in_motion")),)
     briefs = (
         *run,
         Brief(of.departures, Message("sizing.card_departs", code=code), 2),
@@ -70,7 +68,7 @@ def size_card(of: Sizing, *, with_others: bool = True) -> tuple[CardBlock, ...]:
     )
     return (
         Text(of.one_line),
-        verdict(of),
+        Verdict.of_judgement(of.judgement),
         Facts("size_card", tuple(_numbers(of))[:_NUMBERS]),
         *(each for each in briefs if any(each.said)),
     )
@@ -89,44 +87,6 @@ def fleet_answer(every: Sequence[Sizing]) -> Answer:
         verdict_column(each.passes for each in reports),
     )
     return answered("fleet", Message("sizing.fleet"), section("sizing.fleet", table))
-
-
-def verdict(of: Sizing) -> Verdict:
-    """Say what the recommended line comes to and what governs; steady forces are said first.
-
-    The same words stand on the screen and on the first page of the note.
-    """
-    report = of.point.checks if of.in_motion is None else of.in_motion.checks
-    said: Message = verdict_sentence(report)
-    if report.results and report.passes:
-        is_worn = any(each.condition == "worn" for each in of.case.load_cases)
-        by = None if of.in_motion is None else of.in_motion.case.checks.motion_code
-        met = "sizing.all_met" if of.in_motion is None else "sizing.motion_met"
-        said = Message(
-            met if by is None else "sizing.motion_met_by_other",
-            codes=", ".join(of.case.checks.codes),
-            **({} if by is None else {"code": by}),
-            states=Message("sizing.new_and_worn" if is_worn else "sizing.as_new_alone"),
-            governs=_governs(report.governing),
-        )
-    if report.results and not any(each.kind == "tension" for each in report.results):
-        said = Message("sizing.no_tension_check", verdict=said)
-    # Of the codes some have no allowance for motion, and say why: that is another thing.
-    if of.dynamic_factor == 1.0 and is_said(of.motion, "sizing.factor_given"):
-        said = Message("sizing.steady_first", verdict=said)
-    return Verdict(said, report.passes if report.results else None)
-
-
-def _governs(check: CheckResult | None) -> str:
-    """Name the check that governs, and how far it is used; empty where there is none."""
-    if check is None:
-        return ""
-    name = Message(f"checks.{check.kind}_short")
-    if check.place.missing is not None:
-        name = Message("sizing.with_a_line_lost", check=name)
-    if check.utilisation is None:
-        return Message("sizing.governs", check=name)
-    return Message("sizing.governs_at", check=name, used=check.utilisation)
 
 
 def _numbers(of: Sizing) -> Iterator[Fact]:
@@ -327,10 +287,13 @@ def _to_be_known(of: Sizing) -> Iterator[str]:
     yield from (each for each in of.defaults if is_said(each, "sizing.beyond_scope"))
     if any(is_said(each, "sizing.estimated_dimensions") for each in of.warnings):
         yield Message("sizing.card_estimated")
+    if any(is_said(each, "sizing.small_craft") for each in of.warnings):
+        yield Message("sizing.card_small_craft", shortest=SHORTEST)
     yield from of.advice
     said = [Sentence(each, capital=True) for each in of.breaking_seas()]
+    shorter = ("sizing.estimated_dimensions", "sizing.small_craft")
     for each in of.warnings:
-        if not is_said(each, "sizing.estimated_dimensions") and each not in said:
+        if each not in said and not any(is_said(each, key) for key in shorter):
             yield each
     if of.recalled:
         yield Message("loads.recalled", names=Several(of.recalled, ", "))
@@ -397,7 +360,7 @@ def _helps(kind: str, of: ResolvedInputs, size: float) -> Iterator[Message]:
         "grounded_length": ("diameter_max",),
         "span": ("max_swing", "diameter_max", *weight, "lines"),
         "buoyancy": ("buoy", "reserve_buoyancy", "chain"),
-        "sliding": ("anchor", "soil", "sinker"),
+        "sliding": ("anchor", "soil", "sinker", "base_area"),
     }
     for name in ways.get(kind, ()):
         is_thinnest = kind == "buoyancy" and name == "chain" and size <= _thinnest(of) + _SAME_SIZE
@@ -415,7 +378,7 @@ def _is_open(name: str, of: ResolvedInputs) -> bool:
             return _has_higher_grade(of)
         case "life":
             return bool(of["life"] and of["wear"])
-        case "max_swing" | "reserve_buoyancy":
+        case "max_swing" | "reserve_buoyancy" | "base_area":
             return name in of.given
         case "buoy":
             return of["buoy"] is not None

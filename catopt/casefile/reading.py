@@ -27,7 +27,7 @@ from catopt.casefile.schema import CaseTable, LineBetweenTable, NetworkTable
 from catopt.documents import attributes, parse_toml, read_text
 from catopt.errors import InputError, Problem, refused
 from catopt.model import Anchor, Case, Line, PointLoad, Segment, Site, System
-from catopt.model.network import LineBetween, MooredBody, Network, Point
+from catopt.model.network import LineBetween, MooredBody, Network, Point, require_case
 from catopt.schemas import read_document
 from catopt.words import Message
 from catopt.words.saved import with_messages
@@ -136,7 +136,7 @@ def _built(problems: list[Problem], path: str, part: Any, /, **given: Any) -> An
         return None
 
 
-def read_case(path: str | os.PathLike[str]) -> Case:
+def read_case(path: str | os.PathLike[str]) -> Any:
     """Read a case file.
 
     Parameters
@@ -147,31 +147,21 @@ def read_case(path: str | os.PathLike[str]) -> Case:
 
     Returns
     -------
-    Case
-        In SI.
+    Case or Network
+        In SI. A file of ``[[points]]`` and ``[[lines]]``, and a deck whose lines differ or meet in
+        joints, is a `catopt.Network`, for `catopt.solve_system` and `catopt.verify_case`; all else
+        a `catopt.Case`.
 
     Raises
     ------
     InputError
         When the file cannot be read, or with every problem of what it says.
     """
-    return _case_alone(read_mooring(path), path)
-
-
-def _case_alone(found: Case | Network, path: str | os.PathLike[str]) -> Case:
-    """Refuse lines that meet in joints."""
-    if isinstance(found, Network):
-        from catopt.decks.reading import NOT_FOR_THIS
-
-        raise refused("lines", "", NOT_FOR_THIS, os.fspath(path))
-    return found
+    return read_mooring(path)
 
 
 def read_mooring(path: str | os.PathLike[str]) -> Case | Network:
-    """Read a case file, or a file of lines that meet in joints.
-
-    As `read_case`; the latter has ``[[points]]`` and ``[[lines]]``.
-    """
+    """Read a case file, or a file of lines that meet in joints; as `read_case`."""
     source = os.fspath(path)
     if Path(path).suffix.lower() != ".toml":
         from catopt.decks.reading import is_deck, read_any_deck
@@ -242,7 +232,7 @@ def read_case_or_design(path: Path, design: int | None) -> Case:
 
     InputError as `read_case` and `read_design`; or a directory without a number of a design.
     """
-    return _case_alone(read_mooring_or_design(path, design), path)
+    return require_case(read_mooring_or_design(path, design), os.fspath(path))
 
 
 def read_mooring_or_design(path: Path, design: int | None) -> Case | Network:
@@ -266,7 +256,7 @@ def read_design(directory: Path, number: int) -> Case:
     if not 1 <= number <= len(front):
         allowed = Message("refused_command.front_has_designs_1", front=len(front))
         raise refused("--design", str(number), allowed, "options")
-    case = read_case(directory / DESIGN_CASE)
+    case = read_case_or_design(directory / DESIGN_CASE, None)
     design = front[number - 1]
     title = f"{case.title}, design {number}" if case.title else f"Design {number}"
     try:

@@ -232,7 +232,7 @@ class AnchorTable(TableSchema):
 
     model = model.Anchor
     keys = """kind submerged_weight mass density friction holding_capacity safety_factor
-        safety_factor_line_out factor_source max_slide"""
+        safety_factor_line_out factor_source max_slide base_holding"""
     symbols: ClassVar = {"W": "submerged_weight", "m": "mass", "SF": "safety_factor"}
 
     density: Density | None = None

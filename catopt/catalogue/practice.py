@@ -5,6 +5,7 @@ It stands beside what is recommended. Lengths are in m and masses in kg.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -278,6 +279,27 @@ def equipment(displacement: float, front: float, side: float) -> Equipment:
     number = equipment_number(displacement, front, side)
     row = next((each for each in equipment_rows() if each.above < number <= each.up_to), None)
     return Equipment(number, row, _origin(_data()["equipment"], "formula_"))
+
+
+def own_cable(displacement: float, front: float, side: float) -> float | None:
+    """Estimate the cable that a ship carries, m: nominal diameter of stud-link chain of Grade 2.
+
+    Below the smallest row it goes with the root of her equipment number (catopt's own), as it
+    nearly does in the table; None where no row was read. The rest is as of `equipment_number`.
+
+    Examples
+    --------
+    >>> from catopt.catalogue.practice import own_cable
+    >>> own_cable(67.8e6, 605.0, 1173.0)
+    0.084
+    """
+    own = equipment(displacement, front, side)
+    if own.decides and own.row is not None:
+        return own.row.grades[1]
+    first = equipment_rows()[0]
+    if own.number > first.above:
+        return None
+    return first.grades[1] * math.sqrt(own.number / first.above)
 
 
 def practice_of_ship(

@@ -12,6 +12,7 @@ from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve, under_case
 from catopt.errors import InputError, refused
 from catopt.model import Case, Load
+from catopt.model.network import Network, require_case
 from catopt.model.wear import diameter_loss
 from catopt.words import Message
 
@@ -23,7 +24,10 @@ STRENGTH_OF_NEW: Final = "catenary.strength_of_new"
 
 
 def solve_case(
-    case: Case, method: Method = "closed-form", *, progress: Callable[[int], None] | None = None
+    case: Case | Network,
+    method: Method = "closed-form",
+    *,
+    progress: Callable[[int], None] | None = None,
 ) -> Solution:
     """Solve a case; errors as for `solve`, and FloatsUpError for a buoy above the water surface.
 
@@ -39,6 +43,7 @@ def solve_case(
     progress : callable, optional
         Called after each run of the swarm with the number of runs done.
     """
+    case = require_case(case)
     case.site.check_level()
     if method == "pso":
         case.check_still_water()

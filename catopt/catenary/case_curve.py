@@ -26,6 +26,7 @@ from catopt.catenary.solve import solve
 from catopt.errors import FloatsUpError, refused
 from catopt.model import Case
 from catopt.model.kinds import Findings, Place, SomeForce
+from catopt.model.network import Network, require_case
 from catopt.records import Record
 from catopt.shown import Displayable
 from catopt.words import Measure, Message
@@ -107,7 +108,7 @@ class CaseCurve(Displayable, Record):
 
 
 def curve_case(
-    case: Case,
+    case: Case | Network,
     *,
     over: Stepped = "force",
     start: float | None = None,
@@ -144,6 +145,7 @@ def curve_case(
         for key, value in (("start", start), ("stop", stop))
     )
     found.raise_if_any()
+    case = require_case(case)
     case.check_still_water()
     case, warnings = under_a_load(case)
     reference = solve_case(case).with_warnings(warnings)

@@ -52,7 +52,7 @@ def check_line(line: Line, case: Case, anchor: Anchor | None = None) -> CheckRep
     return check_case(replace(case, line=line, anchor=anchor or case.anchor))
 
 
-def check_case(case: Case) -> CheckReport:
+def check_case(case: Case | Network) -> CheckReport:
     """Check a case by every criterion under every load case, or a body in every state.
 
     The line is solved in closed form; the lines of a body are checked with all there and with each
@@ -78,6 +78,10 @@ def check_case(case: Case) -> CheckReport:
     NoEquilibriumError, NotConvergedError
         As for `solve`; the message names the load case.
     """
+    if isinstance(case, Network):
+        from catopt.checks.system import check_network
+
+        return check_network(case)
     if case.system is not None:
         from catopt.checks.system import check_system
 
@@ -126,6 +130,7 @@ def check_case(case: Case) -> CheckReport:
             *_of_solutions(solutions),
         ),
         load_cases=case.load_cases,
+        case=case,
     )
 
 
@@ -330,7 +335,9 @@ def check_motion(case: Case | Network, lines: Sequence[LineInMotion]) -> CheckRe
     on_mean = any(each.mean_factor is not None for each in criteria.all)
     if on_mean and any(each.mean is None for each in judged):
         warnings.append(Message("checks.motion_no_mean"))
-    return CheckReport(case.title, tuple(results), (), tuple(warnings))
+    return CheckReport(
+        case.title, tuple(results), (), tuple(warnings), case=case, is_in_motion=True
+    )
 
 
 def _others(

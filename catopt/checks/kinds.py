@@ -248,14 +248,23 @@ def _buoyancy(reserve: float, solution: Judged, _: Anchor | None) -> Demand:
 
 
 def _sliding(factor: float, solution: Judged, anchor: Anchor | None) -> Demand:
-    """Weight that the sinker needs, V + SF H / mu <= its weight in water, N."""
+    """Weight that the sinker needs, V + SF H / mu <= its weight in water, N.
+
+    On clay SF H <= what its base holds, too: the one that is nearer to its limit is said.
+    """
     assert anchor is not None
     assert anchor.submerged_weight is not None
     assert anchor.friction is not None
     pull, weight = solution.anchor, anchor.submerged_weight
     needed = sinker_needed(pull.horizontal_force, pull.vertical_force, anchor.friction, factor)
     note = Message("checks.sinker_needed", factor=factor, friction=anchor.friction)
-    return Demand(needed, weight, ratio_exceedance(needed, weight), note)
+    by_weight = Demand(needed, weight, ratio_exceedance(needed, weight), note)
+    base, pushed = anchor.base_holding, factor * pull.horizontal_force
+    if base is None or ratio_exceedance(pushed, base) <= by_weight.exceedance:
+        return by_weight
+    return Demand(
+        pushed, base, ratio_exceedance(pushed, base), Message("checks.base_holds", factor=factor)
+    )
 
 
 def _holding(factor: float, solution: Judged, anchor: Anchor | None) -> Demand:

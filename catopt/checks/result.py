@@ -7,10 +7,12 @@ from typing import Annotated, Any
 
 from catopt.catenary.solution import Solution
 from catopt.checks.kinds import CHECK_UNITS, ROUNDING, CheckKind, CheckSource, Place
-from catopt.model import LoadCase
+from catopt.checks.verdict import Judgement, Matter, verdict_of
+from catopt.model import Case, LoadCase
 from catopt.model.kinds import OneOf
 from catopt.model.kinds import Place as Along
 from catopt.model.load import LoadCaseKind
+from catopt.model.network import Network
 from catopt.old_names import OldName
 from catopt.records import From, FromZero, Record, within
 from catopt.shown import Displayable
@@ -120,7 +122,8 @@ class CheckReport(Displayable, Record):
 
     SCHEMA = "catopt.check/1"
     DOCUMENT = (
-        "title verdict=passes _governing_index=governing hanging=load_cases results=checks warnings"
+        "title verdict=passes _governing_index=governing hanging=load_cases results=checks "
+        "warnings judgement=verdict"
     )
 
     title: str
@@ -138,6 +141,21 @@ class CheckReport(Displayable, Record):
     """Of a body: line and state of each of the `solutions`."""
     is_doubted: bool = False
     """Whether the demands are in doubt: of a run in time that was stopped or did not converge."""
+    case: Case | Network | None = field(default=None, compare=False)  # that was checked
+    is_in_motion: bool = False  # whether the lines were run in time
+    is_proven: bool = True  # whether they were run again at a finer step or with more bars
+
+    @property
+    def judgement(self) -> Judgement:
+        """What it comes to: its checks, what was not judged, what makes it invalid."""
+        return verdict_of(self.matter)
+
+    @property
+    def matter(self) -> Matter:
+        """What that is of, for who knows more."""
+        if self.is_in_motion:
+            return Matter(self.case, in_motion=self)
+        return Matter(self.case, at_rest=self)
 
     @property
     def passes(self) -> bool:
@@ -258,7 +276,7 @@ class CheckOfBody(Record):
 class ChecksInMotion(Record):
     """In motion, by the numbers of the case and the codes' factors for dynamic analysis."""
 
-    DOCUMENT = "passes governing checks report.warnings"
+    DOCUMENT = "passes governing checks report.warnings report.judgement=verdict"
 
     report: CheckReport
 
@@ -285,7 +303,9 @@ class ChecksInBrief(Record):
     The command catopt check has them all.
     """
 
-    DOCUMENT = "checks failed report.verdict=passes governing report.warnings"
+    DOCUMENT = (
+        "checks failed report.verdict=passes governing report.warnings report.judgement=verdict"
+    )
 
     report: CheckReport
 

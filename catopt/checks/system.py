@@ -104,6 +104,7 @@ def check_system(case: Case, report: SystemReport | None = None) -> CheckReport:
         solutions=tuple((each.where, each.solution) for each, _ in solved),
         warnings=tuple(dict.fromkeys(warnings)),
         places=tuple(place for _, place in solved),
+        case=case,
     )
 
 
@@ -267,6 +268,7 @@ def check_network(
         solutions=tuple((each.where, each.solution) for each, _, _ in solved),
         warnings=tuple(dict.fromkeys(warnings)),
         places=tuple(place for _, place, _ in solved),
+        case=network,
     )
 
 

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from catopt.answers.check import check_answer, verdict_sentence
+from catopt.answers.check import check_answer
 from catopt.casefile.reading import read_mooring_or_design
 from catopt.cli.answering import FAILED, Asked, answering
 from catopt.cli.completion import completed
@@ -30,7 +30,6 @@ def check(
     """Check a line under every load case, or the lines of a mooring in every state."""
     from catopt.checks.case import check_case
     from catopt.checks.profiles import profiles_of
-    from catopt.checks.system import check_network
 
     asked.check_place()
     read = read_mooring_or_design(case, design)
@@ -41,7 +40,7 @@ def check(
             profiles_of(checks)
     read = replace(read, checks=checks)
     of_points = isinstance(read, Network)
-    report = check_network(read) if isinstance(read, Network) else check_case(read)
+    report = check_case(read)
     asked.give(check_answer(report, of_points=of_points), report.to_dict, read)
     if strict and not report.verdict:
-        asked.leave(FAILED, verdict_sentence(report))
+        asked.leave(FAILED, report.judgement.said)

@@ -9,7 +9,7 @@ from typing import Annotated, Literal
 import typer
 
 from catopt.answers.solution import curve_answer
-from catopt.casefile import read_case
+from catopt.casefile.reading import read_case_or_design
 from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CaseArgument, OutOption
 from catopt.cli.values import in_si, with_known_codes
@@ -38,7 +38,7 @@ def curve(
     from catopt.report.bundle import pictures_of
 
     asked.check_place()
-    read = with_known_codes(read_case(case))
+    read = with_known_codes(read_case_or_design(case, None))
     dimension = Dimension.FORCE if over == "force" else Dimension.LENGTH
     limits = in_si({"--from": (start, dimension), "--to": (stop, dimension)})
     try:

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from catopt.answers.design import design_answer
-from catopt.casefile import read_case, write_case
-from catopt.casefile.reading import DESIGN_CASE
+from catopt.casefile import write_case
+from catopt.casefile.reading import DESIGN_CASE, read_case_or_design
 from catopt.cli.answering import INTERRUPTED, Asked, answering
 from catopt.cli.options import CaseArgument, CountOption, OutOption
 from catopt.cli.values import by_option, given_ones
@@ -36,7 +36,7 @@ def design(
     asked.check_place(for_case=True)
     how = given_ones(method=method, evaluations=evaluations, seed=seed)
     how |= {"in_motion": True} if in_motion else {}
-    read = read_case(case)
+    read = read_case_or_design(case, None)
     if read.design is None:
         allowed = Message("refused_command.missing_table_design_says_what")
         raise refused("design", "", allowed, str(case))

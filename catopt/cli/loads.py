@@ -159,7 +159,7 @@ def ship(
     from catopt.loads import METHODS, WaterLevels, every_lying, every_method
     from catopt.loads.ship import MIDSHIP, WATERLINE, box_estimates, estimates
     from catopt.sizing.environment import DIRECTIONS, directions_of, read_turning, turned_round
-    from catopt.sizing.known import estimated_dimensions
+    from catopt.sizing.known import estimated_dimensions, small_craft
     from catopt.sizing.requests import (
         BARGE,
         TAKEN_FOR,
@@ -244,11 +244,11 @@ def ship(
     has_areas = of["frontal_area"] is not None and of["lateral_area"] is not None
     said = (
         *_what_is_taken(form, worst, turning),
-        *(() if has_areas else box_estimates() if is_square else estimates()[1:]),
+        *(() if has_areas else box_estimates() if is_square else estimates(of["length"])[1:]),
         *of_the_wind(of),
         *_no_part(of, {*_SHIP, "moulded_depth"} - ({"hmax"} if by_hs else set())),
     )
-    warned = estimated_dimensions(of.read)
+    warned = (*estimated_dimensions(of.read), *small_craft(of.read))
     reported = [
         replace(each, assumptions=(*each.assumptions, *said), warnings=(*each.warnings, *warned))
         for each in (worst.loads, *others)

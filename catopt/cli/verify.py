@@ -20,9 +20,10 @@ from catopt.answers.verification import (
     verdict_sentence,
     verification_answer,
 )
-from catopt.casefile import read_case, write_case
+from catopt.casefile import write_case
 from catopt.casefile.reading import (
     DESIGN_CASE,
+    read_case_or_design,
     read_design,
     read_design_document,
     read_mooring_or_design,
@@ -261,7 +262,7 @@ def _front(
 
     document = read_design_document(directory)
     designs = list(_designs(directory, document["front"]))
-    case = read_case(directory / DESIGN_CASE)
+    case = read_case_or_design(directory / DESIGN_CASE, None)
     with asked.output.progress(Message("beside.designs")) as tell:
         front = verify_front(case.title, designs, progress=tell, **how)
     stop = partial(_stop_front, asked, front, None)

@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import PurePath
-from typing import Final
+from typing import Any
 
 from catopt.decks.deck import Deck, Notes
 from catopt.decks.to_case import (
@@ -23,7 +23,7 @@ from catopt.decks.to_case import (
     weight_of,
 )
 from catopt.documents import unfit
-from catopt.errors import InputError, refused
+from catopt.errors import InputError
 from catopt.model import Case, Line, Segment, Site
 from catopt.model.network import LineBetween, Network, Point, PointKind
 from catopt.words.message import Message
@@ -98,9 +98,6 @@ def _network(
         raise InputError(error.problems, notes.source) from None
 
 
-NOT_FOR_THIS: Final = Message("refused_command.lines_meet_joints_or_differ")
-
-
 @dataclass(frozen=True)
 class Asked:
     """What the user says beside the deck: m/s2, kg/m3 and m, where the deck has none.
@@ -116,12 +113,12 @@ class Asked:
 
 @dataclass(frozen=True)
 class Imported:
-    """A deck as a case: one line between its ends, or equal lines around a body.
+    """A deck as a case: one line between its ends, or equal lines around a body; else a network.
 
     `remarks`: what decides a number, and what of the deck the case has not, with its line.
     """
 
-    case: Case
+    case: Any  # Case or Network
     remarks: tuple[Message, ...]
 
 
@@ -182,10 +179,7 @@ def read_deck(text: str, source: str = "", asked: Asked | None = None) -> Import
     >>> found.case.load.span, found.case.line.length
     (150.0, 170.0)
     """
-    case, remarks = read_any_deck(text, source, asked)
-    if isinstance(case, Network):
-        raise refused("file", "", NOT_FOR_THIS, source)
-    return Imported(case, remarks)
+    return Imported(*read_any_deck(text, source, asked))
 
 
 def read_any_deck(

@@ -254,6 +254,7 @@ def _in_all_load_cases(
     is_worn = 0
     worst = -math.inf
     needed = -math.inf
+    pushed = 0.0
     largest = 0.0
     reference = math.inf
     anchor_load = 0.0
@@ -272,10 +273,10 @@ def _in_all_load_cases(
             break
         worst = max(worst, largest_exceedance(state, problem, tables, room, segments, c))
         if len(tables.sinker_weight) > 0:
-            pull = sinker_needed(
-                state.H_anchor, state.V_anchor, tables.sinker_friction, tables.limit[c, SLIDING]
-            )
+            factor = tables.limit[c, SLIDING]
+            pull = sinker_needed(state.H_anchor, state.V_anchor, tables.sinker_friction, factor)
             needed = max(needed, pull)
+            pushed = max(pushed, factor * state.H_anchor)
         if stops_early and worst > ROUNDING:
             largest = math.nan
             break
@@ -285,8 +286,9 @@ def _in_all_load_cases(
             reference = min(reference, state.span)
     sinker = -1
     if needed > -math.inf:
-        sinker = _lightest(needed, tables.sinker_weight)
+        sinker = _lightest(needed, pushed, tables.sinker_weight, tables.sinker_base)
         worst = max(worst, ratio_exceedance(needed, tables.sinker_weight[sinker]))
+        worst = max(worst, ratio_exceedance(pushed, tables.sinker_base[sinker]))
     return _Found(worst, largest, reference, anchor_load, sinker, unsolved)
 
 
@@ -430,10 +432,11 @@ def largest_exceedance(
 
 
 @inlined
-def _lightest(needed: float, weights: Any) -> int:
-    """Index of the lightest sinker that holds, or of the heaviest."""
+def _lightest(needed: float, pushed: float, weights: Any, bases: Any) -> int:
+    """Index of the lightest sinker that holds by its weight and on its base, or of the heaviest."""
     for k in range(len(weights)):
-        if ratio_exceedance(needed, weights[k]) <= ROUNDING:
+        by_base = ratio_exceedance(pushed, bases[k])
+        if max(ratio_exceedance(needed, weights[k]), by_base) <= ROUNDING:
             return k
     return len(weights) - 1
 

@@ -274,6 +274,7 @@ def _of_lines(
             factor = line.limit[damage, SLIDING]
             pull = sinker_needed(state.H_anchor, state.V_anchor, line.sinker_friction, factor)
             worst = max(worst, ratio_exceedance(pull, line.sinker_weight[0]))
+            worst = max(worst, ratio_exceedance(factor * state.H_anchor, line.sinker_base[0]))
     if reserve < math.inf:
         worst = max(worst, ratio_exceedance(pull_down, reserve))
     return CONVERGED, worst, anchor_load

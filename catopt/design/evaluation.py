@@ -241,6 +241,7 @@ def sinker_of(case: Case, choice: SinkerChoice, index: int) -> Anchor:
         kind="sinker",
         submerged_weight=weight_in_water(mass, choice.density, case.site.water_density),
         friction=choice.friction,
+        base_holding=choice.base_holdings[index] if choice.base_holdings else None,
         safety_factor=choice.safety_factor,
         factor_source=choice.factor_source,
         mass=mass,

@@ -177,6 +177,7 @@ def mooring_point(problem: MooringProblem, genes: tuple[int, ...]) -> MooringPoi
         results=tuple(hardest_of(results)),
         solutions=((far.state.name, far.solution.lines[far.solution.most_loaded].solution),),
         warnings=tuple(dict.fromkeys(said for each in solved for said in each.solution.warnings)),
+        case=case,
     )
     farthest = solution_at(zero, rest, lines)
     return MooringPoint(

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Annotated, Any, TypedDict
 
 from catopt.checks.result import CheckReport, CheckResult, ChecksInMotion
+from catopt.checks.verdict import Judgement, verdict_of
 from catopt.design.mooring_point import MooringPoint, under
 from catopt.model import Anchor, Case, Line
 from catopt.model.design import FoundBy, loads_of
@@ -200,7 +201,7 @@ class DesignPoint(Displayable, Record):
         "line.segments(name catalogued=component nominal_diameter length "
         "submerged_weight mass EA MBL proof_load price wear_rate wear_zone~) "
         "line.point_loads(name position submerged_weight mass) "
-        "sinker(mass submerged_weight friction safety_factor) checks.results=checks "
+        "sinker(mass submerged_weight friction base_holding? safety_factor) checks.results=checks "
         "checks.nearest=governing passes=feasible spans genes "
         "in_motion? mooring=system(azimuths anchor_radius pretension? state=farthest_state "
         "farthest.system.force=farthest_force_N load.water_level=farthest_water_level_m~ "
@@ -223,6 +224,14 @@ class DesignPoint(Displayable, Record):
     """Only where values of the case are drawn: all else is by its own values."""
     in_motion: PointInMotion | None = None
     """Only where designs have to pass in motion: what it came to there."""
+
+    @property
+    def judgement(self) -> Judgement:
+        """What it comes to at rest and, where it was run, in motion."""
+        moved = None if self.in_motion is None else self.in_motion.checks
+        if moved is not None and self.in_motion is not None:
+            moved = replace(moved, is_proven=self.in_motion.verdict == "converged")
+        return verdict_of(replace(self.checks.matter, in_motion=moved))
 
     @property
     def passes(self) -> bool:
@@ -378,7 +387,7 @@ class DesignResult(Displayable, Record):
     DOCUMENT = (
         "case.title objectives load_cases front recommended_index=recommended recommendation ends "
         "neighbours present method is_exact designs evaluations feasible hypervolume "
-        "reference_point seed interrupted warnings excluded? in_motion?"
+        "reference_point seed interrupted warnings excluded? in_motion? best.judgement=verdict"
     )
 
     case: Case  # what was asked

@@ -35,6 +35,7 @@ from catopt.design.result import DesignPoint, DesignResult
 from catopt.errors import NotConvergedError, refused
 from catopt.model import Case
 from catopt.model.design import FoundBy, SearchMethod
+from catopt.model.network import Network, require_case
 from catopt.words import Listed, Message
 
 CHUNK = 50_000
@@ -241,7 +242,7 @@ Announce = Callable[[str], None]
 
 
 def design_case(
-    case: Case,
+    case: Case | Network,
     *,
     method: SearchMethod | None = None,
     seed: int | None = None,
@@ -279,6 +280,7 @@ def design_case(
     NoFeasibleDesignError
         No design passes every check; it names the one that fails by the least.
     """
+    case = require_case(case)
     if case.design is not None and case.design.in_motion:
         allowed = Message("refused_case.designs_in_motion_by")
         raise refused("design.in_motion", "true", allowed, "design")

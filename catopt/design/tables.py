@@ -67,6 +67,8 @@ class Tables(NamedTuple):
     limit: Any
     # shape (sinkers,): in water, N, rising; the anchor's own where nothing is to be chosen
     sinker_weight: Any
+    # what the soil holds on the base of each, N; infinite where friction alone holds
+    sinker_base: Any
     sinker_friction: float
     holding_capacity: float  # of the drag anchor, N, infinite when there is none
     anchor_height: float  # m above the bed
@@ -201,7 +203,7 @@ def tables_of(
     states = sorted(states, key=lambda state: -state.horizontal_force)
     segments, weights = space.segments, space.clump_weights
     is_worn = [state.condition == "worn" for state in states]
-    sinker_weight, sinker_friction, capacity = _holding(case, sinkers)
+    sinker_weight, sinker_base, sinker_friction, capacity = _holding(case, sinkers)
 
     def of_options(name: str) -> Floats:
         figures = [[getattr(option, name) for option in each.options] for each in segments]
@@ -234,6 +236,7 @@ def tables_of(
             [criteria.limits(state.kind, state.state) for state in states], dtype=np.float64
         ),
         sinker_weight=np.array(sinker_weight, dtype=np.float64),
+        sinker_base=np.array(sinker_base, dtype=np.float64),
         sinker_friction=sinker_friction,
         holding_capacity=capacity,
         anchor_height=float(case.anchor_height),
@@ -304,21 +307,28 @@ def _padded(rows: Sequence[Sequence[float]]) -> Floats:
     return table
 
 
-def _holding(case: Case, sinkers: SinkerChoice | None) -> tuple[list[float], float, float]:
-    """Weights of the sinkers in water (N), their friction, and a drag anchor's capacity (N)."""
+def _holding(
+    case: Case, sinkers: SinkerChoice | None
+) -> tuple[list[float], Sequence[float], float, float]:
+    """Weights of the sinkers in water, what their bases hold, friction; a drag anchor's capacity.
+
+    All but the friction in N.
+    """
     if sinkers is not None:
         water = case.site.water_density
         weights = [weight_in_water(mass, sinkers.density, water) for mass in sinkers.masses]
-        return weights, sinkers.friction, math.inf
+        bases = sinkers.base_holdings or [math.inf] * len(weights)
+        return weights, bases, sinkers.friction, math.inf
     anchor = case.anchor
     if anchor is None:
-        return [], 1.0, math.inf
+        return [], [], 1.0, math.inf
     if anchor.kind == "sinker":
         assert anchor.submerged_weight is not None
         assert anchor.friction is not None
-        return [anchor.submerged_weight], anchor.friction, math.inf
+        base = math.inf if anchor.base_holding is None else anchor.base_holding
+        return [anchor.submerged_weight], [base], anchor.friction, math.inf
     assert anchor.holding_capacity is not None
-    return [], 1.0, anchor.holding_capacity
+    return [], [], 1.0, anchor.holding_capacity
 
 
 def _allowed(states: Sequence[LoadCase], space: DesignSpace, criteria: Criteria) -> Floats:

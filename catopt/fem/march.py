@@ -34,15 +34,16 @@ slides, 3 the sum of their squares, 4 how many there were."""
 def slide(h: float, before: Any, now: Any, blocks: Any, state: Any) -> None:
     """Let every block on the bed slide for a step of h, s: rigid, held by Coulomb's friction.
 
-        m dv/dt = H - mu max(W - V, 0),   v >= 0
+        m dv/dt = H - min(mu max(W - V, 0), B),   v >= 0
 
-    with the horizontal pull H and the pull upwards V of a line on what holds its anchor. The run
+    with the horizontal pull H and the pull upwards V of a line on what holds its anchor, and what
+    the soil holds on its base at most, B. The run
     holds the anchor, which does not give: its pulls are above those on a block that slides, and
     the mass of the water that the block takes along, which would slow it, is left out.
 
     `before`, `now` (lines, 2, 3): forces at the lines' ends at its start and end, the anchors'
-    first, N; `blocks` (blocks, 3): mass, kg, weight in water, N, and friction; `state` (lines,
-    blocks, SLIDING).
+    first, N; `blocks` (blocks, 4): mass, kg, weight in water, N, friction and B, N; `state`
+    (lines, blocks, SLIDING).
     """
     for k in range(state.shape[0]):
         x_0, y_0, x_1, y_1 = before[k, 0, 0], before[k, 0, 1], now[k, 0, 0], now[k, 0, 1]
@@ -50,7 +51,7 @@ def slide(h: float, before: Any, now: Any, blocks: Any, state: Any) -> None:
         lift = 0.5 * (before[k, 0, 2] + now[k, 0, 2])
         for b in range(blocks.shape[0]):
             at = state[k, b]
-            most = blocks[b, 2] * max(blocks[b, 1] - lift, 0.0)
+            most = min(blocks[b, 2] * max(blocks[b, 1] - lift, 0.0), blocks[b, 3])
             speed, faster = at[0], (pull - most) / blocks[b, 0]
             if speed == 0.0 and faster <= 0.0:
                 continue

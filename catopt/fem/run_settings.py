@@ -61,8 +61,8 @@ class TimeStepping:
     energy: bool = False  # whether energies are kept
     tensions: bool = False  # whether the tension of every bar is
     # Blocks on the bed whose slides are found, were they what holds an anchor: mass, kg, weight in
-    # water, N, and friction of each
-    blocks: tuple[tuple[float, float, float], ...] = ()
+    # water, N, friction, and what the soil holds at most, N (infinite: friction alone) of each
+    blocks: tuple[tuple[float, float, float, float], ...] = ()
 
     def __post_init__(self) -> None:
         found = Findings("TimeStepping")

@@ -311,7 +311,7 @@ class Simulation:
         samples, every, step = stepping.samples, stepping.every, float(stepping.step)
         rules = stepping.rules(self.rounding)
         record = self._empty_record(stepping)
-        blocks = np.array(stepping.blocks, dtype=float).reshape(-1, 3)
+        blocks = np.array(stepping.blocks, dtype=float).reshape(-1, 4)
         at, part, level, size, speed = 0, 0.0, 0, 1, 0.0
         last, lost = samples * every, -1 if breaks is None else breaks.sample * every
         with waiting_interrupt() as ask:

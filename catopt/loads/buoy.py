@@ -18,7 +18,7 @@ from catopt.errors import InputError, Problem
 from catopt.loads.buoy_shape import DRAG_COEFFICIENT, BuoyShape, BuoySlice, Floating
 from catopt.loads.component import CALMAR, LoadComponent, Loads, LoadSource, Number
 from catopt.loads.environment import SeaState, SurfaceCurrent, WaterLevels, Wind, drag_component
-from catopt.model.kinds import Findings
+from catopt.model.kinds import Findings, exceeds
 from catopt.words import Measure, Message, Several, term
 
 Made = TypeVar("Made")
@@ -319,10 +319,10 @@ def _check(
     found.number("chain_diameter", diameter, "m", at_least=0.0, at_most=0.2)
     found.number("marine_growth", growth, "m", at_least=0.0, at_most=0.5)
     found.word("wave_height", wave_height, get_args(WaveHeight))
-    if levels.high > DEEPEST:
+    if exceeds(levels.high, DEEPEST):
         limit = Message("refused_sizing.calmar_holds_down_m_water", deepest=DEEPEST)
         found.add("levels.high", f"{levels.high:g} m", limit)
-    if current.speed > FASTEST:
+    if exceeds(current.speed, FASTEST):
         limit = Message("refused_sizing.calmar_holds_up_m_s", fastest=FASTEST)
         found.add("current.speed", f"{current.speed:g} m/s", limit)
     found.raise_if_any()

@@ -38,6 +38,8 @@ class _Tag(NamedTuple):
 _OUTLINE: Final = _Tag(("Height", "WidthHigh", "WidthLow", "Masse"), ("Name",))
 _OF_BUOY: Final = ("ChaineMin", "ChaineMax", "MasseLestUnitaire", "NombreLestMin", "NombreLestMax")
 _OF_PART: Final = ("Masse", "OffsetFlotteur", "OffsetOrganeau")
+_SIGNED: Final = ("OffsetFlotteur", "OffsetOrganeau")
+"""Below 0 what is offset lies above where it is offset from."""
 _SLICE: Final = ("ElementDimItem",)
 _TAGS: Final = {
     "Calmar": _Tag((), ("version",), ("Buoy",)),
@@ -201,7 +203,7 @@ def _check_number(at: str, value: str, found: Findings) -> None:
     if "NombreLest" in at and number % 1.0:
         found.add(at, f'"{value}"', Message("refused.whole"))
     else:
-        found.number(at, number, "", at_least=0.0)
+        found.number(at, number, "", at_least=None if at.endswith(_SIGNED) else 0.0)
 
 
 def _at(path: str, key: str) -> str:

@@ -14,7 +14,7 @@ from catopt.errors import NoAnswerError
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.component import DTOCEAN, MOORPY, UFC, LoadSource, refuse_recalled
 from catopt.loads.ship import NextSize, neighbours, next_size
-from catopt.model.kinds import Findings, SomeForce
+from catopt.model.kinds import Findings, SomeForce, exceeds
 from catopt.records import Record
 from catopt.shown import Tabled
 from catopt.words import Measure, Message, Several, term
@@ -263,7 +263,7 @@ def _check_masses(key: str, masses: Sequence[float], curves: Sequence[HoldingCur
     low, high = curves[0].masses
     values = {"anchor": curves[0].anchor, "low": low, "high": high}
     for mass in masses:
-        if not low <= mass <= high:
+        if exceeds(low, mass) or exceeds(mass, high):
             nearest = min(max(mass, low), high)
             allowed = Message("loads.anchor_sold", nearest=nearest, **values)
             found.add(key, f"{mass:g} kg", allowed)
@@ -283,7 +283,7 @@ def _check(horizontal: float, factor: float, angle: float, limit: float) -> None
     found.number("uplift_angle", angle, "rad", at_least=0.0)
     found.number("uplift_limit", limit, "rad", at_least=0.0, at_most=_STEEPEST_LIMIT)
     found.raise_if_any()
-    if angle > limit:
+    if exceeds(angle, limit):
         ends = {"angle": angle, "above": angle - limit, "limit": limit}
         degrees = {name: math.degrees(each) for name, each in ends.items()}
         raise NoAnswerError(Message("loads.pulled_up", **degrees))

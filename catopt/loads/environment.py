@@ -12,7 +12,7 @@ from catopt.arrays import Array
 from catopt.constants import STANDARD_GRAVITY
 from catopt.loads.component import Axis, LoadComponent, LoadSource, Number
 from catopt.loads.ship import Ship
-from catopt.model.kinds import Angle, Findings
+from catopt.model.kinds import Angle, Findings, exceeds
 from catopt.words import Message
 
 _N: Final = 0.468
@@ -185,7 +185,7 @@ class Wind:
         found = Findings("Wind")
         found.number("speed", self.speed, "m/s", at_least=0.0)
         found.number("height", self.height, "m", above=0.0)
-        if not found.problems and self.speed > _STRONGEST_WIND:
+        if not found.problems and exceeds(self.speed, _STRONGEST_WIND):
             strong = Message("refused_sizing.above_m_s_more_than", strongest_wind=_STRONGEST_WIND)
             found.add("speed", f"{self.speed:g} m/s", strong)
         found.raise_if_any()
@@ -208,7 +208,7 @@ class SurfaceCurrent:
     def __post_init__(self) -> None:
         found = Findings("SurfaceCurrent")
         found.number("speed", self.speed, "m/s", at_least=0.0)
-        if not found.problems and self.speed > _FASTEST_CURRENT:
+        if not found.problems and exceeds(self.speed, _FASTEST_CURRENT):
             key = "refused_sizing.above_m_s_faster_than"
             fast = Message(key, fastest_current=_FASTEST_CURRENT)
             found.add("speed", f"{self.speed:g} m/s", fast)
@@ -236,7 +236,7 @@ class SeaState:
             missing = Message("refused_sizing.missing_or_maximum_height_wanted")
             found.add("significant_height", "", missing)
         found.raise_if_any()
-        if hs is not None and hmax is not None and hmax < hs:
+        if hs is not None and hmax is not None and exceeds(hs, hmax):
             low = Message("refused_sizing.below_significant_height_m", hs=hs)
             found.add("maximum_height", f"{hmax:g} m", low)
         found.raise_if_any()
@@ -324,7 +324,7 @@ class WaterLevels:
         found = Findings("WaterLevels")
         for key in ("low", "high"):
             found.number(key, getattr(self, key), "m", above=0.0, at_most=_DEEPEST)
-        if not found.problems and self.high < self.low:
+        if not found.problems and exceeds(self.low, self.high):
             below = Message("refused_sizing.below_low_water_m", low=self.low)
             found.add("high", f"{self.high:g} m", below)
         found.raise_if_any()

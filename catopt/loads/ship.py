@@ -11,7 +11,7 @@ from typing import Final, Literal, NamedTuple, get_args
 
 from catopt.errors import NoAnswerError
 from catopt.loads.component import MARPOL, LoadSource
-from catopt.model.kinds import Findings, NotNegative, Positive, SomeMass
+from catopt.model.kinds import Findings, NotNegative, Positive, SomeMass, exceeds
 from catopt.shown import Tabled
 from catopt.words import Message
 
@@ -79,7 +79,7 @@ class Ship:
         )
         for key, unit, most, words in limits:
             value = getattr(self, key)
-            if value > most:
+            if exceeds(value, most):
                 found.add(key, f"{value:g} {unit}", Message(words, limit=most))
 
     def check_afloat(self, depth: float) -> None:
@@ -169,11 +169,12 @@ def ship_dimensions(kind: str, deadweight: float) -> ShipDimensions:
     found.raise_if_any()
     rows = _TABLE[kind]
     tonnes, known = deadweight / _TONNE, sorted(rows)
-    if not known[0] <= tonnes <= known[-1]:
+    if exceeds(known[0], tonnes) or exceeds(tonnes, known[-1]):
         values = {"kind": kind, "value": known[0], "value2": known[-1]}
         allowed = Message("refused_sizing.dimensions_are_known_from_t", **values)
         found.add("deadweight", f"{tonnes:.6g} t", allowed)
     found.raise_if_any()
+    tonnes = min(max(tonnes, known[0]), known[-1])
     if tonnes in rows:
         return ShipDimensions(*rows[tonnes])
     upper = bisect_left(known, tonnes)
@@ -268,16 +269,38 @@ BALLAST_SOURCE: Final = LoadSource(MARPOL, "2.1, of tankers", "B")
 
 HOUSE_HEIGHT: Final = 15.0
 HOUSE_LENGTH: Final = 25.0
-"""Of the deckhouse, m; it is as wide as the ship."""
+"""Of the deckhouse of a ship of `SHORTEST` and more, m; it is as wide as the ship."""
+
+SHORTEST: Final = 90.0
+"""m, over all: the shortest ship of the table of dimensions. The estimates come from such ships and
+longer ones; below, a deckhouse goes with the length, and the screen says so."""
 
 
-def estimates() -> tuple[Message, Message]:
-    """Say what is taken of hull and deckhouse where nothing is given; catopt's own figures."""
+def deckhouse(length: float) -> tuple[float, float]:
+    """Estimate height and length of the deckhouse of a ship of a length over all, m.
+
+    Examples
+    --------
+    >>> from catopt.loads.ship import deckhouse
+    >>> deckhouse(234.0), deckhouse(18.0)
+    ((15.0, 25.0), (3.0, 5.0))
+    """
+    scale = min(1.0, length / SHORTEST)
+    return scale * HOUSE_HEIGHT, scale * HOUSE_LENGTH
+
+
+def estimates(length: float) -> tuple[Message, Message]:
+    """Say what is taken of hull and deckhouse where nothing is given; catopt's own figures.
+
+    `length` over all, m.
+    """
+    height, long = deckhouse(length)
+    key = "loads.estimated_house" if length >= SHORTEST else "loads.scaled_house"
     return (
         Message(
             "loads.estimated_hull", part=WATERLINE, loaded="0.80", ballast="0.72", midship=MIDSHIP
         ),
-        Message("loads.estimated_house", height=HOUSE_HEIGHT, length=HOUSE_LENGTH),
+        Message(key, height=height, length=long, shortest=SHORTEST),
     )
 
 
@@ -337,14 +360,15 @@ def estimated_tanker(
         found.add("moulded_depth", f"{moulded_depth:g} m", low)
     found.raise_if_any()
     freeboard = moulded_depth - draught
-    waterline, block, midship, height = WATERLINE * length, BLOCK[condition], MIDSHIP, HOUSE_HEIGHT
+    waterline, block, midship = WATERLINE * length, BLOCK[condition], MIDSHIP
+    height, long = deckhouse(length)
     if is_square_ended:
         waterline, block, midship, height = length, 1.0, 1.0, 0.0
     section = breadth * draught
     frontal = breadth * (freeboard + height)
-    house = height * HOUSE_LENGTH
+    house = height * long
     lateral = length * freeboard + house
-    house_lever = -house * 0.5 * (length - HOUSE_LENGTH) / lateral
+    house_lever = -house * 0.5 * (length - long) / lateral
     return Ship(
         name,
         length_overall=length,

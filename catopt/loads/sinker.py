@@ -2,29 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from types import MappingProxyType
-from typing import Annotated, Final, Literal, NamedTuple, TypeAlias, cast
+from typing import Annotated, Final, Literal, TypeAlias
 
-from catopt.catalogue.components import Confidence, Source
-from catopt.catalogue.family import meant, words_of
-from catopt.catalogue.fittings import AnchorType, anchor_types
 from catopt.constants import SEA_WATER_DENSITY
-from catopt.errors import refused
+from catopt.errors import NoAnswerError, refused
 from catopt.loads.component import CALMAR, NAVFAC, LoadSource
-from catopt.loads.drag_anchor import default_factor, holding_capacity
 from catopt.loads.ship import SINKER_MASSES, NextSize, neighbours, next_size
 from catopt.model.anchor import sinker_needed
 from catopt.model.kinds import (
+    Area,
     Density,
     Findings,
-    Mass,
+    Length,
     Measured,
     NotNegative,
-    Positive,
     SomeForce,
-    Strength,
 )
 from catopt.model.line import weight_in_water
 from catopt.records import Record
@@ -133,11 +129,80 @@ ADHESION: Final = MappingProxyType(
 )
 """Clays by name."""
 
-AS_CLAY: Final = MappingProxyType({"mud": "soft clay", "soft mud": "soft clay"})
+AS_CLAY: Final = MappingProxyType(
+    dict.fromkeys(("mud", "soft mud", "clay", "bùn", "sét"), "soft clay")
+)
 """Soils by names of practice; soft clay has the lowest figures."""
 
-MUD: Final = (*AS_CLAY, "soft clay")
-"""Soils that hold a sinker by adhesion, not by a share of its weight: no table has a friction."""
+_WEAKEST: Final = MappingProxyType(
+    {
+        **AS_CLAY,
+        **dict.fromkeys(("sand", "cát"), "fine or silty sand"),
+        **dict.fromkeys(("silt", "bụi"), "sandy silt"),
+        **dict.fromkeys(("gravel", "sỏi"), "gravel or coarse sand"),
+        **dict.fromkeys(("rock", "đá"), "clean sound rock"),
+    }
+)
+"""Of a kind of soil that is named alone the weakest that has figures."""
+
+_NO_FRICTION: Final = "sandy silt"
+"""Whose friction, the lowest of all, stands in for that of a clay that has none."""
+
+_LOWEST: Final = "of sandy silt, the lowest that it has, for want of one of soft clay"
+
+PROPORTION: Final = 0.5
+"""Height of a cast sinker over the side of its square base: recalled (R) of concrete sinkers of the
+United States Coast Guard; it counts only where adhesion holds and no base is given."""
+
+
+def soil_named(word: str) -> str:
+    """Name the soil that a word of practice stands for: of a kind the weakest; else itself.
+
+    >>> soil_named("sand"), soil_named("Mud"), soil_named("hard clay")
+    ('fine or silty sand', 'soft clay', 'hard clay')
+    """
+    return _WEAKEST.get(word.strip().casefold(), word)
+
+
+@dataclass(frozen=True)
+class Bond:
+    """What a clay holds of sinkers on their bases, whatever they weigh.
+
+    Adhesion times the area of the base and, of a block that has sunk in, of the two sides along
+    the pull. catopt's own: neither what it pushes before it nor the soil's gain of strength counts.
+    """
+
+    adhesion: float
+    """Pa."""
+    source: LoadSource
+    base_area: float | None = None
+    """m2; None: that of a cast block of each mass, `PROPORTION`."""
+    embedment: float = 0.0
+    """How deep it has sunk in, m."""
+
+    def holding(self, mass: float, density: float) -> float:
+        """Horizontal pull that a sinker of a mass (kg) holds by it, N."""
+        area = base_of(mass, density) if self.base_area is None else self.base_area
+        depth = min(self.embedment, mass / (density * area))
+        return self.adhesion * (area + 2.0 * math.sqrt(area) * depth)
+
+    def mass(self, pull: float, density: float) -> float:
+        """Least mass that holds a pull (N) by it, kg; infinite where no mass does."""
+        wanted = pull / self.adhesion
+        if self.base_area is not None:
+            side = math.sqrt(self.base_area)
+            depth = max(0.0, wanted - self.base_area) / (2.0 * side)
+            return density * self.base_area * depth if depth <= self.embedment else math.inf
+        # The side of a block that has sunk in by less than its height, or else wholly.
+        side = math.sqrt(wanted + self.embedment**2) - self.embedment
+        if PROPORTION * side < self.embedment:
+            side = math.sqrt(wanted / (1.0 + 2.0 * PROPORTION))
+        return density * PROPORTION * side**3
+
+
+def base_of(mass: float, density: float) -> float:
+    """Area of the square base of a cast block, m2: its height is half the side."""
+    return float((mass / (density * PROPORTION)) ** (2.0 / 3.0))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -147,7 +212,9 @@ class SinkerSize(NextSize, Record):
     DOCUMENT = (
         "mass needed_mass smaller=smaller_mass_kg larger=larger_mass_kg material density "
         "submerged_weight friction friction_source.text=friction_source "
-        "safety_factor=wanted_factor factor"
+        "safety_factor=wanted_factor factor soil base_area side height is_base_given "
+        "bond.adhesion=adhesion_Pa bond.source.text=adhesion_source bond.embedment=embedment_m "
+        "base_holding"
     )
 
     material: Material
@@ -162,6 +229,12 @@ class SinkerSize(NextSize, Record):
     """In water."""
     vertical_force: float
     """Of the line on it, upwards, N."""
+    soil: str | None = None
+    """That it lies on; None where its friction is the user's own."""
+    given_base: float | None = None
+    """Area of its base, m2, where that is given."""
+    bond: Bond | None = None
+    """Of a clay, which holds no more than that on its base; None where friction alone holds."""
     notes: tuple[str, ...] = ()
     """What an engineer should know."""
 
@@ -171,9 +244,36 @@ class SinkerSize(NextSize, Record):
         return CALMAR if self.friction_source is None else self.friction_source.document
 
     @property
+    def is_base_given(self) -> bool:
+        """Whether its base is given, not that of a cast block."""
+        return self.given_base is not None
+
+    @property
+    def base_area(self) -> Area:
+        """Of its base: as given, or of a cast block."""
+        return base_of(self.mass, self.density) if self.given_base is None else self.given_base
+
+    @property
+    def side(self) -> Length:
+        """Of its square base."""
+        return math.sqrt(self.base_area)
+
+    @property
+    def height(self) -> Length:
+        """Of the block."""
+        return self.mass / (self.density * self.base_area)
+
+    @property
+    def base_holding(self) -> SomeForce | None:
+        """Horizontal pull that a clay holds on its base; None where friction alone holds."""
+        return None if self.bond is None else self.bond.holding(self.mass, self.density)
+
+    @property
     def held(self) -> float:
         """Horizontal pull at which it slides, N."""
-        return holding_force(self.submerged_weight, self.vertical_force, self.friction)
+        by_weight = holding_force(self.submerged_weight, self.vertical_force, self.friction)
+        base = self.base_holding
+        return by_weight if base is None else min(by_weight, base)
 
 
 def holding_force(weight: float, vertical_force: float, friction: float) -> float:
@@ -185,25 +285,47 @@ def holding_force(weight: float, vertical_force: float, friction: float) -> floa
 
 
 def friction_of(soil: str, material: Material = "concrete") -> tuple[float, LoadSource]:
-    """Lower friction coefficient of a soil, a key of `SOIL_FRICTION`, with its source.
+    """Lower friction coefficient of a soil, with its source.
 
-    A soil without a figure is refused. Mud and soft clay hold a sinker by adhesion on its base, not
-    by a share of its weight (`adhesion_holding`): measure, and give a friction.
+    A key of `SOIL_FRICTION` or a word of practice (`soil_named`); another is refused. Of soft clay
+    no table has one: it takes the lowest, that of sandy silt, and no more than adhesion holds on
+    the base (`bond_of`).
     """
-    found = Findings("sinker")
-    if soil in MUD:
-        low, high = (f"{each / 1e3:g}" for each in ADHESION["soft clay"].concrete)
-        found.add("soil", repr(soil), Message("loads.mud", low=low, high=high))
-    elif soil not in SOIL_FRICTION:
-        listed = "; ".join(SOIL_FRICTION)
-        others = Message("refused_sizing.one_others_soft_mud_too", listed=listed)
+    name, found = soil_named(soil), Findings("sinker")
+    is_clay = name in ADHESION and name not in SOIL_FRICTION
+    if not is_clay and name not in SOIL_FRICTION:
+        listed = "; ".join((*SOIL_FRICTION, *(each for each in _WEAKEST if each.isascii())))
+        others = Message("refused_sizing.one_others_give_friction", listed=listed)
         found.add("soil", repr(soil), others)
     check_material(found, material)
-    of = SOIL_FRICTION[soil].of(material)
+    of = SOIL_FRICTION[_NO_FRICTION if is_clay else name].of(material)
     if of is None:
         give = Message("refused_sizing.no_figure_on_give_friction", material=material)
         raise refused("soil", repr(soil), give, "sinker")
-    return of
+    mu, source = of
+    if not is_clay:
+        return of
+    return mu, replace(source, clause=f"{source.clause}; {_LOWEST}", confidence="C")
+
+
+def bond_of(
+    soil: str | None,
+    material: Material = "concrete",
+    base_area: float | None = None,
+    embedment: float = 0.0,
+) -> Bond | None:
+    """Return what a clay holds of sinkers on their bases; None of any other soil.
+
+    Refused: an embedment on what is no clay.
+    """
+    name = None if soil is None else soil_named(soil)
+    if name is None or name not in ADHESION:
+        if embedment:
+            allowed = Message("refused_sizing.embedment_in_clay", clays=", ".join(ADHESION))
+            raise refused("embedment", f"{embedment:g} m", allowed, "sinker")
+        return None
+    adhesion, source = adhesion_holding(name, 1.0, material)
+    return Bond(adhesion, source, base_area, embedment)
 
 
 def adhesion_holding(
@@ -215,7 +337,7 @@ def adhesion_holding(
     counts, times the area; neither the weight nor what the sinker sinks in adds to it.
     """
     found = Findings("sinker")
-    name = AS_CLAY.get(soil, soil)
+    name = soil_named(soil)
     if name not in ADHESION:
         clays = Message("refused_sizing.one_mud", adhesion=", ".join(ADHESION))
         found.add("soil", repr(soil), clays)
@@ -234,16 +356,20 @@ def size_sinker(
     friction: float | None = None,
     material: Material = "concrete",
     density: float | None = None,
+    base_area: float | None = None,
+    embedment: float = 0.0,
     safety_factor: float = SAFETY_FACTOR,
     water_density: float = SEA_WATER_DENSITY,
     series: Sequence[float] = SINKER_MASSES,
 ) -> SinkerSize:
     """Pick the next size that does not slide: mu (W - V) >= SF H, W in water.
 
-    The forces are those of the line on the sinker, N, the vertical one upwards; the factor is on
-    the horizontal one. Either a soil is given, a key of `SOIL_FRICTION`, or tan(delta) of one's
-    own. The density, kg/m3, is that of `DENSITIES` when left out; the masses of the series rise,
-    kg.
+    On a clay that has an adhesion its base has to hold SF H, too (`Bond`). The forces are those of
+    the line on the sinker, N, the vertical one upwards; the factor is on the horizontal one.
+    Either a soil is given, a key of `SOIL_FRICTION` or a word of practice (`soil_named`), or
+    tan(delta) of one's own. The density, kg/m3, is that of `DENSITIES` when left out, the base,
+    m2, that of a cast block; the embedment, m, is how deep it has sunk into a clay; the masses of
+    the series rise, kg.
 
     Raises
     ------
@@ -263,12 +389,24 @@ def size_sinker(
     found = Findings("sinker")
     found.number("water_density", water_density, "kg/m3", at_least=900.0, at_most=1100.0)
     found.number("density", rho, "kg/m3", at_most=20e3)
+    found.number("embedment", embedment, "m", at_least=0.0, at_most=10.0)
+    if base_area is not None:
+        found.number("base_area", base_area, "m^2", above=0.0)
     if not found.problems and rho <= water_density:
         floats = Message("refused_sizing.floats_above_water_wanted")
         found.add("density", f"{rho:g} kg/m3", floats)
     found.raise_if_any()
     weight = sinker_needed(horizontal_force, vertical_force, mu, safety_factor)
     needed = weight / weight_in_water(1.0, rho, water_density)
+    bond = bond_of(soil, material, base_area, embedment)
+    if bond is not None:
+        by_base = bond.mass(safety_factor * horizontal_force, rho)
+        if math.isinf(by_base):
+            values = {"area": bond.base_area, "adhesion": bond.adhesion / 1e3}
+            pull = safety_factor * horizontal_force
+            values |= {"pull": pull / 1e3, "wanted": pull / bond.adhesion}
+            raise NoAnswerError(Message("loads.base_too_small", **values))
+        needed = max(needed, by_base)
     mass = next_size(needed, series, Message(_SINKERS[material]))
     smaller, larger = neighbours(mass, series)
     return SinkerSize(
@@ -284,6 +422,9 @@ def size_sinker(
         horizontal_force=horizontal_force,
         vertical_force=vertical_force,
         safety_factor=safety_factor,
+        soil=None if soil is None else soil_named(soil),
+        given_base=base_area,
+        bond=bond,
         notes=_notes(soil, material, density),
     )
 
@@ -307,8 +448,11 @@ def check_material(found: Findings, material: str) -> None:
 def _notes(soil: str | None, material: str, density: float | None) -> tuple[str, ...]:
     notes = []
     if soil is not None:
-        row = SOIL_FRICTION[soil]
-        notes.append(Message(row.note) if row.note else Message("loads.land", soil=term(soil)))
+        name = soil_named(soil)
+        row, key = SOIL_FRICTION.get(name), "loads.land"
+        if row is None:
+            key = "loads.lowest_friction"
+        notes.append(Message(row.note) if row and row.note else Message(key, soil=term(name)))
     if density is None and material.startswith("concrete"):
         notes.append(Message("loads.concrete"))
     return tuple(notes)
@@ -327,177 +471,3 @@ def _check(
     if friction is not None:
         found.number("friction", friction, "", above=0.0, at_most=1.5)
     found.raise_if_any()
-
-
-class HeldBy(NamedTuple):
-    """What a data set has of an anchor."""
-
-    data: str
-    """Data set."""
-    holding: Strength
-    """Ultimate."""
-
-
-@dataclass(frozen=True)
-class AnchorHeld(Record):
-    """What a drag anchor of a mass holds in a soil, pulled horizontally."""
-
-    DOCUMENT = (
-        "anchor soil mass holding data others(data holding) safety_factor pull price=price_USD "
-        "sold confidence source_keys=sources place note"
-    )
-
-    anchor: str
-    """Kind of drag anchor."""
-    soil: str
-    """Soil."""
-    mass: Mass
-    """In air."""
-    holding: Strength
-    """Ultimate, of a horizontal pull, by the lowest data set."""
-    data: str
-    """Data set."""
-    others: tuple[HeldBy, ...]
-    """What the other data sets have."""
-    safety_factor: Positive
-    """On the ultimate holding, of UFC table 3-7."""
-    price: Positive
-    """Material only, USD of 2024."""
-    sold: tuple[Mass, Mass]
-    """Smallest and largest mass that is sold."""
-    confidence: Confidence
-    """How well it was read."""
-    sources: tuple[Source, ...]
-    place: str
-    """Where in the sources."""
-    note: str
-    """What else to know."""
-
-    @property
-    def source_keys(self) -> tuple[str, ...]:
-        """Keys of the sources."""
-        return tuple(source.key for source in self.sources)
-
-    @property
-    def pull(self) -> Strength:
-        """Largest pull that keeps the factor."""
-        return self.holding / self.safety_factor
-
-
-@dataclass(frozen=True)
-class SinkerHeld(Record):
-    """What a sinker of a mass holds on a soil before it slides."""
-
-    DOCUMENT = (
-        "material soil mass submerged_weight friction adhesion holding safety_factor pull source "
-        "confidence"
-    )
-
-    material: Material
-    """Of the sinker."""
-    soil: str
-    """Soil."""
-    mass: Mass
-    """In air."""
-    submerged_weight: Strength
-    """In water."""
-    friction: Positive | None
-    """tan(delta) on the weight in water; None where adhesion holds."""
-    adhesion: Adhered | None
-    """Of a clay, per area of the base; None where friction holds."""
-    holding: SomeForce | None
-    """Pull at which it slides; None where the area of the base is not known."""
-    source: str
-    """Of friction or adhesion."""
-    confidence: Confidence
-    """How well it was read."""
-    safety_factor: Positive = SAFETY_FACTOR
-    """On sliding."""
-
-    @property
-    def pull(self) -> SomeForce | None:
-        """Largest pull that keeps the factor."""
-        return None if self.holding is None else self.holding / self.safety_factor
-
-
-def named_anchors(name: str) -> tuple[AnchorType, ...]:
-    """Find the kinds of drag anchor that go by a name; InputError gives the nearest."""
-    asked = set(words_of(name))
-    every = {each.name: each for each in anchor_types()}
-    exact = [e for e in every.values() if asked in [set(words_of(n)) for n in (e.name, *e.also)]]
-    if exact:
-        return tuple(exact[:1])
-    wanted = meant(Message("refused.one_of", words="; ".join(every)), name, every)
-    raise refused("anchor", as_written(name), wanted, "catalogue")
-
-
-def anchors_held(
-    kinds: Iterable[AnchorType],
-    soil: str | None = None,
-    mass: float | None = None,
-    *,
-    allow_recalled: bool = False,
-) -> tuple[AnchorHeld, ...]:
-    """Tabulate what kinds of anchor hold, in one soil or in all, of one mass or of all sold.
-
-    InputError: a soil without figures, or a mass that is not sold.
-    """
-    return tuple(
-        _held(kind, each, of, allow_recalled=allow_recalled)
-        for kind in kinds
-        for each in ([soil] if soil else dict.fromkeys(of.soil for of in kind.holdings))
-        for of in ([mass] if mass is not None else kind.masses)
-    )
-
-
-def _held(kind: AnchorType, soil: str, mass: float, *, allow_recalled: bool) -> AnchorHeld:
-    capacity = holding_capacity(kind.name, soil, mass, allow_recalled=allow_recalled)
-    curve = capacity.curve
-    own = next(e for e in kind.holdings if (e.soil, e.data) == (curve.soil, curve.data))
-    return AnchorHeld(
-        anchor=kind.name,
-        soil=soil,
-        mass=mass,
-        holding=capacity.capacity,
-        data=curve.data,
-        others=tuple(HeldBy(*each) for each in capacity.others),
-        safety_factor=default_factor(kind.name),
-        price=kind.price_per_mass * mass,
-        sold=kind.range,
-        confidence=own.confidence,
-        sources=own.sources,
-        place=own.place,
-        note=kind.note,
-    )
-
-
-def sinkers_held(
-    mass: float,
-    material: str = "concrete",
-    *,
-    base_area: float | None = None,
-    water_density: float = SEA_WATER_DENSITY,
-) -> tuple[SinkerHeld, ...]:
-    """Tabulate what a sinker holds on every soil that has a figure, and in every clay by adhesion.
-
-    The mass is in air, kg; the area of the base, m2, counts in clay alone.
-    """
-    found = Findings("sinker")
-    if base_area is not None:
-        found.number("base_area", base_area, "m^2", above=0.0)
-    check_material(found, material)
-    material = cast("Material", material)
-    weight = weight_in_water(mass, DENSITIES[material], water_density)
-    rows = []
-    for soil, row in SOIL_FRICTION.items():
-        of = row.of(material)
-        if of is not None:
-            mu, source = of
-            origin = source.text, source.confidence
-            rows.append(SinkerHeld(material, soil, mass, weight, mu, None, mu * weight, *origin))
-    for soil in ADHESION:
-        adhesion, source = adhesion_holding(soil, 1.0, material)
-        total = None if base_area is None else adhesion * base_area
-        origin = source.text, source.confidence
-        rows.append(SinkerHeld(material, soil, mass, weight, None, adhesion, total, *origin))
-    return tuple(rows)

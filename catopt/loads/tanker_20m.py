@@ -92,5 +92,5 @@ def compare_tanker(
         drift=drift,
     )
     size = {"length": _LENGTH, "breadth": _BREADTH, "depth": _MOULDED_DEPTH}
-    said = (Message("loads.printed_size", **size), *estimates())
+    said = (Message("loads.printed_size", **size), *estimates(_LENGTH))
     return TankerComparison(loads, PRINTED_FORCE, said)

@@ -38,6 +38,9 @@ class Anchor(Checked):
     max_slide: Length | None = None
     """How far a sinker may slide in the storm, in motion, m, in the place of a factor on sliding;
     None: that factor holds. It needs the mass."""
+    base_holding: Strength | None = None
+    """Of a sinker on clay, the largest horizontal pull that the soil holds on its base, N, whatever
+    it weighs: adhesion times area; None where friction alone holds."""
 
     def _check(self, found: Findings) -> None:
         found.check("kind")
@@ -51,7 +54,9 @@ class Anchor(Checked):
                 found.add(key, "", Message(f"refused.needed_by_{self.kind}"))
             else:
                 found.check(key)
-        found.check("safety_factor", "safety_factor_line_out", "mass", "max_slide")
+        if self.base_holding is not None and self.kind != "sinker":
+            found.add("base_holding", f"{self.base_holding:g}", Message("refused.not_with_drag"))
+        found.check("base_holding", "safety_factor", "safety_factor_line_out", "mass", "max_slide")
         if self.max_slide is not None and self.kind != "sinker":
             found.add("max_slide", f"{self.max_slide:g} m", Message("refused.not_with_drag"))
         elif self.max_slide is not None and self.mass is None:

@@ -218,12 +218,19 @@ class SinkerChoice(Checked):
     """On sliding; None: that of the codes that are checked."""
     factor_source: Source = ""
     """Where the factor is from, for the checks; the user when empty."""
+    base_holdings: tuple[Strength, ...] = ()
+    """Of each on clay, the largest horizontal pull that the soil holds on its base, N; empty where
+    friction alone holds."""
 
     def _check(self, found: Findings) -> None:
         found.check("factor_source")
         if self.factor_source and self.safety_factor is None:
             found.add("factor_source", "", Message("refused.with_safety_factor"))
         found.some("masses", Message("refused_case.at_least_one_mass_wanted"))
+        if self.base_holdings and len(self.base_holdings) != len(self.masses):
+            numbers = Message("refused.numbers", count=len(self.base_holdings))
+            allowed = Message("refused.so_many", count=len(self.masses))
+            found.add("base_holdings", numbers, allowed)
         found.check()
 
 

@@ -300,8 +300,8 @@ class Measured(Kind):
         return (
             math.isfinite(value)
             and (self.above is None or value > self.above)
-            and (self.at_least is None or value >= self.at_least)
-            and (self.at_most is None or value <= self.at_most)
+            and (self.at_least is None or not exceeds(self.at_least, value))
+            and (self.at_most is None or not exceeds(value, self.at_most))
         )
 
     def read(self, value: object) -> float:
@@ -463,6 +463,21 @@ OneSegment = Annotated[int, Whole("segment", example=1)]
 Source = Annotated[str, Text(filled=True)]
 
 
+_ROUNDING = 1e-12
+"""Of a bound: what a few multiplications leave of a number that is the bound itself."""
+
+
+def exceeds(value: float, most: float) -> bool:
+    """Whether a number is above the most that it may be by more than rounding, or no number.
+
+    Examples
+    --------
+    >>> exceeds(20.0 * 4.4 * 1.4, 20.0 * (4.4 * 1.4)), 20.0 * 4.4 * 1.4 > 20.0 * (4.4 * 1.4)
+    (False, True)
+    """
+    return not value <= most + _ROUNDING * abs(most)
+
+
 def out_of_range(
     value: float, unit: str, above: float | None, at_least: float | None, at_most: float | None
 ) -> str:
@@ -470,9 +485,9 @@ def out_of_range(
     of = f" {unit}" if unit else ""
     if above is not None and not value > above:
         return Message("refused.above", bound=f"{above:g}{of}")
-    if at_least is not None and not value >= at_least:
+    if at_least is not None and exceeds(at_least, value):
         return Message("refused.or_more", bound=f"{at_least:g}{of}")
-    if at_most is not None and not value <= at_most:
+    if at_most is not None and exceeds(value, at_most):
         return Message("refused.or_less", bound=f"{at_most:g}{of}")
     return ""
 

@@ -9,9 +9,9 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Annotated, ClassVar, Literal
 
-from catopt.errors import Problem
+from catopt.errors import Problem, refused
 from catopt.model.anchor import Anchor
-from catopt.model.case import CatalogueChoice
+from catopt.model.case import Case, CatalogueChoice
 from catopt.model.dynamics import Dynamics, network_motion_misfits, of_motion_misfits
 from catopt.model.kinds import (
     Area,
@@ -372,6 +372,14 @@ class Network(Checked):
         if body.yaw_free is not None:
             return body.yaw_free
         return any(arm[:2] != (0.0, 0.0) for arm in self.arms_of(body).values())
+
+
+def require_case(of: Case | Network, source: str = "") -> Case:
+    """Return a case as it is; InputError for lines that meet in joints, or differ."""
+    if isinstance(of, Network):
+        allowed = Message("refused_command.lines_meet_joints_or_differ")
+        raise refused("lines", "", allowed, source)
+    return of
 
 
 def network_misfits(

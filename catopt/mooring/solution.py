@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal, overload
 
 from catopt.catenary.equilibrium import BY_SPAN
 from catopt.catenary.layout import end_of
@@ -15,10 +15,11 @@ from catopt.catenary.span_or_tension import given_span
 from catopt.catenary.state import CONVERGED
 from catopt.errors import NotConvergedError
 from catopt.model.kinds import Angle, Moment, NotNegative, Place, SomeForce, Stiffness
+from catopt.model.network import Network
 from catopt.model.system import Leg, System
 from catopt.mooring.balance import Lines
 from catopt.mooring.descent import Rest
-from catopt.mooring.network_rest import Position
+from catopt.mooring.network_rest import LinesAtRest, Position
 from catopt.mooring.static_equilibrium import ZeroLoadPosition, is_held, zero_load_position
 from catopt.records import Counted, From, Record
 from catopt.shown import Displayable
@@ -216,7 +217,15 @@ LINE_LIMIT = 1e-9
 """How far a laid-out line may miss its fairlead, as a part of its length."""
 
 
-def solve_system(system: System) -> SystemSolution:
+@overload
+def solve_system(system: System) -> SystemSolution: ...
+
+
+@overload
+def solve_system(system: Network) -> LinesAtRest: ...
+
+
+def solve_system(system: System | Network) -> SystemSolution | LinesAtRest:
     """Find where a moored body comes to rest under its load, and what each line carries.
 
     Newton's method on x, y and, where the body turns, yaw, with the stiffness of the lines, from
@@ -224,13 +233,13 @@ def solve_system(system: System) -> SystemSolution:
 
     Parameters
     ----------
-    system : System
-        Lines, force and moment.
+    system : System or Network
+        Lines, force and moment; or points, lines and bodies.
 
     Returns
     -------
-    SystemSolution
-        With its residuals.
+    SystemSolution or LinesAtRest
+        With its residuals; the latter of a network, as `catopt.mooring.held.at_rest`.
 
     Raises
     ------
@@ -250,6 +259,10 @@ def solve_system(system: System) -> SystemSolution:
     >>> solution.most_loaded, round(solution.offset[0], 2)
     (2, 35.53)
     """
+    if isinstance(system, Network):
+        from catopt.mooring.held import at_rest
+
+        return at_rest(system)
     zero_load = zero_load_position(system)
     return solution_at(zero_load, *zero_load.under(system.force, system.moment))
 

@@ -50,7 +50,7 @@ class InMotion:
     """A line in motion in every load case, and what drove it, with its files read.
 
     `uses` of each segment and `solutions` at rest are by load case as in `found.parts`; by the
-    factors of `codes` for dynamic analysis the tensions are judged.
+    factors of `codes` for dynamic analysis the tensions are judged; `checks` are all of them.
     """
 
     found: DynamicVerification
@@ -58,6 +58,7 @@ class InMotion:
     uses: tuple[tuple[SegmentUse, ...], ...]
     solutions: tuple[Solution, ...]
     codes: tuple[str, ...] = ()
+    checks: CheckReport | None = None
 
     @property
     def governing(self) -> int:
@@ -96,7 +97,7 @@ def in_motion(
     )
     wanted = criteria_of(case, analysis="dynamic").all
     codes = dict.fromkeys(each.source.code for each in wanted if each.analysis == "dynamic")
-    return InMotion(found, drive, uses, solutions, tuple(codes))
+    return InMotion(found, drive, uses, solutions, tuple(codes), made)
 
 
 def checks_in_motion(
@@ -118,7 +119,7 @@ def checks_in_motion(
     if found.verdict == "not converged" or not found.is_complete:
         doubt = Message("checks.motion_doubted")
         return replace(report, is_doubted=True, warnings=(doubt, *report.warnings))
-    return report
+    return replace(report, is_proven=found.verdict == "converged")
 
 
 def _of_the_storm(parts: Sequence[DynamicPart]) -> Iterator[Message]:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from catopt._version import __version__
-from catopt.casefile import case_digest, read_case, read_mooring
+from catopt.casefile import case_digest, read_mooring
 from catopt.casefile import reading as design_directory
 from catopt.casefile.reading import DESIGN_CASE, DESIGN_DOCUMENT, SIZING
 from catopt.casefile.schema import CaseTable, TableSchema, entries
@@ -199,7 +199,7 @@ def read_with_sources(
     """
     if design is None and not (path / DESIGN_DOCUMENT).is_file():
         place = case_path(path)
-        return read_case(place), (read_source(place),), None
+        return design_directory.read_case_or_design(place, None), (read_source(place),), None
     document = design_directory.read_design_document(path)
     number = document["recommended"] + 1 if design is None else design
     case = design_directory.read_design(path, number)

@@ -332,9 +332,9 @@ def _line(text: str, *, readout: bool) -> _Laid:
 
 
 def _verdict(report: CheckReport) -> Verdict:
-    from catopt.answers.check import verdict_sentence
+    from catopt.checks.verdict import verdict_of
 
-    return Verdict(verdict_sentence(report), report.passes if report.results else None)
+    return Verdict.of_judgement(verdict_of(replace(report.matter, who="page")))
 
 
 def _body(text: str) -> _Laid:

@@ -62,7 +62,8 @@ def card_lines(answer: Answer, language: Language = "en", further: str = "") -> 
     them named; facts get fewer lines once nothing brief is left.
     """
     wanted = as_wanted(answer)
-    card = list(wanted.card or islice(_screen(wanted), LINES))  # each takes a line at least
+    blocks = wanted.card or islice(_screen(wanted), LINES)  # each takes a line at least
+    card = [each for each in blocks if isinstance(each, Brief) or is_seen(each)]
 
     @cache
     def laid(block: CardBlock, room: int) -> list[Line]:
@@ -74,8 +75,8 @@ def card_lines(answer: Answer, language: Language = "en", further: str = "") -> 
     rooms = [_room(each, language) for each in card]
     while True:
         named = [Brief(tuple(left_out), Message("answers.card_left_out"))] if left_out else []
-        blocks = map(laid, [*card, *named], [*rooms, 1])
-        lines = [Line(title, is_bold=True), *_joined(blocks), *below]
+        parts = map(laid, [*card, *named], [*rooms, 1])
+        lines = [Line(title, is_bold=True), *_joined(parts), *below]
         if len(lines) <= LINES:
             return lines
         spare = [

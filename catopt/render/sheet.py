@@ -16,7 +16,7 @@ from catopt._version import __version__
 from catopt.quantities import Quantity
 from catopt.words import Language, say, term
 
-Style = Literal["heading", "text", "wrapped", "title", "good", "bad", "grey", "beside"]
+Style = Literal["heading", "text", "wrapped", "title", "good", "fair", "bad", "grey", "beside"]
 
 GENERAL = "General"
 """Format of counts, and of what has no fixed digits."""
@@ -38,6 +38,7 @@ _STYLES: Mapping[Style, Mapping[str, Any]] = {
     "wrapped": _FOLDED,
     "title": {"bold": True, "font_size": 12},
     "good": _FOLDED | {"bold": True, "font_color": "#006100"},
+    "fair": _FOLDED | {"bold": True, "font_color": "#7F4F00", "bg_color": "#FFEB9C"},
     "bad": _FOLDED | {"bold": True, "font_color": "#9C0006", "bg_color": "#FFC7CE"},
     "grey": _FOLDED | {"font_color": "#595959"},
     "beside": {"valign": "top", "align": "right"},

@@ -175,6 +175,8 @@ def table_lines(table: Table, room: int, language: Language) -> list[str]:
     if table.marked in kept and columns:
         own = columns[0].cells
         own[:] = [f"*{own[k]}" if row == table.marked else own[k] for k, row in enumerate(kept)]
+    if not columns:
+        return []
     while _excess(columns) > 0 and len(columns) > 1:
         worst = max(columns[1:], key=lambda each: (each.of.priority, each.width - _WIDTH // 3))
         if worst.of.priority == 0:

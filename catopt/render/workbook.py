@@ -48,7 +48,12 @@ _READABLE = 90.0
 """Least width of what is said in words, in characters."""
 _STEPS = (40.0, 12.0, 56.0, 18.0, 9.0, 18.0, 40.0)
 """Of the columns of a trail."""
-_VERDICTS: dict[str, Style] = {"": "grey", "passes": "good", "fails": "bad"}
+_VERDICTS: dict[str, Style] = {
+    "": "grey",
+    "passes": "good",
+    "in-part": "fair",
+    "fails": "bad",
+}
 """Style of a verdict by its kind."""
 _COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#7F7F7F")
 _DASHES = ("solid", "dash", "long_dash", "dash_dot", "square_dot", "solid")

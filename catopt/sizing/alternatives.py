@@ -29,6 +29,7 @@ from catopt.quantities import QUANTITIES
 from catopt.records import Record
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.line_choice import Prefer
+from catopt.sizing.pattern import SinkerGround
 from catopt.sizing.settle import ConvergedSizing, point_diameter
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.words import Cited, Measure, Message, Several, term
@@ -321,8 +322,17 @@ def departures(request: BuoyRequest | TankerRequest) -> Iterator[Message]:
             yield Message("sizing.departs_chain")
         if request.marine_growth:
             yield Message("sizing.departs_growth")
-    if method.soil and request.ground.mu != friction_of(method.soil)[0]:
-        yield Message("sizing.departs_friction", own=request.ground.mu)
+    if method.soil:
+        yield from _departs_on_soil(request.ground, method.soil)
+
+
+def _departs_on_soil(ground: SinkerGround, soil: str) -> Iterator[Message]:
+    """Say where a sinker on its own soil departs from the friction that the code has."""
+    if ground.bond is not None:
+        values = {"own": ground.mu, "adhesion": ground.bond.adhesion / 1e3}
+        yield Message("sizing.departs_clay", **values)
+    elif ground.mu != friction_of(soil)[0]:
+        yield Message("sizing.departs_friction", own=ground.mu)
 
 
 def practice(request: BuoyRequest | TankerRequest, settled: ConvergedSizing) -> Practice | None:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 from catopt.loads.buoy import DEEPEST, WaveHeight
 from catopt.loads.buoy_shape import BuoyShape
-from catopt.model.kinds import Findings
+from catopt.model.kinds import Findings, exceeds
 from catopt.sizing.environment import Environment
 from catopt.sizing.in_motion import RunsAfloat
 from catopt.sizing.kinds import usual
@@ -64,7 +64,7 @@ class BuoyRequest:
         found = Findings("BuoyRequest")
         found.number("scope", self.scope, "", above=0.0, at_most=MOST_DEPTHS)
         low, high = self.environment.levels.low, self.environment.levels.high
-        if isinstance(self.buoy, BuoyShape) and high > DEEPEST:
+        if isinstance(self.buoy, BuoyShape) and exceeds(high, DEEPEST):
             allowed = Message("refused_sizing.calmar_holds_down_m_water", deepest=DEEPEST)
             found.add("levels.high", f"{high:g} m", allowed)
         keel = self.keel_depth(0.0)

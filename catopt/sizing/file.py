@@ -23,6 +23,7 @@ from catopt.casefile.reading import Moored, case_key, moored_in
 from catopt.casefile.schema import TableSchema, entries
 from catopt.documents import Path, dotted, parse_toml, read_text
 from catopt.errors import InputError, Problem
+from catopt.loads.calmar_file import SUFFIX
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.inputs import SINKER, Input, inputs_of
 from catopt.sizing.kinds import schema_of
@@ -102,7 +103,9 @@ class SizingFile:
             is_before = any(other in before for other in (name, *each.not_with))
             if each.path[-1] in place and not is_before:
                 value = place[each.path[-1]]
-                if each.takes == "FILE" and isinstance(value, str):
+                if isinstance(value, str) and (
+                    each.takes == "FILE" or (name == "buoy" and value.lower().endswith(SUFFIX))
+                ):
                     value = str(FilePath(self.folder) / value)
                 found.setdefault(name, value)
         return {**found, **before}

@@ -302,6 +302,14 @@ INPUTS: Final = (
         not_with=("soil",), left_out="left_out.friction",
     ),
     Input(
+        "base_area", "sinker.base_area", "AREA", "2.2 m^2", above=0.0, also=("base",),
+        left_out="left_out.base_area",
+    ),
+    Input(
+        "embedment", "sinker.embedment", "LENGTH", "0.3 m", at_least=0.0, most="10 m",
+        only_with="soil",
+    ),
+    Input(
         "code", "checks.code", "NAME", "break/5", "IALA-CALMAR",
         tanker=(("default", "UFC-4-159-03"),),
     ),

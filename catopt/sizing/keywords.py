@@ -44,6 +44,8 @@ class _Inputs(TypedDict, total=False):
     sinker_density: float | str
     soil: str
     friction: float | str
+    base_area: float | str
+    embedment: float | str
     code: str
     recalled: bool
     life: float | str

@@ -13,7 +13,7 @@ from catopt.casefile.reading import Moored
 from catopt.catalogue.family import nearest
 from catopt.errors import InputError, Problem
 from catopt.loads.buoy import buoys
-from catopt.loads.ship import DIMENSIONS_SOURCE, ship_dimensions
+from catopt.loads.ship import DIMENSIONS_SOURCE, SHORTEST, ship_dimensions
 from catopt.records import Record
 from catopt.sizing.inputs import SINKER, Input, inputs_of
 from catopt.sizing.kinds import default_of, kind_of, usual
@@ -368,3 +368,13 @@ def estimated_dimensions(inputs: Iterable[ReadInput]) -> tuple[Message, ...]:
         return ()
     names = Several((each.name for each in found), ", ")
     return (Message("sizing.estimated_dimensions", names=names, source=found[0].source),)
+
+
+def small_craft(inputs: Iterable[ReadInput]) -> tuple[Message, ...]:
+    """Say that the ship is shorter than those from which her areas above water are estimated."""
+    of = {each.keyword: each.value for each in inputs}
+    length = of.get("length")
+    is_known = {"frontal_area", "lateral_area"} <= set(of) or of.get("ship") == "barge"
+    if is_known or not isinstance(length, float) or length >= SHORTEST:
+        return ()
+    return (Message("sizing.small_craft", length=length, shortest=SHORTEST),)

@@ -13,7 +13,7 @@ from catopt.checks.profiles import Method, profiles_of
 from catopt.constants import SEA_WATER_DENSITY, YEAR
 from catopt.errors import InputError, refused
 from catopt.model import CatalogueChoice, Checks, Line, Segment, SegmentChoice, Service
-from catopt.model.kinds import Findings
+from catopt.model.kinds import Findings, exceeds
 from catopt.sizing.kinds import usual
 from catopt.words import Message
 
@@ -85,16 +85,16 @@ class LineChoice:
         found.numbers(self, "m", "max_swing", above=0.0)
         found.number("swing_price", self.swing_price, "USD/m", at_least=0.0)
         least, most = self.diameter_min, self.diameter_max
-        if not found.problems and least is not None and most is not None and most < least:
+        if not found.problems and least is not None and most is not None and exceeds(least, most):
             allowed = Message("refused_sizing.below_diameter_min", least=least * 1000.0)
             found.add("diameter_max", f"{most * 1e3:g} mm", allowed)
         self._check_preference(found)
         found.number("life", self.life, "s", at_least=0.0)
-        if self.life > _LONGEST_LIFE * YEAR:
+        if exceeds(self.life, _LONGEST_LIFE * YEAR):
             allowed = Message("refused_sizing.must_be_years_or_less", longest_life=_LONGEST_LIFE)
             found.add("life", Message("refused_file.years", count=self.life / YEAR), allowed)
         found.number("wear_rate", self.wear_rate, "m/s", at_least=0.0)
-        if self.wear_rate > _FASTEST_WEAR / YEAR:
+        if exceeds(self.wear_rate, _FASTEST_WEAR / YEAR):
             most = _FASTEST_WEAR * 1000.0
             allowed = Message("refused_sizing.must_be_mm_year_or", fastest_wear=most)
             found.add("wear_rate", f"{self.wear_rate * YEAR * 1e3:g} mm/year", allowed)

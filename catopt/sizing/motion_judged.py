@@ -129,7 +129,16 @@ def _checked(
             results.append(replace(each, load_case=in_sea(each.load_case, how, sea)))
             of_sea.append(sea)
         warnings |= dict.fromkeys(report.warnings)
-    return CheckReport(seas[0].title, tuple(results), (), tuple(warnings)), tuple(of_sea)
+    checks = CheckReport(
+        seas[0].title,
+        tuple(results),
+        (),
+        tuple(warnings),
+        case=seas[0],
+        is_in_motion=True,
+        is_proven=False,
+    )
+    return checks, tuple(of_sea)
 
 
 def _least_that_stays(parts: Sequence[DynamicPart]) -> Anchor:

@@ -15,8 +15,10 @@ from catopt.loads.sinker import (
     DENSITIES,
     FACTOR_SOURCE,
     SAFETY_FACTOR,
+    Bond,
     Material,
     SinkerSize,
+    bond_of,
     friction_of,
     size_sinker,
 )
@@ -53,11 +55,13 @@ SAND: Final = "fine or silty sand"
 class SinkerGround:
     """A sinker on a soil."""
 
-    # a key of `catopt.loads.sinker.SOIL_FRICTION`; None where `friction` is given
+    # a key of `catopt.loads.sinker.SOIL_FRICTION` or `ADHESION`; None where `friction` is given
     soil: str | None = CALMAR_SOIL
     friction: float | None = None  # tan(delta) of one's own
     material: Material = "concrete"  # of the sinker
     density: float | None = None  # kg/m3; None: that of the material
+    base_area: float | None = None  # of its base, m2; None: that of a cast block
+    embedment: float = 0.0  # how deep it has sunk into a clay, m
     safety_factor: float = SAFETY_FACTOR  # on sliding; used where the code has none of its own
 
     def __post_init__(self) -> None:
@@ -70,6 +74,11 @@ class SinkerGround:
             return self.friction
         assert self.soil is not None
         return friction_of(self.soil, self.material)[0]
+
+    @property
+    def bond(self) -> Bond | None:
+        """What a clay holds on the base; None of any other soil."""
+        return bond_of(self.soil, self.material, self.base_area, self.embedment)
 
     @property
     def rho(self) -> float:
@@ -86,10 +95,15 @@ class SinkerGround:
 
         `coded`: the code that is checked has a factor on sliding, which then holds.
         """
+        masses = HEAVY_SINKERS if heavy else SINKER_MASSES
+        bond = self.bond
         return SinkerChoice(
-            masses=HEAVY_SINKERS if heavy else SINKER_MASSES,
+            masses=masses,
             density=self.rho,
             friction=self.mu,
+            base_holdings=()
+            if bond is None
+            else tuple(bond.holding(mass, self.rho) for mass in masses),
             safety_factor=None if coded else self.safety_factor,
             factor_source="" if coded or not self.is_usual_factor else FACTOR_SOURCE.text,
         )
@@ -102,7 +116,7 @@ class SinkerGround:
         """
         soil = SAND if self.soil == CALMAR_SOIL else CALMAR_SOIL
         try:
-            other = replace(self, soil=soil, friction=None)
+            other = replace(self, soil=soil, friction=None, embedment=0.0)
             return other.sized(of.horizontal_force, of.vertical_force, water_density)
         except NoAnswerError:
             return None
@@ -118,6 +132,8 @@ class SinkerGround:
             friction=self.friction,
             material=self.material,
             density=self.density,
+            base_area=self.base_area,
+            embedment=self.embedment,
             safety_factor=self.safety_factor,
             water_density=water_density,
             series=HEAVY_SINKERS,

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import partial
 from types import MappingProxyType
 from typing import Any, Final
 
+from catopt.catalogue.practice import own_cable
 from catopt.checks.profiles import profiles_of
+from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import InputError
 from catopt.loads import BuoyShape, SeaState, SurfaceCurrent, WaterLevels, Wind, buoys, read_buoys
 from catopt.loads.buoy import buoy as look_up
@@ -17,6 +19,7 @@ from catopt.loads.environment import HMAX_OVER_HS
 from catopt.loads.ship import (
     BALLAST_SOURCE,
     MOULDED,
+    SHORTEST,
     Condition,
     Ship,
     ballast_draught,
@@ -25,7 +28,7 @@ from catopt.loads.ship import (
     estimates,
 )
 from catopt.loads.ship_coefficients import SQUARE_ENDED, ShipCoefficients, read_ship_coefficients
-from catopt.loads.sinker import AS_CLAY, MUD
+from catopt.loads.sinker import AS_CLAY, soil_named
 from catopt.loads.weathervane import Afloat
 from catopt.model import Checks
 from catopt.model.kinds import Findings
@@ -98,15 +101,13 @@ def _of_a_tanker(of: ResolvedInputs) -> TankerRequest | None:
     ships = _ships(of)
     place = _environment(of, wind=wind_of_30_s(of))
     shape = None if of["buoy"] is None else shape_of(of)
-    largest = float(of["diameter_max"])
-    if "diameter_max" not in of.given:  # a smallest size that is given moves the usual bound
-        largest = max(of["diameter_min"] or 0.0, largest)
+    largest, bound = _largest_chain(of, ships, shape)
     line = _line(of, of["diameter_min"], largest)
     ground = _ground(of)
     vane = weathervaning_of(of, is_turned=turns_by_itself(ships))
     words = _taken(of, place, ground)
     if of.given.isdisjoint({"diameter_min", "diameter_max"}):
-        words = (*words, Message("sizing.sizes_up_to", most=of["diameter_max"] * 1e3))
+        words = (bound, *words) if bound.key == "sizing.sizes_by_her_cable" else (*words, bound)
     maker = partial(
         TankerRequest,
         buoy=shape,
@@ -337,8 +338,8 @@ def of_the_hull(of: ResolvedInputs) -> tuple[Message, ...]:
         return box_estimates()
     is_short = None not in (of["length"], of["breadth"]) and of["length"] < _SHORT * of["breadth"]
     if of["coefficients"] is None and (is_short or of["ship"] == "general cargo"):
-        return (*estimates(), Message("sizing.not_square_ended"))
-    return estimates()
+        return (*estimates(of["length"] or SHORTEST), Message("sizing.not_square_ended"))
+    return estimates(of["length"] or SHORTEST)
 
 
 def ship_at(
@@ -429,6 +430,39 @@ def _line(of: ResolvedInputs, least: float | None, most: float | None) -> LineCh
     return line if is_known else None
 
 
+_CARRIED: Final = 2.0
+"""Times her own cable: the thickest chain that is looked at for a ship's bow; catopt's own."""
+
+
+def _largest_chain(
+    of: ResolvedInputs, ships: tuple[MooredShip, ...] | None, shape: BuoyShape | None
+) -> tuple[float, Message]:
+    """Bound a ship's chain, m, and say by what.
+
+    A bound that is given counts. At her bow the chain is no thicker than her own gear takes, but of
+    the smallest size that is sold at least; a smallest size that is given moves the usual bound.
+    """
+    usual_most, least = float(of["diameter_max"]), float(of["diameter_min"] or 0.0)
+    said = Message("sizing.sizes_up_to", most=usual_most * 1e3)
+    if "diameter_max" in of.given:
+        return usual_most, said
+    cable = None
+    if ships and shape is None:
+        ship = ships[0].ship  # loaded, where she counts so
+        mass = ship.displacement * SEA_WATER_DENSITY
+        cable = own_cable(mass, ship.frontal_area, ship.lateral_area)
+    if cable is None or _CARRIED * cable >= usual_most:
+        return max(least, usual_most), said
+    choice = LineChoice(of["chain"], usual("code", of.moored), allow_recalled=bool(of["recalled"]))
+    try:
+        sizes = [each.nominal_diameter or 0.0 for each in sold(choice, of["water_density"])]
+    except InputError:  # which is told of the chain
+        sizes = []
+    bound = max(_CARRIED * cable, min(sizes, default=0.0))
+    values = {"most": bound * 1e3, "cable": cable * 1e3, "times": _CARRIED}
+    return max(least, bound), Message("sizing.sizes_by_her_cable", **values)
+
+
 def _scope(of: ResolvedInputs) -> tuple[float, float]:
     """Bound a buoy's line, in depths; one bound that is given moves the usual other one."""
     least, most = of["scope_min"] or 0.0, of["scope_max"] or math.inf
@@ -466,11 +500,22 @@ def _ground(of: ResolvedInputs) -> DragGround | SinkerGround | None:
         soil = AS_CLAY.get(of["soil"], of["soil"])
         recalled = bool(of["recalled"])
         return of.errors.make(partial(DragGround, of["anchor"], soil, allow_recalled=recalled))
-    soil = of["soil"] or (None if of["friction"] is not None else _soil_of(of["code"]))
-    if soil in MUD and _soil_of(of["code"]) == CALMAR_SOIL:
-        soil = CALMAR_SOIL  # which the code has for any ground
+    soil = soil_named(of["soil"]) if of["soil"] else None
+    if soil is None and of["friction"] is None:
+        soil = _soil_of(of["code"])
     figures = soil, of["friction"], of["sinker"], of["sinker_density"]
-    return of.errors.make(partial(SinkerGround, *figures))
+    block = of["base_area"], of["embedment"] or 0.0
+    return of.errors.make(partial(SinkerGround, *figures, *block))
+
+
+def _soil_taken(of: ResolvedInputs, ground: DragGround | SinkerGround) -> Iterator[Message]:
+    """Say which soil a word was taken for, and which base of a sinker on clay."""
+    if ground.soil not in (None, of["soil"]):
+        key = "sizing.mud_as_clay" if isinstance(ground, DragGround) else "sizing.soil_taken_for"
+        word = term(of["soil"]) if of["soil"] in AS_CLAY else of["soil"]
+        yield Message(key, soil=word, taken=term(str(ground.soil)))
+    if isinstance(ground, SinkerGround) and ground.bond is not None and of["base_area"] is None:
+        yield Message("sizing.taken_base")
 
 
 def _soil_of(code: str) -> str:
@@ -498,10 +543,8 @@ def _taken(
     if of.given.isdisjoint({"soil", "friction"}) and ground is not None:
         key = "sizing.taken_friction" if ground.soil == CALMAR_SOIL else "sizing.taken_soil"
         words.append(Message(key, soil=term(str(ground.soil))))
-    if of["soil"] in MUD and isinstance(ground, SinkerGround):
-        words.append(Message("sizing.mud_by_code", soil=term(of["soil"])))
-    if of["soil"] in AS_CLAY and isinstance(ground, DragGround):
-        words.append(Message("sizing.mud_as_clay", soil=term(of["soil"])))
+    if of["soil"] and ground is not None:
+        words += _soil_taken(of, ground)
     if "return_period" not in of.given:
         words.append(Message("sizing.no_return_period"))
     if "chain" not in of.given:

@@ -10,6 +10,7 @@ from typing import Final, Literal, NamedTuple
 from catopt.catalogue.choice import chosen
 from catopt.catalogue.family import chain_words
 from catopt.catenary.solution import Solution
+from catopt.checks.verdict import Judgement
 from catopt.design.result import DesignPoint, DesignResult
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.drag_anchor import DragAnchorSize
@@ -20,9 +21,10 @@ from catopt.records import Counted, Record
 from catopt.shown import Displayable
 from catopt.sizing.alternatives import Alternative, Candidate, Limit
 from catopt.sizing.in_motion import InMotion
-from catopt.sizing.known import ReadInput, estimated_dimensions
+from catopt.sizing.known import ReadInput, estimated_dimensions, small_craft
 from catopt.sizing.pattern import Pattern, system_case
 from catopt.sizing.settle import ConvergedSizing, point_diameter
+from catopt.sizing.verdict import judgement_of
 from catopt.ties import largest
 from catopt.units import UNITS, Dimension
 from catopt.waves import breaking_warning
@@ -128,7 +130,7 @@ class Sizing(Displayable, Record):
         "chain_life departures fittings advice break_factor proof_factor reserve_buoyancy "
         "load_cases settled.posed.loads settled=assumed point.checks.results=checks "
         "point.checks.nearest=governing limits alternatives candidates pattern search=design "
-        "assumptions defaults recalled warnings"
+        "assumptions defaults recalled warnings judgement=verdict"
     )
 
     kind: Literal["buoy", "tanker"]
@@ -181,6 +183,11 @@ class Sizing(Displayable, Record):
     """What the recommended line came to in runs with its buoy or ship afloat; None where it is
     sized at rest alone."""
     shape: BuoyShape | None = None  # of the buoy that is moored, where it is known
+
+    @property
+    def judgement(self) -> Judgement:
+        """What the recommended line comes to, and what was not judged."""
+        return judgement_of(self)
 
     @property
     def case(self) -> Case:
@@ -369,6 +376,7 @@ class Sizing(Displayable, Record):
         notes = [
             *(Sentence(each, capital=True) for each in first),
             *estimated_dimensions(self.inputs),
+            *small_craft(self.inputs),
             *(warning for part in parts for warning in part.warnings),
             *map(Sentence, self.settled.warnings),
             *(Sentence(note, capital=True) for note in (self.sinker.notes if self.sinker else ())),

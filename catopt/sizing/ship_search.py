@@ -433,12 +433,20 @@ class _Search:
             results += (_in_load_case(one, of.load_case) for one in report.results)
             of_sea += [sea_of(of.case)] * len(report.results)
             warnings |= dict.fromkeys(report.warnings)
+            whole = of.case
         failing = sorted((e for e in results if not e.passes), key=lambda check: -check.exceedance)
         sets = len(judged.runs) + sum(len(each.lost) for each in every)
         tried = LineTried.of(judged.line, sets * self.how.seeds, tuple(failing))
         if judged.runs:  # of the load case that has seen the fewest
             warnings |= dict.fromkeys(few_cycles(min(each.cycles for each in judged.runs)))
-        checks = CheckReport(settled.case.title, tuple(results), (), tuple(warnings))
+        checks = CheckReport(
+            settled.case.title,
+            tuple(results),
+            (),
+            tuple(warnings),
+            case=whole,
+            is_in_motion=True,
+        )
         held = replace(judged, anchor=anchor, drag_anchor=size, sinker=sinker)
         seas = tightest_seas(zip(results, of_sea, strict=True)) if self.how.periods else ()
         return replace(held, tried=tried, checks=checks, seas=seas)

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Final, NamedTuple
 
+from catopt.constants import STANDARD_GRAVITY
 from catopt.design.result import DesignPoint
 from catopt.errors import NoAnswerError
 from catopt.loads.component import Loads
@@ -49,6 +50,10 @@ _CLUMP_PLACES: Final = (0.25, 0.5, 1.0, 1.5, 2.0, 3.0)
 _SCOPE: Final = 6.0
 """Of a ship's cable, in depths: what UR A1 takes for her own anchors (C)."""
 
+_ON_THE_BOW: Final = 0.1
+"""Of a ship's weight: what lines may pull her bow down with; catopt's own. The bow of a box goes
+down by four times as much of the draught."""
+
 _MOST_TRIES: Final = 8
 _LESS: Final = 0.98
 """Of the pull that would just do: less, for the other lines pull more where this one pulls less."""
@@ -86,6 +91,7 @@ def sized_tanker(request: TankerRequest) -> Sizing:
     if request.in_motion is not None:
         return _sized_in_motion(request, settled)
     around = _around(request, settled)
+    _check_bow(request, settled, around)
     masses = (load.mass for load in settled.point.line.point_loads)
     narrowed = replace(request, clump_masses=tuple(each for each in masses if each is not None))
     return sizing_of(
@@ -104,6 +110,19 @@ def sized_tanker(request: TankerRequest) -> Sizing:
     )
 
 
+def _check_bow(request: TankerRequest, settled: ConvergedSizing, around: Pattern | None) -> None:
+    """Raise NoAnswerError where lines at a ship's bow pull her down by more than she carries."""
+    if request.buoy is not None:
+        return
+    volume = min(each.ship.displacement for each in request.ships)
+    weight = volume * request.environment.water_density * STANDARD_GRAVITY
+    pull = point_pull(settled.point) if around is None else around.largest_pull
+    if pull > _ON_THE_BOW * weight:
+        share, most = 100.0 * pull / weight, 100.0 * _ON_THE_BOW
+        values = {"pull": pull / 1e3, "share": share, "most": most}
+        raise NoAnswerError(Message("sizing.bow_pulled_down", **values))
+
+
 def _sized_in_motion(request: TankerRequest, at_rest: ConvergedSizing) -> Sizing:
     """Recommend a line that passes in motion, and put what its runs say in place of an allowance.
 
@@ -113,6 +132,7 @@ def _sized_in_motion(request: TankerRequest, at_rest: ConvergedSizing) -> Sizing
     from catopt.sizing.ship_search import search_ship_in_motion
 
     moved = search_ship_in_motion(request, at_rest, _settled, _around)
+    _check_bow(request, moved.settled, moved.around)
     name, span = moved.span
     first = _swing(request, moved.settled, moved.around).parts
     key = "sizing.line_in_motion" if moved.around is None else "sizing.offset_line_out"

@@ -315,12 +315,13 @@ def read_drive(case: Case | Network) -> Excitation:
     return drive
 
 
-def _block(of: Anchor) -> tuple[float, float, float]:
+def _block(of: Anchor) -> tuple[float, float, float, float]:
     """Take a sinker as a block on the bed."""
     assert of.mass is not None
     assert of.submerged_weight is not None
     assert of.friction is not None
-    return of.mass, of.submerged_weight, of.friction
+    base = math.inf if of.base_holding is None else of.base_holding
+    return of.mass, of.submerged_weight, of.friction, base
 
 
 def _with_motion(case: Case | Network, duration: float) -> Excitation:

@@ -366,4 +366,11 @@ def check_hanging(
         check(place, [line.number for line in each.lines], each.hanging)
     for line, strengths in known.items():
         reported += of_criteria(criteria, line, strengths)
-    return CheckReport(case.title, tuple(results), (), tuple(dict.fromkeys(reported)))
+    return CheckReport(
+        case.title,
+        tuple(results),
+        (),
+        tuple(dict.fromkeys(reported)),
+        case=case,
+        is_in_motion=True,
+    )

@@ -15,7 +15,7 @@ import catopt
 from catopt.answers.blocks import Answer, Brief, Facts, Table, Text, Verdict
 from catopt.answers.note_size import size_note_answer
 from catopt.answers.size import size_answer
-from catopt.answers.size_card import miss_answer, size_card, verdict
+from catopt.answers.size_card import miss_answer, size_card
 from catopt.casefile.reading import Moored
 from catopt.cli.size import as_option, by_option
 from catopt.cli.size import size as size_commands
@@ -122,36 +122,37 @@ def test_an_item_that_fills_its_line_leaves_room_for_the_count() -> None:
 @of_each
 def test_screen_full_answer_and_note_have_one_verdict_in_the_same_words(name: str) -> None:
     of = SIZINGS[name]()
-    found = verdict(of)
+    found = Verdict.of_judgement(of.judgement)
     note = size_note_answer(size_note(of, Given(), Asked(verify=False)))
     first_page = [each for each in note.sections[0].blocks if isinstance(each, Verdict)]
     in_full = [each for each in size_answer(of).blocks if isinstance(each, Verdict)]
     on_screen = [each for each in size_card(of) if isinstance(each, Verdict)]
     assert first_page == in_full == on_screen == [found]
-    assert found.kind == "passes"
+    assert found.kind == "in-part"  # none of them was run
+    assert "motion" in str(found.said)
 
 
 @of_each
 def test_no_box_has_both_words(name: str) -> None:
     of = SIZINGS[name]()
     text = " ".join(screen(of)).lower()
-    assert "passes every check of" in text
+    assert "passes at rest every check of" in text
     assert not re.search(r"\bfail", text)
     assert "không đạt" not in " ".join(screen(of, "vi")).lower()
     broken = replace(of.point.checks, results=tuple(
         replace(each, exceedance=1.0) for each in of.point.checks.results
     ))  # fmt: skip
     point = replace(of.point, checks=broken)
-    failing = verdict(replace(of, settled=replace(of.settled, point=point)))
-    assert failing.kind == "fails"
+    failing = replace(of, settled=replace(of.settled, point=point)).judgement
+    assert failing.colour == "red"
     assert not re.search(r"\bpass", str(failing.said).lower())
 
 
 def test_steady_forces_are_said_first_where_they_were_asked_for() -> None:
     """The code's own method has none either, and says why: that is not what a user asked for."""
     assert steady().dynamic_factor == buoy().dynamic_factor == 1.0
-    assert str(verdict(steady()).said).startswith("Steady forces")
-    assert str(verdict(buoy()).said).startswith("Passes every check")
+    assert str(steady().judgement.said).startswith("Steady forces")
+    assert str(buoy().judgement.said).startswith("Passes at rest every check")
 
 
 def numbers_in(found: Any) -> Iterator[float]:

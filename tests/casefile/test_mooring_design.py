@@ -199,7 +199,7 @@ def test_a_design_under_several_loads_is_read_at_its_water_level(tmp_path: Path)
 
 def small() -> Case:
     """Narrow the shipped case to 18 designs."""
-    case = read_case(SHIPPED)
+    case: Case = read_case(SHIPPED)
     assert case.design is not None
     segment = replace(
         case.design.segments[0],

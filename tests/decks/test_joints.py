@@ -7,8 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from catopt import InputError, read_case
+import catopt
+from catopt import InputError
 from catopt.casefile import read_mooring, write_case
+from catopt.casefile.reading import read_case_or_design
 from catopt.decks.reading import Asked, read_any_deck, read_deck
 from catopt.model.network import Network
 from catopt.mooring.held import hold
@@ -97,19 +99,39 @@ def test_what_is_written_reads_back(text: str, tmp_path: Path) -> None:
     assert read_mooring(place) == found
 
 
-def test_other_commands_refuse_it(tmp_path: Path) -> None:
-    with pytest.raises(
-        InputError, match="catopt solve, system, check, verify, report, study and import"
-    ):
-        read_deck(BRIDLE)
+def test_read_in_python_it_is_what_the_commands_read(tmp_path: Path) -> None:
+    """Where a program takes a case of one line or body alone, it says which take these."""
+    found = read_deck(BRIDLE).case
+    assert isinstance(found, catopt.Network)
     place = tmp_path / "bridle.txt"
     place.write_text(BRIDLE)
-    with pytest.raises(
-        InputError, match="catopt solve, system, check, verify, report, study and import"
-    ):
-        read_case(place)
+    read = catopt.read_case(place)
+    assert (read.points, read.lines, read.title) == (found.points, found.lines, "bridle")
+    rest = catopt.solve_system(found)
+    assert rest.residual < 1e-6 * max(line.fairlead.tension for line in rest.lines)
+    for refusing in (catopt.solve_case, catopt.curve_case, catopt.design_case):
+        with pytest.raises(
+            InputError, match="catopt solve, system, check, verify, report, study and import"
+        ):
+            refusing(found)
     with pytest.raises(InputError, match="leave out --line"):
         read_any_deck(BRIDLE, asked=Asked(line=1))
+    with pytest.raises(InputError, match="import FILE --line N"):
+        read_case_or_design(place, None)
+
+
+UNEQUAL = (Path(__file__).parent / "brought" / "model_scale_body.txt").read_text("utf-8")
+
+
+def test_a_deck_of_unequal_lines_at_model_scale(tmp_path: Path) -> None:
+    """MoorPy's H with water of 998 kg/m3: 3.914 N of the first line, 3.973 N of the others."""
+    place = tmp_path / "body.txt"
+    place.write_text(UNEQUAL, encoding="utf-8")
+    rest = catopt.solve_system(catopt.read_case(place))
+    pulls = [line.horizontal_force for line in rest.lines]
+    assert pulls == pytest.approx([3.914, 3.973, 3.973], abs=5e-4)
+    barge = catopt.MooredBody("body", force=(1.0, 0.0))
+    assert barge.force == (1.0, 0.0)
 
 
 def test_a_free_point_that_holds_nothing_is_refused() -> None:

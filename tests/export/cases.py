@@ -26,7 +26,8 @@ def tanker(EA: float = 2e8) -> Case:
 
 def tanker_with_sinker() -> Case:
     """S3's tanker with the sinker of Table 2, as its case file has it."""
-    return read_case(CASES / "tanker-20m-sinker" / "case.toml")
+    found: Case = read_case(CASES / "tanker-20m-sinker" / "case.toml")
+    return found
 
 
 def chain_and_wire(friction: float = 0.0) -> Case:

@@ -99,7 +99,7 @@ def test_drag_hangs_on_the_size_of_the_motion() -> None:
 
 
 def in_sea(height: float, period: float, duration: float) -> Case:
-    case = catopt.read_case(CHAIN)
+    case: catopt.Case = catopt.read_case(CHAIN)
     assert case.waves is not None
     assert case.dynamics is not None
     waves = replace(case.waves, height=height, period=period)

@@ -16,7 +16,7 @@ HELD = FRICTION * WEIGHT
 
 def slides(pulls: list[tuple[float, float, float]], h: float = 1e-3) -> Array:
     """Pull a block for so long, s, with a horizontal force and one upwards, N, one by one."""
-    state, blocks = np.zeros((1, 1, SLIDING)), np.array([[MASS, WEIGHT, FRICTION]])
+    state, blocks = np.zeros((1, 1, SLIDING)), np.array([[MASS, WEIGHT, FRICTION, math.inf]])
     for time, along, up in pulls:
         ends = np.zeros((1, 2, 3))
         ends[0, 0] = 0.6 * along, -0.8 * along, up
@@ -46,6 +46,17 @@ def test_a_pulse_moves_it_as_far_as_by_hand(up: float) -> None:
     assert found[[0, 1, 4]].tolist() == [0.0, 0.0, 1.0]
 
 
+def test_on_clay_it_is_held_by_no_more_than_its_base() -> None:
+    """40 kN for 0.2 s against 3 kN: 18.5 m/s2, then 3 kN stop 2 t from 3.7 m/s."""
+    state, blocks = np.zeros((1, 1, SLIDING)), np.array([[MASS, WEIGHT, FRICTION, 3e3]])
+    for along in 200 * [40e3] + 10_000 * [0.0]:
+        ends = np.zeros((1, 2, 3))
+        ends[0, 0, 0] = along
+        slide(1e-3, ends, ends, blocks, state)
+    way = 0.5 * 18.5 * 0.2**2 + 0.5 * 3.7**2 / 1.5
+    assert state[0, 0, 2] == pytest.approx(way, rel=1e-9)
+
+
 def test_slides_are_counted_one_by_one() -> None:
     found = slides([(0.1, 30e3, 0.0), (8.0, 1e3, 0.0), (0.2, 20e3, 0.0), (8.0, 0.0, 0.0)])
     ways = []
@@ -61,7 +72,7 @@ def test_a_peak_that_passes_within_steps_needs_no_finer_ones() -> None:
     """Half a sine of 60 kN over 0.2 s in 20 and in 2,000 steps."""
     found = []
     for count in (20, 2000):
-        state, blocks = np.zeros((1, 1, SLIDING)), np.array([[MASS, WEIGHT, FRICTION]])
+        state, blocks = np.zeros((1, 1, SLIDING)), np.array([[MASS, WEIGHT, FRICTION, math.inf]])
         h = 0.2 / count
         for k in range(20 * count):
             ends = np.zeros((2, 1, 2, 3))

@@ -12,8 +12,11 @@ import pytest
 from catopt.errors import InputError
 from catopt.loads import read_calmar_buoy
 from catopt.loads.calmar_file import parse_calmar_buoy
+from tests.cli.conftest import Run, run
 
 from . import ROUNDING
+
+__all__ = ("run",)
 
 FILE = """<?xml version="1.0" encoding="UTF-8" ?>
 <Calmar version="1.0.0.0">
@@ -68,6 +71,35 @@ def test_a_buoy_without_a_structure_is_made_fast_at_its_bottom() -> None:
     buoy = parse_calmar_buoy(start + empty + after.replace('Masse="60"', 'Masse="100"'))
     assert buoy.structure == ()
     assert buoy.afloat().eye_depth == buoy.afloat().keel_depth == buoy.afloat().draught
+
+
+def test_offsets_have_either_sign(run: Run, tmp_path: Path) -> None:
+    """A maker's eye 0.092 m above the keel, and a pole whose foot is 0.2 m above it."""
+    text = FILE.replace('OffsetOrganeau="0.65"', 'OffsetOrganeau="-0.092"')
+    buoy = parse_calmar_buoy(text)
+    assert (buoy.eye, buoy.lowest) == pytest.approx((0.092, -0.7), rel=ROUNDING)
+    own = text.replace('OffsetFlotteur="0.7"', 'OffsetFlotteur="-0.2"')
+    assert parse_calmar_buoy(own).lowest == 0.0
+    (tmp_path / "own.xmlMB").write_text(text, encoding="utf-8")
+    ran = run("loads", "buoy", tmp_path / "own.xmlMB", "--depth", "5 m", "--wind", "10 m/s")
+    assert ran.status == 0, ran.err
+
+
+def test_a_file_of_a_sizing_file_lies_beside_it(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Wherever one stands."""
+    folder, elsewhere = tmp_path / "buoys", tmp_path / "elsewhere"
+    folder.mkdir()
+    elsewhere.mkdir()
+    (folder / "own.xmlMB").write_text(FILE, encoding="utf-8")
+    sizing = '[buoy]\nname = "own.xmlMB"\n[site]\nwater_depth = "5 m"\n'
+    (folder / "size.toml").write_text(sizing, encoding="utf-8")
+    monkeypatch.chdir(elsewhere)
+    ran = run("loads", "buoy", folder / "size.toml", "--wind", "10 m/s")
+    assert ran.status == 0, ran.err
+    beside = run("loads", "buoy", folder / "own.xmlMB", "--depth", "5 m", "--wind", "10 m/s")
+    assert ran.out.splitlines()[2:6] == beside.out.splitlines()[2:6]
 
 
 def test_the_ballast_can_be_chosen_as_far_as_the_buoy_may_have_it(tmp_path: Path) -> None:

@@ -12,6 +12,7 @@ from dataclasses import replace
 
 import pytest
 
+from catopt.dimensions import Dimension
 from catopt.errors import InputError
 from catopt.loads import (
     BuoyShape,
@@ -35,6 +36,7 @@ from catopt.loads.ship_loads import flat_side_drift
 from catopt.loads.tcn_222_95 import tcn_loads
 from catopt.loads.ufc import transverse_coefficient
 from catopt.loads.weathervane import CurrentYaw
+from catopt.model.kinds import Measured, out_of_range
 
 Make = Callable[[float], object]
 Limit = tuple[str, Make, float, float]
@@ -267,3 +269,27 @@ def test_a_size_that_rounding_makes_too_small_is_still_enough() -> None:
     """A part in 1e9 is what solving a line may be wrong by; two of them are not."""
     assert next_size(2.0 * (1.0 + 0.5e-9), (1.0, 2.0, 3.0), "x") == 2.0
     assert next_size(2.0 * (1.0 + 2e-9), (1.0, 2.0, 3.0), "x") == 3.0
+
+
+def test_a_barge_fills_its_box_whatever_its_dimensions() -> None:
+    """L (B T) and (L B) T differ in the last digit for one barge in eight; both are its volume."""
+    tenths = [(200 + 7 * k, 40 + 3 * k, 10 + k) for k in range(200)]
+    for length, breadth, draught in ((a / 10.0, b / 10.0, c / 10.0) for a, b, c in tenths):
+        barge = tanker_of(
+            length=length,
+            breadth=breadth,
+            draught=draught,
+            moulded_depth=2.0 * draught,
+            is_square_ended=True,
+        )
+        assert barge.displacement == pytest.approx(length * breadth * draught, rel=1e-14)
+
+
+@pytest.mark.parametrize("most", [0.1 * 3.0, math.pi / 2.0, 1e-9, 7e5])
+def test_rounding_breaks_no_bound_and_more_than_it_does(most: float) -> None:
+    for times, is_beyond in ((1.0, False), (1.0 + 4e-16, False), (1.0 + 1e-9, True)):
+        assert bool(out_of_range(most * times, "m", None, None, most)) == is_beyond
+        assert bool(out_of_range(-most * times, "m", None, -most, None)) == is_beyond
+        assert Measured(Dimension.LENGTH, at_most=most).allows(most * times) == (not is_beyond)
+    assert out_of_range(math.nan, "m", None, None, most)
+    assert out_of_range(-5e-324, "m", None, 0.0, None)  # nothing but a number below 0 is below it

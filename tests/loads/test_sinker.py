@@ -7,13 +7,15 @@ import pytest
 from catopt.errors import InputError, NoAnswerError
 from catopt.loads import size_sinker
 from catopt.loads.component import LoadSource
+from catopt.loads.held import sinkers_held
 from catopt.loads.sinker import (
     ADHESION,
     SOIL_FRICTION,
     adhesion_holding,
+    base_of,
     friction_of,
     holding_force,
-    sinkers_held,
+    soil_named,
 )
 from catopt.model.anchor import sinker_needed
 from catopt.model.line import weight_in_water
@@ -145,27 +147,88 @@ def test_mud_holds_by_adhesion() -> None:
     )
     for soil in ("mud", "soft mud", "soft clay"):
         assert adhesion_holding(soil, 4.0)[0] == pytest.approx(40e3, rel=ROUNDING)
-        with pytest.raises(InputError, match="by adhesion on its base, 10 to 35 kPa"):
-            friction_of(soil)
-        with pytest.raises(InputError, match="measure, and give friction"):
-            size_sinker(10e3, soil=soil)
+        assert friction_of(soil)[0] == 0.25  # of sandy silt, the lowest of the table
+        assert "for want of one of soft clay" in friction_of(soil)[1].text
+        assert friction_of(soil, "steel")[0] == 0.20
     assert adhesion_holding("stiff clay", 2.0, "cast iron")[0] == pytest.approx(60e3, rel=ROUNDING)
     with pytest.raises(InputError, match="base_area"):
         adhesion_holding("sand", 0.0)
 
 
 def test_the_table_of_what_a_sinker_holds() -> None:
-    """5 t of concrete weigh 28.09 kN in water: on sand 0.30 of it, 8.43 kN, over 1.5 5.62 kN."""
-    rows = {(each.soil, each.friction is None): each for each in sinkers_held(5e3, base_area=4.0)}
-    sand = rows["clean fine to medium sand", False]
+    """5 t of concrete weigh 28.09 kN in water: on sand 0.30 of it, 8.43 kN, over 1.5 5.62 kN.
+
+    On soft clay 0.25 of it, 7.02 kN, on 4 m2; on 0.5 m2 10 kPa hold 5 kN.
+    """
+    rows = {each.soil: each for each in sinkers_held(5e3, base_area=4.0)}
+    sand = rows["clean fine to medium sand"]
     weight = 5e3 * G * (1.0 - 1025.0 / 2400.0)
     assert sand.submerged_weight == pytest.approx(weight, rel=ROUNDING)
     assert sand.holding == pytest.approx(0.30 * weight, rel=ROUNDING)
     assert sand.pull == pytest.approx(0.30 * weight / 1.5, rel=ROUNDING)
-    assert rows["soft clay", True].holding == pytest.approx(40e3, rel=ROUNDING)
-    assert sinkers_held(5e3)[-1].holding is None
+    assert rows["soft clay"].holding == pytest.approx(0.25 * weight, rel=ROUNDING)
+    assert rows["stiff clay"].holding == pytest.approx(0.30 * weight, rel=ROUNDING)
+    (small,) = (e for e in sinkers_held(5e3, base_area=0.5) if e.soil == "soft clay")
+    assert small.holding == pytest.approx(5e3, rel=ROUNDING)
+    assert small.adhesion == 10e3
     with pytest.raises(InputError, match="one of concrete"):
         sinkers_held(5e3, "lead")
+
+
+ORDER = (
+    *("clean sound rock", "gravel or coarse sand", "clean fine to medium sand"),
+    *("fine or silty sand", "sandy silt", "soft clay"),
+)
+"""Soils from the one that holds best to the softest; of clays hard, stiff, soft."""
+
+
+@pytest.mark.parametrize("order", [ORDER, ("hard clay", "stiff clay", "soft clay")])
+@pytest.mark.parametrize("pull", [1e3, 12e3, 50e3])
+def test_the_softer_the_ground_the_larger_the_sinker(order: tuple[str, ...], pull: float) -> None:
+    needed = [size_sinker(pull, soil=soil).needed_mass for soil in order]
+    assert needed == sorted(needed)
+    by_word = [size_sinker(pull, soil=word).needed_mass for word in ("sand", "clay", "mud")]
+    assert by_word == sorted(by_word)
+
+
+def test_a_word_of_practice_is_the_weakest_of_its_kind() -> None:
+    for word, soils in {
+        "sand": ("gravel or coarse sand", "clean fine to medium sand", "fine or silty sand"),
+        "clay": ("hard clay", "stiff clay", "soft clay"),
+        "mud": ("soft clay",),
+    }.items():
+        least = min(friction_of(soil)[0] for soil in soils)
+        assert friction_of(word) == friction_of(soil_named(word))
+        assert friction_of(word)[0] == least
+
+
+def test_a_base_decides_on_clay() -> None:
+    """A pull of 10 kN by 1.5 and 10 kPa wants 1.5 m2, whatever the block weighs.
+
+    Of 1.4 m2 (1.1832 m wide) 0.1 m2 more at two sides: sunk in by 0.1/2/1.1832 = 0.0423 m it holds.
+    A block of 4 t in a mould half as high as wide: 2 x 4/2.4 = 3.333 m3, 1.4938 m wide, 2.2314 m2.
+    """
+    with pytest.raises(NoAnswerError, match=r"1\.4 m2 on clay of 10 kPa .* 1\.5 m2 are wanted"):
+        size_sinker(10e3, soil="mud", base_area=1.4)
+    with pytest.raises(NoAnswerError, match=r"are wanted"):
+        size_sinker(10e3, soil="mud", base_area=1.4, embedment=0.042)
+    size = size_sinker(10e3, soil="mud", base_area=1.4, embedment=0.0423)
+    assert size.mass == 12e3  # by friction: 15/0.25 kN are 10.7 t
+    assert size.base_holding == pytest.approx(15e3, rel=1e-3)
+    assert size.held == pytest.approx(min(15e3, 0.25 * size.submerged_weight), rel=1e-3)
+    assert base_of(4e3, 2400.0) == pytest.approx(2.2314, abs=5e-5)
+    block = size_sinker(3e3, soil="mud")
+    assert block.side == pytest.approx(2.0 * block.height, rel=ROUNDING)
+    assert block.side**2 * block.height * 2400.0 == pytest.approx(block.mass, rel=ROUNDING)
+    with pytest.raises(InputError, match="embedment"):
+        size_sinker(10e3, soil="sand", embedment=0.1)
+
+
+def test_a_light_steel_block_is_held_by_its_base() -> None:
+    """10 kN by 1.5 and 5 kPa want 3 m2: 0.5 x 3^1.5 x 7850 kg, above 75 kN by 0.2 in water."""
+    size = size_sinker(10e3, soil="mud", material="steel")
+    assert size.needed_mass == pytest.approx(0.5 * 3.0**1.5 * 7850.0, rel=ROUNDING)
+    assert 75e3 / G / (1.0 - 1025.0 / 7850.0) < size.needed_mass
 
 
 def test_a_sinker_that_is_lifted_holds_nothing() -> None:
@@ -202,7 +265,7 @@ def test_what_is_assumed_is_said() -> None:
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        ({"soil": "peat"}, "soft mud too, give friction"),
+        ({"soil": "peat"}, "for others, give friction"),
         ({}, "one of soil and friction is wanted"),
         ({"soil": "hard clay", "friction": 0.4}, "found both"),
         ({"friction": 0.4, "density": 900.0}, "it floats"),

@@ -71,3 +71,10 @@ def test_facts_are_cut_after_tables_and_counted() -> None:
     assert len(shown) > 3
     assert f"and {18 - len(shown)} more" in lines
     assert "and 7 more rows" in lines
+
+
+def test_tables_without_rows_columns_or_values_take_no_line() -> None:
+    tables = (numbers("joints", 0, "Joints"), Table("dashes", (Column("x", ("-", "")),), "Dashes"))
+    card = (Verdict("It holds.", True), *tables, numbers("lines", 1, "Lines"))
+    lines = [each.text for each in card_lines(Answer("system", "Body", (), card=card))]
+    assert lines == ["Body", "It holds.", "", "x", "0", ""]

@@ -153,7 +153,7 @@ def tanker_request(lines: int = 1) -> TankerRequest:
     place = Environment(
         WaterLevels.steady(20.0), Wind(20.0), SurfaceCurrent(1.2), SeaState(8.0, maximum_height=3.5)
     )
-    return TankerRequest((moored,), place, estimates=estimates(), lines=lines)
+    return TankerRequest((moored,), place, estimates=estimates(234.0), lines=lines)
 
 
 def check(heading: str, *sources: dict[str, float]) -> None:

@@ -100,8 +100,25 @@ def test_mud_is_soft_clay_to_a_drag_anchor() -> None:
     request = requested(dwt="50000 t", depth="20 m", soil="mud")
     assert request.ground.soil == "soft clay"
     assert any("mud taken for soft clay" in each for each in request.defaults)
-    with pytest.raises(InputError, match="by adhesion on its base"):
-        requested(dwt="50000 t", depth="20 m", anchor="sinker", soil="mud")
+    on_sinker = requested(dwt="50000 t", depth="20 m", anchor="sinker", soil="mud")
+    assert on_sinker.ground.soil == "soft clay"
+    assert "sinker's base that of a cast block, half as high as it is wide" in on_sinker.defaults
+
+
+def test_soft_ground_never_gets_the_smaller_sinker() -> None:
+    """Each found by the whole way: mud used to get 4 t by CALMAR's friction of 1.0, sand 12 t."""
+    masses, said = [], []
+    for soil in ("rock", "sand", "mud"):
+        sizing = catopt.size_buoy(buoy="pillar 2.4 m", depth="15 m", soil=soil)
+        assert sizing.sinker is not None
+        assert sizing.point.anchor is not None
+        assert sizing.point.anchor.mass == sizing.sinker.mass
+        masses.append(sizing.sinker.mass)
+        said.append((*sizing.defaults, *sizing.departures))
+    assert masses == sorted(masses)
+    assert masses[2] > masses[1]
+    assert "sand taken for fine or silty sand, the weakest of its kind" in said[1]
+    assert "sinker on clay by friction 0.25 and no more than 10 kPa on its base" in said[2]
 
 
 def test_a_sinker_by_both_rules() -> None:

@@ -25,7 +25,8 @@ ROOT = Path(__file__).parents[2]
 
 
 def read(name: str) -> catopt.Case:
-    return catopt.read_case(ROOT / "cases" / name / "case.toml")
+    found: catopt.Case = catopt.read_case(ROOT / "cases" / name / "case.toml")
+    return found
 
 
 STATES = (

@@ -30,7 +30,8 @@ EXAMPLE = Path(__file__).parents[2] / "cases" / "fatigue-chain-20m" / "case.toml
 
 
 def example() -> Case:
-    return read_case(EXAMPLE)
+    found: Case = read_case(EXAMPLE)
+    return found
 
 
 def with_fatigue(**changes: Any) -> Case:

@@ -1,0 +1,65 @@
+"""What a sizing comes to, in its own words."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from catopt.checks.verdict import Judgement, Matter, report_sentence, verdict_of
+from catopt.words import Message, is_said
+
+if TYPE_CHECKING:
+    from catopt.checks.result import CheckResult
+    from catopt.sizing.result import Sizing
+
+
+def judgement_of(of: Sizing) -> Judgement:
+    """Say what the recommended line comes to, what governs, and what was not judged.
+
+    The same words stand on the screen, on the page, in the note and in the document.
+    """
+    soft = (each for each in of.defaults if is_said(each, "sizing.mud_by_code"))
+    matter = Matter(
+        case=of.whole_case,
+        at_rest=of.point.checks,
+        in_motion=None if of.in_motion is None else of.in_motion.checks,
+        who="size",
+        moves=True,
+        soil=next((str(each.values["soil"]) for each in soft if isinstance(each, Message)), ""),
+        remarks=(*of.assumptions, *of.warnings),
+        no_way=("motion",) if of.afloat is None and of.ship_case is None else (),
+    )
+    return verdict_of(matter, _checks(of))
+
+
+def _checks(of: Sizing) -> Message:
+    """Say what the checks come to and what governs; steady forces are said first."""
+    moved = of.in_motion
+    report = of.point.checks if moved is None else moved.checks
+    said = report_sentence(report)
+    if report.results and report.passes:
+        is_worn = any(each.condition == "worn" for each in of.case.load_cases)
+        by = None if moved is None else moved.case.checks.motion_code
+        met = "sizing.all_met" if moved is None else "sizing.motion_met"
+        said = Message(
+            met if by is None else "sizing.motion_met_by_other",
+            codes=", ".join(of.case.checks.codes),
+            **({} if by is None else {"code": by}),
+            states=Message("sizing.new_and_worn" if is_worn else "sizing.as_new_alone"),
+            governs=_governs(report.governing),
+        )
+    # Of the codes some have no allowance for motion, and say why: that is another thing.
+    if of.dynamic_factor == 1.0 and is_said(of.motion, "sizing.factor_given"):
+        said = Message("sizing.steady_first", verdict=said)
+    return said
+
+
+def _governs(check: CheckResult | None) -> str:
+    """Name the check that governs, and how far it is used; empty where there is none."""
+    if check is None:
+        return ""
+    name = Message(f"checks.{check.kind}_short")
+    if check.place.missing is not None:
+        name = Message("sizing.with_a_line_lost", check=name)
+    if check.utilisation is None:
+        return Message("sizing.governs", check=name)
+    return Message("sizing.governs_at", check=name, used=check.utilisation)
