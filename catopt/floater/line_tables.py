@@ -125,9 +125,7 @@ def fill_table(problem: LineProblem, force: Any, span: Any, fairlead: Any, ancho
             return i
         span[i] = state.span
         fairlead[i] = math.sqrt(state.H * state.H + state.V * state.V)
-        anchor[i] = math.sqrt(
-            state.H_anchor * state.H_anchor + state.V_anchor * state.V_anchor
-        )
+        anchor[i] = math.sqrt(state.H_anchor * state.H_anchor + state.V_anchor * state.V_anchor)
     return len(force)
 
 

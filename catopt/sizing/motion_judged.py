@@ -63,8 +63,9 @@ def judged(
     """Check the runs of a line in every sea, one after the other, whose sinker is sized."""
     case = seas[0]
     line = settled.point.line
-    runs = sum(len(each.runs) if isinstance(each, DynamicPart) else 1 for each in found)
     failed = [each for each in found if not isinstance(each, DynamicPart)]
+    made = {id(run) for each in found if isinstance(each, DynamicPart) for run in each.runs}
+    runs = len(made) + len(failed)
     if failed:
         return Judged(LineTried.of(line, runs, (), failed[0].message), settled, case)
     assert case.dynamics is not None

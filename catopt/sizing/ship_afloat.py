@@ -135,6 +135,11 @@ def runs_afloat(request: TankerRequest) -> bool:
     return request.buoy is None and (turns or is_head_on) and env.sea.hs > 0.0
 
 
+def runs_quickly(request: TankerRequest) -> bool:
+    """Whether the fast judgement runs the ship: on a single line, where she can be run at all."""
+    return request.lines == 1 and runs_afloat(request)
+
+
 def _yaw_of(turning: Turning) -> Literal["", "series-60", "FFG"]:
     """Name the hull whose figures turn a ship; empty where they are her own."""
     names: tuple[Literal["series-60", "FFG"], ...] = ("series-60", "FFG")

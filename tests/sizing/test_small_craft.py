@@ -7,11 +7,11 @@ from functools import partial
 
 import pytest
 
-from catopt import size_tanker
 from catopt.catalogue.practice import own_cable
 from catopt.errors import NoAnswerError
 from catopt.loads.ship import estimated_tanker, estimates
 from tests.cli.conftest import Run, run, words
+from tests.sizing.at_rest import size_tanker
 
 __all__ = ("run",)
 

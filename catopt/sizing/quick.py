@@ -1,0 +1,34 @@
+"""The fast judgement in motion: what a sizing does unless it is told otherwise, in seconds.
+
+A ship is run as in the full way, the same hours of the same seeds in every load case, on lines that
+are read out of tables (`catopt.floater.tabulated`). A buoy is run by the full model, but once and
+for less time in each load case, and every load case is judged by the runs of all of them, by the
+upper end of the interval that their peaks leave. Fewer lines are looked at than in the full way.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Final
+
+from catopt.casefile.reading import Moored
+from catopt.sizing.in_motion import LEAST_DURATION, RunsAfloat
+
+BUOY_TIME: Final = 1600.0
+"""s, that a line of a buoy is run for in all its load cases together."""
+MOST_LINES: Final = 4
+"""Lines of a buoy that are run at most."""
+_SHIP_RUN: Final = 10800.0
+_SHIP_RUNS: Final = 3
+
+
+def quick_runs(moored: Moored) -> RunsAfloat:
+    """Give the runs of the fast judgement of a buoy or a ship."""
+    if moored == "buoy":
+        return RunsAfloat(1, BUOY_TIME, quick=True)
+    return RunsAfloat(_SHIP_RUNS, _SHIP_RUN, quick=True)
+
+
+def shared_out(how: RunsAfloat, states: int) -> RunsAfloat:
+    """Share the time that a line of a buoy is run for out to its load cases."""
+    return replace(how, duration=max(LEAST_DURATION, BUOY_TIME / states))
