@@ -204,8 +204,9 @@ def hang_lines(
 ) -> tuple[int, int]:
     """Find every line at every place of its fairlead; samples done, and a line at fault.
 
-    By closed form, or out of its table. `path` (n, 3): x, y and yaw of the origin; `ways` (n, lines, 3): how far the fairlead is off
-    that, along x, y and upwards, m; `out` (n, lines, 2): tension at fairlead and anchor, N.
+    By closed form, or out of its table. `path` (n, 3): x, y and yaw of the origin; `ways` (n,
+    lines, 3): how far the fairlead is off that, along x, y and upwards, m; `out` (n, lines, 2):
+    tension at fairlead and anchor, N.
     """
     for k in range(out.shape[1]):
         start, end = arrangement.first[k], arrangement.first[k + 1]

@@ -181,7 +181,7 @@ def _sizing(text: str, door: Door) -> Sizing:
     """Size once what its note and its document are asked of, too."""
     from catopt.sizing.file import parse_file, sized
 
-    return sized(parse_file(text, cast("Any", door)))
+    return sized(parse_file(text, cast("Any", door)), at_rest=True)
 
 
 def _door(text: str) -> Door:

@@ -23,12 +23,21 @@ def judgement_of(of: Sizing) -> Judgement:
         at_rest=of.point.checks,
         in_motion=None if of.in_motion is None else of.in_motion.checks,
         who="size",
+        motion_by=_motion_by(of),
         moves=True,
         soil=next((str(each.values["soil"]) for each in soft if isinstance(each, Message)), ""),
         remarks=(*of.assumptions, *of.warnings),
         no_way=("motion",) if of.afloat is None and of.ship_case is None else (),
     )
     return verdict_of(matter, _checks(of))
+
+
+def _motion_by(of: Sizing) -> str:
+    """Say how it was judged in motion, where not by runs in full."""
+    moved = of.in_motion
+    if moved is None or not moved.how.quick:
+        return ""
+    return Message("sizing.quick_ship" if moved.is_of_ship else "sizing.quick_buoy")
 
 
 def _checks(of: Sizing) -> Message:

@@ -30,14 +30,12 @@ from catopt.sizing import (
     SinkerGround,
     Sizing,
     TankerRequest,
-    size_buoy,
-    size_tanker,
 )
 from catopt.sizing.kinds import usual
 from catopt.sizing.line_choice import PREFERENCES
 from catopt.sizing.settle import Assumed, rounded_up
 from tests.sizing.alone import alone
-from tests.sizing.at_rest import size_tanker
+from tests.sizing.at_rest import size_buoy, size_tanker
 
 ROUNDING = 1e-9
 SHIP = estimated_tanker("tanker", 234.0, 31.3, 12.4, moulded_depth=16.0)
