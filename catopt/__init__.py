@@ -9,7 +9,6 @@ from __future__ import annotations
 from importlib import import_module
 
 from catopt import shown
-from catopt._version import __version__ as __version__
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -18,6 +17,7 @@ if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
 
+    from catopt._version import __version__ as __version__
     from catopt.casefile import read_case as read_case
     from catopt.catalogue import component as component
     from catopt.catenary.batch import solve_many as solve_many
@@ -61,6 +61,7 @@ if TYPE_CHECKING:
     from catopt.verify.dynamic import verify_dynamic as verify_dynamic
 
 _HOMES = {
+    "catopt._version": "__version__",
     "catopt.catalogue": "component",
     "catopt.casefile": "read_case",
     "catopt.catenary.batch": "solve_many",
@@ -86,7 +87,7 @@ _HOMES = {
     "catopt.verify.dynamic": "verify_dynamic",
 }
 _HOME_OF = {name: home for home, names in _HOMES.items() for name in names.split()}
-__all__ = sorted([*_HOME_OF, "__version__"])
+__all__ = sorted(_HOME_OF)
 
 
 if not TYPE_CHECKING:  # so that a type checker still finds a misspelt name

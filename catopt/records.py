@@ -19,6 +19,8 @@ from functools import cached_property
 from types import FunctionType
 from typing import Annotated, Any, ClassVar, NamedTuple, get_args, get_type_hints
 
+from catopt._version import identity
+
 
 class From(NamedTuple):
     """Least value of a whole number, or fewest values of an array; stands in ``Annotated``."""
@@ -78,7 +80,7 @@ def laid_out(of: object, document: str = "") -> dict[str, Any]:
     found: dict[str, Any] = {}
     if isinstance(of, Record) and not document:
         document = of.DOCUMENT
-        found |= {"schema": of.SCHEMA} if of.SCHEMA else {}
+        found |= {"schema": of.SCHEMA, "catopt": identity()} if of.SCHEMA else {}
     for part in parts(type(of), document):
         value: Any = of
         for name in part.path:
@@ -113,7 +115,7 @@ def _part(of: type, name: str, counted: str, key: str, inner: str, mark: str) ->
     owner, hint, may_lack = of, _hint(of, path[0]), False
     for each in path[1:]:
         may_lack = may_lack or type(None) in get_args(hint)
-        owner = next(kind for kind in _types(hint) if hasattr(kind, "__annotations__"))
+        owner = next(kind for kind in _types(hint) if _is_described(kind))
         hint = _hint(owner, each)
     unit = unit_of(hint) if not inner else ""
     key = key or path[-1] + (f"_{unit}" if unit else "")
@@ -128,10 +130,16 @@ def _hint(of: type, name: str) -> Any:
         found = found.func
     if isinstance(found, FunctionType):
         return get_type_hints(found, include_extras=True)["return"]
-    owner = next(each for each in of.__mro__ if name in vars(each).get("__annotations__", {}))
+    # By attribute: Python 3.14 makes annotations when asked, and a class's namespace has none.
+    owner = next(each for each in of.__mro__ if name in getattr(each, "__annotations__", {}))
     # Of this attribute alone: others may be of types that are not there at run time.
     alone = {"__annotations__": {name: owner.__annotations__[name]}, "__module__": owner.__module__}
     return get_type_hints(type("_", (), alone), include_extras=True)[name]
+
+
+def _is_described(kind: Any) -> bool:
+    """Whether it is a class of Python code, which has attributes of a known type."""
+    return isinstance(kind, type) and kind.__module__ != "builtins"
 
 
 def _types(hint: Any) -> Iterator[Any]:

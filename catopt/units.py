@@ -13,11 +13,12 @@ import math
 import re
 import unicodedata
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from datetime import date, time
 from functools import cache
 from numbers import Integral, Real
-from typing import Final
+from typing import Any, Final
 
 from catopt.constants import STANDARD_GRAVITY, YEAR
 from catopt.dimensions import UNITS as UNITS
@@ -222,6 +223,30 @@ def plain(value: object) -> object:
     return int(value) if isinstance(value, Integral) else float(value)
 
 
+def is_quantity(value: object) -> bool:
+    """Whether a value has a unit of its own, as those of pint, astropy and unyt have."""
+    kind = type(value)
+    return hasattr(kind, "to_value") or (hasattr(kind, "to") and hasattr(kind, "magnitude"))
+
+
+def of_quantity(value: Any, dimension: Dimension, key: str = "value") -> Any:
+    """Return what a quantity of pint, astropy or unyt is in SI, a number or an array.
+
+    Mass per length where weight per length is wanted is taken times g0, as in text. InputError
+    for one of another dimension.
+    """
+    ways = [(dimension, 1.0)]
+    if dimension is Dimension.FORCE_PER_LENGTH:
+        ways.append((Dimension.MASS_PER_LENGTH, STANDARD_GRAVITY))
+    for each, times in ways:
+        with suppress(Exception):  # of a library that is not known here
+            if hasattr(value, "to_value"):
+                return value.to_value(each.si_unit) * times
+            return value.to(each.si_unit).magnitude * times
+    unit = getattr(value, "units", getattr(value, "unit", ""))
+    raise refused(key, Message("refused.a_quantity_in", unit=f"{unit}"[:40]), wanted(dimension))
+
+
 def to_si(
     value: object,
     dimension: Dimension,
@@ -243,7 +268,7 @@ def to_si(
     dimension's. What is returned is in SI, finite, and plausible. InputError
     when it is not such a value: one problem, which names what was found and gives an example.
     """
-    value = plain(value)
+    value = plain(of_quantity(value, dimension, key) if is_quantity(value) else value)
     reading = _Reading(value, dimension, key, bare or dimension.si_unit)
     if isinstance(value, str):
         digits, unit = reading.split(value)

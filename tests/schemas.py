@@ -38,6 +38,7 @@ from catopt.mooring.case import SystemReport
 from catopt.mooring.network_out import NetworkOut
 from catopt.mooring.network_rest import NetworkReport
 from catopt.mooring.restoring import RestoringCurve, WatchCircle
+from catopt.notes.again import NoteAgain
 from catopt.notes.front_in_motion import FrontInMotion
 from catopt.notes.written import WrittenNote
 from catopt.records import From, Key, Matching, OrNull, Record, parts, unit_of
@@ -63,6 +64,7 @@ RECORDS: Mapping[str, tuple[type[Record], ...]] = {
     "loads": (ComparedLoads,),
     "network": (NetworkReport,),
     "new": (NewFile,),
+    "note_again": (NoteAgain,),
     "report": (WrittenNote,),
     "reproduction": (Reproduction,),
     "size": (Sizing,),
@@ -143,6 +145,8 @@ DIGEST = {
     "pattern": "^[0-9a-f]{64}$",
     "description": "Only in a file that --out wrote: SHA-256 of the case that the directory is of.",
 }
+PROGRAM = {"type": "string", "description": "Version of catopt that wrote it, with its commit."}
+"""Documents of 1.0 do not have it."""
 SI = "All numbers are SI; the unit is in the key and in the description."
 WIDTH = 160
 _PLAIN = {str: "string", bool: "boolean", int: "integer", float: "number", type(None): "null"}
@@ -156,7 +160,7 @@ def schema(name: str) -> Schema:
     of = _Written({}, records[0], ASKED.get(name, "may"))
     whole = [of.object_of(each) for each in records]
     common = set.intersection(*(set(each["required"]) for each in whole))
-    properties: Schema = {"schema": {"const": records[0].SCHEMA}}
+    properties: Schema = {"schema": {"const": records[0].SCHEMA}, "catopt": PROGRAM}
     if name in OF_A_CASE:
         properties["case_sha256"] = DIGEST
     for each in whole:
@@ -199,7 +203,8 @@ class _Written:
         written = self._object(record, found, ("", "*") if self._asked == "must" else ("",))
         if record.SCHEMA and record is not self._whole:
             written["required"].insert(0, "schema")
-            written["properties"] = {"schema": {"const": record.SCHEMA}} | written["properties"]
+            own = {"schema": {"const": record.SCHEMA}, "catopt": PROGRAM}
+            written["properties"] = own | written["properties"]
         return written
 
     def _object(self, of: type, found: tuple[Key, ...], needed: tuple[str, ...]) -> Schema:

@@ -18,7 +18,7 @@ PACKAGE = Path(catopt.__file__).parent
 
 BASE = {
     "errors", "constants", "documents", "dimensions", "units",
-    "quantities", "words",
+    "quantities", "words", "tables",
     "arrays", "compiled", "interrupt", "patience", "threads", "ties", "shown", "records",
     "old_names",
 }  # fmt: skip
@@ -49,6 +49,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "dimensions": {"constants"},
     "units": {"errors", "constants", "dimensions", "words"},
     "quantities": {"constants", "dimensions"},
+    "tables": {"errors", "dimensions", "documents", "units", "words"},
     "words": {"quantities"},
     "compiled": {"errors", "machine_code", "words"},
     "machine_code": {"interrupt", "machine_tuples"},
@@ -58,7 +59,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "threads": set(),
     "ties": set(),
     "shown": set(),
-    "records": set(),
+    "records": {"_version"},
     "old_names": set(),
     "schemas": {"errors", "documents", "words"},
     "model": BASE,
@@ -104,7 +105,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     | READING
     | DESIGNING
     | {"mooring", "loads", "sizing", "answers", "figures", "notes", "render", "_version"},
-    "web": {"errors", "documents", "words", "page_api", "render"},
+    "web": {"errors", "documents", "words", "page_api", "render", "_version"},
     "compile_jobs": SOLVING
     | READING
     | DESIGNING

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 import catopt
+from catopt._version import RELEASE
 
 NAMES = [
     "Case",
@@ -108,4 +109,4 @@ def test_solving_one_line_loads_nothing_heavy() -> None:
 
 def test_the_version_to_cite_is_that_of_the_program() -> None:
     cited = (Path(__file__).parents[1] / "CITATION.cff").read_text("utf-8")
-    assert f"\nversion: {catopt.__version__}\n" in cited
+    assert f"\nversion: {RELEASE}\n" in cited

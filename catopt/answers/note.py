@@ -540,6 +540,8 @@ def _wear(sheet: Sheet) -> Iterator[Block]:
         found.measured(diameter, "diameter", "note_sheet.wear_new"),
         found.measured(diameter, "end_diameter", "note_sheet.wear_end"),
         found.measured(diameter, "least", "note_sheet.wear_least"),
+        found.measured(diameter, "limit", "note_sheet.wear_limit"),
+        found.texts("note_sheet.wear_by", "reason"),
         found.measured(diameter, "room", "note_sheet.wear_room"),
     )
 

@@ -11,7 +11,7 @@ from catopt.answers import blocks
 from catopt.answers.blocks import Rows, if_known, measured, section, stated, tabulate, texts
 from catopt.constants import YEAR
 from catopt.quantities import Quantity
-from catopt.words import Cited, Message
+from catopt.words import Cited, Message, Several
 
 if TYPE_CHECKING:
     from catopt.study.member import Output
@@ -106,9 +106,12 @@ def _in_table(study: Study) -> list[Output]:
 
 def _state(result: StudyResult) -> blocks.Verdict:
     values = {"members": len(result.study), "failed": len(result.reasons)}
-    if result.is_complete:
-        return blocks.Verdict(Message("study.done", **values), None if result.reasons else True)
-    return blocks.Verdict(Message("study.not_done", done=result.done, **values), passes=False)
+    state = Message("study.done", **values)
+    if not result.is_complete:
+        state = Message("study.not_done", done=result.done, **values)
+    said = Several((state, *(axis.counted for axis in result.study.axes if axis.counted)), " ")
+    passes = False if not result.is_complete else None if result.reasons else True
+    return blocks.Verdict(said, passes)
 
 
 _QUANTITY = ("study.quantity", "kept.words")

@@ -11,17 +11,17 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
-import numpy.typing as npt
 
 from catopt.arrays import Array, Codes, Flags
 from catopt.catenary.equilibrium import BY_FORCE, BY_SPAN, BY_TENSION
 from catopt.catenary.layout import LineIntervals, most_runs
 from catopt.catenary.many import COLUMNS, fill
 from catopt.catenary.pieces import Pieces
-from catopt.catenary.state import CONVERGED, REASONS, REGIMES
+from catopt.catenary.state import CONVERGED, NOT_CONVERGED, REASONS, REGIMES
 from catopt.compiled import compiled, is_compiled
 from catopt.errors import InputError, Problem, refused
 from catopt.model import Line
+from catopt.model.given import array_in_si
 from catopt.model.kinds import Findings
 from catopt.words import Message
 
@@ -36,8 +36,8 @@ where the span is known."""
 _A_LOOK = 0.1
 """Time after which it is asked anew whether compiling is the sooner done, s."""
 
-Numbers = npt.ArrayLike
-"""Text with a unit is read, too, alone or in a sequence."""
+Numbers = Any
+"""Numbers, text with a unit, quantities, alone or in arrays: what `array_in_si` reads."""
 _UNITS = {
     "horizontal_force": "N",
     "span": "m",
@@ -45,8 +45,13 @@ _UNITS = {
     "height": "m",
     "anchor_height": "m",
     "seabed_friction": "",
+    "lengths": "m",
+    "submerged_weights": "N/m",
+    "EA": "N",
+    "positions": "m",
+    "point_weights": "N",
 }
-"""What text is read in."""
+"""What is read in."""
 Result = TypeVar("Result")
 
 
@@ -173,7 +178,8 @@ def solve_many(
     Raises
     ------
     InputError
-        When shapes do not fit or not exactly one load is given.
+        When shapes do not fit, not exactly one load is given, or something is no number: masked
+        values, booleans and dates are none. Quantities of pint, astropy and unyt are converted.
     """
     given = _in_si(
         horizontal_force=horizontal_force,
@@ -182,20 +188,25 @@ def solve_many(
         height=height,
         anchor_height=anchor_height,
         seabed_friction=seabed_friction,
+        lengths=lengths,
+        submerged_weights=submerged_weights,
+        EA=EA,
+        positions=positions,
+        point_weights=point_weights,
     )
     known, wanted = _known(given["horizontal_force"], given["span"], given["fairlead_tension"])
-    per_line = [wanted, *(given[key] for key in ("height", "anchor_height", "seabed_friction"))]
-    tables = _tables(line, lengths, submerged_weights, EA, positions, point_weights)
+    places = (given[key] for key in ("height", "anchor_height", "seabed_friction"))
+    per_line = [wanted, *(each for each in places if each is not None)]
+    tables = _tables(line, given)
     count = _count(per_line, tables)
-    vectors = map(_vector, per_line)
     columns = [
-        np.ascontiguousarray(v) if v.shape == (count,) else np.full(count, v) for v in vectors
+        np.ascontiguousarray(v) if v.shape == (count,) else np.full(count, v) for v in per_line
     ]
     status = np.empty(count, dtype=np.int64)
     regime = np.empty(count, dtype=np.int64)
     out = np.empty((count, len(COLUMNS)))
     size = tables[0].shape[1] + tables[3].shape[1]
-    grips = _vector([-1.0 if p.friction is None else p.friction for p in line.point_loads])
+    grips = np.array([-1.0 if p.friction is None else p.friction for p in line.point_loads])
 
     def run(loop: Callable[..., Any], first: int, end: int) -> None:
         room = Pieces(np.empty(size), np.empty(size), np.empty(size), np.empty(2 * size + 2))
@@ -215,6 +226,8 @@ def solve_many(
             run(loop, at, at + 1)
             at += 1
         a_line = (perf_counter() - began) / at
+    # Beyond what a number may be, as 1e308 N, the formulas overflow.
+    status[(status == CONVERGED) & ~np.isfinite(out[:, 2])] = NOT_CONVERGED
     return Solutions(
         status,
         regime,
@@ -244,23 +257,18 @@ def room_for_runs(pieces: int) -> LineIntervals:
     return LineIntervals(*whole, *columns)
 
 
-def _in_si(**given: Any) -> dict[str, Any]:
-    """Read what is text with a unit, alone or in a sequence; all that is wrong at once."""
+def _in_si(**given: Any) -> dict[str, Array | None]:
+    """Read everything as numbers in SI; all that is wrong at once."""
     found = Findings("solve_many")
-
-    def read(key: str, value: Any) -> Any:
-        if isinstance(value, str):
-            return found.taken(key, value, _UNITS[key])
-        if isinstance(value, list | tuple) and any(isinstance(each, str) for each in value):
-            return [read(key, each) for each in value]
-        return value
-
-    in_si = {key: read(key, value) for key, value in given.items()}
+    in_si = {
+        key: None if values is None else array_in_si(found, key, values, _UNITS[key])
+        for key, values in given.items()
+    }
     found.raise_if_any()
     return in_si
 
 
-def _known(*given: Numbers | None) -> tuple[int, Numbers]:
+def _known(*given: Array | None) -> tuple[int, Array]:
     codes = (BY_FORCE, BY_SPAN, BY_TENSION)
     found = [(code, value) for code, value in zip(codes, given, strict=True) if value is not None]
     if len(found) != 1:
@@ -269,30 +277,20 @@ def _known(*given: Numbers | None) -> tuple[int, Numbers]:
     return found[0]
 
 
-def _vector(values: Numbers) -> Array:
-    return np.asarray(values, dtype=np.float64)
-
-
-def _tables(
-    line: Line,
-    lengths: Numbers | None,
-    weights: Numbers | None,
-    EA: Numbers | None,
-    positions: Numbers | None,
-    point_weights: Numbers | None,
-) -> list[Array]:
+def _tables(line: Line, given: dict[str, Array | None]) -> list[Array]:
     """Per-line tables with one row for all lines or a row a line."""
     segments, loads = line.segments, line.point_loads
     own = {
-        "lengths": (lengths, [s.length for s in segments]),
-        "submerged_weights": (weights, [s.submerged_weight for s in segments]),
-        "EA": (EA, [s.EA for s in segments]),
-        "positions": (positions, [p.position for p in loads]),
-        "point_weights": (point_weights, [p.submerged_weight for p in loads]),
+        "lengths": [s.length for s in segments],
+        "submerged_weights": [s.submerged_weight for s in segments],
+        "EA": [s.EA for s in segments],
+        "positions": [p.position for p in loads],
+        "point_weights": [p.submerged_weight for p in loads],
     }
     problems, tables = [], []
-    for key, (given, default) in own.items():
-        table = _vector(default if given is None else given)
+    for key, default in own.items():
+        values = given[key]
+        table = np.array(default, dtype=np.float64) if values is None else values
         table = table[np.newaxis] if table.ndim == 1 else np.atleast_2d(table)
         if table.ndim != 2 or table.shape[1] != len(default):
             wanted = Message("refused_motion.shape_of_line", count=len(default))
@@ -306,7 +304,7 @@ def _tables(
     return tables
 
 
-def _count(per_line: list[Numbers], tables: list[Array]) -> int:
+def _count(per_line: list[Array], tables: list[Array]) -> int:
     """Return the number of lines on which all arrays agree."""
     sizes = {np.shape(values)[0] for values in per_line if np.ndim(values) == 1}
     sizes |= {table.shape[0] for table in tables if table.shape[0] > 1}

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from catopt.catenary.case import STRENGTH_OF_NEW, as_found, solve_case
 from catopt.catenary.solution import Solution
-from catopt.checks.criteria import Criteria, allowed_by, criteria_of, motion_profile
+from catopt.checks.criteria import Criteria, criteria_of, motion_profile
 from catopt.checks.evaluation import (
     IN_LOAD_CASE,
     Lifted,
@@ -24,9 +24,7 @@ from catopt.checks.evaluation import (
 )
 from catopt.checks.kinds import (
     OF_LINE,
-    ROUNDING,
     USER,
-    Criterion,
     Demand,
     Place,
     State,
@@ -35,7 +33,7 @@ from catopt.checks.kinds import (
 from catopt.checks.profiles import profiles_of
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.errors import FloatsUpError, InputError, NoEquilibriumError, NotConvergedError, Problem
-from catopt.model import Anchor, Case, Line, LoadCase, Segment, Service
+from catopt.model import Anchor, Case, Line, LoadCase
 from catopt.model.load import LoadCaseKind
 from catopt.model.network import Network
 from catopt.words import Listed, Message, is_said
@@ -155,89 +153,6 @@ def is_of_load(warning: str) -> bool:
         and warning.key == IN_LOAD_CASE
         and warning.values["name"] == LOAD
     )
-
-
-_STEPS = 60
-"""Halvings of the diameter: down to the last digit of double precision."""
-
-
-@dataclass(frozen=True)
-class LeastDiameter:
-    """How far a segment may wear."""
-
-    segment: int
-    """From 1 at the anchor."""
-    diameter: float
-    end_diameter: float
-    """Nominal, new and at the end of the service life, m."""
-    least: float | None
-    """Smallest nominal diameter at which every check of its tension passes, m; None where it fails
-    as it is new."""
-
-    @property
-    def room(self) -> float | None:
-        """How much of the new diameter may wear off, m."""
-        return None if self.least is None else self.diameter - self.least
-
-
-def least_diameters(
-    report: CheckReport, criteria: Criteria, line: Line
-) -> tuple[LeastDiameter, ...]:
-    """Find the diameter of every segment at which a check of its tension no longer passes.
-
-    Tensions stay those of the new line: a worn one weighs less and pulls no more. A fibre rope, a
-    segment without a diameter and one whose tension nothing limits have none. The report is of the
-    line, or of a body on lines like it.
-    """
-    found = []
-    for number, segment in enumerate(line.segments, start=1):
-        if segment.nominal_diameter is None:
-            continue
-        strength = criteria.strength(segment)
-        wanted = [
-            (criterion, pull)
-            for (kind, state), pull in _pulls(report, number).items()
-            for criterion in criteria.of("tension", kind, state)
-            if criterion.is_for(strength.kind)
-        ]
-        if strength.kind != "rope" and wanted and strength.end_diameter is not None:
-            new, end = segment.nominal_diameter, strength.end_diameter
-            found.append(LeastDiameter(number, new, end, _least(segment, criteria, wanted)))
-    return tuple(found)
-
-
-def _pulls(report: CheckReport, segment: int) -> dict[tuple[LoadCaseKind, State], float]:
-    """Largest tension of a segment by kind of load case and state, N."""
-    kinds: dict[str, LoadCaseKind] = {each.name: each.kind for each in report.load_cases}
-    found: dict[tuple[LoadCaseKind, State], float] = {}
-    for each in report.results:
-        if each.kind == "tension" and each.place.segment == segment:
-            key = kinds.get(each.load_case, "extreme"), each.place.state
-            found[key] = max(each.demand, found.get(key, 0.0))
-    return found
-
-
-def _least(
-    segment: Segment, criteria: Criteria, wanted: list[tuple[Criterion, float]]
-) -> float | None:
-    new = segment.nominal_diameter
-    assert new is not None
-
-    def passes(diameter: float) -> bool:
-        worn = replace(segment, wear_rate=new - diameter, wear_zone=None)
-        strength = replace(criteria, service=Service(life=1.0)).strength(worn)
-        return all(
-            pull <= (1.0 + ROUNDING) * allowed_by(each, strength, "segment")
-            for each, pull in wanted
-        )
-
-    if not passes(new):
-        return None
-    low, high = 0.0, new
-    for _ in range(_STEPS):
-        middle = 0.5 * (low + high)
-        low, high = (low, middle) if passes(middle) else (middle, high)
-    return high
 
 
 class Pull(NamedTuple):

@@ -108,8 +108,6 @@ class Matter:
     """How it was judged in motion, in words; empty: by runs of the full model."""
     moves: bool = False
     """Whether what is moored moves, though the case does not say so."""
-    soil: str = ""
-    """Soil that was named and is softer than the friction that was taken; empty for none."""
     remarks: tuple[str, ...] = ()
     """What was said beside the checks' warnings."""
     invalid: tuple[str, ...] = ()
@@ -216,15 +214,13 @@ def _is_worn(of: Matter) -> bool:
 def _slides(of: Matter) -> bool:
     """Whether a sinker has more friction than any soil has."""
     anchor = None if of.case is None else of.case.anchor
-    return bool(of.soil) or (anchor is not None and (anchor.friction or 0.0) > MOST_FRICTION)
+    return anchor is not None and (anchor.friction or 0.0) > MOST_FRICTION
 
 
 def _soil_words(of: Matter) -> Message:
-    anchor = None if of.case is None else of.case.anchor
-    friction = MOST_FRICTION if anchor is None else anchor.friction or 0.0
-    if of.soil:
-        return Message("verdict.soil_softer", soil=of.soil, friction=friction)
-    return Message("verdict.soil", friction=friction)
+    assert of.case is not None
+    assert of.case.anchor is not None
+    return Message("verdict.soil", friction=of.case.anchor.friction)
 
 
 SUBJECTS: Final[dict[str, Subject]] = {
@@ -233,15 +229,16 @@ SUBJECTS: Final[dict[str, Subject]] = {
         lambda of: of.has_said("checks.no_strength_criterion") and not of.has_check("tension"),
         ways=("case", "size"),
     ),
-    "yaw": Subject(_yaws, _has_yaw, ("case", "size")),
-    "soil": Subject(_slides, ways=("case", "size", "page"), words=_soil_words),
     "breaking": Subject(
         lambda of: of.has_said(
-            *("loads.calmar_stops", "loads.breaks", "loads.breaks_above"),
+            *("loads.calmar_stops", "loads.departs_breaking", "loads.breaks"),
+            "loads.breaks_above",
             *("loads.breaks_beyond_drift", "motion.waves_break", "motion.wave_breaks"),
         )
     ),
     "grounding": Subject(lambda of: of.has_said("sizing.touches_bed")),
+    "yaw": Subject(_yaws, _has_yaw, ("case", "size")),
+    "soil": Subject(_slides, ways=("case", "size", "page"), words=_soil_words),
     "heel": Subject(_is_buoy_in_motion, lambda of: of.has_check("heel", "pitch")),
     "convergence": Subject(_is_run, _is_proven, ("case", "size", "page")),
     "wear": Subject(_wears, _is_worn, ("case", "size", "page")),

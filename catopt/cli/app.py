@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from catopt._version import __version__
+from catopt._version import identity
 from catopt.cli.help_words import GroupWithWords, WithWords, built
 from catopt.cli.output import Printer
 
@@ -68,8 +68,22 @@ app = typer.Typer(
 
 def _version(wanted: bool) -> None:
     if wanted:
-        typer.echo(f"catopt {__version__}")
+        typer.echo(f"catopt {identity()}\n{_computing_with()}")
         raise typer.Exit
+
+
+def _computing_with() -> str:
+    """Name Python and the libraries that decide digits and speed, each with its version."""
+    from importlib.metadata import PackageNotFoundError, version
+    from platform import python_version
+
+    said = [f"Python {python_version()}"]
+    for name in ("numpy", "scipy", "numba"):
+        try:
+            said.append(f"{name} {version(name)}")
+        except PackageNotFoundError:
+            said.append(f"{name} -")
+    return ", ".join(said)
 
 
 _VERSION = typer.Option("--version", callback=_version, is_eager=True)

@@ -7,6 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
+from catopt._version import identity
 from catopt.casefile import write_case
 from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CountOption, LengthOption, PlaceOption
@@ -48,6 +49,7 @@ def import_deck(
     def document(path: str | None) -> dict[str, Any]:
         return {
             "schema": "catopt.import/1",
+            "catopt": identity(),
             "title": read.title,
             "path": path,
             "remarks": list(remarks),

@@ -40,7 +40,7 @@ _TAKEN = {
 """What the loads take when it is left out, in place of what a sizing takes."""
 
 _WEATHER = ("depth", "low_water", "wind", "current", "hs", "hmax", "period", "water_density")
-_BUOY = (*_WEATHER, "growth", "buoys")
+_BUOY = (*_WEATHER, "growth", "buoys", "load_method")
 _SHIP = (
     *(*_WEATHER, "length", "breadth", "draught", "ballast_draught"),
     *("frontal_area", "lateral_area", "condition", "coefficients"),
@@ -85,6 +85,7 @@ def buoy(
 ) -> None:
     """Compute the loads on a buoy and its chain, after IALA's CALMAR reference."""
     from catopt.loads import WaterLevels, buoy_loads
+    from catopt.loads.buoy import BUOY_METHODS
     from catopt.sizing.requests import shape_of
 
     place = name if is_file(name) else None
@@ -114,6 +115,7 @@ def buoy(
                     wave_height=wave_height,
                     chain_waves=chain_waves,
                     water_density=of["water_density"],
+                    method=of["load_method"] or BUOY_METHODS[0],
                 )
                 for each in dict.fromkeys((levels, WaterLevels.steady(levels.low)))
             ),
@@ -157,16 +159,10 @@ def ship(
 ) -> None:
     """Compute the loads on a ship, from wind, current and waves."""
     from catopt.loads import METHODS, WaterLevels, every_lying, every_method
-    from catopt.loads.ship import MIDSHIP, WATERLINE, box_estimates, estimates
+    from catopt.loads.ship import BARGE, MIDSHIP, TAKEN_FOR, WATERLINE, box_estimates, estimates
     from catopt.sizing.environment import DIRECTIONS, directions_of, read_turning, turned_round
     from catopt.sizing.known import estimated_dimensions, small_craft
-    from catopt.sizing.requests import (
-        BARGE,
-        TAKEN_FOR,
-        of_the_wind,
-        turns_by_itself,
-        wind_of_30_s,
-    )
+    from catopt.sizing.requests import of_the_wind, turns_by_itself, wind_of_30_s
 
     lengths = {
         "--waterline": waterline,
@@ -327,8 +323,8 @@ class _Form(NamedTuple):
 def _ships_afloat(of: ResolvedInputs, form: _Form) -> Iterator[Afloat]:
     """Make the ship at each draught that is known."""
     from catopt.loads import Afloat, Ship
-    from catopt.loads.ship import BLOCK
-    from catopt.sizing.requests import TAKEN_FOR, draughts_of, own_tables, ship_at
+    from catopt.loads.ship import BLOCK, TAKEN_FOR
+    from catopt.sizing.requests import draughts_of, own_tables, ship_at
     from catopt.sizing.tanker_request import check_deadweight
 
     wind_on, _ = TAKEN_FOR[of["ship"] or "tanker"]

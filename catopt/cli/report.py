@@ -34,6 +34,7 @@ def report(
     method: Annotated[Method | None, typer.Option(metavar="METHOD")] = None,
     motion: Annotated[bool | None, typer.Option("--dynamic/--no-dynamic")] = None,
     once: OnceOption = False,
+    again: Annotated[bool, typer.Option("--again")] = False,
 ) -> None:
     """Write the calculation note of a case: one HTML page for a checker, and a workbook."""
     from catopt.cli.note_kind import answer_of, note_of_file
@@ -43,6 +44,9 @@ def report(
     from catopt.report.bundle import check_directory, write_files
 
     output, language = asked.output, asked.language
+    if again:
+        _compare_again(asked, case)
+        return
     if asked.out is not None:
         if asked.out.suffix.lower() in OTHER_ENDINGS and not asked.out.exists():
             allowed = Message("refused_command.page_file_ends_html_or")
@@ -95,6 +99,35 @@ def report(
             output.text(str(path))
     if moved is not None:
         stop_in_doubt(asked, moved)
+
+
+def _compare_again(asked: Asked, place: Path) -> None:
+    """Say which numbers of an old note are otherwise in one of the same file made now."""
+    from dataclasses import replace
+    from tempfile import TemporaryDirectory
+
+    from catopt.answers.again import again_answer
+    from catopt.cli.note_kind import answer_of, has_table, note_of_file
+    from catopt.documents import MOST_BYTES_OF_DATA, read_text
+    from catopt.notes.again import compared_notes, read_written_note
+    from catopt.notes.origin import source_of
+    from catopt.render.page import page
+
+    text = read_text(place, str(place), kind="note", most=MOST_BYTES_OF_DATA)
+    old = read_written_note(text, str(place))
+    with asked.output.progress(Message("beside.note")), TemporaryDirectory() as folder:
+        beside = place.parent / old.name  # where files that it names are found, too
+        if not beside.is_file() or source_of("", beside.read_text("utf-8")).text != old.text:
+            beside = Path(folder) / old.name
+            beside.write_text(old.text, "utf-8", newline="")
+        if has_table(beside, "design"):
+            raise refused("--again", old.name, Message("refused_command.no_note_of_a_front"))
+        has_motion = any("motion" in name for name in old.sections)
+        has_truss = any("verification" in name for name in old.sections)
+        note = note_of_file(beside, verify=has_truss, motion=has_motion or None)
+        now = read_written_note(page(answer_of(note), old.language).decode(), str(place))
+    result = compared_notes(str(place), old, now)
+    replace(asked, full=True).give(again_answer(result), result.to_dict)
 
 
 def _place(out: Path | None, name: str) -> tuple[Path, str, bool]:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 import typer
 
+from catopt._version import identity
 from catopt.cli.answering import Asked, answering, keyword
 from catopt.cli.completion import completed, of_input
 from catopt.cli.help_words import GroupWithWords, WithWords, group
@@ -226,7 +227,8 @@ def _size_form(
         from catopt.answers.size_card import fleet_answer
 
         answer = fleet_answer([of for of, _ in found])
-        document = {"schema": "catopt.fleet/1", "moorings": [of.to_dict() for of, _ in found]}
+        of_all = [of.to_dict() for of, _ in found]
+        document = {"schema": "catopt.fleet/1", "catopt": identity(), "moorings": of_all}
     beside = Path(place).with_name(f"{Path(place).stem}-answer.xlsx")
     write_files(beside.parent, {beside.name: workbook(answer, asked.language)}, keep=[Path(place)])
     asked.output.note(Message("beside.written", place=beside))

@@ -13,7 +13,7 @@ from itertools import pairwise
 from textwrap import wrap
 from types import MappingProxyType
 
-from catopt._version import __version__
+from catopt._version import identity
 from catopt.catenary.layout import Profile, end_of
 from catopt.catenary.solution import Solution
 from catopt.export.exported import Exported, ExportedLine, ExportedLines, Source, exported, heading
@@ -291,7 +291,7 @@ def _legend(sheet: Drawing, remarks: Sequence[str]) -> Iterator[Group]:
             f"{line.name}: span {solution.span:.3f} m, H {_force(solution.horizontal_force)}, "
             f"fairlead tension {_force(solution.fairlead.tension)}"
         )
-    rows.append(f"catopt {__version__}")
+    rows.append(f"catopt {identity()}")
     for remark in remarks:
         rows += wrap(f"Remark: {remark}", COLUMNS, subsequent_indent="  ", break_on_hyphens=False)
     lowest = min(line.anchor[1] for line in sheet.solved.lines) if sheet.in_space else 0.0

@@ -6,13 +6,13 @@ import math
 import re
 import unicodedata
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from hashlib import sha256
 from textwrap import wrap
 from typing import Annotated, Any, Literal
 from warnings import warn
 
-from catopt._version import __version__
+from catopt._version import identity
 from catopt.catenary.case import solve_case, under_a_load
 from catopt.catenary.layout import end_of
 from catopt.catenary.solution import Solution
@@ -139,7 +139,7 @@ class Exported(Record):
     """Each line as the closed form finds it, with the EA that stands in the file."""
     sources: Annotated[tuple[Source, ...], From(1)] = ()
     """Files that the case was read from; the case file first."""
-    version: str = __version__
+    version: str = field(default_factory=identity)
     """Of catopt."""
     path: str | None = None
     """Where the file was written; None where no place was given, and text holds it."""
@@ -202,7 +202,7 @@ def heading(
     `first`: what it is; `own`: how it has to be read; `remarks`: what stands in it otherwise than
     in the case; `sources`: what the case was read from.
     """
-    yield f"{first}; written by catopt {__version__}"
+    yield f"{first}; written by catopt {identity()}"
     if solved.case.title:
         yield from folded(f"Case: {solved.case.title}")
     for source in sources:

@@ -18,7 +18,9 @@ import numpy.typing as npt
 from catopt.arrays import Array
 from catopt.compiled import compiled, packed
 from catopt.errors import refused
+from catopt.model.given import array_in_si
 from catopt.model.kinds import Findings
+from catopt.units import is_quantity
 from catopt.waves.kinematics import cos_sin, row_at
 from catopt.words import Message
 
@@ -42,6 +44,12 @@ class Harmonic:
 
     def __post_init__(self) -> None:
         found = Findings("Harmonic")
+        for name, unit in (("period", "s"), ("amplitude", ""), ("phase", "rad")):
+            given = getattr(self, name)
+            read = array_in_si(found, name, given, unit)
+            if is_quantity(given) or np.asarray(given).dtype.kind not in "iuf":
+                object.__setattr__(self, name, read)
+        found.raise_if_any()
         for number, period in enumerate(np.atleast_1d(np.asarray(self.period, dtype=float))):
             found.number(f"period[{number}]", float(period), "s", above=0.0)
         count = np.size(self.period)
@@ -84,8 +92,10 @@ class Sampled:
     values: Any  # (n, 3): along x, y and z: m of a motion, N of a force
 
     def __post_init__(self) -> None:
-        times, values = np.asarray(self.times, float), np.asarray(self.values, float)
         found = Findings("Sampled")
+        times = array_in_si(found, "times", self.times, "s")
+        values = array_in_si(found, "values", self.values, "")
+        found.raise_if_any()
         if times.ndim != 1 or times.size < 4:
             shape = Message("refused_motion.shape", shape=times.shape)
             found.add("times", shape, Message("refused_motion.four_times"))

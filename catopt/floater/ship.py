@@ -23,12 +23,22 @@ from catopt.errors import InputError
 from catopt.floater.line_tables import LineTables, tabulated
 from catopt.hydro.coefficient_files import read_wamit
 from catopt.hydro.coefficients import Coefficients
-from catopt.loads.environment import drag
-from catopt.loads.ship import BLOCK, Ship, estimated_tanker
-from catopt.loads.ship_coefficients import coefficients, pressure_centre, wind_type
-from catopt.loads.ship_loads import AIR_DENSITY, depth_factor, share_above, width_across
-from catopt.loads.ufc import longitudinal_loads, transverse_load, yaw_moment
-from catopt.loads.weathervane import YAW_TYPES
+from catopt.loads.hull_derivatives import HullDerivatives, hull_derivatives
+from catopt.loads.ship import BARGE, TAKEN_FOR, Ship, estimated_tanker
+from catopt.loads.ship_coefficients import (
+    SQUARE_ENDED,
+    ShipCoefficients,
+    read_ship_coefficients,
+)
+from catopt.loads.ship_loads import depth_factor, share_above, width_across
+from catopt.loads.weathervane import (
+    CLARKE_LEVER,
+    YAW_TYPES,
+    CurrentYaw,
+    Push,
+    ShipStreams,
+    lever_of,
+)
 from catopt.model import ShipAfloat
 from catopt.mooring.balance import Arrangement, Lines, pull_at
 from catopt.waves import Waves
@@ -39,16 +49,23 @@ class SlowShip(NamedTuple):
     """What drives a ship; arrays in compiled code. Axes as in `catopt.floater.ship`.
 
     `inverse` (3, 3): of the inertia; `lever`: of the centre of gravity, m ahead of the origin;
-    `damping` (3,): about midships; tables (n + 1, 3) over the square of the speed; `turns`: whether
-    the lines turn with the ship; `wind` (n, 2), `drift` (n, headings, 3): over time, of headings
-    evenly all round from 0.
+    `added`: masses of the water in surge and sway; `damping` (3,): about midships; `turn_sway` and
+    `turn_yaw`: force and moment of a turn over its rate and the speed through the water;
+    `crossflow`: drag across over a strip's length and the square of its speed; `half`: of the
+    length; tables (n + 1, 3) over the square of the speed; `turns`: whether the lines turn with
+    the ship; `wind` (n, 2), `drift` (n, headings, 3): over time, of headings evenly all round
+    from 0.
     """
 
     inverse: Any
     mass: float
+    added: tuple[float, float]
     lever: float
     damping: Any
+    turn_sway: float
+    turn_yaw: float
     crossflow: float
+    half: float
     wind_table: Any
     current_table: Any
     current_x: float
@@ -69,6 +86,30 @@ def blow(table: Any, across: float, along: float, out: Any) -> None:
     part = place - below
     for i in range(3):
         out[i] += square * (table[below, i] + part * (table[below + 1, i] - table[below, i]))
+
+
+STRIPS: Final = 10
+"""Of a turning hull, over whose length the drag across is summed."""
+
+
+def turn(ship: SlowShip, along: float, across: float, r: float, out: Any) -> None:
+    """Add what a turn of rate r, rad/s, adds to a stream past the ship to `out` (3,).
+
+    `along` and `across`: of the ship through the water amidships, m/s. Linear derivatives, which
+    on a hull alike fore and aft are of sway odd and of yaw even in the speed ahead; beyond them the
+    drag of each strip at its own speed across, less that of all at the speed amidships.
+    """
+    middle = out[1]
+    out[1] = middle + ship.turn_sway * along * r
+    out[2] += out[1] * ship.lever - middle * ship.lever + ship.turn_yaw * abs(along) * r
+    strip = 2.0 * ship.half / STRIPS
+    same = across * abs(across)
+    for i in range(STRIPS):
+        x = -ship.half + (i + 0.5) * strip
+        local = across + x * r
+        push = -ship.crossflow * strip * (local * abs(local) - same)
+        out[1] += push
+        out[2] += (x + ship.lever) * push
 
 
 def restore(
@@ -138,12 +179,10 @@ def rates(
         wind_x * cosine + wind_y * sine - u,
         force,
     )
-    blow(
-        ship.current_table,
-        ship.current_y * cosine - ship.current_x * sine - middle,
-        ship.current_x * cosine + ship.current_y * sine - u,
-        force,
-    )
+    stream_x = ship.current_x * cosine + ship.current_y * sine
+    stream_y = ship.current_y * cosine - ship.current_x * sine
+    blow(ship.current_table, stream_y - middle, stream_x - u, force)
+    turn(ship, u - stream_x, middle - stream_y, r, force)
     headings = ship.drift.shape[1]
     place = (yaw / (2.0 * math.pi) % 1.0) * headings
     left = int(place) % headings
@@ -156,11 +195,14 @@ def rates(
     across = -ship.damping[1] * middle
     force[0] -= ship.damping[0] * u
     force[1] += across
-    force[2] += across * ship.lever - (ship.damping[2] + ship.crossflow * abs(r)) * r
-    # What turning axes add, of the ship's own mass.
+    force[2] += across * ship.lever - ship.damping[2] * r
+    # What turning axes add: of the ship's own mass, and of the water's, which the current carries.
+    # The derivatives have the rest of it.
     force[0] += ship.mass * (v * r + ship.lever * r * r)
-    force[1] -= ship.mass * u * r
-    force[2] -= ship.mass * ship.lever * u * r
+    force[0] += (ship.added[1] * (middle - stream_y) + ship.added[0] * stream_y) * r
+    turned_across = -(ship.mass * u + ship.added[1] * stream_x) * r
+    force[1] += turned_across
+    force[2] += turned_across * ship.lever
     a, b, c = force[0], force[1], force[2]
     out[0], out[1], out[2] = u * cosine - v * sine, u * sine + v * cosine, r
     for i in range(3):
@@ -285,23 +327,63 @@ class ShipInWeather:
                 condition=of.condition,
                 frontal_area=of.frontal_area,
                 lateral_area=of.lateral_area,
-                propeller=None,
+                propeller=of.propeller or None,
+                lateral_centre=of.lateral_centre or 0.0,
+                is_square_ended=of.kind == BARGE,
+                length_waterline=of.length_waterline,
             )
             if of.displacement is not None:
                 ship = replace(ship, displacement=of.displacement / self.density)
+            if of.midship_area is not None:
+                ship = replace(ship, midship_area=of.midship_area)
             ship.check_afloat(self.depth)
         except InputError as error:
             reported = [replace(each, key=f"floater.ship.{each.key}") for each in error.problems]
             raise InputError(reported, "--dynamic") from None
         return ship
 
+    @cached_property
+    def streams(self) -> ShipStreams:
+        """Wind and current by the angle off the bow; InputError for a file of coefficients."""
+        of, own = self.of, self._own
+        wind_on, _ = TAKEN_FOR[of.kind]
+        return ShipStreams(
+            self.ship,
+            self.depth,
+            self.density,
+            wind_on.format(of.condition),
+            own,
+            self._yaw,
+        )
+
+    @cached_property
+    def _own(self) -> ShipCoefficients | None:
+        """Read her own tables of coefficients, or take those of square ends."""
+        of = self.of
+        if not of.coefficients:
+            return SQUARE_ENDED if of.kind == BARGE else None
+        return read_ship_coefficients(of.coefficients).in_condition(of.condition)
+
+    @property
+    def turned_by(self) -> str:
+        """What the current turns her by: as `ShipAfloat.current_yaw`, empty for her own tables."""
+        own = self._own
+        is_own = own is not None and own.turns
+        return self.of.current_yaw or ("" if is_own else CLARKE_LEVER)
+
+    @property
+    def _yaw(self) -> CurrentYaw | None:
+        match self.turned_by:
+            case "":
+                return None
+            case "Clarke-lever":
+                return lever_of(self.ship)
+        return YAW_TYPES[self.turned_by]
+
     @property
     def block(self) -> float:
         """Block coefficient."""
-        if self.of.displacement is None:
-            return BLOCK[self.of.condition]
-        ship = self.ship
-        return ship.displacement / (ship.length_waterline * ship.breadth * ship.draught)
+        return self.ship.block
 
     @property
     def mass(self) -> float:
@@ -309,67 +391,68 @@ class ShipInWeather:
         return self.density * self.ship.displacement
 
     @cached_property
+    def derivatives(self) -> HullDerivatives:
+        """Linear derivatives of the hull in deep water."""
+        ship = self.ship
+        return hull_derivatives(ship.length_waterline, ship.breadth, ship.draught, self.block)
+
+    @property
+    def added(self) -> tuple[float, float]:
+        """Mass of the water in surge, a tenth of the ship's (C), and in sway, in deep water, kg."""
+        unit = 0.5 * self.density * self.ship.length_waterline**3
+        return 0.1 * self.mass, -self.derivatives.Yv_dot * unit
+
+    @cached_property
     def inertia(self) -> Array:
         """Mass with the water's, (3, 3), about the origin: surge, sway, yaw.
 
-        Added mass of sway and yaw after Clarke, Gedling and Hine (1983), in deep water, and a tenth
-        of the mass in surge (C).
+        Added mass of sway and yaw after Clarke, Gedling and Hine (1983), in deep water.
         """
-        ship, m = self.ship, self.mass
-        L, B, T = ship.length_waterline, ship.breadth, ship.draught
-        unit = 0.5 * self.density * math.pi * T**2 * L
-        sway = unit * (1.0 + 0.16 * self.block * B / T - 5.1 * (B / L) ** 2)
-        yaw = unit * L**2 * (1.0 / 12.0 + 0.017 * self.block * B / T - 0.33 * B / L)
+        m, L = self.mass, self.ship.length_waterline
+        surge, sway = self.added
+        yaw = -self.derivatives.Nr_dot * 0.5 * self.density * L**5
         lever = -self.of.mooring_point
         across, about = m + sway, m * (_GYRATION * L) ** 2 + yaw
         both = across * lever
         return np.array(
-            [[1.1 * m, 0.0, 0.0], [0.0, across, both], [0.0, both, about + both * lever]]
+            [[m + surge, 0.0, 0.0], [0.0, across, both], [0.0, both, about + both * lever]]
         )
+
+    @property
+    def turning(self) -> tuple[float, float]:
+        """Force across and moment of a turn, over its rate and the speed, about midships.
+
+        After Clarke, Gedling and Hine (1983), in deep water: what shallow water adds to the moment,
+        which slows the turn, is left out.
+        """
+        of, unit, L = self.derivatives, 0.5 * self.density, self.ship.length_waterline
+        return of.Yr * unit * L**3, of.Nr * unit * L**4
 
     @cached_property
     def wind_table(self) -> Array:
         """Force and moment of a wind of 1 m/s, (ANGLES + 1, 3), by the angle that it comes from."""
-        ship = self.ship
-        kind = wind_type(f"tanker {self.of.condition}")
-        rows = []
-        for angle in _angles():
-            cx, cy = coefficients(kind, angle, ship.frontal_area / ship.lateral_area)
-            along = drag(AIR_DENSITY, 1.0, ship.frontal_area, cx)
-            across = drag(AIR_DENSITY, 1.0, ship.lateral_area, cy)
-            centre = pressure_centre(angle, ship.length_overall, ship.lateral_centre)
-            rows.append(self._about_origin(along, -across, -across * centre))
-        return np.array(rows)
+        streams = self.streams
+        push = streams.wind_push(1.0)
+        return self._table(push, lambda angle: streams.wind_along(1.0, angle))
 
     @cached_property
     def current_table(self) -> Array:
-        """Force and moment of a current of 1 m/s, likewise: UFC's at the mean speed."""
-        ship, speed = self.ship, math.hypot(*self.current) or 1.0
-        stream = {"water_density": self.density}
-        yaw = YAW_TYPES[self.of.current_yaw] if self.of.current_yaw else None
+        """Force and moment of a current of 1 m/s, likewise: that at the mean speed."""
+        streams, speed = self.streams, math.hypot(*self.current) or 1.0
+        push = streams.current_push(speed)
+        return self._table(push, lambda angle: streams.current_along(speed, angle)) / speed**2
+
+    def _table(self, push: Push, along: Callable[[float], float]) -> Array:
         rows = []
         for angle in _angles():
-            parts = longitudinal_loads(ship, speed, angle=angle, **stream)
-            along = math.fsum(each.force for each in parts)
-            across = transverse_load(ship, speed, self.depth, angle=angle, **stream).force
-            moment = 0.0
-            if yaw is not None:
-                theta = 180.0 - abs(math.degrees(angle))
-                moment = yaw_moment(across, ship.length_waterline, *yaw[:2], theta)
-            rows.append(self._about_origin(along, -across, -moment))
-        return np.array(rows) / speed**2
+            across, moment = push(angle)
+            rows.append(self._about_origin(along(angle), -across, -moment))
+        return np.array(rows)
 
     @property
     def crossflow(self) -> float:
-        """Moment of the drag of a turn over the square of its rate, N m s2, about midships.
-
-        By strips, each with UFC's coefficient of a current across: L^4/32 of the length.
-        """
-        ship = self.ship
-        across = transverse_load(
-            ship, 1.0, self.depth, angle=0.5 * math.pi, water_density=self.density
-        ).force
-        return across * ship.length_waterline**3 / 32.0
+        """Drag across over a strip's length and the square of its speed, N s2/m3: UFC's abeam."""
+        return self.streams.beam_force(1.0) / self.ship.length_waterline
 
     def _about_origin(self, along: float, across: float, moment: float) -> tuple[float, ...]:
         """Turn a moment about midships into that about the origin."""

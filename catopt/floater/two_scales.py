@@ -21,6 +21,7 @@ from catopt.compiled import compiled
 from catopt.errors import NoEquilibriumError, NotConvergedError
 from catopt.floater.line_tables import no_tables
 from catopt.floater.ship import ShipInWeather, SlowShip, hang_lines, step_slowly
+from catopt.floater.stability import SwingMode, linearised, swing_mode
 from catopt.hydro.coefficients import Coefficients
 from catopt.hydro.hull import monohull_response
 from catopt.loads.environment import gust_series
@@ -274,14 +275,16 @@ class MooredShip:
         rest: ShipAtRest | None = None,
         *,
         step: float | None = None,
+        start: Array | None = None,
     ) -> ShipHistory:
         """Run it from rest for a time, s, of which the ramp is left out of the answer.
 
         The generator draws the gusts; `step`, s, is that of the samples, `sample_step` when left
-        out. NoEquilibriumError where a line does not reach, with the time.
+        out; `start` (6,): a state of `swing` in the place of rest. NoEquilibriumError where a line
+        does not reach, with the time.
         """
         rest = rest or self.at_rest(waves)
-        slow = self._slow(waves, duration, ramp, generator, rest)
+        slow = self._slow(waves, duration, ramp, generator, rest, start)
         step = step or sample_step(waves)
         time = ramp + step * np.arange(int((duration - ramp) / step) + 1, dtype=np.float64)
         way = slow_at(time, slow)
@@ -300,6 +303,7 @@ class MooredShip:
         ramp: float,
         generator: np.random.Generator,
         rest: ShipAtRest,
+        start: Array | None,
     ) -> Array:
         """Step the slow motion: x, y and yaw, a sample every `SLOW_STEP`, (n, 3)."""
         ship, of = self.ship, self.ship.of
@@ -310,28 +314,66 @@ class MooredShip:
         if of.gusts != "none" and speed > 0.0:
             gust = gust_series(speed, samples, SLOW_STEP, generator)
         blown = np.outer(1.0 + grown * gust / (speed or 1.0), ship.wind)
-        inertia = ship.inertia
+        slow = self._driven(rest, blown, _drift_series(ship, waves, samples, ramp))
+        return self._stepped(slow, rest, samples, start)[:, :3]
+
+    def _driven(self, rest: ShipAtRest, wind: Array, drift: Array) -> SlowShip:
+        """Put together what steps it, under wind and drift over time."""
+        ship, of, inertia = self.ship, self.ship.of, self.ship.inertia
         critical = (of.surge_damping, of.sway_damping, of.yaw_damping)
         stiff = zip(critical, rest.stiffness, np.diag(inertia).tolist(), strict=True)
         damping = np.array([2.0 * part * math.sqrt(max(k, 0.0) * m) for part, k, m in stiff])
-        slow = SlowShip(
+        turn_sway, turn_yaw = map(float, ship.turning)
+        surge, sway = map(float, ship.added)
+        return SlowShip(
             inverse=np.linalg.inv(inertia),
             mass=float(ship.mass),
+            added=(surge, sway),
             lever=-float(of.mooring_point),
             damping=damping,
+            turn_sway=turn_sway,
+            turn_yaw=turn_yaw,
             crossflow=float(ship.crossflow),
+            half=0.5 * float(ship.ship.length_waterline),
             wind_table=ship.wind_table,
             current_table=ship.current_table,
             current_x=float(ship.current[0]),
             current_y=float(ship.current[1]),
             turns=bool(self.system.turns),
-            wind=np.ascontiguousarray(blown),
-            drift=_drift_series(ship, waves, samples, ramp),
+            wind=np.ascontiguousarray(wind),
+            drift=drift,
         )
+
+    def _steady(self, waves: Waves, rest: ShipAtRest, samples: int) -> SlowShip:
+        """Put it together under the mean weather."""
+        mean = np.einsum("khi,h->ki", _drift_all_round(self.ship, waves), waves.amplitude**2)
+        drift = np.repeat(mean[np.newaxis], samples, axis=0)
+        return self._driven(rest, np.repeat([self.ship.wind], samples, axis=0), drift)
+
+    def mode(self, waves: Waves, rest: ShipAtRest) -> SwingMode:
+        """Find the motion in the mean weather, linearised, that dies away the slowest, or grows."""
+        return swing_mode(linearised(self._steady(waves, rest, 2), self._arrangement, rest.place))
+
+    def still_tension(self, path: Array) -> Array:
+        """Give the tensions of every line along slow motion (n, 3): (n, lines, 2), N."""
+        time = SLOW_STEP * np.arange(path.shape[0], dtype=np.float64)
+        return self._hung(time, path, np.zeros((path.shape[0], len(self.system.legs), 3)))
+
+    def swing(self, waves: Waves, rest: ShipAtRest, duration: float) -> Array:
+        """Step it in the mean weather alone from a degree off where it rests: the state, (n, 6)."""
+        samples = math.ceil(duration / SLOW_STEP) + 1
+        return self._stepped(self._steady(waves, rest, samples), rest, samples)
+
+    def _stepped(
+        self, slow: SlowShip, rest: ShipAtRest, samples: int, start: Array | None = None
+    ) -> Array:
+        """Step what drives it from a state, or from rest: a sample every `SLOW_STEP`, (n, 6)."""
         path = np.zeros((samples, 6))
         path[0, :3] = rest.place
         if not self.system.turns:
             path[0, 2] += _OFF
+        if start is not None:
+            path[0] = start
         legs = len(self.system.legs)
         lines = as_arrays(room_for(legs))
         work = 4.0 * _PULL * samples * legs
@@ -340,7 +382,7 @@ class MooredShip:
         )
         if wrong >= 0:
             raise _out_of_reach(wrong, done * SLOW_STEP)
-        return path[:, :3]
+        return path
 
     @property
     def _arrangement(self) -> Any:

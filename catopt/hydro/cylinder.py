@@ -97,17 +97,17 @@ class FloatingCylinder:
         mass, damping = np.zeros((2, size, 3, 3))
         excited, wave = np.zeros((2, size, 3), dtype=complex)
         for i, w in enumerate(given):
-            own = _Matched(self, float(w))
+            own = Matched(self, float(w))
             mass[i], damping[i] = own.added_mass.real, own.added_mass.imag * w
             excited[i], wave[i] = own.excitation(), own.froude_krylov()
         return CylinderAnswer(given, mass, damping, excited, wave)
 
     def at_infinite_frequency(self) -> Array:
         """Give the added mass (3, 3) of motion much faster than its waves."""
-        return np.ascontiguousarray(_Matched(self, math.inf).added_mass.real)
+        return np.ascontiguousarray(Matched(self, math.inf).added_mass.real)
 
 
-class _Matched:
+class Matched:
     """The potentials of one frequency, with unit speeds of the body."""
 
     def __init__(self, of: FloatingCylinder, omega: float) -> None:
@@ -117,8 +117,12 @@ class _Matched:
         count = of.terms
         self.below = np.arange(count) * math.pi / self.d
         self.G = self._overlap()
-        self.C: list[Complex] = [np.empty(0, dtype=complex)] * 3
-        self.D: list[Complex] = [np.empty(0, dtype=complex)] * 3
+        self.C: dict[int, Complex] = {}
+        self.D: dict[int, Complex] = {}
+        self._solve()
+
+    def _solve(self) -> None:
+        """Match the potentials of every mode."""
         self._match(0, HEAVE)
         self._match(1, SURGE, PITCH)
         self.added_mass = self._masses()
@@ -197,9 +201,17 @@ class _Matched:
         own = 0.5 * near / np.sqrt(self.N)[:, np.newaxis]
         if self.k == 0.0:
             return own
-        signs = np.where(np.arange(m_l.size) % 2 == 0, 1.0, -1.0)
-        wave = signs * self.k * self._sinh(d) / (self.k**2 + m_l**2) / d
+        wave = self._signs() * self.k * self._sinh(d) / (self.k**2 + m_l**2) / d
         return np.concatenate([wave[np.newaxis], own])
+
+    def _signs(self) -> Array:
+        """cos(l pi): 1 and -1 in turn."""
+        return np.where(np.arange(self.below.size) % 2 == 0, 1.0, -1.0)
+
+    def _square(self) -> Array:
+        """Mean over the gap of z^2 cos(l pi z/d)."""
+        rest = 2.0 * self._signs()[1:] / self.below[1:] ** 2
+        return np.concatenate([[self.d * self.d / 3.0], rest])
 
     def _slopes(self, m: int) -> Array:
         """Slopes at r = a of the functions below, with e_l."""
@@ -234,11 +246,8 @@ class _Matched:
 
     def _own(self, mode: int) -> tuple[Array, Array]:
         """Speed of the body and of phi_p at r = a by Z, over h; and phi_p by cos(l pi z/d)."""
-        a, d, h, m_l = self.of.radius, self.d, self.of.depth, self.below
-        p = np.zeros(m_l.size)
-        signs = np.where(np.arange(m_l.size) % 2 == 0, 1.0, -1.0)
-        square = np.empty(m_l.size)  # mean of z^2 cos(l pi z/d)
-        square[0], square[1:] = d * d / 3.0, 2.0 * signs[1:] / m_l[1:] ** 2
+        a, d, h = self.of.radius, self.d, self.of.depth
+        p, square = np.zeros(self.below.size), self._square()
         if mode == SURGE:
             return self._integral_Z(d, h) / h, p
         if mode == HEAVE:
@@ -289,8 +298,7 @@ class _Matched:
         a, d, m_l = self.of.radius, self.d, self.below
         x = m_l[1:] * a
         parts = 2.0 * ive(1, x) / ive(0, x) / m_l[1:] * a
-        signs = np.where(np.arange(1, m_l.size) % 2 == 0, 1.0, -1.0)
-        D = self.D[HEAVE]
+        D, signs = self.D[HEAVE], self._signs()[1:]
         held = 0.5 * a * a * D[0] + (D[1:] * parts * signs).sum()
         own = 0.25 * d * a * a - a**4 / (16.0 * d)
         return complex(2.0 * math.pi * (held + own))
@@ -300,8 +308,7 @@ class _Matched:
         a, d, m_l = self.of.radius, self.d, self.below
         x = m_l[1:] * a
         parts = 2.0 * a * a / m_l[1:] * ive(2, x) / ive(1, x)
-        signs = np.where(np.arange(1, m_l.size) % 2 == 0, 1.0, -1.0)
-        D = self.D[mode]
+        D, signs = self.D[mode], self._signs()[1:]
         held = 0.25 * a**3 * D[0] + (D[1:] * parts * signs).sum()
         own = 0.0
         if mode == PITCH:

@@ -14,10 +14,17 @@ from catopt.catalogue.family import nearest
 from catopt.catalogue.table import TomlTable
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.documents import read_text
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, NoAnswerError, Problem
 from catopt.loads.buoy_shape import DRAG_COEFFICIENT, BuoyShape, BuoySlice, Floating
 from catopt.loads.component import CALMAR, LoadComponent, Loads, LoadSource, Number
-from catopt.loads.environment import SeaState, SurfaceCurrent, WaterLevels, Wind, drag_component
+from catopt.loads.environment import (
+    HMAX_OVER_HS,
+    SeaState,
+    SurfaceCurrent,
+    WaterLevels,
+    Wind,
+    drag_component,
+)
 from catopt.model.kinds import Findings, exceeds
 from catopt.words import Measure, Message, Several, term
 
@@ -147,6 +154,40 @@ WaveHeight = Literal["hs", "hmax"]
 
 WHOLE, OURS = "IALA-CALMAR", "catopt-buoy"
 """Methods: CALMAR's as it is, and ours, which has something else somewhere."""
+BUOY_METHODS: Final = (WHOLE, OURS)
+
+
+class BreakingSeaError(NoAnswerError):
+    """The largest wave breaks, where CALMAR gives no answer (6.3.1)."""
+
+    def __init__(self, sea: SeaState, levels: WaterLevels, option: str = "load_method") -> None:
+        self.sea, self.levels, limit = sea, levels, sea.breaking_at(levels)
+        said = Message(
+            "loads.calmar_refuses",
+            height=sea.hmax,
+            depth=levels.high,
+            period=sea.period,
+            limit=limit,
+            hs=limit / HMAX_OVER_HS,
+            option=option,
+            ours=OURS,
+        )
+        super().__init__(said)
+
+    def __reduce__(self) -> tuple[type[BreakingSeaError], tuple[SeaState, WaterLevels]]:
+        """Give what builds the same error in another process."""
+        return type(self), (self.sea, self.levels)
+
+    def spelt(self, option: str) -> BreakingSeaError:
+        """Name the way out as whoever asked writes it."""
+        return BreakingSeaError(self.sea, self.levels, option)
+
+
+def check_breaking(sea: SeaState, levels: WaterLevels, method: str) -> None:
+    """Refuse a sea in which CALMAR gives no answer, unless the method is ours."""
+    if method == WHOLE and sea.breaks(levels):
+        raise BreakingSeaError(sea, levels)
+
 
 _FORCES = LoadSource(CALMAR, "section 5", "A")
 _CHAIN = LoadSource(CALMAR, "5.2.1", "A")
@@ -189,12 +230,13 @@ def buoy_loads(
     wave_height: WaveHeight = "hs",
     chain_waves: bool = False,
     water_density: float = SEA_WATER_DENSITY,
+    method: str = WHOLE,
 ) -> Loads:
     """Add up the forces of wind, current and waves on a buoy and its chain.
 
     All are from one side, at the same time, and so are the loads. Static: no motion of the buoy, no
-    vortex shedding. The method is CALMAR's; with growth, largest wave, waves on the chain or a wave
-    that breaks it is `"catopt-buoy"`, and its assumptions say what departs.
+    vortex shedding. The method is CALMAR's; with growth, largest wave or waves on the chain it is
+    `"catopt-buoy"`, and its assumptions say what departs.
 
     Parameters
     ----------
@@ -214,14 +256,20 @@ def buoy_loads(
         alone as CALMAR has it.
     water_density : float
         kg/m3.
+    method : {"IALA-CALMAR", "catopt-buoy"}
+        CALMAR stops where the largest wave breaks; ours goes on, with the crest of one as high as
+        it can be and without the force of the breaking.
 
     Raises
     ------
     InputError
         Deeper than 200 m, faster than 7 m/s, a pull above the reserve buoyancy, a draught deeper
         than the water.
+    BreakingSeaError
+        The largest wave breaks, and the method is CALMAR's.
     """
-    _check(current, levels, chain_diameter, marine_growth, wave_height)
+    _check(current, levels, chain_diameter, marine_growth, wave_height, method)
+    check_breaking(sea, levels, method)
     floating = shape.afloat(pull, water_density)
     keel = floating.keel_depth
     if keel >= levels.low:
@@ -313,12 +361,18 @@ def _drag(
 
 
 def _check(
-    current: SurfaceCurrent, levels: WaterLevels, diameter: float, growth: float, wave_height: str
+    current: SurfaceCurrent,
+    levels: WaterLevels,
+    diameter: float,
+    growth: float,
+    wave_height: str,
+    method: str,
 ) -> None:
     found = Findings("buoy loads")
     found.number("chain_diameter", diameter, "m", at_least=0.0, at_most=0.2)
     found.number("marine_growth", growth, "m", at_least=0.0, at_most=0.5)
     found.word("wave_height", wave_height, get_args(WaveHeight))
+    found.word("method", method, BUOY_METHODS)
     if exceeds(levels.high, DEEPEST):
         limit = Message("refused_sizing.calmar_holds_down_m_water", deepest=DEEPEST)
         found.add("levels.high", f"{levels.high:g} m", limit)

@@ -82,6 +82,11 @@ class Ship:
             if exceeds(value, most):
                 found.add(key, f"{value:g} {unit}", Message(words, limit=most))
 
+    @property
+    def block(self) -> float:
+        """Block coefficient: of the displacement."""
+        return self.displacement / (self.length_waterline * self.breadth * self.draught)
+
     def check_afloat(self, depth: float) -> None:
         """Raise InputError unless there is water, of a depth in m, under the keel."""
         found = self._findings()
@@ -97,6 +102,20 @@ class Ship:
 
 ShipKind = Literal["tanker", "bulk carrier", "general cargo", "barge"]
 """A barge or a pontoon has square ends."""
+
+BARGE: Final = "barge"
+
+TAKEN_FOR: Final = MappingProxyType(
+    {
+        "tanker": ("tanker {}", "tanker"),
+        "bulk carrier": ("tanker {}", "cargo"),
+        "general cargo": ("cargo loaded", "cargo"),
+        BARGE: ("cargo loaded", None),
+    }
+)
+"""For which kind of ship each is taken by wind, after Blendermann, and by propeller, after UFC. The
+first lacks bulk carriers; a tanker's bow has the largest coefficient. The wind on a barge is by
+`catopt.loads.ship_coefficients.SQUARE_ENDED`."""
 
 DIMENSIONS_SOURCE: Final = "PIANC 2002 / ROM 3.1 [R]"
 """Recalled, read in neither; checked by their block coefficients (0.71 to 0.84)."""
@@ -337,12 +356,14 @@ def estimated_tanker(
     propeller: str | None = "tanker",
     lateral_centre: float = 0.0,
     is_square_ended: bool = False,
+    length_waterline: float | None = None,
 ) -> Ship:
     """Make a tanker out of its main dimensions, in m: length over all, depth from deck to keel.
 
-    The block coefficient is that of the condition. The areas above water, m2, are estimated when
-    left out; `lateral_centre` is of an area that is given, m forward of midships: that of the
-    estimated one follows from a deckhouse at the stern. A square-ended hull is a box without one.
+    The block coefficient is that of the condition. The areas above water, m2, and the length of the
+    waterline are estimated when left out; `lateral_centre` is of an area that is given, m forward
+    of midships: that of the estimated one follows from a deckhouse at the stern. A square-ended
+    hull is a box without one.
 
     Raises
     ------
@@ -364,6 +385,8 @@ def estimated_tanker(
     height, long = deckhouse(length)
     if is_square_ended:
         waterline, block, midship, height = length, 1.0, 1.0, 0.0
+    if length_waterline is not None:
+        waterline = length_waterline
     section = breadth * draught
     frontal = breadth * (freeboard + height)
     house = height * long

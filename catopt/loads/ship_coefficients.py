@@ -6,7 +6,7 @@ import math
 import os
 from bisect import bisect_left
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from pathlib import Path
 from types import MappingProxyType
@@ -164,6 +164,8 @@ class ShipCoefficients:
     current: tuple[CoefficientTable, ...] = ()  # of a condition by rising depth over draught
     # whether the current across is no less than UFC's, which has shallow water in it
     is_least_ufc: bool = False
+    # that they were read from; empty: made otherwise
+    file: str = field(default="", compare=False)
 
     def in_condition(self, condition: str) -> ShipCoefficients:
         """Keep the tables of a condition."""
@@ -324,7 +326,7 @@ def read_ship_coefficients(path: str | os.PathLike[str]) -> ShipCoefficients:
     """
     source = os.fspath(path)
     text = read_text(Path(path), source, kind="file of coefficients")
-    return parse_ship_coefficients(text, source)
+    return replace(parse_ship_coefficients(text, source), file=os.fspath(Path(source).resolve()))
 
 
 def parse_ship_coefficients(text: str, source: str = "") -> ShipCoefficients:

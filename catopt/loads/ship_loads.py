@@ -23,22 +23,13 @@ from catopt.loads.ufc import (
 )
 from catopt.model.kinds import Findings
 from catopt.ties import largest
+from catopt.waves.random_surface import depth_factor as depth_factor
 from catopt.words import Measure, Message, Several, term
 
 DriftWave = Literal["sea state", "largest wave"]
 """The mean over an irregular sea of height Hs, or that under regular waves of the height Hmax."""
 
 _SOURCE = LoadSource(DTOCEAN, "flat side, after Hermans and Remery 1970; depth, McIver 1987", "C")
-
-
-def depth_factor(wave_number: float, depth: float) -> float:
-    """1 + 2 k h/sinh(2 k h): what shallow water adds; 1 in deep water, 2 in shallow (C).
-
-    DTOcean has it for a fixed cylinder. It is the ratio of twice the group to the phase velocity,
-    which the momentum in any wave is multiplied with. k in rad/m, h in m.
-    """
-    double = 2.0 * wave_number * depth
-    return 1.0 + (double / math.sinh(double) if double < 700.0 else 0.0)
 
 
 def share_above(wave_number: float, draught: float, depth: float) -> float:
@@ -226,13 +217,10 @@ def ship_loads(
         own_tables = coefficients if method == UFC_BLENDERMANN else None
         has_any = own_tables is not None and (own_tables.wind or own_tables.current)
         table = own_tables if has_any else None  # all of them may be of the other condition
+        may = allow_recalled or is_recalled
         components = (
-            *(
-                table.loads("wind", ship, wind.speed, AIR_DENSITY, headings.wind, depth)
-                if table is not None and table.wind
-                else _wind(ship, wind, blow, headings.wind, allow_recalled or is_recalled)
-            ),
-            *_current(ship, current.speed, depth, table, **stream),
+            *wind_components(ship, wind, blow, headings.wind, depth, table, allow_recalled=may),
+            *current_components(ship, current.speed, depth, table, **stream),
             *ship_drift(
                 sea, *size, depth, angle=headings.waves, **waves, water_density=water_density
             ),
@@ -312,16 +300,26 @@ def _is_off_the_bow(headings: Headings) -> bool:
     return abs(math.sin(headings.wind)) > ALONG
 
 
-def _wind(
-    ship: Ship, wind: Wind, wind_on: str | UfcWind, angle: float, allow_recalled: bool
+def wind_components(
+    ship: Ship,
+    wind: Wind,
+    wind_on: str | UfcWind,
+    angle: float,
+    depth: float,
+    own: ShipCoefficients | None = None,
+    *,
+    allow_recalled: bool = False,
 ) -> tuple[LoadComponent, ...]:
+    """Compute the wind along and across at an angle off the bow, rad, by tables or by a method."""
+    if own is not None and own.wind:
+        return own.loads("wind", ship, wind.speed, AIR_DENSITY, angle, depth)
     air = {"angle": angle, "air_density": AIR_DENSITY}
     if isinstance(wind_on, UfcWind):
         return ufc_wind_loads(ship, wind, wind_on, **air, allow_recalled=allow_recalled)
     return blendermann_loads(ship, wind, wind_on, **air)
 
 
-def _current(
+def current_components(
     ship: Ship, speed: float, depth: float, own: ShipCoefficients | None, **stream: float
 ) -> tuple[LoadComponent, ...]:
     """Compute the current along and across, by tables or by UFC."""

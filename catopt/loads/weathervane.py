@@ -7,21 +7,24 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import product
 from types import MappingProxyType
-from typing import Any, Final, NamedTuple, TypeAlias
+from typing import Any, Final, Literal, NamedTuple, TypeAlias
 
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import NoAnswerError
-from catopt.loads.component import Loads
+from catopt.loads.component import LoadComponent, Loads
 from catopt.loads.environment import Headings, SeaState, SurfaceCurrent, Wind, drag
+from catopt.loads.hull_derivatives import hull_derivatives
 from catopt.loads.ship import Ship
 from catopt.loads.ship_coefficients import ShipCoefficients, pressure_centre, wind_type
 from catopt.loads.ship_coefficients import coefficients as coefficients_of
 from catopt.loads.ship_loads import (
     AIR_DENSITY,
     DriftWave,
+    current_components,
     flat_side_drift,
     governing_loads,
     width_across,
+    wind_components,
 )
 from catopt.loads.ufc import transverse_load, yaw_moment
 from catopt.model.kinds import Angle, Findings, Length
@@ -72,6 +75,11 @@ class CurrentYaw(NamedTuple):
     recalled: bool = False
     """Whether they are of table 4-10, which was not read."""
 
+    @property
+    def at_the_bow(self) -> float:
+        """Lever of a current from ahead, over the length, forward of midships."""
+        return self.intercept + 180.0 * self.slope
+
 
 YAW_TYPES: Final = MappingProxyType(
     {
@@ -81,15 +89,41 @@ YAW_TYPES: Final = MappingProxyType(
 )
 """Hulls of UFC's table 4-10, recalled (R): cargo ships and tankers, and a frigate."""
 
+CLARKE_LEVER: Final = "Clarke-lever"
+"""Likewise of the hull's own dimensions: `lever_of`."""
+
+
+def lever_of(ship: Ship) -> CurrentYaw:
+    """Take where the current acts from the hull: before midships from ahead, amidships abeam.
+
+    From ahead it is the lever of the linear derivatives of Clarke, Gedling and Hine (1983, C);
+    between that and the beam it falls evenly with the angle, as UFC's eq. 25 has it: catopt's own.
+
+    Examples
+    --------
+    >>> from catopt.loads.tanker_20m import tanker
+    >>> from catopt.loads.weathervane import lever_of
+    >>> [round(each, 4) for each in lever_of(tanker())[:2]]
+    [-0.3491, 0.0039]
+    """
+    hull = (ship.length_waterline, ship.breadth, ship.draught, ship.block)
+    lever = hull_derivatives(*hull).lever
+    return CurrentYaw(-lever, lever / 90.0)
+
 
 @dataclass(frozen=True)
 class Turning:
     """What a ship turns about, and what turns it."""
 
-    yaw: CurrentYaw | None
-    """None: the moment of the current is that of a table of the ship's own."""
+    yaw: CurrentYaw | Literal["Clarke-lever"] | None
+    """`CLARKE_LEVER`: by the ship's dimensions; None: the moment of the current is that of a table
+    of the ship's own."""
     mooring_point: float | None = None
     """m forward of midships; None: the bow, half the waterline."""
+
+    def yaw_of(self, ship: Ship) -> CurrentYaw | None:
+        """Return where the current acts on a ship; None: her own tables have its moment."""
+        return lever_of(ship) if self.yaw == CLARKE_LEVER else self.yaw
 
     def lever(self, ship: Ship) -> float:
         """Return how far forward of midships the mooring holds a ship, m."""
@@ -185,8 +219,8 @@ def equilibrium_headings(
     per_metre = flat_side_drift(
         sea, depth, reflection=reflection, of=drift, water_density=water_density
     )
-    by_wind = _wind_about(ship, wind, depth, wind_on, coefficients)
-    by_current = _current_about(ship, current, depth, water_density, turning.yaw, coefficients)
+    on = ShipStreams(ship, depth, water_density, wind_on, coefficients, turning.yaw_of(ship))
+    by_wind, by_current = on.wind_push(wind.speed), on.current_push(current.speed)
 
     def by_waves(angle: float) -> float:
         width = width_across(ship.length_waterline, ship.breadth, angle)
@@ -205,58 +239,90 @@ def equilibrium_headings(
     return _stable(turned)
 
 
-_Push: TypeAlias = Callable[[float], tuple[float, float]]
+Push: TypeAlias = Callable[[float], tuple[float, float]]
 """Force across, N, and its moment about midships, N m, by the angle off the bow, rad."""
 
 
-def _wind_about(
-    ship: Ship, wind: Wind, depth: float, wind_on: str, own: ShipCoefficients | None
-) -> _Push:
-    """Make the push of the wind, by tables of the ship's own or by Blendermann."""
-    has_own = own is not None and bool(own.wind)
-    kind = None if has_own else wind_type(wind_on)
-    ratio = ship.frontal_area / ship.lateral_area
+@dataclass(frozen=True)
+class ShipStreams:
+    """What wind and current do to a ship by the angle off her bow, at rest as in motion.
 
-    def push(angle: float) -> tuple[float, float]:
-        moment = None
-        if kind is None:
-            assert own is not None
-            force, moment = own.push("wind", ship, wind.speed, AIR_DENSITY, angle, depth)
-        else:
-            _, cy = coefficients_of(kind, angle, ratio)
-            force = drag(AIR_DENSITY, wind.speed, ship.lateral_area, cy)
-        if moment is None:
-            moment = force * pressure_centre(angle, ship.length_overall, ship.lateral_centre)
-        return force, moment
+    `depth` of the water, m; `water_density`, kg/m3; `wind_on`: her kind for the wind, after
+    Blendermann; `yaw`: where the current acts, unless her own tables have its moment.
+    """
 
-    return push
+    ship: Ship
+    depth: float
+    water_density: float
+    wind_on: str
+    coefficients: ShipCoefficients | None = None
+    yaw: CurrentYaw | None = None
+
+    def wind_push(self, speed: float) -> Push:
+        """Make the push of a wind across her, m/s: by her own tables or by Blendermann."""
+        ship, own = self.ship, self.coefficients
+        has_own = own is not None and bool(own.wind)
+        kind = None if has_own else wind_type(self.wind_on)
+        ratio = ship.frontal_area / ship.lateral_area
+
+        def push(angle: float) -> tuple[float, float]:
+            moment = None
+            if kind is None:
+                assert own is not None
+                force, moment = own.push("wind", ship, speed, AIR_DENSITY, angle, self.depth)
+            else:
+                _, cy = coefficients_of(kind, angle, ratio)
+                force = drag(AIR_DENSITY, speed, ship.lateral_area, cy)
+            if moment is None:
+                moment = force * pressure_centre(angle, ship.length_overall, ship.lateral_centre)
+            return force, moment
+
+        return push
+
+    def current_push(self, speed: float) -> Push:
+        """Make the push of a current across her, m/s: by her own tables or by UFC."""
+        ship, own, yaw = self.ship, self.coefficients, self.yaw
+        beam, water = self.beam_force(speed), self.water_density
+
+        def push(angle: float) -> tuple[float, float]:
+            force, moment = beam * math.sin(angle), None
+            if own is not None and own.current:
+                of = own.push("current", ship, speed, water, angle, self.depth)
+                if not own.is_least_ufc or abs(of[0]) >= abs(force):
+                    force, moment = of
+            if moment is None:
+                assert yaw is not None
+                theta = 180.0 - abs(math.degrees(angle))
+                moment = yaw_moment(force, ship.length_waterline, *yaw[:2], theta)
+            return force, moment
+
+        return push
+
+    def beam_force(self, speed: float) -> float:
+        """Give UFC's force of a current on the beam, m/s; N."""
+        how = {"angle": 0.5 * math.pi, "water_density": self.water_density}
+        return transverse_load(self.ship, speed, self.depth, **how).force
+
+    def wind_along(self, speed: float, angle: float) -> float:
+        """Add up the wind along her at an angle off the bow, rad; N, forwards positive."""
+        return _along(
+            wind_components(self.ship, Wind(speed), self.wind_on, angle, self.depth, self.own)
+        )
+
+    def current_along(self, speed: float, angle: float) -> float:
+        """Add up the current along her at an angle off the bow, rad; N, forwards positive."""
+        water = {"angle": angle, "water_density": self.water_density}
+        return _along(current_components(self.ship, speed, self.depth, self.own, **water))
+
+    @property
+    def own(self) -> ShipCoefficients | None:
+        """Her own tables, where she has any."""
+        own = self.coefficients
+        return own if own is not None and (own.wind or own.current) else None
 
 
-def _current_about(
-    ship: Ship,
-    current: SurfaceCurrent,
-    depth: float,
-    water_density: float,
-    yaw: CurrentYaw | None,
-    own: ShipCoefficients | None,
-) -> _Push:
-    """Make the push of the current, by tables of the ship's own or by UFC."""
-    how = {"angle": 0.5 * math.pi, "water_density": water_density}
-    beam = transverse_load(ship, current.speed, depth, **how).force
-
-    def push(angle: float) -> tuple[float, float]:
-        force, moment = beam * math.sin(angle), None
-        if own is not None and own.current:
-            of = own.push("current", ship, current.speed, water_density, angle, depth)
-            if not own.is_least_ufc or abs(of[0]) >= abs(force):
-                force, moment = of
-        if moment is None:
-            assert yaw is not None
-            theta = 180.0 - abs(math.degrees(angle))
-            moment = yaw_moment(force, ship.length_waterline, *yaw[:2], theta)
-        return force, moment
-
-    return push
+def _along(components: Sequence[LoadComponent]) -> float:
+    return math.fsum(each.force for each in components if each.axis == "surge")
 
 
 def _stable(turned: Callable[[float], float]) -> tuple[float, ...]:

@@ -22,7 +22,7 @@ from typing import (
 )
 
 from catopt.errors import InputError, Problem, refused
-from catopt.units import Dimension, as_written, plain, to_si, wanted
+from catopt.units import Dimension, as_written, is_quantity, plain, to_si, wanted
 from catopt.words import Message
 
 
@@ -31,12 +31,13 @@ def _unit(si_unit: str) -> str:
     return si_unit.replace("^", "").replace("*", " ")
 
 
-def _number(unit: str) -> Message:
+def number_wanted(unit: str) -> Message:
+    """Say that a number in a unit of SI is wanted; empty for a pure one."""
     return Message("refused.number_in" if unit else "refused.number", unit=unit)
 
 
-_DIMENSIONS = {_unit(each.si_unit): each for each in Dimension}
-_DIMENSIONS["N/m2"] = Dimension.PRESSURE
+DIMENSIONS = {_unit(each.si_unit): each for each in Dimension}
+DIMENSIONS["N/m2"] = Dimension.PRESSURE
 """By their SI units, as messages write them."""
 
 
@@ -118,7 +119,7 @@ class Findings:
 
         The unit is empty for a pure number; `infinite` allows positive infinity.
         """
-        if isinstance(value, str) and hasattr(self._of, key):
+        if (isinstance(value, str) or is_quantity(value)) and hasattr(self._of, key):
             read = self._read(key, value, unit)
             object.__setattr__(self._of, key, math.nan if read is None else read)
             if read is None:
@@ -129,9 +130,9 @@ class Findings:
             if hasattr(self._of, key):
                 object.__setattr__(self._of, key, value)
         if isinstance(value, bool) or not isinstance(value, (int, float)) or value != value:
-            self.add(key, repr(value), _number(unit))
+            self.add(key, repr(value), number_wanted(unit))
         elif isinstance(value, int) and abs(value) > sys.float_info.max:
-            self.add(key, Message("refused.beyond_floats"), _number(unit))
+            self.add(key, Message("refused.beyond_floats"), number_wanted(unit))
         elif math.isinf(value) and not (infinite and value > 0.0):
             finite = "refused.finite_in" if unit else "refused.finite_number"
             self.add(key, repr(value), Message(finite, unit=unit))
@@ -151,7 +152,8 @@ class Findings:
             least = bounds["at_least"]
             if least is not None and least <= value < math.inf:
                 return value
-        read = self._read(key, value, unit) if isinstance(value, str) else plain(value)
+        has_unit = isinstance(value, str) or is_quantity(value)
+        read = self._read(key, value, unit) if has_unit else plain(value)
         if read is not None:
             self.number(key, read, unit, **bounds, infinite=False)
         return read if isinstance(read, (int, float)) else math.nan
@@ -162,10 +164,10 @@ class Findings:
         read = tuple(self.taken(f"{key}[{k}]", item, unit, **bounds) for k, item in items)
         object.__setattr__(self._of, key, read)
 
-    def _read(self, key: str, text: str, unit: str) -> float | None:
-        """Read text with a unit; None, with the problem noted, where it is none."""
+    def _read(self, key: str, text: object, unit: str) -> float | None:
+        """Read what has a unit; None, with the problem noted, where it is none."""
         try:
-            return to_si(text, _DIMENSIONS[unit], key)
+            return to_si(text, DIMENSIONS[unit], key)
         except InputError as error:
             self.problems += error.problems
             return None
@@ -182,7 +184,7 @@ class Findings:
     def count(self, key: str, value: object) -> None:
         """Note a problem unless `value` is within the bounds of the count that `key` is."""
         fewest, most = COUNTS[key]
-        if isinstance(value, str):
+        if isinstance(value, str) or is_quantity(value):
             self.add(key, repr(value), Message("refused.whole"))
         else:
             self.number(key, value, "", at_least=fewest, at_most=most)

@@ -81,6 +81,15 @@ class ShipAfloat(Checked):
     """From deck to keel, m."""
     condition: Literal["loaded", "ballast"] = "loaded"
     """For the block coefficient and the wind's coefficients."""
+    kind: Literal["tanker", "bulk carrier", "general cargo", "barge"] = "tanker"
+    """For wind and current: a barge or a pontoon has square ends."""
+    propeller: Literal["", "destroyer", "cruiser", "carrier", "cargo", "tanker", "submarine"] = ""
+    """Kind of a locked propeller, after UFC 4-159-03; empty: none, or one that is not locked."""
+    coefficients: Annotated[str, File(example='"coefficients.toml"')] = ""
+    """Path of a file of the ship's own coefficients of wind and current; empty: after Blendermann
+    and UFC, of a barge those of square ends."""
+    length_waterline: Length | None = None
+    """m; None: 0.97 of the length over all, of a barge all of it."""
     mooring_point: Place = 0.0
     """Of the origin of the system, m forward of midships."""
     displacement: Mass | None = None
@@ -88,13 +97,19 @@ class ShipAfloat(Checked):
     frontal_area: Area | None = None
     lateral_area: Area | None = None
     """Above water, m2; None: estimated."""
+    midship_area: Area | None = None
+    """Of the section amidships under water, m2; None: 0.98 of breadth by draught, of a barge all of
+    it."""
+    lateral_centre: Place | None = None
+    """Of a lateral area that is given, m forward of midships; None: amidships."""
     wind_direction: Angle = 0.0
     """Where the wind blows to, rad from the x axis."""
     gusts: Literal["NPD", "none"] = "NPD"
     """Spectrum of the wind's speed."""
-    current_yaw: Literal["", "series-60", "FFG"] = ""
-    """Hull by whose figures, which are recalled, the current turns the ship; empty: it acts
-    amidships."""
+    current_yaw: Literal["", "Clarke-lever", "series-60", "FFG"] = ""
+    """What the current turns the ship by: the lever of the derivatives of Clarke, Gedling and Hine
+    (1983) or a hull of UFC's table 4-10, whose figures are recalled; empty: her own coefficients
+    where they have it, else Clarke's lever."""
     reflection: Share | None = None
     """Part of the height of every wave that the hull reflects, for the drift; None: of each wave
     the energy that flows above the keel."""

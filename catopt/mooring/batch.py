@@ -12,6 +12,8 @@ from catopt.arrays import Array, Codes, Flags
 from catopt.catenary.state import CONVERGED, REASONS
 from catopt.compiled import compiled
 from catopt.errors import InputError, Problem
+from catopt.model.given import array_in_si
+from catopt.model.kinds import Findings
 from catopt.model.system import System
 from catopt.mooring.balance import Arrangement, Lines, pull_at, room_for
 from catopt.mooring.descent import TURNS_OVER, BodyLoad, BodyProblem, Freedom
@@ -240,8 +242,10 @@ def as_arrays(columns: Any) -> Any:
 
 
 def _loads(system: System, force: npt.ArrayLike, moment: npt.ArrayLike) -> tuple[Array, Array]:
-    forces = np.asarray(force, dtype=np.float64)
-    moments = np.asarray(moment, dtype=np.float64)
+    found = Findings("solve_system_many")
+    forces = array_in_si(found, "force", force, "N")
+    moments = array_in_si(found, "moment", moment, "N m")
+    found.raise_if_any()
     problems = []
     if forces.ndim != 2 or forces.shape[1] != 2:
         shape = Message("refused_motion.shape", shape=forces.shape)

@@ -144,7 +144,9 @@ def note_of(
         solution=solution,
         curve=curve,
         origin=origin_of((*files, *(motion_files(case) if asked.motion else ())), asked.date),
-        sheet=sheet_of(case, solution.line, checks),
+        sheet=sheet_of(
+            case, solution.line, checks, moved=None if motion is None else motion.checks
+        ),
         chosen=chosen,
         warnings=tuple(dict.fromkeys(warnings)),
         verification=verification,
@@ -269,7 +271,14 @@ def size_note(sizing: Sizing, given: Given, asked: Asked | None = None) -> SizeN
         sizing=sizing,
         line=fitted,
         origin=origin,
-        sheet=sheet_of(sizing.case, point.line, fitted.checks, around, point.anchor),
+        sheet=sheet_of(
+            sizing.case,
+            point.line,
+            fitted.checks,
+            around,
+            point.anchor,
+            None if sizing.in_motion is None else sizing.in_motion.checks,
+        ),
         options=given.options,
         warnings=(*sizing.warnings, *more),
         around=around,

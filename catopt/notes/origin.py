@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from catopt._version import __version__
+from catopt._version import identity
 from catopt.casefile import case_digest, read_mooring
 from catopt.casefile import reading as design_directory
 from catopt.casefile.reading import DESIGN_CASE, DESIGN_DOCUMENT, SIZING
@@ -67,7 +67,7 @@ class Origin:
     files: tuple[SourceFile, ...]
     inputs: tuple[Input, ...] = ()
     date: str = ""
-    version: str = __version__
+    version: str = field(default_factory=identity)
 
 
 def origin_of(

@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from catopt.catenary.case import solve_case
-from catopt.checks.case import LeastDiameter, least_diameters
 from catopt.checks.criteria import Criteria, criteria_of
+from catopt.checks.wear import LeastDiameter, least_diameters
 from catopt.errors import CatoptError
 from catopt.model import Anchor, Load
 from catopt.model.network import Network
@@ -119,11 +119,12 @@ def sheet_of(
     report: CheckReport,
     system: SystemSolution | None = None,
     anchor: Anchor | None = None,
+    moved: CheckReport | None = None,
 ) -> Sheet:
     """Work out what is stated of a line, or of a body on several.
 
     `case` has all its load cases; `line` is that of the note, `system` the body under its load, and
-    `anchor` stands in the place of the case's own.
+    `anchor` stands in the place of the case's own. `moved` are its checks in motion.
     """
     anchor = anchor or case.anchor
     criteria = criteria_of(replace(case, anchor=anchor))
@@ -142,7 +143,7 @@ def sheet_of(
         system=system,
         pretension=_pretension(report, system),
         moved=tuple(_of_a_line(case, report) if system is None else _of_a_body(system)),
-        least=least_diameters(report, criteria, line),
+        least=least_diameters(report, criteria, line, case, moved),
     )
 
 

@@ -186,7 +186,7 @@ def system_note(
         case=case,
         report=report,
         origin=origin_of((*files, *(motion_files(case) if found else ())), asked.date),
-        sheet=sheet_of(case, case.line, checks, report.solution),
+        sheet=sheet_of(case, case.line, checks, report.solution, moved=judged),
         warnings=tuple(dict.fromkeys(warnings)),
         verification=verification,
         verification_failure=failure,

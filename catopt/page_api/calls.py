@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Final, TypeVar, cast
 
 from markupsafe import Markup
 
-from catopt._version import __version__
+from catopt._version import identity
 from catopt.answers.blocks import (
     Answer,
     Brief,
@@ -79,7 +79,7 @@ def shell(language: Language = "en") -> str:
         pictures=_PICTURES,
         unit_of=lambda label: Message("desk.unit_of", label=label),
         slider=lambda label: Message("desk.slider", label=label),
-        footer=say(Message("page.footer", version=__version__), language),
+        footer=say(Message("page.footer", version=identity()), language),
     )
     return rendered.removesuffix("\n")
 

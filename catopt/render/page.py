@@ -14,7 +14,7 @@ from typing import Any, Final, NamedTuple
 
 from jinja2 import Environment, PackageLoader, StrictUndefined, Template
 
-from catopt._version import __version__
+from catopt._version import identity
 from catopt.answers.blocks import (
     Answer,
     Block,
@@ -150,7 +150,7 @@ def page(answer: Answer, language: Language = "en") -> bytes:
         title=answer.title,
         kind=answer.kind,
         sections=_sections(answer, language),
-        footer=say(Message("page.footer", version=__version__), language),
+        footer=say(Message("page.footer", version=identity()), language),
         hover=say(Message("page.hover"), language),
     )
 
@@ -161,7 +161,7 @@ def whole_page(name: str, language: Language, *, script: str, **values: Any) -> 
     script_hash = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
     rendered = template("catopt.render", name).render(
         language=language,
-        version=__version__,
+        version=identity(),
         style=stylesheet() + file_text("style.css"),
         script=script,
         script_hash=script_hash,

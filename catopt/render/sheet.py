@@ -12,7 +12,7 @@ from typing import Any, Literal, NamedTuple
 from xlsxwriter.workbook import Workbook
 from xlsxwriter.worksheet import Worksheet
 
-from catopt._version import __version__
+from catopt._version import identity
 from catopt.quantities import Quantity
 from catopt.words import Language, say, term
 
@@ -99,7 +99,7 @@ class Book:
         self.stream = BytesIO()
         self.workbook = Workbook(self.stream, {"in_memory": True})
         self.workbook.set_properties(
-            {"title": self.title, "comments": f"catopt {__version__}", "created": _NO_DATE}
+            {"title": self.title, "comments": f"catopt {identity()}", "created": _NO_DATE}
         )
         self.styles = {name: self.workbook.add_format(look) for name, look in _STYLES.items()}
         self._numbers: dict[tuple[str, bool], Any] = {}
@@ -133,7 +133,7 @@ class Book:
         worksheet.fit_to_pages(1, 0)
         worksheet.repeat_rows(0)
         title = self.title[:_MOST_FOOTER].replace("&", "&&")
-        worksheet.set_footer(f"&L{title}&C&A&Rcatopt {__version__}   &P / &N")
+        worksheet.set_footer(f"&L{title}&C&A&Rcatopt {identity()}   &P / &N")
         self._sheets.append(WorkbookSheet(self, worksheet))
         return self._sheets[-1]
 

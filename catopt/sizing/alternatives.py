@@ -12,9 +12,10 @@ from catopt.catalogue.choice import chosen
 from catopt.catalogue.fittings import OF_A_CHAIN, fittings_for
 from catopt.catalogue.practice import Practice, practice_of_buoy, practice_of_ship
 from catopt.catalogue.practice import condition as kept_condition
-from catopt.checks.case import check_case
+from catopt.checks.criteria import criteria_of
 from catopt.checks.profiles import profiles_of
-from catopt.checks.result import CheckResult
+from catopt.checks.result import CheckReport, CheckResult
+from catopt.checks.wear import least_diameters
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.design.evaluation import DesignProblem
 from catopt.design.neighbours import NoFeasibleDesignError, neighbour, steps
@@ -22,7 +23,7 @@ from catopt.errors import CatoptError, InputError, NoAnswerError
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.drag_anchor import laying_check
 from catopt.loads.sinker import friction_of
-from catopt.model import Anchor, Case, Segment, Service
+from catopt.model import Anchor, Segment
 from catopt.model.kinds import Height, Length, SomeMass
 from catopt.model.line import line_kind
 from catopt.quantities import QUANTITIES
@@ -252,42 +253,6 @@ def limits(settled: ConvergedSizing) -> tuple[Limit, ...]:
     return tuple(found)
 
 
-_STEPS = 24
-"""Halvings of the diameter: to a ten millionth of it."""
-
-
-def least_diameter(settled: ConvergedSizing) -> float | None:
-    """Find the diameter that the chain may wear to before a check of its worn line fails, m.
-
-    None where nothing wears, or where no check of the worn line fails however thin it gets.
-    """
-    case = settled.case
-    if case.service is None:
-        return None
-    worn = replace(
-        case,
-        design=None,
-        load_cases=tuple(each for each in case.load_cases if each.condition == "worn"),
-    )
-    new = point_diameter(settled.point)
-    low, high = 0.0, new  # high passes: it is the new line's, or nearly
-    for _ in range(_STEPS):
-        middle = 0.5 * (low + high)
-        if _passes(worn, new - middle):
-            high = middle
-        else:
-            low = middle
-    return high if low > 0.0 else None
-
-
-def _passes(case: Case, loss: float) -> bool:
-    """Whether the line with so much less diameter, m, keeps every check."""
-    try:
-        return check_case(replace(case, service=Service(life=1.0, wear_rate=loss))).passes
-    except NoAnswerError:
-        return False
-
-
 def beside(request: BuoyRequest | TankerRequest, settled: ConvergedSizing) -> dict[str, Any]:
     """Gather it, by the names of the attributes of `catopt.sizing.result.Sizing`."""
     found = practice(request, settled)
@@ -366,22 +331,29 @@ def practice(request: BuoyRequest | TankerRequest, settled: ConvergedSizing) -> 
     )
 
 
-def chain_life(settled: ConvergedSizing) -> tuple[float | None, list[Message]]:
+def chain_life(
+    settled: ConvergedSizing, moved: CheckReport | None = None
+) -> tuple[float | None, list[Message]]:
     """Find after which time the chain is to be changed, s, and say why; None where it stays new.
 
-    It is to be changed when a check of its worn line is overrun, or when so much of its diameter is
-    gone that authorities discard it.
+    It is to be changed when a check of its worn line is overrun, when so much of its diameter is
+    gone that authorities discard it, or when it is thinner than it was run in motion, `moved`.
     """
-    service, new = settled.case.service, point_diameter(settled.point)
+    case, point = settled.case, settled.point
+    service, new = case.service, point_diameter(point)
     if service is None or service.wear_rate == 0.0:
         return None, []
+    anchor = point.anchor or case.anchor
+    found = least_diameters(
+        point.checks, criteria_of(replace(case, anchor=anchor)), point.line, case, moved
+    )
+    if not found or found[0].limit is None:
+        return None, []
+    life = (new - found[0].limit) / service.wear_rate
+    key = "sizing.worn_to_check" if found[0].is_by_checks else "sizing.worn_to_discard"
     kept = kept_condition()
-    discard, by_checks = kept.discard * new, least_diameter(settled) or 0.0
-    worn_to = max(discard, by_checks)
-    life = (new - worn_to) / service.wear_rate
-    key = "sizing.worn_to_discard" if discard >= by_checks else "sizing.worn_to_check"
-    values = {"diameter": 1e3 * worn_to, "part": 100.0 * kept.discard}
-    return life, [Message(key, source=kept.origin.text, **values)]
+    values = {"diameter": 1e3 * found[0].limit, "part": 100.0 * kept.discard}
+    return life, [Message(key, source=kept.origin.text, reason=found[0].reason, **values)]
 
 
 def _fittings(settled: ConvergedSizing) -> Iterator[Message]:

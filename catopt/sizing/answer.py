@@ -12,7 +12,7 @@ from catopt.loads.component import Loads
 from catopt.loads.environment import WaterLevels
 from catopt.loads.sinker import SinkerSize
 from catopt.model import Case, LoadCase, Service, Site
-from catopt.sizing.alternatives import alternatives, beside, candidates, limits
+from catopt.sizing.alternatives import alternatives, beside, candidates, chain_life, limits
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.environment import Environment
 from catopt.sizing.in_motion import InMotion
@@ -144,17 +144,18 @@ def in_place_of_allowance(
 ) -> Sizing:
     """Put what runs in motion say in the place of what an allowance for motion would.
 
-    How long a chain may wear is known at rest alone: nothing is said of it. The sinker is that of
-    the runs.
+    A chain may wear no further than it was run. The sinker is that of the runs.
     """
+    life, worn = chain_life(of.settled, in_motion.checks)
     of = replace(
         of,
         in_motion=in_motion,
         dynamic_factor=1.0,
         motion=motion,
-        chain_life=None,
-        advice=tuple(
-            each for each in of.advice if not any(is_said(each, key) for key in _LIFE_AT_REST)
+        chain_life=life,
+        advice=(
+            *worn,
+            *(e for e in of.advice if not any(is_said(e, key) for key in _LIFE_AT_REST)),
         ),
     )
     return of if sinker is None else replace(of, sinker=sinker)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import DesignPoint
 from catopt.errors import refused
+from catopt.loads.buoy import check_breaking
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.environment import WaterLevels
 from catopt.model import Buoy, Design, LoadCase
@@ -50,9 +51,12 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
     design search finds its best lines. The loads are those on a chain of at least the recommended
     size and under at least its pull (`catopt.sizing.settle`). InputError: no such chain, a reserve
     buoyancy below the weight of any chain. NoFeasibleDesignError: nothing that is sold passes.
+    BreakingSeaError: CALMAR has no answer where waves break.
     """
-    _check_reserve(request)
     env = request.environment
+    for levels in (env.levels, WaterLevels.steady(env.levels.low)):
+        check_breaking(env.sea, levels, request.load_method)
+    _check_reserve(request)
     aim = request.scope * env.levels.deepest(env.sea)
     request = replace(request, line=replace(request.line, aim=aim))
     request, settled = _within_scope(request)
@@ -161,6 +165,7 @@ def pose_buoy(request: BuoyRequest, assumed: Assumed) -> SizingCase:
             marine_growth=request.marine_growth,
             wave_height=request.wave_height,
             chain_waves=request.chain_waves,
+            method=request.load_method,
         )
         return LoadsAt(name, at.high, water, parts=(part,))
 
@@ -217,6 +222,8 @@ def _assumptions(request: BuoyRequest, assumed: Assumed) -> Iterator[str]:
         yield Message("sizing.loads_on_chain", diameter=assumed.diameter * 1e3, pull=pull)
     else:
         yield Message("sizing.force_given")
+        if env.sea.breaks(env.levels):
+            yield Message("loads.departs_breaking")
     if service is None:
         yield Message("sizing.as_new")
     else:

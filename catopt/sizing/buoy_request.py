@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from catopt.loads.buoy import DEEPEST, WaveHeight
+from catopt.loads.buoy import BUOY_METHODS, DEEPEST, WHOLE, WaveHeight
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.model.kinds import Findings, exceeds
 from catopt.sizing.environment import Environment
@@ -51,6 +51,8 @@ class BuoyRequest:
     # departures from the code's own loads: see `catopt.loads.buoy_loads`
     wave_height: WaveHeight = "hs"
     chain_waves: bool = False
+    # of the loads: CALMAR's, which stops where the largest wave breaks, or ours, which goes on
+    load_method: str = WHOLE
     # length that practice keeps to where it can, in depths under the largest crest
     scope: float = field(default_factory=lambda: usual("scope"))
     # how lines are run with the buoy before one is recommended; None: at rest alone
@@ -63,6 +65,7 @@ class BuoyRequest:
     def __post_init__(self) -> None:
         found = Findings("BuoyRequest")
         found.number("scope", self.scope, "", above=0.0, at_most=MOST_DEPTHS)
+        found.word("load_method", self.load_method, BUOY_METHODS)
         low, high = self.environment.levels.low, self.environment.levels.high
         if isinstance(self.buoy, BuoyShape) and exceeds(high, DEEPEST):
             allowed = Message("refused_sizing.calmar_holds_down_m_water", deepest=DEEPEST)

@@ -12,7 +12,7 @@ from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import refused
 from catopt.loads.environment import HEAD_ON, Headings, SeaState, SurfaceCurrent, WaterLevels, Wind
 from catopt.loads.ship import Ship
-from catopt.loads.weathervane import YAW_TYPES, CurrentYaw, Turning
+from catopt.loads.weathervane import CLARKE_LEVER, YAW_TYPES, CurrentYaw, Turning, lever_of
 from catopt.model.kinds import Findings
 from catopt.sizing.kinds import usual
 from catopt.sizing.known import ResolvedInputs
@@ -160,10 +160,11 @@ def read_turning(
 
     `is_known`: whether the moment of the current is in tables of the ship's own.
 
-    `current_yaw` is a key of `catopt.loads.YAW_TYPES`, or "a, b" of UFC's table 4-10, b per degree;
-    the mooring point is in m forward of midships, the bow when left out.
+    `current_yaw` is `CLARKE_LEVER`, a key of `catopt.loads.YAW_TYPES`, or "a, b" of UFC's table
+    4-10, b per degree; the mooring point is in m forward of midships, the bow when left out.
     """
-    allowed = Message("refused_sizing.one_recalled_r_or_b", yaw_types=", ".join(YAW_TYPES))
+    kinds = ", ".join(YAW_TYPES)
+    allowed = Message("refused_sizing.one_recalled_r_or_b", own=CLARKE_LEVER, yaw_types=kinds)
     if is_known:
         if current_yaw:
             own = Message("refused_sizing.leave_out_ship_s_own")
@@ -172,6 +173,8 @@ def read_turning(
     if not current_yaw:
         missing = Message("refused.missing", wanted=allowed)
         raise refused("current_yaw", "", missing, "heading")
+    if current_yaw == CLARKE_LEVER:
+        return Turning(CLARKE_LEVER, mooring_point)
     if current_yaw in YAW_TYPES:
         return Turning(YAW_TYPES[current_yaw], mooring_point)
     try:
@@ -201,6 +204,8 @@ def turning_words(turning: Turning, ship: Ship) -> Message:
     held = {"point": turning.lever(ship), "centre": ship.lateral_centre}
     if turning.yaw is None:
         return Message("loads.turning_own", **held)
+    if isinstance(turning.yaw, str):
+        return Message("loads.turning_by_hull", **held, lever=lever_of(ship).at_the_bow)
     return Message(
         "loads.turning_recalled" if turning.yaw.recalled else "loads.turning",
         **held,

@@ -203,9 +203,13 @@ INPUTS: Final = (
         left_out="left_out.period",
     ),
     Input(
-        "load_method", "environment.load_method", "WHICH", ("UFC-Blendermann", "22TCN-222-95"),
-        "UFC-Blendermann", of=_TANKER, words=("UFC-Blendermann", "UFC-4-159-03", "22TCN-222-95"),
-        several=True, called=("load_methods",), also=("load_methods",),
+        "load_method", "environment.load_method", "WHICH", "catopt-buoy", "IALA-CALMAR",
+        words=("IALA-CALMAR", "catopt-buoy"),
+        tanker=(
+            ("example", ("UFC-Blendermann", "22TCN-222-95")), ("default", "UFC-Blendermann"),
+            ("words", ("UFC-Blendermann", "UFC-4-159-03", "22TCN-222-95")), ("several", True),
+            ("called", ("load_methods",)), ("also", ("load_methods",)),
+        ),
     ),
     Input(
         "wave_coefficient", "environment.wave_coefficient", "NUMBER", 0.1, of=_TANKER,

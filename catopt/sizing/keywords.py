@@ -68,6 +68,7 @@ class BuoyInputs(_Inputs, total=False):
     keel_depth: float | str
     wave_height: str
     chain_waves: bool
+    load_method: str
     other_lengths: int
     max_slide: float | str
     centre_of_gravity: float | str

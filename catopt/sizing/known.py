@@ -12,7 +12,7 @@ from typing import Any, Literal, Protocol, TypeVar
 from catopt.casefile.reading import Moored
 from catopt.catalogue.family import nearest
 from catopt.errors import InputError, Problem
-from catopt.loads.buoy import buoys
+from catopt.loads.buoy import BreakingSeaError, buoys
 from catopt.loads.ship import DIMENSIONS_SOURCE, SHORTEST, ship_dimensions
 from catopt.records import Record
 from catopt.sizing.inputs import SINKER, Input, inputs_of
@@ -115,8 +115,14 @@ class ErrorCollector:
         return as_written(value) if isinstance(value, str) and is_bare else found
 
     def made(self, maker: Callable[..., Made], *parts: Any) -> Made:
-        """Make a value as `make` does; raise with all that was kept where anything is wrong."""
-        found = self.make(maker, *parts)
+        """Make a value as `make` does; raise with all that was kept where anything is wrong.
+
+        What a method refuses names the way out as it is spelt.
+        """
+        try:
+            found = self.make(maker, *parts)
+        except BreakingSeaError as error:
+            raise error.spelt(self.spell("load_method")) from None
         self.raise_if_any()
         assert found is not None
         return found

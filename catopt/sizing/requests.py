@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
-from types import MappingProxyType
 from typing import Any, Final
 
 from catopt.catalogue.practice import own_cable
@@ -18,8 +17,10 @@ from catopt.loads.calmar_file import SUFFIX, read_calmar_buoy
 from catopt.loads.environment import HMAX_OVER_HS
 from catopt.loads.ship import (
     BALLAST_SOURCE,
+    BARGE,
     MOULDED,
     SHORTEST,
+    TAKEN_FOR,
     Condition,
     Ship,
     ballast_draught,
@@ -87,6 +88,7 @@ def _of_a_buoy(of: ResolvedInputs) -> BuoyRequest | None:
         marine_growth=of["growth"] or 0.0,
         wave_height=of["wave_height"] or "hs",
         chain_waves=bool(of["chain_waves"]),
+        load_method=of["load_method"],
         scope=of["scope"],
         in_motion=_runs(of),
         title=of["title"] or "",
@@ -293,20 +295,6 @@ def of_the_ballast(of: ResolvedInputs) -> tuple[Message, ...]:
     source = Cited(BALLAST_SOURCE.text)
     return (Message("sizing.ballast_estimated", draught=draught, source=source),)
 
-
-BARGE: Final = "barge"
-
-TAKEN_FOR: Final[Mapping[str, tuple[str, str | None]]] = MappingProxyType(
-    {
-        "tanker": ("tanker {}", "tanker"),
-        "bulk carrier": ("tanker {}", "cargo"),
-        "general cargo": ("cargo loaded", "cargo"),
-        BARGE: ("cargo loaded", None),
-    }
-)
-"""For which kind of ship each is taken by wind, after Blendermann, and by propeller, after UFC. The
-first lacks bulk carriers; a tanker's bow has the largest coefficient. The wind on a barge is by
-`SQUARE_ENDED`."""
 
 _SHORT: Final = 4.5
 """Length over breadth of a hull that may be a barge's; merchant ships have 5 to 7."""

@@ -6,14 +6,24 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
-from typing import Final, Literal
+from typing import Any, Final, Literal, cast, get_args
 
 from catopt.catalogue import component, standard
 from catopt.checks.profiles import profiles_of
 from catopt.loads.buoy import buoys
 from catopt.loads.buoy_shape import BuoyShape
-from catopt.loads.environment import HEAD_ON, Headings
-from catopt.loads.weathervane import YAW_TYPES, Afloat, ShipHeading, Turning, every_lying
+from catopt.loads.environment import Headings
+from catopt.loads.ship import TAKEN_FOR, ShipKind
+from catopt.loads.ship_coefficients import SQUARE_ENDED
+from catopt.loads.ship_loads import METHODS
+from catopt.loads.weathervane import (
+    CLARKE_LEVER,
+    YAW_TYPES,
+    Afloat,
+    ShipHeading,
+    Turning,
+    every_lying,
+)
 from catopt.model import (
     Case,
     CurrentProfile,
@@ -119,6 +129,8 @@ _RUN: Final = 3600.0
 """s, of a run: slow motion has periods of minutes."""
 _RUNS: Final = 3
 _COMPONENTS: Final = 200
+_LEAST_FREEBOARD: Final = 0.01
+"""m, where a fairlead in the water says nothing of the deck: the areas are given."""
 _AHEAD: Final = 1e-9
 """rad, up to which a direction is from ahead."""
 
@@ -126,13 +138,23 @@ _AHEAD: Final = 1e-9
 def runs_afloat(request: TankerRequest) -> bool:
     """Whether the ship can be run in motion: on her own lines, in waves, free to turn to weather.
 
-    Not a ship at a buoy, one whose moment of the current is of figures of her own, or a sea without
-    waves.
+    Not a ship at a buoy, one whose moment of the current is of two figures of her own or whose
+    coefficients are of no file, loads by another method than UFC's current and Blendermann's wind,
+    or a sea without waves.
     """
     turning, env = request.weathervaning.turning, request.environment
-    turns = turning is not None and _yaw_of(turning) != ""
-    is_head_on = request.weathervaning.directions == (HEAD_ON,)
-    return request.buoy is None and (turns or is_head_on) and env.sea.hs > 0.0
+    of_file = all(
+        each.coefficients in (None, SQUARE_ENDED) or each.coefficients.file
+        for each in request.ships
+    )
+    return (
+        request.buoy is None
+        and of_file
+        and all(_kind_of(each) is not None for each in request.ships)
+        and (turning is None or turning.yaw is None or _yaw_of(turning) != "")
+        and request.load_methods == METHODS[:1]
+        and env.sea.hs > 0.0
+    )
 
 
 def runs_quickly(request: TankerRequest) -> bool:
@@ -140,9 +162,13 @@ def runs_quickly(request: TankerRequest) -> bool:
     return request.lines == 1 and runs_afloat(request)
 
 
-def _yaw_of(turning: Turning) -> Literal["", "series-60", "FFG"]:
-    """Name the hull whose figures turn a ship; empty where they are her own."""
+def _yaw_of(turning: Turning | None) -> Literal["", "Clarke-lever", "series-60", "FFG"]:
+    """Name what the current turns a ship by; empty where that is her own, or Clarke's."""
     names: tuple[Literal["series-60", "FFG"], ...] = ("series-60", "FFG")
+    if turning is None or turning.yaw is None:
+        return ""
+    if turning.yaw == CLARKE_LEVER:
+        return CLARKE_LEVER
     return next((each for each in names if turning.yaw == YAW_TYPES[each]), "")
 
 
@@ -242,12 +268,16 @@ def ship_afloat(
         site=replace(held.site, water_depth=at.depth),
         checks=checks,
         waves=WaveState("jonswap", height, period, direction=off.waves, components=_COMPONENTS),
-        current=CurrentProfile("power", speed=env.current.speed, direction=off.current)
-        if flows
-        else None,
+        current=_same_over_depth(env.current.speed, at.depth, off.current) if flows else None,
         floater=Floater(ship=_ship(moored, env.water_density, off, vane.turning), wind_speed=wind),
         dynamics=_dynamics(request.in_motion),
     )
+
+
+def _same_over_depth(speed: float, depth: float, direction: float) -> CurrentProfile:
+    """Give a ship the speed over all of her draught, as her loads at rest have it."""
+    ends = ((0.0, depth), (speed, speed))
+    return CurrentProfile("table", depths=ends[0], speeds=ends[1], direction=direction)
 
 
 def _along_x(lies: ShipHeading) -> Headings:
@@ -305,17 +335,34 @@ def _turned(case: Case, force: tuple[float, float]) -> Case:
 def _ship(
     moored: MooredShip, water_density: float, off: Headings, turning: Turning | None
 ) -> ShipAfloat:
-    ship, point = moored.ship, None if turning is None else turning.mooring_point
+    """Describe the ship that the loads at rest are of; two conditions have one kind."""
+    ship, own, kind = moored.ship, moored.coefficients, _kind_of(moored)
+    assert kind is not None
     return ShipAfloat(
         length=ship.length_overall,
         breadth=ship.breadth,
         draught=ship.draught,
-        moulded_depth=ship.draught + moored.fairlead,
+        moulded_depth=ship.draught + max(moored.fairlead, _LEAST_FREEBOARD),
         condition="ballast" if moored.condition == "ballast" else "loaded",
-        mooring_point=0.5 * ship.length_overall if point is None else point,
+        kind=kind,
+        propeller=cast(Any, ship.propeller or ""),
+        coefficients="" if own is None else own.file,
+        length_waterline=ship.length_waterline,
+        mooring_point=(turning or Turning(None)).lever(ship),
         displacement=ship.displacement * water_density,
         frontal_area=ship.frontal_area,
         lateral_area=ship.lateral_area,
+        midship_area=ship.midship_area,
+        lateral_centre=ship.lateral_centre,
         wind_direction=off.wind,
-        current_yaw="" if turning is None else _yaw_of(turning),
+        current_yaw=_yaw_of(turning),
     )
+
+
+def _kind_of(moored: MooredShip) -> ShipKind | None:
+    """Name a kind of ship that has the wind and the tables of a moored one; None: there is none."""
+    if moored.coefficients == SQUARE_ENDED:
+        return "barge"
+    kinds: tuple[ShipKind, ...] = get_args(ShipKind)
+    alike = (e for e in kinds if TAKEN_FOR[e][0].format(moored.condition) == moored.wind_on)
+    return next(alike, None)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from catopt.checks.verdict import Judgement, Matter, report_sentence, verdict_of
+from catopt.loads.buoy import OURS
 from catopt.words import Message, is_said
 
 if TYPE_CHECKING:
@@ -17,7 +18,6 @@ def judgement_of(of: Sizing) -> Judgement:
 
     The same words stand on the screen, on the page, in the note and in the document.
     """
-    soft = (each for each in of.defaults if is_said(each, "sizing.mud_by_code"))
     matter = Matter(
         case=of.whole_case,
         at_rest=of.point.checks,
@@ -25,7 +25,6 @@ def judgement_of(of: Sizing) -> Judgement:
         who="size",
         motion_by=_motion_by(of),
         moves=True,
-        soil=next((str(each.values["soil"]) for each in soft if isinstance(each, Message)), ""),
         remarks=(*of.assumptions, *of.warnings),
         no_way=("motion",) if of.afloat is None and of.ship_case is None else (),
     )
@@ -51,7 +50,7 @@ def _checks(of: Sizing) -> Message:
         met = "sizing.all_met" if moved is None else "sizing.motion_met"
         said = Message(
             met if by is None else "sizing.motion_met_by_other",
-            codes=", ".join(of.case.checks.codes),
+            codes=_codes(of),
             **({} if by is None else {"code": by}),
             states=Message("sizing.new_and_worn" if is_worn else "sizing.as_new_alone"),
             governs=_governs(report.governing),
@@ -60,6 +59,15 @@ def _checks(of: Sizing) -> Message:
     if of.dynamic_factor == 1.0 and is_said(of.motion, "sizing.factor_given"):
         said = Message("sizing.steady_first", verdict=said)
     return said
+
+
+def _codes(of: Sizing) -> str:
+    """Name the codes that are checked, and the method of the loads where it is not the code's."""
+    codes = ", ".join(of.case.checks.codes)
+    parts = (part for each in of.settled.posed.loads for part in each.parts)
+    if any(each.method == OURS for each in parts):
+        return Message("sizing.codes_under_own_loads", codes=codes, method=OURS)
+    return codes
 
 
 def _governs(check: CheckResult | None) -> str:

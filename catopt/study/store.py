@@ -3,30 +3,26 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 import sqlite3
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from io import StringIO
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final, NamedTuple
 from weakref import finalize
 
 import numpy as np
 
-from catopt.arrays import Array
-from catopt.documents import MOST_BYTES_OF_DATA, read_text
+from catopt.arrays import Array, Flags
 from catopt.errors import InputError, Problem, need_package, refused
-from catopt.model.kinds import Kind, Measured, Whole
+from catopt.model.kinds import Flag, Kind, Measured, Whole
 from catopt.study.member import Base, in_file, kind_of_key
 from catopt.study.study import Axis, Study
+from catopt.tables import few, heading, number, read_sheet, rows_read
 from catopt.units import as_written, to_si
-from catopt.verify.motion_file import few
 from catopt.words import Message, Several
-
-if TYPE_CHECKING:
-    import pandas as pd
 
 STORE: Final = "study.sqlite"
 """Name of the file within the directory of a study."""
@@ -166,9 +162,6 @@ class Store:
         return [wanted.get(member, ()) for member in members]
 
 
-_HEADING = re.compile(r"\s*(?P<name>[^()]*?)\s*(\((?P<unit>.*)\))?\s*")
-
-
 def read_table(base: Base, path: Path, columns: Mapping[str, str], weight: str | None) -> Axis:
     """Read a table as an axis.
 
@@ -178,25 +171,23 @@ def read_table(base: Base, path: Path, columns: Mapping[str, str], weight: str |
     heading of the column that says what each row counts, such as hours. Raises InputError with
     every heading, and the first cells of each column, that are wrong.
     """
-    frame = _read(path)
+    is_parquet = path.suffix.lower() == ".parquet"
+    table, skipped = (_of_parquet(path), 0) if is_parquet else _of_csv(path)
     problems: list[Problem] = []
     found: dict[str, Any] = {}
     weights: Array | None = None
-    for at, head in enumerate(frame.columns):
-        match = _HEADING.fullmatch(str(head))
-        name, unit = (match["name"], match["unit"] or "") if match else (str(head), "")
-        cells = frame.iloc[:, at]
+    for column in table:
         try:
-            if name == weight:
-                weights = _weights(cells, name)
+            if column.name == weight:
+                weights = _weights(column)
                 continue
-            key = columns.get(name, name)
+            key = columns.get(column.name, column.name)
             if key in found:
                 raise refused("headings", f'"{key}"', Message("refused_study.twice"))
-            found[key] = _values(_kind(base, key, columns), cells, name, unit)
+            found[key] = _values(_kind(base, key, columns), column)
         except InputError as error:
             problems += error.problems
-    known = [str(head).split("(")[0].strip() for head in frame.columns]
+    known = [column.name for column in table]
     wanted = [("columns", name) for name in columns]
     wanted += [] if weight is None else [("weight", weight)]
     allowed = Message("refused_study.table_has_no_such_heading")
@@ -205,15 +196,39 @@ def read_table(base: Base, path: Path, columns: Mapping[str, str], weight: str |
         problems.append(Problem("headings", "", Message("refused_study.none_them_key_varies")))
     if problems:
         raise InputError(problems, str(path))
-    return Axis(found, weights)
+    counted = rows_read(path.name, len(table[0].cells), skipped)
+    return Axis(found, weights, counted=counted)
 
 
-def _read(path: Path) -> pd.DataFrame:
-    frame = _of_parquet(path) if path.suffix.lower() == ".parquet" else _of_csv(path)
-    if frame.empty:
-        allowed = Message("refused_study.one_row_member_wanted")
-        raise refused("table", Message("refused_file.no_rows"), allowed, str(path))
-    return frame
+class _Cells(NamedTuple):
+    """A column of a table: its heading in two parts, and what stands below it."""
+
+    name: str
+    unit: str
+    cells: Sequence[Any]
+    is_decimal_comma: bool = False
+
+    @property
+    def numbers(self) -> Array:
+        """The cells as numbers; InputError with the first that are none."""
+        values = np.array([self._number(cell) for cell in self.cells])
+        self.refuse(np.isnan(values), Message("refused.number"))
+        return values
+
+    def _number(self, cell: object) -> float:
+        if isinstance(cell, str):
+            return number(cell, is_decimal_comma=self.is_decimal_comma)
+        if isinstance(cell, int | float) and not isinstance(cell, bool) and math.isfinite(cell):
+            return float(cell)
+        return math.nan
+
+    def refuse(self, wrong: Flags, allowed: Message) -> None:
+        """Raise InputError with the first cells of those that are wrong."""
+        rows = np.flatnonzero(wrong).tolist()
+        place = f"{self.name}, value"
+        found = [Problem(f"{place} {k + 1}", as_written(self.cells[k]), allowed) for k in rows]
+        if found:
+            raise InputError(few(found, "table"))
 
 
 def need_parquet() -> None:
@@ -221,37 +236,32 @@ def need_parquet() -> None:
     need_package("pyarrow", "tables", "Parquet")
 
 
-def _of_parquet(path: Path) -> pd.DataFrame:
+def _of_parquet(path: Path) -> list[_Cells]:
     import pandas as pd
 
     need_parquet()
     try:
-        return pd.read_parquet(path)
+        frame = pd.read_parquet(path)
     except (OSError, ValueError) as error:
-        raise _no_table(path, error) from None
+        allowed = Message("refused_study.no_table", error=error)
+        raise refused("table", "", allowed, str(path)) from None
+    if frame.empty:
+        allowed = Message("refused_study.one_row_member_wanted")
+        raise refused("table", Message("refused_file.no_rows"), allowed, str(path))
+    heads = [heading(str(head)) for head in frame.columns]
+    return [_Cells(*head, frame.iloc[:, k].tolist()) for k, head in enumerate(heads)]
 
 
-def _of_csv(path: Path) -> pd.DataFrame:
-    import pandas as pd
-
-    text = read_text(path, str(path), kind="table of values", most=MOST_BYTES_OF_DATA)
-    is_parted = ";" in text.split("\n", 1)[0]
-    try:
-        frame: pd.DataFrame = pd.read_csv(
-            StringIO(text),
-            sep=";" if is_parted else ",",
-            decimal="," if is_parted else ".",
-            comment="#",
-            skipinitialspace=True,
-            keep_default_na=False,
-        )
-    except (pd.errors.ParserError, pd.errors.EmptyDataError) as error:
-        raise _no_table(path, error) from None
-    return frame
-
-
-def _no_table(path: Path, error: Exception) -> InputError:
-    return refused("table", "", Message("refused_study.no_table", error=error), str(path))
+def _of_csv(path: Path) -> tuple[list[_Cells], int]:
+    """Read a text; returns its columns, and how many lines were passed over."""
+    sheet = read_sheet(path, str(path), kind="table of values")
+    columns = zip(*(row.cells for row in sheet.rows), strict=True)
+    heads = [heading(head) for head in sheet.headings]
+    table = [
+        _Cells(*head, cells, sheet.is_decimal_comma)
+        for head, cells in zip(heads, columns, strict=True)
+    ]
+    return table, sheet.skipped
 
 
 def _kind(base: Base, key: str, columns: Mapping[str, str]) -> Kind:
@@ -265,14 +275,29 @@ def _kind(base: Base, key: str, columns: Mapping[str, str]) -> Kind:
         raise refused("headings", f'"{key}"', allowed) from None
 
 
-def _values(kind: Kind, cells: pd.Series[Any], name: str, unit: str) -> Sequence[Any] | Array:
+def _values(kind: Kind, column: _Cells) -> Sequence[Any] | Array:
+    name, unit, cells, _ = column
     if isinstance(kind, Measured):
-        return in_range(kind, _numbers(cells, name) * _size(kind, name, unit), name)
+        return in_range(kind, column.numbers * _size(kind, name, unit), name)
     if unit:
         raise refused("headings", f'"{name} ({unit})"', Message("refused_study.has_no_unit"))
-    as_they_are = isinstance(kind, Whole)
-    written = (c if as_they_are or isinstance(c, bool) else str(c) for c in cells.tolist())
-    return _read_cells(kind, written, name)
+    return _read_cells(kind, (_as_in_file(kind, cell) for cell in cells), name)
+
+
+_FLAGS: Final = {"true": True, "yes": True, "có": True, "false": False, "no": False, "không": False}
+
+
+def _as_in_file(kind: Kind, cell: Any) -> Any:
+    """Return what a case file would have for a cell: words as they stand, counts and flags."""
+    if isinstance(cell, bool) or (isinstance(kind, Whole) and not isinstance(cell, str)):
+        return cell
+    text = str(cell).strip()
+    if isinstance(kind, Whole) and _WHOLE.fullmatch(text):
+        return int(text)
+    return _FLAGS.get(text.casefold(), text) if isinstance(kind, Flag) else text
+
+
+_WHOLE: Final = re.compile(r"[+-]?\d{1,20}", re.ASCII)
 
 
 def _size(kind: Measured, name: str, unit: str) -> float:
@@ -291,23 +316,12 @@ def _size(kind: Measured, name: str, unit: str) -> float:
         raise refused("headings", f'"{name} ({unit})"', allowed) from None
 
 
-def _numbers(cells: pd.Series[Any], name: str) -> Array:
-    import pandas as pd
-
-    numbers = pd.to_numeric(cells, errors="coerce").to_numpy(dtype=np.float64)
-    wrong = np.flatnonzero(~np.isfinite(numbers))
-    _refuse(name, wrong.tolist(), cells, Message("refused.number"))
-    return numbers
-
-
-def _weights(cells: pd.Series[Any], name: str) -> Array:
-    weights = _numbers(cells, name)
-    _refuse(
-        name, np.flatnonzero(weights < 0.0).tolist(), cells, Message("refused.or_more", bound="0")
-    )
+def _weights(column: _Cells) -> Array:
+    weights = column.numbers
+    column.refuse(weights < 0.0, Message("refused.or_more", bound="0"))
     if not weights.sum() > 0.0:
         raise refused(
-            name,
+            column.name,
             Message("refused_study.all_0"),
             Message("refused_study.what_each_row_counts_wanted"),
         )
@@ -345,11 +359,3 @@ def read_each(
         except InputError as error:
             problems += [replace(each, key=place(at)) for each in error.problems]
     return found, problems
-
-
-def _refuse(name: str, rows: Sequence[int], cells: pd.Series[Any], allowed: Message) -> None:
-    found = [
-        Problem(f"{name}, value {row + 1}", as_written(cells.iloc[row]), allowed) for row in rows
-    ]
-    if found:
-        raise InputError(few(found, "table"))

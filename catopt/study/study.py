@@ -14,7 +14,7 @@ from typing import Annotated, Any, Literal
 
 import numpy as np
 
-from catopt._version import __version__
+from catopt._version import identity
 from catopt.arrays import Array, Codes
 from catopt.constants import YEAR
 from catopt.model.kinds import Measured
@@ -107,12 +107,14 @@ class Axis:
 
     `columns`: values by key path, all of the same length: numbers in SI as an array, words and
     counts as they are; `weights`: what each of them counts; None where all count the same;
-    `distributions`: by key path, what they were drawn from; empty where they were not.
+    `distributions`: by key path, what they were drawn from; empty where they were not; `counted`:
+    how many rows of a table they are; empty where they are of none.
     """
 
     columns: Mapping[str, Sequence[Any] | Array]
     weights: Array | None = None
     distributions: Mapping[str, Distribution] = field(default_factory=dict)
+    counted: str = ""
 
     @property
     def keys(self) -> Annotated[tuple[str, ...], From(1)]:
@@ -284,7 +286,7 @@ class Study:
     def digest(self) -> Digest:
         """SHA-256 of all that decides the numbers: case, files, values, version."""
         base = self.base
-        own = [__version__, base.compute, base.moored, base.convergence_check, base.document]
+        own = [identity(), base.compute, base.moored, base.convergence_check, base.document]
         digest = sha256(json.dumps(own, sort_keys=True, default=str).encode())
         for path in _files(base.document, base.folder):
             digest.update(path.read_bytes())

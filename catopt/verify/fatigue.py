@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
+from pathlib import Path
 from typing import Annotated
 
 import numpy as np
@@ -18,15 +19,16 @@ from catopt.model.dynamics import share_misfits
 from catopt.model.kinds import Force, NotNegative, Place, Positive, Share
 from catopt.old_names import renamed
 from catopt.records import Counted, From, FromZero, Record
+from catopt.tables import Column, read_numbers, read_sheet
 from catopt.ties import largest
-from catopt.units import UNITS, Dimension
+from catopt.units import Dimension
 from catopt.verify.case import load_states
 from catopt.verify.convergence_check import LIMIT, ConvergenceCheck
 from catopt.verify.dynamic import LONG, verify_dynamic
 from catopt.verify.dynamic_lines import lines_at_rest
 from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, Verdict, worst_verdict
 from catopt.verify.dynamic_setup import check_for_motion, read_drive
-from catopt.verify.motion_file import OF_TOTAL, lines_of, read_columns
+from catopt.verify.motion_file import OfTotal
 from catopt.verify.side_by_side import Progress, effort_of, share_of
 from catopt.words import Message, given_keys
 
@@ -334,15 +336,15 @@ def _in_sea(case: Case, state: FatigueSeaState) -> Case:
     return replace(case, waves=waves, dynamics=dynamics)
 
 
-_UNITS = {
-    "height": UNITS[Dimension.LENGTH],
-    "period": UNITS[Dimension.TIME],
-    "time": UNITS[Dimension.TIME],
-    "direction": UNITS[Dimension.ANGLE],
-    "share": {"": 1.0, "-": 1.0, "%": 0.01},
-    "occurrences": {OF_TOTAL: 1.0},
+_COLUMNS = {
+    "height": Column(Dimension.LENGTH),
+    "period": Column(Dimension.TIME),
+    "time": Column(Dimension.TIME),
+    "direction": Column(Dimension.ANGLE),
+    "share": Column(bare=1.0),
+    "occurrences": OfTotal(),
 }
-"""Columns of a file of sea states, and their units."""
+"""Columns of a file of sea states."""
 _LASTING = ("share", "time", "occurrences")
 """Columns of which one says how long a sea state lasts."""
 
@@ -354,20 +356,22 @@ def sea_states(case: Case) -> tuple[FatigueSeaState, ...]:
     path = fatigue.sea_states_file
     if not path:
         return fatigue.sea_states
-    columns = read_columns(path, _UNITS, needed=("height", "period"), some_of=_LASTING)
+    sheet = read_sheet(Path(path), path)
+    columns = read_numbers(sheet, _COLUMNS, needed=("height", "period"), some_of=_LASTING)
     given = [key for key in _LASTING if key in columns]
     if len(given) > 1:
         allowed = Message("refused_motion.one_them_wanted")
         raise refused("headings", given_keys(given), allowed, path)
-    shares = columns[given[0]] / (YEAR if given == ["time"] else 1.0)
-    states, problems = [], share_misfits(shares.tolist())
-    for row, (line, share) in enumerate(zip(lines_of(path), shares.tolist(), strict=True)):
+    whole = YEAR if given == ["time"] else 1.0
+    shares = [each / whole for each in columns[given[0]]]
+    states, problems = [], share_misfits(shares)
+    for k, (row, share) in enumerate(zip(sheet.rows, shares, strict=True)):
         sea = columns.keys() & {"height", "period", "direction"}
-        at = {key: float(columns[key][row]) for key in sea}
+        at = {key: columns[key][k] for key in sea}
         try:
             states.append(FatigueSeaState(share=share, **at))
         except InputError as error:
-            problems += [replace(p, key=f"line {line}, {p.key}") for p in error.problems]
+            problems += [replace(p, key=f"line {row.line}, {p.key}") for p in error.problems]
     if problems:
         raise InputError(problems, path)
     return tuple(states)

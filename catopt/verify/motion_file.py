@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -14,38 +13,47 @@ import numpy as np
 import numpy.typing as npt
 
 from catopt.arrays import Array
-from catopt.documents import MOST_BYTES_OF_DATA, read_text
 from catopt.errors import InputError, Problem, refused
 from catopt.fem.series import Harmonic, Sampled
 from catopt.hydro.coefficient_files import wamit_rows
 from catopt.hydro.coefficients import FREEDOMS, Coefficients
-from catopt.units import UNITS, Dimension, as_written
+from catopt.tables import Column, few, read_numbers, read_sheet
+from catopt.units import Dimension
 from catopt.waves import CurrentSeries, ElevationRecord, Waves
 from catopt.words import Message, given_keys
 
 if TYPE_CHECKING:
     from catopt.model import Motion
 
-Units = Mapping[str, Mapping[str, float] | None]
-"""Headings that a file may have, with the units that each may name and their sizes in SI.
-
-None: what stands in brackets is not read.
-"""
-
 _WAYS, _TURNS = FREEDOMS[:3], FREEDOMS[3:]
-_TIME, _LENGTH = UNITS[Dimension.TIME], UNITS[Dimension.LENGTH]
-_PLACE: Units = dict.fromkeys(("t", "x", "y", "z"))
-_FORCE: Units = {"t": _TIME, **dict.fromkeys(("fx", "fy", "fz"), UNITS[Dimension.FORCE])}
-_ELEVATION: Units = {"time": _TIME, "elevation": _LENGTH}
-_CURRENT: Units = {
-    "time": _TIME,
-    "speed": UNITS[Dimension.SPEED],
-    "direction": UNITS[Dimension.ANGLE],
+_TIME, _ANGLE = Column(Dimension.TIME), Column(Dimension.ANGLE)
+_PLACE = {
+    "t": Column(Dimension.TIME, bare=1.0),
+    **dict.fromkeys("xyz", Column(Dimension.LENGTH, bare=1.0)),
 }
-OF_TOTAL = "of N"
-"""Unit of a column of parts of a total, which its heading has: ``occurrences (of 1000)``."""
-SHOWN = 10
-"""Faulty cells that are told of one file."""
+_FORCE = {"t": _TIME, **dict.fromkeys(("fx", "fy", "fz"), Column(Dimension.FORCE))}
+_ELEVATION = {"time": _TIME, "elevation": Column(Dimension.LENGTH)}
+_CURRENT = {"time": _TIME, "speed": Column(Dimension.SPEED), "direction": _ANGLE}
+_MOST_TURNS = 1e4
+"""Largest phase, rad: one that is not brought back into a turn may have many."""
+_PER_METRE = {"m/m": 1.0, "ft/ft": 1.0, "-": 1.0}
+
+
+@dataclass(frozen=True)
+class OfTotal(Column):
+    """A column of parts of a total, which its heading has: ``occurrences (of 1000)``."""
+
+    def size(self, unit: str) -> float:
+        """One of the total; nan where there is none."""
+        of, _, total = unit.partition(" ")
+        if of == "of" and total.isascii() and total.isdecimal() and int(total) > 0:
+            return 1.0 / int(total)
+        return math.nan
+
+    @property
+    def wanted(self) -> Message:
+        """Say how the total is given."""
+        return Message("refused_motion.total_part_wanted_brackets_1000")
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,9 +106,10 @@ def energy_beyond(omega: Array, waves: Waves) -> float:
 def read_motion(path: str, duration: float) -> Sampled:
     """Read a motion over time; its first row is the start of the run.
 
-    `path`: CSV with a row of headings: ``t``, and any of ``x``, ``y``, ``z``; s and m; `duration`:
-    of the run, s; the record may not end before it. Raises InputError for a file that cannot be
-    read, wrong headings or cells, times that do not rise, a gap, or a record that is too short.
+    `path`: CSV with a row of headings: ``t``, and any of ``x``, ``y``, ``z``; s and m, or in the
+    unit that a heading has in brackets: ``x (cm)``; `duration`: of the run, s; the record may not
+    end before it. Raises InputError for a file that cannot be read, wrong headings or cells, times
+    that do not rise, a gap, or a record that is too short.
     """
     return _sampled(path, _PLACE, duration)
 
@@ -114,7 +123,7 @@ def read_force(path: str, duration: float) -> Sampled:
     return _sampled(path, _FORCE, duration)
 
 
-def _sampled(path: str, known: Units, duration: float) -> Sampled:
+def _sampled(path: str, known: Mapping[str, Column], duration: float) -> Sampled:
     key, *axes = known
     columns = read_columns(path, known, needed=(key,), some_of=axes)
     t = columns[key]
@@ -164,13 +173,17 @@ def read_raos(path: str) -> Raos:
     """Read a ship's response at the fairlead.
 
     `path`: CSV with a row of headings: ``period`` (s), any of ``surge``, ``sway``, ``heave`` (m in
-    a wave of 1 m), and ``surge_phase`` and so on (deg behind the crest over the fairlead). Raises
+    a wave of 1 m), and ``surge_phase`` and so on (deg behind the crest over the fairlead); a unit
+    in brackets goes before that one. Raises
     InputError for a file that cannot be read, wrong headings or cells, or a period twice.
     """
     phases = tuple(f"{each}_phase" for each in _WAYS)
-    known: Units = dict.fromkeys(("period", *_WAYS, *phases))
+    known = {
+        "period": Column(Dimension.TIME, bare=1.0),
+        **dict.fromkeys(_WAYS, Column(units=_PER_METRE, bare=1.0)),
+        **dict.fromkeys(phases, Column(Dimension.ANGLE, bare=math.radians(1.0), most=_MOST_TURNS)),
+    }
     columns = read_columns(path, known, needed=("period",), some_of=_WAYS)
-    columns |= {each: np.radians(columns[each]) for each in phases if each in columns}
     period = columns["period"]
     if not (period > 0.0).all():
         raise refused("period", f"{period.min():g} s", Message("refused_motion.above_0_s"), path)
@@ -198,128 +211,13 @@ def responses(
 
 
 def read_columns(
-    path: str, known: Units, *, needed: Sequence[str], some_of: Sequence[str] = ()
+    path: str, known: Mapping[str, Column], *, needed: Sequence[str], some_of: Sequence[str] = ()
 ) -> dict[str, Array]:
-    """Read the columns of a file of numbers; every problem at once.
-
-    `path`: CSV with a row of headings, such as ``Fx (kN)``; `known`: headings that may be there,
-    with the units one of which each has to name; `OF_TOTAL` stands for every total; `needed`,
-    `some_of`: those that have to be there, and of which one at least has to, else of the needed.
-    Raises InputError for a file that cannot be read, wrong headings or cells.
-    """
-    rows = _rows(path)
-    if len(rows) < 2:
-        raise refused("rows", f"{len(rows)}", Message("refused_motion.headings_and_rows"), path)
-    heads = [cell.split("(")[0].strip().casefold() for cell in rows[0][1]]
-    one_of = Message("refused.one_of", words=", ".join(known))
-    problems = [
-        Problem("headings", _shown(each) or Message("refused_file.an_empty_one"), one_of)
-        for each in heads
-        if each not in known
-    ]
-    problems += [
-        Problem("headings", "", Message("refused_motion.missing", each=each))
-        for each in needed
-        if each not in heads
-    ]
-    problems += [
-        Problem("headings", each, Message("refused_study.twice"))
-        for each in sorted({h for h in heads if heads.count(h) > 1})
-    ]
-    sizes, wrong = _sizes(rows[0][1], heads, known)
-    problems += wrong
-    some = some_of or needed
-    if not any(each in heads for each in some):
-        missing = Message("refused_motion.one_missing", some=", ".join(some))
-        problems.append(Problem("headings", "", missing))
-    if problems:
-        raise InputError(problems, path)
-    values = np.full((len(rows) - 1, len(heads)), np.nan)
-    for at, (line, cells) in enumerate(rows[1:]):
-        problems += _fill(values[at], line, cells, heads)
-    if problems:
-        raise InputError(few(problems), path)
-    return {head: values[:, k] * sizes[k] for k, head in enumerate(heads)}
+    """Read the columns of a file of numbers as arrays in SI; as `catopt.tables.read_numbers`."""
+    columns = read_numbers(read_sheet(Path(path), path), known, needed=needed, some_of=some_of)
+    return {key: np.array(values) for key, values in columns.items()}
 
 
-def _sizes(
-    cells: Sequence[str], heads: Sequence[str], units: Units
-) -> tuple[list[float], list[Problem]]:
-    """Size in SI of the unit that each heading names, and what is wrong with them."""
-    sizes, problems = [], []
-    for cell, head in zip(cells, heads, strict=True):
-        unit = cell.partition("(")[2].rpartition(")")[0].strip()
-        allowed = units.get(head)
-        sizes.append(1.0 if allowed is None else _size(unit, allowed))
-        if allowed is not None and math.isnan(sizes[-1]):
-            names = ", ".join(filter(None, allowed))
-            wanted = Message("refused_motion.unit_brackets_wanted_one", value=names)
-            if OF_TOTAL in allowed:
-                wanted = Message("refused_motion.total_part_wanted_brackets_1000")
-            problems.append(Problem("headings", _shown(cell), wanted))
-    return sizes, problems
-
-
-def _size(unit: str, allowed: Mapping[str, float]) -> float:
-    """Size in SI of a unit, or of one in a total; nan of what is neither."""
-    if OF_TOTAL not in allowed:
-        return allowed.get(unit, math.nan)
-    of, _, total = unit.partition(" ")
-    if of == "of" and total.isascii() and total.isdecimal() and int(total) > 0:
-        return 1.0 / int(total)
-    return math.nan
-
-
-def lines_of(path: str) -> list[int]:
-    """Line of the file that each row of `read_columns` is from, from 1."""
-    return [number for number, _ in _rows(path)[1:]]
-
-
-def _fill(row: Array, line: int, cells: list[str], heads: list[str]) -> list[Problem]:
-    if len(cells) != len(heads):
-        wanted = Message("refused_motion.are_wanted", heads=len(heads))
-        return [Problem(f"line {line}", Message("refused_motion.cells", count=len(cells)), wanted)]
-    problems = []
-    for column, cell in enumerate(cells):
-        try:
-            row[column] = float(cell)
-        except ValueError:
-            row[column] = math.nan
-        if not math.isfinite(row[column]):
-            where = f"line {line}, {heads[column]}"
-            found = _shown(cell) or Message("refused_motion.empty_cell")
-            problems.append(Problem(where, found, Message("refused.number")))
-    return problems
-
-
-def few(problems: Sequence[Problem], of: str = "file") -> list[Problem]:
-    """Keep the first problems of a file or a table, and say how many more there are."""
-    more = len(problems) - SHOWN
-    rest = [Problem(of, "", Message("refused_motion.more_kind", more=more))] if more > 0 else []
-    return [*problems[:SHOWN], *rest]
-
-
-def _shown(cell: str) -> str:
-    """Show a cell, whatever is in it."""
-    return as_written(cell.strip())[1:-1]
-
-
-def _rows(path: str) -> list[tuple[int, list[str]]]:
-    """Rows with their line numbers, without empty lines and comments."""
-    text = read_text(Path(path), path, kind="table of numbers", most=MOST_BYTES_OF_DATA)
-    lines = text.splitlines()
-    try:
-        return [
-            (number, next(csv.reader([line])))
-            for number, line in enumerate(lines, start=1)
-            if line.strip() and not line.lstrip().startswith("#")
-        ]
-    except csv.Error as error:
-        allowed = Message("refused_motion.no_table_of_numbers", error=error)
-        raise refused("file", "", allowed, path) from None
-
-
-_ANGLES = {"deg": math.pi / 180.0, "rad": 1.0}
 _SAME = 1e-9
 
 
@@ -376,13 +274,15 @@ def read_vessel_raos(motion: Motion) -> VesselRaos:
     if Path(path).suffix == ".4":
         columns = read_wamit(motion)
     else:
+        turn = math.radians(1.0) if motion.rao_rotation.startswith("deg") else 1.0
+        phases = [f"{each}_phase" for each in FREEDOMS]
         units = {
-            "heading": _ANGLES,
-            "period": {"s": 1.0},
-            "frequency": {"rad/s": 1.0, "Hz": 2.0 * math.pi},
-            **{each: {"m/m": 1.0} for each in _WAYS},
-            **{each: {motion.rao_rotation: _ANGLES[motion.rao_rotation[:3]]} for each in _TURNS},
-            **{f"{each}_phase": _ANGLES for each in FREEDOMS},
+            "heading": _ANGLE,
+            "period": _TIME,
+            "frequency": Column(units={"rad/s": 1.0, "Hz": 2.0 * math.pi}),
+            **dict.fromkeys(_WAYS, Column(units=_PER_METRE)),
+            **dict.fromkeys(_TURNS, Column(units={motion.rao_rotation: turn})),
+            **dict.fromkeys(phases, Column(Dimension.ANGLE, most=_MOST_TURNS)),
         }
         columns = read_columns(path, units, needed=("heading",), some_of=FREEDOMS)
     omega = _frequencies(path, columns)
@@ -463,7 +363,7 @@ def read_wamit(motion: Motion) -> dict[str, Array]:
             wanted = Message("refused_motion.missing_there_at_other_periods")
             problems.append(Problem(state, "", wanted))
     if problems:
-        raise InputError(problems[:SHOWN], path)
+        raise InputError(few(problems), path)
     columns = {
         "period": np.array([per for per, _ in states]),
         "heading": np.radians([beta for _, beta in states]),

@@ -93,6 +93,38 @@ class LineOfShip(Record):
         return self.storm.high if by == "upper" else self.storm.most_probable
 
 
+@dataclass(frozen=True)
+class Swing(Record):
+    """How a ship swings in the mean weather alone, whether that grows or dies away."""
+
+    DOCUMENT = "rate=growth_rate_per_s period yaw=yaw_rad? tension=tension_N?"
+
+    rate: float
+    """1/s, of the linearised motion that dies away the slowest: above 0 it grows."""
+    period: Time | None
+    """Of that motion; of a swing that has grown its own; None: it does not swing."""
+    yaw: Angle | None = None
+    """rad: largest, of a swing that has grown; None of one that dies away."""
+    tension: SomeForce | None = None
+    """N: largest at a fairlead in it, likewise."""
+
+    @property
+    def grows(self) -> bool:
+        """Whether the ship does not stay where she would rest."""
+        return self.rate > 0.0
+
+    @property
+    def words(self) -> Message:
+        """Say it."""
+        if not self.grows:
+            half = math.log(2.0) / -self.rate / 60.0 if self.rate else math.inf
+            return Message("floater.does_not_swing", half=half)
+        if self.yaw is None or self.tension is None or self.period is None:
+            return Message("floater.swings_not_measured", rate=60.0 * self.rate)
+        said = {"yaw": math.degrees(self.yaw), "tension": self.tension / 1e3}
+        return Message("floater.swings", period=self.period / 60.0, **said)
+
+
 @dataclass(frozen=True, eq=False)
 class ShipWithoutLine(Record):
     """A ship that has lost a line and rests anew, in the seas of the runs with all there."""
@@ -128,7 +160,7 @@ class ShipVerification(Record):
     DOCUMENT = (
         "count=runs duration since storm rest.force=mean_force_N rest.mean_loads "
         "rest.of_document=rest heading offset=offset_m yaw=yaw_rad lines lost=lines_out "
-        "report=checks remarks"
+        "report=checks swing remarks"
     )
 
     case: Case
@@ -145,6 +177,8 @@ class ShipVerification(Record):
     """What the answer rests on, and where it does not hold."""
     directions: Array
     """Of the waves of the first run, where they travel to, rad."""
+    swing: Swing
+    """In the mean weather alone."""
     lost: tuple[ShipWithoutLine, ...] = ()
     """With a line gone, of those without which another carries more at rest in the mean weather,
     the hardest first; none of one line, or where no check is on it."""
@@ -315,10 +349,15 @@ def _of_slow_motion(ship: ShipInWeather) -> Iterator[Message]:
     yield Message("floater.slow_damping", **dampings)
     if math.hypot(*ship.wind) > 0.0:
         yield Message("floater.gusts_npd" if of.gusts == "NPD" else "floater.gusts_none")
-    if of.current_yaw:
-        yield Message("floater.current_recalled", hull=of.current_yaw)
-    elif math.hypot(*ship.current) > 0.0:
-        yield Message("floater.current_amidships")
+    if math.hypot(*ship.current) == 0.0:
+        return
+    match ship.turned_by:
+        case "":
+            yield Message("floater.current_of_tables")
+        case "Clarke-lever":
+            yield Message("floater.current_by_hull", lever=ship.derivatives.lever)
+        case _:
+            yield Message("floater.current_recalled", hull=ship.turned_by)
 
 
 def _density(waves: Waves) -> Array:

@@ -13,6 +13,7 @@ from typing import Final
 
 import numpy as np
 
+from catopt.arrays import Array
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
 from catopt.checks.criteria import Criteria, criteria_of, motion_profile
@@ -30,8 +31,16 @@ from catopt.checks.system import (
 from catopt.errors import InputError, NoAnswerError, Problem, refused
 from catopt.fem.extremes import weibull_tail
 from catopt.floater.ship import ShipInWeather
+from catopt.floater.stability import period_of
 from catopt.floater.tabulated import TabulatedShip
-from catopt.floater.two_scales import MooredShip, ShipAtRest, ShipHistory, sample_step, scales_of
+from catopt.floater.two_scales import (
+    SLOW_STEP,
+    MooredShip,
+    ShipAtRest,
+    ShipHistory,
+    sample_step,
+    scales_of,
+)
 from catopt.model import Case, System
 from catopt.model.dynamics import Dynamics
 from catopt.mooring.static_equilibrium import zero_load_position
@@ -40,6 +49,7 @@ from catopt.verify.ship_result import (
     LineOfShip,
     ShipVerification,
     ShipWithoutLine,
+    Swing,
     few_cycles,
     judged_by_words,
     offset_of,
@@ -50,6 +60,8 @@ from catopt.verify.side_by_side import Progress
 from catopt.waves import Waves
 from catopt.words import Message
 
+_TO_GROW: Final = 10800.0
+"""s, in which a swing that is unstable grows; its second half is measured."""
 _LEVELS: Final = 20
 """Over the draught, at which the current is averaged."""
 _WAY: Final = 2.5
@@ -130,11 +142,13 @@ def verify_ship(
     rest = moored.at_rest(_waves(drive, 0))
     missing, needless = _losses(moored, rest) if damaged else ((), ())
     tell = _counted(progress, dynamics.runs * (1 + len(missing)))
-    histories = _histories(moored, drive, tell)
+    swing, start = _swing(moored, drive, rest)
+    histories = _histories(moored, drive, tell, start)
     lines = tuple(_lines(moored, range(1, len(legs) + 1), histories, dynamics))
     lost = tuple(_without(moored, drive, number, tell) for number in missing)
     asked = case.system is not None and case.system.judged_line_out
     remarks = (
+        swing.words,
         *judged_by_words(lines, dynamics),
         *few_cycles(slow_cycles(histories, rest)),
         *remarks_of(case, moored, drive.sea(0), rest),
@@ -148,8 +162,25 @@ def verify_ship(
     hanging = hang_judged(lines, moored)
     checks, directions = check_hanging(case, hanging, lost), _waves(drive, 0).direction
     return ShipVerification(
-        case, moored, rest, histories, lines, hanging, checks, remarks, directions, lost
+        case, moored, rest, histories, lines, hanging, checks, remarks, directions, swing, lost
     )
+
+
+def _swing(moored: MooredShip, drive: Excitation, rest: ShipAtRest) -> tuple[Swing, Array | None]:
+    """Find how the ship swings in the mean weather; a state in the swing, if it grows."""
+    waves = _waves(drive, 0)
+    mode = moored.mode(waves, rest)
+    if mode.rate <= 0.0:
+        return Swing(mode.rate, mode.period), None
+    try:
+        path = moored.swing(waves, rest, _TO_GROW)
+    except NoAnswerError:
+        return Swing(mode.rate, mode.period), None
+    grown = path[path.shape[0] // 2 :]
+    yaw = grown[:, 2] - rest.place[2]
+    tension = moored.still_tension(np.ascontiguousarray(grown[:, :3]))[:, :, 0]
+    period = period_of(yaw, SLOW_STEP) or mode.period
+    return Swing(mode.rate, period, float(abs(yaw).max()), float(tension.max())), path[-1]
 
 
 def _counted(progress: Progress | None, total: int) -> Callable[[], None]:
@@ -164,16 +195,20 @@ def _counted(progress: Progress | None, total: int) -> Callable[[], None]:
 
 
 def _histories(
-    moored: MooredShip, drive: Excitation, tell: Callable[[], None]
+    moored: MooredShip,
+    drive: Excitation,
+    tell: Callable[[], None],
+    start: Array | None = None,
 ) -> tuple[ShipHistory, ...]:
-    """Run a ship in every seed, from where she rests in it."""
+    """Run a ship in every seed, from where she rests in it or a state of hers."""
     step, dynamics = sample_step(_waves(drive, 0)), drive.dynamics
 
     def run(number: int) -> ShipHistory:
         waves = _waves(drive, number)
         seed = 0 if drive.case.waves is None else drive.case.waves.seed
         generator = np.random.default_rng([seed, number, 1])
-        return moored.run(waves, dynamics.duration, drive.ramp, generator, step=step)
+        until = dynamics.duration
+        return moored.run(waves, until, drive.ramp, generator, step=step, start=start)
 
     # The first run by itself: whatever has to be compiled then is.
     found = [run(0)]

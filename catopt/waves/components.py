@@ -10,6 +10,7 @@ import numpy as np
 
 from catopt.arrays import Array, Flags
 from catopt.errors import InputError, Problem
+from catopt.model.given import array_in_si
 from catopt.model.kinds import Findings
 from catopt.words import Listed, Message
 
@@ -220,9 +221,11 @@ class ElevationRecord:
     elevation: Array  # (n,): above any fixed level, m; the mean is taken off
 
     def __post_init__(self) -> None:
-        for name in ("times", "elevation"):
-            object.__setattr__(self, name, np.array(getattr(self, name), dtype=float))
         found = Findings("ElevationRecord")
+        for name, unit in (("times", "s"), ("elevation", "m")):
+            read = np.array(array_in_si(found, name, getattr(self, name), unit))
+            object.__setattr__(self, name, read)
+        found.raise_if_any()
         t, eta = self.times, self.elevation
         if t.ndim != 1 or t.shape != eta.shape or t.size < _FEWEST:
             wanted = Message("refused_motion.times_or_more_are_wanted", fewest=_FEWEST)

@@ -86,6 +86,16 @@ def wave_numbers(omega: Array, depth: float) -> Array:
     return k
 
 
+def depth_factor(wave_number: float, depth: float) -> float:
+    """1 + 2 k h/sinh(2 k h): what shallow water adds; 1 in deep water, 2 in shallow (C).
+
+    DTOcean has it for a fixed cylinder. It is the ratio of twice the group to the phase velocity,
+    which the momentum in any wave is multiplied with. k in rad/m, h in m.
+    """
+    double = 2.0 * wave_number * depth
+    return 1.0 + (double / math.sinh(double) if double < 700.0 else 0.0)
+
+
 def wavelength(period: float, depth: float) -> float:
     """Length of a wave of small height.
 

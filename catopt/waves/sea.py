@@ -14,6 +14,7 @@ import numpy.typing as npt
 
 from catopt.arrays import Array
 from catopt.compiled import compiled
+from catopt.model.given import array_in_si
 from catopt.model.kinds import Findings
 from catopt.waves.components import Waves
 from catopt.waves.kinematics import NEGLIGIBLE, Flow, fill_elevation, fill_kinematics
@@ -129,6 +130,11 @@ class CurrentSeries:
 
     def __post_init__(self) -> None:
         found = Findings("CurrentSeries")
+        for key, unit in (("times", "s"), ("speeds", "m/s"), ("directions", "rad")):
+            if getattr(self, key) is not None:
+                read = array_in_si(found, key, getattr(self, key), unit)
+                object.__setattr__(self, key, read)
+        found.raise_if_any()
         t = np.asarray(self.times, dtype=float)
         for key in ("times", "speeds", "directions"):
             if getattr(self, key) is None:

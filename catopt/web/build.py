@@ -23,6 +23,7 @@ from pathlib import Path
 from threading import Lock
 from typing import Any, Final
 
+from catopt._version import version_and_commit
 from catopt.documents import MOST_BYTES
 from catopt.errors import refused
 from catopt.page_api import CALLS, ask, shell
@@ -179,8 +180,10 @@ def _own() -> Iterator[tuple[str, bytes]]:
     for path in sorted(root.rglob("*")):
         inside = path.relative_to(root)
         is_asked_for = inside.parts[0] not in (*_WITHOUT, "web")
-        if path.is_file() and is_asked_for and "__pycache__" not in inside.parts:
+        if path.is_file() and is_asked_for and not {"__pycache__", "_build.py"} & {*inside.parts}:
             yield f"catopt/{inside.as_posix()}", path.read_bytes()
+    version, commit = version_and_commit()
+    yield "catopt/_build.py", f"VERSION = {version!r}\nCOMMIT = {commit!r}\n".encode()
     yield "numpy/__init__.py", root.joinpath("web", "plain_numpy.py").read_bytes()
     yield "numpy/typing.py", b"from numpy import ArrayLike, NDArray\n"
 

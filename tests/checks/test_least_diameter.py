@@ -7,11 +7,16 @@ from dataclasses import replace
 
 import pytest
 
-from catopt.checks.case import check_case, least_diameters
+from catopt.checks.case import check_case
 from catopt.checks.criteria import criteria_of
 from catopt.checks.kinds import USER, Place
 from catopt.checks.result import CheckReport, CheckResult
-from catopt.model import Case, Checks, Line, Load, Segment, Site
+from catopt.checks.wear import least_diameters
+from catopt.model import Case, Checks, Line, Load, Segment, Service, Site
+from catopt.notes.line import Given, size_note
+from catopt.notes.origin import Asked
+from catopt.words import Message, is_said
+from tests.sizing.at_rest import size_buoy
 
 
 def _case(factor: float) -> Case:
@@ -115,3 +120,63 @@ def test_what_the_check_takes_for_rounding_is_rounding_here(over: float, is_enou
     least = _least(case)
     assert (least is not None) == is_enough
     assert least is None or least == pytest.approx(0.08, rel=1e-8)
+
+
+# ------------------------------------------------------------------ every check, and in motion
+
+YEAR = 365.25 * 86400.0
+FIVE_YEARS = Service(life=5.0 * YEAR, wear_rate=0.4e-3 / YEAR)  # 2 mm of 80: 78 at the end
+
+
+def _moved(case: Case, pull: float) -> CheckReport:
+    return CheckReport("", (_tension(pull, "load"),), (), case=case, is_in_motion=True)
+
+
+@pytest.mark.parametrize(
+    ("pull", "limit", "by"),
+    [
+        (1.0e6, 0.078, "no thinner one was run in motion"),  # by tension 80 sqrt(2/4) = 56.6
+        (1.95e6, 0.08 * math.sqrt(0.975), "tension in motion"),  # 78.99, above 78
+    ],
+)
+def test_in_motion_the_limit_is_no_thinner_than_what_was_run(
+    pull: float, limit: float, by: str
+) -> None:
+    case = replace(_case(2.0), service=FIVE_YEARS)
+    report = check_case(case)
+    (found,) = least_diameters(report, criteria_of(case), case.line, case, _moved(case, pull))
+    assert found.limit == pytest.approx(limit, rel=1e-9)
+    assert found.reason == by
+
+
+def test_what_fails_in_motion_when_new_has_no_limit() -> None:
+    case = replace(_case(2.0), service=FIVE_YEARS)
+    moved = _moved(case, 2.1e6)
+    (found,) = least_diameters(check_case(case), criteria_of(case), case.line, case, moved)
+    assert (found.limit, found.room) == (None, None)
+
+
+def test_authorities_discard_chain_at_four_fifths() -> None:
+    """NAVFAC MO-124 6.2.2: 64 of 80 mm, where the checks would let it wear to 40."""
+    case = _case(2.0)
+    (found,) = least_diameters(check_case(case), criteria_of(case), case.line, case)
+    assert found.least == pytest.approx(0.04, rel=1e-9)
+    assert found.limit == found.discard == pytest.approx(0.064)
+    assert not found.is_by_checks
+
+
+def test_a_note_and_its_advice_have_one_limit_at_which_every_check_passes() -> None:
+    """The table had 11.3 mm, by tension alone, the advice 27.7, by uplift, of a chain of 30 mm."""
+    of = size_buoy(buoy="pillar 1.8 m", depth="12 m")
+    (row,) = size_note(of, Given(), Asked(verify=False)).sheet.least
+    (said,) = (each for each in of.advice if is_said(each, "sizing.worn_to_check"))
+    assert isinstance(said, Message)
+    assert row.limit is not None
+    assert said.values["diameter"] == pytest.approx(1e3 * row.limit, rel=1e-9)
+    assert of.chain_life == pytest.approx((0.03 - row.limit) / (0.4e-3 / YEAR), rel=1e-3)
+    worn = tuple(each for each in of.case.load_cases if each.condition == "worn")
+    for share, is_enough in ((1.0 + 1e-6, True), (0.995, False)):
+        service = Service(life=1.0, wear_rate=0.03 - share * row.limit)
+        again = check_case(replace(of.case, design=None, load_cases=worn, service=service))
+        assert again.passes is is_enough
+        assert is_enough or again.failed[0].kind == "uplift_angle"

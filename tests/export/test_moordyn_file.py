@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 
 from catopt import Case, Line, Load, PointLoad, Segment, Site, System, read_case
-from catopt._version import __version__
+from catopt._version import identity
 from catopt.errors import InputError
 from catopt.export.exported import Exported, Source, exported_lines, rigid_segments
 from catopt.export.moordyn import moordyn_input
@@ -81,7 +81,7 @@ def test_the_whole_file() -> None:
     assert f"w l^2 / (8 H) = {25.0 / 480.0:.2g} m" in flat
     head = exported.text.splitlines()[:3]
     assert head == [
-        f"MoorDyn v2 input file, also read by MoorPy; written by catopt {__version__}",
+        f"MoorDyn v2 input file, also read by MoorPy; written by catopt {identity()}",
         "Case: By hand",
         f"From case.toml, SHA-256 {64 * 'a'}",
     ]

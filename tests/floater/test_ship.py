@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,6 +14,8 @@ from catopt.errors import InputError
 from catopt.floater import two_scales
 from catopt.floater.line_tables import no_tables
 from catopt.floater.ship import ShipInWeather, SlowShip, rates
+from catopt.floater.ship import turn as turn_of
+from catopt.floater.stability import linearised, period_of, swing_mode
 from catopt.floater.two_scales import (
     MooredShip,
     Scales,
@@ -218,28 +221,81 @@ def test_waves_move_the_fairleads() -> None:
     assert np.ptp(history.tension[:, :, 0], axis=0).min() > 0.0
 
 
-def test_rates_of_a_turning_ship() -> None:
-    """Without any force its kinetic energy stays: what turning axes add does no work."""
-    none = np.zeros((721, 3))
-    moored = MooredShip(spread(0.0), ship(replace(OF, mooring_point=50.0)))
-    m, lever = 6e7, -50.0
-    inertia = np.array([[m, 0, 0], [0, m, m * lever], [0, m * lever, 1e11 + m * lever**2]])
+def unmoved(**own: Any) -> SlowShip:
+    """Make a ship without wind, waves, hull forces and damping, of a round mass."""
+    none, m, lever = np.zeros((721, 3)), 6e7, -50.0
+    a = 1e7
+    inertia = np.array(
+        [
+            [m + a, 0, 0],
+            [0, m + a, (m + a) * lever],
+            [0, (m + a) * lever, 1e11 + (m + a) * lever**2],
+        ]
+    )
     slow = SlowShip(
-        inverse=np.linalg.inv(inertia), mass=m, lever=lever, damping=np.zeros(3), crossflow=0.0,
-        wind_table=none, current_table=none, current_x=0.0, current_y=0.0, turns=False,
-        wind=np.zeros((2, 2)), drift=np.zeros((2, 4, 3)),
+        inverse=np.linalg.inv(inertia), mass=m, added=(a, a), lever=lever, damping=np.zeros(3),
+        turn_sway=-a, turn_yaw=0.0, crossflow=0.0, half=95.0, wind_table=none, current_table=none,
+        current_x=0.0, current_y=0.0, turns=False, wind=np.zeros((2, 2)), drift=np.zeros((2, 4, 3)),
     )  # fmt: skip
-    state = np.array([0.0, 0.0, 0.6, 1.2, -0.4, 0.01])
-    out = np.empty(6)
-    lines = as_arrays(room_for(8))
-    none_of_lines = as_arrays(no_tables())
-    there = as_arrays(moored.zero_load.arrangement)
-    assert rates(0.0, state, slow, there, none_of_lines, lines, out) == -1
-    speeds = state[3:]
+    return slow._replace(**own)
+
+
+def rated(moored: MooredShip, slow: SlowShip, state: list[float]) -> np.ndarray:
+    out, lines = np.empty(6), as_arrays(room_for(8))
+    arrangement = as_arrays(moored.zero_load.arrangement)
+    tables = as_arrays(no_tables())
+    assert rates(0.0, np.array(state), slow, arrangement, tables, lines, out) == -1
+    return out
+
+
+def test_rates_of_a_turning_ship() -> None:
+    """Without any force its kinetic energy stays: what turning axes add does no work.
+
+    In an ideal fluid a turn makes -A11 u r across, as a derivative has it; with A11 = A22 there is
+    no moment of Munk.
+    """
+    moored = MooredShip(spread(0.0), ship(replace(OF, mooring_point=50.0)))
+    slow = unmoved()
+    out = rated(moored, slow, [0.0, 0.0, 0.6, 1.2, -0.4, 0.01])
+    speeds, inertia = np.array([1.2, -0.4, 0.01]), np.linalg.inv(slow.inverse)
     # At the zero-load position the lines pull to no side.
-    assert abs(speeds @ inertia @ out[3:]) < 1e-3 * abs(m * 1.2 * 0.4 * 0.01)
+    assert abs(speeds @ inertia @ out[3:]) < 1e-3 * 6e7 * 1.2 * 0.4 * 0.01
     assert out[0] == pytest.approx(1.2 * math.cos(0.6) + 0.4 * math.sin(0.6))
     assert out[2] == 0.01
+
+
+@pytest.mark.parametrize("turn", [0.0, 0.004])
+def test_a_current_past_a_ship_is_a_ship_through_still_water(turn: float) -> None:
+    """The water does not know which of the two moves: one acceleration, seen from the shore.
+
+    With every force of the hull there: table, derivatives, strips and the water's mass.
+    """
+    moored = MooredShip(spread(0.0), ship(replace(OF, mooring_point=50.0), current=(-1.0, 0.4)))
+    weather = moored.ship
+    slow = unmoved(
+        added=weather.added, inverse=np.linalg.inv(weather.inertia),
+        mass=weather.mass, turn_sway=weather.turning[0], turn_yaw=weather.turning[1],
+        crossflow=weather.crossflow, current_table=weather.current_table,
+    )  # fmt: skip
+    yaw, flow = 0.3, complex(-1.0, 0.4)
+    own = -flow * complex(math.cos(yaw), -math.sin(yaw))
+    still = rated(moored, slow._replace(current_x=-1.0, current_y=0.4), [0, 0, yaw, 0, 0, turn])
+    moves = rated(moored, slow, [0, 0, yaw, own.real, own.imag, turn])
+    # Axes that turn with the ship add r times what its speed is.
+    from_shore = [moves[3] - own.imag * turn, moves[4] + own.real * turn, moves[5]]
+    assert still[3:].tolist() == pytest.approx(from_shore, rel=1e-9)
+
+
+def test_strips_of_a_turn_by_hand() -> None:
+    """Without a stream the drag of a turn is C L^4/32 r |r|; the sum over ten strips is near it."""
+    slow = unmoved(crossflow=1e4, turn_sway=0.0)
+    out = np.zeros(3)
+    turn_of(slow._replace(lever=0.0), 0.0, 0.0, 0.01, out)
+    assert out[2] == pytest.approx(-1e4 * 190.0**4 / 32.0 * 1e-4, rel=0.02)
+    # At a drift amidships far above the turn's: 2 |v| r L^3/12 about midships, by hand.
+    out = np.zeros(3)
+    turn_of(slow._replace(lever=0.0), 0.0, 2.0, 0.001, out)
+    assert out[2] == pytest.approx(-1e4 * 2.0 * 2.0 * 0.001 * 190.0**3 / 12.0, rel=0.02)
 
 
 def test_the_rule_of_rp_2sk() -> None:
@@ -270,8 +326,54 @@ def test_refused() -> None:
         ShipInWeather(OF, 11.0, DENSITY).ship  # noqa: B018
 
 
+def test_a_point_behind_the_lever_of_the_current_has_her_lie_across_it() -> None:
+    """By hand: the lever falls evenly from 0.3542 L at the bow; she lies where it is the point's.
+
+    Clarke's (0.5 + 2.4 T/L)/(1 + 0.4 Cb B/T) with L = 184.3 m, B/T = 32/12 and Cb = 0.8.
+    """
+    lever = (0.5 + 2.4 * 12.0 / 184.3) / (1.0 + 0.4 * 0.8 * 32.0 / 12.0) * 184.3
+    off = 0.5 * math.pi * (1.0 - 60.0 / lever)
+    weather = ship(replace(OF, mooring_point=60.0), current=polar(1.0, 0.0))
+    rest = MooredShip(spread(0.0), weather).at_rest(calm(0.0))
+    lies = [abs(math.remainder(e - math.pi, 2.0 * math.pi)) for e in (rest.place[2], *rest.others)]
+    assert min(abs(each - off) for each in lies) < 2e-3, (lies, off)
+
+
+def test_a_swing_grows_at_the_rate_of_the_linearised_ship() -> None:
+    """A ship on one long line in a strong current: its growth over time beside the root."""
+    of = replace(
+        OF, mooring_point=92.0, sway_damping=0.0, yaw_damping=0.0, current_yaw="Clarke-lever"
+    )
+    line = Line([Segment(900.0, 1500.0, EA=9e8)])
+    system = System.around(line, azimuths=[math.pi], anchor_radius=850.0, fairlead_height=DEPTH)
+    moored = MooredShip(system, ship(of, current=(2.5, 0.0)))
+    rest = moored.at_rest(calm())
+    slow = moored._steady(calm(), rest, 2)
+    mode = swing_mode(linearised(slow, moored._arrangement, rest.place))
+    assert mode.period is not None
+    assert mode == moored.mode(calm(), rest)
+    cycle = int(mode.period)
+    start = np.array([*rest.place, 0.0, 0.0, 0.0])
+    start[2] += 1e-8
+    path = moored._stepped(moored._steady(calm(), rest, 4 * cycle), rest, 4 * cycle, start)
+    yaw = path[:, 2] - rest.place[2]
+    early = int(np.abs(yaw[2 * cycle : 3 * cycle]).argmax()) + 2 * cycle
+    late = np.interp(early + mode.period, np.arange(yaw.size), yaw)
+    assert abs(late) < 0.01
+    assert math.log(late / yaw[early]) / mode.period == pytest.approx(mode.rate, rel=0.05)
+
+
+def test_the_motion_that_grows_the_most_by_hand() -> None:
+    """X'' = 0.02 x' - x grows by 0.01 in 2 pi/sqrt(1 - 1e-4) s; one falls by 1."""
+    found = swing_mode(np.array([[0.0, 1.0, 0.0], [-1.0, 0.02, 0.0], [0.0, 0.0, -1.0]]))
+    assert found.rate == pytest.approx(0.01)
+    assert found.period == pytest.approx(2.0 * math.pi / math.sqrt(1.0 - 1e-4))
+    wave = np.sin(2.0 * math.pi * np.arange(1000.0) / 125.0)
+    assert period_of(wave, 2.0) == pytest.approx(250.0, rel=0.01)
+
+
 def test_moored_by_the_stern_it_lies_stern_on() -> None:
-    for point, expected in ((60.0, 0.3 - math.pi), (-60.0, 0.3)):
+    for point, expected in ((80.0, 0.3 - math.pi), (-80.0, 0.3)):
         weather = ship(replace(OF, mooring_point=point), current=polar(1.0, 0.3))
         rest = MooredShip(spread(0.0), weather).at_rest(calm(0.3))
         assert rest.place[2] == pytest.approx(expected, abs=1e-3)

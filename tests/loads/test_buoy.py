@@ -25,7 +25,7 @@ from catopt.loads import (
     laying_check,
     read_buoys,
 )
-from catopt.loads.buoy import parse_buoys
+from catopt.loads.buoy import BreakingSeaError, parse_buoys
 
 from . import ROUNDING
 
@@ -505,11 +505,15 @@ def test_every_force_carries_formula_numbers_and_source() -> None:
 def test_a_breaking_wave_is_told() -> None:
     """0.14 x 1.56 x 16 = 3.494 m by steepness; CALMAR stops there, catopt's own wave is cut."""
     steep = SeaState(4.0, maximum_height=6.0)
-    stopped, cut = loads(sea=steep, wave_height="hmax").warnings
+    with pytest.raises(BreakingSeaError, match=r"at 3\.49 m \(6\.3\.1\)") as refused:
+        loads(sea=steep)
+    assert refused.value.exit_status == 3
+    assert "load_method catopt-buoy" in str(refused.value)
+    stopped, cut = loads(sea=steep, wave_height="hmax", method="catopt-buoy").warnings
     assert "at 3.49 m (CALMAR 6.3.1): CALMAR gives no answer here" in stopped
     assert "3.49 m is taken" in cut
-    assert loads(sea=steep).warnings == (stopped,)
-    assert loads(sea=steep).method == "catopt-buoy"
+    assert loads(sea=steep, method="catopt-buoy").warnings == (stopped,)
+    assert loads(sea=steep, method="catopt-buoy").method == "catopt-buoy"
     assert loads(sea=SeaState(8.0, maximum_height=2.0)).warnings == ()
 
 
@@ -517,10 +521,13 @@ def test_the_depth_in_which_a_wave_breaks_has_its_crest() -> None:
     """H = 0.78 (10 + H/2) is 12.787 m (CALMAR); catopt's own wave is cut at 0.78 of 10 m."""
     shallow = WaterLevels.steady(10.0)
     reached = 7.8 / 0.61
-    for share, method in ((0.9999, "IALA-CALMAR"), (1.0001, "catopt-buoy")):
-        of = loads(sea=SeaState(12.0, maximum_height=share * reached), levels=shallow)
-        assert of.method == method
-        assert len(of.warnings) == (method == "catopt-buoy")
+    stands, breaks = (SeaState(12.0, maximum_height=share * reached) for share in (0.9999, 1.0001))
+    whole = loads(sea=stands, levels=shallow)
+    assert (whole.method, whole.warnings) == ("IALA-CALMAR", ())
+    with pytest.raises(BreakingSeaError):
+        loads(sea=breaks, levels=shallow)
+    own = loads(sea=breaks, levels=shallow, method="catopt-buoy")
+    assert (own.method, len(own.warnings)) == ("catopt-buoy", 1)
     for height, cut in ((7.8, 0), (7.81, 1)):
         sea = SeaState(8.0, maximum_height=height)
         assert len(loads(sea=sea, levels=shallow, wave_height="hmax").warnings) == cut

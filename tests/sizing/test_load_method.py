@@ -7,7 +7,8 @@ from typing import Any
 import pytest
 
 from catopt.errors import InputError
-from tests.sizing.at_rest import size_tanker
+from catopt.loads.buoy import BreakingSeaError
+from tests.sizing.at_rest import size_buoy, size_tanker
 
 TANKER: dict[str, Any] = {
     "length": "234 m", "breadth": "31.3 m", "draught": "12.4 m", "moulded_depth": "16 m",
@@ -45,3 +46,58 @@ def test_waves_are_not_left_out_unless_it_is_said() -> None:
         sized(wave_coefficient=0.1)
     with pytest.raises(InputError, match=r"load_method.*OCIMF"):
         sized(load_method="OCIMF")
+
+
+# ------------------------------------------------------------------ a sea that breaks, on a buoy
+
+# CALMAR 6.3.1: the largest wave, 1.85 Hs, breaks at 0.14 x 1.56 T^2 or at 0.78 (d + H/2).
+BREAKING = [
+    ({"depth": "12 m", "hs": "20 m"}, "37.00 m breaks in 12 m", "at 15.34 m"),  # 9.36/0.61
+    ({"depth": "12 m", "hs": "2 m", "period": "2 s"}, "3.70 m breaks", "at 0.87 m"),  # 0.2184 x 4
+    ({"depth": "4 m", "hs": "4 m"}, "7.40 m breaks in 4 m", "at 5.11 m"),  # 3.12/0.61
+]
+
+
+@pytest.mark.parametrize(("place", "breaks", "limit"), BREAKING)
+def test_what_calmar_refuses_is_refused_under_its_name(
+    place: dict[str, Any], breaks: str, limit: str
+) -> None:
+    with pytest.raises(BreakingSeaError) as refused:
+        size_buoy(buoy="pillar 1.8 m", **place)
+    said = str(refused.value)
+    assert said.startswith("IALA CALMAR gives no answer")
+    assert breaks in said
+    assert limit in said
+    assert "load_method catopt-buoy" in said
+    assert refused.value.exit_status == 3
+
+
+def test_the_way_out_says_what_it_is_and_what_it_did_not_judge() -> None:
+    found = size_buoy(
+        buoy="pillar 1.8 m", depth="4 m", hs="4 m", load_method="catopt-buoy"
+    ).judgement
+    assert "of IALA-CALMAR under loads by catopt-buoy" in found.said
+    assert "breaking" in [each.subject for each in found.not_judged]
+    assert found.colour == "amber"
+
+
+def test_a_force_that_is_given_stands_in_no_sea_that_breaks() -> None:
+    place: dict[str, Any] = {
+        "depth": "4 m",
+        "hs": "4 m",
+        "force": "5 kN",
+        "reserve_buoyancy": "20 kN",
+    }
+    with pytest.raises(BreakingSeaError):
+        size_buoy(**place)
+    found = size_buoy(**place, load_method="catopt-buoy").judgement
+    assert "breaking" in [each.subject for each in found.not_judged]
+
+
+def test_the_error_keeps_what_it_says_in_another_process() -> None:
+    import pickle
+
+    with pytest.raises(BreakingSeaError) as refused:
+        size_buoy(buoy="pillar 1.8 m", depth="4 m", hs="4 m")
+    assert "--load-method catopt-buoy" in str(refused.value.spelt("--load-method"))
+    assert str(pickle.loads(pickle.dumps(refused.value))) == str(refused.value)

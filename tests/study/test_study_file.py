@@ -185,3 +185,18 @@ def test_a_parquet_file_is_the_same_table(tmp_path: Path) -> None:
     (tmp_path / "bad.parquet").write_bytes(b"no table")
     with pytest.raises(InputError, match="it is no table"):
         study(tmp_path, '[[vary]]\ntable = "bad.parquet"\n')
+
+
+def test_rows_that_begin_with_a_hash_are_rows(tmp_path: Path) -> None:
+    (tmp_path / "t.csv").write_text("# above\ntitle, site.water_depth (m)\n#2 port, 8\n#N/A, 9\n")
+    found = study(tmp_path, '[[vary]]\ntable = "t.csv"\n')
+    assert found.axes[0].columns["title"] == ["#2 port", "#N/A"]
+    assert found.axes[0].counted == "t.csv: 2 rows read, 0 skipped."
+    (tmp_path / "t.csv").write_text("site.water_depth (m)\n8\n#9\n")
+    assert 'found "#9"; a number is wanted' in refused(tmp_path, '[[vary]]\ntable = "t.csv"\n')
+
+
+@pytest.mark.parametrize("cell", ["1_0", "\uff11\uff10", "1e+308", "inf"])
+def test_a_cell_that_is_no_number_is_refused(tmp_path: Path, cell: str) -> None:
+    (tmp_path / "t.csv").write_text(f"site.water_depth (m)\n8\n{cell}\n", encoding="utf-8")
+    assert f"{cell}" in refused(tmp_path, '[[vary]]\ntable = "t.csv"\n')

@@ -1,0 +1,78 @@
+"""An old note beside one of the same file made now: ``catopt report NOTE --again``."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from catopt.notes.again import read_written_note
+
+from .conftest import Run
+
+ROOT = Path(__file__).parents[2]
+NOTES = ROOT / "reports" / "notes"
+
+
+@pytest.fixture
+def old(tmp_path: Path) -> Path:
+    """Note of the 9.5 m buoy as an older version wrote it: one number was another there."""
+    page = (NOTES / "buoy-9.5m.html").read_text("utf-8")
+    page = re.sub('content="catopt [^"]*"', 'content="catopt 0.9.0"', page)
+    # The span on the first page and its way of saying it, 1 % above what it is.
+    page, count = re.subn(
+        r'<data value="17\.4299\d+">17\.43 m</data>',
+        '<data value="17.6042684">17.60 m</data>',
+        page,
+        count=1,
+    )
+    assert count == 1
+    (place := tmp_path / "old.html").write_text(page, "utf-8")
+    return place
+
+
+def test_a_number_that_changed_is_named_with_what_it_was(run: Run, old: Path) -> None:
+    document = json.loads(run("report", str(old), "--again", "--json").out)
+    (found,) = document["otherwise"]
+    assert (found["section"], found["row"], found["then"]) == ("summary", "Span", "17.60 m")
+    # S1 prints 17.430 m.
+    assert found["now_SI"] == pytest.approx(17.430, abs=5e-4)
+    assert document["written_by"] == "0.9.0"
+    assert document["same"] > 200
+    assert (document["gone"], document["new"]) == (0, 0)
+
+
+def test_the_screen_has_each_of_them(run: Run, old: Path) -> None:
+    ran = run("report", str(old), "--again")
+    assert "gives 1 numbers of this note" in " ".join(ran.out.split())
+    assert "17.60 m" in ran.out
+
+
+def test_numbers_with_the_same_name_are_told_apart_by_their_order() -> None:
+    page = (NOTES / "size-buoy.html").read_text("utf-8")
+    read = read_written_note(page, "note")
+    assert len(read.numbers) == len(re.findall("<data value=", page))
+
+
+def test_what_is_no_note_is_refused(run: Run, tmp_path: Path) -> None:
+    (place := tmp_path / "page.html").write_text("<html><p>a page</p></html>")
+    ran = run("report", str(place), "--again")
+    assert ran.status == 2
+    assert "a calculation note" in ran.err
+
+
+def test_a_note_whose_file_was_changed_is_refused(run: Run, old: Path) -> None:
+    text = old.read_text("utf-8")
+    assert "0.343 tf" in text
+    old.write_text(text.replace("0.343 tf", "0.344 tf"), "utf-8")
+    ran = run("report", str(old), "--again")
+    assert ran.status == 2
+    assert "SHA-256" in ran.err
+
+
+def test_a_note_of_a_front_says_the_way_out(run: Run) -> None:
+    ran = run("report", str(NOTES / "design-buoy-9.5m.html"), "--again")
+    assert ran.status == 2
+    assert "catopt design" in ran.err
