@@ -88,10 +88,8 @@ def report(of: argparse.Namespace) -> Iterator[str]:
             warm.add(kind)
             left[kind] -= 1
             rows.append(found)
-            cells = (
-                " ".join("-" if e is None else f"{e:.3f}" for e in x)
-                for x in (found.fast, found.full)
-            )
+            both = (found.fast, found.full)
+            cells = (" ".join("-" if e is None else f"{e:.3f}" for e in each) for each in both)
             said = f"{found.deviation:.3f}" if found.full else ""
             yield (
                 f"| {found.number} | {kind} | {found.said} | {found.lines} | {found.seconds:.1f} | "
@@ -159,8 +157,8 @@ def _summed(kind: str, rows: list[Beside]) -> Iterator[str]:
     fail = [each for each in judged if each.most > 1.05]
     times = sorted(each.seconds for each in rows)
     yield (
-        f"Largest deviation to the unsafe side: {max(e.deviation for e in judged):.3f}; above 1.05: "
-        f"{len(over)}. Recommended and beyond a limit by more than 5 % in full: {len(fail)}. "
+        f"Largest deviation to the unsafe side: {max(e.deviation for e in judged):.3f}; above "
+        f"1.05: {len(over)}. Recommended and beyond a limit by more than 5 % in full: {len(fail)}. "
         f"No line passes, or not judged: {len(rows) - len(judged)}. Processor: median "
         f"{times[len(times) // 2]:.1f} s, largest {times[-1]:.1f} s."
     )

@@ -37,6 +37,7 @@ from catopt.words import Measure, Message, Sentence, Several, is_said, term
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckResult
+    from catopt.checks.verdict import Who
     from catopt.design.neighbours import NoFeasibleDesignError
     from catopt.design.result import NearMiss
     from catopt.sizing import Sizing
@@ -51,8 +52,11 @@ _MOST_OTHERS = 3
 _NUMBERS = 6
 
 
-def size_card(of: Sizing, *, with_others: bool = True) -> tuple[CardBlock, ...]:
-    """Lay out what is recommended on one screen, with other lines in words where wanted."""
+def size_card(of: Sizing, *, with_others: bool = True, who: Who = "size") -> tuple[CardBlock, ...]:
+    """Lay out what is recommended on one screen, with other lines in words where wanted.
+
+    `who` is told what to type.
+    """
     (code, *_) = of.case.checks.codes
     run: tuple[Brief, ...] = ()
     if of.in_motion is not None:
@@ -68,7 +72,7 @@ def size_card(of: Sizing, *, with_others: bool = True) -> tuple[CardBlock, ...]:
     )
     return (
         Text(of.one_line),
-        Verdict.of_judgement(of.judgement),
+        Verdict.of_judgement(of.judgement_for(who)),
         Facts("size_card", tuple(_numbers(of))[:_NUMBERS]),
         *(each for each in briefs if any(each.said)),
     )
@@ -164,9 +168,9 @@ def runs_words(of: InMotion) -> Message:
         if count > 1:
             said = Message(f"sizing.runs_of_{key}", runs=said, count=count)
     if of.how.quick:
-        said = Message(
-            "sizing.runs_quick_ship" if of.is_of_ship else "sizing.runs_quick_buoy", runs=said
-        )
+        quick = "ship" if of.is_of_ship else "buoy"
+        margins = {"margin": of.how.margin, "slide": of.how.slide_margin}
+        said = Message(f"sizing.runs_quick_{quick}", runs=said, **margins)
     return said
 
 

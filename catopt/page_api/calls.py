@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import lru_cache, partial, wraps
+from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any, Final, TypeVar, cast
 
 from markupsafe import Markup
@@ -178,10 +179,26 @@ def _case(text: str) -> Case:
 
 @_kept
 def _sizing(text: str, door: Door) -> Sizing:
-    """Size once what its note and its document are asked of, too."""
-    from catopt.sizing.file import parse_file, sized
+    """Size once what its note and its document are asked of, too.
 
-    return sized(parse_file(text, cast("Any", door)), at_rest=True)
+    At rest, unless it is to be run in motion: a slider does not wait for that. In a browser, where
+    the truss model is not, what is said of motion is read, and not judged.
+    """
+    from catopt.sizing.file import file_of, parse_file, sized
+    from catopt.sizing.requests import request_of
+
+    file = parse_file(text, cast("Any", door))
+    if "motion" in file.document and not runs_in_motion():
+        with file.reporting():
+            request_of(file.known())
+        still = {key: each for key, each in file.document.items() if key != "motion"}
+        file = file_of(still, file.moored, file.source, folder=file.folder)
+    return sized(file, at_rest=True)
+
+
+def runs_in_motion() -> bool:
+    """Whether what runs lines in motion is here: not in a browser."""
+    return find_spec("catopt.fem") is not None
 
 
 def _door(text: str) -> Door:
@@ -357,7 +374,7 @@ def _sized(text: str, door: Door) -> _Laid:
     of = _sizing(text, door)
     charts = (elevation(of, failing_checks(of.point.checks)), swing_circle(of), choices(of)[0])
     first = section("desk.answer", *map(Figure, charts))
-    return first, [size_answer(of)], size_card(of, with_others=False)
+    return first, [size_answer(of)], size_card(of, with_others=False, who="page")
 
 
 def _note(text: str, language: Language) -> Reply:

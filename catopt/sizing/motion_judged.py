@@ -24,6 +24,7 @@ from catopt.sizing.in_motion import (
     in_sea,
     sea_of,
     tightest_seas,
+    with_margin,
 )
 from catopt.sizing.pattern import Pattern
 from catopt.sizing.settle import ConvergedSizing
@@ -79,7 +80,7 @@ def judged(
     checked: tuple[CheckReport, tuple[Sea, ...]] | None = None
     anchor = case.anchor
     if parts[0].drive.sinkers:
-        anchor = _least_that_stays(parts)
+        anchor = _least_that_stays(parts, how.slide_margin)
     else:
         checked = _checked(seas, parts, solved, how)
         anchor = _held(settled, checked[0])
@@ -127,7 +128,8 @@ def _checked(
         own = slice(k * count, (k + 1) * count)
         report, sea = check_parts(case, parts[own], at_rest[own]), sea_of(case)
         for each in report.results:
-            results.append(replace(each, load_case=in_sea(each.load_case, how, sea)))
+            own_sea = replace(each, load_case=in_sea(each.load_case, how, sea))
+            results.append(with_margin(own_sea, how))
             of_sea.append(sea)
         warnings |= dict.fromkeys(report.warnings)
     checks = CheckReport(
@@ -142,13 +144,13 @@ def _checked(
     return checks, tuple(of_sea)
 
 
-def _least_that_stays(parts: Sequence[DynamicPart]) -> Anchor:
+def _least_that_stays(parts: Sequence[DynamicPart], margin: float) -> Anchor:
     """Take the least sinker that slides no further than it may; the heaviest where none does."""
     every = parts[0].drive.sinkers
     stays = (
         each
         for each in every
-        if all(way_of(each, part, part.runs) <= (each.max_slide or 0.0) for part in parts)
+        if all(margin * way_of(each, e, e.runs) <= (each.max_slide or 0.0) for e in parts)
     )
     return next(stays, every[-1])
 

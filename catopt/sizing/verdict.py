@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from catopt.checks.verdict import Judgement, Matter, report_sentence, verdict_of
+from catopt.checks.verdict import Judgement, Matter, Who, report_sentence, verdict_of
 from catopt.loads.buoy import OURS
 from catopt.words import Message, is_said
 
@@ -13,16 +13,17 @@ if TYPE_CHECKING:
     from catopt.sizing.result import Sizing
 
 
-def judgement_of(of: Sizing) -> Judgement:
+def judgement_of(of: Sizing, who: Who = "size") -> Judgement:
     """Say what the recommended line comes to, what governs, and what was not judged.
 
-    The same words stand on the screen, on the page, in the note and in the document.
+    The same words stand on the screen, in the note and in the document; on the page, which has no
+    options, `who` is told otherwise what to type.
     """
     matter = Matter(
         case=of.whole_case,
         at_rest=of.point.checks,
         in_motion=None if of.in_motion is None else of.in_motion.checks,
-        who="size",
+        who=who,
         motion_by=_motion_by(of),
         moves=True,
         remarks=(*of.assumptions, *of.warnings),
