@@ -169,8 +169,7 @@ def runs_words(of: InMotion) -> Message:
             said = Message(f"sizing.runs_of_{key}", runs=said, count=count)
     if of.how.quick:
         quick = "ship" if of.is_of_ship else "buoy"
-        margins = {"margin": of.how.margin, "slide": of.how.slide_margin}
-        said = Message(f"sizing.runs_quick_{quick}", runs=said, **margins)
+        said = Message(f"sizing.runs_quick_{quick}", runs=said, margin=of.how.margin)
     return said
 
 

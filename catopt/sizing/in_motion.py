@@ -63,11 +63,11 @@ class RunsAfloat:
     heights: tuple[Length, ...] = ()
     """Significant, of these seas; empty: all have that of the place."""
     centre_of_gravity: float | None = None  # of a buoy, above the bottom of its hull, m
-    # by the fast judgement, in seconds: `catopt.sizing.quick`; by how much it takes tensions and
-    # slides larger than its runs say
+    # by the fast judgement, in seconds: `catopt.sizing.quick`; by how much it takes tensions larger
+    # than its runs say, and a sinker heavier than what stays in them
     quick: bool = False
     margin: float = 1.0
-    slide_margin: float = 1.0
+    sinker_margin: float = 1.0
 
     def __post_init__(self) -> None:
         found = Findings("RunsAfloat")
@@ -209,11 +209,9 @@ def sea_of(case: Case) -> Sea:
 
 def with_margin(check: CheckResult, how: RunsAfloat) -> CheckResult:
     """Take what hangs on few peaks as much larger as a way of running lines asks for."""
-    margin = {"tension": how.margin, "sliding": how.margin, "slide": how.slide_margin}
-    times = margin.get(check.kind, 1.0)
-    if times == 1.0:
+    if how.margin == 1.0 or check.kind not in ("tension", "sliding"):
         return check
-    demand = times * check.demand
+    demand = how.margin * check.demand
     beyond = ratio_exceedance(demand, check.capacity)
     return replace(check, demand=demand, exceedance=beyond)
 

@@ -38,6 +38,8 @@ _ROLL, _PITCH = 3, 4
 _TURNED_OVER: Final = 0.5 * math.pi
 """Heel of a buoy from which it has turned over, rad."""
 
+_ROUNDING: Final = 1e-9
+
 NoAnswer = NoAnswerError | NotConvergedError
 """Why a load case has none."""
 
@@ -80,7 +82,7 @@ def judged(
     checked: tuple[CheckReport, tuple[Sea, ...]] | None = None
     anchor = case.anchor
     if parts[0].drive.sinkers:
-        anchor = _least_that_stays(parts, how.slide_margin)
+        anchor = _least_that_stays(parts, how.sinker_margin)
     else:
         checked = _checked(seas, parts, solved, how)
         anchor = _held(settled, checked[0])
@@ -145,14 +147,20 @@ def _checked(
 
 
 def _least_that_stays(parts: Sequence[DynamicPart], margin: float) -> Anchor:
-    """Take the least sinker that slides no further than it may; the heaviest where none does."""
+    """Take the least sinker that slides no further than it may; the heaviest where none does.
+
+    `margin`: by how much heavier it is taken, for how far one slides hangs on few peaks.
+    """
     every = parts[0].drive.sinkers
     stays = (
         each
         for each in every
-        if all(margin * way_of(each, e, e.runs) <= (each.max_slide or 0.0) for e in parts)
+        if all(way_of(each, part, part.runs) <= (each.max_slide or 0.0) for part in parts)
     )
-    return next(stays, every[-1])
+    least = next(stays, every[-1])
+    weight = margin * (least.submerged_weight or 0.0) * (1.0 - _ROUNDING)
+    heavier = (each for each in every if (each.submerged_weight or 0.0) >= weight)
+    return next(heavier, every[-1])
 
 
 def _held(settled: ConvergedSizing, checks: CheckReport) -> Anchor | None:

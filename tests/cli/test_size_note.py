@@ -52,14 +52,19 @@ def test_what_a_file_is_for_follows_from_what_is_in_it(text: str, moored: str | 
 def test_a_sizing_out_of_a_file_is_that_of_the_command(run: Run) -> None:
     for moored in ("buoy", "tanker"):
         path = CASES / f"size-{moored}" / "sizing.toml"
-        ran = run("size", moored, path, "--json")
+        ran = run("size", moored, path, "--at-rest", "--json")
         found = sized(read_file(path, "buoy" if moored == "buoy" else "tanker"))
         assert json.loads(ran.out) == json.loads(json.dumps(found.to_dict()))
 
 
 @pytest.mark.slow
 def test_options_beside_a_file_are_named_as_going_before_it(run: Run) -> None:
-    assert run("size", "tanker", SIZE_TANKER, "--lines", 6, "--out", "out", "--json").status == 0
+    assert (
+        run(
+            "size", "tanker", SIZE_TANKER, "--lines", 6, "--at-rest", "--out", "out", "--json"
+        ).status
+        == 0
+    )
     page = page_at("out/note.html")
     (option,) = page.table("size_options").rows
     assert [cell.text for cell in option] == ["--lines", "6"]
