@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Literal
@@ -29,6 +29,7 @@ GREEK = MappingProxyType({"theta0": "θ₀", "theta1": "θ₁", "theta": "θ", "
 """Symbols of quantities that are Greek letters."""
 
 
+_MOST_PLACES = 12
 _ROUNDING = 1e-9
 """In SI, of forces, lengths and angles that are put into a calculation: less is rounding."""
 
@@ -56,6 +57,8 @@ class Quantity:
     notation: Literal["fixed", "scientific", "shortest", "significant"] = "fixed"
     floor: float = 0.0
     """What is smaller, in SI, is rounding, and printed as less than this."""
+    rounding: float = 0.0
+    """What is smaller, in SI, is rounding beside the rest of an answer, and printed as zero."""
 
     def to_field(self, si: float) -> float:
         """Convert a value (or an array) in SI to the field unit."""
@@ -113,6 +116,23 @@ class Quantity:
             digits = max(0, digits + round(math.log10(factor / self.factor)))
         return replace(self, field_unit=unit, factor=factor, digits=digits)
 
+    def places(self, si: float) -> int:
+        """Count the digits behind the point of a value in SI: more where it is small.
+
+        Two that count are printed of whatever is not zero.
+
+        Examples
+        --------
+        >>> force = QUANTITIES["tension"]
+        >>> [force.places(each) for each in (4281e3, 4.52, 4.5e-3, 0.0, 50.0)]
+        [3, 4, 7, 3, 3]
+        """
+        return places_of(self.to_field(si), self.digits, 2) if self.is_seen(si) else self.digits
+
+    def is_seen(self, si: float) -> bool:
+        """Whether a value in SI is more than rounding."""
+        return max(_ROUNDING, self.rounding) <= abs(si) < math.inf
+
     def format(self, si: float | None, *, unit: bool = False, digits: int | None = None) -> str:
         """Print a value in SI in the field unit, with it where wanted; None as a dash."""
         if si is None:
@@ -130,8 +150,48 @@ class Quantity:
         elif not math.isfinite(value):
             text = f"{value}"
         else:  # rounded first, so that what prints as zero does not print as -0.000
+            if self.is_seen(si):
+                places = places_of(value, places, 2)
             text = f"{round(value, places) + 0.0:.{places}f}"
         return f"{text} {self.field_unit}" if unit and self.field_unit != "-" else text
+
+
+def places_of(value: float, places: int, count: int) -> int:
+    """Count the digits behind the point for so many that count, or fewer that say the same."""
+    if value == 0.0:
+        return places
+    most = min(count - 1 - math.floor(math.log10(abs(value))), _MOST_PLACES)
+    if most <= places:
+        return places
+    text = f"{value:.{most}f}"
+    return max(places, most - (len(text) - len(text.rstrip("0"))))
+
+
+_SMALL, _SMALL_COUNT = 2, 5
+_SCALED = re.compile(r"N\b|kg$")
+
+
+def fitted(quantity: Quantity, values: Iterable[float], rounding: float = 0.0) -> Quantity:
+    """Take a quantity of forces or masses with digits for the largest of some values, in SI.
+
+    Where it has fewer than three that count, as at model scale, it gets five. What is smaller than
+    `rounding` is printed as zero.
+
+    Examples
+    --------
+    >>> fitted(QUANTITIES["tension"], [0.41394, 0.65609]).format(0.41394)
+    '0.00041394'
+    """
+    if quantity.notation != "fixed":
+        return quantity
+    taken = replace(quantity, rounding=rounding) if rounding > quantity.rounding else quantity
+    if not _SCALED.search(quantity.si_unit):
+        return taken
+    sizes = (abs(taken.to_field(each)) for each in values if taken.is_seen(each))
+    largest = max(sizes, default=0.0)
+    if 0.0 < largest < 10.0 ** (_SMALL - taken.digits):
+        return replace(taken, digits=places_of(largest, taken.digits, _SMALL_COUNT))
+    return taken
 
 
 def _length(key: str, name: str, symbol: str) -> Quantity:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from catopt.answers import blocks
 from catopt.answers.blocks import (
@@ -18,6 +18,7 @@ from catopt.answers.blocks import (
     texts,
     yes_or_no,
 )
+from catopt.answers.solution import force_name
 from catopt.checks.kinds import QUANTITY_OF
 from catopt.figures.line import Failing
 from catopt.words import Measure, Message, Several, term
@@ -298,7 +299,9 @@ def load_case_table(report: CheckReport) -> blocks.Table:
         texts("load_case", [name for name, _ in report.solutions]),
         *(at_place if report.places else ()),
         texts("kind", [Message(f"answers.{kind}") for kind in kinds]),
-        *of.own("fairlead_height", "horizontal_force", "span"),
+        *of.own("fairlead_height"),
+        of.measured("horizontal_force", "horizontal_force", force_name(of.rows)),
+        *of.own("span"),
         of.measured("tension", "fairlead.tension", "fairlead_tension"),
         of.measured("vertical_force", "fairlead.vertical_force", "fairlead_vertical_force"),
         of.measured("horizontal_force", "anchor.horizontal_force", "anchor_horizontal_force"),
@@ -347,5 +350,7 @@ def load_case_words(report: CheckReport, index: int) -> Message:
     name, solution = report.solutions[index]
     kind = report.load_cases[index].kind if report.load_cases else ""
     key = f"checks.{kind}_load_case" if kind else "checks.load_case"
-    force = Measure("horizontal_force", solution.horizontal_force)
+    force: Any = Measure("horizontal_force", solution.horizontal_force)
+    if solution.force_varies:
+        force = Message("checks.at_the_fairlead", force=force)
     return Message(key, name=name, force=force, height=solution.fairlead_height)

@@ -108,7 +108,7 @@ def _opening(note: Note) -> Iterator[Section]:
         facts,
         said,
         drawing=(Text(Message("note.line_scale")), Figure(drawn)),
-        force=(Message("quantities.horizontal_force"), "horizontal_force", force),
+        force=(solved.force_name(intact), "horizontal_force", force),
         reach=(Message("quantities.span"), "span", max(each.span for each in intact)),
         tension=max(part.max_tension for each in intact for part in each.segments),
         in_motion=note.motion is not None,

@@ -262,6 +262,7 @@ def _lines(note: SystemNote) -> Iterator[Block]:
     )
     columns = (number, *([names] if any(names.values) else []), *others, directions)
     yield blocks.Table("system_lines", columns, marked=solution.most_loaded)
+    yield from body.legs_tables(solution)
     known = body.lines_used(note.checks)
     if note.used is None:
         known = Message("note_system.lines_unknown")
@@ -435,7 +436,10 @@ def network_note_answer(note: NetworkNote) -> blocks.Answer:
         _section("line_out", _network_line_out(note)),
         _section("side", [Text(Message("note_system.side_about")), side]),
         _section("joints", _joints(note)),
-        _section("lines", [lines, small("note_system.network_lines_about")]),
+        _section(
+            "lines",
+            [lines, small("note_system.network_lines_about"), *body.places_tables(note.rest)],
+        ),
         damaged_section(note.sheet),
         section("components", _components(note)),
         _section("verification", by_both(note, "note_system", note.most_loaded)),

@@ -214,6 +214,9 @@ def _of_the_runs(of: InMotion) -> Iterator[Brief]:
     """Yield how lines were run, and how many."""
     yield Brief((runs_words(of),), Message("sizing.card_runs"), 2)
     yield Brief((of.counted.words,), Message("sizing.card_in_motion"), 2)
+    proof = proof_words(of)
+    if proof is not None:
+        yield Brief((proof,), Message("sizing.card_rerun"), 3)
     if of.seas:
         yield Brief((seas_words(of),), Message("sizing.card_seas"), 3)
     if of.less:
@@ -284,7 +287,22 @@ def heel_words(moved: InMotion | None) -> Iterator[Message]:
         is_given = moved.how.centre_of_gravity is not None
         key = "sizing.heels_by_own" if is_given else "sizing.heels"
         yield Message(key, heel=math.degrees(moved.heel))
-        yield Message("sizing.runs_made_once")
+        if moved.worst_change is None:
+            yield Message("sizing.runs_made_once")
+
+
+def proof_words(of: InMotion) -> Message | None:
+    """Say what its runs came to when they were made again; None where they were not."""
+    worst = of.worst_change
+    if worst is None:
+        return None
+    values = {"how": Message(f"motion.how_{worst.way}"), "change": worst.size}
+    values["what"] = Message(f"motion.largest_{worst.quantity.removeprefix('largest_')}")
+    key = f"sizing.proof_{of.proof.replace(' ', '_')}"
+    if worst.chance is None:
+        return Message(key, **values, chance="")
+    by = Message("sizing.proof_chance", chance=worst.by_chance)
+    return Message(key, **values, chance=by)
 
 
 def _to_be_known(of: Sizing) -> Iterator[str]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, cast
 
@@ -55,7 +55,8 @@ def solution_answer(case: Case, solution: Solution, *, with_profile: bool = Fals
     if solution.point_loads:
         results.append(point_loads_table(solution))
     method, shape = method_name(solution.method), Message("captions.line_shape")
-    solved = Message("solution.solved", method=method, hangs=how_it_hangs(solution))
+    hangs = Message("solution.in_air") if case.site.is_in_air else how_it_hangs(solution)
+    solved = Message("solution.solved", method=method, hangs=hangs)
     whole = blocks.answered(
         "solution",
         case.title or Message("captions.mooring_line"),
@@ -75,8 +76,9 @@ def solution_answer(case: Case, solution: Solution, *, with_profile: bool = Fals
     return replace(whole, card=card, next=following)
 
 
-_ON_CARD = 8
-"""Numbers of a line on one screen: forces, tensions, angles and lengths, the first ones."""
+_ON_CARD, _BEFORE_DRAG = 8, 5
+"""Numbers of a line on one screen: forces, tensions, angles and lengths, the first ones; and how
+many of them stand before what a current adds."""
 
 
 def _card(
@@ -90,8 +92,10 @@ def _card(
     on_card = _ON_CARD - bool(parting)
     facts = (
         *found_facts(solution),
+        *result_facts(solution)[:_BEFORE_DRAG],
         *_of_current(solution),
-        *result_facts(solution)[:on_card],
+        *result_facts(solution)[_BEFORE_DRAG:on_card],
+        *(_lowest(solution) if solution.regime == "below-anchor" else ()),
         fact("grounded_length", solution.grounded_length),
         fact("mass", solution.line.mass),
     )
@@ -120,13 +124,15 @@ def given_facts(case: Case) -> Iterator[blocks.Fact]:
     yield stated("title", case.title, only="files")
     yield stated("source", case.source, only="files")
     site = case.site
-    yield fact("water_depth", site.depth_to_seabed)
+    if not site.is_in_air:
+        yield fact("water_depth", site.depth_to_seabed)
     yield fact("fairlead_height", site.height_above_seabed(case.fairlead_height))
     yield fact("anchor_height", site.height_above_seabed(case.anchor_height))
     if site.contact_offset:
         yield fact("contact_offset", site.contact_offset)
-    yield fact("friction", case.site.seabed_friction)
-    yield fact("density", case.site.water_density, "water_density")
+    if not site.is_in_air:
+        yield fact("friction", case.site.seabed_friction)
+        yield fact("density", case.site.water_density, "water_density")
     if (current := case.current_at_rest) is not None:
         yield stated("current", current_in_words(current, site.water_depth))
     load = case.load
@@ -239,22 +245,54 @@ def summary(solution: Solution) -> blocks.Facts:
 def result_facts(solution: Solution) -> tuple[blocks.Fact, ...]:
     """List what was found for the line as a whole."""
     anchor, fairlead = solution.anchor, solution.fairlead
+    varies = solution.force_varies  # then both ends stand beside each other
+    at_anchor = _force(
+        "horizontal_force", anchor.horizontal_force, "anchor_horizontal_force", symbol=""
+    )
     return (
         _angle(anchor.angle, "inclination_at_the_anchor", "theta0"),
         fact("span", solution.span),
         _force("tension", fairlead.tension, "fairlead_tension"),
-        _force("horizontal_force", solution.horizontal_force),
+        _force("horizontal_force", solution.horizontal_force, force_name([solution])),
+        *([at_anchor] if varies else []),
         _force("vertical_force", fairlead.vertical_force, "fairlead_vertical_force"),
         _angle(fairlead.angle, "inclination_at_the_fairlead", "theta1"),
         _force("tension", anchor.tension, "anchor_tension", symbol=""),
-        _force("horizontal_force", anchor.horizontal_force, "anchor_horizontal_force", symbol=""),
+        *([] if varies else [at_anchor]),
         _force("vertical_force", anchor.vertical_force, "anchor_vertical_force", symbol=""),
         fact("grounded_length", solution.grounded_length),
         fact("suspended_length", solution.suspended_length),
         fact("stretched_length", solution.stretched_length),
+        *_lowest(solution),
         fact("mass", solution.line.mass, "line_mass_in_air", symbol=""),
         *_of_current(solution),
     )
+
+
+def _lowest(solution: Solution) -> Iterator[blocks.Fact]:
+    """Say where the line is lowest, and its sag below the straight one between its ends."""
+    lowest = solution.lowest_point
+    yield fact("z", lowest.z, "lowest_point", symbol="")
+    yield fact("x", lowest.x, "lowest_point_from_the_anchor", symbol="")
+    yield fact("height", solution.sag, "sag", symbol="")
+
+
+def force_name(solutions: Iterable[Solution]) -> Message:
+    """Name the horizontal force at the fairlead: by its end where it is another at an anchor."""
+    if any(each.force_varies for each in solutions):
+        return Message("columns.fairlead_horizontal_force")
+    return Message("quantities.horizontal_force")
+
+
+def forces_at_ends(of: Rows, first: str, second: str) -> Iterator[blocks.Column]:
+    """Yield the horizontal force of lines; where it varies along one that at both ends, named."""
+    if not any(each.force_varies for each in of.rows):
+        yield from of.own("horizontal_force")
+        return
+    for name, end in ((first, "anchor"), (second, "fairlead")):
+        both = f"{end}.horizontal_force"
+        yield of.measured("horizontal_force", both, name, symbol="", only="files")
+        yield of.measured("horizontal_force", both, f"{name}_short", symbol="", only="people")
 
 
 def _of_current(solution: Solution) -> Iterator[blocks.Fact]:
@@ -505,7 +543,7 @@ def points_table(result: CaseCurve) -> blocks.Table:
     return tabulate(
         "curve",
         *_places(result, curve.span.tolist()),
-        measured("horizontal_force", curve.horizontal_force),
+        measured("horizontal_force", curve.horizontal_force, force_name([result.reference])),
         measured("tension", curve.fairlead_tension, "fairlead_tension"),
         measured("tension", curve.anchor_tension, "anchor_tension", symbol="TA"),
         measured("angle", curve.anchor_angle, "inclination_at_the_anchor", symbol="theta0"),
@@ -525,7 +563,7 @@ def marks_table(result: CaseCurve) -> blocks.Table:
         of.texts("kind", lambda mark: Message(f"curve.{mark.kind}"), only="files"),
         of.texts("what_happens", "event"),
         *_places(result, of.read("span")),
-        *of.own("horizontal_force"),
+        of.measured("horizontal_force", "horizontal_force", force_name([result.reference])),
         of.measured("tension", "fairlead_tension", "fairlead_tension"),
         caption=Message("captions.marks"),
     )

@@ -19,15 +19,22 @@ from catopt.answers.blocks import (
     texts,
 )
 from catopt.answers.check import verdict_blocks
-from catopt.answers.solution import current_in_words
+from catopt.answers.solution import current_in_words, forces_at_ends
 from catopt.quantities import QUANTITIES
 from catopt.words import Measure, Message
 
 if TYPE_CHECKING:
+    from catopt.catenary.solution import Solution
     from catopt.checks.result import CheckReport
     from catopt.mooring.case import SystemReport
     from catopt.mooring.network_out import NetworkOut
-    from catopt.mooring.network_rest import FloatsInCurrent, HeldBody, LinesAtRest, NetworkAtRest
+    from catopt.mooring.network_rest import (
+        FloatsInCurrent,
+        HeldBody,
+        LinesAtRest,
+        NetworkAtRest,
+        PlacedLoad,
+    )
     from catopt.mooring.restoring import Response, RestoringCurve, WatchCircle
     from catopt.mooring.solution import SystemSolution
 
@@ -53,7 +60,7 @@ def system_answer(report: SystemReport, checks: CheckReport) -> blocks.Answer:
     count, circle = len(report.solution.lines), report.circle
     solved = Message("mooring.solved", count=count, freedom=Message(freedom))
     table = lines_table(report.solution, checks)
-    lines: list[blocks.Block] = [table]
+    lines: list[blocks.Block] = [table, *legs_tables(report.solution)]
     if table.columns[-1].quantity is QUANTITIES["utilisation"]:
         lines.append(blocks.Text(lines_used(checks), only="people", is_small=True))
     lost = map(blocks.Text, lines_lost(report))
@@ -91,6 +98,8 @@ def _card(report: SystemReport, checks: CheckReport, solved: Message) -> Iterato
     asked, lines = list(_asked(report)), lines_table(report.solution, checks)
     yield from asked
     yield from (lines, body) if asked else (body, lines)
+    *hung, shapes = legs_tables(report.solution)
+    yield from (*hung, *_if_free(shapes, [each.solution for each in report.solution.lines]))
     for block in _closing(report, checks):
         if isinstance(block, blocks.Warnings):
             yield from blocks.briefly(block.said, blocks.TO_BE_KNOWN, 3)
@@ -114,7 +123,7 @@ def solved_system(solution: SystemSolution) -> blocks.Answer:
     return blocks.answered(
         "system",
         solution.title or Message("captions.moored_body"),
-        section("captions.lines", lines_table(solution)),
+        section("captions.lines", lines_table(solution), *legs_tables(solution)),
         section("captions.body", blocks.Facts("body", tuple(body_facts(solution)))),
         section("captions.residuals", blocks.Warnings(tuple(solution.warnings))),
     )
@@ -161,7 +170,9 @@ def lines_table(solution: SystemSolution, checks: CheckReport | None = None) -> 
         texts("line", numbers),
         of.measured("angle", "leg.azimuth", "azimuth", symbol=""),
         of.measured("span", "solution.span"),
-        *of.own("horizontal_force"),
+        *forces_at_ends(
+            Rows(of.read("solution")), "anchor_horizontal_force", "fairlead_horizontal_force"
+        ),
         of.measured("tension", "tension", "fairlead_tension"),
         of.measured("tension", "solution.anchor.tension", "anchor_tension", symbol="TA"),
         of.measured("grounded_length", "solution.grounded_length"),
@@ -351,7 +362,7 @@ def network_answer(
             *floats_tables(rest),
             joints_table(rest, "joints"),
         ),
-        section("captions.lines", meeting_table(rest, "lines", checks)),
+        section("captions.lines", meeting_table(rest, "lines", checks), *places_tables(rest)),
         section("captions.checks", *verdict_blocks(checks)),
         *([section("captions.one_line_out", out, *lost)] if line_out else []),
         *([section("captions.watch_circle", circle_table(circle))] if circle else []),
@@ -364,15 +375,18 @@ def network_answer(
             blocks.Warnings(checks.warnings),
         ),
     )
+    *hung, shapes = places_tables(rest)
     card: tuple[blocks.CardBlock, ...] = (
         *verdict_blocks(checks),
         *([out] if line_out else []),
         *([circle_table(circle)] if circle else []),
         *(curve_table(number, each) for number, each in enumerate(curves, start=1)),
-        *floats_tables(rest),
+        *_floats_on_card(rest),
         meeting_table(rest, "lines", checks),
         *([bodies_table(rest)] if rest.bodies else []),
+        *hung,
         joints_table(rest, "joints"),
+        *_if_free(shapes, rest.lines),
         *blocks.briefly(checks.warnings, blocks.TO_BE_KNOWN, 3),
         blocks.Brief((solved,)),
     )
@@ -431,6 +445,24 @@ def floats_tables(rest: LinesAtRest) -> Iterator[blocks.Table]:
     )
 
 
+def _floats_on_card(rest: LinesAtRest) -> Iterator[blocks.CardBlock]:
+    """Say of one float in a sentence how far a current knocks it down; of several in a table."""
+    for table in floats_tables(rest):
+        if table.length > 1:
+            yield table
+            continue
+        (line,), (still,) = rest.lines, cast("FloatsInCurrent", rest).heights
+        values = {
+            "z": line.fairlead_height,
+            "down": still - line.fairlead_height,
+            "aside": line.span,
+        }
+        lengths = {key: Measure("height", value) for key, value in values.items()}
+        angle = Measure("angle", line.anchor.angle)
+        name = rest.network.points[rest.runs[0].second].name
+        yield blocks.Text(Message("mooring.float_lies", name=name, angle=angle, **lengths))
+
+
 def joints_table(rest: LinesAtRest, name: str) -> blocks.Table:
     """Tabulate where joints lie, and what the bed carries of them."""
     found = zip(rest.network.points, rest.joints.places, rest.joints.reactions, strict=True)
@@ -449,6 +481,65 @@ def joints_table(rest: LinesAtRest, name: str) -> blocks.Table:
     )
 
 
+def hung_table(placed: Sequence[Sequence[PlacedLoad]], names: Sequence[str]) -> blocks.Table:
+    """Tabulate where clump weights and buoys of lines hang or lie, by the names of the lines."""
+    lines, of = Rows(zip(names, placed, strict=True)).within(lambda each: each[1])
+    numbers = [k for each in placed for k in range(1, len(each) + 1)]
+    named = zip(of.read("state.name"), numbers, strict=True)
+    return tabulate(
+        "hung",
+        lines.texts("line", lambda each: each[0]),
+        texts("point_load", [name or number for name, number in named]),
+        of.measured("position", "state.position", "position_along", symbol=""),
+        of.measured("offset", lambda each: each.place[0], "position", symbol="x"),
+        of.measured("offset", lambda each: each.place[1], "position", symbol="y"),
+        of.measured("height", lambda each: each.place[2], symbol="z"),
+        of.measured("seabed_reaction", "state.seabed_reaction", priority=1),
+        caption=Message("captions.hung"),
+    )
+
+
+def shapes_table(solutions: Sequence[Solution], names: Sequence[str]) -> blocks.Table:
+    """Tabulate where lines are lowest, and their sag, by the names of the lines."""
+    of = Rows(solutions)
+    return tabulate(
+        "shapes",
+        texts("line", names),
+        of.measured("height", "lowest_point.z", "lowest_point", symbol=""),
+        of.measured("s", "lowest_point.s", "lowest_along", symbol=""),
+        of.measured("x", "lowest_point.x", "lowest_point_from_the_anchor", symbol=""),
+        of.measured("height", "sag", "sag", symbol=""),
+        caption=Message("captions.lowest_and_sag"),
+    )
+
+
+def _if_free(shapes: blocks.Table, solutions: Iterable[Solution]) -> Iterator[blocks.Table]:
+    """Yield the table of sags for a screen, if a line hangs below both its ends, off the bed."""
+    if any(each.regime == "below-anchor" for each in solutions):
+        yield shapes
+
+
+def _numbers(count: int) -> list[str]:
+    return [f"{number}" for number in range(1, count + 1)]
+
+
+def places_tables(rest: LinesAtRest) -> Iterator[blocks.Table]:
+    """Tabulate where everything on the lines of a network is, and how they sag."""
+    lines = rest.named_lines
+    names = [each.name for each in lines]
+    hung = hung_table([each.point_loads for each in lines], names)
+    yield from [hung] if hung.length else []
+    yield shapes_table([each.solution for each in lines], names)
+
+
+def legs_tables(solution: SystemSolution) -> Iterator[blocks.Table]:
+    """Tabulate the same of the lines of a body."""
+    names = _numbers(len(solution.lines))
+    hung = hung_table([each.placed_loads for each in solution.lines], names)
+    yield from [hung] if hung.length else []
+    yield shapes_table([each.solution for each in solution.lines], names)
+
+
 def meeting_table(
     rest: LinesAtRest, name: str, checks: CheckReport | None = None, marked: int | None = None
 ) -> blocks.Table:
@@ -460,9 +551,16 @@ def meeting_table(
         runs.texts("line", "name"),
         runs.texts("from_point", lambda run: points[run.first].name),
         runs.texts("to_point", lambda run: points[run.second].name),
-        *of.own("span", "horizontal_force"),
-        of.measured("tension", "anchor.tension", "tension_there", symbol="T1"),
-        of.measured("tension", "fairlead.tension", "tension_here", symbol="T2"),
+        *of.own("span"),
+        *forces_at_ends(of, "force_there", "force_here"),
+        *(
+            of.measured("tension", what, f"{name}{short}", symbol=symbol, only=only)
+            for what, name, number in (
+                ("anchor.tension", "tension_there", "T1"),
+                ("fairlead.tension", "tension_here", "T2"),
+            )
+            for short, symbol, only in (("", number, "files"), ("_short", "", "people"))
+        ),
         *of.own("grounded_length"),
         *_utilisation(checks, of_MBL),
         caption=Message("captions.lines"),

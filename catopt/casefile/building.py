@@ -329,7 +329,8 @@ def _sold(
 
 def build_case(table: CaseTable, catalogue: FromCatalogue, folder: str) -> Case:
     """Build a case."""
-    site = Site(**table.site.given())
+    place = table.given().get("site")
+    site = Site.in_air() if place is None else Site(**place.given())
     build = _Builder(catalogue, FilePath(folder).absolute(), site, table)
     line = Line(
         [build.part(each, ("line", "segments", k)) for k, each in enumerate(table.line.segments)],
@@ -397,7 +398,8 @@ class _Builder:
     def part(self, table: TableSchema, path: Path = ()) -> Any:
         """Build what a table holds; of variants of figures, a mapping."""
         if isinstance(table, SegmentTable):
-            return made_segment(table, self.catalogue.segments.get(path))
+            component = self.catalogue.segments.get(path)
+            return made_segment(table, component, in_air=self.site.is_in_air)
         given = self.given(table, path)
         if isinstance(table, SegmentChoiceTable):
             # What is left out is as the line has it at the same place.
@@ -438,8 +440,11 @@ def made_of(table: TableSchema, given: dict[str, Any], site: Site) -> Any:
     return given if table.model is None else table.model(**given)
 
 
-def made_segment(table: TableSchema, component: Component | None) -> Any:
-    """Build a segment; what the file gives goes before what the catalogue has."""
+def made_segment(table: TableSchema, component: Component | None, *, in_air: bool = False) -> Any:
+    """Build a segment; what the file gives goes before what the catalogue has.
+
+    In air nothing is taken off the weight of a component.
+    """
     given = table.given()
     given.pop("component", None)
     if "diameter" in given:
@@ -448,6 +453,8 @@ def made_segment(table: TableSchema, component: Component | None) -> Any:
         given["drag_axial"] *= math.pi
     made = component.segment(1.0) if component else None
     figures = {each.name: getattr(made, each.name) for each in fields(made)} if made else {}
+    if made is not None and in_air and made.mass is not None:
+        figures["submerged_weight"] = made.mass * STANDARD_GRAVITY
     if "strain" in given:
         given["EA"] = StrainTable(given.pop("strain"), given.pop("strain_tension"))
     if given.get("drag_method") == "roughness":

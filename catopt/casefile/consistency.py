@@ -17,6 +17,7 @@ from catopt.documents import Path
 from catopt.errors import InputError, Problem
 from catopt.model import Anchor, ClumpWeightChoice, Design, Find, Load, SegmentChoice
 from catopt.model.anchor import ANCHOR_KINDS
+from catopt.model.case import WET
 from catopt.model.design import FIND_QUANTITIES, FORCES, body_misfits, inconsistencies
 from catopt.model.dynamics import OF_MOTION
 from catopt.model.line import (
@@ -54,6 +55,20 @@ def consistency_findings(case: FileSection, components: Mapping[Path, Component]
         *_system(case),
         *judged_findings(case, segments),
     ]
+
+
+def without_site(case: FileSection) -> Iterator[Finding]:
+    """Find what a line in air, of a file without site, does not go with, and what it lacks."""
+    line = case.table("line")
+    if "site" in case or case.misspelt("site"):
+        return
+    wet = [f"[{key}]" for key in WET if key in case]
+    if wet:
+        yield Finding(("site",), "", Message("refused_case.site_for", keys=", ".join(wet)))
+    elif "line" not in case:
+        yield case.missing("site", Message("refused.table_named", line="[site]"))
+    elif line.lacks("fairlead_height"):
+        yield Finding(("line", "fairlead_height"), "", Message("refused_case.height_in_air"))
 
 
 def judged_findings(case: FileSection, segments: list[FileSection]) -> list[Finding]:

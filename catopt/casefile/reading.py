@@ -20,6 +20,7 @@ from catopt.casefile.consistency import (
     design_findings,
     judged_findings,
     segment_findings,
+    without_site,
 )
 from catopt.casefile.document import FileSection, Finding, parts, read_tables, refuse, table
 from catopt.casefile.motion_consistency import motion_findings, network_motion_findings
@@ -207,7 +208,7 @@ def case_of(document: dict[str, Any], source: str = "", *, folder: str = "") -> 
     table, findings = read_tables(document, CaseTable)
     case = FileSection(document)
     catalogue = from_catalogue(case, folder)
-    findings += catalogue.findings
+    findings = [*without_site(case), *findings, *catalogue.findings]
     findings += consistency_findings(case, catalogue.segments)
     findings += design_findings(case)
     findings += motion_findings(case)

@@ -13,7 +13,7 @@ from types import MappingProxyType
 from typing import Annotated, Any, ClassVar
 
 from catopt import model
-from catopt.model import ClumpWeightChoice, Load, PointLoad, SwarmSettings
+from catopt.model import ClumpWeightChoice, Load, PointLoad, Site, SwarmSettings
 from catopt.model.design import Component
 from catopt.model.kinds import (
     Angle,
@@ -351,6 +351,7 @@ class CaseTable(TableSchema):
     elsewhere: ClassVar = {"verify": "refused.later", "environment": "refused.belongs_to_size"}
     symbols: ClassVar = {"catalog": "catalogue"}
 
+    site: Site | None = None
     load: Load | None = None
     anchor_motion: EndMotionTable | None = None
     pso: SwarmSettings | None = None

@@ -91,7 +91,9 @@ def write_case(case: Case | Network) -> str:
         # What a case has to say, by the keys of its file and in their order.
         site = case.site
         given = _given(case) | {"pso": case.swarm}
-        given["site"] = _given(site) | {"water_depth": site.depth_to_seabed}
+        del given["site"]
+        if not site.is_in_air:
+            given["site"] = _given(site) | {"water_depth": site.depth_to_seabed}
         ends = ("fairlead_height", "anchor_height")
         heights = {key: site.height_above_seabed(getattr(case, key)) for key in ends}
         given["line"] = heights | vars(case.line)

@@ -44,6 +44,11 @@ def solve_case(
         Called after each run of the swarm with the number of runs done.
     """
     case = require_case(case)
+    if case.site.is_in_air:
+        if method == "pso":
+            case.site.check_water()
+        lifted, lift = case.clear_of_the_ground
+        return solve_case(lifted).lowered(lift)
     case.site.check_level()
     if method == "pso":
         case.check_still_water()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal, get_args
 
 import numpy as np
@@ -146,6 +146,10 @@ def curve_case(
     )
     found.raise_if_any()
     case = require_case(case)
+    if case.site.is_in_air:
+        lifted, lift = case.clear_of_the_ground
+        found_above = curve_case(lifted, over=over, start=start, stop=stop, points=points)
+        return replace(found_above, case=case, reference=found_above.reference.lowered(lift))
     case.check_still_water()
     case, warnings = under_a_load(case)
     reference = solve_case(case).with_warnings(warnings)

@@ -453,14 +453,14 @@ def _loads(line: Line, places: Sequence[Row], laid: Laid) -> tuple[PointLoadStat
     found = []
     lies = laid.hung[0][0].s
     for load in line.point_loads:
-        _, x, _, z, _ = min(places, key=lambda row: abs(row[0] - load.position))
+        _, x, y, z, _ = min(places, key=lambda row: abs(row[0] - load.position))
         carried = 0.0
         if laid.bed and load.position <= lies * (1.0 + 1e-12):
             carried = load.submerged_weight
             if laid.reaction > 0.0 and load.position >= lies * (1.0 - 1e-12):
                 here = (o.submerged_weight for o in line.point_loads if o.position == load.position)
                 carried *= laid.reaction / math.fsum(here)
-        found.append(PointLoadState(load.name, load.position, x, z, carried))
+        found.append(PointLoadState(load.name, load.position, x, z, carried, y))
     return tuple(found)
 
 

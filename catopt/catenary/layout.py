@@ -37,6 +37,8 @@ from catopt.catenary.upper_part import lying_end, upper_part
 from catopt.model.kinds import Force, Place
 from catopt.records import From, Record
 
+_UPRIGHT = 1e-6
+"""Of the length of a line: with less span its ends are one above the other."""
 _RUNS_PER_PIECE = 4
 """A piece may hang, lie with tension, lie without it and hang again."""
 
@@ -376,6 +378,65 @@ def end_of(stretch: Stretch, length: float) -> tuple[float, float]:
         stretch.on_bed,
     )
     return stretch.x + dx * stretch.gathered, stretch.z + dz
+
+
+_SAME = 1e-12
+"""Of the length of a line: places as far apart in height are one."""
+
+
+@dataclass(frozen=True)
+class LowestPoint(Record):
+    """Where a line is lowest; of what lies on the bed the end towards the fairlead."""
+
+    DOCUMENT = "s x z"
+
+    s: Place
+    """Unstretched arc length from the anchor."""
+    x: Place
+    """Horizontal distance from the anchor."""
+    z: Place
+    """Above the seabed."""
+
+
+def lowest_point(stretches: Sequence[Stretch]) -> LowestPoint:
+    """Find where a laid-out line is lowest.
+
+    Examples
+    --------
+    >>> from catopt import Line, Segment, solve
+    >>> line = solve(Line([Segment(10.0, 100.0)]), height=20.0, anchor_height=20.0, span=8.0)
+    >>> round(line.lowest_point.s, 6), round(line.lowest_point.x, 6)
+    (5.0, 4.0)
+    """
+    places = _turning_at(stretches, 0.0)
+    least = min(each.z for each in places) + _SAME * places[-1].s
+    return max((each for each in places if each.z <= least), key=lambda each: each.s)
+
+
+def sag_of(stretches: Sequence[Stretch], span: float, height: float) -> float:
+    """Return the largest vertical distance of a line below the straight one between its ends, m.
+
+    That is where it is parallel to it; of a line whose ends are one above the other it counts from
+    the lower end. `height`: of the upper end above the bed, m.
+    """
+    first = stretches[0]
+    if span <= _UPRIGHT * (stretches[-1].start + stretches[-1].length):
+        return max(min(first.z, height) - lowest_point(stretches).z, 0.0)
+    slope = (height - first.z) / span
+    below = (first.z + slope * (p.x - first.x) - p.z for p in _turning_at(stretches, slope))
+    return max(*below, 0.0)
+
+
+def _turning_at(stretches: Sequence[Stretch], slope: float) -> list[LowestPoint]:
+    """List the ends of all stretches, and where those that hang have a slope, by arc length."""
+    found = []
+    for each in stretches:
+        ways = [0.0, each.length]
+        if not each.on_bed and each.submerged_weight:
+            turn = (each.horizontal_force * slope - each.vertical_force) / each.submerged_weight
+            ways[1:1] = [turn] if 0.0 < turn < each.length else []
+        found += [LowestPoint(each.start + way, *end_of(each, way)) for way in ways]
+    return found
 
 
 def sample(stretches: Sequence[Stretch], points: int) -> Profile:

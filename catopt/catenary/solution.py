@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from itertools import count
 from typing import Annotated, Any, Literal, NotRequired, TypedDict
 
-from catopt.catenary.layout import Profile, Stretch, sample
+from catopt.catenary.layout import LowestPoint, Profile, Stretch, lowest_point, sag_of, sample
 from catopt.catenary.state import Regime
 from catopt.errors import FloatsUpError
 from catopt.model import Line
@@ -85,7 +85,7 @@ def segment_states(line: Line, largest: Iterable[float]) -> tuple[SegmentState, 
 class PointLoadState(Record):
     """One clump weight or buoy under load: where it is and what the bed carries of it."""
 
-    DOCUMENT = "name position x z seabed_reaction"
+    DOCUMENT = "name position x y? z seabed_reaction"
 
     name: str
     """As in the case file; may be empty."""
@@ -97,6 +97,8 @@ class PointLoadState(Record):
     """Above the seabed."""
     seabed_reaction: Force
     """What the seabed carries of its weight; 0 when it hangs."""
+    y: Place | None = None
+    """Across x, to the left seen from the anchor; only in a current."""
 
 
 @dataclass(frozen=True)
@@ -199,9 +201,9 @@ class Solution(Displayable, Record):
     SCHEMA = "catopt.solution/1"
     DOCUMENT = (
         "title method status regime horizontal_force span fairlead_height anchor_height "
-        "seabed_friction fairlead anchor grounded_length suspended_length stretched_length "
-        "line.mass=line_mass_kg safety_factor segments point_loads residual warnings found? "
-        "swarm=pso? profile*"
+        "seabed_friction fairlead anchor lowest_point sag grounded_length suspended_length "
+        "stretched_length line.mass=line_mass_kg safety_factor segments point_loads residual "
+        "warnings found? swarm=pso? profile*"
     )
 
     line: Line
@@ -253,8 +255,30 @@ class Solution(Displayable, Record):
 
     @property
     def horizontal_force(self) -> SomeForce:
-        """Horizontal force at the fairlead; the same along everything that hangs from it."""
+        """Horizontal force at the fairlead; the same along all that hangs from it in still water.
+
+        Seabed friction and a current change it along the line; anchor has that at the anchor.
+        """
         return self.fairlead.horizontal_force
+
+    @property
+    def force_varies(self) -> bool:
+        """Whether the horizontal force at the anchor is another than that at the fairlead."""
+        here, there = self.horizontal_force, self.anchor.horizontal_force
+        return abs(here - there) > VARIES * max(self.fairlead.tension, self.anchor.tension)
+
+    @property
+    def lowest_point(self) -> LowestPoint:
+        """Where the line is lowest; of what lies on the bed the end towards the fairlead."""
+        return lowest_point(self.stretches)
+
+    @property
+    def sag(self) -> Height:
+        """Largest vertical distance of the line below the straight one between its ends.
+
+        Where they are one above the other, below the lower of them.
+        """
+        return sag_of(self.stretches, self.span, self.fairlead_height)
 
     @property
     def least_tension(self) -> SomeForce:
@@ -279,10 +303,23 @@ class Solution(Displayable, Record):
         """Return the same answer with what was sought."""
         return replace(self, found=found)
 
+    def lowered(self, lift: float) -> Solution:
+        """Return the same answer with every height less, m."""
+        return replace(
+            self,
+            fairlead_height=self.fairlead_height - lift,
+            anchor_height=self.anchor_height - lift,
+            point_loads=tuple(replace(each, z=each.z - lift) for each in self.point_loads),
+            stretches=tuple(replace(each, z=each.z - lift) for each in self.stretches),
+        )
+
     def with_warnings(self, warnings: tuple[str, ...]) -> Solution:
         """Return the same answer with warnings added."""
         return replace(self, warnings=(*self.warnings, *warnings)) if warnings else self
 
+
+VARIES = 1e-9
+"""Of the tension: by less two horizontal forces are one, and differ by rounding."""
 
 OPEN_FORCE = 1e-6
 """Beyond this part of the tension the rounding of the input shows in the digits printed."""

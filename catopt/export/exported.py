@@ -400,6 +400,7 @@ def rigid_segments(case: Case) -> tuple[str, ...]:
 
 
 def _line(case: Case, EA: float | None) -> ExportedLines:
+    case.site.check_water()
     case.check_still_water()
     own = solve_case(case)
     case, _ = under_a_load(case)

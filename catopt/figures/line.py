@@ -86,15 +86,19 @@ def line_in_water(
 ) -> Chart:
     """Draw a line in water of a depth (m), to scale; checks that fail are marked where they do.
 
+    An infinite depth is that of a line in air, without water and bed.
+
     `readout`: whether it says what is known at the places that a reader points at.
     """
     profile = solution.profile(_POINTS)
     left, right = _ends(solution, profile)
-    top = max(depth, solution.fairlead_height, *profile.z)
-    unit = room_around(right - left, top)
+    in_air = depth == math.inf
+    low = min(0.0, *profile.z) if in_air else 0.0
+    top = max(0.0 if in_air else depth, solution.fairlead_height, *profile.z)
+    unit = room_around(right - left, top - low)
     half, middle = max(right - left, _LEAST * unit) / 2.0, (left + right) / 2.0
     ends = middle - half - 60.0 * unit, middle + half + 60.0 * unit
-    dimensions = tuple(_dimensions(solution, depth, unit))
+    dimensions = tuple(_dimensions(solution, depth, unit, low))
     foot = min(end[1] for each in dimensions for end in (each.start, each.end))
     return _drawn(
         solution,
@@ -104,7 +108,7 @@ def line_in_water(
         name="line",
         title=Message("figures.line", span=Measure("span", solution.span)),
         x=axis("x", ends, within=(left, right)),
-        y=axis("z", (foot - 12.0 * unit, top + 44.0 * unit), within=(0.0, top)),
+        y=axis("z", (foot - 12.0 * unit, top + 44.0 * unit), within=(low, top)),
         areas=water(depth, _BED * unit),
         points=_along(profile, profile.x, profile.z) if readout else (),
         dimensions=dimensions,
@@ -168,12 +172,16 @@ def _along(profile: Profile, x: Sequence[float], y: Sequence[float]) -> tuple[Po
 
 
 def water(depth: float, thickness: float) -> tuple[Area, ...]:
-    """Fill the water and the bed below it."""
+    """Fill the water and the bed below it; nothing of a line in air, whose depth is infinite."""
+    if depth == math.inf:
+        return ()
     return Area("water", (0.0,), (depth,)), Area("bed", (-thickness,), (0.0,))
 
 
 def surface_and_bed(depth: float) -> tuple[Level, ...]:
-    """Draw the water level and the bed as lines."""
+    """Draw the water level and the bed as lines; none of a line in air."""
+    if depth == math.inf:
+        return ()
     bed = Level("bed-edge", "y", 0.0, Message("figures.bed"))
     return Level("surface", "y", depth, Message("figures.water_level")), bed
 
@@ -184,8 +192,8 @@ def _at(profile: Profile, s: float) -> Place:
     return profile.x[index], profile.z[index]
 
 
-def _dimensions(solution: Solution, depth: float, unit: float) -> Iterator[Dimension]:
-    row = -(_BED + _ROW - 8.0) * unit
+def _dimensions(solution: Solution, depth: float, unit: float, low: float) -> Iterator[Dimension]:
+    row = low - (_BED + _ROW - 8.0) * unit
     grounded = [each for each in grounded_ends(solution) if each[1] - each[0] > _SHORTEST * unit]
     for start, end in grounded:
         yield _across(start, end, row, Measure("span", end - start))
@@ -195,7 +203,7 @@ def _dimensions(solution: Solution, depth: float, unit: float) -> Iterator[Dimen
     yield _across(0.0, solution.span, row, span)
     fairlead, right = solution.fairlead_height, max(solution.span, 0.0)
     yield _upright(fairlead, right + 34.0 * unit, right)
-    if not math.isclose(depth, fairlead, rel_tol=1e-9):
+    if depth < math.inf and not math.isclose(depth, fairlead, rel_tol=1e-9):
         yield _upright(depth, min(0.0, solution.span) - 44.0 * unit)
     if solution.anchor_height > 0.0:
         yield _upright(solution.anchor_height, -24.0 * unit, 0.0)

@@ -501,11 +501,7 @@ def _network_ends(rest: LinesAtRest) -> Iterator[tuple[Vector, Vector]]:
 
 def _laid(rest: LinesAtRest, number: int, x: Sequence[float]) -> list[Place]:
     """Find x and y of places of a line at horizontal distances from its first end."""
-    run = rest.runs[number]
-    (x1, y1, _), (x2, y2, _) = rest.joints.places[run.first], rest.joints.places[run.second]
-    span = math.hypot(x2 - x1, y2 - y1)
-    ux, uy = ((x2 - x1) / span, (y2 - y1) / span) if span > 0.0 else (1.0, 0.0)
-    return [(x1 + way * ux, y1 + way * uy) for way in x]
+    return [rest.at(number, way) for way in x]
 
 
 def _profile(rest: LinesAtRest, number: int) -> list[Vector]:

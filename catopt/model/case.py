@@ -90,6 +90,10 @@ class SwarmSettings(Checked):
         found.check("seed", "cognitive", "social", "inertia", "boundary")
 
 
+WET = ("system", "buoy", "anchor", "design", *FOR_MOTION, "fatigue")
+"""What of a case wants water, or a bed."""
+
+
 @dataclass(frozen=True)
 class Case(Checked):
     """Everything a case file says."""
@@ -142,6 +146,9 @@ class Case(Checked):
     def _check(self, found: Findings) -> None:
         found.check("fairlead_height", "anchor_height")
         has_system = self.system is not None
+        if self.site.is_in_air and (wet := [k for k in WET if getattr(self, k) is not None]):
+            named = ", ".join(f"[{key}]" for key in wet)
+            found.add("site", "", Message("refused_case.site_for", keys=named))
         found.problems += inconsistencies(
             self.find,
             load=None if self.load is None else self.load.given,
@@ -261,6 +268,14 @@ class Case(Checked):
             "anchor_height": self.anchor_height,
             "seabed_friction": self.site.seabed_friction,
         }
+
+    @property
+    def clear_of_the_ground(self) -> tuple[Case, float]:
+        """The case of a line in air so high above a bed that none of it is met, and how high, m."""
+        lift = 2.0 * self.line.length
+        upper, lower = self.fairlead_height + lift, self.anchor_height + lift
+        site = Site(10.0 * (upper + lower))
+        return replace(self, site=site, fairlead_height=upper, anchor_height=lower), lift
 
     def under(self, state: LoadCase) -> Case:
         """Return the case in one of its states, with water and fairlead at its levels.

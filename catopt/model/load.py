@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal, Self
 
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import refused
@@ -119,10 +119,11 @@ Offset = Annotated[
 
 @dataclass(frozen=True)
 class Site(Checked):
-    """Water and seabed at the mooring."""
+    """Water and seabed at the mooring; `Site.in_air()` of a line without either."""
 
     water_depth: Length
-    """From the still water to the seabed, m; with a contact offset to what the line lies on."""
+    """From the still water to the seabed, m; with a contact offset to what the line lies on.
+    Infinite of a line in air, which nothing floats or lies under."""
     seabed_friction: NotNegative = 0.0
     """Coulomb coefficient of what lies on the bed, along the line."""
     water_density: Density = SEA_WATER_DENSITY
@@ -146,10 +147,27 @@ class Site(Checked):
         ) -> None: ...
 
     def _check(self, found: Findings) -> None:
+        if self.is_in_air:
+            return
         found.check()
         if self.seabed_slope and self.contact_offset:
             allowed = Message("refused_case.level_only")
             found.add("contact_offset", f"{self.contact_offset:g} m", allowed)
+
+    @classmethod
+    def in_air(cls) -> Self:
+        """Return the site of a line without water and bed; heights count from any level."""
+        return cls(math.inf, water_density=0.0)
+
+    @property
+    def is_in_air(self) -> bool:
+        """Whether there is neither water nor bed."""
+        return self.water_depth == math.inf and self.water_density == 0.0
+
+    def check_water(self) -> None:
+        """Raise InputError for a line in air, for what takes water and bed."""
+        if self.is_in_air:
+            raise refused("site", "", Message("refused_case.wants_water_and_bed"))
 
     @property
     def depth_to_seabed(self) -> float:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Annotated, Literal, NamedTuple
 
 from catopt.catenary.in_current import CurrentEffect, SolutionInCurrent
-from catopt.catenary.solution import Solution
+from catopt.catenary.solution import PointLoadState, Solution
 from catopt.model.kinds import Angle, Force, Height, Place, Size, SomeForce
 from catopt.model.network import MooredBody, Network, Point
 from catopt.mooring.joints import JointsAtRest, Run, is_anchored, laid_out
@@ -145,8 +145,28 @@ class PointAtRest(NamedTuple):
     """With which the bed carries it."""
 
 
-class LineAtRest(NamedTuple):
+@dataclass(frozen=True)
+class PlacedLoad(Record):
+    """A clump weight or a buoy of a line: where it is at rest."""
+
+    DOCUMENT = "state.name state.position place state.seabed_reaction"
+
+    state: PointLoadState
+    place: tuple[Place, Place, Place]
+    """x, y, and height above the bed."""
+
+
+@dataclass(frozen=True)
+class LineAtRest(Record):
     """A line of a network, from its first end: an anchor where it has one."""
+
+    DOCUMENT = (
+        "name first=from second=to solution.span solution.horizontal_force "
+        "solution.anchor.horizontal_force=from_horizontal_force_N "
+        "solution.fairlead.horizontal_force=to_horizontal_force_N "
+        "solution.anchor.tension=from_tension_N solution.fairlead.tension=to_tension_N "
+        "solution.grounded_length solution.lowest_point solution.sag point_loads"
+    )
 
     name: str
     """As the file has it, or its number."""
@@ -155,18 +175,15 @@ class LineAtRest(NamedTuple):
     second: str
     """Point at its other end."""
     solution: Solution
+    point_loads: tuple[PlacedLoad, ...]
+    """Clump weights and buoys, by position from its first end."""
 
 
 @dataclass(frozen=True)
 class LinesAtRest(Record):
     """Lines between points with all that is free at rest; `runs` from their anchors."""
 
-    DOCUMENT = (
-        "points(of.name of.kind place bed_reaction) named_lines=lines(name first=from second=to "
-        "solution.span solution.horizontal_force solution.anchor.tension=from_tension_N "
-        "solution.fairlead.tension=to_tension_N solution.grounded_length) bodies "
-        "residual steps"
-    )
+    DOCUMENT = "points(of.name of.kind place bed_reaction) named_lines=lines bodies residual steps"
 
     network: Network
     runs: tuple[Run, ...]
@@ -182,6 +199,22 @@ class LinesAtRest(Record):
     def lines(self) -> tuple[Solution, ...]:
         """Every line laid out between its ends, the first of which is its `anchor`."""
         return tuple(map(laid_out, self.runs, self.joints.ends))
+
+    def at(self, line: int, x: float, y: float = 0.0) -> tuple[float, float]:
+        """X and y of a place of a line, counted from 0: so far from its first end, and across."""
+        run = self.runs[line]
+        first, second = self.joints.places[run.first], self.joints.places[run.second]
+        span = math.hypot(second[0] - first[0], second[1] - first[1])
+        along = (second[0] - first[0]) / span if span > 0.0 else 1.0
+        aside = (second[1] - first[1]) / span if span > 0.0 else 0.0
+        return first[0] + x * along - y * aside, first[1] + x * aside + y * along
+
+    def placed_loads(self, line: int, solution: Solution) -> tuple[PlacedLoad, ...]:
+        """Place the clump weights and buoys of a line, counted from 0."""
+        return tuple(
+            PlacedLoad(each, (*self.at(line, each.x, each.y or 0.0), each.z))
+            for each in solution.point_loads
+        )
 
     def is_anchored(self, line: int) -> bool:
         """Whether a line, counted from 0, ends at an anchor: its first end then."""
@@ -208,8 +241,14 @@ class LinesAtRest(Record):
         """Each line, in the order of the file."""
         points = self.network.points
         return tuple(
-            LineAtRest(run.name, points[run.first].name, points[run.second].name, line)
-            for run, line in zip(self.runs, self.lines, strict=True)
+            LineAtRest(
+                run.name,
+                points[run.first].name,
+                points[run.second].name,
+                line,
+                self.placed_loads(number, line),
+            )
+            for number, (run, line) in enumerate(zip(self.runs, self.lines, strict=True))
         )
 
 

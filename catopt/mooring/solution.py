@@ -19,7 +19,7 @@ from catopt.model.network import Network
 from catopt.model.system import Leg, System
 from catopt.mooring.balance import Lines
 from catopt.mooring.descent import Rest
-from catopt.mooring.network_rest import LinesAtRest, Position
+from catopt.mooring.network_rest import LinesAtRest, PlacedLoad, Position
 from catopt.mooring.static_equilibrium import ZeroLoadPosition, is_held, zero_load_position
 from catopt.records import Counted, From, Record
 from catopt.shown import Displayable
@@ -83,6 +83,12 @@ class LegState:
         x, y = self.leg.anchor
         return (x - distance * math.cos(self.direction), y - distance * math.sin(self.direction))
 
+    @property
+    def placed_loads(self) -> tuple[PlacedLoad, ...]:
+        """Its clump weights and buoys, by position from the anchor."""
+        loads = self.solution.point_loads
+        return tuple(PlacedLoad(each, (*self.at(each.x), each.z)) for each in loads)
+
     def utilisation(self, safety_factor: float = 1.0) -> float | None:
         """Largest tension times the safety factor over MBL; None where no MBL is known."""
         found = [segment.utilisation(safety_factor) for segment in self.solution.segments]
@@ -96,12 +102,15 @@ class NumberedLine(Record):
 
     DOCUMENT = (
         "number=line state.leg.name state.leg.azimuth state.direction "
-        "state.solution.horizontal_force state.solution.fairlead.tension=fairlead_tension_N "
+        "state.solution.horizontal_force "
+        "state.solution.fairlead.horizontal_force=fairlead_horizontal_force_N "
+        "state.solution.fairlead.tension=fairlead_tension_N "
         "state.solution.fairlead.vertical_force=fairlead_vertical_force_N "
         "state.solution.anchor.tension=anchor_tension_N "
         "state.solution.anchor.horizontal_force=anchor_horizontal_force_N "
         "state.solution.anchor.vertical_force=anchor_vertical_force_N state.solution.span "
-        "state.solution.grounded_length utilisation"
+        "state.solution.grounded_length state.solution.lowest_point state.solution.sag "
+        "placed=point_loads(state.name state.position place state.seabed_reaction) utilisation"
     )
 
     number: Counted
@@ -110,6 +119,11 @@ class NumberedLine(Record):
     utilisation: NotNegative | None
     """Largest over the segments of tension times safety factor over MBL, a pure number; None where
     no MBL is known."""
+
+    @property
+    def placed(self) -> tuple[PlacedLoad, ...]:
+        """Clump weights and buoys, by position from the anchor."""
+        return self.state.placed_loads
 
 
 @dataclass(frozen=True, repr=False)

@@ -122,6 +122,7 @@ def note_of(
     governs; without load cases under its load. The rest is as for `read_note`.
     """
     asked = asked or Asked()
+    case.site.check_water()
     case.check_still_water()
     checks = check_case(case)
     load_case, drawn = _drawn(case, checks)

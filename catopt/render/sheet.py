@@ -288,13 +288,14 @@ class WorkbookSheet:
             self.worksheet.set_row(row, _LINE_HEIGHT * max(lines))
 
 
-def number_pattern(quantity: Quantity | None) -> str:
-    """Choose the number format of a quantity."""
+def number_pattern(quantity: Quantity | None, si: float = 0.0) -> str:
+    """Choose the number format of a value of a quantity."""
     if quantity is None or quantity.notation == "significant":
         return GENERAL
     if quantity.notation == "scientific":
         return "0.00E+00"
-    return f"0.{'0' * quantity.digits}" if quantity.digits else "0"
+    digits = quantity.places(si) if quantity.notation == "fixed" else quantity.digits
+    return f"0.{'0' * digits}" if digits else "0"
 
 
 def _lines(text: str, width: float) -> int:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from copy import copy
 from textwrap import wrap
 from typing import Protocol
 
@@ -143,8 +144,15 @@ def _table(
         output.line()
 
 
-def _headings(columns: Sequence[_Column]) -> list[str]:
-    return [each.heading(room) for each, room in zip(columns, _rooms(columns), strict=True)]
+def _headings(columns: Sequence[_Column], excess: int | None = None) -> list[str]:
+    rooms = _rooms(columns, _excess(columns) if excess is None else excess)
+    return [each.heading(room) for each, room in zip(columns, rooms, strict=True)]
+
+
+def _headings_over_whole(columns: Sequence[_Column]) -> list[str]:
+    """Break headings before words below them are cut."""
+    whole = [each.heading(each.room) for each in columns]
+    return _headings(columns, _over(_widths(columns, whole)))
 
 
 def _cuts_numbers(columns: Sequence[_Column], headings: Sequence[str]) -> bool:
@@ -182,32 +190,36 @@ def table_lines(table: Table, room: int, language: Language) -> list[str]:
         if worst.of.priority == 0:
             break
         columns.remove(worst)
-    headings = _headings(columns)
-    _cut_cells(columns, headings)
-    lines = list(_set(columns, headings))
+    kept_columns = next(filter(None, map(_cut, _fewer(columns))))
+    lines = list(_set(kept_columns, _headings_over_whole(kept_columns)))
     left_out = len(every) - len(kept)
     if left_out:
         lines.append(say(Message("answers.more_rows", count=left_out), language))
     return lines
 
 
-def _cut_cells(columns: list[_Column], headings: list[str]) -> None:
-    """Cut the widest words until a row fits; if there are none left, leave columns out."""
-    while (excess := _over(_widths(columns, headings))) > 0:
-        words = [each for each in columns if not each.is_number]
-        wordy = max(words, key=lambda each: each.longest, default=None)
-        if wordy is not None and wordy.longest > _TEXT:
-            room = max(wordy.longest - excess, _TEXT)
-            wordy.cells = [
-                cell if len(cell) <= room else f"{cell[: room - 3].rstrip()}..."
-                for cell in wordy.cells
-            ]
-            headings[columns.index(wordy)] = "\n".join(wrap(wordy.name, room))
-        elif len(columns) > 1:
-            columns.pop()
-            headings.pop()
-        else:
-            return
+def _fewer(columns: list[_Column]) -> Iterator[list[_Column]]:
+    """Yield the columns, then without the last ones: each that is dropped gives its room back."""
+    for count in range(len(columns), 0, -1):
+        yield columns[:count]
+
+
+def _cut(columns: list[_Column]) -> list[_Column] | None:
+    """Cut the widest words until a row fits; None where they would be cut too short for that."""
+    kept = [copy(each) for each in columns]
+    headings = _headings_over_whole(kept)
+    while (excess := _over(_widths(kept, headings))) > 0:
+        wordy = max(
+            (each for each in kept if not each.is_number), key=lambda e: e.longest, default=None
+        )
+        if wordy is None or wordy.longest <= _TEXT:
+            return kept if len(kept) == 1 else None
+        room = max(wordy.longest - excess, _TEXT)
+        wordy.cells = [
+            cell if len(cell) <= room else f"{cell[: room - 3].rstrip()}..." for cell in wordy.cells
+        ]
+        headings = _headings_over_whole(kept)
+    return kept
 
 
 def _widths(columns: Sequence[_Column], headings: Sequence[str]) -> list[int]:
@@ -287,7 +299,7 @@ def _over(widths: Sequence[int]) -> int:
     return sum(widths) + _GAP * (len(widths) - 1) - _WIDTH
 
 
-def _rooms(columns: Sequence[_Column]) -> list[int]:
+def _rooms(columns: Sequence[_Column], excess: int) -> list[int]:
     """Choose to how many characters each heading folds: whole words, where 80 have room for them.
 
     Where not, words of headings that are widest over what is below them are broken.
@@ -297,7 +309,7 @@ def _rooms(columns: Sequence[_Column]) -> list[int]:
         room - each.longest if each.is_number and room > _LEAST else 0
         for each, room in zip(columns, rooms, strict=True)
     ]
-    for _ in range(_excess(columns)):
+    for _ in range(excess):
         widest = max(range(len(columns)), key=lambda k: spare[k])
         if spare[widest] <= 0:
             break

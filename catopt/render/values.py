@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextvars import ContextVar
 from dataclasses import fields, is_dataclass, replace
 from typing import Any, TypeVar
 
-from catopt.answers.blocks import Block, Column, Fact, Facts, Table, Text, Value, Warnings
+from catopt.answers.blocks import Answer, Block, Column, Fact, Facts, Table, Text, Value, Warnings
 from catopt.figures.chart import Axis
-from catopt.quantities import Quantity, Units
+from catopt.quantities import Quantity, Units, fitted
 from catopt.words import Language, Measure, Message, say
 
 SEEN = {"all", "people", "not csv"}
@@ -55,8 +55,69 @@ _Thing = TypeVar("_Thing")
 
 
 def as_wanted(thing: _Thing, language: Language = "en") -> _Thing:
-    """Return an answer, a block or drawings in the units that the reader asks for, and said."""
-    return in_language(in_units(thing, UNITS.get()), language)
+    """Return an answer, a block or drawings in the units that the reader asks for, and said.
+
+    Numbers of an answer have as many digits as their size wants.
+    """
+    return in_language(_with_digits(in_units(thing, UNITS.get())), language)
+
+
+_NOTHING = 1e-9
+"""Of the largest of its kind in an answer: what is smaller is rounding."""
+
+
+def _with_digits(thing: _Thing) -> _Thing:
+    """Give small forces and masses of an answer their digits, and what is rounding none."""
+    if not isinstance(thing, Answer):
+        return thing
+    largest: dict[str, float] = {}
+    for block in (*thing.blocks, *thing.card):
+        for quantity, values in _measured(block):
+            sizes = (abs(each) for each in values if math.isfinite(each))
+            unit = quantity.si_unit
+            largest[unit] = max(largest.get(unit, 0.0), *sizes, 0.0)
+    rounding = {unit: _NOTHING * size for unit, size in largest.items() if unit != "-"}
+
+    def change(each: Any) -> Any:
+        if isinstance(each, Column) and each.quantity is not None:
+            return replace(each, quantity=_fitted(each.quantity, each.values, rounding))
+        if isinstance(each, Facts):
+            alike: dict[str, list[Value]] = {}
+            for fact in each.facts:
+                if fact.quantity is not None and fact.only != "files":
+                    alike.setdefault(fact.quantity.si_unit, []).append(fact.value)
+            return replace(each, facts=tuple(_fitted_fact(f, alike, rounding) for f in each.facts))
+        return each
+
+    fitting: _Thing = _changed(thing, change)
+    return fitting
+
+
+def _fitted_fact(
+    fact: Fact, alike: Mapping[str, list[Value]], rounding: Mapping[str, float]
+) -> Fact:
+    if fact.quantity is None:
+        return fact
+    values = alike.get(fact.quantity.si_unit, [fact.value])
+    quantity, *also = (_fitted(each, values, rounding) for each in (fact.quantity, *fact.also))
+    return replace(fact, quantity=quantity, also=tuple(also))
+
+
+def _fitted(quantity: Quantity, values: Iterable[Value], rounding: Mapping[str, float]) -> Quantity:
+    numbers = (each for each in values if isinstance(each, int | float))
+    return fitted(quantity, numbers, rounding.get(quantity.si_unit, 0.0))
+
+
+def _measured(block: object) -> Iterator[tuple[Quantity, list[float]]]:
+    """Yield the quantities of a block with their numbers."""
+    parts: Iterable[tuple[Quantity | None, Iterable[Value]]] = ()
+    if isinstance(block, Table):
+        parts = ((each.quantity, each.values) for each in block.columns)
+    elif isinstance(block, Facts):
+        parts = ((each.quantity, (each.value,)) for each in block.facts)
+    for quantity, values in parts:
+        if quantity is not None:
+            yield quantity, [each for each in values if isinstance(each, int | float)]
 
 
 def in_language(thing: _Thing, language: Language) -> _Thing:
@@ -122,7 +183,7 @@ def _seen_once(columns: Iterable[Column]) -> Iterator[Column]:
     """Leave out what people would see twice; files keep their columns."""
     seen = []
     for column in columns:
-        shown = column.values, _unit(column)
+        shown = column.name, column.values, _unit(column)
         if column.only != "people" or shown not in seen:
             yield column
         if column.only != "files":

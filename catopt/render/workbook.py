@@ -172,7 +172,7 @@ def _trail(sheet: WorkbookSheet, block: Trail) -> None:
 
 
 def _of(quantity: Quantity, si: float | None) -> Cell:
-    return None if si is None else Number(quantity.in_files(si), number_pattern(quantity))
+    return None if si is None else Number(quantity.in_files(si), number_pattern(quantity, si))
 
 
 def _graph(sheet: WorkbookSheet, table: Table, top: int, block: Graph, row: int) -> int:
@@ -211,7 +211,7 @@ def _cell(sheet: WorkbookSheet, column: Column, row: int, *, is_left: bool = Fal
     value, quantity = column.values[row], column.quantity_of(row)
     number = column.in_files(row)
     if isinstance(value, int | float) and isinstance(number, int | float) and math.isfinite(number):
-        return Number(number, number_pattern(quantity), is_left=is_left)
+        return Number(number, number_pattern(quantity, value), is_left=is_left)
     if value is None and not is_left:
         return None
     return Words(sheet.book.say(shown(value, quantity)))

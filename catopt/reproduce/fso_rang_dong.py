@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import astuple, dataclass, replace
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from catopt.constants import STANDARD_GRAVITY
 from catopt.model import Line, Segment, System
@@ -45,6 +45,16 @@ _LOADED = 1
 _PRINTED_BARS = 11
 """Rows of a line's printed tensions: elements 1 to 10, and 11 to 20 alike."""
 
+_LEEWARD: Final = range(3, 9)
+_LINES: Final = (0, 1, *_LEEWARD)
+"""Whose tensions are printed, from 0."""
+
+_OWN_GRAVITY: Final = 9.81
+"""S4's own, Table 4.7, m/s2."""
+
+_HANGING: Final = 155.374
+"""Submerged mass per length, kg/m, by which most of the leeward lines come out with that."""
+
 
 @dataclass(frozen=True)
 class _Answer:
@@ -76,6 +86,7 @@ def study() -> Study:
                 factor=source.inputs["EA_multiplier"],
                 tension=as_run().lines[_LOADED].fairlead.tension / KN,
             ),
+            _about_the_leeward_lines(source),
             _about_the_bed(),
             _about_orcaflex(source),
             _about_the_azimuths(source),
@@ -98,13 +109,24 @@ def study() -> Study:
 # ------------------------------------------------------------------ the mooring
 
 
-def turret(source: Published, azimuths: str = "azimuth_deg") -> System:
-    """Lay the nine lines out as printed."""
+def turret(
+    source: Published,
+    azimuths: str = "azimuth_deg",
+    *,
+    gravity: float = STANDARD_GRAVITY,
+    hanging: float | None = None,
+) -> System:
+    """Lay the nine lines out as printed.
+
+    `gravity`: another than the standard one, m/s2; `hanging`: submerged mass of the two segments
+    that do not lie, kg/m, in place of the printed one.
+    """
     series, given = source.series, source.inputs
-    columns = zip(
-        series["length_m"], series["submerged_mass_kg_per_m"], series["EA_kN"], strict=True
-    )
-    line = Line([Segment(L, m * STANDARD_GRAVITY, EA=EA * KN) for L, m, EA in columns])
+    masses = list(series["submerged_mass_kg_per_m"])
+    if hanging is not None:
+        masses[-2:] = [hanging, hanging]
+    columns = zip(series["length_m"], masses, series["EA_kN"], strict=True)
+    line = Line([Segment(L, m * gravity, EA=EA * KN) for L, m, EA in columns])
     return System.around(
         line,
         azimuths=[math.radians(azimuth) for azimuth in series[azimuths]],
@@ -122,17 +144,22 @@ def with_segments(system: System, segments: Sequence[Segment]) -> System:
 
 @cache
 def as_run(
-    *, stiffened: bool = True, azimuths: str = "azimuth_deg", force: float | None = None
+    *,
+    stiffened: bool = True,
+    azimuths: str = "azimuth_deg",
+    force: float | None = None,
+    gravity: float = STANDARD_GRAVITY,
+    hanging: float | None = None,
 ) -> TrussSystem:
     """Solve with the source's restraint: nodes up to the second joint held in height both ways.
 
-    `force`: on the turret along x, N; the printed one when left out.
+    `force`: on the turret along x, N; the printed one when left out. The rest as of `turret`.
     """
     from catopt.fem import solve_system
     from catopt.verify.line import truss_legs
 
     source = published(NAME)
-    system = turret(source, azimuths)
+    system = turret(source, azimuths, gravity=gravity, hanging=hanging)
     legs, height = truss_legs(system, 0.0)
     bars = int(source.inputs["elements_per_segment"])
     return solve_system(
@@ -195,8 +222,7 @@ def _items(source: Published) -> tuple[Item, ...]:
     }
     return (
         *compare(source, "MOORING_2017", computed, remarks, "truss"),
-        *_line_items(source, 0, run.lines[0]),
-        *_line_items(source, 1, run.lines[1]),
+        *(item for k in _LINES for item in _line_items(source, k, run.lines[k])),
         *(_few_digits(each) for each in compare(source, "OrcaFlex", computed, remarks, "truss")),
     )
 
@@ -216,7 +242,36 @@ def _line_items(source: Published, index: int, line: TrussSolution) -> tuple[Ite
     return compare(source, method, computed, computed_by="truss")
 
 
+def _leeward(source: Published, run: TrussSystem) -> tuple[Item, ...]:
+    """Judge those of lines 4 to 9."""
+    return tuple(item for k in _LEEWARD for item in _line_items(source, k, run.lines[k]))
+
+
 # ------------------------------------------------------------------ findings
+
+
+def _about_the_leeward_lines(source: Published) -> str:
+    """Say how the six digits of lines 4 to 9 come out, and by which weight."""
+    runs = (
+        as_run(),
+        as_run(gravity=_OWN_GRAVITY),
+        as_run(gravity=_OWN_GRAVITY, hanging=_HANGING),
+    )
+    ours, own, found = (_leeward(source, each) for each in runs)
+    off = [
+        sum(100.0 * ((item.computed or 0.0) / item.published - 1.0) for item in each) / len(each)
+        for each in (ours, own)
+    ]
+    return Message(
+        "reproduce.leeward_lines",
+        count=len(ours),
+        off=-off[0],
+        gravity=_OWN_GRAVITY,
+        own=off[1],
+        weight=_HANGING,
+        printed=source.series["submerged_mass_kg_per_m"][-1],
+        met=sum(item.verdict == "reproduces" for item in found),
+    )
 
 
 def _about_the_bed() -> str:

@@ -32,8 +32,7 @@ from catopt.words import Message, Several, term
 CONDITIONS: Final = ("loaded", "ballast")
 
 _FORCE = "horizontal_force_kN"
-_CURRENT_OFF = (0.0, 30.0, 60.0, 90.0)
-"""deg: S4's own directions for what is not collinear are not at hand."""
+_PLACE = "Table 4.7"
 
 
 def _by_parts(title: str, rows: Iterator[tuple[str, ...]], source: Published) -> SideBySide:
@@ -115,7 +114,7 @@ def fso_rang_dong_loads() -> Study:
         source,
         items=compare(
             source,
-            "Table 4.2",
+            _PLACE,
             {_FORCE: governs.horizontal_force / KN},
             {_FORCE: remark},
             computed_by="open formulas",
@@ -163,16 +162,23 @@ def fso_loads(source: Published, condition: str, method: str) -> Loads:
 
 
 def _weather(source: Published) -> tuple[Wind, SurfaceCurrent, SeaState, float]:
-    """Wind, current and sea of Table 4.1, and the water depth, m."""
+    """Wind, current and sea of Table 4.2, all from one side, and the water depth, m."""
     given = source.inputs
     sea = SeaState(given["wave_period_s"], given["wave_height_significant_m"])
     current = SurfaceCurrent(given["current_speed_m_per_s"])
     return Wind(given["wind_speed_m_per_s"]), current, sea, given["water_depth_m"]
 
 
-def fso_lyings(source: Published, degrees: float) -> tuple[ShipHeading, ...]:
-    """Find how the ship lies on its external turret when the current comes from another side."""
+def fso_lyings(
+    source: Published, degrees: float, speed: float | None = None
+) -> tuple[ShipHeading, ...]:
+    """Find how the ship lies on its external turret when the current comes from another side.
+
+    `speed`: of the current, m/s; without, that of the weather from one side.
+    """
     wind, current, sea, depth = _weather(source)
+    if speed is not None:
+        current = SurfaceCurrent(speed)
     return every_lying(
         [Afloat(each, fso(source, each), f"tanker {each}") for each in CONDITIONS],
         wind,
@@ -188,8 +194,8 @@ def fso_lyings(source: Published, degrees: float) -> tuple[ShipHeading, ...]:
 def _not_collinear(source: Published) -> SideBySide:
     """Tabulate headings and forces with the current off wind and waves."""
     rows = []
-    for degrees in _CURRENT_OFF:
-        for each in fso_lyings(source, degrees):
+    for degrees in source.series["current_off_deg"]:
+        for each in fso_lyings(source, degrees, source.inputs["current_off_m_per_s"]):
             condition = term(each.afloat.condition)
             words = Message("reproduce.current_off", condition=condition, angle=degrees)
             lies = (_degrees(each.heading), _degrees(each.headings.current))
@@ -211,8 +217,20 @@ def _degrees(angle: float) -> str:
     return f"{round(math.degrees(angle), 1) + 0.0:.1f}"
 
 
+def _most_off(source: Published) -> tuple[float, ShipHeading]:
+    """Give the largest force of Table 4.2's second weather, and from where the current comes."""
+    speed = source.inputs["current_off_m_per_s"]
+    every = [
+        (degrees, each)
+        for degrees in source.series["current_off_deg"]
+        for each in fso_lyings(source, degrees, speed)
+    ]
+    return largest(every, lambda each: each[1].loads.horizontal_force)
+
+
 def _differs(source: Published, condition: str, governs: Loads) -> Message:
-    printed = source.printed["Table 4.2"][_FORCE].value
+    degrees, off = _most_off(source)
+    printed = source.printed[_PLACE][_FORCE].value
     tcn = fso_loads(source, condition, TCN).horizontal_force
     hull = source.inputs["breadth_m"] * source.inputs[f"draught_{condition}_m"]
     _, _, sea, _ = _weather(source)
@@ -224,4 +242,7 @@ def _differs(source: Published, condition: str, governs: Loads) -> Message:
         force=governs.horizontal_force / KN,
         tcn=tcn / KN,
         chi=(printed * KN - tcn) / weight,
+        speed=source.inputs["current_off_m_per_s"],
+        most=off.loads.horizontal_force / KN,
+        angle=degrees,
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 from catopt.catalogue.family import chain_words
 from catopt.checks.kinds import CHECK_KINDS, ratio_exceedance
@@ -29,6 +29,7 @@ from catopt.records import Counted as FromOne
 from catopt.records import FromZero, Record, within
 from catopt.sizing.kinds import usual
 from catopt.ties import largest
+from catopt.verify.convergence_check import Change
 from catopt.words import Message, Several
 
 LEAST_DURATION = 60.0
@@ -255,7 +256,7 @@ class InMotion(Record):
 
     DOCUMENT = (
         "how.seeds how.duration how.judged_by elements case.dynamics.duration_of_interest "
-        f"{within('storm', STORM)} factor allowance heel? checks.results=checks "
+        f"{within('storm', STORM)} factor allowance heel? proof~ changes~ checks.results=checks "
         "checks.nearest=governing how.periods~ how.heights~ seas~ directions~ "
         "counted=lines(considered at_rest excluded run runs) tried by_length checks.warnings"
     )
@@ -282,6 +283,16 @@ class InMotion(Record):
     """What decides each kind of check, where periods are given."""
     heel: Angle | None = None
     """Largest heel of the buoy in its runs; None of a ship."""
+    proof: Literal["converged", "not converged", "not proven"] = "not proven"
+    """Whether its runs come to the same at half the step and with twice the bars."""
+    changes: tuple[Change, ...] = ()
+    """Largest of each judged value there, by all ways together; empty where nothing ran again."""
+
+    @property
+    def worst_change(self) -> Change | None:
+        """Of a tension the largest; None where nothing was run again."""
+        of = [each for each in self.changes if each.quantity.endswith("tension")]
+        return largest(of, lambda each: each.size) if of else None
 
     @property
     def is_of_ship(self) -> bool:

@@ -28,7 +28,7 @@ from catopt.sizing.in_motion import (
 )
 from catopt.sizing.pattern import Pattern
 from catopt.sizing.settle import ConvergedSizing
-from catopt.verify.dynamic_result import DynamicPart
+from catopt.verify.dynamic_result import DynamicPart, Verdict, worst_verdict
 from catopt.verify.judged import check_parts, judged_as, solutions_at_rest, way_of
 from catopt.verify.ship_result import LineOfShip, ShipWithoutLine
 from catopt.words import Message
@@ -55,6 +55,11 @@ class Judged:
     at_rest: tuple[Solution, ...] = ()
     checks: CheckReport | None = None
     seas: tuple[TightestSea, ...] = ()
+
+    @property
+    def verdict(self) -> Verdict:
+        """Whether its runs came to the same again, at a finer step and with more bars."""
+        return worst_verdict(each.verdict for each in self.parts)
 
 
 def judged(
@@ -122,7 +127,7 @@ def _checked(
     how: RunsAfloat,
 ) -> tuple[CheckReport, tuple[Sea, ...]]:
     """Check the load cases of every sea; with the sea of each result."""
-    count = len(parts) // len(seas)
+    count, verdict = len(parts) // len(seas), worst_verdict(each.verdict for each in parts)
     results: list[CheckResult] = []
     of_sea: list[Sea] = []
     warnings: dict[str, None] = {}
@@ -141,7 +146,8 @@ def _checked(
         tuple(warnings),
         case=seas[0],
         is_in_motion=True,
-        is_proven=False,
+        is_proven=verdict == "converged",
+        is_doubted=verdict == "not converged",
     )
     return checks, tuple(of_sea)
 
@@ -155,7 +161,11 @@ def _least_that_stays(parts: Sequence[DynamicPart], margin: float) -> Anchor:
     stays = (
         each
         for each in every
-        if all(way_of(each, part, part.runs) <= (each.max_slide or 0.0) for part in parts)
+        if all(
+            way_of(each, part, runs) <= (each.max_slide or 0.0)
+            for part in parts
+            for _, runs in part.levels
+        )
     )
     least = next(stays, every[-1])
     weight = margin * (least.submerged_weight or 0.0) * (1.0 - _ROUNDING)
@@ -172,12 +182,22 @@ def _held(settled: ConvergedSizing, checks: CheckReport) -> Anchor | None:
     needed = [each.demand for each in checks.results if each.kind == "sliding"]
     if own is None or not needed or case.design is None or case.design.sinker is None:
         return own
-    weight = max(needed)
-    if (own.submerged_weight or 0.0) >= weight:
-        return own
-    choice = case.design.sinker
-    every = [sinker_of(case, choice, k) for k in range(len(choice.masses))]
-    return next((each for each in every if (each.submerged_weight or 0.0) >= weight), every[-1])
+    choice, base = case.design.sinker, own.base_holding or math.inf
+    # Of a check that the base of this one governs, what the weight has to hold is less.
+    by_base = [each.demand for each in checks.results if each.capacity == base]
+    weight = max(
+        [*(e for e in needed if e not in by_base), *(e / choice.friction for e in by_base)]
+    )
+    every = [own, *(sinker_of(case, choice, k) for k in range(len(choice.masses)))]
+    return next(
+        (
+            each
+            for each in every
+            if (each.submerged_weight or 0.0) >= max(weight, own.submerged_weight or 0.0)
+            and (each.base_holding or math.inf) >= max(by_base, default=0.0)
+        ),
+        every[-1],
+    )
 
 
 class ShipState(NamedTuple):

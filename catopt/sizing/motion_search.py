@@ -44,13 +44,14 @@ from catopt.sizing.settle import ConvergedSizing, best_of
 from catopt.sizing.ship_afloat import run_in_still_water
 from catopt.ties import largest
 from catopt.verify.case import load_states
-from catopt.verify.dynamic import Wanted, processes_for, run_once
+from catopt.verify.convergence_check import largest_changes
+from catopt.verify.dynamic import Wanted, processes_for, run_again, run_once
 from catopt.verify.dynamic_lines import hull_of
-from catopt.verify.dynamic_result import DynamicPart
+from catopt.verify.dynamic_result import DynamicPart, worst_verdict
 from catopt.verify.dynamic_setup import read_drive
-from catopt.verify.judged import line_in_motion, with_more_runs
+from catopt.verify.judged import line_in_motion, with_more_runs, with_verdicts
 from catopt.verify.side_by_side import SECONDS_PER_BAR_AND_STEP, Crew, Threads, silent
-from catopt.words import Message
+from catopt.words import Message, Several
 
 _RUNG: Final = 1.08
 """Lengths that are looked at are at least this times the one before."""
@@ -125,6 +126,8 @@ def search_in_motion(
             len(chosen.case.load_cases),
             seas=chosen.seas,
             heel=largest_heel(chosen.parts),
+            proof=chosen.verdict,
+            changes=tuple(largest_changes(e for p in chosen.parts for e in p.added_changes)),
         ),
         _sinker_size(request, chosen),
     )
@@ -252,7 +255,14 @@ class _Search:
                 return chosen
             wanted = best_of(points, self.request.line)
             if chosen is not None and wanted is chosen.settled.point:
-                return chosen
+                proven = self._proven(chosen, crew)
+                if proven.tried.passes:
+                    return proven
+                size = next(e for e in sizes if _is_of(proven, e))
+                rung = self.lengths.index(_nearest(self.lengths, proven.tried.length))
+                fronts[sizes.index(size)] = _Front(rung + 1, rung + 1)
+                chosen = None
+                continue
             k = next(each for each, point in there.items() if point is wanted)
             size, front = sizes[k], fronts[k]
             tried = self._tried(size, front.at, crew)
@@ -308,7 +318,7 @@ class _Search:
         All their seeds are run, whether they pass or not.
         """
         own = chosen.tried
-        size = next(e for e in sizes if (e.component, e.diameter) == (own.component, own.diameter))
+        size = next(e for e in sizes if _is_of(chosen, e))
         every = (self._rest(size, rung) for rung in range(size.first, len(self.lengths)))
         pass_at_rest = [each for each in every if each is not None]
         others = [each for each in pass_at_rest if each.point.line.length != own.length]
@@ -323,6 +333,13 @@ class _Search:
             runs.append(LengthRun(each.tried, storm, sinker))
         return tuple(sorted(runs, key=lambda run: run.tried.length))
 
+    def _proven(self, of: Judged, crew: Crew) -> Judged:
+        """Run a line again at a finer step and with more bars; it passes there, too, or fails."""
+        rung = self.lengths.index(_nearest(self.lengths, of.tried.length))
+        found = _again(of, self.how, crew)
+        self.judged[of.tried.component, of.tried.diameter, rung] = found
+        return found
+
     def _tried(self, size: _Size, rung: int, crew: Crew) -> Judged | None:
         """Run a line; None where it fails at rest."""
         key = (size.component, size.diameter, rung)
@@ -331,6 +348,16 @@ class _Search:
             run = None if settled is None else _run(settled, self.request, self.how, crew)
             self.judged[key] = run
         return self.judged[key]
+
+
+def _is_of(judged_line: Judged, size: _Size) -> bool:
+    """Whether a line is of a size."""
+    tried = judged_line.tried
+    return (size.component, size.diameter) == (tried.component, tried.diameter)
+
+
+def _nearest(lengths: Sequence[float], length: float) -> float:
+    return min(lengths, key=lambda each: abs(each - length))
 
 
 @dataclass
@@ -373,8 +400,7 @@ def _run(
     assert case.dynamics is not None
     assert case.waves is not None
     sinkers = _sinkers_from(settled, case)
-    waves = [replace(case.waves, **each._asdict()) for each in how.seas(*sea_of(case))]
-    seas = [replace(case, waves=each) for each in waves]
+    seas = _seas(case, how)
     largest_values = replace(case.dynamics, judged_by="largest")
     drives = [
         (name, replace(read_drive(state), compares_at_rest=False, sinkers=sinkers))
@@ -401,6 +427,45 @@ def _pooled(found: Sequence[DynamicPart | NoAnswer]) -> list[DynamicPart | NoAns
     """
     runs = tuple(run for each in found if isinstance(each, DynamicPart) for run in each.runs)
     return [replace(e, runs=runs) if isinstance(e, DynamicPart) else e for e in found]
+
+
+def _again(of: Judged, how: RunsAfloat, crew: Crew) -> Judged:
+    """Run a line that passes again, as `catopt verify --dynamic` does; what fails there fails.
+
+    Its sinker stays in all runs.
+    """
+    seas, parts = _seas(of.case, how), run_again(of.parts, crew, silent)
+    found = judged(of.settled, seas, parts, how)
+    if not found.tried.passes:
+        return found
+    undecided = [
+        each
+        for k, sea in enumerate(seas)
+        for each in with_verdicts(
+            replace(sea, anchor=found.case.anchor), found.parts[_of_sea(k, seas, parts)]
+        )
+    ]
+    checks = found.checks
+    assert checks is not None
+    worst = worst_verdict(each.verdict for each in undecided)
+    checks = replace(checks, is_proven=worst == "converged", is_doubted=worst == "not converged")
+    names = dict.fromkeys(name for each in undecided for name in each.undecided)
+    reason = Message("sizing.fails_again", checks=Several(names, ", ")) if names else ""
+    tried = replace(found.tried, reason=reason)
+    return replace(found, tried=tried, parts=tuple(undecided), checks=checks)
+
+
+def _of_sea(k: int, seas: Sequence[Case], parts: Sequence[DynamicPart]) -> slice:
+    """Places of the load cases of a sea among all."""
+    count = len(parts) // len(seas)
+    return slice(k * count, (k + 1) * count)
+
+
+def _seas(case: Case, how: RunsAfloat) -> list[Case]:
+    """List the seas that a case is run in."""
+    assert case.waves is not None
+    waves = [replace(case.waves, **each._asdict()) for each in how.seas(*sea_of(case))]
+    return [replace(case, waves=each) for each in waves]
 
 
 def _sinkers_from(settled: ConvergedSizing, case: Case) -> tuple[Anchor, ...]:

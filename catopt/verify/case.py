@@ -377,6 +377,12 @@ def verify_case(
             raise _no_load_cases(load_case)
         part = verify_network(case, elements=elements, tolerance=tolerance, name=LOAD)
         return Verification(case, (part,))
+    if case.site.is_in_air:
+        lifted, _ = case.clear_of_the_ground
+        found = verify_case(
+            lifted, load_case=load_case, elements=elements, tolerance=tolerance, progress=progress
+        )
+        return replace(found, case=case)
     case.site.check_level()
     case.check_still_water()
     states = load_states(case, load_case)

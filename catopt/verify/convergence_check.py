@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
@@ -29,7 +30,11 @@ LEAST_CYCLES: Final = 5
 DAMPINGS: Final = (0.5, 2.0)
 """What the damping of a line that snaps is multiplied by, to show what hangs on it."""
 
-_REMAINS: Final = 4.0 / 3.0
+REMAINS: Final = 4.0 / 3.0
+"""What halving step or bar shows of an error that falls with its square, three quarters, to all."""
+
+TOO_UNCERTAIN: Final = 0.2
+"""Chance over the value itself beyond which a change that may be chance proves nothing."""
 
 ConvergenceCheck = Literal["none", "step", "bars"]
 """How a run is proven: not at all (--once); at half the step, and where the line goes slack with
@@ -91,17 +96,38 @@ class Change(Record):
     amount: float
     """Itself, N or m."""
     chance: float | None = None
-    """Of a most probable maximum in a random sea, half its interval over seeds; None of what has
-    none."""
+    """Of a random sea, how far chance alone may move it: of a most probable maximum half its
+    interval over seeds; of the mean of the minutes' maxima of a line that snaps (`paired_change`)
+    the interval of the difference, each 90 %; None of what has none."""
+
+    is_paired: bool = False
+    """Whether it is of the same minutes of the same seas."""
 
     @property
     def is_by_chance(self) -> bool:
         """Whether other seeds move it as far."""
         return self.chance is not None and self.amount <= self.chance
 
+    @property
+    def by_chance(self) -> float:
+        """Chance over the maximum; 0 of what has none."""
+        over = self.amount / self.size if self.size > 0.0 else math.inf
+        return 0.0 if self.chance is None else self.chance / over
+
+    @property
+    def is_too_uncertain(self) -> bool:
+        """Whether chance moves it so far that its change says nothing, save that it is small."""
+        return self.is_paired and self.size > LIMIT and self.by_chance > TOO_UNCERTAIN
+
+    def is_small_beside(self, MBL: float | None) -> bool:
+        """Whether a tension moves, with what chance may add, by no more than 2 % of an MBL, N."""
+        if MBL is None or not self.quantity.endswith("tension"):
+            return False
+        return self.amount + (self.chance or 0.0) <= OF_MBL * MBL
+
     def decides(self, MBL: float | None) -> bool:
         """Whether it is large enough to matter; `MBL`: the line's, N, where 2 % of it may pass."""
-        if self.chance is None and self.size <= LIMIT:
+        if (self.chance is None or self.is_paired) and self.size <= LIMIT:
             return False
         by_MBL = MBL is not None and self.quantity.endswith("tension")
         return not self.is_by_chance and not (by_MBL and self.amount <= OF_MBL * (MBL or 0.0))
@@ -124,11 +150,12 @@ def added(changes: Iterable[Change]) -> Iterator[Change]:
     for each in changes:
         by_quantity.setdefault(each.quantity, []).append(each)
     for quantity, of in by_quantity.items():
-        if len(of) == 1:
-            yield of[0]
+        whole = next((each for each in of if each.way == "both"), None)
+        if len(of) == 1 or whole is not None:
+            yield whole or of[0]
         else:
             sums = sum(each.size for each in of), sum(each.amount for each in of)
-            yield Change(quantity, "both", _REMAINS * sums[0], _REMAINS * sums[1], of[0].chance)
+            yield Change(quantity, "both", REMAINS * sums[0], REMAINS * sums[1], of[0].chance)
 
 
 def largest_changes(changes: Iterable[Change]) -> list[Change]:

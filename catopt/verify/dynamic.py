@@ -339,6 +339,53 @@ def _once(
     return _without_samples(run)
 
 
+def run_again(parts: Sequence[DynamicPart], crew: Crew, progress: Progress) -> list[DynamicPart]:
+    """Run every run of parts with one line again side by side, as `verify_dynamic` proves them.
+
+    A run that has no answer then says so. Raises KeyboardInterrupt where it was stopped.
+    """
+    jobs = [
+        (k, run.number, way)
+        for k, part in enumerate(parts)
+        for run in part.runs
+        for way in _ways_again("step", [run])
+    ]
+    drives = [part.drive for part in parts]
+    found = crew.each(partial(_again_once, drives, jobs), len(jobs), progress)
+    if len(found) < len(jobs):
+        raise KeyboardInterrupt
+    again: dict[tuple[int, int], list[Again]] = defaultdict(list)
+    for (k, number, _), each in zip(jobs, found, strict=True):
+        again[k, number].append(each)
+    return [
+        replace(
+            part,
+            convergence_check="step",
+            runs=tuple(replace(run, again=tuple(again[k, run.number])) for run in part.runs),
+        )
+        for k, part in enumerate(parts)
+    ]
+
+
+def _again_once(
+    drives: Sequence[Excitation],
+    jobs: Sequence[tuple[int, int, Way]],
+    at: int,
+    progress: Progress,
+) -> Again:
+    k, number, way = jobs[at]
+    (found,) = _again(lines_at_rest(drives[k]), number, [way], 0, progress)
+    return found
+
+
+def _ways_again(convergence_check: ConvergenceCheck, runs: Sequence[DynamicRun]) -> list[Way]:
+    """List the ways in which the lines of a seed are run again."""
+    if convergence_check == "none":
+        return []
+    is_slack = any(run.history.line_slack_time() > 0.0 for run in runs)
+    return ["step", "bars"] if convergence_check == "bars" or is_slack else ["step"]
+
+
 def work_of(case: Case | Network) -> float:
     """Bars times steps of all runs of a case with one load, each made once."""
     return effort_of(lines_at_rest(read_drive(case)), "none").work
@@ -383,10 +430,7 @@ def _seed(
     history = runs[0].history
     if not history.is_complete:  # stopped in its ramp, nothing of it counts
         return _Seed(runs, said, is_whole=False) if history.counts else None
-    ways: list[Way] = []
-    if convergence_check != "none":
-        is_slack = any(run.history.line_slack_time() > 0.0 for run in runs)
-        ways = ["step", "bars"] if convergence_check == "bars" or is_slack else ["step"]
+    ways = _ways_again(convergence_check, runs)
     there = [known[number]] if number in known else []
     left = ways[len(there) :]
     task, rest = partial(_again, lines, number, left), share_of(progress, 1, total, total - 2)

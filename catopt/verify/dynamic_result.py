@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Annotated, Final, Literal, NamedTuple, TypedDict
+from typing import Annotated, Literal, NamedTuple, TypedDict
 
 import numpy as np
 
@@ -18,7 +18,6 @@ from catopt.fem.extremes import (
     GumbelFit,
     SeriesStatistics,
     TailFit,
-    block_maxima,
     taken_together,
     weibull_tail,
 )
@@ -53,15 +52,11 @@ from catopt.verify.dynamic_run import (
     quantities_of_hull,
 )
 from catopt.verify.dynamic_setup import Excitation
+from catopt.verify.minutes import BLOCK, LEAST_BLOCKS, minutes_of, paired_changes
 from catopt.words import Message
 
 Verdict = Literal["converged", "not converged", "not proven"]
 _VERDICTS: tuple[Verdict, ...] = ("not converged", "not proven", "converged")
-
-BLOCK: Final = 60.0
-"""s, of a run of a line that goes slack, of which the largest value counts."""
-LEAST_BLOCKS: Final = 20
-"""From which the storm's largest value is found."""
 
 
 def worst_verdict(verdicts: Iterable[Verdict]) -> Verdict:
@@ -216,11 +211,31 @@ class DynamicPart(Record):
         tail = self.tail(quantity, self.runs)
         return None if tail is None else 0.5 * (tail.extreme.high - tail.extreme.low)
 
+    def _is_paired(self, quantity: str) -> bool:
+        """Whether minutes are compared: of a line that snaps in a random sea, for long enough."""
+        by = "fairlead_tension" if quantity == "largest_tension" else quantity
+        if not self.varies_at_random(by) or not self.goes_slack:
+            return False
+        every = [run for _, runs in self.levels for run in runs]
+        if not all(run.history.counts for run in every):
+            return False
+        time = sum(run.history.course(by).duration for run in self.runs)
+        return time >= LEAST_BLOCKS * BLOCK
+
+    @cached_property
+    def goes_slack(self) -> bool:
+        """Whether a bar of the line has no tension at some time."""
+        return any(run.history.line_slack_time() > 0.0 for run in self.runs)
+
     def _changes_of(self, quantity: str) -> Iterator[list[Change]]:
         """Yield how far a quantity moved from one level to the next, for the runs or each run.
 
-        It is what is typical of the runs where every level has that, else the largest of each run.
+        It is what is typical of the runs where every level has that, else the largest of each run;
+        of a line that goes slack in a random sea the mean of the minutes' maxima.
         """
+        if self._is_paired(quantity):
+            yield paired_changes(quantity, self.levels)
+            return
         typical = [self._typical(quantity, runs) for _, runs in self.levels]
         values = [[each] for each in typical if each is not None]
         chance = self._chance(quantity)
@@ -347,6 +362,14 @@ class DynamicPart(Record):
         )
 
     @property
+    def is_unclear(self) -> bool:
+        """Whether chance moves a maximum so far that runs again prove nothing."""
+        return any(
+            each.is_too_uncertain and not each.is_small_beside(self.MBL)
+            for each in self.added_changes
+        )
+
+    @property
     def verdict(self) -> Verdict:
         """Whether what decides hangs on the step or the bars: by `decides`, and by no check."""
         worst = self.worst_change
@@ -354,6 +377,8 @@ class DynamicPart(Record):
             return "not converged"
         if worst is not None and (self.decides(worst) or self.undecided or self.is_scattered):
             return "not converged"
+        if self.is_unclear:
+            return "not proven"
         return "converged" if worst is not None and self.is_complete else "not proven"
 
     @cached_property
@@ -444,8 +469,7 @@ class DynamicPart(Record):
         tail = self.tail(quantity, runs)
         if tail is None or not any(run.history.line_slack_time() > 0.0 for run in runs):
             return None if tail is None else tail.extreme
-        courses = [run.history.course(quantity) for run in runs]
-        blocks = [block_maxima(each.time, each.value, BLOCK) for each in courses]
+        courses, blocks = [run.history.course(quantity) for run in runs], minutes_of(quantity, runs)
         if sum(each.size for each in blocks) < LEAST_BLOCKS:
             return tail.extreme
         length = sum(each.duration for each in courses) / sum(each.size for each in blocks)

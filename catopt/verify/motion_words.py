@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.units import lasting
 from catopt.verify.compared import ORDER, ROUNDING
-from catopt.verify.convergence_check import LIMIT, OF_MBL
+from catopt.verify.convergence_check import LIMIT, OF_MBL, Change
 from catopt.words import Listed, Measure, Message, Several
 
 if TYPE_CHECKING:
@@ -150,6 +150,7 @@ _NOT_CONVERGED = (
     "motion.no_answer_again",
     "motion.changes",
     "motion.changes_beyond_chance",
+    "motion.minutes_beyond_chance",
     "motion.undecided",
     "motion.scattered",
     "motion.too_numerical",
@@ -239,6 +240,33 @@ def interval(quantity: Quantity, extreme: Extreme) -> Message:
     )
 
 
+def _change_sentence(part: DynamicPart, worst: Change) -> Message:
+    """Say how far the maxima moved in runs again, and whether that decides."""
+    values = {"how": Message(f"motion.how_{worst.way}"), "change": worst.size, "limit": LIMIT}
+    what = Message(f"motion.largest_{worst.quantity.removeprefix('largest_')}")
+    said = Message("motion.converged", **values)
+    if part.decides(worst):
+        by_chance = worst.chance is not None and not part.governs
+        key = "motion.changes_beyond_chance" if by_chance else "motion.changes"
+        if worst.is_paired:
+            key, values = "motion.minutes_beyond_chance", values | {"chance": worst.by_chance}
+        said = Message(key, what=what, **values)
+    elif part.undecided:
+        said = Message("motion.undecided", names=Listed(part.undecided, "and"))
+    elif part.is_scattered:
+        error = max(part.scatter_of(f"{end}_tension") or 0.0 for end in ("fairlead", "anchor"))
+        cycles = part.cycle_peaks("fairlead_tension").size
+        said = Message("motion.scattered", error=Measure("tension", error), cycles=cycles)
+    elif worst.size > LIMIT and worst.is_by_chance and worst.is_paired:
+        key = "motion.minutes_too_few" if part.is_unclear else "motion.minutes_by_chance"
+        said = Message(key, what=what, chance=worst.by_chance, **values)
+    elif worst.size > LIMIT and worst.is_by_chance:
+        said = Message("motion.converged_by_chance", what=what, **values)
+    elif worst.size > LIMIT:
+        said = Message("motion.converged_by_MBL", what=what, of_MBL=OF_MBL, **values)
+    return said
+
+
 def proof_sentences(part: DynamicPart) -> list[Message]:
     """Say how far the maxima hang on step and bars, and how much of the work is numerical."""
     worst, failed, lost = part.worst_change, part.failure, part.numerical_part
@@ -247,23 +275,7 @@ def proof_sentences(part: DynamicPart) -> list[Message]:
     elif worst is None:
         said = Message("motion.not_proven")
     else:
-        values = {"how": Message(f"motion.how_{worst.way}"), "change": worst.size, "limit": LIMIT}
-        what = Message(f"motion.largest_{worst.quantity.removeprefix('largest_')}")
-        said = Message("motion.converged", **values)
-        if part.decides(worst):
-            by_chance = worst.chance is not None and not part.governs
-            key = "motion.changes_beyond_chance" if by_chance else "motion.changes"
-            said = Message(key, what=what, **values)
-        elif part.undecided:
-            said = Message("motion.undecided", names=Listed(part.undecided, "and"))
-        elif part.is_scattered:
-            error = max(part.scatter_of(f"{end}_tension") or 0.0 for end in ("fairlead", "anchor"))
-            cycles = part.cycle_peaks("fairlead_tension").size
-            said = Message("motion.scattered", error=Measure("tension", error), cycles=cycles)
-        elif worst.size > LIMIT and worst.is_by_chance:
-            said = Message("motion.converged_by_chance", what=what, **values)
-        elif worst.size > LIMIT:
-            said = Message("motion.converged_by_MBL", what=what, of_MBL=OF_MBL, **values)
+        said = _change_sentence(part, worst)
     if lost > LIMIT:
         return [said, Message("motion.too_numerical", part=lost, limit=LIMIT)]
     return [said, Message("motion.numerical", part=lost)]
@@ -271,7 +283,7 @@ def proof_sentences(part: DynamicPart) -> list[Message]:
 
 def doubts(part: DynamicPart) -> list[Message]:
     """Say what of a run has not converged, or is not proven."""
-    doubtful = (*_NOT_CONVERGED, "motion.not_proven")
+    doubtful = (*_NOT_CONVERGED, "motion.not_proven", "motion.minutes_too_few")
     return [each for each in proof_sentences(part) if each.key in doubtful]
 
 

@@ -15,7 +15,7 @@ from string import Formatter
 from types import MappingProxyType
 from typing import Any, Literal, Protocol, Self, get_args
 
-from catopt.quantities import QUANTITIES, Quantity, Units
+from catopt.quantities import QUANTITIES, Quantity, Units, places_of
 
 Language = Literal["en", "vi"]
 LANGUAGES: tuple[Language, ...] = get_args(Language)
@@ -266,15 +266,25 @@ _LARGE = 1e6
 """From here on numbers have an exponent."""
 
 
+_NOTHING = 1e-6
+"""In words, whatever the unit: less is rounding."""
+
+
 def number(value: float, spec: str) -> str:
     """Write a number by a format; of significant digits without an exponent for what is large.
+
+    What is not zero has two digits that count where the format would make it zero.
 
     Examples
     --------
     >>> number(1000.0, ".3g"), number(123456.0, ".3g"), number(2.5e6, ".3g"), number(-1e-9, ".3f")
     ('1000', '123000', '2.5e+06', '0.000')
+    >>> number(0.00412, ".2f")
+    '0.0041'
     """
     text = format(value, spec)
+    if spec[-1:] == "f" and abs(value) > _NOTHING and not text.strip("-0.,"):
+        text = format(value, f".{places_of(value, 0, 2)}f")
     if text.startswith("-") and not text.strip("-0."):  # rounded to zero, which has no sign
         return text[1:]
     has_exponent = "e+" in text and spec[-1:] == "g"

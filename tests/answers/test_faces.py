@@ -40,6 +40,7 @@ from catopt.notes.front_in_motion import front_in_motion
 from catopt.render.files import csv_files
 from catopt.render.page import in_numbers, in_symbols
 from catopt.render.terminal import show
+from catopt.render.values import as_wanted
 from catopt.render.workbook import workbook
 from catopt.verify.case import Design, verify_front
 from catopt.words import LANGUAGES, Cited, Language, Message, say
@@ -189,7 +190,7 @@ def test_people_see_every_number_that_is_for_them(kind: str, language: Language)
     paper = Paper()
     show(paper, made(kind), language)
     printed = "\n".join(paper.lines)
-    for table in tables(made(kind)):
+    for table in tables(as_wanted(made(kind))):
         rows = range(table.length) if table.shown is None else table.shown
         for column in table.columns if table.only in FOR_PEOPLE else ():
             if column.only == "files" or column.priority:

@@ -99,6 +99,7 @@ def _system() -> Held:
     return system_answer(moored(), check_case(moored().case)), {
         "body": {"Offset along x (m)": [moored().solution.offset[0]]},
         "lines": {"Fairlead tension T (kN)": rounded(line.tension / 1e3 for line in lines)},
+        "shapes": {"Lowest point, height (m)": [0.0] * 9},
         "line_out": {"Line out": range(1, 10)},
         "watch_circle": {},
         "restoring_1": {"Direction (deg)": [180.0] * 41},

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 
 import pytest
@@ -22,6 +23,7 @@ from tests.verify.test_network_in_motion import FILE as MOVING
 
 from .conftest import Run, document_of, refused, validate
 
+NUMBER = re.compile(r"-?\d+\.?\d*(?:e[-+]\d+)?")
 CHECKS_OF_ROPE = Checks(safety_factor=3.0)
 
 
@@ -283,3 +285,14 @@ def test_a_network_without_a_free_joint_has_every_face(
     assert done.status == 0, done.err
     for number in ("15.913", "3.906", *(["1.009"] if "line-out" not in asked else [])):
         assert number in done.out
+
+
+@pytest.mark.parametrize("units", ["", "--units si", "--units tf"])
+def test_a_mooring_at_model_scale_has_its_forces(run: Run, units: str) -> None:
+    """H is 3.914 and 3.973 N (MoorPy 1.3.0)."""
+    said = run("system", BROUGHT / "01c_model_scale_body.txt", *units.split()).out
+    unit = {"": 1e3, "--units si": 1.0, "--units tf": 9806.65}[units]
+    found = {float(each) * unit for each in NUMBER.findall(said)}
+    for force in (3.914, 3.973):
+        assert any(abs(each - force) < 5e-4 for each in found)
+    assert " 0.000 " not in said

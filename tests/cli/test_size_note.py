@@ -59,12 +59,7 @@ def test_a_sizing_out_of_a_file_is_that_of_the_command(run: Run) -> None:
 
 @pytest.mark.slow
 def test_options_beside_a_file_are_named_as_going_before_it(run: Run) -> None:
-    assert (
-        run(
-            "size", "tanker", SIZE_TANKER, "--lines", 6, "--at-rest", "--out", "out", "--json"
-        ).status
-        == 0
-    )
+    assert run("size", "tanker", SIZE_TANKER, "--lines", 6, "--out", "out", "--json").status == 0
     page = page_at("out/note.html")
     (option,) = page.table("size_options").rows
     assert [cell.text for cell in option] == ["--lines", "6"]

@@ -15,8 +15,14 @@ from catopt.answers.blocks import (
     Table,
     Verdict,
     Warnings,
+    measured,
+    texts,
 )
+from catopt.answers.check import check_answer
+from catopt.casefile import read_case
+from catopt.checks.case import check_case
 from catopt.render.card import LINES, WIDTH, card_lines
+from catopt.render.terminal import table_lines
 from catopt.words import Message
 
 WARNING = " ".join(["a remark on a figure that was printed"] * 8)
@@ -78,3 +84,24 @@ def test_tables_without_rows_columns_or_values_take_no_line() -> None:
     card = (Verdict("It holds.", True), *tables, numbers("lines", 1, "Lines"))
     lines = [each.text for each in card_lines(Answer("system", "Body", (), card=card))]
     assert lines == ["Body", "It holds.", "", "x", "0", ""]
+
+
+def test_a_column_that_is_dropped_gives_its_room_back() -> None:
+    """Of the verdicts of a buoy "Reserve buoyancy" was cut though ten columns stayed empty."""
+    case = read_case("cases/design-buoy-9.5m/case.toml")
+    lines = [each.text for each in card_lines(check_answer(check_case(case)))]
+    for kind in ("Tension", "Uplift angle", "Reserve buoyancy"):
+        (row,) = (each for each in lines if each.startswith(f"{kind}   "))
+        assert row.endswith("storm, high water")
+    assert max(map(len, lines)) <= WIDTH
+
+
+def test_headings_are_broken_before_words_below_them_are_cut() -> None:
+    words = "storm, high water, one line out"
+    columns = (
+        texts("load_case", [words]),
+        *(measured("tension", [4625e3]) for _ in range(3)),
+        measured("utilisation", [0.139]),
+    )
+    lines = table_lines(Table("t", columns), 5, "en")
+    assert lines[-1].startswith(words)

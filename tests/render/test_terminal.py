@@ -44,7 +44,7 @@ def test_words_of_headings_are_broken_where_80_columns_have_no_room(
     many = [measured("horizontal_force", [1484734.0]) for _ in range(6)]
     lines = printed(capsys, *many, measured("utilisation", [0.258]))
     assert headed(lines)[-1].endswith("   Utilisation")
-    lines = printed(capsys, *many, measured("MBL", [1.0]), measured("utilisation", [0.258]))
+    lines = printed(capsys, *many, measured("MBL", [1e3]), measured("utilisation", [0.258]))
     assert [each.split()[-1] for each in headed(lines)[-2:]] == ["Utilis-", "ation"]
     assert max(map(len, lines)) <= 80
 

@@ -85,7 +85,18 @@ def test_s4_s_fso_when_the_current_comes_from_another_side() -> None:
     ]
     assert collinear == pytest.approx(sums, rel=1e-12)
     (study,) = reproduce("fso_rang_dong_loads").studies
-    assert len(study.side_by_side[1].rows) == 8
+    assert len(study.side_by_side[1].rows) == 14
+
+
+def test_the_second_weather_does_not_reach_the_printed_force_either() -> None:
+    """0.74 m/s from 0 to 180 deg: 3,171 kN at 90 deg, at most 3,277; Table 4.7 has 4,281."""
+    (study,) = reproduce("fso_rang_dong_loads").studies
+    table = {row[0]: float(row[-1]) for row in study.side_by_side[1].rows}
+    assert table["loaded, 90 deg"] == pytest.approx(3171.0, abs=0.5)
+    assert max(table.values()) == table["loaded, 120 deg"] < 4281.0
+    assert "at most, at 120 deg" in study.findings[0]
+    assert "not at hand" not in study.findings[0]
+    assert {item.method for item in study.items} == {"Table 4.7"}
 
 
 def test_the_lateral_area_of_the_loaded_fso_is_not_the_misprint() -> None:

@@ -53,7 +53,10 @@ FAILS = CheckResult("tension", "tension", "storm", 3.0, 1.0, "N", 2.0, CheckSour
 
 
 def searched(
-    holds: Callable[[float, float], bool], patched: pytest.MonkeyPatch, **inputs: Any
+    holds: Callable[[float, float], bool],
+    patched: pytest.MonkeyPatch,
+    again: Callable[..., Any] = lambda of, *_: of,
+    **inputs: Any,
 ) -> tuple[Any, list[tuple[float, float]]]:
     """Search with runs that are made up: by diameter, mm, and length, m; list what was run."""
     run: list[tuple[float, float]] = []
@@ -68,17 +71,24 @@ def searched(
             component, size * 1e-3, line.length, line.mass, 2 if whole else 1, failing
         )
         return SimpleNamespace(
-            tried=tried, settled=settled, parts=(), case=settled.case, checks="checks", seas=()
+            tried=tried,
+            settled=settled,
+            parts=(),
+            case=settled.case,
+            checks="checks",
+            seas=(),
+            verdict="converged",
         )
 
     kept: list[Any] = []
     patched.setattr(searching, "_run", made_up)
+    patched.setattr(searching, "_again", again)
     patched.setattr(searching, "_storm", lambda *_: None)
     patched.setattr(
         searching,
         "InMotion",
-        lambda *found, seas, heel: SimpleNamespace(
-            counted=found[5], by_length=found[7], seas=seas, heel=heel
+        lambda *found, seas, heel, proof, changes: SimpleNamespace(
+            counted=found[5], by_length=found[7], seas=seas, heel=heel, proof=proof, changes=changes
         ),
     )
     patched.setattr(searching, "_sinker_size", lambda *_: None)
@@ -131,6 +141,29 @@ def test_it_finds_what_running_every_line_would(
     # The next shorter one of its size was run and failed, or fails at rest.
     shorter = [L for s, L in run if s == wanted[0] and L < line.length]
     assert shorter or counted.at_rest > 0
+
+
+def test_a_line_that_fails_when_it_is_run_again_is_not_recommended(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Runs say that 44 m hold, their runs again that 50 m do."""
+    again: list[float] = []
+
+    def proven(of: Any, *_: object) -> Any:
+        again.append(of.tried.length)
+        if of.tried.length >= 50.0:
+            return of
+        failed = replace(of.tried, reason="fails when it is run again")
+        return SimpleNamespace(**{**vars(of), "tried": failed})
+
+    found, run = searched(
+        lambda _, length: length >= 44.0, monkeypatch, again=proven, prefer="shortest"
+    )
+    length = found.settled.point.line.length
+    assert length == again[-1] == min(each for each in again if each >= 50.0)
+    assert min(again) < 50.0  # others were preferred to it
+    assert found.in_motion.proof == "converged"
+    assert found.in_motion.counted.run == len(set(run))
 
 
 def test_where_nothing_holds_the_nearest_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
