@@ -96,7 +96,8 @@ def search_ship_in_motion(
     states = len(start.posed.loads) * max(1, len(how.periods))
     states *= len(request.weathervaning.directions)
     hours = _LINES * how.seeds * how.duration / 3600.0 * states * request.lines
-    expect(Message("sizing.running_ship"), _HOUR * hours)
+    if not how.quick:
+        expect(Message("sizing.running_ship"), _HOUR * hours)
     found = _Search(request, how, start, settle, around)
     passing = found.passing(start.point.line)
     if passing is None:
