@@ -12,6 +12,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from types import MappingProxyType
 from typing import Final, NamedTuple
 
 from catopt.dimensions import UNITS, Dimension
@@ -25,6 +26,15 @@ MOST_CELLS: Final = 3_000_000
 SHOWN: Final = 10
 """Faulty cells that are told of one table."""
 _BRACKETS: Final = {")": "(", "]": "["}
+
+
+FLAGS: Final[Mapping[str, bool]] = MappingProxyType(
+    {
+        **dict.fromkeys(("true", "yes", "có"), True),
+        **dict.fromkeys(("false", "no", "không"), False),
+    }
+)
+"""Words of a cell that say yes or no, in small letters."""
 
 
 class Row(NamedTuple):
@@ -139,7 +149,7 @@ def heading(cell: str) -> tuple[str, str]:
     """
     text = cell.strip()
     opening = _BRACKETS.get(text[-1:], "")
-    name, found, unit = text.partition(opening) if opening else (text, "", "")
+    name, found, unit = text.rpartition(opening) if opening else (text, "", "")
     return (name.strip(), unit[:-1].strip()) if found else (text, "")
 
 
@@ -222,6 +232,9 @@ def _of_headings(
 ) -> Iterator[Problem]:
     """Yield headings that are unknown, missing or there twice."""
     one_of = Message("refused.one_of", words=", ".join(known))
+    if not any(name in known for name in names):  # another file, whose words are not told
+        yield Problem("headings", "", one_of)
+        return
     for cell, name in zip(cells, names, strict=True):
         if name not in known:
             yield Problem("headings", shown(cell) or Message("refused_file.an_empty_one"), one_of)
@@ -235,11 +248,11 @@ def _of_headings(
         yield Problem("headings", "", missing)
 
 
-def few(problems: Sequence[Problem], of: str = "file") -> list[Problem]:
+def few(problems: Sequence[Problem], of: str = "file", most: int = SHOWN) -> list[Problem]:
     """Keep the first problems of a file or a table, and say how many more there are."""
-    more = len(problems) - SHOWN
+    more = len(problems) - most
     rest = [Problem(of, "", Message("refused_motion.more_kind", more=more))] if more > 0 else []
-    return [*problems[:SHOWN], *rest]
+    return [*problems[:most], *rest]
 
 
 def shown(cell: str) -> str:

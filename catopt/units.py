@@ -107,6 +107,7 @@ _WORDS: Final[tuple[tuple[str, float, Powers], ...]] = (
     ("yd yard yards", 3.0 * _FOOT, _METRE),
     ("fathom fathoms ftm", 6.0 * _FOOT, _METRE),
     ("shot shots", 27.5, _METRE),
+    ("shackle shackles", 90.0 * _FOOT, _METRE),
     ("mi mile miles", 5280.0 * _FOOT, _METRE),
     ("nmi NM nautical_mile nautical_miles hải_lý", _NAUTICAL_MILE, _METRE),
     ("kg kilogram kilograms kilogramme kilôgam kilogam", 1.0, _KILOGRAM),
@@ -127,10 +128,11 @@ _WORDS: Final[tuple[tuple[str, float, Powers], ...]] = (
     ("deg degree degrees độ", math.pi / 180.0, (0, 0, 0, 1, 0)),
     ("gon grad", math.pi / 200.0, (0, 0, 0, 1, 0)),
     ("N newton newtons niutơn", 1.0, _NEWTON),
+    ("daN decanewton decanewtons", 10.0, _NEWTON),
     ("kN kilonewton kilonewtons kilôniutơn", 1e3, _NEWTON),
     ("MN meganewton meganewtons", 1e6, _NEWTON),
     ("GN giganewton giganewtons", 1e9, _NEWTON),
-    ("kgf", STANDARD_GRAVITY, _NEWTON),
+    ("kgf kp kilopond kiloponds", STANDARD_GRAVITY, _NEWTON),
     ("tf tấn_lực tonne_force tonnes_force", 1000.0 * STANDARD_GRAVITY, _NEWTON),
     ("lbf", _POUND_FORCE, _NEWTON),
     ("kip kips", 1e3 * _POUND_FORCE, _NEWTON),
@@ -206,7 +208,8 @@ _AS_FORCE = {
     **dict.fromkeys(("lb", "lbs", "pounds"), "lbf"),
 }
 
-_LONGEST_UNIT = 24
+_LONGEST_UNIT, _LONGEST = 24, 100
+"""Characters of a unit, and of a number with its unit."""
 _NUMBER = re.compile(r"([+-]?(?:\d[\d.,]*|\.\d+)(?:[eE][+-]?\d+)?)(.*)", re.ASCII | re.DOTALL)
 _FRACTION = re.compile(r"(?:(\d{1,3})[ -])?(\d{1,3})/([1-9]\d{0,2})(\s*[^\W\d].*)", re.ASCII)
 _NOT_FINITE = re.compile(r"[+-]?(?:nan|inf|infinity)\b.*", re.IGNORECASE | re.DOTALL)
@@ -358,6 +361,8 @@ class _Reading:
     def split(self, text: str) -> tuple[str, str]:
         """Part a text into number and unit, the unit in the spelling of the table."""
         plain = text.translate(_SPELLINGS).strip()
+        if len(plain) > _LONGEST:
+            raise self.error(self.wanted)
         if fraction := _FRACTION.fullmatch(plain):
             whole, above, below, unit = fraction.groups()
             plain = f"{int(whole or 0) + int(above) / int(below)!r}{unit}"

@@ -58,7 +58,7 @@ def test_headings_carry_the_unit() -> None:
         ("utilisation", 0.5, "0.500", "0.500"),
         ("objective", 3.55e-15, "3.55e-15", "3.55e-15 m"),
         ("objective", 0.0, "0.00", "0.00 m"),
-        ("vertical_force", -0.2, "0.000", "0.000 kN"),
+        ("vertical_force", -0.2, "-0.0002", "-0.0002 kN"),
         ("MBL", None, "-", "-"),
     ],
 )

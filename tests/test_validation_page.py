@@ -6,7 +6,7 @@ import pytest
 
 from tests.validation_page import EVIDENCE, PAGE, PARTS, ROOT, below, first_words, parts
 
-LONG = ("studies",)
+LONG = ("beside", "studies")
 """Parts that take seconds: every printed example is solved for them."""
 
 

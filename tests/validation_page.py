@@ -17,6 +17,7 @@ from catopt import catalogue, read_case, verify_case
 from catopt.constants import STANDARD_GRAVITY
 from catopt.reproduce import Reproduction, reproduce
 from catopt.verify.result import StaticComparison
+from tests import beside
 from tests.catalogue.printed import CALMAR_OPEN, PILOTFITS, VRYHOF, rows
 
 ROOT = Path(__file__).parents[1]
@@ -133,6 +134,24 @@ def _studies() -> str:
         ("Study", "Printed", "Reproduce", "Differ", "Cannot be"),
         [*lines, line("**all**", everything)],
     )
+
+
+def _beside() -> str:
+    columns = (
+        "Source",
+        "How",
+        "What, the furthest off",
+        "Numbers",
+        "catopt",
+        "Theirs",
+        "Off (%)",
+        "Side",
+    )
+    none = ", ".join(
+        f"{count} of `{name}`" for name, count in beside.set_aside(_reproduction()).items()
+    )
+    told = f"Printed, and nothing of ours beside it: {none}."
+    return f"{_table(columns, beside.lines(_reproduction()))}\n{told}\n"
 
 
 # ------------------------------------------------------------------ closed form and truss model
@@ -269,6 +288,7 @@ def _table(columns: Iterable[str], lines: Iterable[Iterable[str]]) -> str:
 
 
 PARTS: dict[str, Callable[[], str]] = {
+    "beside": _beside,
     "studies": _studies,
     "models": _models,
     "catalogue": _catalogue,

@@ -81,7 +81,7 @@ def _card(result: DesignResult) -> Iterator[blocks.CardBlock]:
     """Say which design is recommended, what it comes to, its neighbours, and how it was found."""
     own, count, number = result.best, len(result.front), result.recommended
     yield blocks.Text(Message("design.card", number=number, count=count, line=made_of(own)))
-    yield blocks.Verdict.of_judgement(own.judgement)
+    yield blocks.Verdict.of_judgement(result.judgement)
     yield blocks.Text(governing_sentence(own.checks))
     yield from _short_in_motion(result)
     of = Rows(result.front)
@@ -283,7 +283,7 @@ def _recommended(result: DesignResult) -> Iterator[blocks.Block]:
     point = result.best
     said = Message("design.recommended", number=result.recommended)
     yield blocks.Text(said)
-    yield blocks.Verdict.of_judgement(point.judgement)
+    yield blocks.Verdict.of_judgement(result.judgement)
     yield blocks.Text(result.recommendation)
     yield blocks.Facts("recommended", tuple(_made_of(result, point)), only="not csv")
     yield tightest_table(point.checks)

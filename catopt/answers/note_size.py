@@ -48,7 +48,18 @@ from catopt.figures.sizing import elevation, swing_circle
 from catopt.model.anchor import sinker_needed
 from catopt.model.line import weight_in_water
 from catopt.quantities import GREEK, QUANTITIES
-from catopt.words import Cited, Measure, Message, Sentence, Several, Told, say, term
+from catopt.words import (
+    LANGUAGES,
+    Cited,
+    Language,
+    Measure,
+    Message,
+    Sentence,
+    Several,
+    Told,
+    say,
+    term,
+)
 
 if TYPE_CHECKING:
     from catopt.loads.component import Loads
@@ -185,7 +196,7 @@ def _recommendation(note: SizeNote) -> Message:
         "",
     )
     values = {
-        "chain": Told({"en": code, "vi": f"{code} ({say(described(of.case, first), 'vi')})"}),
+        "chain": Told({each: _chain(code, described(of.case, first), each) for each in LANGUAGES}),
         "length": f"{line.length:g}",
         "shots": f"{of.shots:.2f}",
         "weights": weights,
@@ -195,6 +206,11 @@ def _recommendation(note: SizeNote) -> Message:
     if pattern is None:
         return Message("note_size.identity_one", **values)
     return Message("note_size.identity_several", lines=pattern.lines, **values)
+
+
+def _chain(code: str, said: str, language: Language) -> str:
+    """Name a chain as the catalogue does; where that is English, with what it is behind it."""
+    return code if language == "en" else f"{code} ({say(said, language)})"
 
 
 # ------------------------------------------------------------------ loads

@@ -16,7 +16,7 @@ from catopt.answers.check import (
     verdict_column,
 )
 from catopt.answers.loads import forces_table, notes_table, numbers_table
-from catopt.answers.size_card import heel_words, proof_words, runs_words, size_card
+from catopt.answers.size_card import heel_words, proof_words, runs_words, size_card, slides_words
 from catopt.constants import YEAR
 from catopt.figures.sizing import tension_by_length
 from catopt.quantities import QUANTITIES, Quantity
@@ -314,7 +314,7 @@ def tried_blocks(of: InMotion) -> tuple[blocks.Block, ...]:
         every.texts("fails", "words"),
         caption=Message("sizing.lines_tried"),
     )
-    heels = (Sentence(each, capital=True) for each in heel_words(of))
+    heels = (Sentence(each, capital=True) for each in (*heel_words(of), *slides_words(of)))
     proof = proof_words(of)
     proven = () if proof is None else (Sentence(proof, capital=True),)
     said = map(blocks.Text, (runs_words(of), of.counted.words, *proven, *heels))

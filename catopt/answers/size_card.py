@@ -25,7 +25,7 @@ from catopt.answers.blocks import (
     tabulate,
     texts,
 )
-from catopt.answers.check import demand_and_capacity, verdict_column
+from catopt.answers.check import demand_and_capacity
 from catopt.catalogue.choice import chosen
 from catopt.catalogue.family import chain_words
 from catopt.checks.kinds import is_wanted
@@ -37,12 +37,12 @@ from catopt.words import Measure, Message, Sentence, Several, is_said, term
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckResult
-    from catopt.checks.verdict import Who
+    from catopt.checks.verdict import Judgement
     from catopt.design.neighbours import NoFeasibleDesignError
     from catopt.design.result import NearMiss
     from catopt.sizing import Sizing
     from catopt.sizing.alternatives import Alternative
-    from catopt.sizing.in_motion import InMotion, LineTried
+    from catopt.sizing.in_motion import Band, InMotion, LineTried
     from catopt.sizing.known import ResolvedInputs
 
 
@@ -52,11 +52,8 @@ _MOST_OTHERS = 3
 _NUMBERS = 6
 
 
-def size_card(of: Sizing, *, with_others: bool = True, who: Who = "size") -> tuple[CardBlock, ...]:
-    """Lay out what is recommended on one screen, with other lines in words where wanted.
-
-    `who` is told what to type.
-    """
+def size_card(of: Sizing, *, with_others: bool = True) -> tuple[CardBlock, ...]:
+    """Lay out what is recommended on one screen, with other lines in words where wanted."""
     (code, *_) = of.case.checks.codes
     run: tuple[Brief, ...] = ()
     if of.in_motion is not None:
@@ -72,7 +69,7 @@ def size_card(of: Sizing, *, with_others: bool = True, who: Who = "size") -> tup
     )
     return (
         Text(of.one_line),
-        Verdict.of_judgement(of.judgement_for(who)),
+        Verdict.of_judgement(of.judgement),
         Facts("size_card", tuple(_numbers(of))[:_NUMBERS]),
         *(each for each in briefs if any(each.said)),
     )
@@ -81,16 +78,27 @@ def size_card(of: Sizing, *, with_others: bool = True, who: Who = "size") -> tup
 def fleet_answer(every: Sequence[Sizing]) -> Answer:
     """Lay out a fleet, a row a mooring: its line, what it takes, and its verdict."""
     of = Rows(every)
-    reports = [each.point.checks for each in every]
+    found = [each.judgement for each in every]
     table = tabulate(
         "fleet",
         texts("no", range(1, len(every) + 1)),
         of.texts("title", lambda each: each.case.title),
         of.texts("line", "one_line"),
         of.measured("length", "swing.total", "sizing.card_swing", symbol=""),
-        verdict_column(each.passes for each in reports),
+        texts("verdict", map(_in_a_word, found), passes=tuple(_is_green(e) for e in found)),
+        texts("not_judged", [Several((e.said for e in each.not_judged), ", ") for each in found]),
     )
     return answered("fleet", Message("sizing.fleet"), section("sizing.fleet", table))
+
+
+def _in_a_word(of: Judgement) -> Message:
+    if of.colour == "amber":
+        return Message("answers.passes_in_part")
+    return Message("answers.passes" if of.passes else "answers.fails")
+
+
+def _is_green(of: Judgement) -> bool | None:
+    return None if of.colour == "amber" else of.passes
 
 
 def _numbers(of: Sizing) -> Iterator[Fact]:
@@ -138,8 +146,14 @@ def _in_motion(of: InMotion) -> Iterator[Fact]:
         said = Message("sizing.from_to", value=probable, **ends)
     yield Fact(Message("sizing.card_tension_in_storm", time=storm_time(of)), said)
     yield _measured("tension_at_rest", "tension", storm.at_rest)
-    factors = {"factor": of.factor, "allowance": of.allowance}
-    yield _worded("motion_factor", Message("sizing.in_place_of", **factors))
+    own = of.own_slide
+    if of.is_of_ship:
+        factors = {"factor": of.factor, "allowance": of.allowance}
+        yield _worded("motion_factor", Message("sizing.in_place_of", **factors))
+    elif own is not None and of.case.anchor is not None:
+        values = {"way": own.expected, "upper": own.upper, "most": of.case.anchor.max_slide}
+        slides = Message("sizing.slides", **values)
+        yield Fact(Message("sizing.card_slides", time=storm_time(of)), slides)
 
 
 def storm_time(of: InMotion) -> str:
@@ -171,6 +185,21 @@ def runs_words(of: InMotion) -> Message:
         quick = "ship" if of.is_of_ship else "buoy"
         said = Message(f"sizing.runs_quick_{quick}", runs=said, margin=of.how.margin)
     return said
+
+
+def band_words(of: Band) -> Message:
+    """Say what a ship's tension is over the ranges of what decides it."""
+
+    def said(tension: float | None) -> Measure | Message:
+        return Message("sizing.band_none") if tension is None else about("tension", tension)
+
+    reaches = (
+        Message(
+            f"sizing.band_{each.cause}", low=said(each.favourable), high=said(each.unfavourable)
+        )
+        for each in of.reaches
+    )
+    return Message("sizing.band", middle=said(of.middle), reaches=Several(reaches, ", "))
 
 
 def seas_words(of: InMotion) -> Message:
@@ -213,6 +242,8 @@ def _worded(name: str, said: Value) -> Fact:
 def _of_the_runs(of: InMotion) -> Iterator[Brief]:
     """Yield how lines were run, and how many."""
     yield Brief((runs_words(of),), Message("sizing.card_runs"), 2)
+    if of.band is not None:
+        yield Brief((band_words(of.band),), Message("sizing.card_band"), 4)
     yield Brief((of.counted.words,), Message("sizing.card_in_motion"), 2)
     proof = proof_words(of)
     if proof is not None:
@@ -286,7 +317,8 @@ def heel_words(moved: InMotion | None) -> Iterator[Message]:
     if moved is not None and moved.heel is not None:
         is_given = moved.how.centre_of_gravity is not None
         key = "sizing.heels_by_own" if is_given else "sizing.heels"
-        yield Message(key, heel=math.degrees(moved.heel))
+        mean = math.degrees(moved.mean_heel or 0.0)
+        yield Message(key, heel=math.degrees(moved.heel), mean=mean)
         if moved.worst_change is None:
             yield Message("sizing.runs_made_once")
 
@@ -303,6 +335,16 @@ def proof_words(of: InMotion) -> Message | None:
         return Message(key, **values, chance="")
     by = Message("sizing.proof_chance", chance=worst.by_chance)
     return Message(key, **values, chance=by)
+
+
+def slides_words(of: InMotion) -> Iterator[Message]:
+    """Say how far the sinker slides in the storm, and the sizes beside it."""
+    every = (
+        Message("sizing.slides_of", mass=s.mass / 1e3, way=s.expected, upper=s.upper)
+        for s in of.slides
+    )
+    if of.slides:
+        yield Message("sizing.slides_by_mass", time=storm_time(of), slides=Several(every, "; "))
 
 
 def _to_be_known(of: Sizing) -> Iterator[str]:

@@ -110,8 +110,8 @@ def _state(result: StudyResult) -> blocks.Verdict:
     if not result.is_complete:
         state = Message("study.not_done", done=result.done, **values)
     said = Several((state, *(axis.counted for axis in result.study.axes if axis.counted)), " ")
-    passes = False if not result.is_complete else None if result.reasons else True
-    return blocks.Verdict(said, passes)
+    # That every member has an answer is no pass: what each comes to is among the numbers.
+    return blocks.Verdict(said, None if result.is_complete else False)
 
 
 _QUANTITY = ("study.quantity", "kept.words")

@@ -364,6 +364,7 @@ def network_parts(
     given = table.given()
     keys = ("waves", "current", "motion", "dynamics", "checks", "service", "anchor")
     found = {key: build.part(given[key], (key,)) for key in keys if key in given}
+    found["accept"] = tuple(given.get("accept") or ())
     if table.catalogue:
         found["catalogue"] = catalogue_choice(build.given(table.catalogue), folder)
     return found

@@ -18,7 +18,13 @@ from catopt.errors import InputError, Problem
 from catopt.model import Anchor, ClumpWeightChoice, Design, Find, Load, SegmentChoice
 from catopt.model.anchor import ANCHOR_KINDS
 from catopt.model.case import WET
-from catopt.model.design import FIND_QUANTITIES, FORCES, body_misfits, inconsistencies
+from catopt.model.design import (
+    FIND_QUANTITIES,
+    FORCES,
+    OF_SPAN,
+    body_misfits,
+    inconsistencies,
+)
 from catopt.model.dynamics import OF_MOTION
 from catopt.model.line import (
     END_ROUNDING,
@@ -145,6 +151,9 @@ def _sought(case: FileSection) -> Find | None:
     if quantity not in FIND_QUANTITIES:
         return None
     sought = Find(quantity, anchor_angle=None if quantity in FORCES else 0.0)
+    of_span: dict[str, Any] = {key: 1.0 for key in OF_SPAN if key in find}
+    if quantity == "length" and len(of_span) == 1:
+        sought = replace(sought, anchor_angle=None, **of_span)
     for key in ("segment", "point_load"):
         given: dict[str, Any] = {key: find.get(key)}
         with suppress(InputError):  # wrong in itself, or goes with another quantity

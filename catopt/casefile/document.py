@@ -107,6 +107,9 @@ def stands_for(
     longer = [known for known in own if known.endswith(f"_{plain}")]
     if len(longer) == 1:
         return longer[0]  # friction for seabed_friction
+    begun = [known for known in own if len(plain) > 2 and known.startswith(plain)]
+    if len(begun) == 1:
+        return begun[0]  # seg for segment
     if any(_elsewhere(key, top)):
         return None  # right elsewhere, so hardly a misspelling
     from difflib import get_close_matches

@@ -24,6 +24,7 @@ from catopt.casefile.consistency import (
 )
 from catopt.casefile.document import FileSection, Finding, parts, read_tables, refuse, table
 from catopt.casefile.motion_consistency import motion_findings, network_motion_findings
+from catopt.casefile.plausibility import plausibility_findings
 from catopt.casefile.schema import CaseTable, LineBetweenTable, NetworkTable
 from catopt.documents import attributes, parse_toml, read_text
 from catopt.errors import InputError, Problem, refused
@@ -95,6 +96,7 @@ def network_of(document: dict[str, Any], source: str = "", *, folder: str = "") 
     for line in case.tables("lines"):
         findings += [each for part in line.tables("segments") for each in segment_findings(part)]
     findings += [*judged_findings(case, []), *network_motion_findings(case)]
+    findings += plausibility_findings(case, findings)
     refuse(document, findings, source)
     problems: list[Problem] = []
     points = [
@@ -165,7 +167,7 @@ def read_mooring(path: str | os.PathLike[str]) -> Case | Network:
     """Read a case file, or a file of lines that meet in joints; as `read_case`."""
     source = os.fspath(path)
     if Path(path).suffix.lower() != ".toml":
-        from catopt.decks.reading import is_deck, read_any_deck
+        from catopt.decks.reading import is_deck, is_yaml, read_any_deck, refuse_yaml
         from catopt.decks.reported import tell
 
         deck = read_text(Path(path), source, broken=True)
@@ -173,6 +175,8 @@ def read_mooring(path: str | os.PathLike[str]) -> Case | Network:
             case, remarks = read_any_deck(deck, source)
             tell(remarks)
             return case
+        if is_yaml(deck, source):
+            raise refuse_yaml(deck, source)
     return parse_mooring(read_text(Path(path), source), source, folder=str(Path(path).parent))
 
 
@@ -212,6 +216,7 @@ def case_of(document: dict[str, Any], source: str = "", *, folder: str = "") -> 
     findings += consistency_findings(case, catalogue.segments)
     findings += design_findings(case)
     findings += motion_findings(case)
+    findings += plausibility_findings(case, findings)
     if findings and (moored := moored_of(document)):  # no case but a file for ``catopt size``
         key = next(key for key in ("ship", "environment", "buoy") if key in document)
         allowed = Message("refused.for_size", moored=moored)

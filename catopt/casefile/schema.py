@@ -346,7 +346,7 @@ class CaseTable(TableSchema):
     """A whole case file."""
 
     model = model.Case
-    keys = """title source site line load load_cases system find checks service buoy anchor
+    keys = """title source accept site line load load_cases system find checks service buoy anchor
         catalogue design waves current motion anchor_motion body floater dynamics fatigue pso"""
     elsewhere: ClassVar = {"verify": "refused.later", "environment": "refused.belongs_to_size"}
     symbols: ClassVar = {"catalog": "catalogue"}
@@ -397,8 +397,8 @@ class NetworkTable(TableSchema):
     """A whole file of points, lines between them and bodies."""
 
     model = Network
-    keys = """title source site points lines bodies waves current motion dynamics checks service
-        anchor catalogue"""
+    keys = """title source accept site points lines bodies waves current motion dynamics checks
+        service anchor catalogue"""
 
     motion: EndMotionTable | None = None
 

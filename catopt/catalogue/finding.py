@@ -174,6 +174,12 @@ def held_by(family: Family, grade: str | None, variants: Mapping[str, str]) -> d
     }
 
 
+def variants_of(family: Family, grade: str | None) -> tuple[str, ...]:
+    """List the variants of figures that a family has beside the usual ones."""
+    every = (each.variant for q in SPECS for each in family.alternatives(q, grade))
+    return tuple(dict.fromkeys(name for name in every if name))
+
+
 _NUMBER = r"(\d+(?:[.,]\d+)?|\d+/0*[1-9]\d*)"
 _SIZE: Final = re.compile(rf'(?:dn|ø)?{_NUMBER}(mm|cm|in|")?')
 _MASS: Final = re.compile(rf"{_NUMBER}(t|kg|tonnes?|tan)")
@@ -317,10 +323,13 @@ def _sized(
         if size is None:
             yield from catalogue.sold(family.name, grade=grade)
         elif within(size, family.range):
-            try:
-                yield catalogue.component(family.name, size, grade=grade)
-            except InputError:  # a grade or a figure that does not reach this size
-                continue
+            # A figure may reach further by another of its sources than by the usual one.
+            for variants in ({}, *({ALL: each} for each in variants_of(family, grade))):
+                try:
+                    yield catalogue.component(family.name, size, grade=grade, variants=variants)
+                    break
+                except InputError:  # a grade or a figure that does not reach this size
+                    continue
 
 
 def _anchors(query: Query) -> Iterator[AnchorType]:
@@ -339,6 +348,9 @@ def _fittings(query: Query) -> Iterator[Fitting]:
         if query.words and right and all(word in known for word in query.words):
             yield each
 
+
+_LEAST_HINT: Final = 4
+"""Letters of a word that may have been meant: shorter ones are like too many others."""
 
 _HALF_A_MM = 0.5e-3
 """A fitting is looked up by the size printed, in whole mm."""
@@ -368,6 +380,10 @@ def _problem(text: str, query: Query, families: list[_Asked], catalogue: Catalog
     every = {word for each in things for word in _words(each)}
     odd = [word for word in query.words if word not in every]
     near = [(word, nearest(word, every)) for word in odd]
-    hints = [Message("catalogue.for_word", good=good, word=word) for word, good in near if good]
+    hints = [
+        Message("catalogue.for_word", good=good, word=word)
+        for word, good in near
+        if good and len(good) >= _LEAST_HINT
+    ]
     key = "catalogue.nothing_but" if hints else "catalogue.nothing_found"
     return Problem("component", as_written(text), Message(key, hints=Several(hints, ", ")))

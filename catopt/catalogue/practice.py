@@ -201,12 +201,14 @@ def practice_of_buoy(
         lengths = Message("practice.lengths", least=least, most=most)
         if least == most:
             lengths = Message("practice.length", length=least)
+        # Of another size of buoy its length says something, its chain nothing.
+        chains = (laid.chain, laid.chain) if laid.is_of_size else chain_limits or (0.0, math.inf)
         values = {
             "size": laid.buoy_diameter,
             "chain": laid.chain / _MM,
             "lengths": lengths,
             "verdict": _verdict(
-                _compared(diameter, laid.chain, laid.chain, _SAME_CHAIN, "chain"),
+                _compared(diameter, *chains, _SAME_CHAIN, "chain"),
                 _compared(length, least, most, _ROUNDING, "length"),
             ),
         }
@@ -214,7 +216,7 @@ def practice_of_buoy(
         said.append(Message(key, **values))
     if chain_limits is not None:
         low, high = chain_limits
-        said.append(Message("practice.limits", least=low / _MM, most=high / _MM))
+        said.insert(0, Message("practice.limits", least=low / _MM, most=high / _MM))
     return Practice(Several(said), laid)
 
 

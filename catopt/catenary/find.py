@@ -18,7 +18,7 @@ from catopt.errors import CatoptError, InputError, NoAnswerError, Problem, refus
 from catopt.model import Case, Line, Load, Segment
 from catopt.model.kinds import Findings
 from catopt.units import plain
-from catopt.words import Message
+from catopt.words import Measure, Message
 
 __all__ = [
     "Found",
@@ -32,7 +32,7 @@ __all__ = [
 
 
 _UNITS = {
-    **dict.fromkeys(("height", "span", "grounded_length", "anchor_height"), "m"),
+    **dict.fromkeys(("height", "span", "grounded_length", "anchor_height", "sag"), "m"),
     **dict.fromkeys(("horizontal_force", "fairlead_tension"), "N"),
     "anchor_angle": "rad",
 }
@@ -62,30 +62,44 @@ def find_length(
     grounded_length: float | None = None,
     seabed_friction: float = 0.0,
     anchor_height: float = 0.0,
+    span: float | None = None,
+    sag: float | None = None,
 ) -> Found:
-    """Find the length of one segment that gives an anchor angle or a grounded length.
+    """Find the length of one segment that gives an anchor angle, a grounded length or a sag.
 
-    Point loads keep their place on their own segment.
+    Or, for a known span, a tension or a horizontal force at the fairlead. Point loads keep their
+    place on their own segment.
 
     Parameters
     ----------
     line : Line
         The line; the length of the segment sought is where the search starts.
-    height, horizontal_force, fairlead_tension, seabed_friction, anchor_height
-        As for `solve`; one of the two loads.
+    height, horizontal_force, fairlead_tension, span, seabed_friction, anchor_height
+        As for `solve`; one of the three loads. Beside a span the other two are conditions.
     segment : int
         Which segment, counted from 0 at the anchor; -1 is the one at the fairlead.
     anchor_angle : float, optional
         Inclination at the anchor, rad; 0 brings the touchdown to the anchor.
     grounded_length : float, optional
         Unstretched length on the bed, m, above 0.
+    sag : float, optional
+        Largest vertical distance below the straight line between the ends, m, above 0.
 
     Raises
     ------
     InputError
-        Unless exactly one of `anchor_angle` and `grounded_length` is given, in range.
+        Unless exactly one condition is given, in range.
     NoAnswerError
         When no length gives it.
+
+    Examples
+    --------
+    How much wire of 88 N/m is out, from a winch at 200 kN to an anchor 600 m off, in 60 m:
+
+    >>> from catopt import Line, Segment, find_length
+    >>> wire = Line([Segment(610.0, 88.0, EA=110e6)])
+    >>> round(find_length(wire, height=60.0, span=600.0, fairlead_tension=200e3).value, 3)
+    603.558
     """
     height, horizontal_force, fairlead_tension, *on_the_bed = _taken(
         "find_length",
@@ -96,16 +110,23 @@ def find_length(
         grounded_length=grounded_length,
         seabed_friction=seabed_friction,
         anchor_height=anchor_height,
+        span=span,
+        sag=sag,
     )
-    anchor_angle, grounded_length, seabed_friction, anchor_height = on_the_bed
+    anchor_angle, grounded_length, seabed_friction, anchor_height, span, sag = on_the_bed
     index = _index("segment", segment, len(line.segments))
-    _one_of(anchor_angle=anchor_angle, grounded_length=grounded_length)
+    conditions = {"anchor_angle": anchor_angle, "grounded_length": grounded_length, "sag": sag}
+    if span is not None:
+        conditions |= {"fairlead_tension": fairlead_tension, "horizontal_force": horizontal_force}
+        fairlead_tension = horizontal_force = None
+    _one_of(**conditions)
 
     def at(length: float) -> Solution:
         return solve(
             with_segment_length(line, index, length),
             height=height,
             horizontal_force=horizontal_force,
+            span=span,
             fairlead_tension=fairlead_tension,
             seabed_friction=seabed_friction,
             anchor_height=anchor_height,
@@ -114,12 +135,14 @@ def find_length(
     if anchor_angle is not None:
         lies = anchor_angle == anchor_height == 0.0
         condition = _angle_of(anchor_angle)._replace(holds_below=lies)
-    else:
-        assert grounded_length is not None
+    elif grounded_length is not None:
         condition = _grounded_of(grounded_length)
-    shortest = _shortest(line, index, abs(height - anchor_height))
+    else:
+        condition = _value_of(*next((k, v) for k, v in conditions.items() if v is not None))
+    rise = abs(height - anchor_height)
+    shortest = _shortest(line, index, math.hypot(rise, span or 0.0))
     start = max(line.segments[index].length, shortest * (1.0 + 1e-6))
-    turns = horizontal_force is None or anchor_height > 0.0 or _floats(line)
+    turns = horizontal_force is None or anchor_height > 0.0 or sag is not None or _floats(line)
     sought = Sought("length", condition, at, turns, number=index + 1)
     return find(sought, start, max(line.length, height, anchor_height), shortest)
 
@@ -392,11 +415,13 @@ def find_case(case: Case) -> Found:
     if find.quantity == "length":
         return find_length(
             case.line,
-            horizontal_force=load.horizontal_force,
-            fairlead_tension=load.fairlead_tension,
+            horizontal_force=load.horizontal_force or find.horizontal_force,
+            fairlead_tension=load.fairlead_tension or find.fairlead_tension,
             segment=-1 if find.segment is None else find.segment - 1,
             anchor_angle=find.anchor_angle,
             grounded_length=find.grounded_length,
+            span=load.span,
+            sag=find.sag,
             **case.place,
         )
     assert find.anchor_angle is not None
@@ -456,6 +481,24 @@ def _grounded_of(length: float) -> Condition:
     )
 
 
+def _value_of(key: str, wanted: float) -> Condition:
+    """Ask for a sag, or for a tension or a horizontal force at the fairlead."""
+
+    def own(solution: Solution) -> float:
+        if key == "sag":
+            return solution.sag
+        if key == "fairlead_tension":
+            return solution.fairlead.tension
+        return solution.horizontal_force
+
+    quantity = {"sag": "height", "fairlead_tension": "tension"}.get(key, key)
+    return Condition(
+        Message(f"catenary.{key}_given", value=Measure(quantity, wanted)),
+        lambda solution: (own(solution) - wanted, wanted),
+        lambda solution: f"{Measure(quantity, own(solution))}",
+    )
+
+
 def _shortest(line: Line, segment: int, rise: float) -> float:
     """Length of a segment below which the line surely does not reach up to its fairlead, m."""
     others = line.length - line.segments[segment].length
@@ -485,7 +528,8 @@ def _one_of(**given: float | None) -> None:
     for key, value in chosen.items():
         is_angle = key == "anchor_angle"
         if not (0.0 <= value < math.pi / 2 if is_angle else 0.0 < value < math.inf):
-            name = "from_zero_to_right_angle" if is_angle else "length_above_zero"
+            of_length = "force_above_zero" if _UNITS[key] == "N" else "length_above_zero"
+            name = "from_zero_to_right_angle" if is_angle else of_length
             allowed = Message(f"refused_motion.{name}")
             problems.append(Problem(key, repr(plain(value)), allowed))
     if problems:

@@ -25,6 +25,7 @@ from catopt.checks.evaluation import (
 from catopt.checks.kinds import (
     OF_LINE,
     USER,
+    CheckKind,
     Demand,
     Place,
     State,
@@ -176,6 +177,8 @@ class Carried(NamedTuple):
     """At the fairlead, the least of all, N."""
     slide: float | None = None
     """Way that what holds it slides in the storm, m; None where that was not followed."""
+    heel: float | None = None
+    """Mean heel of the buoy at its end, rad; None of what is none."""
 
 
 @dataclass(frozen=True)
@@ -266,12 +269,16 @@ def _others(
             for criterion in criteria.of(check, kind, place.state):
                 found = row.measure(criterion.value, moved.carried, case.anchor)
                 yield result_of(check, criterion, found, moved.load_case, place)
-    slide = moved.carried.slide
-    if slide is None:
-        return
-    for criterion in criteria.of("slide", kind, place.state):
-        found = Demand(slide, criterion.value, ratio_exceedance(slide, criterion.value))
-        yield result_of("slide", criterion, found, moved.load_case, place)
+    ways: tuple[tuple[CheckKind, float | None], ...] = (
+        ("slide", moved.carried.slide),
+        ("heel", moved.carried.heel),
+    )
+    for way, value in ways:
+        if value is None:
+            continue
+        for criterion in criteria.of(way, kind, place.state):
+            found = Demand(value, criterion.value, ratio_exceedance(value, criterion.value))
+            yield result_of(way, criterion, found, moved.load_case, place)
 
 
 def check_strengths(case: Case | Network) -> None:

@@ -436,6 +436,7 @@ def criteria_of(
     ]
     found = (
         *_own(case),
+        *_of_buoy(case, analysis),
         *_of_anchor(case.anchor, coded, anchor_key, analysis),
         *(each for each in coded if each.check not in ("sliding", "holding")),
     )
@@ -488,6 +489,13 @@ def _own(case: Case | Network) -> Iterator[Criterion]:
         limit = None if row.own is None else row.own(case)
         if limit is not None:
             yield Criterion(check, limit, USER)
+
+
+def _of_buoy(case: Case | Network, analysis: Analysis) -> Iterator[Criterion]:
+    """List the limit on a buoy's mean heel, which is known in motion."""
+    limit = None if case.floater is None else case.floater.max_heel
+    if limit is not None and analysis == "dynamic":
+        yield Criterion("heel", limit, USER)
 
 
 def _of_anchor(

@@ -194,6 +194,7 @@ CheckKind = Literal[
     "buoyancy",
     "sliding",
     "slide",
+    "heel",
     "holding",
     "equilibrium",
 ]
@@ -331,6 +332,7 @@ OF_LINE: Mapping[CheckKind, LineCheck] = MappingProxyType(
 _OTHERS = {
     "tension": QUANTITIES["tension"],
     "slide": QUANTITIES["length"],
+    "heel": QUANTITIES["angle"],
     "equilibrium": Quantity("lines", "", "", "-", "-", 1.0, 0),
 }
 
@@ -354,6 +356,6 @@ def is_wanted(kind: CheckKind) -> bool:
 def limit_quantity(kind: CheckKind) -> Quantity:
     """Return what the number of a criterion is: a factor, or a limit."""
     row = OF_LINE.get(kind)
-    if kind == "slide":
+    if kind in ("slide", "heel"):
         return QUANTITY_OF[kind]
     return QUANTITIES["safety_factor" if row is None or row.is_factor else row.quantity]

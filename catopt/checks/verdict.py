@@ -164,22 +164,6 @@ def _moves(of: Matter) -> bool:
     return of.moves or (case is not None and case.dynamics is not None)
 
 
-def _yaws(of: Matter) -> bool:
-    """Whether a ship was run in a current; while she was not run, motion as a whole is named."""
-    case, moved = of.case, of.moved
-    if case is None or moved is None or case.floater is None or case.floater.ship is None:
-        return False
-    current = case.current
-    return current is not None and bool(current.speed or any(current.speeds) or current.series_file)
-
-
-def _has_yaw(of: Matter) -> bool:
-    case = of.case
-    assert case is not None
-    ship = None if case.floater is None else case.floater.ship
-    return ship is not None and bool(ship.current_yaw)
-
-
 def _is_buoy_in_motion(of: Matter) -> bool:
     case = of.case
     has_buoy = case is not None and case.floater is not None and bool(case.floater.buoy)
@@ -237,9 +221,8 @@ SUBJECTS: Final[dict[str, Subject]] = {
         )
     ),
     "grounding": Subject(lambda of: of.has_said("sizing.touches_bed")),
-    "yaw": Subject(_yaws, _has_yaw, ("case", "size")),
     "soil": Subject(_slides, ways=("case", "size", "page"), words=_soil_words),
-    "heel": Subject(_is_buoy_in_motion, lambda of: of.has_check("heel", "pitch")),
+    "heel": Subject(_is_buoy_in_motion, lambda of: of.has_check("heel"), ways=("case", "size")),
     "convergence": Subject(_is_run, _is_proven, ("case", "size", "page")),
     "wear": Subject(_wears, _is_worn, ("case", "size", "page")),
 }
@@ -274,14 +257,17 @@ def verdict_of(of: Matter, said: str = "") -> Judgement:
     reports = of.reports
     doubted = any(each.is_doubted and each.passes for each in reports)
     failed = any(not each.passes for each in reports)
+    invalid = of.invalid
+    if failed and any(each.is_doubted for each in reports):
+        invalid = (*invalid, Message("checks.motion_doubted"))
     # Of what fails, or of nothing, there is no more to judge.
-    is_open = bool(reports) and not failed and not doubted and not of.invalid
+    is_open = bool(reports) and not failed and not doubted and not invalid
     left = not_judged(of) if is_open else ()
     colour: Colour = "amber" if left else "green"
     if not is_open:
-        colour = "red" if reports or of.invalid else "none"
+        colour = "red" if reports or invalid else "none"
     checks = said or _checks_sentence(of, rests=any(each.subject == "motion" for each in left))
-    sentences = [*(Message("verdict.invalid", why=each) for each in of.invalid), checks]
+    sentences = [*(Message("verdict.invalid", why=each) for each in invalid), checks]
     if left:
         items = Several(each.words for each in left)
         sentences.append(Message("verdict.not_judged", items=items))
@@ -299,7 +285,7 @@ def verdict_of(of: Matter, said: str = "") -> Judgement:
             if each is not None and each.results
         ),
         left,
-        of.invalid,
+        invalid,
         "" if decides is None else decides.nearest,
     )
 

@@ -9,6 +9,8 @@ from operator import itemgetter
 from typing import Any, Literal, TypedDict, TypeVar, Unpack
 
 from catopt.errors import InputError, Problem
+from catopt.tables import few, number
+from catopt.units import Dimension, implausible
 from catopt.words.message import Message
 
 T = TypeVar("T")
@@ -44,7 +46,10 @@ class LineType:
 
 @dataclass(frozen=True)
 class Point:
-    """Where lines end or meet; M (kg), V (m3), Cd A (m2) and force (N) of what hangs there."""
+    """Where lines end or meet; M (kg), V (m3), Cd A (m2) and force (N) of what hangs there.
+
+    `hung`: name of that, where the deck has one.
+    """
 
     row: int
     name: str
@@ -57,11 +62,27 @@ class Point:
     drag_area: float = 0.0
     added_mass: float = 0.0
     force: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    hung: str = ""
 
     @property
     def body(self) -> tuple[float, float, float, float]:
         """M, V, Cd A and Ca of what hangs there."""
         return self.mass, self.volume, self.drag_area, self.added_mass
+
+
+def along_axes(
+    place: tuple[float, float, float], turned: Sequence[float]
+) -> tuple[float, float, float]:
+    """Return a place along the axes of a body along x, y, z; turned about x, then y, then z, deg.
+
+    Where it is turned about one of them the order does not matter.
+    """
+    x, y, z = place
+    roll, pitch, yaw = map(math.radians, turned)
+    y, z = y * math.cos(roll) - z * math.sin(roll), y * math.sin(roll) + z * math.cos(roll)
+    x, z = x * math.cos(pitch) + z * math.sin(pitch), z * math.cos(pitch) - x * math.sin(pitch)
+    x, y = x * math.cos(yaw) - y * math.sin(yaw), x * math.sin(yaw) + y * math.cos(yaw)
+    return x, y, z
 
 
 @dataclass(frozen=True)
@@ -91,6 +112,12 @@ class Deck:
         return (point.mass - self.density * point.volume) * self.gravity
 
 
+MOST_PARTS = 2_000
+"""Points and lines of a deck, each; more answer no sooner than in minutes."""
+MOST_TOLD = 50
+"""Faults of a deck that are told."""
+SHOWN = 10
+"""Lines of a file that are named for one fault."""
 LONGEST = 80
 """Characters of a deck that a refusal shows."""
 
@@ -119,7 +146,8 @@ def cut(text: str) -> str:
 def _place(rows: Sequence[int]) -> Message:
     """Say in which lines of the file something is wrong."""
     if len(rows) > 1:
-        return refusal("at_lines", rows=", ".join(map(str, rows[:-1])), row=rows[-1])
+        first = [*map(str, rows[: min(SHOWN, len(rows) - 1)]), *["..."] * (len(rows) > SHOWN + 1)]
+        return refusal("at_lines", rows=", ".join(first), row=rows[-1])
     return refusal("at_line", row=rows[0]) if rows[0] else refusal("at_file")
 
 
@@ -127,14 +155,16 @@ def _place(rows: Sequence[int]) -> Message:
 class Notes:
     """What is wrong with a deck and what is to be said of it, gathered while it is read.
 
-    `source`: name of the file; `only`: the one line that is wanted, counted from 1; `problems`:
-    with their lines of the file.
+    `source`: name of the file; `only`: the one line that is wanted, counted from 1; `turbines`: x
+    and y of each turbine of a farm, m; `problems`: with their lines of the file.
     """
 
     source: str = ""
     only: int | None = None
+    turbines: Sequence[tuple[float, float]] = ()
     problems: dict[Problem, int] = field(default_factory=dict)
     remarks: list[Message] = field(default_factory=list)
+    _said: set[Message] = field(default_factory=set)
 
     def refuse(self, row: int, found: str, key: str, /, **values: object) -> None:
         """Note what is wrong in a line of the file; 0: in the whole of it. Long words are cut.
@@ -147,7 +177,8 @@ class Notes:
     def say(self, key: str, /, **values: object) -> None:
         """Note a remark, once."""
         remark = Message(f"decks.{key}", **values)
-        if remark not in self.remarks:
+        if remark not in self._said:
+            self._said.add(remark)
             self.remarks.append(remark)
 
     def raise_if_any(self) -> None:
@@ -156,9 +187,8 @@ class Notes:
         for problem, row in sorted(self.problems.items(), key=itemgetter(1)):
             alike.setdefault((problem.found, problem.allowed), []).append(row)
         if alike:
-            raise InputError(
-                [Problem(_place(rows), *said) for said, rows in alike.items()], self.source
-            )
+            problems = [Problem(_place(rows), *said) for said, rows in alike.items()]
+            raise InputError(few(problems, most=MOST_TOLD), self.source)
 
     def require(self, sections: Mapping[str, Sequence[Row]]) -> None:
         """Refuse a deck without line types, points or lines."""
@@ -185,10 +215,7 @@ class Notes:
     def value(self, row: int, word: str, name: str, **limits: Unpack[Limits]) -> float:
         """Read a number, with Fortran's D for an exponent too."""
         above, at_least = limits.get("above", -math.inf), limits.get("at_least", -math.inf)
-        try:
-            found = float(word.lower().replace("d", "e"))
-        except ValueError:
-            found = math.nan
+        found = number(word.lower().replace("d", "e"))
         if not math.isfinite(found) or found <= above or found < at_least:
             key = "a_number_above" if above > -math.inf else "a_number_of_at_least"
             limit = max(above, at_least)
@@ -196,3 +223,27 @@ class Notes:
             self.refuse(row, f"{name} {word}", key, limit=limit)
             return math.nan
         return found
+
+
+def check_sizes(deck: Deck, notes: Notes) -> None:
+    """Note what is beyond any mooring: as in a case file, but where a deck has 1e-20 for none."""
+    for name, count in (("points", len(deck.points)), ("lines", len(deck.pieces))):
+        if count > MOST_PARTS:
+            notes.refuse(0, refusal(name), "most_parts", count=count, most=MOST_PARTS)
+    length, force, mass = Dimension.LENGTH, Dimension.FORCE, Dimension.MASS
+    every: list[tuple[int, str, float, Dimension]] = [(0, "depth", deck.depth, length)]
+    for kind in deck.types.values():
+        every.append((kind.row, "d", kind.diameter, length))
+        every.append((kind.row, "m", kind.mass, Dimension.MASS_PER_LENGTH))
+        if isinstance(kind.EA, float) and not math.isinf(kind.EA):
+            every.append((kind.row, "EA", kind.EA, Dimension.PRESSURE))  # up to rigid: 1e15
+    for point in deck.points.values():
+        every += [(point.row, key, getattr(point, key), length) for key in "xyz"]
+        every += [(point.row, "F", each, force) for each in point.force]
+        every += [(point.row, "M", point.mass, mass)]
+        every += [(point.row, "V", point.volume, Dimension.VOLUME)]
+    every += [(piece.row, "L", piece.length, length) for piece in deck.pieces]
+    for row, key, value, dimension in every:
+        if abs(value) > dimension.largest:
+            found = Problem(_place([row]), f"{key} {value:g}", implausible(dimension, value))
+            notes.problems[found] = row

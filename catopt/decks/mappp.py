@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from catopt.decks.deck import Deck, DeckPiece, End, LineType, Notes, Point, Row
+from catopt.decks.deck import MOST_PARTS, Deck, DeckPiece, End, LineType, Notes, Point, Row
 
 _SECTIONS = ("types", "points", "lines", "options")
 _HEADINGS = 2
@@ -47,7 +47,11 @@ def parse_mappp(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
         replace(piece, type=named.get(piece.type, named.get(piece.type.casefold(), piece.type)))
         for piece in pieces
     ]
-    for number, angle in _repeats(sections["options"], notes):
+    repeats = _repeats(sections["options"], notes)
+    if len(repeats) * max(len(points), len(pieces)) > MOST_PARTS:
+        notes.refuse(repeats[0][0], "repeat", "most_parts", count=len(repeats), most=MOST_PARTS)
+        notes.raise_if_any()
+    for number, angle in repeats:
         notes.say("repeat", line=number, angle=angle)
         turned = _turned(points, pieces, angle)
         points, pieces = points | turned[0], pieces + turned[1]

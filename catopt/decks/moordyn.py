@@ -12,13 +12,27 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from catopt import tables
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
-from catopt.decks.deck import Deck, DeckPiece, End, Limits, LineType, Notes, Point, Row, refusal
+from catopt.decks.deck import (
+    Deck,
+    DeckPiece,
+    End,
+    Limits,
+    LineType,
+    Notes,
+    Point,
+    Row,
+    along_axes,
+    refusal,
+)
 from catopt.documents import read_text
 from catopt.errors import InputError
 from catopt.model.line import StrainTable
+from catopt.words import Message
 
 _SECTIONS = (
+    (r"SYROPE", "syrope_ic"),
     (r"ROD\s+(TYPES|DICTIONARY)", "rod types"),
     (r"LINE\s+(TYPES|DICTIONARY)", "types"),
     (r"FAILURE", "failures"),
@@ -91,14 +105,15 @@ _LINES = "id linetype attacha attachb unstrlen", "id linetype unstrlen ? attacha
 def parse_moordyn(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
     """Read a deck; what is wrong with it is noted.
 
-    `given`: ``gravity``, ``density`` and ``depth`` where the user gives them, SI.
+    `given`: ``gravity``, ``density`` and ``depth`` where the user gives them, SI. A point of a
+    turbine of a farm counts from the place of that turbine, which `notes` has of the user.
     """
     sections, heads = _sections(text, notes)
     for name, key in _REFUSED.items():
         for row in sections.get(name, ()):
             found = f"{name.upper()}: {' '.join(row.words)[:40]}"
             notes.refuse(row.number, found, key)
-    for name in ("outputs", "failures"):
+    for name in ("outputs", "failures", "syrope_ic"):
         if sections.get(name):
             notes.say(name, line=sections[name][0].number)
     for row in sections.get("rod types", ()):
@@ -289,6 +304,11 @@ def _stiffness(row: Row, place: int, notes: Notes) -> float | StrainTable:
 def _strain_table(row: Row, word: str, notes: Notes) -> float | StrainTable:
     """Read the file of strains and tensions, N, that stands beside the deck."""
     path = Path(notes.source).parent / word
+    model, colon, _ = word.partition(":")
+    if colon:
+        key = "syrope" if model.upper() == "SYROPE" else "model_of_stiffness"
+        notes.refuse(row.number, f"EA {word}", key, name=model)
+        return math.nan
     if Path(word).name != word or not path.is_file():
         notes.refuse(row.number, f"EA {word}", "a_table_of_strain")
         return math.nan
@@ -296,11 +316,11 @@ def _strain_table(row: Row, word: str, notes: Notes) -> float | StrainTable:
     try:
         # Two lines of heads come first.
         strain, tension = zip(
-            *((float(a), float(b)) for a, b in filter(None, rows[2:])), strict=True
+            *((tables.number(a), tables.number(b)) for a, b in filter(None, rows[2:])), strict=True
         )
         return StrainTable(strain, tension)
     except (ValueError, InputError) as error:
-        said = error.problems[0] if isinstance(error, InputError) else error
+        said = error.problems[0] if isinstance(error, InputError) else Message("refused.number")
         notes.refuse(row.number, f"EA {word}", "no_table_of_strain", said=f"{said}")
         return math.nan
 
@@ -316,10 +336,7 @@ class _Body:
 
     def place(self, x: float, y: float, z: float) -> tuple[float, float, float]:
         """Return where a point of the body is that has these coordinates along its axes."""
-        roll, pitch, yaw = map(math.radians, self.turned)
-        y, z = y * math.cos(roll) - z * math.sin(roll), y * math.sin(roll) + z * math.cos(roll)
-        x, z = x * math.cos(pitch) + z * math.sin(pitch), z * math.cos(pitch) - x * math.sin(pitch)
-        x, y = x * math.cos(yaw) - y * math.sin(yaw), x * math.sin(yaw) + y * math.cos(yaw)
+        x, y, z = along_axes((x, y, z), self.turned)
         return self.at[0] + x, self.at[1] + y, self.at[2] + z
 
 
@@ -354,6 +371,8 @@ def _point(
     name, kind = row.words[at["id"]], row.words[at["attachment"]].lower()
     stem = kind.rstrip("0123456789")
     body = bodies.get(kind.removeprefix("body")) if stem == "body" else None
+    if stem in ("turbine", "t") and kind != stem:
+        body = _turbine(row, int(kind.removeprefix(stem)), notes)
     end = body.end if body else _ENDS.get(stem)
     if end is None and stem != "body":
         notes.refuse(row.number, row.words[at["attachment"]], "attachment")
@@ -377,6 +396,17 @@ def _point(
         notes.number(row, at[key.lower()], key, at_least=0.0) for key in keys
     )
     return Point(row.number, name, end or "free", x, y, z, mass, volume, area, added)
+
+
+def _turbine(row: Row, number: int, notes: Notes) -> _Body:
+    """Hold a turbine of a farm, counted from 1, where the user has it."""
+    if not 1 <= number <= len(notes.turbines):
+        found = refusal("turbine", number=number)
+        notes.refuse(row.number, found, "place_of_turbine", count=len(notes.turbines))
+        return _Body("coupled", (0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
+    x, y = notes.turbines[number - 1]
+    notes.say("turbine", number=number, x=x, y=y)
+    return _Body("coupled", (x, y, 0.0), (0.0, 0.0, 0.0))
 
 
 def _piece(row: Row, heads: Mapping[str, Row], notes: Notes, *, first: bool) -> DeckPiece:

@@ -50,11 +50,7 @@ def parse_ontology(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
     site_values = settled(found, notes, given)
     friction = general.number("seabed_friction", 0.0, at_least=0.0)
     types = {name: _type(row, notes) for name, row in top.named("mooring_line_types")}
-    of_body = ("m", "v", "CdA", "Ca")
-    connectors = {
-        name: PointMass(row.row, *(row.number(key, 0.0, at_least=0.0) for key in of_body))
-        for name, row in top.named("mooring_connector_types")
-    }
+    connectors = {name: _connector(row) for name, row in top.named("mooring_connector_types")}
     configs = dict(top.named("mooring_line_configs"))
     systems = dict(top.named("mooring_systems"))
     points: dict[str, Point] = {}
@@ -77,6 +73,14 @@ def parse_ontology(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
     return Deck(gravity, density, depth, types, points, pieces, friction)
 
 
+def _connector(row: YamlTable) -> PointMass:
+    """Read what hangs between two sections."""
+    mass, volume, area, added = (
+        row.number(key, 0.0, at_least=0.0) for key in ("m", "v", "CdA", "Ca")
+    )
+    return PointMass(row.row, mass, volume, area, added)
+
+
 def _type(row: YamlTable, notes: Notes) -> LineType:
     """Read a line type; drag is MoorDyn's, on the volume-equivalent diameter."""
     diameter, mass, EA = (row.number(key, above=0.0) for key in ("d_vol", "m", "EA"))
@@ -91,9 +95,8 @@ def _type(row: YamlTable, notes: Notes) -> LineType:
     return LineType(row.row, diameter, mass, EA, None, drag, MBL, nominal)
 
 
-def _of_family(part: YamlTable) -> LineType | None:
-    """Return what MoorPy makes of a family and a nominal diameter, which the ontology refers to."""
-    name, d = part.text("mooringFamily"), part.number("d_nom", above=0.0)
+def of_family(part: YamlTable, name: str, d: float) -> LineType | None:
+    """Return what MoorPy makes of a family and a nominal diameter, m, which decks refer to."""
     if name not in _FAMILIES:
         known = ", ".join(_FAMILIES)
         part.notes.refuse(part.row, f"mooringFamily {name}", "family", known=known)
@@ -208,7 +211,7 @@ def _parts(
         if "subsections" in part:
             notes.refuse(part.row, "subsections", "side_by_side")
         elif "mooringFamily" in part:
-            kind = _of_family(part)
+            kind = of_family(part, part.text("mooringFamily"), part.number("d_nom", above=0.0))
             if kind is not None:
                 name = f"{part.text('mooringFamily')} {part.text('d_nom')}"
                 types.setdefault(name, kind)

@@ -5,15 +5,15 @@ Positions are global, those on an object count along its axes; sections run from
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from catopt.constants import STANDARD_GRAVITY
-from catopt.decks.deck import Deck, DeckPiece, LineType, Notes, Point
+from catopt.decks.deck import Deck, DeckPiece, LineType, Notes, Point, along_axes
 from catopt.decks.to_case import DeckSection, PointMass, from_sections
 from catopt.decks.tree import YamlTable, parse_yaml
+from catopt.tables import number
 
 TONNE, KILO = 1e3, 1e3
 """kg and N of OrcaFlex's units of mass and force."""
@@ -95,9 +95,9 @@ def _wanted(top: YamlTable) -> list[YamlTable]:
 
 
 def _check_whole(top: YamlTable) -> None:
-    for key in ("BaseFile", "IncludeFile"):
-        if key in top:
-            top.notes.refuse(top.items[key].row, f"{key} {top.text(key)}", "files_within")
+    if "BaseFile" in top:
+        given = f"BaseFile {top.text('BaseFile')}"
+        top.notes.refuse(top.items["BaseFile"].row, given, "files_within")
     units = top.table("General").text("UnitsSystem", "SI")
     if units != "SI":
         top.notes.refuse(0, f"UnitsSystem {units}", "SI")
@@ -156,7 +156,9 @@ def _each(kind: YamlTable, key: str) -> list[float]:
     found = kind.item(key)
     words = [each.value for each in found.value] if isinstance(found.value, list) else []
     try:
-        numbers = [0.0 if word is None else float(word) for word in words]
+        numbers = [0.0 if word is None else number(word) for word in words]
+        if any(map(math.isnan, numbers)):
+            raise ValueError
     except (TypeError, ValueError):
         kind.notes.say("variable", line=found.row, key=key, value=", ".join(map(str, words)))
         return []
@@ -180,11 +182,16 @@ def _end(row: YamlTable, objects: Mapping[str, YamlTable], depth: float, surface
     if own.text("Connection", "Free") not in ("Free", "Fixed"):
         own.notes.refuse(own.row, f"{to}: Connection {own.text('Connection')}", "not_followed")
     at = own.numbers("InitialPosition", 3)
-    *tilt, heading = own.numbers("Orientation" if "Orientation" in own else "InitialAttitude", 3)
-    if any(tilt):
-        own.notes.refuse(own.row, f"{to}: {tilt} deg", "not_tilted")
-    place = complex(*at[:2]) + complex(x, y) * cmath.rect(1.0, math.radians(heading))
-    return Point(row.row, to, "coupled", place.real, place.imag, at[2] + z - surface)
+    turned = own.numbers("Orientation" if "Orientation" in own else "InitialAttitude", 3)
+    if any(turned[:2]) and sum(angle != 0.0 for angle in turned) > 1:
+        own.notes.refuse(own.row, f"{to}: {turned} deg", "turned_about_several")
+    elif any(turned[:2]):
+        about = 0 if turned[0] else 1
+        own.notes.say("tilted", name=to, angle=turned[about], axis="xyz"[about])
+    if own.text("Connection", "Free") == "Free":
+        own.notes.say("free_object", name=to, x=at[0], y=at[1], z=at[2])
+    x, y, z = along_axes((x, y, z), turned)
+    return Point(row.row, to, "coupled", at[0] + x, at[1] + y, at[2] + z - surface)
 
 
 def _parts(line: YamlTable, clumps: Mapping[str, YamlTable]) -> Iterator[DeckSection | PointMass]:
@@ -227,4 +234,4 @@ def _hung(
         clump = clumps[name]
         mass = clump.number("Mass", at_least=0.0) * TONNE
         volume = clump.number("Volume", 0.0, at_least=0.0)
-        yield at, PointMass(row.row, mass, volume)
+        yield at, PointMass(row.row, mass, volume, name=name)

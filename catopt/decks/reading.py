@@ -6,9 +6,9 @@ import re
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import PurePath
-from typing import Any
+from typing import Any, Final
 
-from catopt.decks.deck import Deck, Notes
+from catopt.decks.deck import LONGEST, Deck, Notes, check_sizes
 from catopt.decks.to_case import (
     Chain,
     case_of,
@@ -21,9 +21,10 @@ from catopt.decks.to_case import (
     site_of,
     site_of_chains,
     weight_of,
+    without_floating_ends,
 )
 from catopt.documents import unfit
-from catopt.errors import InputError
+from catopt.errors import InputError, refused
 from catopt.model import Case, Line, Segment, Site
 from catopt.model.network import LineBetween, Network, Point, PointKind
 from catopt.words.message import Message
@@ -102,13 +103,15 @@ def _network(
 class Asked:
     """What the user says beside the deck: m/s2, kg/m3 and m, where the deck has none.
 
-    `line`: only this one, counted from 1 as they come in the deck.
+    `line`: only this one, counted from 1 as they come in the deck; `turbines`: x and y of each
+    turbine of a farm, m.
     """
 
     gravity: float | None = None
     density: float | None = None
     depth: float | None = None
     line: int | None = None
+    turbines: tuple[tuple[float, float], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -122,8 +125,20 @@ class Imported:
     remarks: tuple[Message, ...]
 
 
-_BEGINS = r"(?m)^(mooring_systems|mooring_line_configs)\s*:", r"(?m)^LineTypes\s*:"
+_SHOWN_KEYS: Final = 6
+
+
+_BEGINS = (
+    r"(?m)^(mooring_systems|mooring_line_configs)[ \t]*:",
+    r"(?m)^(-[ ]+)?(LineTypes|[Ii]nclude[Ff]ile)[ \t]*:",
+)
 """How the ontology and OrcaFlex's text data are known."""
+
+
+def is_of_tables(text: str) -> bool:
+    """Whether a YAML file has a mooring of RAFT's or windIO's tables."""
+    keys = ("mooring", "line_types")
+    return all(re.search(rf"(?m)^[ \t]*{key}[ \t]*:", text) is not None for key in keys)
 
 
 def is_deck(text: str) -> bool:
@@ -135,19 +150,44 @@ def is_deck(text: str) -> bool:
     >>> is_deck("--- LINE TYPES ---"), is_deck("[site]")
     (True, False)
     """
-    begins = (r"(?mi)^.*---.*\bLINE\s+(TYPES|DICTIONARY)\b", *_BEGINS)
-    return any(re.search(each, text) is not None for each in begins)
+    for line in text.split("\n"):
+        _, dashes, name = line.partition("---")
+        if dashes and re.search(r"(?i)\bLINE[ \t]+(TYPES|DICTIONARY)\b", name):
+            return True
+    return any(re.search(each, text) is not None for each in _BEGINS) or is_of_tables(text)
+
+
+def is_yaml(text: str, source: str) -> bool:
+    """Whether a text is YAML by its ending or its first line, and no case file."""
+    ending = PurePath(source).suffix.lower()
+    first = text.lstrip().partition("\n")[0].rstrip()
+    return ending in (".yaml", ".yml") or first == "---" or first.startswith("%YAML")
+
+
+def refuse_yaml(text: str, source: str) -> InputError:
+    """Say what a YAML file has at its top, and which files are read."""
+    lines = (line.removeprefix("- ") for line in text.split("\n"))
+    keys = dict.fromkeys(key for key, colon, _ in (e.partition(":") for e in lines) if colon)
+    top = [key for key in keys if key[:1].isalpha() and len(key) <= LONGEST]
+    named = ", ".join(top[:_SHOWN_KEYS]) + (", ..." if len(top) > _SHOWN_KEYS else "")
+    found = Message("refused_deck.yaml_of_keys", keys=named) if top else Message("refused.none")
+    return refused("file", found, Message("refused_deck.yaml_that_is_read"), source)
 
 
 def _is_of_mappp(text: str) -> bool:
     """Whether a deck is MAP++'s: it has no columns, sections or options of MoorDyn's."""
-    if not re.search(r"(?mi)^-.*SOLVER OPTIONS", text):
+    lines = text.split("\n")
+
+    def has(pattern: str) -> bool:
+        """Whether a line begins so: by lines, so that no blank is looked at twice."""
+        return any(re.match(f"(?i){pattern}", line) for line in lines)
+
+    if not has("-.*SOLVER OPTIONS"):
         return False
-    heads = r"\b(NumSegs|NumNodes|EI|BA\S*|Can|CdAx|CdA)\b"
-    of_map = r"(?mi)^\s*LineType\s.*\bCB\b"
-    if re.search(of_map, text) or re.search(r"(?mi)^\s*Option\s*$", text):
+    if has(r"[ \t]*LineType\s.*\bCB\b") or has(r"[ \t]*Option\s*$"):
         return True
-    return not re.search(rf"(?mi)^\s*\w+\s.*{heads}|^-.*\b(POINTS|CONNECTION|OUTPUTS)\b", text)
+    heads = r"\b(NumSegs|NumNodes|EI|BA\S*|Can|CdAx|CdA)\b"
+    return not has(rf"[ \t]*\w+\s.*{heads}|-.*\b(POINTS|CONNECTION|OUTPUTS)\b")
 
 
 def read_deck(text: str, source: str = "", asked: Asked | None = None) -> Imported:
@@ -190,20 +230,24 @@ def read_any_deck(
     from catopt.decks.moordyn import parse_moordyn
     from catopt.decks.ontology import parse_ontology
     from catopt.decks.orcaflex import parse_orcaflex
+    from catopt.decks.tables import parse_tables
 
     given = {key: value for key, value in asdict(asked or Asked()).items() if value is not None}
-    line = given.pop("line", None)
-    notes = Notes(source, line)
+    notes = Notes(source, given.pop("line", None), given.pop("turbines", ()))
     text = text.replace("\r\n", "\n")
     for row, said in enumerate(text.split("\n"), start=1):
         if unfit(said):
             notes.refuse(row, unfit(said), "out_of_file")
     notes.raise_if_any()
     parse = parse_mappp if _is_of_mappp(text) else parse_moordyn
+    if is_of_tables(text):
+        parse = parse_tables
     for begins, other in zip(_BEGINS, (parse_ontology, parse_orcaflex), strict=True):
         parse = other if re.search(begins, text) else parse
     deck = parse(text, notes, given)
+    check_sizes(deck, notes)
     notes.raise_if_any()
+    deck = without_floating_ends(deck, notes)
     title = PurePath(source).stem
     case: Case | Network
     if notes.only is None and has_joints(deck):

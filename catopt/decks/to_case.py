@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections import Counter
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby
@@ -69,6 +70,36 @@ def chains_of(deck: Deck, notes: Notes, only: int | None = None) -> list[Chain]:
         found = [found[only - 1]]
     notes.raise_if_any()
     return found
+
+
+def without_floating_ends(deck: Deck, notes: Notes) -> Deck:
+    """Put the buoyancy of a line that floats with a free end on the point from which it floats.
+
+    In still water it stands upright there and pulls with its net buoyancy, whatever its length.
+    """
+    points, pieces = dict(deck.points), []
+    meeting = Counter(end for piece in deck.pieces for end in piece.ends)
+    for number, piece in enumerate(deck.pieces, start=1):
+        kind, known = deck.types.get(piece.type), set(piece.ends) <= points.keys()
+        lift = 0.0 if kind is None else -weight_of(deck, kind) * piece.length
+        ends = [points[end] for end in piece.ends] if known and lift > 0.0 else []
+        bare = [end for end in ends if meeting[end.name] == 1 and _is_bare(end)]
+        feet = [end for end in ends if end not in bare]
+        if len(bare) != 1 or len(feet) != 1 or feet[0].end != "free":
+            pieces.append(piece)
+            continue
+        (foot,) = feet
+        own = {"name": f"{number}", "point": foot.name, "length": piece.length}
+        notes.say("floats_free", line=piece.row, lift=lift, **own)
+        volume = foot.volume + lift / (deck.density * deck.gravity)
+        points[foot.name] = replace(foot, volume=volume)
+        del points[bare[0].name]
+    return replace(deck, points=points, pieces=pieces)
+
+
+def _is_bare(point: Point) -> bool:
+    """Whether a point is free, with nothing on it."""
+    return point.end == "free" and not any(point.body) and not any(point.force)
 
 
 def check_meeting(deck: Deck, notes: Notes) -> dict[str, list[DeckPiece]]:
@@ -153,13 +184,14 @@ class DeckSection:
 
 @dataclass(frozen=True)
 class PointMass:
-    """What hangs between two sections: kg, m3, Cd A in m2, and Ca."""
+    """What hangs between two sections: kg, m3, Cd A in m2, Ca, and its name."""
 
     row: int
     mass: float
     volume: float
     drag_area: float = 0.0
     added_mass: float = 0.0
+    name: str = ""
 
 
 def from_sections(
@@ -202,6 +234,7 @@ def _with(point: Point, hung: PointMass) -> Point:
         volume=volume,
         drag_area=point.drag_area + hung.drag_area,
         added_mass=added / volume if volume else 0.0,
+        hung=", ".join(filter(None, (point.hung, hung.name))),
     )
 
 
@@ -239,6 +272,10 @@ def site_of_chains(deck: Deck, chains: Sequence[Chain], notes: Notes) -> tuple[S
     return found
 
 
+ABOVE_BED = 0.01
+"""Of the depth: a point that is fixed higher above the bed is remarked on."""
+
+
 def site_of(
     deck: Deck, pieces: Sequence[DeckPiece], ends: Sequence[Point], notes: Notes
 ) -> tuple[Site, str]:
@@ -251,6 +288,9 @@ def site_of(
     for point in ends:
         if point.z < -deck.depth * (1.0 + 1e-9):
             notes.refuse(point.row, f"Z {point.z:g} m", "below_bed", bed=-deck.depth)
+        elif point.end == "fixed" and point.z + deck.depth > ABOVE_BED * deck.depth:
+            height = point.z + deck.depth
+            notes.say("anchor_above_bed", line=point.row, name=point.name, height=height)
     notes.raise_if_any()
     for name in used:
         # Say the weight in water of a line type, and its drag.
@@ -304,7 +344,7 @@ def _line(deck: Deck, chain: Chain) -> Line:
                     math.fsum(piece.length for piece in chain.pieces[:number]),
                     deck.hung_weight(point),
                     mass=point.mass,
-                    name=f"point {point.name}",
+                    name=point.hung or f"point {point.name}",
                     drag_area=point.drag_area or None,
                     drag_coefficient=1.0 if point.drag_area else None,
                     added_mass_coefficient=point.added_mass if point.volume else 0.0,

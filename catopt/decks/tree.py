@@ -6,10 +6,11 @@ import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any, Unpack
+from pathlib import Path
+from typing import Any, Final, Unpack
 
 from catopt.decks.deck import Limits, Notes, refusal
-from catopt.documents import check_entries
+from catopt.documents import check_entries, read_text
 from catopt.errors import need_package
 
 
@@ -171,10 +172,105 @@ def parse_yaml(text: str, notes: Notes) -> YamlTable:
         notes.refuse(row, "", "yaml", said=getattr(error, "problem", None) or f"{error}")
     except RecursionError:
         notes.refuse(0, "", "nests_too_deeply")
+    found = _with_included(found, notes)
     if not notes.problems and not isinstance(found.value, dict):
         notes.refuse(found.row, "", "keys_with_values")
     notes.raise_if_any()
     return YamlTable(found.row, found.value, notes, [])
+
+
+_INCLUDE: Final = "includefile"
+_MOST_INCLUDED: Final = 100
+"""Files that a deck takes in."""
+
+
+def _with_included(top: Item, notes: Notes) -> Item:
+    """Put what included files hold in the place of their names; the tables of a list are joined.
+
+    What stands in an included file has the line of this file that names it.
+    """
+    taken: list[str] = []
+    found = _resolved(top, Path(notes.source).parent, notes, taken)
+    if taken:
+        notes.say("included", files=", ".join(taken))
+    if isinstance(found.value, list) and found.value:
+        found = Item(found.row, _joined(found.value))
+    return found
+
+
+def _resolved(item: Item, folder: Path, notes: Notes, taken: list[str]) -> Item:
+    """Take in the files that an item names, from a folder, and add them to those `taken`."""
+    if isinstance(item.value, list):
+        parts: list[Item] = []
+        for each in item.value:
+            inner = _resolved(each, folder, notes, taken)
+            is_file = isinstance(each.value, dict) and _included(each.value) is not None
+            parts += inner.value if is_file and isinstance(inner.value, list) else [inner]
+        return Item(item.row, parts)
+    if not isinstance(item.value, dict):
+        return item
+    name = _included(item.value)
+    if name is not None:
+        return _taken_in(item.row, name, folder, notes, taken)
+    inside = {key: _resolved(v, folder, notes, taken) for key, v in item.value.items()}
+    return Item(item.row, inside)
+
+
+def _taken_in(row: int, name: str, folder: Path, notes: Notes, taken: list[str]) -> Item:
+    """Read the file that a line names."""
+    import yaml
+
+    path = folder / name.replace("\\", "/")
+    taken.append(name)
+    if len(taken) > _MOST_INCLUDED:
+        notes.refuse(row, name, "too_many_files", most=_MOST_INCLUDED)
+        notes.raise_if_any()
+    if not path.is_file():
+        notes.refuse(row, name, "no_such_file", path=str(path))
+        return Item(row, None)
+    text = read_text(path, str(path), kind="input file", broken=True)
+    check_entries(text, str(path), ":,[{-")
+    try:
+        node = yaml.compose(text, Loader=yaml.SafeLoader)
+    except yaml.YAMLError as error:
+        notes.refuse(row, name, "yaml", said=getattr(error, "problem", None) or f"{error}")
+        return Item(row, None)
+    inside = Item(row, None) if node is None else _at_row(row, _item(node, notes, set()))
+    return _resolved(inside, path.parent, notes, taken)
+
+
+def _included(table: Mapping[str, Item]) -> str | None:
+    """Name the file that stands for a table; None where it is a table of its own."""
+    (key, item), *others = table.items() or [("", Item(0, None))]
+    is_one = not others and key.lower() == _INCLUDE and isinstance(item.value, str)
+    return str(item.value) if is_one else None
+
+
+def _at_row(row: int, item: Item) -> Item:
+    """Put all of another file in the line of this one that names it."""
+    if isinstance(item.value, list):
+        return Item(row, [_at_row(row, each) for each in item.value])
+    if isinstance(item.value, dict):
+        return Item(row, {key: _at_row(row, each) for key, each in item.value.items()})
+    return Item(row, item.value)
+
+
+def _joined(parts: list[Item]) -> dict[str, Item] | None:
+    """Join the tables of a list into one; of one key lists follow each other; else None."""
+    found: dict[str, Item] = {}
+    for part in parts:
+        if part.value is None:
+            continue
+        if not isinstance(part.value, dict):
+            return None
+        for key, item in part.value.items():
+            own = found.get(key)
+            if own is not None and isinstance(own.value, list) and isinstance(item.value, list):
+                item = Item(own.row, [*own.value, *item.value])
+            elif own is not None and isinstance(own.value, dict) and isinstance(item.value, dict):
+                item = Item(own.row, own.value | item.value)
+            found[key] = item
+    return found
 
 
 def _item(node: Any, notes: Notes, seen: set[int]) -> Item:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from typing import Annotated, Any, TypedDict
 
 from catopt.checks.result import CheckReport, CheckResult, ChecksInMotion
-from catopt.checks.verdict import Judgement, verdict_of
+from catopt.checks.verdict import Judgement, Matter, verdict_of
 from catopt.design.mooring_point import MooringPoint, under
 from catopt.model import Anchor, Case, Line
 from catopt.model.design import FoundBy, loads_of
@@ -226,12 +226,12 @@ class DesignPoint(Displayable, Record):
     """Only where designs have to pass in motion: what it came to there."""
 
     @property
-    def judgement(self) -> Judgement:
-        """What it comes to at rest and, where it was run, in motion."""
+    def matter(self) -> Matter:
+        """What its verdict is on: its checks at rest and, where it was run, in motion."""
         moved = None if self.in_motion is None else self.in_motion.checks
         if moved is not None and self.in_motion is not None:
             moved = replace(moved, is_proven=self.in_motion.verdict == "converged")
-        return verdict_of(replace(self.checks.matter, in_motion=moved))
+        return replace(self.checks.matter, in_motion=moved)
 
     @property
     def passes(self) -> bool:
@@ -387,7 +387,7 @@ class DesignResult(Displayable, Record):
     DOCUMENT = (
         "case.title objectives load_cases front recommended_index=recommended recommendation ends "
         "neighbours present method is_exact designs evaluations feasible hypervolume "
-        "reference_point seed interrupted warnings excluded? in_motion? best.judgement=verdict"
+        "reference_point seed interrupted warnings excluded? in_motion? judgement=verdict"
     )
 
     case: Case  # what was asked
@@ -436,6 +436,11 @@ class DesignResult(Displayable, Record):
     def best(self) -> DesignPoint:
         """The recommended design: the knee of the front."""
         return self.front[self.recommended - 1]
+
+    @property
+    def judgement(self) -> Judgement:
+        """What the recommended design comes to, and what was not judged."""
+        return verdict_of(self.best.matter)
 
     @property
     def recommended_index(self) -> FromZero:

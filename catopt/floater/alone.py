@@ -82,6 +82,10 @@ _A_SLICE: Final = 1e-5
 """Time that a slice takes in one step as plain Python, s; and so a wave."""
 
 
+ROLL, PITCH = 3, 4
+"""Columns of a hull's place, and rows of its extremes."""
+
+
 @dataclass(frozen=True, eq=False)
 class HullHistory:
     """How a hull moved.
@@ -93,7 +97,8 @@ class HullHistory:
     and N m; `extreme` (7, 2): least and largest of place and volume of every step; `works`: of
     weight and pressure, diffraction, the waves that it makes, drag, wind, linear damping and lines,
     J; `numerical_part`: energy that the steps lost or gained, over what was put in; `volume`: of
-    all its slices, m3, 0 without any; `scene`: how it looked around its lines' largest tension.
+    all its slices, m3, 0 without any; `scene`: how it looked around its lines' largest tension;
+    `mean` (7,): of place and volume over the samples that count, where these are no longer kept.
     """
 
     time: Array
@@ -108,6 +113,12 @@ class HullHistory:
     numerical_part: float
     volume: float
     scene: Scene | None = None
+    mean: Array | None = None
+
+    def mean_heel(self, counted: Flags) -> float:
+        """Heel of its mean place, rad; `counted` (n,): samples that count."""
+        mean = self.place[counted].mean(axis=0) if self.mean is None else self.mean
+        return math.acos(min(1.0, math.cos(mean[ROLL]) * math.cos(mean[PITCH])))
 
 
 def history_of(body: Afloat, time: Array, depth: float, volume: float) -> HullHistory:

@@ -15,7 +15,7 @@ from catopt.arrays import Array
 from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError, refused
 from catopt.hydro.build import FloatingHull, HullOfCoefficients, Radiation
-from catopt.hydro.coefficient_files import read_capytaine, read_wamit
+from catopt.hydro.coefficient_files import WAMIT, read_capytaine, read_wamit
 from catopt.hydro.coefficients import Coefficients
 from catopt.hydro.cylinder import FloatingCylinder
 from catopt.loads.buoy import AIR_DENSITY, buoy, read_buoys
@@ -245,9 +245,17 @@ def hull_of_files(
     )
 
 
+_OTHERS: Final = (".h5", ".hdf5", ".mat")
+"""Endings of coefficient files that are not read."""
+
+
 def _read(of: HullAfloat, density: float) -> Coefficients:
     if Path(of.file).suffix == ".nc":
         return read_capytaine(of.file)
+    ending = Path(of.file).suffix.lower()
+    if ending in _OTHERS or (ending not in WAMIT and Path(of.file).is_file()):
+        allowed = Message("refused_motion.coefficient_files", endings=", ".join(WAMIT))
+        raise refused("floater.hull.file", Path(of.file).name, allowed, "--dynamic")
     if of.ulen is None:
         allowed = Message("refused_motion.ulen_of_wamit")
         raise refused("floater.hull.ulen", "", allowed, "--dynamic")

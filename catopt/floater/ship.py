@@ -23,6 +23,7 @@ from catopt.errors import InputError
 from catopt.floater.line_tables import LineTables, tabulated
 from catopt.hydro.coefficient_files import read_wamit
 from catopt.hydro.coefficients import Coefficients
+from catopt.hydro.drift import HullForm
 from catopt.loads.hull_derivatives import HullDerivatives, hull_derivatives
 from catopt.loads.ship import BARGE, TAKEN_FOR, Ship, estimated_tanker
 from catopt.loads.ship_coefficients import (
@@ -30,7 +31,7 @@ from catopt.loads.ship_coefficients import (
     ShipCoefficients,
     read_ship_coefficients,
 )
-from catopt.loads.ship_loads import depth_factor, share_above, width_across
+from catopt.loads.ship_loads import depth_factor, width_across
 from catopt.loads.weathervane import (
     CLARKE_LEVER,
     YAW_TYPES,
@@ -296,6 +297,10 @@ ANGLES: Final = 720
 """Of wind and current off the bow, all round, between which forces are interpolated."""
 _GYRATION: Final = 0.25
 """Radius of gyration in yaw over the length of the waterline; tankers have up to 0.27."""
+_ENDS: Final = 0.875
+"""Length of either end of the waterline over the breadth, as full ships have it: catopt's own. So
+the bow of a tanker in ballast takes in short waves some half of what a flat one does, between the
+0.42 and 0.60 of panel calculations."""
 _TURN: Final = 2.0 * math.pi
 
 
@@ -373,12 +378,13 @@ class ShipInWeather:
 
     @property
     def _yaw(self) -> CurrentYaw | None:
-        match self.turned_by:
-            case "":
-                return None
-            case "Clarke-lever":
-                return lever_of(self.ship)
-        return YAW_TYPES[self.turned_by]
+        """Say where the current acts; `lever_factor` does not move her own tables' moment."""
+        if not self.turned_by:
+            return None
+        own = self.turned_by == CLARKE_LEVER
+        yaw = lever_of(self.ship) if own else YAW_TYPES[self.turned_by]
+        part = self.of.lever_factor
+        return yaw._replace(intercept=part * yaw.intercept, slope=part * yaw.slope)
 
     @property
     def block(self) -> float:
@@ -426,7 +432,7 @@ class ShipInWeather:
         which slows the turn, is left out.
         """
         of, unit, L = self.derivatives, 0.5 * self.density, self.ship.length_waterline
-        return of.Yr * unit * L**3, of.Nr * unit * L**4
+        return of.Yr * unit * L**3, of.Nr * unit * L**4 * self.of.turn_factor
 
     @cached_property
     def wind_table(self) -> Array:
@@ -479,16 +485,20 @@ class ShipInWeather:
 
         `headings`: of the ship, from the x axis of the system, rad; N/m2 and N/m, in the ship's
         axes about the origin. Out of the file, about midships; or of a side that reflects of each
-        wave a given part, or what of its energy flows above the keel (`catopt.loads.ship_loads`),
-        along them.
+        wave a given part, along them; or by the form of the hull (`catopt.hydro.drift`).
         """
         angle = waves.direction - headings[:, np.newaxis]
         of = self._drift_file
         if of is not None:
             found = of.at("mean_drift", waves.omega, angle)[..., [0, 1, 5]].real
+        elif self.of.reflection is None:
+            form = self.form.coefficients()
+            found = form.at("mean_drift", waves.omega, angle)[..., [0, 1, 5]].real
+            found = self.of.drift_factor * found
         else:
             ship, unit = self.ship, 0.5 * self.density * STANDARD_GRAVITY
-            factor = np.array([self._reflected(float(k)) for k in wave_numbers])
+            part = self.of.reflection**2
+            factor = np.array([part * depth_factor(float(k), self.depth) for k in wave_numbers])
             size = (ship.length_waterline, ship.breadth)
             width = np.vectorize(lambda each: width_across(*size, each))(angle)
             push = unit * factor * width
@@ -496,11 +506,28 @@ class ShipInWeather:
         found[..., 2] -= self.of.mooring_point * found[..., 1]
         return np.asarray(found)
 
-    def _reflected(self, wave_number: float) -> float:
-        """Square of the reflection of a wave, times what its depth adds."""
-        part = self.of.reflection
-        square = share_above(wave_number, self.of.draught, self.depth) if part is None else part**2
-        return square * depth_factor(wave_number, self.depth)
+    @cached_property
+    def form(self) -> HullForm:
+        """Her hull by its main dimensions, for the drift."""
+        ship, of = self.ship, self.of
+        entrance, waterplane = of.entrance, None
+        if entrance is None and of.kind == BARGE:
+            entrance = 0.5 * math.pi
+        if entrance is None:
+            ends = _ENDS * ship.breadth
+            waterplane = 1.0 - (2.0 - 0.5 * math.pi) * ends / ship.length_waterline
+        return HullForm(
+            ship.length_waterline,
+            ship.breadth,
+            ship.draught,
+            self.depth,
+            block=self.block,
+            waterplane=waterplane,
+            entrance=entrance,
+            roll_period=of.roll_period,
+            roll_damping=of.roll_damping,
+            density=self.density,
+        )
 
     def steady(self, heading: float, drift: Array) -> Array:
         """Force and moment of the mean weather at a heading, rad, as `drift` has them.

@@ -123,6 +123,8 @@ def _row(line: str, columns: Sequence[str]) -> list[float]:
     cells = line.upper().replace("D", "E").split()
     try:
         row = [float(each) for each in cells]
+        if not all(each.isascii() and "_" not in each for each in cells):
+            raise ValueError
     except ValueError:
         raise ValueError(Message("refused_motion.numbers_wanted")) from None
     if columns[-1] == "B" and len(row) == len(columns) - 1 and row[0] <= 0.0:

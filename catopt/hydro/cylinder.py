@@ -15,6 +15,8 @@ and pitch. Without its waves, at an infinite frequency, phi = 0 at the surface.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from copy import copy
 from dataclasses import dataclass
 from typing import Final, NamedTuple
 
@@ -25,7 +27,7 @@ from scipy.special import h1vp, hankel1, ive, jv, kve
 from catopt.arrays import Array
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.model.kinds import Findings
-from catopt.waves.random_surface import wave_number
+from catopt.waves.random_surface import depth_factor, wave_number
 from catopt.words import Message
 
 Complex = npt.NDArray[np.complex128]
@@ -34,6 +36,8 @@ SURGE, HEAVE, PITCH = 0, 1, 2
 _TERMS: Final = 60
 """Eigenfunctions on either side, at least; more where the gap is many draughts high."""
 _MOST: Final = 240
+_ROUND: Final = 8
+"""Waves round the cylinder, beyond k a."""
 
 
 class CylinderAnswer(NamedTuple):
@@ -101,6 +105,31 @@ class FloatingCylinder:
             mass[i], damping[i] = own.added_mass.real, own.added_mass.imag * w
             excited[i], wave[i] = own.excitation(), own.froude_krylov()
         return CylinderAnswer(given, mass, damping, excited, wave)
+
+    def drift(
+        self,
+        omega: float,
+        mass: Array | None = None,
+        stiffness: Array | None = None,
+        damping: Array | None = None,
+    ) -> float:
+        """Mean drift along a wave of 1 m, N/m2: momentum far away (Maruo 1960), in finite depth.
+
+        Of each wave round the cylinder, cos(m theta), S_m leaves for 1 that comes in; fixed, |S_m|
+        is 1 and follows from radiation. The force is rho g/(2 k) (1 + 2 k h/sinh 2 k h) times the
+        sum of 1 - Re(S_m S*_m+1). `omega` in rad/s; `mass`, `stiffness` and `damping` (3, 3) of
+        surge, heave and pitch about the reference, beside those of the waves; it is held fast
+        without a mass.
+        """
+        of, speeds = Matched(self, omega), [0j, 0j, 0j]
+        if mass is not None:
+            zero = np.zeros((3, 3))
+            own = (zero if stiffness is None else stiffness) - omega**2 * (mass + of.added_mass)
+            own = own - 1j * omega * (zero if damping is None else damping)
+            speeds = (-1j * omega * np.linalg.solve(own, of.excitation())).tolist()
+        sent = of.sent(speeds)
+        unit = 0.5 * self.density * self.gravity * depth_factor(of.k, self.depth) / of.k
+        return unit * float((1.0 - (sent[:-1] * sent[1:].conj()).real).sum())
 
     def at_infinite_frequency(self) -> Array:
         """Give the added mass (3, 3) of motion much faster than its waves."""
@@ -273,6 +302,33 @@ class Matched:
         q = self.k
         wave = d * d * self._sinh(d) / q - 2.0 * d * self._cosh(d) / q**2
         return np.concatenate([[wave + 2.0 * self._sinh(d) / q**3], own])
+
+    # ------------------------------------------------------------------ far away
+
+    def _ring(self, mode: int, m: int) -> complex:
+        """Wave of a unit speed, as the potential that goes with H_m."""
+        return complex(self.C[mode][0] / (self.k * h1vp(m, self.k * self.of.radius)))
+
+    def sent(self, speeds: Sequence[complex] = (0.0, 0.0, 0.0)) -> Complex:
+        """S_m for m from 0 to where nothing is scattered any more.
+
+        A potential of real speeds on the hull less its conjugate has none there. `speeds`: of
+        surge, heave and pitch, for a wave of 1 m; without, the cylinder is held fast.
+        """
+        out = []
+        for m in range(math.ceil(self.k * self.of.radius) + _ROUND):
+            of = self
+            if m > 1:
+                of = copy(self)
+                of.C, of.D = {}, {}
+                of._match(m, SURGE)
+            ring = of._ring(SURGE if m else HEAVE, m)
+            out.append(-ring / ring.conjugate())
+        wave = self.of.gravity / (1j * self.omega) / self._cosh(self.of.depth)
+        out[0] += 2.0 * speeds[HEAVE] * self._ring(HEAVE, 0) / wave
+        turning = speeds[SURGE] * self._ring(SURGE, 1) + speeds[PITCH] * self._ring(PITCH, 1)
+        out[1] += turning / (1j * wave)
+        return np.array(out)
 
     # ------------------------------------------------------------------ forces
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import re
 from collections.abc import Sequence
@@ -12,6 +13,7 @@ from catopt.documents import read_text, unfit
 from catopt.errors import InputError, refused
 from catopt.loads.buoy_shape import BuoyShape, BuoySlice
 from catopt.model.kinds import Findings
+from catopt.tables import number
 from catopt.words import Message
 
 if TYPE_CHECKING:
@@ -194,16 +196,15 @@ def _allowed(names: Sequence[str]) -> str:
 
 
 def _check_number(at: str, value: str, found: Findings) -> None:
-    try:
-        number = float(value)
-    except ValueError:
+    read = number(value)
+    if math.isnan(read):
         allowed = Message("refused_sizing.number_with_decimal_point_wanted")
         found.add(at, f'"{value}"', allowed)
         return
-    if "NombreLest" in at and number % 1.0:
+    if "NombreLest" in at and read % 1.0:
         found.add(at, f'"{value}"', Message("refused.whole"))
     else:
-        found.number(at, number, "", at_least=None if at.endswith(_SIGNED) else 0.0)
+        found.number(at, read, "", at_least=None if at.endswith(_SIGNED) else 0.0)
 
 
 def _at(path: str, key: str) -> str:

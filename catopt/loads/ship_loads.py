@@ -32,19 +32,6 @@ DriftWave = Literal["sea state", "largest wave"]
 _SOURCE = LoadSource(DTOCEAN, "flat side, after Hermans and Remery 1970; depth, McIver 1987", "C")
 
 
-def share_above(wave_number: float, draught: float, depth: float) -> float:
-    """Part of a wave's energy that flows past above the keel: 1 - exp(-2 k T) in deep water.
-
-    What flows is pressure times velocity, in a wave over depth h proportional to cosh^2 k z; below
-    the keel that comes to (2 k c + sinh 2 k c)/(2 k h + sinh 2 k h) of all, c the water below it.
-    k in rad/m, lengths in m; 1 for a hull that sits on the bed.
-    """
-    below, whole = (2.0 * wave_number * each for each in (max(depth - draught, 0.0), depth))
-    if whole > 700.0:
-        return 1.0 - math.exp(below - whole)
-    return 1.0 - (below + math.sinh(below)) / (whole + math.sinh(whole))
-
-
 def flat_side_drift(
     sea: SeaState,
     depth: float,

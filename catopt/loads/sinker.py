@@ -178,7 +178,7 @@ class Bond:
     base_area: float | None = None
     """m2; None: that of a cast block of each mass, `PROPORTION`."""
     embedment: float = 0.0
-    """How deep it has sunk in, m."""
+    """m: how deep it has sunk in."""
 
     def holding(self, mass: float, density: float) -> float:
         """Horizontal pull that a sinker of a mass (kg) holds by it, N."""

@@ -18,7 +18,17 @@ from catopt.model.dynamics import (
     of_motion_misfits,
     sections_misfits,
 )
-from catopt.model.kinds import Checked, File, Findings, Height, Measured, Seed, Share, Whole
+from catopt.model.kinds import (
+    Accepted,
+    Checked,
+    File,
+    Findings,
+    Height,
+    Measured,
+    Seed,
+    Share,
+    Whole,
+)
 from catopt.model.line import Line
 from catopt.model.load import Checks, Load, LoadCase, Site
 from catopt.model.sea import CurrentProfile, Motion, WaveState
@@ -142,6 +152,8 @@ class Case(Checked):
     """How the line is run in time; needed by the six before it."""
     fatigue: Fatigue | None = None
     """What its damage in a year is found from."""
+    accept: tuple[Accepted, ...] = ()
+    """Names of the plausible ranges that its values may go beyond."""
 
     def _check(self, found: Findings) -> None:
         found.check("fairlead_height", "anchor_height")

@@ -39,7 +39,9 @@ FIND_QUANTITIES: tuple[str, ...] = get_args(FindQuantity)
 
 FORCES = ("touchdown_force", "limit_force")
 """Quantities that are a horizontal force, so that neither load nor condition is given."""
-CONDITIONS = ("anchor_angle", "grounded_length")
+OF_SPAN = ("fairlead_tension", "horizontal_force")
+"""Conditions of a length that is sought for a known span, in place of the load."""
+CONDITIONS = ("anchor_angle", "grounded_length", "sag", *OF_SPAN)
 
 
 @dataclass(frozen=True)
@@ -59,6 +61,12 @@ class Find(Checked):
     """For length and clump weight: inclination at the anchor, rad."""
     grounded_length: Length | None = None
     """For length, instead of the angle: unstretched length on the bed, m."""
+    sag: Length | None = None
+    """For length: largest vertical distance below the straight line between the ends, m."""
+    fairlead_tension: Strength | None = None
+    """For length under a span: tension at the fairlead, N."""
+    horizontal_force: Strength | None = None
+    """For length under a span: horizontal force at the fairlead, N."""
 
     def _check(self, found: Findings) -> None:
         found.check()
@@ -99,10 +107,8 @@ def inconsistencies(
     """
     found = Findings()
     seeks_force = find is not None and find.seeks_force
-    seeks_length = find is not None and find.quantity == "length"
     if load is None and not seeks_force and not (has_load_cases and find is None):
-        keys = "horizontal_force, fairlead_tension" if seeks_length else ", ".join(LOADS)
-        table = Message("refused.table_with_one_of", line="[load]", keys=keys)
+        table = Message("refused.table_with_one_of", line="[load]", keys=", ".join(LOADS))
         found.add("load", "", Message("refused.missing", wanted=table))
     if find is None:
         return found.problems
@@ -110,9 +116,10 @@ def inconsistencies(
         allowed = Message("refused.seeks_force", what=find.quantity)
         given = Listed(load, "and") if load else Message("refused_case.a_load")
         found.add("load", given, allowed)
-    if seeks_length and load is not None and "span" in load:
-        given = Message("refused_case.a_span")
-        found.add("load.span", given, Message("refused.length_sought"))
+    if find is not None and load is not None and "span" not in load:
+        for key in OF_SPAN:
+            if (value := getattr(find, key)) is not None:
+                found.add(f"find.{key}", f"{value:g} N", Message("refused.with_span"))
     _count(found, "segment", find.segment, len(MBL_known))
     if find.quantity == "clump_weight" and point_loads == 0:
         found.add("find.quantity", find.quantity, Message("refused.no_point_load"))

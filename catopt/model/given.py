@@ -16,7 +16,6 @@ from catopt.words import Message
 _NUMBERS: Final = {float, int, np.float64, np.float32, np.int64, np.int32}
 _SHOWN: Final = 10
 """Problems after which no more of one array are looked for."""
-_NO_NUMBER: Final = np.array(math.nan)
 
 
 def array_in_si(found: Findings, key: str, values: Any, unit: str) -> Array:
@@ -53,14 +52,14 @@ def array_in_si(found: Findings, key: str, values: Any, unit: str) -> Array:
             values = of_quantity(values, DIMENSIONS[unit], key)
         except InputError as error:
             found.problems += error.problems
-            return _NO_NUMBER
+            return np.array(math.nan)
     if isinstance(values, list | tuple) and not set(map(type, values)) <= _NUMBERS:
         return _each(found, key, values, unit)
     try:
         plain = np.asarray(values)
     except (TypeError, ValueError):
         found.add(key, type(values).__name__, number_wanted(unit))
-        return _NO_NUMBER
+        return np.array(math.nan)
     masked = np.count_nonzero(np.ma.getmaskarray(values)) if np.ma.isMaskedArray(values) else 0
     if masked:
         found.add(key, Message("refused.masked", count=masked), number_wanted(unit))
@@ -71,7 +70,7 @@ def array_in_si(found: Findings, key: str, values: Any, unit: str) -> Array:
     else:
         shown = repr(values) if plain.ndim == 0 else f"{plain.dtype}"
         found.add(key, shown, number_wanted(unit))
-    return _NO_NUMBER
+    return np.array(math.nan)
 
 
 def _each(found: Findings, key: str, values: list[Any] | tuple[Any, ...], unit: str) -> Array:
@@ -84,7 +83,7 @@ def _each(found: Findings, key: str, values: list[Any] | tuple[Any, ...], unit: 
     if len({each.shape for each in read}) > 1:
         if len(found.problems) == before:
             found.add(key, Message("refused.rows_of_lengths"), number_wanted(unit))
-        return _NO_NUMBER
+        return np.array(math.nan)
     return np.array(read, dtype=np.float64)
 
 

@@ -463,6 +463,18 @@ Seed = Annotated[int, Whole("seed", example=1)]
 Headings = Annotated[int, Whole("headings", example=12)]
 OneSegment = Annotated[int, Whole("segment", example=1)]
 Source = Annotated[str, Text(filled=True)]
+Accepted = Annotated[
+    str,
+    OneOf(
+        (
+            *("friction", "water_density", "body_density", "drag", "added_mass", "damping"),
+            *("safety_factor", "water_depth", "diameter", "wave_height", "wave_period"),
+            *("current_speed", "wind_speed", "weight_in_water"),
+        ),
+        quoted=True,
+    ),
+]
+"""Names of plausible ranges that a file may set aside (`catopt.casefile.plausibility`)."""
 
 
 _ROUNDING = 1e-12

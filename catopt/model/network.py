@@ -14,6 +14,7 @@ from catopt.model.anchor import Anchor
 from catopt.model.case import Case, CatalogueChoice
 from catopt.model.dynamics import Dynamics, network_motion_misfits, of_motion_misfits
 from catopt.model.kinds import (
+    Accepted,
     Area,
     Checked,
     Coefficient,
@@ -189,6 +190,8 @@ class Network(Checked):
     """How the lines are run in time; needed by the two before it."""
     catalogue: CatalogueChoice = field(default_factory=CatalogueChoice)
     """Where components come from."""
+    accept: tuple[Accepted, ...] = ()
+    """Names of the plausible ranges that its values may go beyond."""
 
     # What a case may have beside these, and points and lines do not.
     system: ClassVar[None] = None

@@ -23,6 +23,7 @@ from catopt.model.kinds import (
     Moment,
     NotNegative,
     Place,
+    Positive,
     Share,
     Size,
     SomeMass,
@@ -110,9 +111,17 @@ class ShipAfloat(Checked):
     """What the current turns the ship by: the lever of the derivatives of Clarke, Gedling and Hine
     (1983) or a hull of UFC's table 4-10, whose figures are recalled; empty: her own coefficients
     where they have it, else Clarke's lever."""
+    lever_factor: Positive = 1.0
+    """On where the current acts before midships."""
+    turn_factor: NotNegative = 1.0
+    """On the moment by which the water slows a turn."""
     reflection: Share | None = None
-    """Part of the height of every wave that the hull reflects, for the drift; None: of each wave
-    the energy that flows above the keel."""
+    """Part of the height of every wave that the hull reflects, for the drift; None: by her form."""
+    entrance: Angle | None = None
+    """Half angle between the sides of the waterline at her ends, rad; None: half ellipses 1.75
+    half-breadths long, of a barge a right angle."""
+    drift_factor: NotNegative = 1.0
+    """On the drift by her form."""
     drift_file: Annotated[str, File(example='"ship.8"')] = ""
     """Path of WAMIT's .8 file with the mean drift; empty: by `reflection`."""
     ulen: Length | None = None
@@ -173,6 +182,7 @@ _OF_A_BUOY: Final[Mapping[str, object]] = {
     "centre_of_gravity": None,
     "pitch_radius": None,
     "pitch_damping": None,
+    "max_heel": None,
     "heave_drag": HEAVE_DRAG,
 }
 """What others have none of, with what it is where it is not used."""
@@ -240,9 +250,15 @@ class Floater(Checked):
     None: not known, and then nothing."""
     heave_drag: Coefficient = HEAVE_DRAG
     """Drag coefficient along the axis, on the widest section."""
+    max_heel: Angle | None = None
+    """Largest mean heel of a buoy in motion, rad, above 0 and below 90 deg: such as half of the
+    vertical divergence of its light; None: not judged."""
 
     def _check(self, found: Findings) -> None:
         found.check()
+        if self.max_heel is not None and not 0.0 < self.max_heel < 0.5 * math.pi:
+            allowed = Message("refused_case.upright_to_lying")
+            found.add("max_heel", f"{math.degrees(self.max_heel):g} deg", allowed)
         default = {each.name: each.default for each in fields(self)}
         given = {key: value for key, value in vars(self).items() if value != default[key]}
         found.problems += floater_misfits(given)

@@ -13,7 +13,7 @@ from typing import Final
 from catopt.errors import refused
 from catopt.records import FromZero, Record
 from catopt.shown import Displayable
-from catopt.words import Language, Message
+from catopt.words import LANGUAGES, Language, Message
 
 SAME: Final = 1e-6
 """Relative difference below which two numbers are one: far below what notes print, far above what
@@ -102,7 +102,7 @@ def read_written_note(page: str, source: str) -> ReadNote:
         raise refused("--again", source, Message("refused_command.a_note"))
     if hashlib.sha256(reader.file_text.encode()).hexdigest() != reader.sha256:
         raise refused("--again", reader.file_name, Message("refused_command.a_note_as_it_was"))
-    language: Language = "vi" if reader.language == "vi" else "en"
+    language = next((each for each in LANGUAGES if each == reader.language), LANGUAGES[0])
     return ReadNote(
         version,
         language,

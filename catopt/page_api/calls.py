@@ -6,7 +6,6 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import lru_cache, partial, wraps
-from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any, Final, TypeVar, cast
 
 from markupsafe import Markup
@@ -26,8 +25,17 @@ from catopt.answers.blocks import (
 )
 from catopt.casefile.reading import parse_case
 from catopt.documents import parse_toml
-from catopt.errors import CatoptError, InputError
-from catopt.page_api.fields import DOORS, START, Door, door_of, fields_of, text_of, values_of
+from catopt.errors import CatoptError, InputError, refused
+from catopt.page_api.fields import (
+    DOORS,
+    START,
+    Door,
+    can_run,
+    door_of,
+    fields_of,
+    text_of,
+    values_of,
+)
 from catopt.render.values import UNITS
 from catopt.words import LANGUAGES, Language, Measure, Message, is_said, say, term
 
@@ -60,8 +68,10 @@ _PICTURES: Final = {
 """What the doors look like."""
 
 
-def shell(language: Language = "en") -> str:
+def shell(language: Language = "en", *, runs: bool | None = None) -> str:
     """Render the body of the page as HTML, every word in a language.
+
+    `runs`: whether lines can be run in time where it is shown; by what is here when left out.
 
     Examples
     --------
@@ -72,8 +82,9 @@ def shell(language: Language = "en") -> str:
 
     rendered = template("catopt.page_api", "shell.html").render(
         language=language,
+        languages=[(each, say(Message("desk.own_name"), each)) for each in LANGUAGES],
         doors=DOORS,
-        fields={door: fields_of(door) for door in DOORS},
+        fields={door: fields_of(door, runs=runs) for door in DOORS},
         start=START,
         say=lambda key: say(Message(f"desk.{key}"), language),
         words=partial(say, language=language),
@@ -181,24 +192,13 @@ def _case(text: str) -> Case:
 def _sizing(text: str, door: Door) -> Sizing:
     """Size once what its note and its document are asked of, too.
 
-    At rest, unless it is to be run in motion: a slider does not wait for that. In a browser, where
-    the truss model is not, what is said of motion is read, and not judged.
+    At rest, unless it is to be run in motion: a slider does not wait for that.
     """
-    from catopt.sizing.file import file_of, parse_file, sized
-    from catopt.sizing.requests import request_of
+    from catopt.sizing.file import parse_file, sized
 
-    file = parse_file(text, cast("Any", door))
-    if "motion" in file.document and not runs_in_motion():
-        with file.reporting():
-            request_of(file.known())
-        still = {key: each for key, each in file.document.items() if key != "motion"}
-        file = file_of(still, file.moored, file.source, folder=file.folder)
-    return sized(file, at_rest=True)
-
-
-def runs_in_motion() -> bool:
-    """Whether what runs lines in motion is here: not in a browser."""
-    return find_spec("catopt.fem") is not None
+    if not can_run() and parse_toml(text, "").get("motion", {}).get("run"):
+        raise refused("motion.run", "true", Message("desk.no_runs", kind=door))
+    return sized(parse_file(text, cast("Any", door)), at_rest=True)
 
 
 def _door(text: str) -> Door:
@@ -341,17 +341,11 @@ def _line(text: str, *, readout: bool) -> _Laid:
     length = Measure("length", solution.line.length)
     card: tuple[CardBlock, ...] = (
         Text(Message("desk.line_is", chain=chain or segment.name, length=length)),
-        _verdict(report),
+        Verdict.of_judgement(report.judgement),
         Facts("desk_card", facts[:6]),
         *([Brief((governing_sentence(report),))] if report.results else []),
     )
     return first, [solution_answer(case, solution), check_answer(report)], card
-
-
-def _verdict(report: CheckReport) -> Verdict:
-    from catopt.checks.verdict import verdict_of
-
-    return Verdict.of_judgement(verdict_of(replace(report.matter, who="page")))
 
 
 def _body(text: str) -> _Laid:
@@ -362,7 +356,7 @@ def _body(text: str) -> _Laid:
     drawn = (plan(report.solution), near(report.solution))
     first = section("desk.answer", *(Figure(chart) for chart in drawn if chart is not None))
     answer = system_answer(report, checks)
-    return first, [answer], (Text(answer.title), _verdict(checks))
+    return first, [answer], (Text(answer.title), Verdict.of_judgement(checks.judgement))
 
 
 def _sized(text: str, door: Door) -> _Laid:
@@ -370,11 +364,16 @@ def _sized(text: str, door: Door) -> _Laid:
     from catopt.answers.size import size_answer
     from catopt.answers.size_card import size_card
     from catopt.figures.sizing import choices, elevation, swing_circle
+    from catopt.sizing.verdict import judgement_of
 
     of = _sizing(text, door)
     charts = (elevation(of, failing_checks(of.point.checks)), swing_circle(of), choices(of)[0])
     first = section("desk.answer", *map(Figure, charts))
-    return first, [size_answer(of)], size_card(of, with_others=False, who="page")
+    # What to type is another than on a command line.
+    verdict = Verdict.of_judgement(judgement_of(of, "page"))
+    card = size_card(of, with_others=False)
+    shown = tuple(verdict if isinstance(each, Verdict) else each for each in card)
+    return first, [size_answer(of)], shown
 
 
 def _note(text: str, language: Language) -> Reply:

@@ -6,6 +6,7 @@ import json
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
+from importlib.util import find_spec
 from itertools import pairwise
 from typing import Any, Final, Literal
 
@@ -134,11 +135,33 @@ _REST: Final = {
 
 
 @cache
-def fields_of(door: Door) -> tuple[Field, ...]:
-    """List the fields of a door's form, in their order."""
+def can_run() -> bool:
+    """Whether lines can be run in time here: a browser has not the part that does so."""
+    return find_spec("catopt.fem") is not None
+
+
+def of_runs(each: Input) -> bool:
+    """Whether an input says how lines are run in time, or that they are."""
+    return "in_motion" in (each.name, each.only_with) or each.key.startswith("motion.")
+
+
+def fields_of(door: Door, *, runs: bool | None = None) -> tuple[Field, ...]:
+    """List the fields of a door's form, in their order.
+
+    Those of `runs` in time are left out where there are none; by what is here when left out.
+    """
+    return _fields(door, can_run() if runs is None else runs)
+
+
+@cache
+def _fields(door: Door, runs: bool) -> tuple[Field, ...]:
     if door in ("buoy", "tanker"):
         first = _FIRST[door]
-        found = [_of_input(each, door) for each in rows_of(door) if each.takes != "FILE"]
+        found = [
+            _of_input(each, door)
+            for each in rows_of(door)
+            if each.takes != "FILE" and (runs or not of_runs(each))
+        ]
         return tuple(sorted(found, key=lambda each: (*first, each.key).index(each.key)))
     own = _LOAD if door == "line" else _AROUND
     return tuple(_of_case(key, how) for key, how in (_LINE | own | _REST).items())
@@ -165,7 +188,7 @@ def _such_as(example: str) -> str:
 
 def _of_input(each: Input, door: Door) -> Field:
     shown = each.example if isinstance(each.example, tuple) else (each.example,)
-    example = "; ".join(map(str, shown))
+    example = "; ".join(map(_shown, shown))
     hint: str = _such_as(example)
     if each.left_out:  # what is taken in its place
         hint = Message(each.left_out, **{row.name: Message(f"inputs.{row.name}") for row in INPUTS})

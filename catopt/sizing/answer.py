@@ -106,6 +106,8 @@ def sizing_of(
         own["sinker"] = ground.sized_for(ends, density)
         own["other_sinker"] = ground.by_other_rule(own["sinker"], density)
     own = beside(request, settled) | own
+    # What growth leaves of it, where there is any.
+    posed = settled.posed.case.buoy
     if of_size is not None and of_line is not None:
 
         def by(prefer: Prefer) -> tuple[ConvergedSizing, float]:
@@ -132,7 +134,7 @@ def sizing_of(
         swing=swing(settled),
         dynamic_factor=line.allowance,
         motion=line.motion,
-        reserve_buoyancy=request.reserve_buoyancy,
+        reserve_buoyancy=request.reserve_buoyancy if posed is None else posed.reserve_buoyancy,
         defaults=request.defaults,
         inputs=request.inputs,
         **own,

@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Final
 
+from catopt.constants import STANDARD_GRAVITY
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import DesignPoint
 from catopt.errors import refused
@@ -39,6 +40,9 @@ from catopt.sizing.settle import (
 from catopt.sizing.ship_afloat import buoy_afloat
 from catopt.ties import largest
 from catopt.words import Measure, Message
+
+GROWTH_DENSITY: Final = 1325.0
+"""kg/m3, of marine growth: recalled (R) of DNV-OS-E301."""
 
 if TYPE_CHECKING:
     from catopt.sizing.motion_search import Moved
@@ -186,7 +190,7 @@ def pose_buoy(request: BuoyRequest, assumed: Assumed) -> SizingCase:
             ),
             line.service,
         ),
-        buoy=Buoy(request.reserve_buoyancy),
+        buoy=Buoy(_reserve_left(request, assumed)),
         design=Design(
             segments=(line.segment(height, depth=levels.high),),
             objectives=line.objectives,
@@ -194,6 +198,36 @@ def pose_buoy(request: BuoyRequest, assumed: Assumed) -> SizingCase:
         ),
     )
     return SizingCase(case, loads)
+
+
+def growth_weight(request: BuoyRequest, assumed: Assumed) -> float:
+    """Weight in water of the growth on hull and hanging chain, N; 0 where none is given.
+
+    On a chain of bar d the growth t weighs 2 (1325 - rho) g pi/4 ((d + 2 t)^2 - d^2) a metre, as
+    DNV-OS-E301 has it, recalled (R): it counts where a user names a growth. What hangs of the chain
+    is the pull over its own weight a metre.
+    """
+    growth, shape, rho = request.marine_growth, request.buoy, request.environment.water_density
+    if growth == 0.0 or not isinstance(shape, BuoyShape):
+        return 0.0
+    heavier = (GROWTH_DENSITY - rho) * STANDARD_GRAVITY
+    draught = shape.afloat(min(assumed.pull, request.reserve_buoyancy), rho).draught
+    wet = math.pi * shape.outline(high=draught) + 0.25 * math.pi * shape.widest**2
+    d = assumed.diameter
+    chain = min(sold(request.line, rho), key=lambda each: abs((each.nominal_diameter or 0.0) - d))
+    ring = 2.0 * 0.25 * math.pi * ((d + 2.0 * growth) ** 2 - d**2)
+    return heavier * (wet * growth + ring * assumed.pull / chain.submerged_weight)
+
+
+def _reserve_left(request: BuoyRequest, assumed: Assumed) -> float:
+    """Reserve of buoyancy that growth leaves, N."""
+    growth = growth_weight(request, assumed)
+    left = request.reserve_buoyancy - growth
+    if left <= 0.0:
+        values = {"weight": growth / 1e3, "reserve": request.reserve_buoyancy / 1e3}
+        allowed = Message("sizing.growth_sinks", **values)
+        raise refused("marine_growth", f"{request.marine_growth:g} m", allowed, "BuoyRequest")
+    return left
 
 
 def _check_reserve(request: BuoyRequest) -> None:
@@ -224,6 +258,9 @@ def _assumptions(request: BuoyRequest, assumed: Assumed) -> Iterator[str]:
         yield Message("sizing.force_given")
         if env.sea.breaks(env.levels):
             yield Message("loads.departs_breaking")
+    grown = growth_weight(request, assumed)
+    if grown > 0.0:
+        yield Message("sizing.growth_weighs", weight=Measure("vertical_force", grown))
     if service is None:
         yield Message("sizing.as_new")
     else:

@@ -6,8 +6,9 @@ The second sheet takes a fleet, a row a mooring; what a row leaves out is that o
 from __future__ import annotations
 
 import os
-import zipfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
 from functools import partial
 from io import BytesIO
 from pathlib import Path
@@ -16,10 +17,12 @@ from typing import Any, Final
 
 from catopt.casefile.reading import Moored
 from catopt.errors import InputError, Problem, refused
+from catopt.sizing.cells import Cell, Value, letters, read_workbook
 from catopt.sizing.file import SizingFile, file_of
 from catopt.sizing.inputs import Input, inputs_of
 from catopt.sizing.kinds import choices_of
-from catopt.units import Dimension
+from catopt.tables import FLAGS, few, heading
+from catopt.units import Dimension, as_written, bare_number, readings
 from catopt.words import Language, Message, say
 
 UNITS: Final[Mapping[str, tuple[str, ...]]] = MappingProxyType(
@@ -36,8 +39,6 @@ UNITS: Final[Mapping[str, tuple[str, ...]]] = MappingProxyType(
 )
 """What may be chosen as the unit of an input; the one of its example comes first."""
 ENDING: Final = ".xlsx"
-MOST_BYTES: Final = 20_000_000
-"""Of a form, packed and unpacked."""
 MOST_ROWS: Final = 1_000
 _FORM, _FLEET, _FIRST = "Form", "Fleet", 4
 _WHAT, _VALUE, _UNIT, _HINT, _KEY = range(1, 6)
@@ -93,88 +94,145 @@ def form(moored: Moored, language: Language = "en") -> bytes:
 def read_form(path: str | os.PathLike[str]) -> list[SizingFile]:
     """Read a form that is filled in: what it gives, once, or once for each row of its fleet.
 
-    InputError where it is none, where a cell holds a formula, and for macros.
+    InputError where it is none, as of `read_workbook`, and with every cell whose value has no key,
+    a key twice, no unit where one is needed, or a place that the form does not have.
     """
     source = os.fspath(path)
-    book = _opened(Path(path), source)
-    moored = book[_FORM]["A1"].value if _FORM in book.sheetnames else None
+    book = read_workbook(Path(path), source)
+    form_cells = _by_row(book.sheets.get(_FORM, ()))
+    moored: Any = form_cells.get(1, {}).get(1)
     if moored not in ("buoy", "tanker"):
         allowed = Message("refused_sizing.form_catopt_new_buoy_out")
         raise refused("A1", f"{moored}", allowed, source)
-    problems = [
-        Problem(
-            f"{sheet.title}!{cell.coordinate}",
-            Message("refused_sizing.a_formula"),
-            Message("refused_sizing.value_wanted_place"),
-        )
-        for sheet in book
-        for row in sheet.iter_rows()
-        for cell in row
-        if cell.data_type == "f"
-    ]
-    if problems:
-        raise InputError(problems, source)
-    inputs = {each.key: each for each in _inputs(moored)}
-    own: dict[str, object] = {}
-    for row in book[_FORM].iter_rows(min_row=_FIRST, max_col=_KEY, values_only=True):
-        if row[_KEY - 1] in inputs and row[_VALUE - 1] not in (None, ""):
-            each = inputs[str(row[_KEY - 1])]
-            own[each.key] = _given(each, row[_VALUE - 1], row[_UNIT - 1])
-    rows = [own | given for given in _fleet(book, inputs)] or [own]
+    reading = _Form({each.key: each for each in _inputs(moored)}, [])
+    for name, cells in book.sheets.items():
+        if name not in (_FORM, _FLEET) and cells:
+            allowed = Message("refused_sizing.two_sheets")
+            reading.note(f"{name}!{cells[0].name}", cells[0].value, allowed)
+    own = reading.form(form_cells)
+    fleet = reading.fleet(_by_row(book.sheets.get(_FLEET, ())))
+    if reading.problems:
+        raise InputError(few(reading.problems), source)
+    rows = [own | given for given in fleet] or [own]
     folder = str(Path(path).parent)
     return [file_of(_document(each), moored, source, folder=folder) for each in rows]
 
 
-def _opened(path: Path, source: str) -> Any:
-    """Open a workbook that is small enough, and no program."""
-    import openpyxl
-    from openpyxl.utils.exceptions import InvalidFileException
-
-    wanted = Message("refused_sizing.workbook_xlsx_at_most_20")
-    try:
-        with zipfile.ZipFile(path) as packed:
-            parts = packed.infolist()
-        if sum(part.file_size for part in parts) > MOST_BYTES:
-            raise refused("file", Message("refused_sizing.more_than_that"), wanted, source)
-        if any("vbaproject" in part.filename.lower() for part in parts):
-            allowed = Message("refused_sizing.save_without_catopt_takes_no")
-            raise refused("file", Message("refused_sizing.macros"), allowed, source)
-        return openpyxl.load_workbook(path)
-    except FileNotFoundError:
-        raise refused("file", "", Message("refused.no_file"), source) from None
-    except (OSError, ValueError, KeyError, zipfile.BadZipFile, InvalidFileException):
-        found = Message("refused_sizing.no_workbook")
-        raise refused("file", found, wanted, source) from None
+Rows = Mapping[int, Mapping[int, Value]]
+"""Values by row and column, of those that are not empty."""
 
 
-def _fleet(book: Any, inputs: Mapping[str, Input]) -> Iterator[dict[str, object]]:
-    """Yield what each row of the fleet gives, by key."""
-    if _FLEET not in book.sheetnames:
-        return
-    every: list[tuple[Any, ...]] = [*book[_FLEET].iter_rows(values_only=True), (), (), ()]
-    keys = every[2]
-    for row in every[3 : 3 + MOST_ROWS]:
-        given = {
-            inputs[key].key: _given(inputs[key], value, (*_units(inputs[key]), "")[0])
-            for key, value in zip(keys, row, strict=False)
-            if key in inputs and value not in (None, "")
-        }
-        if given:
-            yield given
+def _by_row(cells: tuple[Cell, ...]) -> Rows:
+    rows: dict[int, dict[int, Value]] = {}
+    for cell in cells:
+        rows.setdefault(cell.row, {})[cell.column] = cell.value
+    return rows
 
 
-def _given(each: Input, value: object, unit: object) -> object:
-    """Take a value as a file has it: a number with the unit beside it, several with a semicolon."""
-    if each.several and isinstance(value, str):
-        return [part.strip() for part in value.split(";") if part.strip()]
-    if each.takes == "FLAG":
-        return {"yes": True, "no": False}.get(str(value).strip().lower(), value)
-    is_number = isinstance(value, int | float) and not isinstance(value, bool)
-    if each.is_measure and is_number and unit:
-        value = f"{value!r} {unit}"
-    elif each.takes in ("TEXT", "NAME", "FILE", "WHICH") and is_number:
-        value = f"{value}"
-    return [value] if each.several else value
+@dataclass
+class _Form:
+    """Reads the rows of both sheets; what is wrong with them is noted."""
+
+    inputs: Mapping[str, Input]
+    problems: list[Problem]
+
+    def note(self, place: str, found: object, allowed: Message) -> None:
+        shown = as_written(found) if found != "" else ""
+        self.problems.append(Problem(place, shown, allowed))
+
+    def form(self, rows: Rows) -> dict[str, object]:
+        """Return what the first sheet gives, by key; each of its values has a key beside it."""
+        given: dict[str, object] = {}
+        seen: dict[str, int] = {}
+        for at, row in rows.items():
+            if at < _FIRST:
+                continue
+            for column in sorted(row.keys() - {*range(_WHAT, _KEY + 1)}):
+                place = f"{_FORM}!{letters(column)}{at}"
+                self.note(place, row[column], Message("refused_sizing.beyond_columns"))
+            key, value = row.get(_KEY, ""), row.get(_VALUE)
+            each = self._input(f"{_FORM}!{letters(_KEY)}{at}", key, value is not None)
+            if each is None:
+                continue
+            if each.key in seen:
+                twice = Message("refused_sizing.key_twice", row=seen[each.key])
+                self.note(f"{_FORM}!{letters(_KEY)}{at}", key, twice)
+            seen[each.key] = at
+            if value is not None:
+                place = f"{_FORM}!{letters(_VALUE)}{at}"
+                given[each.key] = self._given(place, each, value, str(row.get(_UNIT, "")))
+        return given
+
+    def fleet(self, rows: Rows) -> list[dict[str, object]]:
+        """List what each row of the fleet gives, by key; a column has its key in the third row."""
+        if len(rows.keys() - {1, 2, 3}) > MOST_ROWS:
+            allowed = Message("refused_sizing.most_rows", most=MOST_ROWS)
+            self.note(_FLEET, len(rows), allowed)
+            return []
+        heads, keys = rows.get(2, {}), rows.get(3, {})
+        below = [rows[at] for at in rows if at > 3]
+        filled = {column for row in below for column in row}
+        columns: dict[int, tuple[Input, str]] = {}
+        for column in sorted(filled | keys.keys()):
+            place = f"{_FLEET}!{letters(column)}3"
+            each = self._input(place, keys.get(column, ""), column in filled)
+            if each is None:
+                continue
+            if any(each is other for other, _ in columns.values()):
+                self.note(place, keys[column], Message("refused_study.twice"))
+            unit = heading(str(heads.get(column, "")))[1] if _units(each) else ""
+            columns[column] = each, unit
+        return [
+            {
+                columns[column][0].key: self._given(
+                    f"{_FLEET}!{letters(column)}{at}", columns[column][0], value, columns[column][1]
+                )
+                for column, value in row.items()
+                if column in columns
+            }
+            for at, row in rows.items()
+            if at > 3
+        ]
+
+    def _input(self, place: str, key: Value, has_value: bool) -> Input | None:
+        """Find the input of a key; none is noted, where anything is lost by it."""
+        each = self.inputs.get(str(key).strip())
+        if each is None and key != "":
+            near = next(iter(get_close_matches(str(key), self.inputs, n=1)), "")
+            meant = Message("refused.did_you_mean", near=near)
+            self.note(place, key, meant if near else Message("refused_sizing.key_of_form"))
+        elif each is None and has_value:
+            self.note(place, "", Message("refused_sizing.value_without_key"))
+        return each
+
+    def _given(self, place: str, each: Input, value: Value, unit: str) -> object:
+        """Take a value as a file has it: with the unit beside it, several with a semicolon."""
+        unit = unit.strip()
+        parts: list[Value] = [value]
+        if each.several and isinstance(value, str):
+            parts = [part.strip() for part in value.split(";") if part.strip()]
+        if each.takes == "FLAG":
+            flag = FLAGS.get(str(value).strip().casefold())
+            if flag is None:
+                self.note(place, value, Message("refused_sizing.yes_or_no"))
+            return flag
+        if unit and not each.is_measure:
+            self.note(place, unit, Message("refused_study.has_no_unit"))
+        given = [self._one(place, each, part, unit) for part in parts]
+        return given if each.several else given[0]
+
+    def _one(self, place: str, each: Input, value: Value, unit: str) -> object:
+        is_number = isinstance(value, int | float) and not isinstance(value, bool)
+        if isinstance(value, str):
+            is_number = each.is_measure and bool(readings(value.strip()))
+        if is_number and _units(each):
+            if not unit:
+                self.note(place, value, Message("refused_sizing.unit_beside"))
+            return f"{value} {unit}"
+        if is_number and each.is_measure:  # a pure number, perhaps in per cent
+            return f"{value} {unit}" if unit else bare_number(f"{value}")
+        is_text = each.takes in ("TEXT", "NAME", "FILE", "WHICH")
+        return f"{value}" if is_number and is_text else value
 
 
 def _document(given: Mapping[str, object]) -> dict[str, Any]:

@@ -12,6 +12,7 @@ from catopt.checks.kinds import CHECK_KINDS, ratio_exceedance
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import NearMiss
+from catopt.loads.ship_ranges import Cause
 from catopt.model import Case, Line
 from catopt.model.dynamics import JudgedBy
 from catopt.model.kinds import (
@@ -19,6 +20,7 @@ from catopt.model.kinds import (
     Factor,
     Findings,
     Force,
+    Height,
     Length,
     Positive,
     SomeForce,
@@ -69,6 +71,7 @@ class RunsAfloat:
     quick: bool = False
     margin: float = 1.0
     sinker_margin: float = 1.0
+    max_heel: Angle | None = None  # mean heel of a buoy that is allowed, rad; None: not judged
 
     def __post_init__(self) -> None:
         found = Findings("RunsAfloat")
@@ -167,6 +170,20 @@ STORM = (
 
 
 @dataclass(frozen=True)
+class SinkerSlide(Record):
+    """How far a sinker slides in the storm: a block on its soil under the pull of the runs."""
+
+    DOCUMENT = "mass expected upper"
+
+    mass: SomeMass
+    """In air."""
+    expected: Height
+    """In the storm, by the slides of all runs."""
+    upper: Height
+    """Upper end of its interval, 90 %, which the check is held against."""
+
+
+@dataclass(frozen=True)
 class LengthRun(Record):
     """What a length of the recommended size comes to in motion, every seed of it run."""
 
@@ -248,6 +265,36 @@ class Counted(NamedTuple):
 
 
 @dataclass(frozen=True)
+class Reach(Record):
+    """Tension of the most loaded line over the range of one input, others in the middle of theirs.
+
+    None where a line does not reach.
+    """
+
+    DOCUMENT = "cause favourable=favourable_tension_N unfavourable=unfavourable_tension_N"
+
+    cause: Cause
+    """Input."""
+    favourable: SomeForce | None
+    """N, at the fairlead, most probable in the storm."""
+    unfavourable: SomeForce | None
+    """N, likewise; the verdict has every input at this end."""
+
+
+@dataclass(frozen=True)
+class Band(Record):
+    """Tensions in the load case of the largest, by the same seas and gusts throughout."""
+
+    DOCUMENT = "middle=middle_tension_N reaches"
+
+    middle: SomeForce | None
+    """N, at the fairlead: every input in the middle of its range; None where a line does not
+    reach."""
+    reaches: tuple[Reach, ...]
+    """Of each input alone."""
+
+
+@dataclass(frozen=True)
 class InMotion(Record):
     """What the recommended line came to in runs with its buoy or ship afloat.
 
@@ -256,9 +303,10 @@ class InMotion(Record):
 
     DOCUMENT = (
         "how.seeds how.duration how.judged_by elements case.dynamics.duration_of_interest "
-        f"{within('storm', STORM)} factor allowance heel? proof~ changes~ checks.results=checks "
+        f"{within('storm', STORM)} factor allowance heel? mean_heel~ slides~ proof~ changes~ "
+        "checks.results=checks "
         "checks.nearest=governing how.periods~ how.heights~ seas~ directions~ "
-        "counted=lines(considered at_rest excluded run runs) tried by_length checks.warnings"
+        "counted=lines(considered at_rest excluded run runs) tried by_length checks.warnings band?"
     )
 
     how: RunsAfloat
@@ -283,10 +331,23 @@ class InMotion(Record):
     """What decides each kind of check, where periods are given."""
     heel: Angle | None = None
     """Largest heel of the buoy in its runs; None of a ship."""
+    mean_heel: Angle | None = None
+    """The largest mean of a load case; None of a ship."""
+    slides: tuple[SinkerSlide, ...] = ()
+    """Of the sinker and of the sizes beside it that were looked at, the lighter first; empty where
+    it may not slide."""
+    band: Band | None = None
+    """Of a ship, over what is known of her motion to no better than a range; None of a buoy."""
     proof: Literal["converged", "not converged", "not proven"] = "not proven"
     """Whether its runs come to the same at half the step and with twice the bars."""
     changes: tuple[Change, ...] = ()
     """Largest of each judged value there, by all ways together; empty where nothing ran again."""
+
+    @property
+    def own_slide(self) -> SinkerSlide | None:
+        """That of its sinker; None where it may not slide."""
+        own = None if self.case.anchor is None else self.case.anchor.mass
+        return next((each for each in self.slides if each.mass == own), None)
 
     @property
     def worst_change(self) -> Change | None:

@@ -361,6 +361,10 @@ INPUTS: Final = (
         only_with="in_motion", left_out="left_out.max_slide",
     ),
     Input(
+        "max_heel", "motion.max_heel", "ANGLE", "5 deg", of=_BUOY, above=0.0,
+        most="89 deg", only_with="in_motion", left_out="left_out.max_heel",
+    ),
+    Input(
         "centre_of_gravity", "buoy.centre_of_gravity", "LENGTH", "0.4 m", of=_BUOY,
         only_with="in_motion", left_out="left_out.centre_of_gravity",
     ),

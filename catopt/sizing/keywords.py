@@ -72,6 +72,7 @@ class BuoyInputs(_Inputs, total=False):
     other_lengths: int
     max_slide: float | str
     centre_of_gravity: float | str
+    max_heel: float | str
     growth: float | str
     scope_min: float | str
     scope: float | str

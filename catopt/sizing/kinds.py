@@ -9,6 +9,7 @@ from __future__ import annotations
 from functools import cache
 from typing import Annotated, Any
 
+from catopt.casefile.plausibility import range_of
 from catopt.casefile.reading import Moored
 from catopt.casefile.schema import TableSchema
 from catopt.model.kinds import Flag, Kind, Measured, OneOf, Text, Whole
@@ -31,8 +32,13 @@ def kind_of(each: Input) -> Kind:
             return Whole(each.name, example)
         case "FLAG":
             return Flag()
-    bounds = (each.above, each.at_least)
-    return Measured(Dimension[each.takes], *bounds, example=as_written(example), bare=each.bare)
+    dimension, known = Dimension[each.takes], range_of(each.path)
+    at_least, at_most = each.at_least, None
+    if known is not None:
+        at_least, at_most = max(known.least, each.at_least or known.least), known.most
+    return Measured(
+        dimension, each.above, at_least, at_most, example=as_written(example), bare=each.bare
+    )
 
 
 def from_text(each: Input, text: str) -> object:

@@ -32,6 +32,7 @@ from catopt.sizing.in_motion import (
     LineTried,
     NoLineInMotionError,
     RunsAfloat,
+    SinkerSlide,
     Storm,
     in_sea,
     sea_of,
@@ -49,7 +50,14 @@ from catopt.verify.dynamic import Wanted, processes_for, run_again, run_once
 from catopt.verify.dynamic_lines import hull_of
 from catopt.verify.dynamic_result import DynamicPart, worst_verdict
 from catopt.verify.dynamic_setup import read_drive
-from catopt.verify.judged import line_in_motion, with_more_runs, with_verdicts
+from catopt.verify.judged import (
+    judged_as,
+    line_in_motion,
+    mean_heel,
+    way_of,
+    with_more_runs,
+    with_verdicts,
+)
 from catopt.verify.side_by_side import SECONDS_PER_BAR_AND_STEP, Crew, Threads, silent
 from catopt.words import Message, Several
 
@@ -126,6 +134,8 @@ def search_in_motion(
             len(chosen.case.load_cases),
             seas=chosen.seas,
             heel=largest_heel(chosen.parts),
+            mean_heel=mean_heel([run for part in chosen.parts for run in part.runs]),
+            slides=_slides(chosen),
             proof=chosen.verdict,
             changes=tuple(largest_changes(e for p in chosen.parts for e in p.added_changes)),
         ),
@@ -508,6 +518,22 @@ def _storm(of: Judged, how: RunsAfloat) -> Storm:
         None if extreme is None else extreme.high,
         at_rest.fairlead.tension,
     )
+
+
+def _slides(of: Judged) -> tuple[SinkerSlide, ...]:
+    """Say how far the sinker slides in the load case where it does so most, and its neighbours."""
+    every, own = of.parts[0].drive.sinkers, of.case.anchor
+    if own not in every:
+        return ()
+    at = every.index(own)
+    found = []
+    for each in every[max(0, at - 1) : at + 2]:
+        ways = {}
+        for judged_by in ("most-probable", "upper"):
+            parts = (judged_as(e, replace(e.drive.dynamics, judged_by=judged_by)) for e in of.parts)
+            ways[judged_by] = max(way_of(each, part, part.runs) for part in parts)
+        found.append(SinkerSlide(each.mass or 0.0, ways["most-probable"], ways["upper"]))
+    return tuple(found)
 
 
 def _sinker_size(request: BuoyRequest, of: Judged) -> SinkerSize:

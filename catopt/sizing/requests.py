@@ -9,7 +9,7 @@ from typing import Any, Final
 
 from catopt.catalogue.practice import own_cable
 from catopt.checks.profiles import profiles_of
-from catopt.constants import SEA_WATER_DENSITY
+from catopt.constants import SEA_WATER_DENSITY, YEAR
 from catopt.errors import InputError
 from catopt.loads import BuoyShape, SeaState, SurfaceCurrent, WaterLevels, Wind, buoys, read_buoys
 from catopt.loads.buoy import buoy as look_up
@@ -57,7 +57,10 @@ from catopt.sizing.result import Sizing
 from catopt.sizing.tanker import sized_tanker
 from catopt.sizing.tanker_request import MooredShip, TankerRequest, note_aground
 from catopt.units import lasting
-from catopt.words import Cited, Message, Several, given_keys, term
+from catopt.words import Cited, Listed, Message, Several, given_keys, term
+
+_WEATHER: Final = ("wind", "current", "hs")
+"""What a return period is of."""
 
 
 def size(of: ResolvedInputs) -> Sizing:
@@ -72,6 +75,11 @@ def size(of: ResolvedInputs) -> Sizing:
 def request_of(of: ResolvedInputs) -> BuoyRequest | TankerRequest:
     """Make the request for a buoy or a tanker; every mistake is told at once."""
     request = _of_a_buoy(of) if of.moored == "buoy" else _of_a_tanker(of)
+    weather = [] if "force" in of.given else [k for k in _WEATHER if k not in of.given]
+    if "return_period" in of.given and weather:
+        allowed = Message("refused_sizing.period_of_weather", missing=Listed(weather, "and"))
+        years = Message("refused_file.years", count=of["return_period"] / YEAR)
+        of.errors.add("return_period", years, allowed)
     of.errors.raise_if_any()
     assert request is not None
     return request
@@ -147,7 +155,7 @@ def _runs(of: ResolvedInputs) -> RunsAfloat | None:
         return quick_runs(of.moored)
     own: dict[str, Any] = {}
     if of.moored == "buoy":
-        own = {key: of[key] for key in ("max_slide", "centre_of_gravity")}
+        own = {key: of[key] for key in ("max_slide", "centre_of_gravity", "max_heel")}
         own["other_lengths"] = of["other_lengths"] or 0
     own["periods"], own["heights"] = of["peak_period"] or (), of["sea_height"] or ()
     sea = of.errors.make(_sea, of) if of["period_range"] or of["sea_height"] else None
@@ -540,6 +548,11 @@ def _taken(
         words += _soil_taken(of, ground)
     if "return_period" not in of.given:
         words.append(Message("sizing.no_return_period"))
+    elif of["life"]:
+        years, life = of["return_period"], of["life"]
+        chance = -math.expm1(life * math.log1p(-min(1.0 - 1e-12, YEAR / years)) / YEAR)
+        values = {"years": years / YEAR, "life": life / YEAR, "chance": chance}
+        words.append(Message("sizing.exceeded_in_life", **values))
     if "chain" not in of.given:
         words += of["chain"]
     if "code" not in of.given:

@@ -10,7 +10,7 @@ from typing import Final, Literal, NamedTuple
 from catopt.catalogue.choice import chosen
 from catopt.catalogue.family import chain_words
 from catopt.catenary.solution import Solution
-from catopt.checks.verdict import Judgement, Who
+from catopt.checks.verdict import Judgement
 from catopt.design.result import DesignPoint, DesignResult
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.drag_anchor import DragAnchorSize
@@ -188,10 +188,6 @@ class Sizing(Displayable, Record):
     def judgement(self) -> Judgement:
         """What the recommended line comes to, and what was not judged."""
         return judgement_of(self)
-
-    def judgement_for(self, who: Who) -> Judgement:
-        """Say it to whoever is told what to type in other words than on a command line."""
-        return judgement_of(self, who)
 
     @property
     def case(self) -> Case:

@@ -16,6 +16,7 @@ from catopt.loads.environment import Headings
 from catopt.loads.ship import TAKEN_FOR, ShipKind
 from catopt.loads.ship_coefficients import SQUARE_ENDED
 from catopt.loads.ship_loads import METHODS
+from catopt.loads.ship_ranges import at_the_end
 from catopt.loads.weathervane import (
     CLARKE_LEVER,
     YAW_TYPES,
@@ -48,8 +49,9 @@ COMPONENTS: Final = 100
 """Waves of equal energy that the sea consists of: half of the usual, for time."""
 MOTION_CODE: Final = "API-RP-2SK"
 """What judges lines in motion in the place of codes without factors for dynamic analysis."""
-MOST_SLIDE: Final = 1.0
-"""How far a sinker may then slide in the storm, m: catopt's own number."""
+MOST_SLIDE: Final = 0.1
+"""How far a sinker may then slide in the storm, over the length of its line: catopt's own number.
+A buoy swings about as far as its line is long, so that nobody sees her a tenth of it off."""
 _STIFF: Final = "chain studless R3"
 """Chain whose axial stiffness, per area of bar, stands for one of which no source states any."""
 
@@ -78,7 +80,10 @@ def buoy_afloat(case: Case, request: BuoyRequest) -> Case | None:
         waves=WaveState("jonswap", sea.hs, sea.period, components=COMPONENTS),
         current=CurrentProfile("power", speed=env.current.speed) if flows else None,
         floater=Floater(
-            shape.name, wind_speed=env.wind.speed, centre_of_gravity=how.centre_of_gravity
+            shape.name,
+            wind_speed=env.wind.speed,
+            centre_of_gravity=how.centre_of_gravity,
+            max_heel=how.max_heel,
         ),
         dynamics=Dynamics(how.duration, elements=how.elements),
     )
@@ -98,7 +103,7 @@ def run_in_still_water(case: Case, request: BuoyRequest) -> Case | None:
     checks, slide = found.checks, how.max_slide
     if any(not each.is_for_motion for each in profiles_of(checks)):
         checks = replace(checks, motion_code=MOTION_CODE)
-        slide = slide or MOST_SLIDE
+        slide = slide or round(MOST_SLIDE * found.line.length, 1)
     anchor = replace(found.anchor, max_slide=slide)
     states: dict[tuple[float, object], LoadCase] = {}
     for each in found.load_cases:
@@ -335,10 +340,10 @@ def _turned(case: Case, force: tuple[float, float]) -> Case:
 def _ship(
     moored: MooredShip, water_density: float, off: Headings, turning: Turning | None
 ) -> ShipAfloat:
-    """Describe the ship that the loads at rest are of; two conditions have one kind."""
+    """Describe the ship that the loads at rest are of, at the unfavourable end of every range."""
     ship, own, kind = moored.ship, moored.coefficients, _kind_of(moored)
     assert kind is not None
-    return ShipAfloat(
+    afloat = ShipAfloat(
         length=ship.length_overall,
         breadth=ship.breadth,
         draught=ship.draught,
@@ -357,6 +362,7 @@ def _ship(
         wind_direction=off.wind,
         current_yaw=_yaw_of(turning),
     )
+    return at_the_end(afloat)
 
 
 def _kind_of(moored: MooredShip) -> ShipKind | None:

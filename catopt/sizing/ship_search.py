@@ -44,6 +44,7 @@ from catopt.sizing.motion_judged import JudgedLine, ShipLost, ShipRun, ShipState
 from catopt.sizing.pattern import DragGround, Pattern
 from catopt.sizing.settle import ConvergedSizing, best_of
 from catopt.sizing.ship_afloat import MOTION_CODE, runs_afloat, ship_afloat
+from catopt.sizing.ship_band import band_of
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.ties import largest
 from catopt.verify.ship_result import ShipWithoutLine, few_cycles, slow_cycles
@@ -510,6 +511,7 @@ def _moved(
             directions=len(request.weathervaning.directions),
             seas=chosen.seas,
             less=tuple(found.failing_below(chosen.line)),
+            band=band_of(case),
         ),
         chosen.drag_anchor,
         chosen.sinker,

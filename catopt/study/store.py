@@ -20,7 +20,7 @@ from catopt.errors import InputError, Problem, need_package, refused
 from catopt.model.kinds import Flag, Kind, Measured, Whole
 from catopt.study.member import Base, in_file, kind_of_key
 from catopt.study.study import Axis, Study
-from catopt.tables import few, heading, number, read_sheet, rows_read
+from catopt.tables import FLAGS, few, heading, number, read_sheet, rows_read
 from catopt.units import as_written, to_si
 from catopt.words import Message, Several
 
@@ -284,9 +284,6 @@ def _values(kind: Kind, column: _Cells) -> Sequence[Any] | Array:
     return _read_cells(kind, (_as_in_file(kind, cell) for cell in cells), name)
 
 
-_FLAGS: Final = {"true": True, "yes": True, "có": True, "false": False, "no": False, "không": False}
-
-
 def _as_in_file(kind: Kind, cell: Any) -> Any:
     """Return what a case file would have for a cell: words as they stand, counts and flags."""
     if isinstance(cell, bool) or (isinstance(kind, Whole) and not isinstance(cell, str)):
@@ -294,7 +291,7 @@ def _as_in_file(kind: Kind, cell: Any) -> Any:
     text = str(cell).strip()
     if isinstance(kind, Whole) and _WHOLE.fullmatch(text):
         return int(text)
-    return _FLAGS.get(text.casefold(), text) if isinstance(kind, Flag) else text
+    return FLAGS.get(text.casefold(), text) if isinstance(kind, Flag) else text
 
 
 _WHOLE: Final = re.compile(r"[+-]?\d{1,20}", re.ASCII)

@@ -488,7 +488,9 @@ def _without_samples(run: DynamicRun) -> DynamicRun:
     hull = run.hull
     if hull is not None:
         samples = ("time", "place", "velocity", "wet", "surface", "lines")
-        hull = replace(hull, scene=None, **{key: getattr(hull, key)[none] for key in samples})
+        of_all = np.column_stack([hull.place, hull.wet])[run.counted].mean(axis=0)
+        rest = {key: getattr(hull, key)[none] for key in samples}
+        hull = replace(hull, scene=None, mean=of_all, **rest)
     return DynamicRun(replace(of, **cut), run.quasi_static[none], run.number, hull=hull)
 
 

@@ -158,7 +158,14 @@ def _carried(case: Case | Network, part: DynamicPart, runs: Sequence[DynamicRun]
         pull = taken_together([each.course("fairlead_vertical") for each in of])
     of_line = [each for each in part.drive.sinkers if each == case.anchor]
     slide = way_of(of_line[0], part, runs) if of_line else None
-    return Carried(anchor, Pull(unknown, pull, unknown), lies, storm("span"), slackest, slide)
+    ends = anchor, Pull(unknown, pull, unknown)
+    return Carried(*ends, lies, storm("span"), slackest, slide, mean_heel(runs))
+
+
+def mean_heel(runs: Sequence[DynamicRun]) -> float | None:
+    """Return the largest mean heel of a buoy in some runs, rad; None without one."""
+    found = [run.hull.mean_heel(run.counted) for run in runs if run.hull is not None]
+    return max(found, default=None)
 
 
 def way_of(anchor: Anchor, part: DynamicPart, runs: Sequence[DynamicRun]) -> float:

@@ -324,7 +324,7 @@ def _of_waves(moored: MooredShip, waves: Waves) -> Iterator[Message]:
         yield Message("floater.drift_of_file")
         yield from ship.remarks
     elif of.reflection is None:
-        yield Message("floater.drift_above_keel")
+        yield Message("floater.drift_by_form")
     else:
         yield Message("floater.drift_by_reflection", part=of.reflection)
     if k * ship.depth < 0.5 * math.pi:

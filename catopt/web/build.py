@@ -55,7 +55,9 @@ def document(pieces: Mapping[str, bytes] | Sequence[str] | None = None) -> str:
         "style": stylesheet() + _file("render", "style.css") + _file("web", "desk.css"),
         "imports": json.dumps({"imports": _modules()}),
         "transport": "app" if pieces is None else "worker",
-        "shells": _inert(json.dumps({each: shell(each) for each in LANGUAGES})),
+        "shells": _inert(
+            json.dumps({each: shell(each, runs=pieces is None) for each in LANGUAGES})
+        ),
         "first": _inert(json.dumps(first)),
         "pieces": "" if pieces is None else _pieces(list(pieces), inside),
     }

@@ -6,7 +6,7 @@ import { listen } from "catopt/figures";
 const shells = JSON.parse(document.getElementById("shells").textContent);
 const root = document.body.appendChild(document.createElement("div"));
 const first = JSON.parse(document.getElementById("first").textContent);
-const own = navigator.language?.toLowerCase().startsWith("vi") ? "vi" : "en";
+const own = Object.keys(shells).find((each) => navigator.language?.toLowerCase().startsWith(each)) ?? "en";
 const state = { lang: own, units: "", door: "", base: {}, values: {}, kept: {} };
 let running = false;
 let wanted = null;

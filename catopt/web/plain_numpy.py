@@ -19,6 +19,7 @@ from typing import Any
 
 inf, nan, pi = math.inf, math.nan, math.pi
 float64, int64, bool_ = float, int, bool
+float32, int32 = float, int
 
 _ALL = slice(None)
 

@@ -24,9 +24,9 @@ def test_the_buoy_is_the_case_of_the_project() -> None:
 
 NOT_OF_A_BUOY = (
     *("safety_factor_line_out", "max_offset", "motion_code", "max_slide"),
-    *("strain", "strain_tension"),
+    *("strain", "strain_tension", "sag"),
 )
-"""Of several lines, the older name of max_span, of lines in motion, and of synthetic ropes."""
+"""Of several lines, the older name of max_span, of lines in motion, ropes and cables."""
 
 
 def test_every_key_is_in_that_of_the_buoy() -> None:

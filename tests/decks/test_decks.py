@@ -152,7 +152,7 @@ REFUSED = {
         ("1 main 1 4 902.2", "1 main 1 4 -902.2", 18, "above 0"),
         (" 1.6 1.0 0.1 0.0", " 1.6 1.0 0.1 0.0 0 0", 5, "12 columns"),
         ("384.243e6", "polyester.txt", 5, "not beside the deck"),
-        ("--- OPTIONS ---", "--- SYROPE ---\n1 2 3\n--- OPTIONS ---", 22, "not known"),
+        ("--- OPTIONS ---", "--- SPRINGS ---\n1 2 3\n--- OPTIONS ---", 22, "not known"),
     ],
     ONTOLOGY: [
         ("{type: chain, length: 497.7}", "{type: wire, length: 497.7}", 21, "known: polyester,"),
@@ -177,7 +177,7 @@ REFUSED = {
         ("ID: 0\n", "ID: 0.05\n", 17, "hollow"),
         ("EA: 407.25725e3", "EA: rope", 20, "a number above 0"),
         ("    Connection: Free", "    Connection: Rotation", 34, "Free or Fixed"),
-        ("InitialAttitude: [0, 0, 0]", "InitialAttitude: [0, 3, 0]", 34, "not tilted"),
+        ("InitialAttitude: [0, 0, 0]", "InitialAttitude: [2, 3, 0]", 34, "the order of several"),
         ("[CALM Base, 6, 0, -1.5, 0", "[Mooring9, 6, 0, -1.5, 0", 42, "one of CALM Base"),
         ("General:\n", "BaseFile: other.yml\nGeneral:\n", 3, "not followed"),
         ('[2.5" Chain, 195', "[rope, 195", 46, "known: 2.5"),

@@ -12,7 +12,9 @@ from catopt.decks.reading import read_deck
 
 from .public import PUBLIC, deck_text
 
-SAID = {"version", "weight", "drag", "segments", "one_line", "above_water", "held_mass"}
+SAID = {"version", "weight", "drag", "segments", "one_line", "above_water", "held_mass"} | {
+    "anchor_above_bed"
+}
 """All that has to be said of a deck with nothing but its lines."""
 
 

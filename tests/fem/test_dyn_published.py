@@ -148,11 +148,62 @@ def _lindahl(period: float, cycles: int, step: float) -> History:
     )
 
 
+_PHASES = 200
+"""Of a cycle, in which runs and measurement are laid over each other."""
+
+
+def _measured(column: int, period: float, first: int) -> np.ndarray:
+    """Fold the measured tension into cycles, (cycles, phases); its start is left out."""
+    time, *series = np.loadtxt(DATA / "lindahl_series.csv", delimiter=",", skiprows=3, unpack=True)
+    cycles = range(first, int(time[-1] / period))
+    return np.array([np.interp(_folded(k, period), time, series[column]) for k in cycles])
+
+
+def _folded(cycle: int, period: float) -> np.ndarray:
+    return np.asarray((cycle + np.arange(_PHASES) / _PHASES) * period)
+
+
+def _beside(history: History, period: float, cycles: int, measured: np.ndarray) -> np.ndarray:
+    """Mean cycle of a run, turned to where it is nearest the measured one."""
+    tension = history.fairlead_tension[:, 0]
+    last = range(cycles - 4, cycles)
+    own = np.mean([np.interp(_folded(k, period), history.time, tension) for k in last], axis=0)
+    turned = [np.roll(own, k) for k in range(_PHASES)]
+    return np.asarray(min(turned, key=lambda each: np.square(each - measured).sum()))
+
+
 def test_lindahl_slow_circle() -> None:
-    """T = 3.5 s: largest tension within 3 % of the measured 51.4 N (ours 52.1 to 52.4)."""
+    """T = 3.5 s: largest tension within 2 % of the measured 51.4 N, the cycle within 1.3 N."""
     history = _lindahl(3.5, 8, 0.01)
-    measured = _figures("lindahl_chain.toml")["measured"]["T_3p5_s"]["tension_max_N"]
-    assert history.tension_statistics().maximum == pytest.approx(measured, rel=0.03)
+    every = _measured(1, 3.5, 1)
+    # As printed: 51.4 N of the paper's figure, 51.43 N of the series.
+    printed = _figures("lindahl_chain.toml")["measured"]["T_3p5_s"]["tension_max_N"]
+    assert every.max(axis=1).mean() == pytest.approx(printed, abs=0.1)
+    assert history.tension_statistics().maximum == pytest.approx(printed, rel=0.02)
+    cycle = every.mean(axis=0)
+    off = _beside(history, 3.5, 8, cycle) - cycle
+    assert np.sqrt(np.square(off).mean()) < 1.3
+
+
+def test_lindahl_fast_circle_where_it_departs() -> None:
+    """T = 1.25 s: the peak is 7 to 9 % low, on the unsafe side, whatever bars and steps.
+
+    Measured 72.6 N. By the phase of the cycle: the line slackens as measured; it takes up its load
+    0.15 of a cycle too early, 4 to 10 N where 1 to 2 N are measured, so that it is caught more
+    gently: 3 to 7 N are missing at the peak; on the falling side there are 2 to 6 N too many.
+    """
+    period, cycles = 1.25, 10
+    every = _measured(0, period, 0)
+    peak, cycle = every.max(axis=1).mean(), every.mean(axis=0)
+    assert peak == pytest.approx(72.6, abs=0.3)  # 12 cycles between 71.5 and 73.7
+    ours = _beside(_lindahl(period, cycles, 0.005), period, cycles, cycle)
+    assert 0.91 < ours.max() / peak < 0.93
+    off = ours - cycle
+    at = {phase: off[round(phase * _PHASES)] for phase in (0.35, 0.55, 0.7, 0.9)}
+    assert -8.0 < at[0.35] < -3.0
+    assert 2.0 < at[0.55] < 7.0
+    assert abs(at[0.7]) < 1.0
+    assert 4.0 < at[0.9] < 10.0
 
 
 def test_lindahl_fast_circle_goes_slack() -> None:

@@ -173,3 +173,24 @@ def test_snaps_among_other_peaks_come_to_what_long_runs_do() -> None:
         assert fit is not None
         found.append(fit.extreme.most_probable / truth)
     assert 0.9 < np.mean(found) < 1.1
+
+
+def test_means_lie_eulers_constant_of_a_scale_above_what_is_most_probable() -> None:
+    """Gumbel by moments, by hand: scale = s sqrt(6)/pi, mode = mean - 0.5772 scale.
+
+    Of 1 to 6 the mean is 3.5 and the variance 17.5/5 = 3.5.
+    """
+    found = gumbel([1.0, 2.0, 3.0, 4.0, 5.0, 6.0], 600.0, 6000.0)
+    assert found is not None
+    scale = math.sqrt(3.5 * 6.0) / math.pi
+    assert found.mode == pytest.approx(3.5 - EULER * scale, rel=1e-10)
+    assert found.extreme.expected - found.extreme.most_probable == pytest.approx(
+        EULER * scale, rel=1e-10
+    )
+    heights = spread_evenly(2.0, 3.0, 2000)
+    tail = fitted([swinging(heights)], 2.0e4, 2.0e4)
+    # Of Weibull's largest of n the local scale is the derivative of a (ln n)^(1/b) by ln n.
+    above = tail.extreme.most_probable / tail.scale
+    local = tail.extreme.most_probable / (tail.shape * above**tail.shape)
+    over = tail.extreme.expected - tail.extreme.most_probable
+    assert over == pytest.approx(EULER * local, rel=1e-6)

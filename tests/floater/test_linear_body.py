@@ -158,6 +158,25 @@ def rigid(mass: float, height: float, own: float, yaw: float) -> Matrix:
     return out
 
 
+OC4_PRINTED = {"sway": 0.0088, "heave": 0.0578, "roll": 0.0375, "pitch": 0.0373, "surge": 0.0093}
+"""Hz: NREL's forum, thread 1730."""
+
+
+def oc4_frequencies(folder: Path) -> dict[str, float]:
+    """Find OC4 DeepCwind's natural frequencies, Hz; a file of its radiation is left in a folder."""
+    text = (HERE / "oc4_radiation.txt").read_text().splitlines()[2:]
+    (folder / "semi.1").write_text("\n".join(text) + "\n")
+    known = read_wamit(folder / "semi.1", ulen=1.0, density=1025.0, gravity=9.80665)
+    assert known.remarks == ()
+    mass = rigid(1.3473e7, -13.46, 6.827e9, 1.226e10)
+    mass += rigid(249_718.0, 43.4, 1.0e8, 1e6) + rigid(350_000.0, 89.6, 3e7, 3e7)
+    water = np.zeros((6, 6))
+    water[2, 2] = 3.836e6
+    water[3, 3] = water[4, 4] = -3.776e8 - 9.80665 * mass[0, 4]
+    body = LinearBody(known, mass, water + np.array(held("oc4").stiffness))
+    return {key: w / (2.0 * math.pi) for key, w in body.natural_frequencies().items()}
+
+
 def test_oc4_beside_its_frequencies(tmp_path: Path) -> None:
     """OC4 DeepCwind: NREL's forum, thread 1730, 0.0088 (sway), 0.0578 (heave), 0.0375 (roll) Hz.
 
@@ -167,17 +186,7 @@ def test_oc4_beside_its_frequencies(tmp_path: Path) -> None:
     the tower's bending takes 1 % off, pitch about the waterline alone would be 0.0366 Hz; why the
     decays of that model lie between is not known.
     """
-    text = (HERE / "oc4_radiation.txt").read_text().splitlines()[2:]
-    (tmp_path / "semi.1").write_text("\n".join(text) + "\n")
-    known = read_wamit(tmp_path / "semi.1", ulen=1.0, density=1025.0, gravity=9.80665)
-    assert known.remarks == ()
-    mass = rigid(1.3473e7, -13.46, 6.827e9, 1.226e10)
-    mass += rigid(249_718.0, 43.4, 1.0e8, 1e6) + rigid(350_000.0, 89.6, 3e7, 3e7)
-    water = np.zeros((6, 6))
-    water[2, 2] = 3.836e6
-    water[3, 3] = water[4, 4] = -3.776e8 - 9.80665 * mass[0, 4]
-    body = LinearBody(known, mass, water + np.array(held("oc4").stiffness))
-    found = {key: w / (2.0 * math.pi) for key, w in body.natural_frequencies().items()}
+    found = oc4_frequencies(tmp_path)
     assert found["sway"] == pytest.approx(0.0088, rel=0.02)
     assert found["heave"] == pytest.approx(0.0578, rel=0.02)
     assert found["surge"] == pytest.approx(found["sway"], rel=1e-3)

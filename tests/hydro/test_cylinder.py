@@ -14,9 +14,10 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
+from scipy.special import h1vp, h2vp
 
 from catopt.errors import InputError
-from catopt.hydro.cylinder import HEAVE, PITCH, SURGE, FloatingCylinder
+from catopt.hydro.cylinder import HEAVE, PITCH, SURGE, FloatingCylinder, Matched
 
 TABLE = pd.read_csv(Path(__file__).with_name("cylinders.csv"))
 CYLINDERS = [
@@ -124,3 +125,71 @@ def test_refusals() -> None:
         FloatingCylinder(1.0, 5.0, 5.0)
     with pytest.raises(InputError, match="radius"):
         FloatingCylinder(0.0, 1.0, 5.0)
+
+
+def _bottom_mounted(ka: float) -> np.ndarray:
+    """S_m of a cylinder to the bed: MacCamy and Fuchs (1954), by hand."""
+    m = np.arange(int(ka) + 12)
+    return np.asarray(-h2vp(m, ka) / h1vp(m, ka))
+
+
+def _drift(sent: np.ndarray, k: float, factor: float) -> float:
+    """Over rho g a^2, of waves that go out: momentum far away."""
+    return float(0.5 * factor / k * (1.0 - (sent[:-1] * sent[1:].conj()).real).sum())
+
+
+@pytest.mark.parametrize("ka", [0.2, 0.5, 1.0, 2.0, 4.0])
+def test_drift_of_a_cylinder_nearly_to_the_bed(ka: float) -> None:
+    """10 cm of gap under 19.9 m: within 1 % of a cylinder without one, whose series is closed."""
+    radius, depth = 5.0, 20.0
+    k = ka / radius
+    omega = math.sqrt(9.81 * k * math.tanh(k * depth))
+    cylinder = FloatingCylinder(radius, 19.9, depth, density=1000.0, gravity=9.81)
+    closed = _drift(_bottom_mounted(ka), k, 1.0 + 2.0 * k * depth / math.sinh(2.0 * k * depth))
+    assert cylinder.drift(omega) / (1000.0 * 9.81) == pytest.approx(closed, rel=0.011)
+
+
+def test_drift_of_long_and_of_short_waves() -> None:
+    """Printed: 5 pi^2/16 (k a)^3 in deep water for long waves, 2/3 for short, over rho g a."""
+    ka = 0.02
+    long = _drift(_bottom_mounted(ka), ka, 1.0)
+    assert long == pytest.approx(5.0 * math.pi**2 / 16.0 * ka**3, rel=0.01)
+    whole = FloatingCylinder(5.0, 8.0, 40.0, density=1000.0, gravity=9.81)
+    assert whole.drift(math.sqrt(9.81 * 12.0 / 5.0)) / (1000.0 * 9.81 * 5.0) == pytest.approx(
+        2.0 / 3.0, rel=0.03
+    )
+
+
+def _afloat(cylinder: FloatingCylinder) -> tuple[np.ndarray, np.ndarray]:
+    """Mass and stiffness of a cylinder with its centre of gravity where that of buoyancy is."""
+    a, T = cylinder.radius, cylinder.draught
+    mass = cylinder.density * math.pi * a * a * T
+    z = -0.5 * T
+    turning = mass * (0.25 * a * a + T * T / 12.0 + z * z)
+    masses = np.array([[mass, 0.0, mass * z], [0.0, mass, 0.0], [mass * z, 0.0, turning]])
+    weight = cylinder.density * cylinder.gravity * math.pi * a * a
+    return masses, np.diag([0.0, weight, weight * 0.25 * a * a])
+
+
+def test_drift_of_a_cylinder_afloat() -> None:
+    """It follows long waves, which then pass; damping, which takes energy, pushes it the more."""
+    cylinder = FloatingCylinder(5.0, 5.0, 200.0, density=1000.0, gravity=9.81)
+    mass, stiffness = _afloat(cylinder)
+    slow, fast = (math.sqrt(9.81 * ka / 5.0) for ka in (0.1, 0.7))
+    assert cylinder.drift(slow, mass, stiffness) < 1e-4 * cylinder.drift(slow)
+    damping = np.diag([0.0, 3e5, 0.0])
+    free = cylinder.drift(slow, mass, stiffness)
+    assert cylinder.drift(slow, mass, stiffness, damping) > 10.0 * free
+    assert 0.2 < cylinder.drift(fast, mass, stiffness) / (1000.0 * 9.81 * 5.0) < 2.0
+
+
+def test_a_cylinder_afloat_sends_out_what_comes_in() -> None:
+    """Of each wave round it, to what truncation leaves: two thousandths of a per cent."""
+    cylinder = FloatingCylinder(5.0, 5.0, 200.0, density=1000.0, gravity=9.81)
+    mass, stiffness = _afloat(cylinder)
+    for ka in (0.1, 0.8, 1.5):
+        omega = math.sqrt(9.81 * ka / 5.0)
+        of = Matched(cylinder, omega)
+        own = stiffness - omega**2 * (mass + of.added_mass)
+        speeds = -1j * omega * np.linalg.solve(own, of.excitation())
+        assert np.abs(of.sent(speeds.tolist())) == pytest.approx(1.0, abs=2e-5)

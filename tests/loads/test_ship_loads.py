@@ -227,7 +227,7 @@ def test_s3_tanker_does_not_agree_with_its_printed_force() -> None:
 @pytest.mark.parametrize(
     ("kilonewtons", "words"),
     [
-        (450.2, "agrees with 450 kN printed: 0 % above it."),
+        (450.2, "agrees with 450 kN printed: 0.044 % above it."),
         (494.9, "agrees with 450 kN printed: 10 % above it."),
         (495.1, "does not agree with 450 kN printed: 10 % above it."),
         (405.1, "agrees with 450 kN printed: 10 % below it."),

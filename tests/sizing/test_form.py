@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
+import datetime
+import random
 import shutil
 import subprocess
 import zipfile
@@ -112,3 +115,98 @@ def test_a_form_that_libreoffice_wrote_gives_the_commands_answer(tmp_path: Path)
     (file,) = read_form(filled)
     own = size_buoy("pillar 1.8 m", depth="12 m", current="1 m/s", hs="1.5 m")
     assert sized(file).to_dict() == own.to_dict()
+
+
+FLAG = next(
+    f"B{row[4].row}"
+    for row in openpyxl.load_workbook(BytesIO(form("buoy")))["Form"].iter_rows(min_row=4)
+    if {each.key: each for each in inputs_of("buoy").values()}[f"{row[4].value}"].takes == "FLAG"
+)
+"""The first cell that takes yes or no."""
+
+CHANGES: dict[str, tuple[str, str, Any, str]] = {
+    # what is changed in a form that has Hs = 4 m in row 12: sheet, cell, value, what is said
+    "a key changed": ("Form", "E12", "environment.hsx", "Form!E12: .*did you mean environment.hs"),
+    "a key taken out": ("Form", "E12", None, "Form!E12: a value stands there without its key"),
+    "a key twice": ("Form", "E13", "environment.hs", "Form!E13: .*in row 12 already"),
+    "another key": ("Form", "E12", "environment.current", r"Form!E\d+: .*already"),
+    "no unit": ("Form", "C12", None, "Form!B12: found 4; its unit is missing"),
+    "a strange unit": ("Form", "C12", "kN", "environment.hs: found"),
+    "a column beyond": ("Form", "F12", 3, "Form!F12: found 3; a form has the columns A to E"),
+    "a far cell": ("Form", "B1048576", "x", "Form!E1048576: a value stands there without its key"),
+    "a far corner": ("Form", "XFD1048576", "x", "Form!XFD1048576"),
+    "a date": ("Form", "B12", datetime.date(2026, 8, 10), "Form!B12: found a date"),
+    "an error": ("Form", "B12", "#N/A", "Form!B12: found #N/A"),
+    "a heading of the fleet": ("Fleet", "A3", "line.max_swng", "Fleet!A3: .*did you mean"),
+    "none": ("Fleet", "A3", None, "Fleet!A3: a value stands there without its key"),
+    "a heading without unit": ("Fleet", "A2", "Swinging", "Fleet!A4: .*its unit is missing"),
+    "another sheet": ("Fleet (2)", "A4", 9, r"Fleet \(2\)!A4: found 9; the sheets Form and Fleet"),
+    "not yes, not no": ("Form", FLAG, "perhaps", f"Form!{FLAG}: .*yes or no is wanted"),
+    "a unit of a text": ("Form", "C5", "kN", "Form!B5: found .kN.; .*no unit"),
+}
+
+
+def changed(path: Path, sheet: str, cell: str, value: Any) -> Path:
+    """Write a form with Hs = 4 m and a mooring in its fleet, and change one cell of it."""
+    fill(path, {**FILLED, "environment.hs": (4, "m")})
+    book = openpyxl.load_workbook(path)
+    assert book["Form"]["E12"].value == "environment.hs"
+    assert book["Fleet"]["A3"].value == "line.max_swing"
+    book["Fleet"]["A4"] = 60
+    if sheet not in book.sheetnames:
+        book.create_sheet(sheet)
+    book[sheet][cell] = value
+    book.save(path)
+    return path
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_no_value_of_a_form_is_lost(tmp_path: Path, change: str) -> None:
+    sheet, cell, value, said = CHANGES[change]
+    path = changed(tmp_path / "form.xlsx", sheet, cell, value)
+    with pytest.raises(InputError, match=said):
+        known_of(path)
+
+
+def known_of(path: Path) -> None:
+    for file in read_form(path):
+        with file.reporting():
+            file.known()
+
+
+def test_a_heading_of_the_fleet_has_its_unit_and_yes_is_said_in_both_languages(
+    tmp_path: Path,
+) -> None:
+    path = changed(tmp_path / "form.xlsx", "Fleet", "A2", "Room (of one line) (ft)")
+    (file,) = read_form(path)
+    assert file.document["line"]["max_swing"] == "60 ft"
+    path = changed(tmp_path / "form.xlsx", "Form", FLAG, "Có")
+    (file,) = read_form(path)
+    assert True in [value for table in file.document.values() for value in table.values()]
+
+
+def test_a_number_typed_as_text_has_the_unit_beside_it(tmp_path: Path) -> None:
+    (file,) = read_form(changed(tmp_path / "form.xlsx", "Form", "B12", "1,5"))
+    assert file.document["environment"]["hs"] == "1,5 m"  # a decimal comma: 1.5 m
+
+
+def test_a_damaged_workbook_is_no_workbook(tmp_path: Path) -> None:
+    whole = fill(tmp_path / "form.xlsx", FILLED).read_bytes()
+    rng = random.Random(5)
+    for number in range(200):
+        data = bytearray(whole)
+        for _ in range(rng.choice((1, 3, 30))):
+            data[rng.randrange(len(data))] = rng.randrange(256)
+        cut = data[: rng.randrange(len(data))] if number % 5 == 0 else data
+        path = tmp_path / "damaged.xlsx"
+        path.write_bytes(bytes(cut))
+        with contextlib.suppress(InputError):
+            read_form(path)
+
+
+def test_a_workbook_has_a_budget(tmp_path: Path) -> None:
+    path = fill(tmp_path / "form.xlsx", FILLED)
+    with zipfile.ZipFile(path, "a", zipfile.ZIP_DEFLATED) as packed:
+        packed.writestr("xl/worksheets/sheet9.xml", b" " * 6_000_000)
+    with pytest.raises(InputError, match="at most 5 MB"):
+        read_form(path)

@@ -301,9 +301,9 @@ def test_a_sizing_by_keywords_is_that_of_its_file() -> None:
     sizing = size_buoy(buoy="pillar 2.4 m", soil=soil, prefer="balanced", **place)
     request = catopt.read_sizing(Path(__file__).parents[2] / "cases/size-buoy/sizing.toml")
     assert request.title == "Pillar buoy in 12 m"
-    assert size_buoy(request).point.line == sizing.point.line  # type: ignore[arg-type]
+    assert size_buoy(request).point.line == sizing.point.line
     with pytest.raises(InputError, match="the request for a tanker is wanted"):
-        size_tanker(request)  # type: ignore[arg-type]
+        size_tanker(request)
 
 
 @pytest.mark.parametrize(("seconds", "said"), [(10.0, "10 s"), (60.0, "1 min"), (600.0, "10 min")])

@@ -8,9 +8,13 @@ from typing import Any
 import pytest
 
 from catopt.errors import InputError
+from catopt.loads import BuoyShape
 from catopt.sizing import BuoyRequest, DragGround, GivenBuoy, SinkerGround, TankerRequest
+from catopt.sizing.buoy import growth_weight, pose_buoy
 from catopt.sizing.known import known
+from catopt.sizing.line_choice import sold
 from catopt.sizing.requests import request_of
+from catopt.sizing.settle import Assumed
 from tests.sizing.at_rest import size_buoy, size_tanker
 
 SHIP: dict[str, Any] = {"length": 200.0, "breadth": 32.0, "draught": 12.0, "depth": 20.0}
@@ -116,7 +120,16 @@ def test_all_that_was_taken_is_told_and_nothing_that_was_given() -> None:
         wind=20.0, current=0.5, hs=1.0, life=0.0, wear=0.0, period=6.0, low_water=10.0,
         friction=0.4, return_period="50 years", chain="chain studless R3", code="break/5",
     )  # fmt: skip
-    assert given.defaults == ()
+    assert given.defaults == ()  # no life: nothing is exceeded in it
+
+
+def test_a_return_period_is_of_weather_that_is_given_and_is_used() -> None:
+    """1 - 0.98^5 = 9.6 %; of weather that was taken there is no return period."""
+    weather = {"wind": 30.0, "current": 1.0, "hs": 2.0}
+    said = of_a_buoy(**weather, return_period="50 years").defaults
+    assert "weather of 50 years, exceeded with 10% in 5 years" in said
+    with pytest.raises(InputError, match="current and hs not given"):
+        of_a_buoy(wind=30.0, return_period="50 years")
 
 
 def test_the_largest_size_of_a_ship_s_chain_is_told_where_no_bound_is_given() -> None:
@@ -192,6 +205,31 @@ def test_a_force_that_is_given_has_wind_and_current_in_it() -> None:
 def test_growth_and_tide_are_those_that_are_given_or_none() -> None:
     assert of_a_buoy().marine_growth == 0.0
     assert of_a_buoy(growth="50 mm").marine_growth == 0.05
+
+
+def test_growth_weighs_on_hull_and_chain_and_takes_of_the_reserve() -> None:
+    """50 mm on a bar of 30 mm under a pull of 5 kN.
+
+    2 x (1325 - 1025) g x pi/4 (0.13^2 - 0.03^2) = 73.9 N/m on what hangs; on the wetted hull
+    300 g x 0.05 = 147 N/m2.
+    """
+    request = of_a_buoy(growth="50 mm")
+    shape, rho = request.buoy, 1025.0
+    assert isinstance(shape, BuoyShape)
+    grown = growth_weight(request, Assumed(0.030, 5e3))
+    (chain,) = (e for e in sold(request.line, rho) if e.nominal_diameter == 0.030)
+    ring = 2.0 * 300.0 * 9.80665 * math.pi / 4.0 * (0.13**2 - 0.03**2)
+    assert ring == pytest.approx(73.9, abs=0.05)
+    wet = math.pi * shape.outline(high=shape.afloat(5e3, rho).draught)
+    wet += math.pi / 4.0 * shape.widest**2
+    by_hand = ring * 5e3 / chain.submerged_weight + 300.0 * 9.80665 * 0.05 * wet
+    assert grown == pytest.approx(by_hand, rel=1e-12)
+    assert growth_weight(of_a_buoy(), Assumed(0.030, 5e3)) == 0.0
+    with pytest.raises(InputError, match="more than the reserve of buoyancy"):
+        pose_buoy(of_a_buoy(growth="400 mm"), Assumed(0.030, 5e3))
+    case = pose_buoy(request, Assumed(0.030, 5e3)).case
+    assert case.buoy is not None
+    assert case.buoy.reserve_buoyancy == pytest.approx(request.reserve_buoyancy - grown)
     levels = of_a_buoy(low_water=10.0).environment.levels
     assert (levels.low, levels.high) == (10.0, 12.0)
     assert of_a_buoy().environment.levels.low == 12.0

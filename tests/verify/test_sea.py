@@ -79,7 +79,7 @@ def test_what_was_done_to_the_record_is_remarked_on(tmp_path: Path) -> None:
     [
         ("time (s),elevation (m)", 30.0, "time: found 29.5 s from the first row to the last; the"),
         ("time,elevation (m)", 80.0, "headings: found time; its unit in brackets is wanted"),
-        ("time (s),height (m)", 80.0, "found height; one of time, elevation is wanted"),
+        ("time (s),height (m)", 80.0, "found height \\(m\\); one of time, elevation is wanted"),
         ("time (s),elevation (s)", 80.0, r"found elevation \(s\); its unit in brackets"),
     ],
 )

@@ -31,7 +31,7 @@ EVERYWHERE = {"--help", "--help-all"}
 """Options that no command lists."""
 VERBS = {"by", "compiles", "counts", "did", "does", "goes", "has", "itself", "takes", "ghi"}
 """What catopt is said to do, where it is no command."""
-OF_OTHERS = {"site.general", "mooring_systems"}
+OF_OTHERS = {"site.general", "mooring_systems", "line_types"}
 """Keys of other programs' files."""
 ROOTS = (CaseTable, NetworkTable, StudyTable, schema_of("buoy"), schema_of("tanker"))
 VALUES = {*FIND_QUANTITIES, *names()}

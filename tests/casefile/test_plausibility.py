@@ -1,0 +1,93 @@
+"""Values beyond the range of their quantity are refused, and taken where their name is accepted."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from catopt import InputError
+from catopt.casefile import parse_case, write_case
+from catopt.casefile.plausibility import RANGES
+from catopt.casefile.reading import parse_network
+from catopt.model import Case
+from catopt.model.kinds import OneOf, annotated
+from catopt.sizing.file import parse_file
+
+CASE = """
+[site]
+water_depth = "20 m"
+[line]
+[[line.segments]]
+length = "100 m"
+submerged_weight = "1000 N/m"
+mass = "110 kg/m"
+[load]
+horizontal_force = "200 kN"
+[anchor]
+kind = "sinker"
+mass = "20 t"
+density = "2400 kg/m^3"
+friction = 0.5
+safety_factor = 1.5
+[current]
+profile = "power"
+speed = "1 m/s"
+"""
+POINT = '[[line.point_loads]]\nposition = "50 m"\nsubmerged_weight = "100 kN"\nmass = "1 t"\n'
+SLIPS = [
+    ("friction = 0.5", "friction = 50", "anchor.friction: found 50", "friction"),
+    ("[line]", "seabed_friction = 3.0\n[line]", "site.seabed_friction: found 3.0", "friction"),
+    ("[line]", "water_density = 10\n[line]", "site.water_density: found 10", "water_density"),
+    ("[line]", 'water_density = "1.2 t/m^3"\n[line]', "site.water_density", "water_density"),
+    ("2400 kg/m^3", "24000 kg/m^3", "anchor.density: found", "body_density"),
+    ("= 1.5", "= 150", "anchor.safety_factor: found 150", "safety_factor"),
+    ("20 m", "20 km", "site.water_depth: found", "water_depth"),
+    ("1 m/s", "100 kn", "current.speed: found", "current_speed"),
+    ("110 kg/m", "1 kg/m", "segments[0].submerged_weight: found", "weight_in_water"),
+    ("[load]", POINT + "[load]", "point_loads[0].submerged_weight", "weight_in_water"),
+    ("[load]", "drag_normal = 24\n[load]", "segments[0].drag_normal: found 24", "drag"),
+]
+
+
+def test_the_case_is_right_before_it_is_changed() -> None:
+    assert parse_case(CASE).accept == ()
+
+
+@pytest.mark.parametrize(("old", "new", "said", "name"), SLIPS)
+def test_a_slip_is_refused_and_its_range_overridden_by_name(
+    old: str, new: str, said: str, name: str
+) -> None:
+    text = CASE.replace(old, new, 1)
+    assert text != CASE
+    with pytest.raises(InputError) as caught:
+        parse_case(text)
+    assert said in str(caught.value)
+    assert f'write accept = ["{name}"]' in str(caught.value)
+    case = parse_case(f'accept = ["{name}"]\n{text}')
+    assert case.accept == (name,)
+    assert parse_case(write_case(case)) == case
+    other = next(each.name for each in RANGES if each.name != name)
+    with pytest.raises(InputError, match="not plausible"):
+        parse_case(f'accept = ["{other}"]\n{text}')
+
+
+def test_an_unknown_name_is_refused() -> None:
+    with pytest.raises(InputError, match=r"accept\[0\]: found \"frictions\".*friction"):
+        parse_case(f'accept = ["frictions"]\n{CASE}')
+
+
+def test_points_and_sizings_have_the_same_ranges() -> None:
+    network = (Path(__file__).parents[2] / "catopt/casefile/templates/points.toml").read_text()
+    slipped = network.replace("seabed_friction = 0.0", "seabed_friction = 5", 1)
+    assert slipped != network
+    with pytest.raises(InputError, match=r"site\.seabed_friction: found 5"):
+        parse_network(slipped)
+    file = parse_file('[buoy]\nname = "pillar 1.8 m"\n[site]\nwater_density = 10\n', "buoy")
+    assert [each.path for each in file.findings] == [("site", "water_density")]
+
+
+def test_the_names_are_those_of_the_ranges() -> None:
+    kind = annotated(Case)["accept"].kind
+    assert isinstance(kind, OneOf)
+    assert kind.words == (*(each.name for each in RANGES), "weight_in_water")
