@@ -71,6 +71,34 @@ OWN = (
 """Every buoy of the library."""
 
 
+TWENTY = (
+    Site("T-1000l-1.24m", 4.0, 0.5, 0.5, 15.0),
+    Site("T-1000l-1.24m", 8.0, 1.0, 0.75, 20.0),
+    Site("T-1800l-1.24m", 6.0, 1.0, 0.5, 20.0),
+    Site("T-1800l-1.24m", 12.0, 0.75, 1.0, 20.0),
+    Site("T-2500l-1.85m", 8.0, 1.0, 1.0, 20.0),
+    Site("T-2500l-1.85m", 15.0, 1.0, 1.5, 25.0),
+    Site("T-2500l-1.85m", 25.0, 0.75, 2.0, 25.0),
+    Site("T-5000l-2.4m", 8.0, 1.5, 1.0, 25.0),
+    Site("T-5000l-2.4m", 15.0, 1.0, 2.0, 25.0),
+    Site("T-5000l-2.4m", 20.0, 1.5, 2.0, 25.0),
+    Site("T-5000l-2.4m", 30.0, 1.0, 2.5, 25.0),
+    Site("T-5000l-2.4m", 45.0, 1.0, 3.0, 25.0),
+    Site("T-9000l-3.0m", 15.0, 2.0, 2.0, 25.0),
+    Site("T-9000l-3.0m", 30.0, 1.0, 3.0, 25.0),
+    Site("T-9000l-3.0m", 60.0, 1.0, 4.0, 25.0),
+    Site("LT-9000l-3.0m", 15.0, 1.5, 2.0, 25.0),
+    Site("LT-9000l-3.0m", 40.0, 1.0, 3.0, 25.0),
+    Site("2S5PL", 15.0, 1.0, 1.5, 25.0),
+    Site("2S5PL", 30.0, 1.0, 3.0, 25.0),
+    Site("2S5PL +2", 25.0, 2.5, 2.0, 25.0),
+)
+"""Depths of 4 to 60 m, currents to 2.5 m/s, seas of 0.5 to 4 m."""
+
+SOILS = ("sand", "stiff clay", "mud")
+"""On which a sinker stands beside CALMAR's, of which no soil is named."""
+
+
 def main() -> None:
     """Run and print."""
     page(argparse.ArgumentParser(description=__doc__), lambda of: report(of.smoke))
@@ -95,6 +123,10 @@ def report(smoke: bool) -> Iterator[str]:
     yield ""
     yield from _table(OWN)
     yield ""
+    yield "## Twenty buoys, and their sinkers by soil"
+    yield ""
+    yield from _twenty()
+    yield ""
     yield "## A ship beside her own cable"
     yield ""
     yield from _ship()
@@ -109,6 +141,57 @@ def _table(sites: tuple[Site, ...]) -> list[str]:
         "|---|---|---|---|---|---|---|",
     ]
     return [*rows, *(_row(site) for site in sites)]
+
+
+def _twenty() -> Iterator[str]:
+    """Tabulate them, and count what agrees."""
+    soils = ", ".join(SOILS)
+    yield (
+        "| buoy | depth, current, Hs, wind | catopt: chain, length, depths, sinker "
+        f"| own limits (mm) | length laid (m) | sinker on {soils} (t) |"
+    )
+    yield "|---|---|---|---|---|---|"
+    sized_ones = in_limits = as_long = in_order = 0
+    for site in TWENTY:
+        shape = next(each for each in buoys() if each.name == site.buoy)
+        low, high = (1e3 * (each or 0.0) for each in (shape.chain_min, shape.chain_max))
+        where = f"{site.depth:g} m, {site.current:g} m/s, {site.hs:g} m, {site.wind:g} m/s"
+        start = f"| {site.buoy} | {where}"
+        try:
+            found = sized(site)
+        except CatoptError as error:
+            yield f"{start} | NO ANSWER: {error.message} | {low:g} to {high:g} | | |"
+            continue
+        sized_ones += 1
+        line = found.point.line
+        in_limits += low <= round(1e3 * (line.segments[0].nominal_diameter or 0.0), 6) <= high
+        laid = laid_for_buoy(shape.widest, site.depth, site.current)
+        said = "no table"
+        if laid is not None:
+            least, most = laid.lengths
+            said = f"{least:g} to {most:g}"
+            as_long += 0.75 * least <= line.length <= 1.25 * most
+        masses = [_sinker_on(site, soil) for soil in SOILS]
+        known = [each for each in masses if each is not None]
+        in_order += known == sorted(known)
+        texts = ", ".join("none" if each is None else f"{each:g}" for each in masses)
+        yield f"{start} | {_said(found, site.depth)} | {low:g} to {high:g} | {said} | {texts} |"
+    yield ""
+    yield (
+        f"Of {len(TWENTY)} sized at rest {sized_ones} have an answer: {in_limits} have a chain "
+        f"within the limits of the buoy's own entry, {as_long} a length within 25 % of what the "
+        f"maker of a 2.2 m buoy lays there, and of {in_order} the sinker grows as the soil gets "
+        "softer. No maker's or authority's table of sinkers was read."
+    )
+
+
+def _sinker_on(site: Site, soil: str) -> float | None:
+    """Mass of a site's sinker on a soil, t; None where there is none."""
+    try:
+        anchor = sized(site, soil=soil).point.anchor
+    except CatoptError:
+        return None
+    return None if anchor is None or anchor.mass is None else anchor.mass / 1e3
 
 
 def _row(site: Site) -> str:

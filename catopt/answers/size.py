@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
@@ -19,11 +20,14 @@ from catopt.answers.loads import forces_table, notes_table, numbers_table
 from catopt.answers.size_card import heel_words, proof_words, runs_words, size_card, slides_words
 from catopt.constants import YEAR
 from catopt.figures.sizing import tension_by_length
+from catopt.model.line import weight_in_water
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.units import UNITS, Dimension
 from catopt.words import Cited, Measure, Message, Sentence, Several, term
 
 if TYPE_CHECKING:
+    from catopt.loads.sinker import SinkerSize
+    from catopt.model import Line
     from catopt.sizing import Sizing
     from catopt.sizing.in_motion import InMotion
     from catopt.sizing.pattern import Pattern, PatternState
@@ -166,6 +170,8 @@ def _holding(of: Sizing) -> Iterator[_Row]:
         words = Message(f"sizing.{sinker.material}_sinker", **values)
         name = term("Sinker")
     yield _Row(name, mass, QUANTITIES["mass"], words)
+    if of.kind == "buoy" and of.own_sinker is not None and of.point.line.mass is not None:
+        yield _lifting(of.own_sinker, of.point.line, of.case.site.water_density)
     other = of.other_sinker
     if other is not None:  # by the other rule: they differ by a factor of two and more
         said = Message(
@@ -178,6 +184,15 @@ def _holding(of: Sizing) -> Iterator[_Row]:
     if size.factor is not None:
         wanted = Message("sizing.factor", factor=size.factor, wanted=size.safety_factor)
         yield _Row(term("Factor on holding"), size.factor, QUANTITIES["safety_factor"], wanted)
+
+
+def _lifting(sinker: SinkerSize, line: Line, water_density: float) -> _Row:
+    """Say what a tender lifts: the sinker with all of its chain."""
+    mass = sinker.mass + (line.mass or 0.0)
+    hung = weight_in_water(sinker.mass, sinker.density, water_density)
+    hung += math.fsum(each.length * each.submerged_weight for each in line.segments)
+    said = Message("sizing.lifted", mass=mass / 1e3, weight=Measure("vertical_force", hung))
+    return _Row(Message("sizing.lifting"), mass, QUANTITIES["mass"], said)
 
 
 def _positions(of: Sizing) -> Iterator[_Row]:

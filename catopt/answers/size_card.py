@@ -250,6 +250,12 @@ def _of_the_runs(of: InMotion) -> Iterator[Brief]:
         yield Brief((proof,), Message("sizing.card_rerun"), 3)
     if of.seas:
         yield Brief((seas_words(of),), Message("sizing.card_seas"), 3)
+    if of.own is not None:
+        said = less_words(of.own)
+        if of.own.passes:
+            size = round(1e3 * of.own.diameter, 6)
+            said = Message("sizing.own_passes", size=size, length=of.own.length)
+        yield Brief((said,), Message("sizing.card_own"), 2)
     if of.less:
         failing = (less_words(each) for each in of.less)
         yield Brief((Several(failing, "; "),), Message("sizing.card_less"), 2)

@@ -234,6 +234,10 @@ def _verdict(*compared: Message | None) -> Message:
 # ------------------------------------------------------------------ ships
 
 
+_READ_NUMBER: Final = 2990.0
+"""Of the row of equipment that was read in a secondary copy (C)."""
+
+
 def equipment_number(displacement: float, front: float, side: float) -> float:
     """EN = displacement^(2/3) + 2 (h B + sum A_i) + A/10, the displacement in t.
 
@@ -302,6 +306,23 @@ def own_cable(displacement: float, front: float, side: float) -> float | None:
     if own.number > first.above:
         return None
     return first.grades[1] * math.sqrt(own.number / first.above)
+
+
+def laid_cable(displacement: float, front: float, side: float) -> float:
+    """Estimate the cable that a ship would be laid on, m: nominal diameter of Grade 3.
+
+    That of the row that was read (C), by the root of her equipment number: catopt's own, within
+    8 % of the recalled rows. The rest is as of `equipment_number`.
+
+    Examples
+    --------
+    >>> from catopt.catalogue.practice import laid_cable
+    >>> round(1e3 * laid_cable(67.8e6, 605.0, 1173.0))
+    73
+    """
+    number = equipment_number(displacement, front, side)
+    read = next(each for each in equipment_rows() if each.above < _READ_NUMBER <= each.up_to)
+    return read.grades[2] * math.sqrt(number / (0.5 * (read.above + read.up_to)))
 
 
 def practice_of_ship(

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -47,7 +47,7 @@ _SECTIONS = (
 )
 """Key words of the sections; the first that is found decides."""
 
-_REFUSED = {"rods": "rods", "control": "control", "external loads": "external_loads"}
+_REFUSED = {"control": "control", "external loads": "external_loads"}
 """Sections that change the answer, with the keys of their refusals."""
 
 _MEANINGS = {
@@ -118,7 +118,8 @@ def parse_moordyn(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
             notes.say(name, line=sections[name][0].number)
     for row in sections.get("rod types", ()):
         notes.say("rod_type", line=row.number, name=row.words[0])
-    notes.require(sections)
+    joints = sections.get("points") or sections.get("rods", [])
+    notes.require(sections | {"points": joints})
     options = _options(sections.get("options", []), notes, given)
     first = sections["types"][0] if sections.get("types") else Row(0, ())
     of_types = _columns("types", first, heads, notes)
@@ -130,12 +131,19 @@ def parse_moordyn(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
     )
     types = {row: _type(row, heads, notes) for row in sections.get("types", ())}
     points = {row: _point(row, heads, depth, bodies, notes) for row in sections.get("points", ())}
+    rods = {
+        Row(row.number, (f"R{row.words[0].upper().removeprefix('R')}",)): point
+        for row in sections.get("rods", ())
+        if (point := _rod(row, bodies, notes)) is not None
+    }
+    names = {row.words[0] for row in rods}
     pieces = [
-        _piece(row, heads, notes, first=is_first_version) for row in sections.get("lines", ())
+        _piece(row, heads, notes, names, first=is_first_version)
+        for row in sections.get("lines", ())
     ]
     if friction > 0.0:
         notes.say("friction_at_rest", friction=friction)
-    named = notes.by_name(types), notes.by_name(points)
+    named = notes.by_name(types), notes.by_name(points | rods)
     return Deck(gravity, density, depth, *named, pieces, friction)
 
 
@@ -368,16 +376,8 @@ def _point(
     if not at:
         notes.refuse(row.number, refusal("columns", count=len(row.words)), "point_columns")
         return Point(row.number, row.words[0], "free", math.nan, math.nan, math.nan)
-    name, kind = row.words[at["id"]], row.words[at["attachment"]].lower()
-    stem = kind.rstrip("0123456789")
-    body = bodies.get(kind.removeprefix("body")) if stem == "body" else None
-    if stem in ("turbine", "t") and kind != stem:
-        body = _turbine(row, int(kind.removeprefix(stem)), notes)
-    end = body.end if body else _ENDS.get(stem)
-    if end is None and stem != "body":
-        notes.refuse(row.number, row.words[at["attachment"]], "attachment")
-    elif body is None and stem == "body":
-        notes.refuse(row.number, row.words[at["attachment"]], "no_such_body")
+    name = row.words[at["id"]]
+    end, body = _attached(row, row.words[at["attachment"]], bodies, notes)
     word = row.words[at["z"]].lower()
     x, y = notes.number(row, at["x"], "X"), notes.number(row, at["y"], "Y")
     if word in _BED:
@@ -398,6 +398,53 @@ def _point(
     return Point(row.number, name, end or "free", x, y, z, mass, volume, area, added)
 
 
+def _attached(
+    row: Row, word: str, bodies: Mapping[str, _Body], notes: Notes
+) -> tuple[End | None, _Body | None]:
+    """Say how a point or a rod is held, and by which body or turbine, if any."""
+    kind = word.lower()
+    stem = kind.rstrip("0123456789")
+    body = bodies.get(kind.removeprefix("body")) if stem == "body" else None
+    if stem in ("turbine", "t") and kind != stem:
+        body = _turbine(row, int(kind.removeprefix(stem)), notes)
+    end = body.end if body else _ENDS.get(stem)
+    if end is None and stem != "body":
+        notes.refuse(row.number, word, "attachment")
+    elif body is None and stem == "body":
+        notes.refuse(row.number, word, "no_such_body")
+    return end, body
+
+
+_PINNED = ("pinned", "pin")
+_OF_RODS = {"ves": "vessel", "coupled": "coupled", "cpld": "coupled", "": "fixed"}
+"""What a pinned rod is held by: ``VesPin``, ``CoupledPinned``, ``CpldPin``, ``Pinned``."""
+
+
+def _rod(row: Row, bodies: Mapping[str, _Body], notes: Notes) -> Point | None:
+    """Read a rod of no length as a point; one that has a length is refused."""
+    if len(row.words) < 9:
+        notes.refuse(row.number, refusal("columns", count=len(row.words)), "rod_columns")
+        return None
+    ends = [notes.number(row, k, "XYZ"[k % 3]) for k in range(3, 9)]
+    has_none = len(row.words) > 9 and row.words[9] == "0"
+    if ends[:3] != ends[3:] and not has_none:
+        notes.refuse(row.number, f"RODS: {' '.join(row.words)[:40]}", "rods")
+        return None
+    word = row.words[2].lower()
+    for pinned in _PINNED:
+        if word.endswith(pinned):
+            word = _OF_RODS.get(word.removesuffix(pinned), word.removesuffix(pinned))
+    end, body = _attached(row, word, bodies, notes)
+    place = (ends[0], ends[1], ends[2])
+    notes.say("rod", line=row.number, name=row.words[0])
+    return Point(
+        row.number,
+        f"R{row.words[0].upper().removeprefix('R')}",
+        end or "free",
+        *(body.place(*place) if body else place),
+    )
+
+
 def _turbine(row: Row, number: int, notes: Notes) -> _Body:
     """Hold a turbine of a farm, counted from 1, where the user has it."""
     if not 1 <= number <= len(notes.turbines):
@@ -409,15 +456,24 @@ def _turbine(row: Row, number: int, notes: Notes) -> _Body:
     return _Body("coupled", (x, y, 0.0), (0.0, 0.0, 0.0))
 
 
-def _piece(row: Row, heads: Mapping[str, Row], notes: Notes, *, first: bool) -> DeckPiece:
-    """Read a line; version 1 has its length before its ends."""
+def _end(word: str, rods: Collection[str]) -> str:
+    """Name the point of a line's end: both ends of a rod of no length are one."""
+    name = word.upper().rstrip("AB")
+    return name if name in rods else word
+
+
+def _piece(
+    row: Row, heads: Mapping[str, Row], notes: Notes, rods: Collection[str], *, first: bool
+) -> DeckPiece:
+    """Read a line; version 1 has its length before its ends, which may be a rod's, ``R1A``."""
     at = _columns("lines", row, heads, notes, v=1 if first else 2) if len(row.words) > 5 else {}
     if not at:
         notes.refuse(row.number, refusal("columns", count=len(row.words)), "line_columns")
         return DeckPiece(row.number, "", ("", ""), math.nan)
-    ends = row.words[at["attacha"]], row.words[at["attachb"]]
+    first_end, last_end = (_end(row.words[at[key]], rods) for key in ("attacha", "attachb"))
+    ends = first_end, last_end
     for end in ends:
-        if re.match(r"[A-Za-z]", end):
+        if re.match(r"[A-Za-z]", end) and end not in rods:
             notes.refuse(row.number, end, "rods")
     notes.say("segments")
     length = notes.number(row, at["unstrlen"], "UnstrLen", above=0.0)

@@ -130,7 +130,7 @@ _SHOWN_KEYS: Final = 6
 
 _BEGINS = (
     r"(?m)^(mooring_systems|mooring_line_configs)[ \t]*:",
-    r"(?m)^(-[ ]+)?(LineTypes|[Ii]nclude[Ff]ile)[ \t]*:",
+    r"(?m)^(-[ ]+)?LineTypes[ \t]*:|^[ \t]*(-[ ]+)?[Ii]nclude[Ff]ile[ \t]*:",
 )
 """How the ontology and OrcaFlex's text data are known."""
 

@@ -151,6 +151,51 @@ def _tabulated(hull: HullForm) -> Coefficients:
     return Coefficients(omega, headings, mean_drift=table)
 
 
+_STEP: Final = 1e-3
+"""Part of the frequency, and rad of the heading, over which the drift is differentiated."""
+
+
+def wave_drift_damping(of: Coefficients, omega: Array, heading: Array) -> Array:
+    """Damping of slow surge and sway by the waves, of each wave over the square of its amplitude.
+
+    After Aranha (1994), recalled (R), deep water: with tau = U omega/g, of a motion with the speed
+    U in a direction psi, F(U) = (1 - 4 tau cos(beta - psi)) F(omega (1 - tau cos(beta - psi)),
+    beta + 2 tau sin(beta - psi)), and the damping is -dF/dU. catopt takes it in no answer of its
+    own: it is there for those who give a damping.
+
+    Parameters
+    ----------
+    of : Coefficients
+        With a mean drift, of `HullForm.coefficients` or of a file.
+    omega, heading : array, shape (n,)
+        rad/s; where the waves travel to, from ahead, rad.
+
+    Returns
+    -------
+    array, shape (n, 2, 2)
+        Force along the first, surge or sway, per speed along the second, N s/m3.
+    """
+
+    def force(w: Array, beta: Array) -> Array:
+        return np.asarray(of.at("mean_drift", w, beta)[..., :2].real)
+
+    h = _STEP * omega
+    by_omega = force(omega + h, heading) - force(omega - h, heading)
+    by_omega = by_omega / (2.0 * h[:, np.newaxis])
+    by_heading = force(omega, heading + _STEP) - force(omega, heading - _STEP)
+    by_heading = by_heading / (2.0 * _STEP)
+    still, out = force(omega, heading), np.empty((omega.size, 2, 2))
+    for j, along in enumerate((0.0, 0.5 * math.pi)):
+        cosine, sine = (
+            np.cos(heading - along)[:, np.newaxis],
+            np.sin(heading - along)[:, np.newaxis],
+        )
+        w = omega[:, np.newaxis]
+        change = -cosine * (4.0 * still + w * by_omega) + 2.0 * sine * by_heading
+        out[:, :, j] = -change * w / STANDARD_GRAVITY
+    return out
+
+
 class _InWaves:
     """A ship in waves of one frequency."""
 

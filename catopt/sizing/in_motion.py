@@ -306,7 +306,8 @@ class InMotion(Record):
         f"{within('storm', STORM)} factor allowance heel? mean_heel~ slides~ proof~ changes~ "
         "checks.results=checks "
         "checks.nearest=governing how.periods~ how.heights~ seas~ directions~ "
-        "counted=lines(considered at_rest excluded run runs) tried by_length checks.warnings band?"
+        "counted=lines(considered at_rest excluded run runs) tried by_length checks.warnings "
+        "band? own?"
     )
 
     how: RunsAfloat
@@ -331,6 +332,8 @@ class InMotion(Record):
     """What decides each kind of check, where periods are given."""
     heel: Angle | None = None
     """Largest heel of the buoy in its runs; None of a ship."""
+    own: LineTried | None = None
+    """Of a ship on one line: a line of the size of her own cable; None where it was not run."""
     mean_heel: Angle | None = None
     """The largest mean of a load case; None of a ship."""
     slides: tuple[SinkerSlide, ...] = ()

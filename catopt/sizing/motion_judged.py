@@ -211,6 +211,7 @@ class ShipState(NamedTuple):
     directions: Headings
     line_out: bool  # line 1 is out
     worn: bool = False  # lines weigh what wear leaves of them
+    lull: bool = False  # the wind has dropped, the current and the waves have not
 
 
 class ShipRun(NamedTuple):

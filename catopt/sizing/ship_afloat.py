@@ -225,6 +225,7 @@ def ship_afloat(
     sea: Sea | None = None,
     directions: Headings | None = None,
     worn: bool = False,
+    lull: bool = False,
 ) -> Case | None:
     """Add ship, wind, waves and current to the case of her lines in a load case, or the hardest.
 
@@ -234,7 +235,7 @@ def ship_afloat(
     `directions`: where wind, current and waves come from; of those of the request that of the
     largest force when left out. They are turned so that what she pulls at rest is along x. She
     turns about the bow, to which her lines go, or the request's own point. `worn`: the lines weigh
-    what wear leaves of them at the end of their life.
+    what wear leaves of them at the end of their life. `lull`: no wind blows.
     None where she cannot be run: `runs_afloat`.
     """
     env = request.environment
@@ -263,7 +264,8 @@ def ship_afloat(
     vane = request.weathervaning
     lies = worst_lying(request, moored, at.depth, (directions,) if directions else vane.directions)
     off = _along_x(lies)
-    wind = mean_over(env.wind.speed, WIND_MEAN, LONGEST_MEAN) if env.wind.speed > 0.0 else 0.0
+    blows = env.wind.speed > 0.0 and not lull
+    wind = mean_over(env.wind.speed, WIND_MEAN, LONGEST_MEAN) if blows else 0.0
     flows = env.current.speed > 0.0
     checks = held.checks
     if any(not each.is_for_motion for each in profiles_of(checks)):

@@ -61,6 +61,11 @@ _NEAR: Final = 0.75
 """Of a size: the least that the fast search looks at in its place."""
 _HOUR: Final = 0.25
 """s, about, that an hour of a ship on a line takes to run."""
+_LEAST_SCOPE: Final = 6.0
+"""Of a line that is laid, in depths at high water: what UR A1 takes for her own anchors (C)."""
+_MOST_SCOPE: Final = 16.0
+"""Likewise, before the size rises: catopt's own."""
+_SAME_SIZE: Final = 5e-4
 _LINES: Final = 8
 """Lines that a search runs, about: for its announcement."""
 
@@ -100,6 +105,12 @@ def search_ship_in_motion(
     if not how.quick:
         expect(Message("sizing.running_ship"), _HOUR * hours)
     found = _Search(request, how, start, settle, around)
+    laid = request.line.looks_for == "practice" and request.lines == 1
+    passing = found.laid(start.point.line) if laid else None
+    if passing is not None:
+        return _moved(request, how, found, passing)
+    if laid:
+        found.prefer_lightest()
     passing = found.passing(start.point.line)
     if passing is None:
         every = found.judged.values()
@@ -124,18 +135,23 @@ class _Search:
         self.judged: dict[Line, JudgedLine] = {}
         self._settled: dict[Line, ConvergedSizing] = {}
         # By load case and directions, with tables that their lines share.
-        self._ships: dict[tuple[str, Headings], Any] = {}
+        self._ships: dict[tuple[str, Headings, bool], Any] = {}
         heights = (sea.height for sea in how.seas(request.environment.sea.hs, 1.0))
         self._run_on: dict[str, Any] = {"on_lines": on_tables(max(heights))} if how.quick else {}
         # The one that stopped the last line first.
         outs = (True, False) if request.lines > 1 else (False,)
         wears = start.posed.case.service is not None
+        self.own: LineTried | None = None
+        env = request.environment
+        # A current turns a ship the more, the less wind there is to hold her head to it.
+        lulls = request.lines == 1 and env.current.speed > 0.0 and env.wind.speed > 0.0
+        ways = [(False, False), *([(True, False)] * wears), *([(False, True)] * lulls)]
         self._order = [
-            ShipState(each.load_case, sea, directions, out, worn)
-            for worn in ((False, True) if wears else (False,))
+            ShipState(each.load_case, sea, directions, out, worn, lull)
+            for worn, lull in ways
             for out in outs
             for directions in request.weathervaning.directions
-            for sea in how.seas(request.environment.sea.hs, request.environment.sea.period)
+            for sea in how.seas(env.sea.hs, env.sea.period)
             for each in start.posed.loads
         ]
         design = start.posed.case.design
@@ -148,7 +164,50 @@ class _Search:
         self._line = replace(own, code=code, prefer=own.looks_for)
         self._without_allowance = replace(request, line=replace(own, dynamic_factor=1.0))
 
+    def prefer_lightest(self) -> None:
+        """Look for the lightest from now on: where nothing that is laid holds."""
+        self.request = replace(self.request, line=self.request.line.by("lightest"))
+        self._line = self._line.by("lightest")
+
     # ------------------------------------------------------------------ lines
+
+    def laid(self, line: Line) -> JudgedLine | None:
+        """Find the line that would be laid: no thinner than her own cable, by rule as short.
+
+        The thinnest that passes at the longest scope, and of that the shortest from the least
+        scope on, taken that what is longer passes where one passes: a harder weather takes no less.
+        None where none passes: then the lightest of any.
+        """
+        (segment,) = line.segments
+        sizes = sorted((e for e in self._sizes if e.component == segment.component), key=_size)
+        own = self.request.own_cable
+        sizes = [each for each in sizes if _size(each) >= own - _SAME_SIZE] or sizes[-1:]
+        depth = self.request.environment.levels.high
+        lengths = [e for e in self.lengths if e <= _MOST_SCOPE * depth] or list(self.lengths[:1])
+        first = next((k for k, e in enumerate(lengths) if e >= _LEAST_SCOPE * depth), -1)
+        lengths = lengths[first:]
+
+        def judged(each: Segment, length: float) -> JudgedLine:
+            return self.tried(replace(line, segments=(replace(each, length=length),)))
+
+        def least(count: int, passes: Callable[[int], bool]) -> int:
+            """Count those that fail before the first that passes: all of them where none does."""
+            low, high = 0, count
+            while low < high:
+                middle = 0 if not low and high == count else (low + high) // 2
+                low, high = (low, middle) if passes(middle) else (middle + 1, high)
+            return low
+
+        self.own = judged(sizes[0], lengths[-1]).tried
+        holds = (k for k, e in enumerate(sizes) if judged(e, lengths[-1]).tried.passes)
+        at = next(holds, None)
+        if at is None:
+            return None
+        place = least(len(lengths), lambda k: judged(sizes[at], lengths[k]).tried.passes)
+        length = lengths[min(place, len(lengths) - 1)]
+        if at:
+            judged(sizes[at - 1], length)
+        return judged(sizes[at], length)
 
     def passing(self, line: Line) -> JudgedLine | None:
         """Size lines for what the runs of the one before ask for, until one passes its own."""
@@ -350,7 +409,8 @@ class _Search:
         self, state: ShipState, settled: ConvergedSizing, around: Pattern | None
     ) -> ShipRun:
         name, said = state.load_case, self._said(state)
-        case, weather = self._afloat(state, settled, around), (name, state.directions)
+        case = self._afloat(state, settled, around)
+        weather = (name, state.directions, state.lull)
         found = verify_ship(self._as_judged(case), ship=self._ships.get(weather), **self._run_on)
         self._ships[weather] = found.moored.ship
         offset = max(found.offset.judged, _offset(found.lost))
@@ -379,7 +439,8 @@ class _Search:
     ) -> ShipLost:
         """Run it without line 1, in weather from the side that is then hardest at rest."""
         name, said = state.load_case, self._said(state)
-        case, weather = self._afloat(state, settled, around), (name, state.directions)
+        case = self._afloat(state, settled, around)
+        weather = (name, state.directions, state.lull)
         ship = self._ships.get(weather)
         found, moored = run_without(self._as_judged(case), 1, ship=ship, **self._run_on)
         self._ships[weather] = moored.ship
@@ -389,6 +450,8 @@ class _Search:
     def _said(self, state: ShipState) -> str:
         """Name a load case with its sea and directions, where there are several."""
         name = worn_name(state.load_case) if state.worn else state.load_case
+        if state.lull:
+            name = Message("sizing.in_a_lull", load_case=name)
         said = in_sea(name, self.how, state.sea)
         if len(self.request.weathervaning.directions) == 1:
             return said
@@ -507,11 +570,12 @@ def _moved(
             request.line.allowance,
             _counted(found),
             tuple(each.tried for each in found.judged.values()),
-            load_cases=len({(each.load_case, each.worn) for each in found._order}),
+            load_cases=len({(each.load_case, each.worn, each.lull) for each in found._order}),
             directions=len(request.weathervaning.directions),
             seas=chosen.seas,
             less=tuple(found.failing_below(chosen.line)),
             band=band_of(case),
+            own=found.own,
         ),
         chosen.drag_anchor,
         chosen.sinker,

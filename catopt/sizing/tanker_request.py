@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from typing import Final, get_args
 
+from catopt.catalogue.practice import laid_cable
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.ship import Condition, Ship
 from catopt.loads.ship_coefficients import ShipCoefficients
@@ -182,6 +183,13 @@ class TankerRequest:
         """Whether a price is known of everything that the line may have."""
         density = self.environment.water_density
         return not self.clump_masses and not unpriced_components(self.line, density)
+
+    @property
+    def own_cable(self) -> float:
+        """Nominal diameter of the cable that the ship would be laid on, m, by her equipment."""
+        each = next((e for e in self.ships if e.condition == "loaded"), self.ships[0])
+        ship, density = each.ship, self.environment.water_density
+        return laid_cable(density * ship.displacement, ship.frontal_area, ship.lateral_area)
 
     @property
     def reserve_buoyancy(self) -> float | None:

@@ -15,9 +15,11 @@ from catopt.decks.reading import Asked, read_any_deck
 from catopt.errors import InputError
 from catopt.model.network import Network
 from tests.cli.conftest import Run, run, words
+from tests.decks.own import BRIDLE, MOORDYN
 
 __all__ = ("run",)
 
+INCLUDED = ("01_env.yml", "02_types.yml", "03_buoys.yml", "04_lines.yml")
 BROUGHT = Path(__file__).parent / "brought"
 
 
@@ -101,6 +103,24 @@ def test_an_orcaflex_model_in_several_files() -> None:
     assert found.fairlead.tension == pytest.approx(147.999e3, abs=0.5)
     assert "inc/01_env.yml" in said
     assert "line 8: the end stands 0.0225 m lower" in said  # the line that names inc/04_lines.yml
+
+
+def test_a_file_may_stand_for_one_line_of_a_list(tmp_path: Path) -> None:
+    """Also with Windows' strokes, and in a file that is itself taken in; a circle has an end."""
+    parts = {k: (BROUGHT / "inc" / name).read_text("utf-8") for k, name in enumerate(INCLUDED)}
+    one_line = "\n".join(row[2:] for row in parts[3].splitlines()[1:])
+    (tmp_path / "sub").mkdir()
+    (tmp_path / "sub" / "line.yml").write_text(one_line, encoding="utf-8")
+    whole = f"{parts[0]}\n{parts[1]}\n{parts[2]}\nLines:\n  - includefile: sub\\line.yml\n"
+    (tmp_path / "whole.yml").write_text(whole, encoding="utf-8")
+    text = "%YAML 1.1\n---\nincludefile: whole.yml\n"
+    case, _ = read_any_deck(text, str(tmp_path / "model.yml"))
+    assert not isinstance(case, Network)
+    found = catopt.solve_case(case)
+    assert found.horizontal_force == pytest.approx(93.187e3, abs=0.5)
+    (tmp_path / "loop.yml").write_text("- includefile: loop.yml\n", encoding="utf-8")
+    with pytest.raises(InputError, match="100 included files at most"):
+        read_any_deck("- includefile: loop.yml\n", str(tmp_path / "model.yml"))
 
 
 def test_a_file_that_is_not_there_is_named(tmp_path: Path) -> None:
@@ -205,3 +225,58 @@ def test_lengths_of_the_field(text: str, si: float) -> None:
 
     assert to_si(text, Dimension.LENGTH) == pytest.approx(si, rel=1e-12)
     assert to_si("1 shot", Dimension.LENGTH) == 27.5
+
+
+RODS = """--- ROD TYPES ---
+TypeName Diam Mass/m Cd Ca CdEnd CaEnd
+(name) (m) (kg/m) (-) (-) (-) (-)
+end 0.1 10 1 1 1 1
+--- RODS ---
+ID RodType Attachment Xa Ya Za Xb Yb Zb NumSegs RodOutputs
+(#) (name) (#/key) (m) (m) (m) (m) (m) (m) (-) (-)
+1 end Coupled 5.2 0 -70 5.2 0 -70 0 -
+2 end VesPin -2.6 4.503332 -70 -2.6 4.503332 -69 0 -
+3 end Vessel -2.6 -4.503332 -70 -2.6 -4.503332 -70 0 -
+4 end Pinned -426.935 -739.473112 -320 -426.935 -739.473112 -320 0 -
+--- POINTS ---"""
+
+
+def test_rods_of_no_length_are_points() -> None:
+    """OC3's lines end at clamps of no length, which MoorDyn writes as rods of 0 segments."""
+    points = [line for line in MOORDYN.splitlines(keepends=True) if "Coupled" in line]
+    held = next(line for line in MOORDYN.splitlines(keepends=True) if line.startswith("3 Fixed"))
+    text = MOORDYN.replace("--- POINTS ---", RODS).replace("main 1 4", "main 1 R1A")
+    text = text.replace("main 5 2", "main r2B 2").replace("main 3 6", "main R4A R3B")
+    for line in (*points, held):
+        text = text.replace(line, "")
+    found, remarks = read_any_deck(text, "rods.txt")
+    expected, _ = read_any_deck(MOORDYN, "rods.txt")
+    assert found == expected
+    assert any("rod 1 has no length: it is a point" in str(each) for each in remarks)
+    long = text.replace("5.2 0 -70 5.2 0 -70 0 -", "5.2 0 -70 5.2 0 -60 4 -")
+    with pytest.raises(InputError, match="no rods with a length"):
+        read_any_deck(long, "rods.txt")
+
+
+def test_lines_meet_in_a_free_rod_of_no_length() -> None:
+    """The bridle's joint as a rod: the same network."""
+    text = BRIDLE
+    (joint,) = [line for line in text.splitlines() if line.split()[1:2] == ["Free"]][:1]
+    number, _, x, y, z, *_ = joint.split()
+    row = f"7 end Free {x} {y} {z} {x} {y} {z} 0 -"
+    own = "\n".join(RODS.splitlines()[:7])
+    text = text.replace(joint + "\n", "").replace("--- POINTS ---", f"{own}\n{row}\n--- POINTS ---")
+    head, lines = text.split("--- LINES ---")
+    rows = [
+        " ".join("R7A" if k in (2, 3) and word == number else word for k, word in enumerate(each))
+        for each in map(str.split, lines.splitlines())
+    ]
+    found, _ = read_any_deck(head + "--- LINES ---" + "\n".join(rows), "bridle.txt")
+    bare = BRIDLE.replace(joint, f"{number} Free {x} {y} {z} 0 0 0 0")  # a rod weighs nothing
+    expected, _ = read_any_deck(bare, "bridle.txt")
+    assert isinstance(found, Network)
+    assert isinstance(expected, Network)
+    ours, theirs = catopt.solve_system(found), catopt.solve_system(expected)
+    assert [each.fairlead.tension for each in ours.lines] == pytest.approx(
+        [each.fairlead.tension for each in theirs.lines], rel=1e-9
+    )

@@ -139,7 +139,7 @@ def test_remarks_are_said_in_vietnamese() -> None:
 
 REFUSED = {
     MOORDYN: [
-        ("--- LINES ---", "--- RODS ---\nx\nx\n1 rod Free 0 0 0 0 0 0 4 -\n--- LINES ---",
+        ("--- LINES ---", "--- RODS ---\nx\nx\n1 rod Free 0 0 0 0 0 -5 4 -\n--- LINES ---",
          18, "rods"),
         ("--- LINES ---", "--- BODIES ---\nx\nx\n1 Free 0 0 0 0 0 0 1 0 0 1 0 0\n--- LINES ---",
          18, "body that moves by itself"),

@@ -12,8 +12,9 @@ import pytest
 from scipy.special import iv, kv
 
 from catopt.errors import InputError
+from catopt.hydro.coefficients import Coefficients
 from catopt.hydro.cylinder import HEAVE
-from catopt.hydro.drift import HullForm
+from catopt.hydro.drift import HullForm, wave_drift_damping
 from catopt.hydro.section import Section
 from catopt.waves.random_surface import depth_factor, wave_number
 
@@ -177,6 +178,28 @@ def test_all_round_by_symmetry_and_by_the_table() -> None:
         surge, sway, _ = found
         assert surge * math.cos(heading) > 0.0
         assert sway * math.sin(heading) > 0.0
+
+
+def test_waves_damp_slow_surge_ahead_as_by_hand() -> None:
+    """Head seas: B = omega/g (4 F + omega dF/domega), of a drift in proportion to omega squared.
+
+    Then it is 6 omega F/g: 6 x 0.8 x 0.64/9.80665 = 0.3133 for F = omega^2, from astern, too. Aside
+    it is 2 omega F/g of a drift that keeps along the waves.
+    """
+    omega = np.linspace(0.2, 2.0, 2001)
+    headings = np.linspace(0.0, 2.0 * math.pi, 37)
+    table = np.zeros((omega.size, headings.size, 6))
+    table[:, :, 0] = np.outer(omega**2, np.cos(headings))
+    table[:, :, 1] = np.outer(omega**2, np.sin(headings))
+    of = Coefficients(omega, headings, mean_drift=table)
+    ahead, astern = (
+        wave_drift_damping(of, np.array([0.8]), np.array([each]))[0] for each in (math.pi, 0.0)
+    )
+    assert ahead[0, 0] == pytest.approx(0.3133, rel=1e-3)
+    assert astern[0, 0] == pytest.approx(0.3133, rel=1e-3)
+    assert ahead[0, 1] == pytest.approx(0.0, abs=1e-6)
+    # Chords of 10 deg in the table: 0.5 %.
+    assert ahead[1, 1] == pytest.approx(2.0 * 0.8 / 9.80665 * 0.64, rel=0.02)
 
 
 def test_rolling_changes_the_drift_abeam() -> None:

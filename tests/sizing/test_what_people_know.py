@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import pytest
 
+from catopt.answers.size import size_answer
 from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError
+from catopt.render.files import csv_files
 from catopt.sizing.environment import mean_over
 from catopt.sizing.known import known
 from catopt.sizing.requests import request_of
@@ -115,6 +117,19 @@ def test_soft_ground_never_gets_the_smaller_sinker() -> None:
         assert sizing.point.anchor.mass == sizing.sinker.mass
         masses.append(sizing.sinker.mass)
         said.append((*sizing.defaults, *sizing.departures))
+        # What a tender lifts: 9.80665 (1 - 1025/2400) N of each kg of concrete, and the chain.
+        line = sizing.point.line
+        assert line.mass is not None
+        hung = masses[-1] * 9.80665 * (1.0 - 1025.0 / 2400.0)
+        hung += line.length * line.segments[0].submerged_weight
+        answer = csv_files(size_answer(sizing))
+        (lifted,) = (
+            row
+            for text in answer.values()
+            for row in text.decode("utf-8-sig").splitlines()
+            if row.startswith("Lifting weight")
+        )
+        assert f"{(masses[-1] + line.mass) / 1e3:.3g} t in air, {hung / 1e3:.3f} kN hung" in lifted
     assert masses == sorted(masses)
     assert masses[2] > masses[1]
     assert "sand taken for fine or silty sand, the weakest of its kind" in said[1]

@@ -10,6 +10,7 @@ import pytest
 from catopt.errors import InputError
 from catopt.waves import (
     jonswap,
+    peak_enhancement,
     peak_from_mean,
     peak_from_zero_crossing,
     pierson_moskowitz,
@@ -80,3 +81,11 @@ def test_no_period_is_refused(rule: Callable[[float], float]) -> None:
         rule(0.0)
     with pytest.raises(InputError, match="must be above 0 s"):
         s4_range_pierson_moskowitz(0.0)
+
+
+def test_the_gamma_printed_for_the_second_weather_is_not_the_rule_s() -> None:
+    """S4 prints 5.228 for Tp 10.372 s and 8.48 m: its exponential beyond where its rule has 5."""
+    peak = peak_from_mean(8.0)
+    assert peak == pytest.approx(10.372, abs=5e-4)  # printed digits
+    assert math.exp(5.75 - 1.15 * peak / math.sqrt(8.48)) == pytest.approx(5.228, abs=5e-4)
+    assert peak_enhancement(8.48, peak) == 5.0
