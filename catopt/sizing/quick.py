@@ -10,7 +10,7 @@ the full way.
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Final
+from typing import Any, Final
 
 from catopt.casefile.reading import Moored
 from catopt.sizing.in_motion import LEAST_DURATION, RunsAfloat
@@ -25,6 +25,8 @@ SINKER_MARGIN: Final = 1.25
 few peaks of hours, and falls steeply as it is heavier."""
 MOST_LINES: Final = 4
 """Lines of a buoy that are run at most."""
+NEAR: Final = 0.75
+"""Of a ship's size: the least that is looked at in its place."""
 _SHIP_RUN: Final = 10800.0
 _SHIP_RUNS: Final = 3
 
@@ -39,3 +41,10 @@ def quick_runs(moored: Moored) -> RunsAfloat:
 def shared_out(how: RunsAfloat, states: int) -> RunsAfloat:
     """Share the time that a line of a buoy is run for out to its load cases."""
     return replace(how, duration=max(LEAST_DURATION, BUOY_TIME / states))
+
+
+def lines_of(how: RunsAfloat, height: float) -> dict[str, Any]:
+    """Say on what lines a search runs a ship, in seas up to a height, m: out of tables if fast."""
+    from catopt.verify.two_scales import on_tables
+
+    return {"on_lines": on_tables(height)} if how.quick else {}

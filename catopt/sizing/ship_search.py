@@ -42,13 +42,14 @@ from catopt.sizing.in_motion import (
 from catopt.sizing.line_choice import sold
 from catopt.sizing.motion_judged import JudgedLine, ShipLost, ShipRun, ShipState
 from catopt.sizing.pattern import DragGround, Pattern
+from catopt.sizing.quick import NEAR, lines_of
 from catopt.sizing.settle import ConvergedSizing, best_of
 from catopt.sizing.ship_afloat import MOTION_CODE, runs_afloat, ship_afloat
 from catopt.sizing.ship_band import band_of
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.ties import largest
 from catopt.verify.ship_result import ShipWithoutLine, few_cycles, slow_cycles
-from catopt.verify.two_scales import check_hanging, on_tables, run_without, verify_ship
+from catopt.verify.two_scales import check_hanging, run_without, verify_ship
 from catopt.words import Message
 
 _MOST_FACTOR: Final = 100.0
@@ -57,8 +58,6 @@ _RISE: Final = 1.05
 """By which the allowance rises at least where the line that it gives fails."""
 _LEAP: Final = 4.0
 """By which it rises at most: a line that is nearly taut moves harder than the next one will."""
-_NEAR: Final = 0.75
-"""Of a size: the least that the fast search looks at in its place."""
 _HOUR: Final = 0.25
 """s, about, that an hour of a ship on a line takes to run."""
 _LEAST_SCOPE: Final = 6.0
@@ -136,8 +135,7 @@ class _Search:
         self._settled: dict[Line, ConvergedSizing] = {}
         # By load case and directions, with tables that their lines share.
         self._ships: dict[tuple[str, Headings, bool], Any] = {}
-        heights = (sea.height for sea in how.seas(request.environment.sea.hs, 1.0))
-        self._run_on: dict[str, Any] = {"on_lines": on_tables(max(heights))} if how.quick else {}
+        self._run_on = lines_of(how, request.environment.sea.hs)
         # The one that stopped the last line first.
         outs = (True, False) if request.lines > 1 else (False,)
         wears = start.posed.case.service is not None
@@ -309,7 +307,7 @@ class _Search:
     def _thinner(self, line: Line) -> Iterator[Line]:
         """Yield thinner lines of its length, the thickest first; the fast search the next few."""
         (segment,) = line.segments
-        least = _NEAR * _size(segment) if self.how.quick else 0.0
+        least = NEAR * _size(segment) if self.how.quick else 0.0
         for each in sorted(self._sizes, key=_size, reverse=True):
             if each.component == segment.component and least <= _size(each) < _size(segment):
                 yield replace(line, segments=(replace(each, length=segment.length),))
