@@ -81,14 +81,17 @@ def _group(one: Beside) -> tuple[str, ...]:
 
 def _line(worst: Beside, count: int) -> tuple[str, ...]:
     what = worst.what.replace("|", "\\|")
-    size = abs(worst.off)
-    off = (
-        "0, every digit"
-        if worst.is_whole
-        else f"{worst.off:+.{0 if size >= 10.0 else 2}{'f' if size >= 0.01 else 'g'}}"
-    )
-    numbers = (f"{worst.ours:.5g}", f"{worst.theirs:.5g}")
+    off = "0, every digit" if worst.is_whole else _per_cent(worst.off)
+    numbers = (f"{worst.ours:.4g}", f"{worst.theirs:.4g}")
     return (worst.source, worst.kind, what, str(count), *numbers, off, worst.side)
+
+
+def _per_cent(off: float) -> str:
+    """Write a difference with as many digits as another machine gives it, too."""
+    size = abs(off)
+    if size < 0.01:
+        return f"{off:+.0e}"
+    return f"{off:+.{0 if size >= 10.0 else 1 if size >= 1.0 else 2}f}"
 
 
 def set_aside(reproduction: Reproduction) -> dict[str, int]:

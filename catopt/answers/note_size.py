@@ -40,7 +40,7 @@ from catopt.answers.note import (
 )
 from catopt.answers.note_line import of_the_front, of_the_line
 from catopt.answers.note_system import near_blocks, plan_blocks, pull_of
-from catopt.answers.size_card import storm_time
+from catopt.answers.size_card import band_words, storm_time
 from catopt.answers.trail import step_of
 from catopt.checks.kinds import QUANTITY_OF
 from catopt.constants import STANDARD_GRAVITY, YEAR
@@ -155,6 +155,10 @@ def _in_motion(note: SizeNote) -> Iterator[Block]:
     yield tightest_table(of.checks)
     yield sized.checks_of(of)
     yield from sized.tried_blocks(of)
+    if of.band is not None:
+        yield Text(band_words(of.band))
+    if of.basis:
+        yield blocks.Points(of.basis, Message("note_size.motion_basis"))
     if of.checks.warnings:
         yield blocks.Warnings(of.checks.warnings)
 

@@ -52,6 +52,11 @@ CLOSED, ENOUGH = 1e-10, 1e-8
 STATIONS = 200
 """Fewest places at which the line is laid out."""
 
+_STARTS = (-0.95, -0.6, -0.2, 0.2, 0.6, 0.95)
+"""Horizontal part of the tension with which other equilibria are sought."""
+_APART = 1e-5
+"""Part of the line's length by which spans of two equilibria differ."""
+
 _TRIALS, _LEAST_SHARE = 40, 1e-3
 _DIFFERENCE = 1e-5
 """Of the forces, by which they are changed for derivatives."""
@@ -145,6 +150,7 @@ def solve_in_current(case: Case) -> SolutionInCurrent:
     load = case.load
     still = solve(case.line, **vars(load), **case.place)
     shot = _Shot(case.line, case.site, case.current, case.anchor_height, still.fairlead.tension)
+    shot.is_under_water = case.fairlead_height <= case.site.water_depth
 
     def missed(top: Node) -> Vector:
         if load.span is not None:
@@ -157,9 +163,43 @@ def solve_in_current(case: Case) -> SolutionInCurrent:
 
     shot.missed_by = missed
     lifted = still.fairlead.vertical_force - case.line.submerged_weight
-    found = _solution(shot, shot.closed([still.horizontal_force, 0.0, lifted]))
+    shot.in_still_water = still.horizontal_force
+    known = shot.closed([still.horizontal_force, 0.0, lifted])
+    found = _solution(shot, known)
+    highest = max(z for _, _, _, z, _ in found.places)
+    if shot.is_under_water and highest > case.site.water_depth + ENOUGH * shot.length:
+        shot.is_under_water = False  # a line that floats: above the water nothing flows
+        known = shot.closed([still.horizontal_force, 0.0, lifted])
+        found = _solution(shot, known)
     span = found.span if load.span is None else load.span
-    return replace(found, fairlead_height=case.fairlead_height, span=span)
+    found = replace(found, fairlead_height=case.fairlead_height, span=span)
+    spans = [] if load.fairlead_tension is None else _other_spans(shot, load.fairlead_tension, span)
+    if spans:
+        said = ", ".join(f"{each:.4g}" for each in spans)
+        told = Message("catenary.several_spans", span=span, others=said)
+        found = replace(found, warnings=(told, *found.warnings))
+    return found
+
+
+def _other_spans(shot: _Shot, tension: float, span: float) -> list[float]:
+    """Find the spans of other equilibria with the tension, from other directions of it, m."""
+    weight = shot.line.submerged_weight
+    found: list[float] = []
+    for share in _STARTS:
+        if span > 0.0 > share:
+            continue  # the same on the other side of the anchor, against which x would point
+        up = tension * math.sqrt(1.0 - share * share) - weight
+        known = shot.newton([share * tension, 0.0, up])
+        laid = None if known is None else shot.laid(known, shot.length)
+        if (
+            laid is None
+            or laid.top.x < 0.0 < span
+            or min(n.z for ns in laid.hung for n in ns) < -ENOUGH * shot.length
+        ):
+            continue
+        if all(abs(laid.top.x - each) > _APART * shot.length for each in (span, *found)):
+            found.append(laid.top.x)
+    return sorted(found)
 
 
 def hung_on_float(
@@ -195,6 +235,10 @@ class _Shot:
     anchor is pulled up with; below 0 that is the weight of what lies, N.
     """
 
+    in_still_water = math.inf
+    """The horizontal force without the current, N."""
+    is_under_water = False
+    """Whether the fairlead is: the surface flow then goes on above it, where only trials come."""
     missed_by: Callable[[Node], Vector]
     """By how much an upper end is off: in its place, or in its force as m, by `per_force`."""
 
@@ -219,7 +263,7 @@ class _Shot:
         done, part = 0.0, 1.0
         while done < 1.0:
             self.part = min(1.0, done + part)
-            found = self._newton(known)
+            found = self.newton(known)
             if found is not None:
                 known, done = found, self.part
             elif part <= _LEAST_PART:
@@ -233,7 +277,13 @@ class _Shot:
         """Refuse a line that the current slackens where it comes to the bed."""
         left = math.hypot(known[0], known[1])
         if self.may_lie and known[2] < 0.0 and left < _SLACK * self.scale:
-            said = Message("refused_case.current_slackens", left=Measure("tension", left))
+            was_slack = self.in_still_water < _SLACK * self.scale
+            key = (
+                "refused_case.slack_in_still_water"
+                if was_slack
+                else "refused_case.current_slackens"
+            )
+            said = Message(key, left=Measure("tension", self.in_still_water if was_slack else left))
             raise refused("current", "", said, "current")
 
     def left_open(self, known: Sequence[float]) -> float:
@@ -251,7 +301,7 @@ class _Shot:
 
     def water(self, z: float) -> tuple[float, float]:
         """Velocity of the water at a height, so much of it as is put on."""
-        u, v = self.flow(z)
+        u, v = self.flow(min(z, self.site.water_depth) if self.is_under_water else z)
         return self.part * u, self.part * v
 
     def laid(self, known: Sequence[float], longest: float) -> Laid | None:
@@ -339,7 +389,7 @@ class _Shot:
         laid = self.laid(known, self.length)
         return None if laid is None else list(self.missed_by(laid.top))
 
-    def _newton(self, known: Sequence[float]) -> list[float] | None:
+    def newton(self, known: Sequence[float]) -> list[float] | None:
         """Seek by differences; None where that does not settle."""
         at, left = list(known), self.missed(known)
         if left is None:

@@ -27,7 +27,7 @@ from catopt.documents import unfit
 from catopt.errors import InputError, refused
 from catopt.model import Case, Line, Segment, Site
 from catopt.model.network import LineBetween, Network, Point, PointKind
-from catopt.words.message import Message
+from catopt.words.message import Message, is_said
 
 _KIND: dict[str, PointKind] = {"fixed": "anchor", "coupled": "fairlead", "free": "joint"}
 
@@ -245,6 +245,10 @@ def read_any_deck(
     for begins, other in zip(_BEGINS, (parse_ontology, parse_orcaflex), strict=True):
         parse = other if re.search(begins, text) else parse
     deck = parse(text, notes, given)
+    placed = sum(is_said(each, "decks.turbine") for each in notes.remarks)
+    if placed < len(notes.turbines):
+        own = f"--turbine ({len(notes.turbines)})"
+        notes.refuse(0, own, "turbines_of_deck", count=placed)
     check_sizes(deck, notes)
     notes.raise_if_any()
     deck = without_floating_ends(deck, notes)

@@ -25,7 +25,7 @@ from catopt.hydro.coefficient_files import read_wamit
 from catopt.hydro.coefficients import Coefficients
 from catopt.hydro.drift import HullForm
 from catopt.loads.hull_derivatives import HullDerivatives, hull_derivatives
-from catopt.loads.ship import BARGE, TAKEN_FOR, Ship, estimated_tanker
+from catopt.loads.ship import BARGE, SHORTEST, TAKEN_FOR, Ship, estimated_tanker
 from catopt.loads.ship_coefficients import (
     SQUARE_ENDED,
     ShipCoefficients,
@@ -346,6 +346,15 @@ class ShipInWeather:
             reported = [replace(each, key=f"floater.ship.{each.key}") for each in error.problems]
             raise InputError(reported, "--dynamic") from None
         return ship
+
+    @property
+    def scaled(self) -> tuple[Message, ...]:
+        """Say that the areas above water of a small ship are scaled down from those of others."""
+        of = self.of
+        is_known = None not in (of.frontal_area, of.lateral_area) or of.kind == BARGE
+        if is_known or of.length >= SHORTEST:
+            return ()
+        return (Message("sizing.small_craft", length=of.length, shortest=SHORTEST),)
 
     @cached_property
     def streams(self) -> ShipStreams:

@@ -29,6 +29,8 @@ WAMIT: Final = {
 """Columns of the files that are read, by their endings."""
 SHOWN: Final = 10
 """Faulty lines that are told of one file."""
+_MOST: Final = 1e30
+"""Size beyond which a number of a file is none."""
 _ALIKE: Final = 2e-3
 """Part of MOD by which RE and IM may miss MOD and PHS: three printed digits."""
 _TURN: Final = np.repeat([0, 1], 3)
@@ -132,7 +134,7 @@ def _row(line: str, columns: Sequence[str]) -> list[float]:
     if len(row) != len(columns):
         said = Message("refused_motion.row_numbers", count=len(columns), columns=" ".join(columns))
         raise ValueError(said)
-    if not all(map(math.isfinite, row)):
+    if not all(abs(each) < _MOST for each in row):
         raise ValueError(Message("refused_motion.finite_numbers_are_wanted"))
     of = dict(zip(columns, row, strict=True))
     if any(of[key] not in range(1, 7) for key in ("I", "J") if key in of):

@@ -18,7 +18,7 @@ import math
 from collections.abc import Sequence
 from copy import copy
 from dataclasses import dataclass
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -78,15 +78,7 @@ class FloatingCylinder:
     gravity: float = STANDARD_GRAVITY
 
     def __post_init__(self) -> None:
-        found = Findings("FloatingCylinder")
-        found.numbers(self, "m", "radius", "draught", "depth", above=0.0)
-        found.number("reference", self.reference, "m")
-        found.number("density", self.density, "kg/m3", above=0.0)
-        found.number("gravity", self.gravity, "m/s2", above=0.0)
-        if not found.problems and not self.draught < self.depth:
-            allowed = Message("refused_motion.must_be_below_m_depth", depth=self.depth)
-            found.add("draught", f"{self.draught:g} m", allowed)
-        found.raise_if_any()
+        check_floating(self, "radius")
 
     @property
     def terms(self) -> int:
@@ -134,6 +126,22 @@ class FloatingCylinder:
     def at_infinite_frequency(self) -> Array:
         """Give the added mass (3, 3) of motion much faster than its waves."""
         return np.ascontiguousarray(Matched(self, math.inf).added_mass.real)
+
+
+def check_floating(of: Any, width: str) -> None:
+    """Raise InputError unless a body can float in the water; `width`: key of its breadth or radius.
+
+    `of` has the fields of a `FloatingCylinder`, but for its width.
+    """
+    found = Findings(type(of).__name__)
+    found.numbers(of, "m", width, "draught", "depth", above=0.0)
+    found.number("reference", of.reference, "m")
+    found.number("density", of.density, "kg/m3", above=0.0)
+    found.number("gravity", of.gravity, "m/s2", above=0.0)
+    if not found.problems and not of.draught < of.depth:
+        allowed = Message("refused_motion.must_be_below_m_depth", depth=of.depth)
+        found.add("draught", f"{of.draught:g} m", allowed)
+    found.raise_if_any()
 
 
 class Matched:

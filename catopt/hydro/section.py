@@ -16,10 +16,8 @@ import numpy as np
 
 from catopt.arrays import Array
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
-from catopt.hydro.cylinder import HEAVE, Complex, Matched
-from catopt.model.kinds import Findings
+from catopt.hydro.cylinder import HEAVE, Complex, Matched, check_floating
 from catopt.waves.random_surface import depth_factor, wave_number
-from catopt.words import Message
 
 SWAY, TILT, SIDES = 0, 2, 3
 """Modes beside HEAVE: the turn about the section's origin, from the vertical to the horizontal
@@ -58,15 +56,7 @@ class Section:
     gravity: float = STANDARD_GRAVITY
 
     def __post_init__(self) -> None:
-        found = Findings("Section")
-        found.numbers(self, "m", "breadth", "draught", "depth", above=0.0)
-        found.number("reference", self.reference, "m")
-        found.number("density", self.density, "kg/m3", above=0.0)
-        found.number("gravity", self.gravity, "m/s2", above=0.0)
-        if not found.problems and not self.draught < self.depth:
-            allowed = Message("refused_motion.must_be_below_m_depth", depth=self.depth)
-            found.add("draught", f"{self.draught:g} m", allowed)
-        found.raise_if_any()
+        check_floating(self, "breadth")
 
     @property
     def radius(self) -> float:

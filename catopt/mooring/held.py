@@ -7,7 +7,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from catopt.catenary.in_current import hung_on_float
-from catopt.errors import InputError, NoEquilibriumError, Problem, refused
+from catopt.errors import (
+    CatoptError,
+    InputError,
+    NoEquilibriumError,
+    NotConvergedError,
+    Problem,
+    refused,
+)
 from catopt.model import CurrentProfile, Site, System
 from catopt.model.network import LineBetween, MooredBody, Network, Point
 from catopt.mooring.chains import apart, in_rows, rows_of
@@ -159,9 +166,10 @@ def _with_its_body_held(network: Network) -> tuple[Network, tuple[float, float]]
 def at_rest(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> LinesAtRest:
     """Bring joints and free bodies to rest, what is held displaced; lines may hang slack.
 
-    Bodies are brought to rest under no load first, and from there under their own. Raises what
-    `hold` raises, but for slack lines; NoEquilibriumError, too, where the lines cannot carry the
-    moment on a body.
+    Bodies are brought to rest under no load first, and from there under their own. Where they do
+    not come to rest so, they are under their own at once, and their offsets, which would count from
+    there, are nan. Raises what `hold` raises, but for slack lines; NoEquilibriumError, too, where
+    the lines cannot carry the moment on a body.
 
     Examples
     --------
@@ -184,7 +192,27 @@ def at_rest(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> L
     """
     if (current := network.current_at_rest) is not None:
         return _in_current(network, current)
-    return without_load(network, displacement).under(network.bodies)
+    try:
+        neutral = without_load(network, displacement)
+    except (NoEquilibriumError, NotConvergedError) as error:
+        return _loaded_alone(network, displacement, error)
+    return neutral.under(network.bodies)
+
+
+def _loaded_alone(
+    network: Network, displacement: tuple[float, ...], error: CatoptError
+) -> LinesAtRest:
+    """Bring bodies to rest under their loads at once; raises the error where they have none."""
+    whole = in_rows(network, rows_of(network))
+    if whole.unloaded() == whole:
+        raise error
+    try:
+        _, runs, found = _in_place(whole, displacement)
+    except CatoptError:
+        raise error from None
+    _, held = _ends_held(whole, displacement)
+    nowhere = found._replace(poses=((math.nan,) * 3,) * len(found.poses))
+    return WithoutLoad(network, whole, runs, held, nowhere).apart(network, whole, found)
 
 
 @dataclass(frozen=True)
@@ -206,7 +234,7 @@ class WithoutLoad:
         found = self.found
         if any(any(body.force) or body.moment for body in loaded):
             found = joints_at_rest(whole, self.runs, self.held, found)
-        return self._apart(network, whole, found)
+        return self.apart(network, whole, found)
 
     def held_at(self, x: float, y: float) -> LinesAtRest:
         """Hold its one body off where it rests without load, m; it turns where it is free to."""
@@ -214,9 +242,10 @@ class WithoutLoad:
         there = self.found._replace(poses=((along + x, across + y, yaw),))
         whole = self.whole.unloaded()
         found = joints_at_rest(whole, self.runs, self.held, there, pinned=True)
-        return self._apart(self.network.unloaded(), whole, found)
+        return self.apart(self.network.unloaded(), whole, found)
 
-    def _apart(self, network: Network, whole: Network, found: JointsAtRest) -> LinesAtRest:
+    def apart(self, network: Network, whole: Network, found: JointsAtRest) -> LinesAtRest:
+        """Part what was found into the network's own points, lines and bodies."""
         poses = zip(moored(whole, 0), found.poses, self.found.poses, strict=True)
         bodies = tuple(
             BodyAtRest(
@@ -272,7 +301,7 @@ def _in_current(network: Network, current: CurrentProfile) -> FloatsInCurrent:
 
 def _position(body: MooredBody, pose: Vector) -> Position:
     """Name a pose by where the origin is, and a yaw above -pi and up to pi rad."""
-    yaw = -math.remainder(-pose[2], math.tau)
+    yaw = math.nan if math.isnan(pose[2]) else -math.remainder(-pose[2], math.tau)
     return Position(body.x + pose[0], body.y + pose[1], math.pi if yaw == -math.pi else yaw)
 
 

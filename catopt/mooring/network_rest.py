@@ -12,7 +12,7 @@ from catopt.model.kinds import Angle, Force, Height, Place, Size, SomeForce
 from catopt.model.network import MooredBody, Network, Point
 from catopt.mooring.joints import JointsAtRest, Run, is_anchored, laid_out
 from catopt.mooring.line_ends import Vector
-from catopt.records import From, FromZero, Record
+from catopt.records import From, FromZero, OrNull, Record
 
 
 @dataclass(frozen=True)
@@ -98,7 +98,7 @@ class BodyAtRest(Record):
     """A free body at rest under its load."""
 
     DOCUMENT = (
-        "body.name body.force body.moment turns=yaw_is_free position neutral=zero_load_position "
+        "body.name body.force body.moment turns=yaw_is_free position zero_load_position "
         "offset stiffness"
     )
 
@@ -108,7 +108,7 @@ class BodyAtRest(Record):
     position: Position
     """Of its origin at rest."""
     neutral: Position
-    """Without load on any body."""
+    """Without load on any body; nan where the mooring does not rest so."""
     stiffness: Annotated[tuple[Three, ...], Size(3, 3)]
     """N/m, N, N m/rad: minus the derivatives of the pull of its lines by x, y and yaw, joints and
     other bodies free to follow."""
@@ -130,8 +130,13 @@ class BodyAtRest(Record):
         return (x, y, 0.0, 0.0, 0.0, self.position.yaw)
 
     @property
-    def offset(self) -> tuple[Place, Place]:
-        """Way of the body's origin from where it is without load."""
+    def zero_load_position(self) -> Position | None:
+        """Without load on any body; None where the mooring does not rest so."""
+        return None if math.isnan(self.neutral.x) else self.neutral
+
+    @property
+    def offset(self) -> Annotated[tuple[Place, Place], OrNull]:
+        """Way of the body's origin from where it is without load; none where that is nowhere."""
         return self.position.x - self.neutral.x, self.position.y - self.neutral.y
 
 

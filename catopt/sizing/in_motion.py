@@ -307,7 +307,7 @@ class InMotion(Record):
         "checks.results=checks "
         "checks.nearest=governing how.periods~ how.heights~ seas~ directions~ "
         "counted=lines(considered at_rest excluded run runs) tried by_length checks.warnings "
-        "band? own?"
+        "band? own? basis?"
     )
 
     how: RunsAfloat
@@ -339,6 +339,8 @@ class InMotion(Record):
     slides: tuple[SinkerSlide, ...] = ()
     """Of the sinker and of the sizes beside it that were looked at, the lighter first; empty where
     it may not slide."""
+    basis: tuple[str, ...] = ()
+    """What the runs of a ship stand on, with numbers; empty of a buoy."""
     band: Band | None = None
     """Of a ship, over what is known of her motion to no better than a range; None of a buoy."""
     proof: Literal["converged", "not converged", "not proven"] = "not proven"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -9,7 +10,9 @@ from catopt.errors import NoAnswerError, NotConvergedError
 from catopt.loads.ship_ranges import RANGES, at_the_end, in_the_middle
 from catopt.model import Case, ShipAfloat
 from catopt.sizing.in_motion import Band, Reach
-from catopt.verify.two_scales import verify_ship
+from catopt.verify.ship_result import remarks_of
+from catopt.verify.two_scales import moored_ship, verify_ship
+from catopt.words import Message
 
 
 def band_of(case: Case) -> Band:
@@ -35,3 +38,35 @@ def band_of(case: Case) -> Band:
             yield Reach(cause, low, tension(at_the_end(middle, cause)))
 
     return Band(tension(middle), tuple(reaches()))
+
+
+def basis_of(case: Case) -> tuple[str, ...]:
+    """Say what a run of a ship's case stands on, with the numbers to follow it by."""
+    moored, drive = moored_ship(case)
+    sea, ship = drive.sea(0), moored.ship
+    assert sea.waves is not None
+    rest = moored.at_rest(sea.waves)
+    surge, sway, yaw = ship.inertia.diagonal().tolist()
+    added = ship.added
+    damping = (ship.of.surge_damping, ship.of.sway_damping, ship.of.yaw_damping)
+    masses = {"mass": ship.mass / 1e3, "surge": added[0] / 1e3, "sway": added[1] / 1e3}
+    stiff = dict(zip(("surge", "sway", "yaw"), rest.stiffness, strict=True))
+    critical = (
+        2.0 * part * math.sqrt(max(k, 0.0) * m)
+        for part, k, m in zip(damping, rest.stiffness, (surge, sway, yaw), strict=True)
+    )
+    slow = zip(("surge", "sway", "yaw"), critical, strict=True)
+    means = {
+        name: math.hypot(*part[:2]) / 1e3
+        for name, part in zip(("wind", "current", "drift"), rest.parts, strict=True)
+    }
+    period = 2.0 * math.pi * math.sqrt(surge / stiff["surge"]) if stiff["surge"] > 0.0 else math.inf
+    return (
+        Message("floater.basis_mass", **masses, yaw=yaw / 1e3),
+        Message("floater.basis_mean", speed=math.hypot(*ship.wind), **means),
+        Message("floater.basis_stiffness", **{key: each / 1e3 for key, each in stiff.items()}),
+        Message("floater.basis_damping", **{key: each / 1e3 for key, each in slow}, period=period),
+        Message("floater.basis_gusts"),
+        Message("floater.basis_newman"),
+        *remarks_of(case, moored, sea, rest),
+    )

@@ -45,7 +45,7 @@ from catopt.sizing.pattern import DragGround, Pattern
 from catopt.sizing.quick import NEAR, lines_of
 from catopt.sizing.settle import ConvergedSizing, best_of
 from catopt.sizing.ship_afloat import MOTION_CODE, runs_afloat, ship_afloat
-from catopt.sizing.ship_band import band_of
+from catopt.sizing.ship_band import band_of, basis_of
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.ties import largest
 from catopt.verify.ship_result import ShipWithoutLine, few_cycles, slow_cycles
@@ -62,7 +62,7 @@ _HOUR: Final = 0.25
 """s, about, that an hour of a ship on a line takes to run."""
 _LEAST_SCOPE: Final = 6.0
 """Of a line that is laid, in depths at high water: what UR A1 takes for her own anchors (C)."""
-_MOST_SCOPE: Final = 16.0
+_MOST_SCOPES: Final = (16.0, 24.0)
 """Likewise, before the size rises: catopt's own."""
 _SAME_SIZE: Final = 5e-4
 _LINES: Final = 8
@@ -172,18 +172,17 @@ class _Search:
     def laid(self, line: Line) -> JudgedLine | None:
         """Find the line that would be laid: no thinner than her own cable, by rule as short.
 
-        The thinnest that passes at the longest scope, and of that the shortest from the least
-        scope on, taken that what is longer passes where one passes: a harder weather takes no less.
-        None where none passes: then the lightest of any.
+        The thinnest that passes at sixteen depths, or else at twenty-four, and of that the shortest
+        from six on, taken that what is longer passes. None where none does: then the lightest.
         """
         (segment,) = line.segments
         sizes = sorted((e for e in self._sizes if e.component == segment.component), key=_size)
         own = self.request.own_cable
         sizes = [each for each in sizes if _size(each) >= own - _SAME_SIZE] or sizes[-1:]
         depth = self.request.environment.levels.high
-        lengths = [e for e in self.lengths if e <= _MOST_SCOPE * depth] or list(self.lengths[:1])
-        first = next((k for k, e in enumerate(lengths) if e >= _LEAST_SCOPE * depth), -1)
-        lengths = lengths[first:]
+        shortest = _LEAST_SCOPE * depth
+        lengths = [e for e in self.lengths if e >= shortest] or list(self.lengths[-1:])
+        scopes = [sum(e <= most * depth for e in lengths) or 1 for most in _MOST_SCOPES]
 
         def judged(each: Segment, length: float) -> JudgedLine:
             return self.tried(replace(line, segments=(replace(each, length=length),)))
@@ -196,13 +195,19 @@ class _Search:
                 low, high = (low, middle) if passes(middle) else (middle + 1, high)
             return low
 
-        self.own = judged(sizes[0], lengths[-1]).tried
-        holds = (k for k, e in enumerate(sizes) if judged(e, lengths[-1]).tried.passes)
-        at = next(holds, None)
-        if at is None:
+        self.own = judged(sizes[0], lengths[scopes[0] - 1]).tried
+        holds = (
+            (k, count)
+            for count in dict.fromkeys(scopes)
+            for k, each in enumerate(sizes)
+            if judged(each, lengths[count - 1]).tried.passes
+        )
+        found = next(holds, None)
+        if found is None:
             return None
-        place = least(len(lengths), lambda k: judged(sizes[at], lengths[k]).tried.passes)
-        length = lengths[min(place, len(lengths) - 1)]
+        at, count = found
+        place = least(count, lambda k: judged(sizes[at], lengths[k]).tried.passes)
+        length = lengths[min(place, count - 1)]
         if at:
             judged(sizes[at - 1], length)
         return judged(sizes[at], length)
@@ -572,6 +577,7 @@ def _moved(
             directions=len(request.weathervaning.directions),
             seas=chosen.seas,
             less=tuple(found.failing_below(chosen.line)),
+            basis=basis_of(case),
             band=band_of(case),
             own=found.own,
         ),

@@ -348,6 +348,7 @@ def _of_slow_motion(ship: ShipInWeather) -> Iterator[Message]:
     dampings = {"surge": of.surge_damping, "sway": of.sway_damping, "yaw": of.yaw_damping}
     yield Message("floater.slow_damping", **dampings)
     if math.hypot(*ship.wind) > 0.0:
+        yield from ship.scaled
         yield Message("floater.gusts_npd" if of.gusts == "NPD" else "floater.gusts_none")
     if math.hypot(*ship.current) == 0.0:
         return

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
@@ -303,3 +304,92 @@ def test_a_file_of_a_current_at_rest_is_written_and_read() -> None:
     again = parse_case(write_case(own))
     assert again.current == own.current
     assert solved(again).fairlead.tension == solved(own).fairlead.tension
+
+
+AT_THE_SURFACE = """
+[site]
+water_depth = 34.8071
+seabed_friction = 0.1612
+[line]
+{height}
+[[line.segments]]
+length = 59.184
+submerged_weight = 4.1773
+EA = 98379
+drag_diameter = 0.010934
+drag_normal = 1.6316
+drag_axial = 0.51626
+[[line.segments]]
+length = 15.018
+submerged_weight = 9.7301
+EA = 93879
+drag_diameter = 0.10444
+drag_normal = 1.463
+drag_axial = 1.0389
+[[line.segments]]
+length = 31.144
+submerged_weight = 3.3288
+EA = 940610
+drag_diameter = 0.019475
+drag_normal = 2.1144
+drag_axial = 0.83057
+[load]
+fairlead_tension = 1874.99
+[current]
+profile = "wind"
+speed = 2.5834
+depth = 15.698
+direction = -1.7298
+"""
+
+
+def test_a_fairlead_in_the_surface_is_solved_as_one_just_below() -> None:
+    """The current stopped above the surface, where the trials of the search come by."""
+    below = solve_case(parse_case(AT_THE_SURFACE.format(height="fairlead_height = 34.7971")))
+    assert below.span == pytest.approx(98.104, abs=5e-4)  # of the truss and of a finer march
+    lower = solve_case(parse_case(AT_THE_SURFACE.format(height="fairlead_height = 34.7871")))
+    at = solve_case(parse_case(AT_THE_SURFACE.format(height="")))
+    # Continuous in the height: as far from the one 10 mm below as that from the next.
+    assert at.span - below.span == pytest.approx(below.span - lower.span, abs=2e-3)
+
+
+ONE_LINE = """
+[site]
+water_depth = {depth}
+seabed_friction = 0.2
+[line]
+[[line.segments]]
+length = {length}
+submerged_weight = {weight}
+EA = 1e7
+drag_diameter = {diameter}
+drag_normal = 1.6
+drag_axial = 0.5
+[load]
+{load}
+[current]
+profile = "wind"
+speed = {speed}
+depth = {reach}
+"""
+
+
+def test_every_span_with_the_tension_is_told_and_is_one() -> None:
+    given = {"depth": 31.811, "length": 64.361, "weight": 14.975, "diameter": 0.1442}
+    given |= {"speed": 1.277, "reach": 21.665}
+    solution = solve_case(parse_case(ONE_LINE.format(load="fairlead_tension = 994.33", **given)))
+    (told,) = [w for w in solution.warnings if "several spans" in w]
+    assert solution.span == pytest.approx(43.65, abs=0.01)
+    other = float(re.findall(r"and ([\d.]+) m;", told)[0])
+    assert other < 30.0
+    # Another question leads to it: at that span the tension is the given one.
+    again = solve_case(parse_case(ONE_LINE.format(load=f"span = {other}", **given)))
+    assert again.fairlead.tension == pytest.approx(994.33, rel=2e-3)  # the span has four digits
+
+
+def test_a_line_slack_in_still_water_is_not_said_to_be_slackened() -> None:
+    given = {"depth": 20.0, "length": 60.0, "weight": 50.0, "diameter": 0.05}
+    given |= {"speed": 1.0, "reach": 20.0}
+    against = ONE_LINE.format(load="span = 40.5", **given) + "direction = 3.14\n"
+    with pytest.raises(InputError, match="slack in still water already"):
+        solve_case(parse_case(against))

@@ -169,6 +169,8 @@ def test_a_farm_by_the_places_of_its_turbines(run: Run, tmp_path: Path) -> None:
     assert "2298.779" in found
     assert "1721.850" in found
     assert run("import", deck, "--turbine", "far away").status == 2
+    with pytest.raises(InputError, match=r"--turbine \(1\); lines of this deck go to 0"):
+        read("17_buoyant_line_with_free_end.txt", Asked(turbines=((0.0, 0.0),)))
 
 
 def test_a_buoyant_line_with_a_free_end_floats() -> None:

@@ -442,3 +442,14 @@ def test_slow_motion_is_of_second_order_in_its_step(monkeypatch: pytest.MonkeyPa
     first = np.abs(found[2.0] - found[1.0]).max()
     second = np.abs(found[1.0] - found[0.5]).max()
     assert math.log2(first / second) == pytest.approx(2.0, abs=0.3)
+
+
+def test_a_small_ship_says_that_her_areas_are_scaled() -> None:
+    """A boat of 15 m has a deckhouse of 2.5 m: AF = 3.3 (0.33 + 2.5) m2; her own areas count."""
+    boat = ShipAfloat(length=15.0, breadth=3.3, draught=1.1, moulded_depth=1.43)
+    small = ShipInWeather(boat, 10.0, DENSITY)
+    assert small.ship.frontal_area == pytest.approx(3.3 * 2.83, rel=1e-12)
+    assert "shorter than the ships of 90 m" in str(small.scaled[0])
+    known = replace(boat, frontal_area=9.0, lateral_area=30.0)
+    assert ShipInWeather(known, 10.0, DENSITY).scaled == ()
+    assert ShipInWeather(OF, DEPTH, DENSITY).scaled == ()

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 from catopt.casefile import parse_case, template, write_case
 from tests.decks.own import C06, MAP, MOORDYN, ONTOLOGY, TWO_SEGMENTS, V1
@@ -28,8 +29,8 @@ class Kind:
     ----------
     name : str
         Of the kind.
-    form : {"toml", "json", "csv", "deck"}
-        Its form.
+    form : {"toml", "json", "csv", "deck", "xlsx", "bytes"}
+        Its form; the text of the last two stands for bytes, each a character of Latin-1.
     texts : tuple of str
         Files as they should be.
     file : str
@@ -52,6 +53,10 @@ class Kind:
     command: tuple[str, ...] = ()
     read: Read | None = None
     slow: tuple[str, ...] = ()
+
+    def data(self, text: str) -> bytes:
+        """Return what stands in a file of the kind."""
+        return text.encode("latin-1" if self.form in ("xlsx", "bytes") else "utf-8")
 
 
 OC3_BY_MAP = MAP.format(
@@ -184,6 +189,23 @@ SURFACE = "time (s),elevation (m)\n" + "".join(f"{0.5 * k},{0.1 * (k % 7)}\n" fo
 FLOW = "time (min),speed (m/s),direction (deg)\n0,0.5,10\n1,0.6,15\n2,0.4,20\n"
 RAOS = "period,surge,surge_phase,heave\n4,0.1,10,0.1\n8,0.5,80,0.9\n16,1.0,90,1.0\n"
 
+STATES = "height (m),period (s),share (%)\n1,5,60\n2,7,30\n3,9,10\n"
+FLEET = "title,site.water_depth (m),environment.current (kn)\n#2 port,8.5,2.0\nKm 7,12.0,2.5\n"
+FLEET_STUDY = """
+title = "Buoys"
+case = "sizing.toml"
+compute = "sizing"
+[[vary]]
+table = "t.csv"
+"""
+WAMIT = {
+    ".1": "".join(
+        f"{t} {k} {k} {0.5 + 0.1 * k} {0.1 * k}\n" for t in (5.0, 10.0) for k in range(1, 7)
+    ),
+    ".3": "".join(f"{t} 0.0 {k} 1.0 0.0 1.0 0.0\n" for t in (5.0, 10.0) for k in range(1, 7)),
+    ".hst": "3 3 0.5\n4 4 0.1\n5 5 0.1\n",
+}
+
 MOVING = """
 title = "In motion"
 [site]
@@ -259,6 +281,93 @@ def _numbers(path: Path) -> object:
     if b"speed" in text[:40]:
         return read_current(str(path), 20.0)
     return read_raos(str(path)) if b"period" in text[:40] else read_motion(str(path), 20.0)
+
+
+def _states(path: Path) -> object:
+    from dataclasses import replace
+
+    from catopt.verify.fatigue import sea_states
+
+    case = parse_case(_case("fatigue-chain-20m/case.toml"))
+    assert case.fatigue is not None
+    fatigue = replace(case.fatigue, sea_states=(), sea_states_file=str(path))
+    return sea_states(replace(case, fatigue=fatigue))
+
+
+def _study(path: Path) -> object:
+    from catopt.study.file import read_study
+
+    return read_study(path.parent / "study.toml").axes
+
+
+def _wamit(path: Path) -> object:
+    from catopt.hydro.coefficient_files import read_wamit
+
+    return read_wamit(path, ulen=1.0, density=1025.0, gravity=9.80665)
+
+
+def _capytaine(path: Path) -> object:
+    from catopt.hydro.coefficient_files import read_capytaine
+
+    return read_capytaine(path)
+
+
+def _form(path: Path) -> object:
+    """Read a form, and what a sizing would take of it."""
+    from catopt.sizing.form import read_form
+
+    found = []
+    for file in read_form(path):
+        with file.reporting():
+            found.append(dict(file.known().values))
+    return found
+
+
+@cache
+def form_of_a_buoy() -> bytes:
+    """Fill a form in, with two moorings in its fleet."""
+    from io import BytesIO
+
+    import openpyxl
+
+    from catopt.sizing.form import form
+
+    book = openpyxl.load_workbook(BytesIO(form("buoy")))
+    given: dict[str, Any] = {"buoy.name": "pillar 1.8 m", "site.water_depth": 12}
+    given["environment.hs"] = 4
+    for row in book["Form"].iter_rows(min_row=4):
+        row[1].value = given.get(f"{row[4].value}")
+    keys = [cell.value for cell in book["Fleet"][3]]
+    for at, depth in enumerate((9, 14), start=4):
+        book["Fleet"].cell(at, 1 + keys.index("site.water_depth"), depth)
+    stream = BytesIO()
+    book.save(stream)
+    return stream.getvalue()
+
+
+@cache
+def dataset_of_capytaine() -> bytes:
+    """Write a small dataset as capytaine does, as netCDF 3."""
+    import numpy as np
+    import xarray
+
+    dofs = ["Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw"]
+    pairs = ("omega", "influenced_dof", "radiating_dof")
+    matrix = np.tile(np.eye(6), (2, 1, 1))
+    made = xarray.Dataset(
+        {
+            "added_mass": (pairs, 1e3 * matrix),
+            "radiation_damping": (pairs, 1e2 * matrix),
+            "hydrostatic_stiffness": (pairs[1:], 1e4 * np.eye(6)),
+        },
+        {
+            "omega": [0.5, 1.0],
+            "wave_direction": [0.0],
+            "influenced_dof": dofs,
+            "radiating_dof": dofs,
+        },
+    )
+    return bytes(made.to_netcdf(engine="scipy"))
 
 
 def _deck(path: Path) -> object:
@@ -406,6 +515,43 @@ def kinds() -> tuple[Kind, ...]:
             "m.csv",
             {},
             read=_numbers,
+        ),
+        Kind("sea states", "csv", (STATES,), "states.csv", {}, read=_states),
+        Kind(
+            "rows of a study",
+            "csv",
+            (FLEET,),
+            "t.csv",
+            {"study.toml": FLEET_STUDY, "sizing.toml": template("size-buoy")},
+            read=_study,
+        ),
+        Kind("form", "xlsx", (form_of_a_buoy().decode("latin-1"),), "form.xlsx", {}, read=_form),
+        *(
+            Kind(
+                f"WAMIT {end}",
+                "deck",
+                (WAMIT[end],),
+                f"ship{end}",
+                {f"ship{other}": text for other, text in WAMIT.items() if other != end},
+                read=_wamit,
+            )
+            for end in WAMIT
+        ),
+        Kind(
+            "capytaine",
+            "bytes",
+            (dataset_of_capytaine().decode("latin-1"),),
+            "hull.nc",
+            {},
+            read=_capytaine,
+        ),
+        *(
+            Kind(f"screen of {command}", "toml", texts, "case.toml", {}, (command, "case.toml"))
+            for command, texts in (
+                ("solve", (template("buoy"), template("leg"), template("tanker"))),
+                ("check", (SMALL_DESIGN.split("[design]")[0],)),
+                ("system", (template("system"), template("points"))),
+            )
         ),
         Kind(
             "deck",

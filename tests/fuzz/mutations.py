@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import io
 import json
 import random
 import re
+import zipfile
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -49,14 +51,62 @@ def mutated(rng: random.Random, text: str, others: Sequence[str], form: str) -> 
         The file as it should be.
     others : sequence of str
         Files of the same form, of which parts may get in.
-    form : {"toml", "json", "csv", "deck"}
+    form : {"toml", "json", "csv", "deck", "xlsx", "bytes"}
         What it is.
     """
+    if form in ("xlsx", "bytes"):
+        data = text.encode("latin-1")
+        return (
+            _workbook(rng, data) if form == "xlsx" and rng.random() < 0.7 else _damaged(rng, data)
+        )
     ways = {"toml": TOML, "json": JSON, "csv": CSV, "deck": DECK}[form]
     for _ in range(rng.choice((1, 1, 1, 2, 3))):
         text = rng.choice(ways)(rng, text, others)
     data = text.encode("utf-8", "surrogatepass")
     return _bytes(rng, data) if rng.random() < 0.06 else data
+
+
+def _damaged(rng: random.Random, data: bytes) -> bytes:
+    """Change some bytes, or cut the end off."""
+    out = bytearray(data)
+    for _ in range(rng.choice((1, 1, 3, 30))):
+        out[rng.randrange(len(out))] = rng.randrange(256)
+    return bytes(out[: rng.randrange(len(out))] if rng.random() < 0.2 else out)
+
+
+def _workbook(rng: random.Random, data: bytes) -> bytes:
+    """Pack a workbook anew with another text in one of its parts."""
+    with zipfile.ZipFile(io.BytesIO(data)) as packed:
+        parts = {name: packed.read(name).decode() for name in packed.namelist()}
+    name = rng.choice([*(each for each in parts if "sheet" in each), *parts])
+    for _ in range(rng.choice((1, 1, 2))):
+        parts[name] = rng.choice((_letter, _number, _tag, _tag, _reference))(rng, parts[name], ())
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as packed:
+        for each, text in parts.items():
+            packed.writestr(each, text.encode("utf-8", "surrogatepass"))
+    return stream.getvalue()
+
+
+def _tag(rng: random.Random, text: str, _: Sequence[str]) -> str:
+    """Take an element's tag out, or put the text of another element in its place."""
+    tags = list(re.finditer(r"<[^>]*>", text))
+    texts = list(re.finditer(r">([^<>]+)<", text))
+    if texts and rng.random() < 0.6:
+        one, other = rng.choice(texts), rng.choice(texts)
+        return text[: one.start(1)] + rng.choice((other[1], *CELLS[:-1])) + text[one.end(1) :]
+    one = rng.choice(tags)
+    return text[: one.start()] + text[one.end() :]
+
+
+def _reference(rng: random.Random, text: str, _: Sequence[str]) -> str:
+    """Put a cell elsewhere, near or far."""
+    cells = list(re.finditer(r'r="([A-Z]+)(\d+)"', text))
+    if not cells:
+        return text
+    one = rng.choice(cells)
+    place = rng.choice(("XFD1048576", f"B{one[2]}", f"{one[1]}1048576", "A1", "ZZZZ1", "B0"))
+    return text[: one.start()] + f'r="{place}"' + text[one.end() :]
 
 
 def _bytes(rng: random.Random, data: bytes) -> bytes:

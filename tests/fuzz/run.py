@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import contextlib
 import io
+import math
 import os
 import random
 import re
+import resource
 import subprocess
 import sys
+import time
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -24,8 +27,8 @@ from tests.fuzz.mutations import mutated
 __all__ = ["Ended", "Tally", "ended_in", "fault_of", "run"]
 
 STATUSES = (0, 2, 3, 4)
-LONGEST = 20.0
-"""Seconds of processor time that no broken file may take unannounced."""
+LONGEST, LARGEST = 5.0, 500_000
+"""Seconds of processor time and kB of memory that no broken file may take unannounced."""
 
 ANNOUNCED = re.compile("(some|about) [0-9.]+ (s|min|h|days)")
 """How long a search says beforehand that it takes."""
@@ -45,6 +48,7 @@ class Ended:
     out: str
     err: str
     seconds: float
+    memory: int = 0  # kB by which the process grew beyond what it ever had
 
 
 @dataclass
@@ -57,7 +61,13 @@ class Tally:
 
 
 def run(
-    count: int, seed: int, *, slow: float = 0.0, processes: bool = False, first: int = 0
+    count: int,
+    seed: int,
+    *,
+    slow: float = 0.0,
+    processes: bool = False,
+    first: int = 0,
+    seconds: float = math.inf,
 ) -> Tally:
     """Break `count` files, all kinds in turn, and run each.
 
@@ -71,9 +81,13 @@ def run(
         Part of them for which the kind's slow command is run.
     processes : bool
         Whether each is a process of its own.
+    seconds : float
+        After which no more is begun.
     """
-    tally = Tally()
+    tally, until = Tally(), time.monotonic() + seconds
     for number in range(first, first + count):
+        if time.monotonic() > until:
+            break
         kind = kinds()[number % len(kinds())]
         rng = random.Random(f"{seed} {number}")
         others = [text for each in kinds() if each.form == kind.form for text in each.texts]
@@ -100,6 +114,8 @@ def fault_of(ended: Ended) -> str:
     """Say what is wrong with the end of a run; empty when nothing is."""
     if ended.status not in STATUSES:
         return f"status {ended.status}: {ended.err[-400:]}"
+    if ended.memory > LARGEST:
+        return f"{ended.memory / 1000:.0f} MB"
     if ended.seconds > LONGEST and not ANNOUNCED.search(ended.err):
         return f"{ended.seconds:.0f} s"
     for word in UNWANTED:
@@ -146,14 +162,20 @@ def _folder(kind: Kind, data: bytes) -> Iterator[Path]:
 def _inside(kind: Kind, command: tuple[str, ...], path: Path) -> Ended:
     """Run in this process."""
     out, err = io.StringIO(), io.StringIO()
-    start = _processor_time()
+    start, room = _processor_time(), _most_memory()
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
         if command:
             status = main(list(command))
         else:
             assert kind.read is not None
             status = _status_of(kind, path, err)
-    return Ended(status, out.getvalue(), err.getvalue(), _processor_time() - start)
+    took, grown = _processor_time() - start, _most_memory() - room
+    return Ended(status, out.getvalue(), err.getvalue(), took, grown)
+
+
+def _most_memory() -> int:
+    """Most memory that this process ever had, kB."""
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 
 
 def _processor_time() -> float:

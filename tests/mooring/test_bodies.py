@@ -364,3 +364,83 @@ def test_a_body_that_no_line_leads_to_an_anchor_is_refused() -> None:
     points = tuple(p for p in network.points if p.name in ("bow port", "stern port"))
     with pytest.raises(InputError, match="no line leads from here to an anchor"):
         replace(network, points=points, lines=(tie,))
+
+
+LIES_WITHOUT_LOAD = """
+[site]
+water_depth = 20.0
+seabed_friction = 0.5
+[[points]]
+name = "a"
+kind = "anchor"
+x = -100.0
+y = 0.0
+[[points]]
+name = "j"
+kind = "joint"
+submerged_weight = 20000.0
+[[points]]
+name = "port"
+kind = "fairlead"
+x = -10.0
+y = 5.0
+height = 20.0
+body = "barge"
+[[points]]
+name = "starboard"
+kind = "fairlead"
+x = -10.0
+y = -5.0
+height = 20.0
+body = "barge"
+[[lines]]
+start = "a"
+end = "j"
+[[lines.segments]]
+length = 70.0
+submerged_weight = 500.0
+EA = 1e9
+[[lines]]
+start = "j"
+end = "port"
+[[lines.segments]]
+length = 40.0
+submerged_weight = 300.0
+EA = 1e9
+[[lines]]
+start = "j"
+end = "starboard"
+[[lines.segments]]
+length = 40.0
+submerged_weight = 300.0
+EA = 1e9
+[[bodies]]
+name = "barge"
+force = [{force}, 0.0]
+"""
+
+
+def test_a_body_is_at_rest_under_its_load_where_it_is_not_without() -> None:
+    """Without load the bridle's joint lies on the bed, whose friction leaves its place open."""
+    found = at_rest(parse_network(LIES_WITHOUT_LOAD.format(force="300e3")))
+    (body,) = found.bodies
+    assert all(map(math.isnan, body.offset))
+    assert body.zero_load_position is None
+    # By hand: all of the pull goes through the one line to the anchor, each rope of the bridle
+    # carries half of it along x, and the joint is in balance upwards.
+    leg, *bridle = found.joints.ends
+    assert leg.state.H == pytest.approx(300e3, rel=1e-9)
+    spread = [math.hypot(*each.first[:2]) for each in bridle]
+    assert spread == pytest.approx([spread[0]] * 2, rel=1e-9)
+    up = leg.second[2] + sum(each.first[2] for each in bridle)
+    assert up == pytest.approx(20_000.0, abs=1e-3)
+    # On a bed without friction both are found, and the loaded state is the same.
+    smooth = LIES_WITHOUT_LOAD.replace("seabed_friction = 0.5", "seabed_friction = 0.0")
+    (same,) = at_rest(parse_network(smooth.format(force="300e3"))).bodies
+    assert body.position.x == pytest.approx(same.position.x, abs=1e-6)
+    assert not math.isnan(same.offset[0])
+
+
+def test_without_a_load_the_reason_is_told_as_before() -> None:
+    with pytest.raises(NoEquilibriumError, match="friction there leaves its place open"):
+        at_rest(parse_network(LIES_WITHOUT_LOAD.format(force="0.0")))

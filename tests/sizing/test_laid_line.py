@@ -48,7 +48,8 @@ def needs(weather: float) -> Callable[[float, float], bool]:
 def test_a_line_that_is_laid_is_hers_or_near_it_and_no_shorter_than_the_rule() -> None:
     """Hers is 73 mm; six depths of 20 m are 120 m, in half shots 123.75 m, sixteen 316.25 m."""
     assert laid(lambda size, length: size > 0.0 and length >= 310.0) == (73.0, 316.25)
-    assert laid(lambda size, length: size > 0.0 and length >= 320.0) is None
+    assert laid(lambda size, length: size > 0.0 and length >= 320.0) == (73.0, 330.0)
+    assert laid(lambda size, length: size > 0.0 and length >= 500.0) is None
     assert laid(lambda *_: True) == (73.0, 123.75)
     assert laid(lambda size, length: size > 0.0 and length >= 200.0) == (73.0, 206.25)
     assert laid(lambda size, length: size >= 80.0 and length >= 150.0) == (81.0, 151.25)
