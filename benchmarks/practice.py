@@ -173,7 +173,7 @@ def _twenty() -> Iterator[str]:
             as_long += 0.75 * least <= line.length <= 1.25 * most
         masses = [_sinker_on(site, soil) for soil in SOILS]
         known = [each for each in masses if each is not None]
-        in_order += known == sorted(known)
+        in_order += len(known) == len(SOILS) and known == sorted(known)
         texts = ", ".join("none" if each is None else f"{each:g}" for each in masses)
         yield f"{start} | {_said(found, site.depth)} | {low:g} to {high:g} | {said} | {texts} |"
     yield ""
@@ -181,7 +181,8 @@ def _twenty() -> Iterator[str]:
         f"Of {len(TWENTY)} sized at rest {sized_ones} have an answer: {in_limits} have a chain "
         f"within the limits of the buoy's own entry, {as_long} a length within 25 % of what the "
         f"maker of a 2.2 m buoy lays there, and of {in_order} the sinker grows as the soil gets "
-        "softer. No maker's or authority's table of sinkers was read."
+        "softer (none: no sinker of 60 t and less holds). Longer are buoys whose entry ends at a "
+        "thin chain. No maker's or authority's table of sinkers was read."
     )
 
 

@@ -16,8 +16,9 @@ from catopt.casefile import read_case, write_case
 from catopt.casefile.reading import SIZING, moored_in
 from catopt.cli.note_kind import answer_of, note_of_sizing
 from catopt.design.search import design_case
+from catopt.model.network import Network
 from catopt.notes.line import Note, SizeNote, read_note
-from catopt.notes.system import SystemNote, read_system_note
+from catopt.notes.system import NetworkNote, SystemNote, read_network_note, read_system_note
 from catopt.render.files import document_bytes
 from catopt.render.page import page
 from catopt.report.bundle import reproduction_pictures, write_files
@@ -34,10 +35,12 @@ SIZINGS = tuple(path.parent.name for path in sorted((ROOT / "cases").glob(f"*/{S
 """What is known of a buoy or a ship before there is a line."""
 
 
-def note_of_case(name: str) -> Note | SystemNote:
+def note_of_case(name: str) -> Note | SystemNote | NetworkNote:
     """Compute the note of a case; that of the recommended design where one is asked for."""
     path = ROOT / "cases" / name / "case.toml"
     case = read_case(path)
+    if isinstance(case, Network):
+        return read_network_note(path)
     if case.design is None:
         return read_note(path) if case.system is None else read_system_note(path)
     result = design_case(case)

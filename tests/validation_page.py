@@ -15,6 +15,7 @@ from pathlib import Path
 
 from catopt import catalogue, read_case, verify_case
 from catopt.constants import STANDARD_GRAVITY
+from catopt.model.network import Network
 from catopt.reproduce import Reproduction, reproduce
 from catopt.verify.result import StaticComparison
 from tests import beside
@@ -164,7 +165,10 @@ def _models() -> str:
         name = f"[{path.parent.name}](../{place})"
         note = f"reports/notes/{path.parent.name}.html"
         link = f"[note](../{note})" if (ROOT / note).exists() else ""
-        lines += [(name, *_compared(part), link) for part in verify_case(read_case(path)).parts]
+        case = read_case(path)
+        if isinstance(case, Network) and case.current_at_rest is not None:
+            continue  # the truss of points and lines rests in still water, and says so
+        lines += [(name, *_compared(part), link) for part in verify_case(case).parts]
     columns = (
         "Case",
         "Load",

@@ -33,6 +33,7 @@ from catopt.constants import YEAR
 from catopt.loads.ship import SHORTEST
 from catopt.model import CatalogueChoice
 from catopt.units import lasting
+from catopt.verify.convergence_check import LIMIT
 from catopt.words import Measure, Message, Sentence, Several, is_said, term
 
 if TYPE_CHECKING:
@@ -337,6 +338,8 @@ def proof_words(of: InMotion) -> Message | None:
     values = {"how": Message(f"motion.how_{worst.way}"), "change": worst.size}
     values["what"] = Message(f"motion.largest_{worst.quantity.removeprefix('largest_')}")
     key = f"sizing.proof_{of.proof.replace(' ', '_')}"
+    if of.proof == "converged" and worst.size > LIMIT and not worst.is_by_chance:
+        key = "sizing.proof_small"
     if worst.chance is None:
         return Message(key, **values, chance="")
     by = Message("sizing.proof_chance", chance=worst.by_chance)

@@ -98,8 +98,9 @@ def _card(report: SystemReport, checks: CheckReport, solved: Message) -> Iterato
     asked, lines = list(_asked(report)), lines_table(report.solution, checks)
     yield from asked
     yield from (lines, body) if asked else (body, lines)
-    *hung, shapes = legs_tables(report.solution)
-    yield from (*hung, *_if_free(shapes, [each.solution for each in report.solution.lines]))
+    *_, shapes = legs_tables(report.solution)
+    yield from _hung_on_card(each.placed_loads for each in report.solution.lines)
+    yield from _if_free(shapes, [each.solution for each in report.solution.lines])
     for block in _closing(report, checks):
         if isinstance(block, blocks.Warnings):
             yield from blocks.briefly(block.said, blocks.TO_BE_KNOWN, 3)
@@ -375,7 +376,8 @@ def network_answer(
             blocks.Warnings(checks.warnings),
         ),
     )
-    *hung, shapes = places_tables(rest)
+    *_, shapes = places_tables(rest)
+    in_current = network.current_at_rest is not None  # then the floats are its joints
     card: tuple[blocks.CardBlock, ...] = (
         *verdict_blocks(checks),
         *([out] if line_out else []),
@@ -384,8 +386,8 @@ def network_answer(
         *_floats_on_card(rest),
         meeting_table(rest, "lines", checks),
         *([bodies_table(rest)] if rest.bodies else []),
-        *hung,
-        joints_table(rest, "joints"),
+        *_hung_on_card(each.point_loads for each in rest.named_lines),
+        *([] if in_current else [joints_table(rest, "joints")]),
         *_if_free(shapes, rest.lines),
         *blocks.briefly(checks.warnings, blocks.TO_BE_KNOWN, 3),
         blocks.Brief((solved,)),
@@ -513,6 +515,23 @@ def shapes_table(solutions: Sequence[Solution], names: Sequence[str]) -> blocks.
     )
 
 
+def _hung_on_card(placed: Iterable[Sequence[PlacedLoad]]) -> Iterator[blocks.Brief]:
+    """Say where what hangs on the lines is, as far as there is room."""
+    said = [
+        Message(
+            "mooring.hangs_at",
+            name=each.state.name or Message("mooring.load_of_line", number=k, line=line),
+            **{
+                key: f"{Measure('height', value):bare}"
+                for key, value in zip("xyz", each.place, strict=True)
+            },
+        )
+        for line, loads in enumerate(placed, start=1)
+        for k, each in enumerate(loads, start=1)
+    ]
+    yield from blocks.briefly(said, Message("captions.hung"), 4)
+
+
 def _if_free(shapes: blocks.Table, solutions: Iterable[Solution]) -> Iterator[blocks.Table]:
     """Yield the table of sags for a screen, if a line hangs below both its ends, off the bed."""
     if any(each.regime == "below-anchor" for each in solutions):
@@ -561,7 +580,7 @@ def meeting_table(
             )
             for short, symbol, only in (("", number, "files"), ("_short", "", "people"))
         ),
-        *of.own("grounded_length"),
+        of.measured("grounded_length", "grounded_length", priority=1),
         *_utilisation(checks, of_MBL),
         caption=Message("captions.lines"),
         marked=marked,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+import struct
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, Final
@@ -29,6 +30,11 @@ WAMIT: Final = {
 """Columns of the files that are read, by their endings."""
 SHOWN: Final = 10
 """Faulty lines that are told of one file."""
+_DAMAGED: Final = (
+    *(OSError, ValueError, ImportError, TypeError, LookupError, AttributeError, AssertionError),
+    *(EOFError, MemoryError, ArithmeticError, RuntimeError, struct.error),
+)
+"""What the readers of netCDF raise for a damaged file."""
 _MOST: Final = 1e30
 """Size beyond which a number of a file is none."""
 _ALIKE: Final = 2e-3
@@ -303,11 +309,10 @@ def read_capytaine(path: str | os.PathLike[str]) -> Coefficients:
         raise refused("file", str(path), Message("refused_motion.no_such_file"))
     try:
         with xarray.open_dataset(path) as opened:
-            data = opened.load()
-    except (OSError, ValueError, ImportError) as error:
+            return _Capytaine(opened.load(), str(path)).read()
+    except _DAMAGED as error:
         allowed = Message("refused_motion.netcdf_not_opened", error=str(error).split("\n")[0])
         raise refused("file", "", allowed, str(path)) from None
-    return _Capytaine(data, str(path)).read()
 
 
 class _Capytaine:
@@ -374,7 +379,8 @@ class _Capytaine:
         short = [each.rpartition("__")[2].casefold() for each in names]
         if sorted(short) != sorted(FREEDOMS):
             allowed = Message("refused_motion.six_freedoms", words=", ".join(FREEDOMS))
-            self.problems.append(Problem("influenced_dof", ", ".join(names), allowed))
+            found = as_written(", ".join(names), longest=200)
+            self.problems.append(Problem("influenced_dof", found, allowed))
             return
         yield from (short.index(each) for each in FREEDOMS)
 

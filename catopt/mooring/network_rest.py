@@ -169,7 +169,10 @@ class LineAtRest(Record):
         "name first=from second=to solution.span solution.horizontal_force "
         "solution.anchor.horizontal_force=from_horizontal_force_N "
         "solution.fairlead.horizontal_force=to_horizontal_force_N "
+        "solution.anchor.vertical_force=from_vertical_force_N "
+        "solution.fairlead.vertical_force=to_vertical_force_N "
         "solution.anchor.tension=from_tension_N solution.fairlead.tension=to_tension_N "
+        "solution.anchor.angle=from_angle_rad solution.fairlead.angle=to_angle_rad "
         "solution.grounded_length solution.lowest_point solution.sag point_loads"
     )
 

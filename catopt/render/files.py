@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -47,7 +48,7 @@ def write_table(
 
     `progress` is given the parts done, of `total`.
     """
-    temporary = place.with_name(f".{place.name}.tmp")
+    temporary = place.with_name(f".{place.name}.{os.getpid()}.tmp")  # another may write there, too
     try:
         with temporary.open("wb") as file:
             for number, part in enumerate(parts):

@@ -161,6 +161,9 @@ def can_be_run(settled: ConvergedSizing, request: BuoyRequest) -> bool:
 
 
 def _check_afloat(settled: ConvergedSizing, request: BuoyRequest) -> None:
+    if request.marine_growth:
+        allowed = Message("refused.growth_in_motion")
+        raise refused("marine_growth", f"{request.marine_growth:g} m", allowed, "BuoyRequest")
     case, allowed = run_in_still_water(settled.case, request), Message("refused.not_afloat")
     if case is not None:
         try:
@@ -500,19 +503,26 @@ def _together(one: DynamicPart | NoAnswer, other: DynamicPart | NoAnswer) -> Any
 
 
 def _storm(of: Judged, how: RunsAfloat) -> Storm:
-    """Find the load case of the largest tension at the fairlead, and what the storm comes to."""
+    """Find the load case of the largest tension at the fairlead, and what the storm comes to.
+
+    Of runs that were made again those count that come to the most.
+    """
     fairlead = "fairlead_tension"
 
+    def maximum(part: DynamicPart) -> float:
+        every = (run for _, runs in part.levels for run in runs)
+        return max(run.statistics(fairlead).maximum for run in every)
+
     def tension(pair: tuple[DynamicPart, Solution]) -> float:
-        part, storm = pair[0], pair[0].storm(fairlead, pair[0].runs)
-        return part.of(fairlead).maximum if storm is None else storm.most_probable
+        storm = pair[0].worst_storm(fairlead)
+        return maximum(pair[0]) if storm is None else storm.most_probable
 
     part, at_rest = largest(list(zip(of.parts, of.at_rest, strict=True)), tension)
-    extreme, case = part.storm(fairlead, part.runs), part.drive.case
+    extreme, case = part.worst_storm(fairlead), part.drive.case
     assert isinstance(case, Case)
     return Storm(
         in_sea(part.name, how, sea_of(case)),
-        max(each.of(fairlead).maximum for each in of.parts),
+        max(map(maximum, of.parts)),
         None if extreme is None else extreme.most_probable,
         None if extreme is None else extreme.low,
         None if extreme is None else extreme.high,

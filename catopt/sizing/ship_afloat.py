@@ -59,11 +59,12 @@ _STIFF: Final = "chain studless R3"
 def buoy_afloat(case: Case, request: BuoyRequest) -> Case | None:
     """Add buoy, waves, current and the settings of a run to the case of its recommended line.
 
-    None for a buoy that is not one of the library, or a sea without waves.
+    None for a buoy that is not of the library, or has marine growth, which runs know nothing of,
+    or a sea without waves.
     """
     env, shape, how = request.environment, request.buoy, request.in_motion or RunsAfloat()
     sea = env.sea
-    if not isinstance(shape, BuoyShape) or not sea.hs > 0.0:
+    if not isinstance(shape, BuoyShape) or not sea.hs > 0.0 or request.marine_growth:
         return None
     # A buoy of CALMAR's own file is one of the library, wherever that file lies.
     if not any(replace(each, origin=shape.origin) == shape for each in buoys()):

@@ -476,6 +476,12 @@ class DynamicPart(Record):
         fit = gumbel_of(np.concatenate(blocks).tolist(), length, self.duration_of_interest)
         return tail.extreme if fit is None else fit.extreme
 
+    def worst_storm(self, quantity: str) -> Extreme | None:
+        """Find what the runs, or one of the times they were made again, come to at most."""
+        found = [self.storm(quantity, runs) for _, runs in self.levels]
+        known = [each for each in found if each is not None]
+        return largest(known, lambda each: each.most_probable) if known else None
+
     def _gumbel(self, quantity: str, each: list[SeriesStatistics]) -> GumbelFit | None:
         whole = [one for one, run in zip(each, self.runs, strict=True) if run.history.is_complete]
         if not whole or not self.varies_at_random(quantity):

@@ -31,6 +31,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument(
         "--trusses", type=int, default=0, help="how many by both models, from --first"
     )
+    parser.add_argument("--faces", type=int, default=0, help="moorings by every face, from --first")
     parser.add_argument("--in-motion", type=int, default=0, help="sizings in motion, from --first")
     parser.add_argument("--seed", type=int, default=1, help="seed of all of them")
     parser.add_argument("--workers", type=int, default=1, help="processes")
@@ -55,6 +56,10 @@ def main(arguments: list[str] | None = None) -> int:
         trusses = import_module("tests.campaign.truss_check")
         say(f"\n{given.trusses:,} networks from {given.first} by both models")
         failures += trusses.run(given.trusses, given.first, say)
+    if given.faces > 0:
+        faces = import_module("tests.campaign.faces")
+        say(f"\n{given.faces:,} moorings from {given.first} by every command and face")
+        failures += faces.run(given.faces, given.first, say)
     if given.in_motion > 0:
         in_motion = import_module("tests.campaign.in_motion")
         say(f"\n{given.in_motion:,} sizings in motion from {given.first}")

@@ -17,7 +17,7 @@ from catopt import Line, PointLoad, Segment, solve, solve_system
 from catopt.model.system import System
 from tests.decks.test_brought import BROUGHT
 
-from .conftest import Run, document_of
+from .conftest import CASES, Run, document_of
 
 STACK = BROUGHT / "02_instrument_stack_in_current.toml"
 DEPTHS = BROUGHT / "03_instrument_depths.toml"
@@ -127,3 +127,20 @@ def test_sag_is_the_deepest_of_many_places_below_the_chord(height: float, load: 
     assert cable.sag == pytest.approx(deepest, abs=1e-6)
     assert cable.lowest_point.z == pytest.approx(min(shape.z), abs=1e-6)
     assert json.dumps(cable.to_dict()["lowest_point"])
+
+
+@pytest.mark.parametrize(
+    ("name", "what"),
+    [("raft-four-lines", "line 3"), ("ship-at-quay", "chock 1"), ("instrument-mooring", "meter")],
+)
+def test_networks_are_shipped_whose_first_screen_says_all(
+    run: Run, monkeypatch: pytest.MonkeyPatch, name: str, what: str
+) -> None:
+    monkeypatch.setattr("tests.cli.conftest.FULL", "0")
+    done = run("system", CASES / name / "case.toml")
+    assert done.status == 0, done.err
+    assert what in done.out
+    assert "checks pass" in done.out
+    assert len(done.out.splitlines()) <= 24
+    balance = document_of(run, "system", CASES / name / "case.toml")["states"][0]
+    assert balance["residual_N"] < 1e-3

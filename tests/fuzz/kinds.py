@@ -375,11 +375,14 @@ def _deck(path: Path) -> object:
     from catopt.catenary.case import solve_case
     from catopt.decks.reading import Asked, read_deck
     from catopt.documents import read_text
+    from catopt.model.network import Network
     from catopt.mooring.case import report_system
 
     text = read_text(path, str(path))
     of_map = Asked(gravity=9.80665, density=1025.0, depth=320.0) if "DICTIONARY" in text else None
     case = read_deck(text, str(path), of_map).case
+    if isinstance(case, Network):
+        return case  # what a command makes of it is for the screen of a system
     return solve_case(case) if case.system is None else report_system(case)
 
 

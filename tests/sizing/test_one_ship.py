@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from catopt import size_tanker
+from catopt import size_buoy, size_tanker
 from catopt.casefile import parse_case, write_case
 from catopt.errors import InputError
 from catopt.loads import SurfaceCurrent, Wind, parse_ship_coefficients, ship_loads
@@ -153,3 +153,12 @@ def test_tables_of_no_file_are_refused(tmp_path: Path) -> None:
     ships = tuple(replace(each, coefficients=own) for each in request.ships)
     assert ship_afloat(request, of.settled, None) is not None
     assert ship_afloat(replace(request, ships=ships), of.settled, None) is None
+
+
+def test_growth_that_runs_know_nothing_of_is_refused() -> None:
+    """It was listed as given, and the hull that ran was clean."""
+    with pytest.raises(InputError, match="runs know no marine growth"):
+        size_buoy(
+            "pillar 2.4 m", depth="12 m", hs="1 m", growth="100 mm", in_motion=True, seeds=1,
+            run_time="1 min",
+        )  # fmt: skip

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import math
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
 
+from catopt.answers.size_card import proof_words
 from catopt.arrays import Array
 from catopt.verify.convergence_check import LIMIT, Change, added, largest_changes
+from catopt.verify.dynamic_result import DynamicPart
 from catopt.verify.minutes import paired_change
 
 SEEDS, MINUTES = 3, 9
@@ -84,3 +88,33 @@ def test_both_ways_together_are_from_the_first_to_the_last_run() -> None:
 def test_minutes_that_are_not_the_same_are_not_compared() -> None:
     assert paired_change("offset", "step", [np.ones(3)], [np.ones(4)]) is None
     assert paired_change("offset", "step", [np.zeros(3)], [np.zeros(3)]) is None
+
+
+def test_of_all_times_that_it_was_run_the_worst_counts() -> None:
+    """A mesh that is too coarse is not what a storm is told by."""
+    storms = {1: 130e3, 2: 180e3, 3: 170e3}
+    part: Any = SimpleNamespace(
+        levels=[(None, 1), ("step", 2), ("bars", 3)],
+        storm=lambda _, runs: SimpleNamespace(most_probable=storms[runs]),
+    )
+    worst = DynamicPart.worst_storm(part, "fairlead_tension")
+    assert worst is not None
+    assert worst.most_probable == 180e3
+    part.storm = lambda *_: None
+    assert DynamicPart.worst_storm(part, "fairlead_tension") is None
+
+
+@pytest.mark.parametrize(
+    ("size", "chance", "said"),
+    [
+        (0.04, 3e3, "moves by 4.0% (chance: up to 4.5%), run again at half the step"),
+        (0.396, 9e3, "moves by 39.6% (chance: up to 13.5%), no check by its verdict"),
+        (0.12, 9e3, "moves by 12.0% (chance: up to 13.5%), run again at half the step"),
+    ],
+)
+def test_a_proof_is_said_with_its_chance(size: float, chance: float, said: str) -> None:
+    """Of a mean of 66.7 kN."""
+    over = 2e5 / 3.0
+    worst = Change("fairlead_tension", "both", size, size * over, chance, is_paired=True)
+    of: Any = SimpleNamespace(worst_change=worst, proof="converged")
+    assert said in str(proof_words(of))
