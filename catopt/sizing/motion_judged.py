@@ -15,7 +15,7 @@ from catopt.errors import NoAnswerError, NotConvergedError
 from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.environment import Headings
 from catopt.loads.sinker import SinkerSize
-from catopt.model import Anchor, Case, Line
+from catopt.model import Anchor, Case, Line, Segment
 from catopt.sizing.in_motion import (
     LineTried,
     RunsAfloat,
@@ -292,3 +292,21 @@ class JudgedLine:
         """The largest allowance for motion of its load cases; infinite where it has no run."""
         factors = (*(each.factor for each in self.runs), *(each.factor for each in self.lost))
         return max(factors, default=math.inf)
+
+
+def in_load_case(check: CheckResult, name: str) -> CheckResult:
+    """Name a check by its load case, with the line that is lost there."""
+    gone = check.place.missing
+    if gone is not None:
+        name = Message("checks.state_under", state=check.load_case, load=name)
+    return replace(check, load_case=name)
+
+
+def offset_of_lost(lost: tuple[ShipWithoutLine, ...]) -> float:
+    """Return the largest offset of a ship without a line, m."""
+    return max((each.offset.judged for each in lost if each.offset is not None), default=0.0)
+
+
+def size_of(segment: Segment) -> float:
+    """Return the nominal diameter of a segment, m; 0 where it has none."""
+    return segment.nominal_diameter or 0.0
