@@ -496,11 +496,19 @@ def _preference(of: ResolvedInputs, line: LineChoice | None) -> dict[str, Any]:
     return {"prefer": prefer or ("cheapest" if swing_price else own), "swing_price": swing_price}
 
 
+_NO_DRAG: Final = ("gravel or coarse sand", "clean sound rock")
+"""Soils in which no drag anchor has figures: it does not bite."""
+
+
 def _ground(of: ResolvedInputs) -> DragGround | SinkerGround | None:
     """Make what holds the line: a sinker, or of a tanker a drag anchor by its kind."""
     if of.moored == "tanker" and of["anchor"] != SINKER:
         soil = AS_CLAY.get(of["soil"], of["soil"])
         recalled = bool(of["recalled"])
+        if soil_named(soil or "") in _NO_DRAG:
+            said = Message("refused_sizing.no_drag_anchor", anchor=of.errors.spell("anchor"))
+            of.errors.add("soil", f"'{of['soil']}'", said)
+            return None
         return of.errors.make(partial(DragGround, of["anchor"], soil, allow_recalled=recalled))
     soil = soil_named(of["soil"]) if of["soil"] else None
     if soil is None and of["friction"] is None:
