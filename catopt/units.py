@@ -235,7 +235,7 @@ def is_quantity(value: object) -> bool:
 def of_quantity(value: Any, dimension: Dimension, key: str = "value") -> Any:
     """Return what a quantity of pint, astropy or unyt is in SI, a number or an array.
 
-    Mass per length where weight per length is wanted is taken times g0, as in text. InputError
+    Mass per length where weight per length is required is taken times g0, as in text. InputError
     for one of another dimension.
     """
     ways = [(dimension, 1.0)]
@@ -263,8 +263,8 @@ def to_si(
     A number may be a common fraction, ``"5/8 in"``, ``"1 1/4 in"``. It may have a decimal comma
     where it can mean nothing else; one that is 50 in one country
     and fifty thousand in another is an error (`catopt.units`). A mass per length given where a
-    weight per length is wanted is taken times g0. A mass given where a force is wanted is an error,
-    because nobody can tell which of the two was meant.
+    weight per length is required is taken times g0. A mass given where a force is required is an
+    error, because nobody can tell which of the two was meant.
 
     `key` says where the value is, for the message; `bare` is the unit of a bare number, one of the
     table, that of SI when left out; `most` the largest plausible value, where it is not the
@@ -295,12 +295,12 @@ def to_si(
 
 
 def noun_of(dimension: Dimension) -> Message:
-    """Name what is wanted: a length."""
+    """Name what is required: a length."""
     return Message(f"refused.{dimension.name}")
 
 
 def wanted(dimension: Dimension, example: str = "") -> Message:
-    """Say what is wanted, with an example: that of the dimension where none is given."""
+    """Say what is required, with an example: that of the dimension where none is given."""
     return Message("refused.wanted", noun=noun_of(dimension), example=example or dimension.example)
 
 
@@ -355,7 +355,7 @@ class _Reading:
         return refused(self.key, found, allowed)
 
     def and_wanted(self, key: str) -> Message:
-        """Say what is wrong, and what is wanted."""
+        """Say what is wrong, and what is required."""
         return Message(f"refused.{key}", wanted=self.wanted)
 
     def split(self, text: str) -> tuple[str, str]:

@@ -236,7 +236,9 @@ def test_many_small_jobs_are_a_large_one(tmp_path: Path) -> None:
 
 def test_an_unknown_mode_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv(VARIABLE, "sometimes")
-    with pytest.raises(InputError, match="found 'sometimes'; one of auto, always, never is wanted"):
+    with pytest.raises(
+        InputError, match="found 'sometimes'; one of auto, always, never is required"
+    ):
         compiled(twice)
 
 

@@ -177,5 +177,5 @@ def test_a_component_is_named_with_its_diameter_as_text() -> None:
     chain = UNTYPED.component("chain studless R4", "76 mm")
     assert chain == catopt.component("chain studless R4", 0.076)
     assert chain.segment("300 m") == chain.segment(300.0)
-    with pytest.raises(InputError, match="a length is wanted"):
+    with pytest.raises(InputError, match="a length is required"):
         UNTYPED.component("chain studless R4", "76 kg")

@@ -62,7 +62,7 @@ def test_a_file_beyond_the_limit_is_not_read(tmp_path: Path) -> None:
         (parse_json, '{"a": ' + "1" * 5000 + "}", "file: a number has too many digits"),
         (parse_json, '{"a": NaN}', "file: NaN is no finite number"),
         (parse_json, '{"a": 1e999}', "file: 1e999 is no finite number"),
-        (parse_json, "[1]", "file: an object in braces is wanted"),
+        (parse_json, "[1]", "file: an object in braces is required"),
         (parse_json, '{\n "a": 1,\n "b"}', 'line 3, column 5: found `"b"}`; it is no JSON'),
         (parse_json, '{"a": ["\\u0007"]}', "a[0]: found U+0007, a control character"),
         (parse_json, '{"\\ud800": 1}', "found U+D800"),

@@ -139,8 +139,8 @@ def test_a_bare_number_may_have_another_unit() -> None:
     assert to_si("50000 kg", Dimension.MASS, bare="t") == 50000.0
 
 
-LENGTH = 'a length is wanted, such as "9.5 m"'
-FORCE = 'a force is wanted, such as "50 kN"'
+LENGTH = 'a length is required, such as "9.5 m"'
+FORCE = 'a force is required, such as "50 kN"'
 
 
 @pytest.mark.parametrize(
@@ -152,7 +152,7 @@ FORCE = 'a force is wanted, such as "50 kN"'
             '"9.5"',
             'a unit is missing: write "9.5 m", or 9.5 without quotes',
         ),
-        ("0.3", Dimension.NUMBER, '"0.3"', "a pure number is wanted: write 0.3 without quotes"),
+        ("0.3", Dimension.NUMBER, '"0.3"', "a pure number is required: write 0.3 without quotes"),
         ("", Dimension.LENGTH, '""', LENGTH),
         ("   ", Dimension.LENGTH, '"   "', LENGTH),
         ("m", Dimension.LENGTH, '"m"', LENGTH),
@@ -199,29 +199,29 @@ FORCE = 'a force is wanted, such as "50 kN"'
             "3 ppm",
             Dimension.ANGLE,
             '"3 ppm"',
-            'not a unit known here; an angle is wanted, such as "5 deg"',
+            'not a unit known here; an angle is required, such as "5 deg"',
         ),
         ("9.5 kg", Dimension.LENGTH, '"9.5 kg", a mass', LENGTH),
         ("31 ft", Dimension.FORCE, '"31 ft", a length', FORCE),
-        ("5 kN", Dimension.NUMBER, '"5 kN", a force', "a pure number is wanted, such as 0.5"),
-        ("3 tf", Dimension.MASS, '"3 tf", a force', 'a mass is wanted, such as "5 t"'),
+        ("5 kN", Dimension.NUMBER, '"5 kN", a force', "a pure number is required, such as 0.5"),
+        ("3 tf", Dimension.MASS, '"3 tf", a force', 'a mass is required, such as "5 t"'),
         (
             "9.5 kgf/m",
             Dimension.MASS_PER_LENGTH,
             '"9.5 kgf/m", a weight per length',
-            'a mass per length is wanted, such as "10.9 kg/m"',
+            'a mass per length is required, such as "10.9 kg/m"',
         ),
         (
             "50 t",
             Dimension.FORCE,
             '"50 t", a mass',
-            'a force is wanted: write "50 tf" or "490.3 kN"',
+            'a force is required: write "50 tf" or "490.3 kN"',
         ),
         (
             "300 kg",
             Dimension.FORCE,
             '"300 kg", a mass',
-            'a force is wanted: write "300 kgf" or "2.942 kN"',
+            'a force is required: write "300 kgf" or "2.942 kN"',
         ),
         ("7100 KN", Dimension.FORCE, '"7100 KN"', "capitals count: write kN"),
         ("9.5 M", Dimension.LENGTH, '"9.5 M"', "capitals count: write m"),
@@ -230,13 +230,13 @@ FORCE = 'a force is wanted, such as "50 kN"'
             "120 USD",
             Dimension.PRICE_PER_LENGTH,
             '"120 USD"',
-            'not a unit known here; a price per length is wanted, such as "120 USD/m"',
+            'not a unit known here; a price per length is required, such as "120 USD/m"',
         ),
         (
             "50 kn",
             Dimension.FORCE,
             '"50 kn", a speed',
-            "a force is wanted; capitals count: write kN",
+            "a force is required; capitals count: write kN",
         ),
         (
             "80 mN",
@@ -347,7 +347,7 @@ def test_units_as_people_write_them_are_read(text: str, dimension: Dimension, si
 def test_tonnes_for_a_force_are_answered_with_the_way_out_in_either_language() -> None:
     for unit in ("t", "tonnes", "tấn"):
         assert problem_of(f"15 {unit}", Dimension.FORCE)[1] == (
-            'a force is wanted: write "15 tf" or "147.1 kN"'
+            'a force is required: write "15 tf" or "147.1 kN"'
         )
 
 

@@ -151,7 +151,7 @@ def motion_table(
 def check_columns(
     results: Sequence[CheckResult], *, of_a_body: bool = False
 ) -> tuple[blocks.Column, ...]:
-    """List checks, a row each: what is wanted, what there is, and by which criterion.
+    """List checks, a row each: what is required, what there is, and by which criterion.
 
     Of a body with several lines, state and line head each row.
     """
@@ -340,7 +340,7 @@ def _used(result: CheckResult) -> str:
 
 
 def demand_and_capacity(result: CheckResult) -> dict[str, Measure]:
-    """Say what is wanted and what there is, each with its unit."""
+    """Say what is required and what there is, each with its unit."""
     key = QUANTITY_OF[result.kind].key
     return {name: Measure(key, getattr(result, name)) for name in ("demand", "capacity")}
 

@@ -43,7 +43,7 @@ def parts(key: str) -> Path:
 
 
 def missing(wanted: str) -> Message:
-    """Say that a key is missing, and what is wanted."""
+    """Say that a key is missing, and what is required."""
     return Message("refused.missing", wanted=wanted)
 
 

@@ -151,7 +151,7 @@ def nearest(word: str, words: Iterable[str]) -> str | None:
 
 
 def meant(wanted: Message, word: str, words: Iterable[str]) -> Message:
-    """Say what is wanted, and ask after the word that was meant if one is near."""
+    """Say what is required, and ask after the word that was meant if one is near."""
     near = nearest(word, words)
     return Message("refused.and_meant", wanted=wanted, near=near) if near else wanted
 

@@ -1,4 +1,4 @@
-"""The questions turned round: which length, force or clump weight gives what is wanted.
+"""The questions turned round: which length, force or clump weight gives what is required.
 
 Each is a search of the whole range (`sought`) over the closed form; each answer carries the line it
 belongs to and what is left of its condition, and names the other answers where there are several.

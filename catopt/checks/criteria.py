@@ -125,7 +125,7 @@ def strength_of(
 def _component(
     segment: Segment, choice: CatalogueChoice | None, *, is_worn: bool
 ) -> Component | None:
-    """Look the component up, if its figures are wanted beside the segment's own."""
+    """Look the component up, if its figures are required beside the segment's own."""
     known = segment.MBL is not None and segment.proof_load is not None and not is_worn
     if known or not segment.component or segment.nominal_diameter is None:
         return None
@@ -336,7 +336,7 @@ class Criteria:
         key: str,
         states: Collection[State] = _INTACT,
     ) -> Iterator[Problem]:
-        """Yield a problem for every strength of a segment that is wanted and not known.
+        """Yield a problem for every strength of a segment that is required and not known.
 
         The key is that of the segment: ``line.segments[0]``.
         """

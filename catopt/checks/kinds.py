@@ -164,7 +164,7 @@ def uplift_force_exceedance(vertical: float, horizontal: float, limit: float) ->
 
 @inlined
 def grounded_exceedance(grounded: float, wanted: float) -> float:
-    """Length on the bed short of what is wanted, by what is wanted; m. 0 wants nothing."""
+    """Length on the bed short of what is required, by what is required; m. 0 wants nothing."""
     if wanted == 0.0:
         return -1.0
     return 1.0 - grounded / wanted
@@ -178,7 +178,7 @@ def holding_exceedance(horizontal: float, factor: float, capacity: float) -> flo
 
 @inlined
 def least_tension_exceedance(tension: float, wanted: float) -> float:
-    """Tension of a line short of the least that is wanted, by that; N. 0 wants nothing."""
+    """Tension of a line short of the least that is required, by that; N. 0 wants nothing."""
     if wanted == 0.0:
         return -1.0
     return 1.0 - tension / wanted
@@ -288,7 +288,7 @@ class LineCheck(NamedTuple):
     """The limit that a case gives itself, None where it gives none."""
     is_factor: bool = False
     is_wanted: bool = False
-    """Whether its demand is the least that is wanted of the line, not what the line asks for."""
+    """Whether its demand is the least that is required of the line, not what the line asks for."""
 
 
 OF_LINE: Mapping[CheckKind, LineCheck] = MappingProxyType(
@@ -349,7 +349,7 @@ CHECK_UNITS = tuple(sorted({quantity.si_unit.strip("-") for quantity in QUANTITY
 
 
 def is_wanted(kind: CheckKind) -> bool:
-    """Whether the demand of a check is the least that is wanted, not the largest that comes."""
+    """Whether the demand of a check is the least that is required, not the largest that comes."""
     return kind in OF_LINE and OF_LINE[kind].is_wanted
 
 

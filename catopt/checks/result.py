@@ -45,8 +45,8 @@ class CheckResult(Record):
     load_case: str
     """Name of the load case; of a body its state, intact or line 1 out."""
     demand: float
-    """In unit. Of a least grounded length, what is wanted; of a sinker, the weight in water that it
-    needs."""
+    """In unit. Of a least grounded length, what is required; of a sinker, the weight in water that
+    it needs."""
     capacity: float
     """In unit. Of a least grounded length, what lies on the bed; of a sinker, its weight in
     water."""

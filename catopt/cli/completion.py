@@ -12,7 +12,7 @@ from typing import Any
 
 
 def completed(names: str | tuple[str, ...]) -> Callable[[str], list[str]]:
-    """Make what completes one of several names, or one of a kind, looked up when it is wanted."""
+    """Make what completes one of several names, or one of a kind, looked up when it is required."""
 
     def complete(incomplete: str) -> list[str]:
         known = dict.fromkeys(_names(names) if isinstance(names, str) else names)

@@ -50,7 +50,7 @@ def system(
 
 
 class Wanted(NamedTuple):
-    """What is wanted of a mooring beside where it comes to rest."""
+    """What is required of a mooring beside where it comes to rest."""
 
     directions: Sequence[float] = ()
     levels: Sequence[float] = ()

@@ -85,7 +85,7 @@ def _say(words: str) -> None:
 def _wrong(each: Input, spelled: str, answer: object, choices: tuple[str, ...]) -> str:
     """Say what is wrong with an answer; empty when nothing is."""
     if answer == "":
-        return term("an answer is wanted") if each.required else ""
+        return term("an answer is required") if each.required else ""
     if choices:
         return "" if answer in choices else Message("answers.none_of_them", answer=answer)
     try:

@@ -155,7 +155,7 @@ def _place(rows: Sequence[int]) -> Message:
 class Notes:
     """What is wrong with a deck and what is to be said of it, gathered while it is read.
 
-    `source`: name of the file; `only`: the one line that is wanted, counted from 1; `turbines`: x
+    `source`: name of the file; `only`: the one line that is required, counted from 1; `turbines`: x
     and y of each turbine of a farm, m; `problems`: with their lines of the file.
     """
 

@@ -182,7 +182,7 @@ def _columns(
 ) -> Mapping[str, int]:
     """Return where the columns of a row stand, from 0: by their heads, or by their number.
 
-    Heads count where all that are wanted are there; where they contradict the place, it is said.
+    Heads count where all that are required are there; where they contradict the place, it is said.
     """
     layout = _LAYOUTS.get(section, {}).get(len(row.words), _LINES[2 - v])
     by_place = {name: k for k, name in enumerate(layout.split())}

@@ -85,7 +85,7 @@ def _by_name(top: YamlTable, key: str) -> dict[str, YamlTable]:
 
 
 def _wanted(top: YamlTable) -> list[YamlTable]:
-    """Return the lines, or the one that is wanted; the others need not be readable then."""
+    """Return the lines, or the one that is required; the others need not be readable then."""
     notes, lines = top.notes, list(top.tables("Lines"))
     if notes.only is None or notes.only > len(lines):
         return lines

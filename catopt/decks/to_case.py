@@ -45,7 +45,7 @@ class Chain:
 def chains_of(deck: Deck, notes: Notes, only: int | None = None) -> list[Chain]:
     """Follow the pieces of a deck; what is no chain is noted.
 
-    `only`: the one line that is wanted, counted from 1. Raises InputError with everything that is
+    `only`: the one line that is required, counted from 1. Raises InputError with everything that is
     no line between two ends.
     """
     meeting = check_meeting(deck, notes)

@@ -51,7 +51,7 @@ class Search(NamedTuple):
     is_bounded: bool  # whether designs are excluded by bounds
     stops_early: bool  # whether a design is left at its first failed check
     best: Any  # shape (n, wanted objectives): what designs known to be feasible are worth
-    columns: Any  # shape (wanted objectives,): which objectives are wanted
+    columns: Any  # shape (wanted objectives,): which objectives are required
 
 
 def assess_moorings(

@@ -213,7 +213,7 @@ class DesignPoint(Displayable, Record):
     genes: tuple[FromZero, ...]
     """Its place in the design space."""
     # by the keys of OBJECTIVES_MADE: mass, offset, excursion and cost where they are known, wanted
-    # as objective or not; the others where they are wanted
+    # as objective or not; the others where they are required
     objectives: Mapping[str, float]
     checks: CheckReport
     """As catopt check gives them, by load case; of a whole mooring the hardest of each over all

@@ -21,7 +21,7 @@ def add_bars(
 ) -> float:
     """Add the bars' forces to `now.force`, their inertia to `to.rest`, derivatives to the blocks.
 
-    `slopes`: whether derivatives are wanted.
+    `slopes`: whether derivatives are required.
 
     Writes their tension and axis, too; returns the largest force in one, N. All arrays are taken
     out of their tuples before the loop: numba counts references to those that are taken out within

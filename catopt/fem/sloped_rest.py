@@ -123,7 +123,7 @@ def shift_slope(lift: float, weight: float, left: float) -> float:
 
     The square root is followed from the lift there is to the one that ends the imbalance of the
     hanging node, not along its tangent, which is of no use near r = 0. With the shift that node is
-    left with W (q - r), where q is the part that has to hang; so what is wanted is the lift at q.
+    left with W (q - r), where q is the part that has to hang; so what is required is the lift at q.
     r and q go on below 0, as V/W, and above 1, as V/W + 1/2: there nothing more is shifted. `left`:
     upward force left over at the hanging node, N.
     """

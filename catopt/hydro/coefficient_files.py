@@ -73,7 +73,7 @@ def read_wamit(
     Traceback (most recent call last):
     ...
     catopt.errors.InputError: nowhere/ship: 1 error
-      files: found none; .1, .2, .3, .4, .8 or .hst is wanted
+      files: found none; .1, .2, .3, .4, .8 or .hst is required
     """
     found = Findings("read_wamit")
     for key, value, unit in (("ulen", ulen, "m"), ("density", density, "kg/m3")):

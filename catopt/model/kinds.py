@@ -32,7 +32,7 @@ def _unit(si_unit: str) -> str:
 
 
 def number_wanted(unit: str) -> Message:
-    """Say that a number in a unit of SI is wanted; empty for a pure one."""
+    """Say that a number in a unit of SI is required; empty for a pure one."""
     return Message("refused.number_in" if unit else "refused.number", unit=unit)
 
 
@@ -259,7 +259,7 @@ class Kind(ABC):
     @property
     @abstractmethod
     def wanted(self) -> str:
-        """What is wanted, with an example."""
+        """What is required, with an example."""
 
     @abstractmethod
     def read(self, value: object) -> object:
@@ -289,7 +289,7 @@ class Measured(Kind):
 
     @property
     def wanted(self) -> str:
-        """What is wanted, with an example."""
+        """What is required, with an example."""
         return wanted(self.dimension, self.example)
 
     @property
@@ -341,7 +341,7 @@ class Whole(Kind):
 
     @property
     def wanted(self) -> str:
-        """What is wanted, with an example."""
+        """What is required, with an example."""
         return Message("refused.whole_such_as", example=self.example)
 
     def read(self, value: object) -> int:
@@ -365,7 +365,7 @@ class Text(Kind):
 
     @property
     def wanted(self) -> str:
-        """What is wanted, with the example if there is one."""
+        """What is required, with the example if there is one."""
         key = "refused.text_such_as" if self.example else "refused.text"
         return Message(key, example=self.example)
 
@@ -507,7 +507,7 @@ def out_of_range(
 
 
 def _with_example(said: str, own: str, example: str) -> str:
-    """Say what is wanted with another example than that of the dimension."""
+    """Say what is required with another example than that of the dimension."""
     if not example or not isinstance(said, Message):
         return said
     values = {

@@ -220,7 +220,7 @@ ServiceType = Literal["I", "II", "III", "IV"]
 SERVICE_TYPES: Final[tuple[ServiceType, ...]] = get_args(ServiceType)
 
 DYNAMIC: Final = ("III", "IV")
-"""Types that dynamic methods are wanted for."""
+"""Types that dynamic methods are required for."""
 
 _KNOT: Final = UNITS[Dimension.SPEED]["kn"]
 _MILD_WIND: Final = 34.0 * _KNOT

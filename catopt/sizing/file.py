@@ -219,7 +219,7 @@ def sized(file: SizingFile, *, at_rest: bool = False) -> Sizing:
 
     `at_rest`: leave motion out, unless the file asks for it in full.
 
-    InputError: every mistake, each by its key; what is wanted and is not in the file is one. Else
+    InputError: every mistake, each by its key; what is required and is not in the file is one. Else
     as for `size_buoy` and `size_tanker`.
     """
     with file.reporting():

@@ -473,7 +473,7 @@ def _scope(of: ResolvedInputs) -> tuple[float, float]:
 
 
 def _preference(of: ResolvedInputs, line: LineChoice | None) -> dict[str, Any]:
-    """Say which design is wanted: as asked for, or a buoy's by practice, a ship's balanced."""
+    """Say which design is required: as asked for, or a buoy's by practice, a ship's balanced."""
     prefer, swing_price = of["prefer"], of["swing_price"] or 0.0
     # What is laid, of a buoy and of a ship whose lines are run.
     own = "practice" if of.moored == "buoy" or of["in_motion"] else "balanced"

@@ -80,4 +80,5 @@ def _governs(check: CheckResult | None) -> str:
         name = Message("sizing.with_a_line_lost", check=name)
     if check.utilisation is None:
         return Message("sizing.governs", check=name)
-    return Message("sizing.governs_at", check=name, used=check.utilisation)
+    used = check.utilisation
+    return Message("sizing.governs_at", check=name, used=used, percent=100.0 * used)

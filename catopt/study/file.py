@@ -52,7 +52,7 @@ class ByName(Kind):
 
     @property
     def wanted(self) -> str:
-        """What is wanted."""
+        """What is required."""
         return Message("refused_study.names_with_values", example=self.example)
 
     def read(self, value: object) -> Mapping[str, Any]:
@@ -221,7 +221,7 @@ _FORMS: Final[tuple[tuple[set[str], set[str]], ...]] = (
     ({"key", "distribution", "min", "max"}, set()),
     ({"table"}, {"columns", "weight"}),
 )
-"""Keys of a [[vary]] that go together: those that are wanted, and those that may be there."""
+"""Keys of a [[vary]] that go together: those that are required, and those that may be there."""
 
 
 def _check_form(each: VaryTable) -> None:

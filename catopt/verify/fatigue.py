@@ -87,7 +87,7 @@ class SegmentFatigue(Record):
     """On the damage."""
     factor_source: CheckSource
     life: float
-    """That is wanted, s."""
+    """That is required, s."""
 
     @property
     def wanted_years(self) -> float:

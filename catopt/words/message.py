@@ -202,7 +202,7 @@ def given_keys(keys: Iterable[str]) -> Message:
 
 
 class Sentence(Message):
-    """Words made a sentence: with a full stop, and a capital where it is wanted."""
+    """Words made a sentence: with a full stop, and a capital where it is required."""
 
     words: str
     capital: bool

@@ -205,7 +205,7 @@ def test_what_a_later_core_says_has_its_place() -> None:
         buoy(), practice=own["a"], fittings=(own["b"],), advice=(own["c"],), chain_life=7.3 * YEAR
     )
     lines = screen(of)
-    for wanted in ("Practice: a said", "With it: b said", "To be known: "):
+    for wanted in ("Practice: a said", "Fittings: b said", "Notes: "):
         assert any(each.startswith(wanted) for each in lines)
     assert any("c said" in each for each in lines)
     assert any("after 7.3 years" in each for each in lines)

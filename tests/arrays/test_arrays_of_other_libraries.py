@@ -62,9 +62,9 @@ def test_a_unit_is_converted(force: Any) -> None:
 
 
 NOT_FORCES: list[tuple[Any, str]] = [
-    (np.array([3.3]) * U.m, "a quantity in meter; a force is wanted"),
-    (np.array([343.0]) * U.kg, "a quantity in kilogram; a force is wanted"),
-    (OfAstropy([3.3], "m"), "a quantity in m; a force is wanted"),
+    (np.array([3.3]) * U.m, "a quantity in meter; a force is required"),
+    (np.array([343.0]) * U.kg, "a quantity in kilogram; a force is required"),
+    (OfAstropy([3.3], "m"), "a quantity in m; a force is required"),
     (np.ma.array([1000.0, FORCE], mask=[False, True]), "1 masked value"),
     (np.ma.array([3.3], mask=[True]) * U.kN, "1 masked value"),
     ([np.ma.masked], "1 masked value"),
@@ -75,7 +75,7 @@ NOT_FORCES: list[tuple[Any, str]] = [
     (pd.to_timedelta([1], unit="s"), "timedelta64"),
     ([1.0 + 2.0j], r"\(1\+2j\)"),
     ([None], "None"),
-    (xr.DataArray([3.3], attrs={"units": "m"}), "a length; a force is wanted"),
+    (xr.DataArray([3.3], attrs={"units": "m"}), "a length; a force is required"),
     ([[1.0], [1.0, 2.0]], "rows of several lengths"),
 ]
 

@@ -1,6 +1,6 @@
 """Random questions turned round, held against a scan that knows nothing of the search.
 
-A question is a line of any kind and what is wanted of it: an angle or a grounded length by the
+A question is a line of any kind and what is required of it: an angle or a grounded length by the
 length of a segment or a clump weight, the force of touchdown or of a strength; some of them ask for
 a contact state, where the touchdown is at a joint, at a clump weight or at the anchor. The line is
 solved at many values of the unknown. An answer has to give what was asked for, a refusal is wrong

@@ -60,7 +60,7 @@ def test_what_a_file_says_is_read() -> None:
     ("text", "message"),
     [
         (LED[: LED.index("[dynamics]")], "anchor_motion: goes with [dynamics], which is missing"),
-        (LED.replace('period = "8 s"\n', ""), "exactly one of period, file is wanted"),
+        (LED.replace('period = "8 s"\n', ""), "exactly one of period, file is required"),
         (LED.replace("heave = ", "rao_file = "), "anchor_motion.rao_file"),
         (LOST.replace("broken_line = 1", "broken_line = 2"), "there is one line"),
         (LOST.replace('"anchor"', '"fairlead"'), "a line that is lost at its anchor has"),

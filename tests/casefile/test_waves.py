@@ -116,8 +116,8 @@ def test_a_record_counts_from_the_folder_of_the_case(tmp_path: Path) -> None:
             'spectrum = "jonswap"\nheight = 2\n',
             [
                 "waves: found spectrum and trains; exactly one of spectrum, elevation_file, trains "
-                "is wanted",
-                'waves.trains[0].period: missing; a time is wanted, such as "8 s"',
+                "is required",
+                'waves.trains[0].period: missing; a time is required, such as "8 s"',
             ],
         ),
     ],

@@ -33,7 +33,7 @@ def test_a_variant_of_no_component_is_named_with_those_that_there_are() -> None:
     found = chosen(CatalogueChoice(variants=(("EA", "spam"), ("MBL", "spam"))), WATER)
     of_EA, of_MBL = found.variants_of_none(["chain studless R4"])
     assert of_EA == Problem(
-        "EA", '"spam"', "one of dnv-os-e301-2010, dnv-os-e301-2000, orcaflex is wanted"
+        "EA", '"spam"', "one of dnv-os-e301-2010, dnv-os-e301-2000, orcaflex is required"
     )
     assert of_MBL == Problem("MBL", '"spam"', "there is only one figure; leave it out")
 

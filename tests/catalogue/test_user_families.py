@@ -165,21 +165,25 @@ def test_the_good_text_is_right_as_it_stands() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ('schema = "catopt.families/1"', "", "schema: missing; text in quotes is wanted"),
+        ('schema = "catopt.families/1"', "", "schema: missing; text in quotes is required"),
         (
             "catopt.families/1",
             "catopt.families/2",
-            'schema: found "catopt.families/2"; "catopt.families/1" is wanted',
+            'schema: found "catopt.families/2"; "catopt.families/1" is required',
         ),
         ("[[family]]", "[family]", "family: found a table; tables that each begin with [[family]]"),
         ('name = "aramid rope"', 'nme = "aramid rope"', "family[0].nme: found an unknown key; did"),
-        ('name = "aramid rope"', "name = 7", "family[0].name: found 7; text in quotes is wanted"),
+        ('name = "aramid rope"', "name = 7", "family[0].name: found 7; text in quotes is required"),
         (
             "range_mm = [30, 80]",
             "range_mm = [80, 30]",
             "family[0].range_mm: found an array of 2; the smallest and the largest diameter in mm",
         ),
-        ("range_mm = [30, 80]", "", "family[0].range_mm: missing; an array of 2 numbers is wanted"),
+        (
+            "range_mm = [30, 80]",
+            "",
+            "family[0].range_mm: missing; an array of 2 numbers is required",
+        ),
         (
             "mm = [30, 40, 80]",
             "mm = [30, 80, 40]",
@@ -198,14 +202,14 @@ def test_the_good_text_is_right_as_it_stands() -> None:
         (
             'confidence = "A"\n\n[[figure]]\nfamily = "aramid rope"\nquantity = "volume_diameter"',
             'confidence = "D"\n\n[[figure]]\nfamily = "aramid rope"\nquantity = "volume_diameter"',
-            'figure[0].confidence: found "D"; one of A, B, C, R is wanted',
+            'figure[0].confidence: found "D"; one of A, B, C, R is required',
         ),
         (
             'place = "page 2"\nconfidence = "A"\n\n[[figure]]\nfamily = "aramid rope"\n'
             'quantity = "MBL"\ngrade = "T2"',
             'confidence = "A"\n\n[[figure]]\nfamily = "aramid rope"\n'
             'quantity = "MBL"\ngrade = "T2"',
-            "figure[2].place: missing; text in quotes is wanted",
+            "figure[2].place: missing; text in quotes is required",
         ),
         (
             'source = ["CERT", "TUD"]',
@@ -242,9 +246,9 @@ def test_the_good_text_is_right_as_it_stands() -> None:
         (
             "density = 1440",
             'density = "1440 kg/m^3"',
-            "figure[1].formula.density: found '1440 kg/m^3'; a number is wanted",
+            "figure[1].formula.density: found '1440 kg/m^3'; a number is required",
         ),
-        ("{ d2 = 600e6 }", "7", "figure[3].formula: found 7; a table is wanted"),
+        ("{ d2 = 600e6 }", "7", "figure[3].formula: found 7; a table is required"),
         (
             "{ d2 = 600e6 }",
             "{ d2 = 600e6, chain_load = 0.02 }",
@@ -258,7 +262,7 @@ def test_the_good_text_is_right_as_it_stands() -> None:
         ('unit = "kN"', 'unit = "tons"', 'figure[2].formula.unit: found "tons"; one of N, kN, MN'),
         ("[30, 500]", "[90, 500]", "figure[2].formula.rows[1]: found 80 mm; the diameters of the"),
         ("[30, 500]", "30", "figure[2].formula.rows[0]: found 30; a row [diameter in mm, value]"),
-        ('of = "MBL"', 'of = "mass"', 'figure[4].formula.of: found "mass"; one of MBL is wanted'),
+        ('of = "MBL"', 'of = "mass"', 'figure[4].formula.of: found "mass"; one of MBL is required'),
         ('diameter = "d" }', 'diameter = "D" }', 'figure[6].formula.diameter: found "D"; "d", a'),
         (
             'quantity = "volume_diameter"',
@@ -331,4 +335,4 @@ def test_a_file_that_is_no_toml_or_not_there(tmp_path: Path) -> None:
 
 
 def test_an_empty_file_is_told() -> None:
-    assert wrong("") == ["schema: missing; text in quotes is wanted"]
+    assert wrong("") == ["schema: missing; text in quotes is required"]

@@ -241,7 +241,7 @@ def test_a_weightless_line_never_lies_flat() -> None:
 
 
 def test_wrong_questions() -> None:
-    with pytest.raises(InputError, match="exactly one is wanted"):
+    with pytest.raises(InputError, match="exactly one is required"):
         find_length(TANKER, height=20.0, horizontal_force=1e5)
     with pytest.raises(InputError, match="from 0 to 0"):
         find_length(TANKER, height=20.0, horizontal_force=1e5, anchor_angle=0.0, segment=3)

@@ -552,7 +552,7 @@ def test_every_number_out_of_range_is_named_at_once() -> None:
         )
     assert [str(problem) for problem in caught.value.problems] == [
         "height: found 0.0; must be above 0 m",
-        "horizontal_force: found nan; a number in N is wanted",
+        "horizontal_force: found nan; a number in N is required",
         "seabed_friction: found -0.1; must be 0 or more",
     ]
 

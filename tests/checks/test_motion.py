@@ -237,7 +237,7 @@ def test_the_case_s_factor_holds_as_a_line_breaks(line_out: float | None) -> Non
 def test_what_is_no_tension_is_judged_by_its_least_favourable_value() -> None:
     """Pulled up by 30 kN at 6 deg, 17.2 m left on the bed, 118 m from end to end, 80 kN down.
 
-    Of 10 kN that are wanted at the fairlead 8 kN were there at the least.
+    Of 10 kN that are required at the fairlead 8 kN were there at the least.
     """
     carried = Carried(
         Pull(290e3, 30e3, math.radians(6.0)),
@@ -306,7 +306,7 @@ def test_a_code_with_factors_for_motion_is_not_replaced() -> None:
 
 @pytest.mark.parametrize(
     ("code", "told"),
-    [("UFC-4-159-03", "dynamic analysis is wanted: DNV"), ("API-2SK", "API-RP-2SK")],
+    [("UFC-4-159-03", "dynamic analysis is required: DNV"), ("API-2SK", "API-RP-2SK")],
 )
 def test_what_cannot_judge_motion_is_refused(code: str, told: str) -> None:
     with pytest.raises(InputError, match=f"checks.motion_code: found .*{told}"):
@@ -320,7 +320,7 @@ def test_a_sinker_may_slide_so_far_in_the_place_of_a_factor(way: float, passes: 
     assert (result.kind, result.demand, result.capacity) == ("slide", way, 1.0)
     assert result.passes is passes
     assert result.unit == "m"
-    # With a factor alone 5 kN + 1.5 x 20 kN / 0.5 of weight are wanted.
+    # With a factor alone 5 kN + 1.5 x 20 kN / 0.5 of weight are required.
     held = replace(SINKER, max_slide=None)
     (result,) = check_motion(replace(ALONE, anchor=held), [moved]).results
     assert result.kind == "sliding"

@@ -171,9 +171,9 @@ REFUSED = {
     ],
     C06: [
         ("UnitsSystem: SI", "UnitsSystem: US", 0, "save the model in SI"),
-        ("SeabedType: Flat", "SeabedType: Profile", 9, "Flat is wanted"),
+        ("SeabedType: Flat", "SeabedType: Profile", 9, "Flat is required"),
         ("  WindSpeed", "  SeabedSlope: 2\n  WindSpeed", 12, "level bed"),
-        ("Category: General", "Category: Homogeneous pipe", 14, "General is wanted"),
+        ("Category: General", "Category: Homogeneous pipe", 14, "General is required"),
         ("ID: 0\n", "ID: 0.05\n", 17, "hollow"),
         ("EA: 407.25725e3", "EA: rope", 20, "a number above 0"),
         ("    Connection: Free", "    Connection: Rotation", 34, "Free or Fixed"),

@@ -328,7 +328,7 @@ LITRES = re.compile(r"-(\d+)l-")
     [
         ({"hull_diameter": 2.0}, "hull_diameter: found 2.0; leave it out"),
         ({"mass": 10.0}, "less than what is below its hull displaces"),
-        ({"ballast_pieces": 1.5}, "a whole number is wanted"),
+        ({"ballast_pieces": 1.5}, "a whole number is required"),
         ({"drag_in_water": 0.0}, "drag_in_water"),
         ({"chain_min": 0.03, "chain_max": 0.02}, "not below chain_min, 0.03 m"),
     ],

@@ -154,7 +154,7 @@ def test_a_buoy_that_does_not_float_is_refused_by_the_file() -> None:
     [
         ("<Calmar", "it is no XML"),
         ("<Buoy/>", "begins with <Calmar>"),
-        ('<Calmar version="1"></Calmar>', "Buoy: found 0 of them; one is wanted"),
+        ('<Calmar version="1"></Calmar>', "Buoy: found 0 of them; one is required"),
         ('<!DOCTYPE x [<!ENTITY a "b">]>' + FILE[39:], "declares nothing"),
         (FILE.replace('"Test"', f'"a{chr(0x202E)}b"'), "take it out"),
         (FILE.replace("</Calmar>", ""), "it is no XML: no element found"),

@@ -93,7 +93,7 @@ def test_depth_under_the_crest() -> None:
         (lambda: Wind(-1.0), "speed: found -1.0; must be 0 m/s or more"),
         (lambda: Wind(20.0, 0.0), "height"),
         (lambda: SurfaceCurrent(25.0), "faster than any tide"),
-        (lambda: SeaState(8.0), "it or maximum_height is wanted"),
+        (lambda: SeaState(8.0), "it or maximum_height is required"),
         (lambda: SeaState(0.0, 1.0), "period"),
         (lambda: SeaState(8.0, 2.0, 1.0), "below the significant height of 2 m"),
         (lambda: SeaState(8.0, 50.0), "must be 40 m or less"),

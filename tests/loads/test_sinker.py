@@ -208,9 +208,9 @@ def test_a_base_decides_on_clay() -> None:
     Of 1.4 m2 (1.1832 m wide) 0.1 m2 more at two sides: sunk in by 0.1/2/1.1832 = 0.0423 m it holds.
     A block of 4 t in a mould half as high as wide: 2 x 4/2.4 = 3.333 m3, 1.4938 m wide, 2.2314 m2.
     """
-    with pytest.raises(NoAnswerError, match=r"1\.4 m2 on clay of 10 kPa .* 1\.5 m2 are wanted"):
+    with pytest.raises(NoAnswerError, match=r"1\.4 m2 on clay of 10 kPa .* 1\.5 m2 are required"):
         size_sinker(10e3, soil="mud", base_area=1.4)
-    with pytest.raises(NoAnswerError, match=r"are wanted"):
+    with pytest.raises(NoAnswerError, match=r"are required"):
         size_sinker(10e3, soil="mud", base_area=1.4, embedment=0.042)
     size = size_sinker(10e3, soil="mud", base_area=1.4, embedment=0.0423)
     assert size.mass == 12e3  # by friction: 15/0.25 kN are 10.7 t
@@ -266,7 +266,7 @@ def test_what_is_assumed_is_said() -> None:
     ("arguments", "words"),
     [
         ({"soil": "peat"}, "for others, give friction"),
-        ({}, "one of soil and friction is wanted"),
+        ({}, "one of soil and friction is required"),
         ({"soil": "hard clay", "friction": 0.4}, "found both"),
         ({"friction": 0.4, "density": 900.0}, "it floats"),
         (

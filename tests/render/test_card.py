@@ -62,7 +62,7 @@ def test_what_a_screen_does_without_is_named_and_what_is_to_be_known_stays() -> 
     lines = [each.text for each in card_lines(Answer("system", "Body", (), card=card))]
     assert len(lines) <= LINES
     assert lines[:2] == ["Body", "It holds."]
-    assert any(each.startswith("To be known: ") for each in lines)
+    assert any(each.startswith("Notes: ") for each in lines)
     (named,) = (each for each in lines if each.startswith("Not on this screen (--full): "))
     assert named.endswith(": Body")
     assert not any("Solved" in each or "fact" in each for each in lines)

@@ -204,6 +204,6 @@ def test_a_message_and_a_box_that_sticks_out_are_noticed(tab: Tab, tmp_path: Pat
 
 @pytest.mark.parametrize("font", FONTS)
 def test_a_page_is_shown_in_one_font(tab: Tab, font: str, tmp_path: Path) -> None:
-    """All three are wanted: Debian's fonts-dejavu-core, fonts-liberation and fonts-noto-core."""
+    """All three are required: Debian's fonts-dejavu-core, fonts-liberation and fonts-noto-core."""
     tab.open(written(tmp_path, "leg"), 800)
     assert tab.fonts() == {font}

@@ -111,7 +111,7 @@ def test_of_the_lightest_line_the_knees_neighbours_are_left_out() -> None:
 
 SAME_OF_BOTH = (
     ("Mass in air that is needed", "needed_mass_kg"),
-    ("Safety factor that is wanted", "wanted_factor"),
+    ("Safety factor that is required", "wanted_factor"),
     ("Factor that is reached", "factor"),
 )
 """Rows of a sinker and of a drag anchor, with their keys in the document."""

@@ -56,9 +56,9 @@ def line(**changes: Any) -> LineChoice:
         ({"hawser": 1000.1}, "hawser", "must be 1000 m or less"),
         ({"pretension": 0.0}, "pretension", "must be above 0"),
         ({"pretension": 0.91}, "pretension", "must be 0.9 or less"),
-        ({"lines": 0}, "lines", "1, or 3 to 24 around the body, are wanted"),
-        ({"lines": 2}, "lines", "1, or 3 to 24 around the body, are wanted"),
-        ({"lines": 25}, "lines", "1, or 3 to 24 around the body, are wanted"),
+        ({"lines": 0}, "lines", "1, or 3 to 24 around the body, are required"),
+        ({"lines": 2}, "lines", "1, or 3 to 24 around the body, are required"),
+        ({"lines": 25}, "lines", "1, or 3 to 24 around the body, are required"),
         ({"clump_masses": (5e3, 0.0)}, "clump_masses[1]", "must be above 0 kg"),
         ({"clump_density": 1100.0}, "clump_density", "must be above 1100 kg/m3"),
         ({"clump_density": 20001.0}, "clump_density", "must be 20000 kg/m3 or less"),
@@ -162,7 +162,7 @@ def test_a_fairlead_is_refused_beyond_its_bounds(height: float) -> None:
 @pytest.mark.parametrize(
     ("changes", "key", "allowed"),
     [
-        ({"components": ()}, "components", "one family with its grade is wanted, or several"),
+        ({"components": ()}, "components", "one family with its grade is required, or several"),
         ({"diameter_min": 0.0}, "diameter_min", "must be above 0 m"),
         ({"diameter_min": 0.05, "diameter_max": 0.04}, "diameter_max", "below diameter_min, 50 mm"),
         ({"length_step": 0.0}, "length_step", "must be above 0 m"),
@@ -179,7 +179,7 @@ def test_a_fairlead_is_refused_beyond_its_bounds(height: float) -> None:
         ({"scope": (0.0, 0.0)}, "scope_max", "must be above 0"),
         ({"scope": (2.0, 20.1)}, "scope_max", "must be 20 or less"),
         ({"scope": (3.0, 2.0)}, "scope_max", "below scope_min, 3"),
-        ({"scope": (2.0, math.nan)}, "scope_max", "a number is wanted"),
+        ({"scope": (2.0, math.nan)}, "scope_max", "a number is required"),
         (
             {"prefer": "knee"},
             "prefer",
@@ -394,7 +394,7 @@ def test_the_steps_of_a_turn_are_of_1_to_180_deg() -> None:
     assert turned_round(start, math.inf) == (start,)
     for degrees in (0.99, 180.1):
         found = told(lambda degrees=degrees: turned_round(start, math.radians(degrees)))  # type: ignore[misc]
-        assert found == {"scan": "a step of 1 to 180 deg is wanted"}
+        assert found == {"scan": "a step of 1 to 180 deg is required"}
 
 
 def test_the_lower_figure_of_a_surface_is_taken() -> None:
@@ -426,7 +426,7 @@ def test_the_factor_on_a_drag_anchor_is_1_at_least() -> None:
 def test_no_ship_a_condition_that_is_none_and_half_a_line_are_refused() -> None:
     """Each was a fault of Python's own before, not a refusal."""
     assert told(lambda: TankerRequest((), deep())) == {
-        "ships": "the ship in one condition at least is wanted"
+        "ships": "the ship in one condition at least is required"
     }
     assert told(lambda: dataclasses.replace(LOADED, condition="half")).keys() == {"condition"}
     for lines in (0, 2, 3.0, 3.5, 25):

@@ -75,7 +75,7 @@ def test_what_cannot_be_estimated_is_said() -> None:
             "ballast_draught",
             "missing; of this ship it cannot be estimated",
         ),
-        ({"condition": "light"}, "condition[0]", "one of loaded, ballast is wanted"),
+        ({"condition": "light"}, "condition[0]", "one of loaded, ballast is required"),
     ],
 )
 def test_what_contradicts_is_refused(given: dict[str, Any], key: str, allowed: str) -> None:

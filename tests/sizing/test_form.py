@@ -141,7 +141,7 @@ CHANGES: dict[str, tuple[str, str, Any, str]] = {
     "none": ("Fleet", "A3", None, "Fleet!A3: a value stands there without its key"),
     "a heading without unit": ("Fleet", "A2", "Swinging", "Fleet!A4: .*its unit is missing"),
     "another sheet": ("Fleet (2)", "A4", 9, r"Fleet \(2\)!A4: found 9; the sheets Form and Fleet"),
-    "not yes, not no": ("Form", FLAG, "perhaps", f"Form!{FLAG}: .*yes or no is wanted"),
+    "not yes, not no": ("Form", FLAG, "perhaps", f"Form!{FLAG}: .*yes or no is required"),
     "a unit of a text": ("Form", "C5", "kN", "Form!B5: found .kN.; .*no unit"),
 }
 

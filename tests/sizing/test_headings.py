@@ -113,7 +113,7 @@ def test_the_note_adds_forces_along_and_across_the_ship_up(turned: Sizing) -> No
         ),
         (
             {"scan": "0.5 deg", "current_yaw": "VLCC"},
-            {"scan": "a step of 1 to 180 deg is wanted", "current_yaw": "one of series-60, FFG"},
+            {"scan": "a step of 1 to 180 deg is required", "current_yaw": "one of series-60, FFG"},
         ),
         (
             {**SCAN, "load_method": ["UFC-4-159-03"]},

@@ -210,7 +210,7 @@ def test_the_sinker_is_what_the_pull_in_motion_needs() -> None:
     ("inputs", "said"),
     [
         ({"buoy": None, "force": "5 kN", "reserve_buoyancy": "12 kN"}, "a buoy of the library in"),
-        ({"hs": "0 m"}, "a buoy of the library in waves is wanted"),
+        ({"hs": "0 m"}, "a buoy of the library in waves is required"),
         ({"run_time": "5 s"}, "run_time: found"),
         ({"seeds": 0}, "seeds: found"),
     ],

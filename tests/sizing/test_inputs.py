@@ -302,7 +302,7 @@ def test_a_sizing_by_keywords_is_that_of_its_file() -> None:
     request = catopt.read_sizing(Path(__file__).parents[2] / "cases/size-buoy/sizing.toml")
     assert request.title == "Pillar buoy in 12 m"
     assert size_buoy(request).point.line == sizing.point.line
-    with pytest.raises(InputError, match="the request for a tanker is wanted"):
+    with pytest.raises(InputError, match="the request for a tanker is required"):
         size_tanker(request)
 
 

@@ -135,7 +135,10 @@ def test_where_no_line_keeps_the_bound_the_key_and_ways_out_are_told() -> None:
     [
         (
             {"max_swing": "210 m"},
-            {"max_swing": "ship and hawser alone are 210 m long: more is wanted, or several lines"},
+            {
+                "max_swing": "ship and hawser alone are 210 m long: "
+                "more is required, or several lines"
+            },
         ),
         (
             {"max_swing": "400 m", "swing_price": 10, "lines": 6},

@@ -177,7 +177,7 @@ def test_the_service_type_is_assumed_and_said() -> None:
     given = asked(service_type="III")
     assert not any("service type" in each for each in given.defaults)
     (dynamic,) = said(given, "sizing.service_dynamic")
-    assert "DYNAMIC METHODS are wanted" in dynamic
+    assert "DYNAMIC METHODS are required" in dynamic
     assert "PHƯƠNG PHÁP ĐỘNG" in say(dynamic, "vi")
 
 

@@ -193,7 +193,7 @@ def test_rows_that_begin_with_a_hash_are_rows(tmp_path: Path) -> None:
     assert found.axes[0].columns["title"] == ["#2 port", "#N/A"]
     assert found.axes[0].counted == "t.csv: 2 rows read, 0 skipped."
     (tmp_path / "t.csv").write_text("site.water_depth (m)\n8\n#9\n")
-    assert 'found "#9"; a number is wanted' in refused(tmp_path, '[[vary]]\ntable = "t.csv"\n')
+    assert 'found "#9"; a number is required' in refused(tmp_path, '[[vary]]\ntable = "t.csv"\n')
 
 
 @pytest.mark.parametrize("cell", ["1_0", "\uff11\uff10", "1e+308", "inf"])

@@ -56,7 +56,7 @@ def test_every_load_case_is_verified_at_its_own_water_level() -> None:
 def test_one_load_case_by_name() -> None:
     found = verify_case(WITH_STATES, load_case="everyday")
     assert [part.name for part in found.parts] == ["everyday"]
-    with pytest.raises(InputError, match="one of storm, everyday is wanted"):
+    with pytest.raises(InputError, match="one of storm, everyday is required"):
         verify_case(WITH_STATES, load_case="strom")
     with pytest.raises(InputError, match="no \\[\\[load_cases\\]\\]"):
         verify_case(CASES["on the bed"], load_case="load")

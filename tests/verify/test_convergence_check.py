@@ -94,7 +94,7 @@ def test_too_few_bars_for_a_snap_have_not_converged() -> None:
     assert worst.size > LIMIT
     said = "\n".join(proof_sentences(part))
     assert f"changes by {worst.size:.1%}, more than 5%" in said
-    assert "A shorter time_step, more elements or more line_damping is wanted." in said
+    assert "A shorter time_step, more elements or more line_damping is required." in said
 
 
 def test_run_once_proves_nothing_and_says_so() -> None:

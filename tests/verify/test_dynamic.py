@@ -420,8 +420,8 @@ def test_all_that_a_line_in_motion_lacks_is_told_at_once() -> None:
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("t,x\n0,0\n1,a\n2\n", "line 3, x: found a; a number is wanted\n  line 4: found 1 cell;"),
-        ("t,u\n0,0\n", "found u; one of t, x, y, z is wanted\n  headings: one of x, y, z"),
+        ("t,x\n0,0\n1,a\n2\n", "line 3, x: found a; a number is required\n  line 4: found 1 cell;"),
+        ("t,u\n0,0\n", "found u; one of t, x, y, z is required\n  headings: one of x, y, z"),
         ("x,x\n0,0\n", "headings: t is missing\n  headings: found x; twice"),
         ("t,x\n0,0\n1,0\n2,0\n3,0\n", "found 3 s from the first row to the last; the run of 60 s"),
         ("t,x\n" + "".join(f"{k},0\n" for k in range(70) if k < 20 or k > 30), "a gap"),

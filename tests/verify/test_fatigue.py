@@ -187,7 +187,7 @@ def test_a_scatter_table_that_does_not_add_up_is_refused(
 
 
 def test_one_column_says_how_long_a_sea_state_lasts(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="found share and occurrences; one of them is wanted"):
+    with pytest.raises(InputError, match="found share and occurrences; one of them is required"):
         of_cells(tmp_path, "share,occurrences (of 1000)", "0.7,700", "0.2,200")
 
 

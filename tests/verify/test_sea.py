@@ -78,8 +78,8 @@ def test_what_was_done_to_the_record_is_remarked_on(tmp_path: Path) -> None:
     ("head", "length", "message"),
     [
         ("time (s),elevation (m)", 30.0, "time: found 29.5 s from the first row to the last; the"),
-        ("time,elevation (m)", 80.0, "headings: found time; its unit in brackets is wanted"),
-        ("time (s),height (m)", 80.0, "found height \\(m\\); one of time, elevation is wanted"),
+        ("time,elevation (m)", 80.0, "headings: found time; its unit in brackets is required"),
+        ("time (s),height (m)", 80.0, "found height \\(m\\); one of time, elevation is required"),
         ("time (s),elevation (s)", 80.0, r"found elevation \(s\); its unit in brackets"),
     ],
 )
@@ -261,7 +261,7 @@ def test_a_note_lists_the_series(tmp_path: Path) -> None:
     ("rows", "head", "message"),
     [
         ("0,1,0\n0.5,1,0", "time (min),speed (m/s),direction (deg)", "found 30 s from the first"),
-        ("0,1\n2,1", "time (min),speed", "found speed; its unit in brackets is wanted"),
+        ("0,1\n2,1", "time (min),speed", "found speed; its unit in brackets is required"),
         ("0,1\n2,1", "time (min),direction (deg)", "headings: speed is missing"),
         ("0,1\n0,1", "time (min),speed (kn)", "found 0 s after 0 s; must rise"),
         ("0,1,0\n2,1,0", "time (min),speed (kn),direction (rad)", "current.direction: found 57"),

@@ -332,7 +332,7 @@ def test_refusals_of_a_run(tmp_path: Path) -> None:
     deep = replace(case.floater, ship=replace(case.floater.ship, draught=17.0, moulded_depth=16.0))
     with pytest.raises(InputError, match=r"floater\.ship\.moulded_depth"):
         verify_ship(replace(case, floater=deep))
-    with pytest.raises(InputError, match="a ship is wanted"):
+    with pytest.raises(InputError, match="a ship is required"):
         verify_ship(replace(case, floater=None, motion=Motion(period=8.0)))
     (tmp_path / "ship.8").write_text("8 0 0 1 0.2 180 0.2 0\n")
     other = replace(case.floater.ship, drift_file=str(tmp_path / "ship.8"), ulen=1.0)

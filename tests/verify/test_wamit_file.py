@@ -90,7 +90,7 @@ def test_a_phase_that_lags_is_the_conjugate(tmp_path: Path) -> None:
     ("text", "told"),
     [
         (row(8, 0, 1, 0.4, 90).replace("4.000000E-01", "0.4") + "8 0 3 0.5\n", "line 2"),
-        (row(8, 0, 1, 0.4, 90) + "8 0 3 0.5 ten 0.5 0\n", "numbers are wanted"),
+        (row(8, 0, 1, 0.4, 90) + "8 0 3 0.5 ten 0.5 0\n", "numbers are required"),
         (row(8, 0, 1, 0.4, 90) + row(-1, 0, 1, 1.0, 0), "take the rows of zero and infinite"),
         (row(8, 0, 1, 0.4, 90) + row(8, 0, 7, 0.4, 90), "no generalised modes"),
         (row(8, 0, 1, 0.4, 90) * 2, "twice"),

@@ -99,7 +99,7 @@ def test_it_begins_anew_after_its_own_length_and_that_is_said() -> None:
         (times(9), noise(8), "with as many elevations"),
         (times(9)[::-1], noise(9), "must rise"),
         (np.append(times(9), 60.0), noise(10), "a gap of 49 s after 11 s"),
-        (times(9), np.full(9, 2.0), "a surface that moves is wanted"),
+        (times(9), np.full(9, 2.0), "a surface that moves is required"),
         (times(9), np.append(noise(8), math.nan), "finite numbers"),
     ],
 )

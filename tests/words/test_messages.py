@@ -115,7 +115,7 @@ REFUSES = {"Problem": 3, "Finding": 3, "add": 3, "problem": 2, "refuse": 3, "ref
 
 
 def test_nothing_is_refused_in_plain_english() -> None:
-    """Neither what was found nor what is wanted, in any part of catopt."""
+    """Neither what was found nor what is required, in any part of catopt."""
     found = [
         (path.relative_to(PACKAGE).as_posix(), node.lineno, said)
         for path in PACKAGE.rglob("*.py")

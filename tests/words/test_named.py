@@ -201,7 +201,7 @@ def test_an_option_that_is_none_is_found(text: str, wrong: list[str]) -> None:
 @pytest.mark.parametrize(
     ("text", "wrong"),
     [
-        ("a table [chekcs] is wanted", ["[chekcs]"]),
+        ("a table [chekcs] is required", ["[chekcs]"]),
         ("give line.segmets and site.water_depth", ["line.segmets"]),
         ("give seabed_frictoin, or {no_key}", ["seabed_frictoin"]),
         ("give [[load_cases]] and min_grounded_length", []),
