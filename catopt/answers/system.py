@@ -521,15 +521,22 @@ def _hung_on_card(placed: Iterable[Sequence[PlacedLoad]]) -> Iterator[blocks.Bri
         Message(
             "mooring.hangs_at",
             name=each.state.name or Message("mooring.load_of_line", number=k, line=line),
-            **{
-                key: f"{Measure('height', value):bare}"
-                for key, value in zip("xyz", each.place, strict=True)
-            },
+            **_place(each),
         )
         for line, loads in enumerate(placed, start=1)
         for k, each in enumerate(loads, start=1)
     ]
     yield from blocks.briefly(said, Message("captions.hung"), 4)
+
+
+_NOWHERE = 1e-6
+"""Of the largest coordinate of a place: less is what solving a plumb line leaves of its span."""
+
+
+def _place(load: PlacedLoad) -> dict[str, str]:
+    least = _NOWHERE * max(map(abs, load.place))
+    at = (value if abs(value) > least else 0.0 for value in load.place)
+    return {key: f"{Measure('height', value):bare}" for key, value in zip("xyz", at, strict=True)}
 
 
 def _if_free(shapes: blocks.Table, solutions: Iterable[Solution]) -> Iterator[blocks.Table]:

@@ -123,7 +123,7 @@ class CheckReport(Displayable, Record):
     SCHEMA = "catopt.check/1"
     DOCUMENT = (
         "title verdict=passes _governing_index=governing hanging=load_cases results=checks "
-        "warnings judgement=verdict"
+        "warnings judgement=verdict~"
     )
 
     title: str
@@ -276,7 +276,7 @@ class CheckOfBody(Record):
 class ChecksInMotion(Record):
     """In motion, by the numbers of the case and the codes' factors for dynamic analysis."""
 
-    DOCUMENT = "passes governing checks report.warnings report.judgement=verdict"
+    DOCUMENT = "passes governing checks report.warnings report.judgement=verdict~"
 
     report: CheckReport
 
@@ -304,7 +304,7 @@ class ChecksInBrief(Record):
     """
 
     DOCUMENT = (
-        "checks failed report.verdict=passes governing report.warnings report.judgement=verdict"
+        "checks failed report.verdict=passes governing report.warnings report.judgement=verdict~"
     )
 
     report: CheckReport

@@ -387,7 +387,7 @@ class DesignResult(Displayable, Record):
     DOCUMENT = (
         "case.title objectives load_cases front recommended_index=recommended recommendation ends "
         "neighbours present method is_exact designs evaluations feasible hypervolume "
-        "reference_point seed interrupted warnings excluded? in_motion? judgement=verdict"
+        "reference_point seed interrupted warnings excluded? in_motion? judgement=verdict~"
     )
 
     case: Case  # what was asked

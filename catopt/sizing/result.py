@@ -130,7 +130,7 @@ class Sizing(Displayable, Record):
         "chain_life departures fittings advice break_factor proof_factor reserve_buoyancy "
         "load_cases settled.posed.loads settled=assumed point.checks.results=checks "
         "point.checks.nearest=governing limits alternatives candidates pattern search=design "
-        "assumptions defaults recalled warnings judgement=verdict"
+        "assumptions defaults recalled warnings judgement=verdict~"
     )
 
     kind: Literal["buoy", "tanker"]

@@ -131,5 +131,6 @@ def test_every_check_that_a_design_can_pass_has_its_column() -> None:
     for kind in set(CHECK_KINDS) - {
         "equilibrium",
         "slide",
+        "heel",
     }:  # no design of a front does
         assert Message(f"columns.{kind}_utilisation")

@@ -17,7 +17,7 @@ from catopt import Line, PointLoad, Segment, solve, solve_system
 from catopt.model.system import System
 from tests.decks.test_brought import BROUGHT
 
-from .conftest import CASES, Run, document_of
+from .conftest import CASES, Run, document_of, words
 
 STACK = BROUGHT / "02_instrument_stack_in_current.toml"
 DEPTHS = BROUGHT / "03_instrument_depths.toml"
@@ -58,7 +58,9 @@ def test_both_ends_and_every_instrument_are_on_every_face(run: Run, tmp_path: Pa
     assert "835.321" in note.read_text("utf-8")
 
 
-def test_instruments_hang_where_the_stretch_of_a_rope_puts_them(run: Run) -> None:
+def test_instruments_hang_where_the_stretch_of_a_rope_puts_them(
+    run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """A plumb line: dz = (1 + T/EA) ds, T from the float's lift down."""
     g = 9.80665
     lift, chain, nylon, release, meter = 200.0 * g, 3.0 * g, 0.02 * g, 30.0 * g, 5.0 * g
@@ -72,6 +74,8 @@ def test_instruments_hang_where_the_stretch_of_a_rope_puts_them(run: Run) -> Non
     assert found["release"] == pytest.approx([0.0, 0.0, bottom], abs=1e-6)
     assert found["CTD"] == pytest.approx([0.0, 0.0, bottom + rope], abs=1e-6)
     assert found["CTD"][2] == pytest.approx(257.603, abs=1e-3)
+    monkeypatch.setattr("tests.cli.conftest.FULL", "0")
+    assert "CTD: z 257.603, x 0.000, y 0.000 m" in words(run("system", DEPTHS).out)
 
 
 def test_loads_of_a_body_s_lines_lie_in_its_plane() -> None:

@@ -162,3 +162,10 @@ def test_growth_that_runs_know_nothing_of_is_refused() -> None:
             "pillar 2.4 m", depth="12 m", hs="1 m", growth="100 mm", in_motion=True, seeds=1,
             run_time="1 min",
         )  # fmt: skip
+
+
+@pytest.mark.parametrize("soil", ["rock", "gravel", "đá"])
+def test_a_soil_in_which_no_drag_anchor_bites_says_what_holds_there(soil: str) -> None:
+    """It was an unknown word."""
+    with pytest.raises(InputError, match="no drag anchor has figures in rock or gravel"):
+        size_tanker(**SHIP, soil=soil)
