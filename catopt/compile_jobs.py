@@ -125,10 +125,11 @@ def _afloat() -> None:
 
 
 def _ship() -> None:
-    """Step a ship on its lines."""
+    """Step a ship on its lines, by closed form and out of tables."""
     import numpy as np
 
     from catopt.floater.ship import ShipInWeather
+    from catopt.floater.tabulated import TabulatedShip
     from catopt.floater.two_scales import MooredShip
     from catopt.model import ShipAfloat
     from catopt.waves import regular_wave
@@ -137,7 +138,8 @@ def _ship() -> None:
     assert system is not None
     depth = max(leg.fairlead_height for leg in system.legs)
     of = ShipInWeather(ShipAfloat(30.0, 8.0, 0.2 * depth, 0.5 * depth), depth, 1025.0, (5.0, 0.0))
-    MooredShip(system, of).run(regular_wave(0.2, 5.0), 4.0, 1.0, np.random.default_rng(1))
+    for on_lines in (MooredShip, TabulatedShip):
+        on_lines(system, of).run(regular_wave(0.2, 5.0), 4.0, 1.0, np.random.default_rng(1))
 
 
 def _linear() -> None:

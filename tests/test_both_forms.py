@@ -185,7 +185,7 @@ JOBS: dict[Callable[[], None], set[str]] = {
     },
     linear: {"fill_equivalents", "respond_linearly"},
     afloat: {"march", "run_hull"},
-    ship: {"step_slowly", "hang_lines"},
+    ship: {"step_slowly", "hang_lines", "fill_table"},
 }  # fmt: skip
 """What is run, and which functions that calls; to compile them all takes two minutes."""
 

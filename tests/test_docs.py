@@ -38,9 +38,7 @@ def test_what_every_page_shows_runs_and_prints_it(block: Block, tmp_path: Path) 
 def test_readme_shows_what_the_first_command_prints_and_python_that_runs() -> None:
     """The tests above have these to do."""
     install, *others = blocks(README)
-    assert install.code == (
-        'catopt size tanker --dwt "50000 t" --depth "20 m" --in-motion --out mooring\n'
-    )
+    assert install.code == ('catopt size tanker --dwt "50000 t" --depth "20 m" --out mooring\n')
     assert install.output is not None
     assert {"sh", "python"} <= {block.language for block in others}
 
@@ -48,8 +46,7 @@ def test_readme_shows_what_the_first_command_prints_and_python_that_runs() -> No
 def test_readme_gives_exactly_the_two_commands() -> None:
     lines = [line for line in README.read_text("utf-8").splitlines() if line.startswith("pip ")]
     assert lines == [
-        'pip install . && catopt size tanker --dwt "50000 t" --depth "20 m" --in-motion --out '
-        "mooring",
+        'pip install . && catopt size tanker --dwt "50000 t" --depth "20 m" --out mooring',
         'pip install ".[test]" && pytest',
     ]
 

@@ -27,6 +27,7 @@ from catopt.schemas import schema
 from catopt.schemas.validation import inconsistencies
 from catopt.shown import Displayable
 from catopt.verify.case import verify_case
+from tests.sizing.at_rest import size_tanker
 
 CASES = Path("cases")
 AT_SEA = Path("tests/answers/cases/at-sea.toml")
@@ -44,7 +45,7 @@ def results() -> dict[str, Any]:
         "checks": catopt.check_case(body),
         "design": design,
         "point": design.front[0],
-        "sizing": catopt.size_tanker(dwt="50000 t", depth=20.0),
+        "sizing": size_tanker(dwt="50000 t", depth=20.0),
         "verification": verify_case(buoy, elements=20),
         "system": catopt.solve_system(body.system),
     }

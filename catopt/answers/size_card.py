@@ -182,6 +182,9 @@ def runs_words(of: InMotion) -> Message:
     for key, count in (("seas", len(of.how.periods)), ("directions", of.directions)):
         if count > 1:
             said = Message(f"sizing.runs_of_{key}", runs=said, count=count)
+    if of.how.quick:
+        quick = "ship" if of.is_of_ship else "buoy"
+        said = Message(f"sizing.runs_quick_{quick}", runs=said, margin=of.how.margin)
     return said
 
 
@@ -388,6 +391,9 @@ def miss_answer(error: NoFeasibleDesignError, of: ResolvedInputs) -> Answer:
         card += [Brief((said,), name, 2) for name, said in _worst(miss)]
         thin = first.nominal_diameter or 0.0
         helping = [said for kind in _kinds(miss) for said in _helps(kind, of, thin)]
+        if error.in_motion is not None and not of["in_motion"]:
+            option = of.errors.spell("in_motion")
+            helping.insert(0, Message("sizing.miss_helps_quick", in_motion=option))
         if error.in_motion is not None and of.moored == "tanker":
             options = {name: of.errors.spell(name) for name in ("lines", "seeds")}
             helping.append(Message("sizing.miss_helps_ship", **options))

@@ -20,6 +20,7 @@ from catopt.catenary.span_or_tension import given_span
 from catopt.catenary.state import CONVERGED
 from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError
+from catopt.floater.line_tables import LineTables, tabulated
 from catopt.hydro.coefficient_files import read_wamit
 from catopt.hydro.coefficients import Coefficients
 from catopt.hydro.drift import HullForm
@@ -112,20 +113,61 @@ def turn(ship: SlowShip, along: float, across: float, r: float, out: Any) -> Non
         out[2] += (x + ship.lever) * push
 
 
+def restore(
+    x: float,
+    y: float,
+    yaw: float,
+    arrangement: Arrangement,
+    tables: LineTables,
+    lines: Lines,
+    out: Any,
+) -> int:
+    """Put force and moment of the lines at a position into `out` (3,); the one that fails, or -1.
+
+    By closed form, or out of their tables where there are any.
+    """
+    if tables.table[0] < 0:
+        pull = pull_at(x, y, yaw, arrangement, lines, True)
+        out[0], out[1], out[2] = pull.x, pull.y, pull.moment
+        return -1 if pull.status == CONVERGED else pull.line
+    cosine, sine = math.cos(yaw), math.sin(yaw)
+    out[0] = out[1] = out[2] = 0.0
+    for k in range(len(arrangement.anchor_x)):
+        arm_x = cosine * arrangement.arm_x[k] - sine * arrangement.arm_y[k]
+        arm_y = sine * arrangement.arm_x[k] + cosine * arrangement.arm_y[k]
+        to_x, to_y = arrangement.anchor_x[k] - x - arm_x, arrangement.anchor_y[k] - y - arm_y
+        span = max(math.sqrt(to_x * to_x + to_y * to_y), 1e-9)
+        found = tabulated(k, span, arrangement.fairlead_height[k], tables)
+        if not found.held:
+            return k
+        along, across = found.H * to_x / span, found.H * to_y / span
+        out[0] += along
+        out[1] += across
+        out[2] += across * arm_x - along * arm_y
+    return -1
+
+
 def rates(
-    at: float, state: Any, ship: SlowShip, arrangement: Arrangement, lines: Lines, out: Any
+    at: float,
+    state: Any,
+    ship: SlowShip,
+    arrangement: Arrangement,
+    tables: LineTables,
+    lines: Lines,
+    out: Any,
 ) -> int:
     """Put the rates of the state into `out` (6,), `at` a place between samples; a line's status."""
     force = out[3:6]
     yaw, u, v, r = state[2], state[3], state[4], state[5]
     cosine, sine = math.cos(yaw), math.sin(yaw)
     turned = yaw if ship.turns else 0.0
-    pull = pull_at(state[0], state[1], turned, arrangement, lines, True)
-    if pull.status != CONVERGED:
-        return pull.line
-    force[0] = pull.x * cosine + pull.y * sine
-    force[1] = pull.y * cosine - pull.x * sine
-    force[2] = pull.moment if ship.turns else 0.0
+    wrong = restore(state[0], state[1], turned, arrangement, tables, lines, force)
+    if wrong >= 0:
+        return wrong
+    force_x, force_y = force[0], force[1]
+    force[0] = force_x * cosine + force_y * sine
+    force[1] = force_y * cosine - force_x * sine
+    force[2] = force[2] if ship.turns else 0.0
     # Speeds of midships, where wind and current are met.
     middle = v + r * ship.lever
     first = min(int(at), ship.wind.shape[0] - 2)
@@ -170,7 +212,13 @@ def rates(
 
 
 def step_slowly(
-    h: float, ship: SlowShip, arrangement: Arrangement, lines: Lines, room: Any, path: Any
+    h: float,
+    ship: SlowShip,
+    arrangement: Arrangement,
+    tables: LineTables,
+    lines: Lines,
+    room: Any,
+    path: Any,
 ) -> tuple[int, int]:
     """Step from `path[0]` on by Runge and Kutta's fourth order; samples done, and a line at fault.
 
@@ -181,7 +229,7 @@ def step_slowly(
             room[4, i] = path[n, i]
         for stage in range(4):
             late = 0.0 if stage == 0 else (1.0 if stage == 3 else 0.5)
-            wrong = rates(n + late, room[4], ship, arrangement, lines, room[stage])
+            wrong = rates(n + late, room[4], ship, arrangement, tables, lines, room[stage])
             if wrong >= 0:
                 return n, wrong
             if stage < 3:
@@ -195,12 +243,13 @@ def step_slowly(
 
 
 def hang_lines(
-    path: Any, ways: Any, turns: bool, arrangement: Arrangement, out: Any
+    path: Any, ways: Any, turns: bool, arrangement: Arrangement, tables: LineTables, out: Any
 ) -> tuple[int, int]:
-    """Solve every line at every place of its fairlead; samples done, and a line at fault.
+    """Find every line at every place of its fairlead; samples done, and a line at fault.
 
-    `path` (n, 3): x, y and yaw of the origin; `ways` (n, lines, 3): how far the fairlead is off
-    that, along x, y and upwards, m; `out` (n, lines, 2): tension at fairlead and anchor, N.
+    By closed form, or out of its table. `path` (n, 3): x, y and yaw of the origin; `ways` (n,
+    lines, 3): how far the fairlead is off that, along x, y and upwards, m; `out` (n, lines, 2):
+    tension at fairlead and anchor, N.
     """
     for k in range(out.shape[1]):
         start, end = arrangement.first[k], arrangement.first[k + 1]
@@ -219,6 +268,13 @@ def hang_lines(
             y = path[n, 1] + sine * arm_x + cosine * arm_y + ways[n, k, 1]
             to_x, to_y = arrangement.anchor_x[k] - x, arrangement.anchor_y[k] - y
             span = math.sqrt(to_x * to_x + to_y * to_y)
+            if tables.table[0] >= 0:
+                height = arrangement.fairlead_height[k] + ways[n, k, 2]
+                found = tabulated(k, span, height, tables)
+                if not found.held:
+                    return n, k
+                out[n, k, 0], out[n, k, 1] = found.fairlead, found.anchor
+                continue
             problem = LineProblem(
                 pieces,
                 arrangement.anchor_height[k],

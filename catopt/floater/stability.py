@@ -10,6 +10,7 @@ import numpy as np
 
 from catopt.arrays import Array
 from catopt.errors import NoEquilibriumError
+from catopt.floater.line_tables import no_tables
 from catopt.floater.ship import SlowShip, rates
 from catopt.mooring.balance import room_for
 from catopt.mooring.batch import as_arrays
@@ -38,7 +39,7 @@ def linearised(ship: SlowShip, arrangement: Any, rest: tuple[float, float, float
 
     NoEquilibriumError where a line does not reach so near.
     """
-    lines = as_arrays(room_for(arrangement.first.size - 1))
+    lines, tables = as_arrays(room_for(arrangement.first.size - 1)), as_arrays(no_tables())
     matrix = np.empty((6, 6))
     for k, step in enumerate(_STEPS):
         both = []
@@ -46,7 +47,7 @@ def linearised(ship: SlowShip, arrangement: Any, rest: tuple[float, float, float
             state, out = np.zeros(6), np.empty(6)
             state[:3] = rest
             state[k] += side
-            if rates(0.0, state, ship, arrangement, lines, out) >= 0:
+            if rates(0.0, state, ship, arrangement, tables, lines, out) >= 0:
                 raise NoEquilibriumError("", "length", math.nan)
             both.append(out)
         matrix[:, k] = (both[0] - both[1]) / (2.0 * step)

@@ -19,6 +19,7 @@ import numpy as np
 from catopt.arrays import Array
 from catopt.compiled import compiled
 from catopt.errors import NoEquilibriumError, NotConvergedError
+from catopt.floater.line_tables import no_tables
 from catopt.floater.ship import ShipInWeather, SlowShip, hang_lines, step_slowly
 from catopt.floater.stability import SwingMode, linearised, swing_mode
 from catopt.hydro.coefficients import Coefficients
@@ -215,18 +216,13 @@ class MooredShip:
         NoEquilibriumError where it finds no heading, or the lines do not hold it;
         NotConvergedError.
         """
-        mean = np.einsum("khi,h->ki", _drift_all_round(self.ship, waves), waves.amplitude**2)
-
-        def drift(heading: float) -> Array:
-            place = heading / _TURN % 1.0 * _HEADINGS
-            left = int(place) % _HEADINGS
-            part = place - int(place)
-            return np.asarray((1.0 - part) * mean[left] + part * mean[(left + 1) % _HEADINGS])
+        drift = _mean_drift(self.ship, waves)
 
         def load(heading: float) -> Array:
             return self.ship.steady(heading, drift(heading))
 
-        rest, yaw, others = self._turned(load) if self.system.turns else self._vaned(load)
+        turns = self.system.turns
+        rest, yaw, others = self._turned(load) if turns else self._vaned(load, waves)
         turn = 1e-4
         by_weather = -(load(yaw + turn)[2] - load(yaw - turn)[2]) / (2.0 * turn)
         pull, cosine, sine = rest.pull, math.cos(yaw), math.sin(yaw)
@@ -239,28 +235,17 @@ class MooredShip:
         place = (rest.x, rest.y, yaw)
         return ShipAtRest(place, (neutral.x, neutral.y), parts, others, (surge, sway, about))
 
-    def _vaned(self, load: Callable[[float], Array]) -> tuple[Rest, float, tuple[float, ...]]:
+    def _vaned(
+        self, load: Callable[[float], Array], waves: Waves
+    ) -> tuple[Rest, float, tuple[float, ...]]:
         """Let it turn freely about the origin: a heading at which a turn is turned back."""
-        count = 10 * _HEADINGS
-        # Off the round degrees: a root on a sample would be one of rounding.
-        at = [-math.pi + (k - 0.3819660113) * _TURN / count for k in range(count + 1)]
-        moment = [float(load(each)[2]) for each in at]
-        if not any(moment):
+        stable = _headings(self.ship, waves)
+        if stable is None:
             return self._held(load(0.0), 0.0), 0.0, ()
-        stable = []
-        for k in range(count):
-            if moment[k] > 0.0 >= moment[k + 1]:
-                low, high = at[k], at[k + 1]
-                for _ in range(_ROUNDS):
-                    middle = 0.5 * (low + high)
-                    up = load(middle)[2] > 0.0
-                    low, high = (middle, high) if up else (low, middle)
-                heading = math.remainder(0.5 * (low + high), _TURN)
-                stable.append((moment[k] - moment[k + 1], heading))
         if not stable:
             raise NoEquilibriumError(Message("loads.no_heading"), "heading", math.nan)
-        (_, yaw), *others = sorted(stable, reverse=True)
-        return self._held(load(yaw), yaw), yaw, tuple(each for _, each in others)
+        yaw, *others = stable
+        return self._held(load(yaw), yaw), yaw, tuple(others)
 
     def _turned(self, load: Callable[[float], Array]) -> tuple[Rest, float, tuple[float, ...]]:
         """Find its yaw on lines that turn with it: the load of a yaw, the yaw of a load."""
@@ -393,7 +378,7 @@ class MooredShip:
         lines = as_arrays(room_for(legs))
         work = 4.0 * _PULL * samples * legs
         done, wrong = compiled(step_slowly, work)(
-            SLOW_STEP, slow, self._arrangement, lines, np.zeros((5, 6)), path
+            SLOW_STEP, slow, self._arrangement, self._tables, lines, np.zeros((5, 6)), path
         )
         if wrong >= 0:
             raise _out_of_reach(wrong, done * SLOW_STEP)
@@ -402,6 +387,11 @@ class MooredShip:
     @property
     def _arrangement(self) -> Any:
         return as_arrays(self.zero_load.arrangement)
+
+    @property
+    def _tables(self) -> Any:
+        """Tables that stand for closed form: none."""
+        return as_arrays(no_tables())
 
     def _fast(
         self, waves: Waves, time: Array, slow: Array, rest: ShipAtRest
@@ -458,6 +448,7 @@ class MooredShip:
             np.ascontiguousarray(ways),
             bool(self.system.turns),
             self._arrangement,
+            self._tables,
             out,
         )
         if wrong >= 0:
@@ -489,6 +480,47 @@ def _drift_all_round(ship: ShipInWeather, waves: Waves) -> Array:
     """Mean drift of each wave over the square of its amplitude, (headings, waves, 3)."""
     headings = np.arange(_HEADINGS, dtype=np.float64) * (_TURN / _HEADINGS)
     return ship.drift(waves, wave_numbers_of(waves, ship.depth), headings)
+
+
+def _mean_drift(ship: ShipInWeather, waves: Waves) -> Callable[[float], Array]:
+    """Give the mean drift of all waves by the ship's heading."""
+    mean = np.einsum("khi,h->ki", _drift_all_round(ship, waves), waves.amplitude**2)
+
+    def drift(heading: float) -> Array:
+        place = heading / _TURN % 1.0 * _HEADINGS
+        left = int(place) % _HEADINGS
+        part = place - int(place)
+        return np.asarray((1.0 - part) * mean[left] + part * mean[(left + 1) % _HEADINGS])
+
+    return drift
+
+
+@lru_cache(maxsize=64)
+def _headings(ship: ShipInWeather, waves: Waves) -> tuple[float, ...] | None:
+    """List headings at which a turn of a ship that turns freely is turned back; the firmest first.
+
+    None where nothing turns it.
+    """
+    drift, count = _mean_drift(ship, waves), 10 * _HEADINGS
+
+    def turned(heading: float) -> float:
+        return float(ship.steady(heading, drift(heading))[2])
+
+    # Off the round degrees: a root on a sample would be one of rounding.
+    at = [-math.pi + (k - 0.3819660113) * _TURN / count for k in range(count + 1)]
+    moment = [turned(each) for each in at]
+    if not any(moment):
+        return None
+    stable = []
+    for k in range(count):
+        if moment[k] > 0.0 >= moment[k + 1]:
+            low, high = at[k], at[k + 1]
+            for _ in range(_ROUNDS):
+                middle = 0.5 * (low + high)
+                low, high = (middle, high) if turned(middle) > 0.0 else (low, middle)
+            heading = math.remainder(0.5 * (low + high), _TURN)
+            stable.append((moment[k] - moment[k + 1], heading))
+    return tuple(heading for _, heading in sorted(stable, reverse=True))
 
 
 def _grown(samples: int, ramp: float) -> Array:

@@ -190,12 +190,15 @@ def _case(text: str) -> Case:
 
 @_kept
 def _sizing(text: str, door: Door) -> Sizing:
-    """Size once what its note and its document are asked of, too."""
+    """Size once what its note and its document are asked of, too.
+
+    At rest, unless it is to be run in motion: a slider does not wait for that.
+    """
     from catopt.sizing.file import parse_file, sized
 
     if not can_run() and parse_toml(text, "").get("motion", {}).get("run"):
         raise refused("motion.run", "true", Message("desk.no_runs", kind=door))
-    return sized(parse_file(text, cast("Any", door)))
+    return sized(parse_file(text, cast("Any", door)), at_rest=True)
 
 
 def _door(text: str) -> Door:

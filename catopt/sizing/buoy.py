@@ -71,8 +71,11 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
     moved = None
     others: dict[str, Any] = {}
     if request.in_motion is not None:
-        from catopt.sizing.motion_search import search_in_motion
+        from catopt.sizing.motion_search import can_be_run, search_in_motion
 
+        if request.in_motion.quick and not can_be_run(settled, request):
+            request = replace(request, in_motion=None)
+    if request.in_motion is not None:
         moved = search_in_motion(request, settled, of_line)
         settled = moved.settled
     else:

@@ -214,11 +214,14 @@ def read_sizing(path: str | os.PathLike[str]) -> BuoyRequest | TankerRequest:
         return request_of(file.known())
 
 
-def sized(file: SizingFile) -> Sizing:
+def sized(file: SizingFile, *, at_rest: bool = False) -> Sizing:
     """Size what a file describes: as ``catopt size`` does, but nothing is asked for.
+
+    `at_rest`: leave motion out, unless the file asks for it in full.
 
     InputError: every mistake, each by its key; what is wanted and is not in the file is one. Else
     as for `size_buoy` and `size_tanker`.
     """
     with file.reporting():
-        return size(file.known())
+        is_still = at_rest and not file.given().get("in_motion")
+        return size(file.known({"at_rest": True} if is_still else _NOTHING))

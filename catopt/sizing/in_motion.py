@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal, NamedTuple
 
 from catopt.catalogue.family import chain_words
-from catopt.checks.kinds import CHECK_KINDS
+from catopt.checks.kinds import CHECK_KINDS, ratio_exceedance
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import NearMiss
@@ -66,6 +66,11 @@ class RunsAfloat:
     heights: tuple[Length, ...] = ()
     """Significant, of these seas; empty: all have that of the place."""
     centre_of_gravity: float | None = None  # of a buoy, above the bottom of its hull, m
+    # by the fast judgement, in seconds: `catopt.sizing.quick`; by how much it takes tensions larger
+    # than its runs say, and a sinker heavier than what stays in them
+    quick: bool = False
+    margin: float = 1.0
+    sinker_margin: float = 1.0
     max_heel: Angle | None = None  # mean heel of a buoy that is allowed, rad; None: not judged
 
     def __post_init__(self) -> None:
@@ -218,6 +223,15 @@ def sea_of(case: Case) -> Sea:
     """Return the sea that a case is run in."""
     assert case.waves is not None
     return Sea(case.waves.height or 0.0, case.waves.period or 0.0)
+
+
+def with_margin(check: CheckResult, how: RunsAfloat) -> CheckResult:
+    """Take what hangs on few peaks as much larger as a way of running lines asks for."""
+    if how.margin == 1.0 or check.kind not in ("tension", "sliding"):
+        return check
+    demand = how.margin * check.demand
+    beyond = ratio_exceedance(demand, check.capacity)
+    return replace(check, demand=demand, exceedance=beyond)
 
 
 def in_sea(load_case: str, how: RunsAfloat, sea: Sea) -> str:

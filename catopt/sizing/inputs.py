@@ -331,6 +331,9 @@ INPUTS: Final = (
         words=("I", "II", "III", "IV"), taken="sizing.taken_service_type",
     ),
     Input("in_motion", "motion.run", "FLAG", True),
+    Input(
+        "at_rest", "motion.left_out", "FLAG", True, not_with=("in_motion",), why="or_in_its_place"
+    ),
     Input("seeds", "motion.seeds", "COUNT", 5, "3", only_with="in_motion"),
     # Slow motions of a ship have periods of minutes: a run of hers is a storm of three hours.
     Input(

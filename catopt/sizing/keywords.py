@@ -52,6 +52,7 @@ class _Inputs(TypedDict, total=False):
     wear: float | str
     dynamic_factor: float | str
     in_motion: bool
+    at_rest: bool
     seeds: int
     run_time: float | str
     peak_period: float | str | Sequence[float | str]

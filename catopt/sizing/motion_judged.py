@@ -15,7 +15,7 @@ from catopt.errors import NoAnswerError, NotConvergedError
 from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.environment import Headings
 from catopt.loads.sinker import SinkerSize
-from catopt.model import Anchor, Case, Line
+from catopt.model import Anchor, Case, Line, Segment
 from catopt.sizing.in_motion import (
     LineTried,
     RunsAfloat,
@@ -24,6 +24,7 @@ from catopt.sizing.in_motion import (
     in_sea,
     sea_of,
     tightest_seas,
+    with_margin,
 )
 from catopt.sizing.pattern import Pattern
 from catopt.sizing.settle import ConvergedSizing
@@ -36,6 +37,8 @@ _ROLL, _PITCH = 3, 4
 """Rows of the extremes of a hull."""
 _TURNED_OVER: Final = 0.5 * math.pi
 """Heel of a buoy from which it has turned over, rad."""
+
+_ROUNDING: Final = 1e-9
 
 NoAnswer = NoAnswerError | NotConvergedError
 """Why a load case has none."""
@@ -68,8 +71,9 @@ def judged(
     """Check the runs of a line in every sea, one after the other, whose sinker is sized."""
     case = seas[0]
     line = settled.point.line
-    runs = sum(len(each.runs) if isinstance(each, DynamicPart) else 1 for each in found)
     failed = [each for each in found if not isinstance(each, DynamicPart)]
+    made = {id(run) for each in found if isinstance(each, DynamicPart) for run in each.runs}
+    runs = len(made) + len(failed)
     if failed:
         return Judged(LineTried.of(line, runs, (), failed[0].message), settled, case)
     assert case.dynamics is not None
@@ -83,7 +87,7 @@ def judged(
     checked: tuple[CheckReport, tuple[Sea, ...]] | None = None
     anchor = case.anchor
     if parts[0].drive.sinkers:
-        anchor = _least_that_stays(parts)
+        anchor = _least_that_stays(parts, how.sinker_margin)
     else:
         checked = _checked(seas, parts, solved, how)
         anchor = _held(settled, checked[0])
@@ -131,7 +135,8 @@ def _checked(
         own = slice(k * count, (k + 1) * count)
         report, sea = check_parts(case, parts[own], at_rest[own]), sea_of(case)
         for each in report.results:
-            results.append(replace(each, load_case=in_sea(each.load_case, how, sea)))
+            own_sea = replace(each, load_case=in_sea(each.load_case, how, sea))
+            results.append(with_margin(own_sea, how))
             of_sea.append(sea)
         warnings |= dict.fromkeys(report.warnings)
     checks = CheckReport(
@@ -147,8 +152,11 @@ def _checked(
     return checks, tuple(of_sea)
 
 
-def _least_that_stays(parts: Sequence[DynamicPart]) -> Anchor:
-    """Take the least sinker that slides no further than it may; the heaviest where none does."""
+def _least_that_stays(parts: Sequence[DynamicPart], margin: float) -> Anchor:
+    """Take the least sinker that slides no further than it may; the heaviest where none does.
+
+    `margin`: by how much heavier it is taken, for how far one slides hangs on few peaks.
+    """
     every = parts[0].drive.sinkers
     stays = (
         each
@@ -159,7 +167,10 @@ def _least_that_stays(parts: Sequence[DynamicPart]) -> Anchor:
             for _, runs in part.levels
         )
     )
-    return next(stays, every[-1])
+    least = next(stays, every[-1])
+    weight = margin * (least.submerged_weight or 0.0) * (1.0 - _ROUNDING)
+    heavier = (each for each in every if (each.submerged_weight or 0.0) >= weight)
+    return next(heavier, every[-1])
 
 
 def _held(settled: ConvergedSizing, checks: CheckReport) -> Anchor | None:
@@ -281,3 +292,21 @@ class JudgedLine:
         """The largest allowance for motion of its load cases; infinite where it has no run."""
         factors = (*(each.factor for each in self.runs), *(each.factor for each in self.lost))
         return max(factors, default=math.inf)
+
+
+def in_load_case(check: CheckResult, name: str) -> CheckResult:
+    """Name a check by its load case, with the line that is lost there."""
+    gone = check.place.missing
+    if gone is not None:
+        name = Message("checks.state_under", state=check.load_case, load=name)
+    return replace(check, load_case=name)
+
+
+def offset_of_lost(lost: tuple[ShipWithoutLine, ...]) -> float:
+    """Return the largest offset of a ship without a line, m."""
+    return max((each.offset.judged for each in lost if each.offset is not None), default=0.0)
+
+
+def size_of(segment: Segment) -> float:
+    """Return the nominal diameter of a segment, m; 0 where it has none."""
+    return segment.nominal_diameter or 0.0

@@ -40,6 +40,7 @@ from catopt.sizing.in_motion import (
 from catopt.sizing.line_choice import LineChoice, sold
 from catopt.sizing.motion_judged import Judged, NoAnswer, judged, largest_heel
 from catopt.sizing.pattern import HEAVY_SINKERS
+from catopt.sizing.quick import MOST_LINES, shared_out
 from catopt.sizing.settle import ConvergedSizing, best_of
 from catopt.sizing.ship_afloat import run_in_still_water
 from catopt.ties import largest
@@ -57,7 +58,7 @@ from catopt.verify.judged import (
     with_more_runs,
     with_verdicts,
 )
-from catopt.verify.side_by_side import SECONDS_PER_BAR_AND_STEP, Crew, silent
+from catopt.verify.side_by_side import SECONDS_PER_BAR_AND_STEP, Crew, Threads, silent
 from catopt.words import Message, Several
 
 _RUNG: Final = 1.08
@@ -101,11 +102,16 @@ def search_in_motion(
     how = request.in_motion
     assert how is not None
     _check_afloat(best_at_rest, request)
+    if how.quick:
+        case = run_in_still_water(best_at_rest.case, request)
+        assert case is not None
+        how = shared_out(how, len(load_states(case, None)))
+        request = replace(request, in_motion=how)
     found = _Search(request, how, best_at_rest, settle_line)
     sizes = list(found.sizes())
-    work = found.work
-    expect(Message("sizing.running_afloat", sizes=len(sizes)), found.seconds)
-    with Crew(processes_for(work, None)) as crew:
+    if not how.quick:
+        expect(Message("sizing.running_afloat", sizes=len(sizes)), found.seconds)
+    with Threads() if how.quick else Crew(processes_for(found.work, None)) as crew:
         chosen = found.best(sizes, crew)
         by_length = found.by_length(sizes, chosen, crew) if chosen and how.other_lengths else ()
     counted = found.counted(sizes)
@@ -118,7 +124,7 @@ def search_in_motion(
         replace(chosen.settled, choice=request.line),
         InMotion(
             how,
-            chosen.case,
+            _run_in_full(chosen.case) if how.quick else chosen.case,
             chosen.checks,
             _storm(chosen, how),
             request.line.allowance,
@@ -135,6 +141,23 @@ def search_in_motion(
         ),
         _sinker_size(request, chosen),
     )
+
+
+def _run_in_full(case: Case) -> Case:
+    """Give a case the usual runs, by which it is verified."""
+    assert case.dynamics is not None
+    usual = RunsAfloat()
+    dynamics = replace(case.dynamics, duration=usual.duration, runs=usual.seeds)
+    return replace(case, dynamics=dynamics)
+
+
+def can_be_run(settled: ConvergedSizing, request: BuoyRequest) -> bool:
+    """Whether buoy and sea can be run in motion."""
+    try:
+        _check_afloat(settled, request)
+    except InputError:
+        return False
+    return True
 
 
 def _check_afloat(settled: ConvergedSizing, request: BuoyRequest) -> None:
@@ -231,7 +254,7 @@ class _Search:
         Of every size the shortest line that is not known to fail stands for all longer ones, than
         which it is lighter and swings less. The one that is preferred is run. Where it fails, its
         size goes on by one length, then two, four and so on; where it passes after such a leap,
-        the shortest that passes is found by halving.
+        the shortest that passes is found by halving. The fast search takes the first that passes.
         """
         chosen: Judged | None = None
         fronts = {k: _Front(each.first, each.first) for k, each in enumerate(sizes)}
@@ -241,6 +264,8 @@ class _Search:
             points = [*there.values(), *([chosen.settled.point] if chosen else [])]
             if not points:
                 return None
+            if self.how.quick and (chosen is not None or len(self.tried) >= MOST_LINES):
+                return chosen
             wanted = best_of(points, self.request.line)
             if chosen is not None and wanted is chosen.settled.point:
                 proven = self._proven(chosen, crew)
@@ -255,7 +280,7 @@ class _Search:
             size, front = sizes[k], fronts[k]
             tried = self._tried(size, front.at, crew)
             if tried is not None and tried.tried.passes:
-                passes = self._halved(size, front, tried, crew)
+                passes = tried if self.how.quick else self._halved(size, front, tried, crew)
                 points = [passes.settled.point, *([chosen.settled.point] if chosen else [])]
                 if best_of(points, self.request.line) is passes.settled.point:
                     chosen = passes
@@ -396,6 +421,8 @@ def _run(
         for name, state in load_states(sea, None)
     ]
     begun = run_once([Wanted(*each, (0,)) for each in drives], crew, silent)
+    if how.quick:
+        return judged(settled, seas, _pooled(begun), how)
     found = judged(settled, [replace(e, dynamics=largest_values) for e in seas], begun, how)
     goes_on = found.tried.passes or (whole and not found.tried.reason)
     if goes_on and how.seeds > 1:
@@ -403,6 +430,16 @@ def _run(
         more = run_once([Wanted(*each, rest) for each in drives], crew, silent)
         begun = [_together(*each) for each in zip(begun, more, strict=True)]
     return judged(settled, seas, begun, how) if goes_on else found
+
+
+def _pooled(found: Sequence[DynamicPart | NoAnswer]) -> list[DynamicPart | NoAnswer]:
+    """Judge every load case of a line by the runs of all of them.
+
+    They are runs of one line in one sea, whose water is higher or lower, or whose chain is worn: a
+    largest value counts in each, and together they have the peaks for an interval.
+    """
+    runs = tuple(run for each in found if isinstance(each, DynamicPart) for run in each.runs)
+    return [replace(e, runs=runs) if isinstance(e, DynamicPart) else e for e in found]
 
 
 def _again(of: Judged, how: RunsAfloat, crew: Crew) -> Judged:

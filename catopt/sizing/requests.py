@@ -52,6 +52,7 @@ from catopt.sizing.kinds import usual
 from catopt.sizing.known import ResolvedInputs
 from catopt.sizing.line_choice import LineChoice, sold, unpriced_components
 from catopt.sizing.pattern import CALMAR_SOIL, SAND, DragGround, SinkerGround
+from catopt.sizing.quick import quick_runs
 from catopt.sizing.result import Sizing
 from catopt.sizing.tanker import sized_tanker
 from catopt.sizing.tanker_request import MooredShip, TankerRequest, note_aground
@@ -97,7 +98,7 @@ def _of_a_buoy(of: ResolvedInputs) -> BuoyRequest | None:
         chain_waves=bool(of["chain_waves"]),
         load_method=of["load_method"],
         scope=of["scope"],
-        in_motion=_runs(of) if of["in_motion"] else None,
+        in_motion=_runs(of),
         title=of["title"] or "",
         source=of["source"] or "",
         defaults=_taken(of, place, ground),
@@ -132,7 +133,7 @@ def _of_a_tanker(of: ResolvedInputs) -> TankerRequest | None:
         source=of["source"] or "",
         defaults=words,
         service_type=of["service_type"],
-        in_motion=_runs(of) if of["in_motion"] else None,
+        in_motion=_runs(of),
         estimates=(
             *of_the_hull(of),
             *of_the_ballast(of),
@@ -147,7 +148,11 @@ def _of_a_tanker(of: ResolvedInputs) -> TankerRequest | None:
 
 
 def _runs(of: ResolvedInputs) -> RunsAfloat | None:
-    """Say how lines are run with the buoy or the ship."""
+    """Say how lines are run with the buoy or the ship: fast, in full, or not at all."""
+    if of["at_rest"]:
+        return None
+    if not of["in_motion"]:
+        return quick_runs(of.moored)
     own: dict[str, Any] = {}
     if of.moored == "buoy":
         own = {key: of[key] for key in ("max_slide", "centre_of_gravity", "max_heel")}
@@ -196,7 +201,7 @@ def of_the_service(of: ResolvedInputs, place: Environment | None) -> tuple[Messa
     if place is None or of["service_type"] is None:
         return ()
     asked = tuple(demands(of["service_type"], place))
-    return asked if of["in_motion"] else (*asked, left_out(place))
+    return (*asked, left_out(place)) if of["at_rest"] else asked
 
 
 def _environment(

@@ -163,6 +163,11 @@ def runs_afloat(request: TankerRequest) -> bool:
     )
 
 
+def runs_quickly(request: TankerRequest) -> bool:
+    """Whether the fast judgement runs the ship: on a single line, where she can be run at all."""
+    return request.lines == 1 and runs_afloat(request)
+
+
 def _yaw_of(turning: Turning | None) -> Literal["", "Clarke-lever", "series-60", "FFG"]:
     """Name what the current turns a ship by; empty where that is her own, or Clarke's."""
     names: tuple[Literal["series-60", "FFG"], ...] = ("series-60", "FFG")

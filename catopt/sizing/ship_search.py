@@ -40,14 +40,23 @@ from catopt.sizing.in_motion import (
     tightest_seas,
 )
 from catopt.sizing.line_choice import sold
-from catopt.sizing.motion_judged import JudgedLine, ShipLost, ShipRun, ShipState
+from catopt.sizing.motion_judged import (
+    JudgedLine,
+    ShipLost,
+    ShipRun,
+    ShipState,
+    in_load_case,
+    offset_of_lost,
+    size_of,
+)
 from catopt.sizing.pattern import DragGround, Pattern
+from catopt.sizing.quick import NEAR, lines_of
 from catopt.sizing.settle import ConvergedSizing, best_of
 from catopt.sizing.ship_afloat import MOTION_CODE, runs_afloat, ship_afloat
 from catopt.sizing.ship_band import band_of, basis_of
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.ties import largest
-from catopt.verify.ship_result import ShipWithoutLine, few_cycles, slow_cycles
+from catopt.verify.ship_result import few_cycles, slow_cycles
 from catopt.verify.two_scales import check_hanging, run_without, verify_ship
 from catopt.words import Message
 
@@ -100,7 +109,8 @@ def search_ship_in_motion(
     states = len(start.posed.loads) * max(1, len(how.periods))
     states *= len(request.weathervaning.directions)
     hours = _LINES * how.seeds * how.duration / 3600.0 * states * request.lines
-    expect(Message("sizing.running_ship"), _HOUR * hours)
+    if not how.quick:
+        expect(Message("sizing.running_ship"), _HOUR * hours)
     found = _Search(request, how, start, settle, around)
     laid = request.line.looks_for == "practice" and request.lines == 1
     passing = found.laid(start.point.line) if laid else None
@@ -133,6 +143,7 @@ class _Search:
         self._settled: dict[Line, ConvergedSizing] = {}
         # By load case and directions, with tables that their lines share.
         self._ships: dict[tuple[str, Headings, bool], Any] = {}
+        self._run_on = lines_of(how, request.environment.sea.hs)
         # The one that stopped the last line first.
         outs = (True, False) if request.lines > 1 else (False,)
         wears = start.posed.case.service is not None
@@ -173,9 +184,9 @@ class _Search:
         from six on, taken that what is longer passes. None where none does: then the lightest.
         """
         (segment,) = line.segments
-        sizes = sorted((e for e in self._sizes if e.component == segment.component), key=_size)
+        sizes = sorted((e for e in self._sizes if e.component == segment.component), key=size_of)
         own = self.request.own_cable
-        sizes = [each for each in sizes if _size(each) >= own - _SAME_SIZE] or sizes[-1:]
+        sizes = [each for each in sizes if size_of(each) >= own - _SAME_SIZE] or sizes[-1:]
         depth = self.request.environment.levels.high
         shortest = _LEAST_SCOPE * depth
         lengths = [e for e in self.lengths if e >= shortest] or list(self.lengths[-1:])
@@ -307,14 +318,15 @@ class _Search:
                 yield replace(line, segments=(replace(segment, length=each),))
 
     def _thinner(self, line: Line) -> Iterator[Line]:
-        """Yield thinner lines of its length, the thickest first."""
+        """Yield thinner lines of its length, the thickest first; the fast search the next few."""
         (segment,) = line.segments
-        for each in sorted(self._sizes, key=_size, reverse=True):
-            if each.component == segment.component and _size(each) < _size(segment):
+        least = NEAR * size_of(segment) if self.how.quick else 0.0
+        for each in sorted(self._sizes, key=size_of, reverse=True):
+            if each.component == segment.component and least <= size_of(each) < size_of(segment):
                 yield replace(line, segments=(replace(each, length=segment.length),))
 
     def _thickest(self, component: str) -> Segment:
-        return max((each for each in self._sizes if each.component == component), key=_size)
+        return max((each for each in self._sizes if each.component == component), key=size_of)
 
     def _exchanged(self, line: Line) -> Iterator[tuple[Line, ...]]:
         """Yield lines a step or two longer, from the thickest of the thinner ones on; then shorter.
@@ -332,7 +344,7 @@ class _Search:
                 yield tuple(self._thinner(of_length))
                 continue
             thickest = self._thickest(segment.component)
-            if _size(thickest) > _size(segment):
+            if size_of(thickest) > size_of(segment):
                 cut = replace(thickest, length=self.lengths[place])
                 yield (replace(line, segments=(cut,)),)
 
@@ -410,9 +422,9 @@ class _Search:
         name, said = state.load_case, self._said(state)
         case = self._afloat(state, settled, around)
         weather = (name, state.directions, state.lull)
-        found = verify_ship(self._as_judged(case), ship=self._ships.get(weather))
+        found = verify_ship(self._as_judged(case), ship=self._ships.get(weather), **self._run_on)
         self._ships[weather] = found.moored.ship
-        offset = max(found.offset.judged, _offset(found.lost))
+        offset = max(found.offset.judged, offset_of_lost(found.lost))
         if around is None:
             at_rest, without = dict(settled.point.checks.solutions)[name], 0.0
         else:
@@ -440,10 +452,11 @@ class _Search:
         name, said = state.load_case, self._said(state)
         case = self._afloat(state, settled, around)
         weather = (name, state.directions, state.lull)
-        found, moored = run_without(self._as_judged(case), 1, ship=self._ships.get(weather))
+        ship = self._ships.get(weather)
+        found, moored = run_without(self._as_judged(case), 1, ship=ship, **self._run_on)
         self._ships[weather] = moored.ship
         without = around.state_in(name).line_out.line_force
-        return ShipLost(said, case, (found,), without, _offset((found,)))
+        return ShipLost(said, case, (found,), without, offset_of_lost((found,)))
 
     def _said(self, state: ShipState) -> str:
         """Name a load case with its sea and directions, where there are several."""
@@ -493,7 +506,7 @@ class _Search:
         )
         for of, intact in reports:
             report = check_hanging(replace(of.case, anchor=anchor), intact, of.lost)
-            results += (_in_load_case(one, of.load_case) for one in report.results)
+            results += (in_load_case(one, of.load_case) for one in report.results)
             of_sea += [sea_of(of.case)] * len(report.results)
             warnings |= dict.fromkeys(report.warnings)
             whole = of.case
@@ -513,21 +526,6 @@ class _Search:
         held = replace(judged, anchor=anchor, drag_anchor=size, sinker=sinker)
         seas = tightest_seas(zip(results, of_sea, strict=True)) if self.how.periods else ()
         return replace(held, tried=tried, checks=checks, seas=seas)
-
-
-def _size(segment: Segment) -> float:
-    return segment.nominal_diameter or 0.0
-
-
-def _offset(lost: tuple[ShipWithoutLine, ...]) -> float:
-    return max((each.offset.judged for each in lost if each.offset is not None), default=0.0)
-
-
-def _in_load_case(check: CheckResult, name: str) -> CheckResult:
-    gone = check.place.missing
-    if gone is not None:
-        name = Message("checks.state_under", state=check.load_case, load=name)
-    return replace(check, load_case=name)
 
 
 # ------------------------------------------------------------------ the answer

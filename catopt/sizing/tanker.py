@@ -36,7 +36,7 @@ from catopt.sizing.settle import (
     rounded_up,
     settle,
 )
-from catopt.sizing.ship_afloat import ship_afloat, worst_lying
+from catopt.sizing.ship_afloat import runs_quickly, ship_afloat, worst_lying
 from catopt.sizing.tanker_request import MooredShip, TankerRequest
 from catopt.ties import largest
 from catopt.words import Measure, Message
@@ -88,6 +88,8 @@ def sized_tanker(request: TankerRequest) -> Sizing:
     line = replace(request.line, rest=rest, aim=aim)
     request = replace(request, line=line)
     settled = _settled(request)
+    if request.in_motion is not None and request.in_motion.quick and not runs_quickly(request):
+        request = replace(request, in_motion=None)
     if request.in_motion is not None:
         return _sized_in_motion(request, settled)
     around = _around(request, settled)

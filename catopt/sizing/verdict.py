@@ -16,18 +16,28 @@ if TYPE_CHECKING:
 def judgement_of(of: Sizing, who: Who = "size") -> Judgement:
     """Say what the recommended line comes to, what governs, and what was not judged.
 
-    The same words stand on the screen, on the page, in the note and in the document.
+    The same words stand on the screen, in the note and in the document; on the page, which has no
+    options, `who` is told otherwise what to type.
     """
     matter = Matter(
         case=of.whole_case,
         at_rest=of.point.checks,
         in_motion=None if of.in_motion is None else of.in_motion.checks,
         who=who,
+        motion_by=_motion_by(of),
         moves=True,
         remarks=(*of.assumptions, *of.warnings),
         no_way=("motion",) if of.afloat is None and of.ship_case is None else (),
     )
     return verdict_of(matter, _checks(of))
+
+
+def _motion_by(of: Sizing) -> str:
+    """Say how it was judged in motion, where not by runs in full."""
+    moved = of.in_motion
+    if moved is None or not moved.how.quick:
+        return ""
+    return Message("sizing.quick_ship" if moved.is_of_ship else "sizing.quick_buoy")
 
 
 def _checks(of: Sizing) -> Message:

@@ -256,7 +256,7 @@ def compute_member(
     """
     read = read_member(base, changes)
     if isinstance(read, SizingFile):
-        found = sized(read)
+        found = sized(read, at_rest=True)
         if of_sizing is not None:
             of_sizing(changes, found)
         return _of_sizing(found)

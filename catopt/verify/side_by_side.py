@@ -7,7 +7,13 @@ import signal
 import sys
 import threading
 from collections.abc import Callable, Iterator
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures import (
+    FIRST_COMPLETED,
+    Future,
+    ProcessPoolExecutor,
+    ThreadPoolExecutor,
+    wait,
+)
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
@@ -210,6 +216,19 @@ class Crew:
         return [
             each.result() for each in begun if not isinstance(each.exception(), KeyboardInterrupt)
         ]
+
+
+class Threads(Crew):
+    """Does tasks side by side in this process: compiled code runs beside itself."""
+
+    def __init__(self) -> None:
+        super().__init__(1)
+
+    def each(self, task: Callable[[int, Progress], T], count: int, progress: Progress) -> list[T]:
+        """Do a task for each number from 0 on, the first by itself: it compiles what has to be."""
+        found = super().each(task, min(count, 1), progress)
+        with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+            return [*found, *pool.map(lambda number: task(number, silent), range(1, count))]
 
 
 def silent(*_: int) -> None:

@@ -8,6 +8,7 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from functools import partial
 from typing import Final
 
 import numpy as np
@@ -31,6 +32,7 @@ from catopt.errors import InputError, NoAnswerError, Problem, refused
 from catopt.fem.extremes import weibull_tail
 from catopt.floater.ship import ShipInWeather
 from catopt.floater.stability import period_of
+from catopt.floater.tabulated import TabulatedShip
 from catopt.floater.two_scales import (
     SLOW_STEP,
     MooredShip,
@@ -62,6 +64,8 @@ _TO_GROW: Final = 10800.0
 """s, in which a swing that is unstable grows; its second half is measured."""
 _LEVELS: Final = 20
 """Over the draught, at which the current is averaged."""
+_WAY: Final = 2.5
+"""Significant heights that a fairlead rises or falls by at most."""
 _SAME: Final = 1e-6
 """By which tensions at rest may differ and are the same."""
 
@@ -88,7 +92,11 @@ def _lines(
 
 
 def verify_ship(
-    case: Case, *, ship: ShipInWeather | None = None, progress: Progress | None = None
+    case: Case,
+    *,
+    ship: ShipInWeather | None = None,
+    progress: Progress | None = None,
+    on_lines: Callable[..., MooredShip] = MooredShip,
 ) -> ShipVerification:
     """Run the ship of a case on its lines, on two time scales.
 
@@ -101,6 +109,8 @@ def verify_ship(
         That of an earlier answer (`moored.ship`) in the same weather, whose tables it shares.
     progress : callable, optional
         Told how many runs are done, of how many.
+    on_lines : callable
+        Puts a ship on lines, such as `catopt.floater.tabulated.TabulatedShip`.
 
     Returns
     -------
@@ -125,7 +135,7 @@ def verify_ship(
     >>> round(found.rest.force[0] / 1e3)
     -1433
     """
-    moored, drive = moored_ship(case, ship)
+    moored, drive = moored_ship(case, ship, on_lines)
     dynamics, legs = drive.dynamics, moored.system.legs
     criteria, damaged = _criteria(case), _line_out_criteria(case)
     strengths_of_lines(criteria, legs, damaged)  # refuses what is not known
@@ -215,10 +225,14 @@ def _histories(
 
 
 def run_without(
-    case: Case, number: int, *, ship: ShipInWeather | None = None
+    case: Case,
+    number: int,
+    *,
+    ship: ShipInWeather | None = None,
+    on_lines: Callable[..., MooredShip] = MooredShip,
 ) -> tuple[ShipWithoutLine, MooredShip]:
     """Run the ship of a case without one of its lines, from 1, alone; as `verify_ship`."""
-    moored, drive = moored_ship(case, ship)
+    moored, drive = moored_ship(case, ship, on_lines)
     return _without(moored, drive, number, _counted(None, 0)), moored
 
 
@@ -278,13 +292,22 @@ def _of_losses(lost: tuple[ShipWithoutLine, ...], needless: tuple[int, ...]) -> 
         yield Message("floater.lines_out_needless", numbers=", ".join(map(str, needless)))
 
 
+def on_tables(height: float) -> Callable[..., MooredShip]:
+    """Give what puts ships of a search on lines out of tables, in seas up to a height, m."""
+    return partial(TabulatedShip, known={}, way=_WAY * height)
+
+
 def _waves(drive: Excitation, run: int) -> Waves:
     waves = drive.sea(run).waves
     assert waves is not None
     return waves
 
 
-def moored_ship(case: Case, ship: ShipInWeather | None = None) -> tuple[MooredShip, Excitation]:
+def moored_ship(
+    case: Case,
+    ship: ShipInWeather | None = None,
+    on_lines: Callable[..., MooredShip] = MooredShip,
+) -> tuple[MooredShip, Excitation]:
     """Make the ship of a case on its lines, and what drives it; as `verify_ship`."""
     if case.floater is None or case.floater.ship is None or case.system is None:
         allowed = Message("refused_case.ship_wanted")
@@ -296,7 +319,7 @@ def moored_ship(case: Case, ship: ShipInWeather | None = None) -> tuple[MooredSh
         raise InputError([problem], "--dynamic")
     drive = read_drive(case)
     if ship is not None and drive.vessel is None:
-        return MooredShip(case.system, ship), drive
+        return on_lines(case.system, ship), drive
     depth, flow = case.site.water_depth, (0.0, 0.0)
     if current is not None and of.draught < depth:
         at = current.flow(depth)
@@ -309,8 +332,8 @@ def moored_ship(case: Case, ship: ShipInWeather | None = None) -> tuple[MooredSh
     ship.ship  # noqa: B018 - refuses what no hull can be
     vessel = drive.vessel
     if vessel is None:
-        return MooredShip(case.system, ship), drive
-    return MooredShip(case.system, ship, vessel.coefficients, vessel.reference, vessel.crest), drive
+        return on_lines(case.system, ship), drive
+    return on_lines(case.system, ship, vessel.coefficients, vessel.reference, vessel.crest), drive
 
 
 def _criteria(case: Case) -> Criteria:

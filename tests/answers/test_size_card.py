@@ -11,7 +11,6 @@ from typing import Any
 import pytest
 import typer.main
 
-import catopt
 from catopt.answers.blocks import Answer, Brief, Facts, Table, Text, Verdict
 from catopt.answers.note_size import size_note_answer
 from catopt.answers.size import size_answer
@@ -30,23 +29,24 @@ from catopt.sizing import Sizing
 from catopt.sizing.known import ResolvedInputs, known
 from catopt.sizing.requests import size
 from catopt.words import LANGUAGES, Language, Message, Told, say
+from tests.sizing.at_rest import size_buoy, size_tanker
 
 from .results import around, by_force
 
 
 @cache
 def buoy() -> Sizing:
-    return catopt.size_buoy(buoy="pillar 1.8 m", depth="12 m")
+    return size_buoy(buoy="pillar 1.8 m", depth="12 m")
 
 
 @cache
 def steady() -> Sizing:
-    return catopt.size_buoy(buoy="pillar 1.8 m", depth="12 m", dynamic_factor=1)
+    return size_buoy(buoy="pillar 1.8 m", depth="12 m", dynamic_factor=1)
 
 
 @cache
 def ship() -> Sizing:
-    return catopt.size_tanker(dwt="50000 t", depth="20 m")
+    return size_tanker(dwt="50000 t", depth="20 m")
 
 
 SIZINGS = {"buoy": buoy, "by force": by_force, "steady": steady, "ship": ship, "lines": around}

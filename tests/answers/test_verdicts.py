@@ -13,7 +13,7 @@ from typing import Any
 import openpyxl
 import pytest
 
-from catopt import check_case, design_case, read_case, size_buoy
+from catopt import check_case, design_case, read_case
 from catopt.answers.blocks import Answer, Verdict
 from catopt.answers.check import check_answer
 from catopt.answers.design import design_answer
@@ -29,6 +29,7 @@ from catopt.render.terminal import show
 from catopt.render.workbook import workbook
 from catopt.sizing import Sizing
 from catopt.words import LANGUAGES, Language, say
+from tests.sizing.at_rest import size_buoy
 
 from .test_faces import Paper
 

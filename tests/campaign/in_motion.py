@@ -18,7 +18,6 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import Any
 
-from catopt import size_buoy, size_tanker
 from catopt.casefile import parse_case, write_case
 from catopt.checks.case import check_case
 from catopt.errors import InputError, NoAnswerError, NotConvergedError
@@ -28,6 +27,7 @@ from catopt.sizing.result import Sizing
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.two_scales import verify_ship
 from tests.sizing.alone import alone
+from tests.sizing.at_rest import size_buoy, size_tanker
 from tests.sizing.test_any_sizing import drawn_buoy, drawn_ship
 
 

@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import pytest
 
-from catopt import size_tanker
 from tests.campaign.in_motion import faults_of, judge
 from tests.sizing.alone import alone
+from tests.sizing.at_rest import size_tanker
 
 
 @pytest.mark.slow

@@ -7,7 +7,6 @@ from dataclasses import replace
 
 import pytest
 
-from catopt import size_buoy
 from catopt.checks.case import check_case
 from catopt.checks.criteria import criteria_of
 from catopt.checks.kinds import USER, Place
@@ -17,6 +16,7 @@ from catopt.model import Case, Checks, Line, Load, Segment, Service, Site
 from catopt.notes.line import Given, size_note
 from catopt.notes.origin import Asked
 from catopt.words import Message, is_said
+from tests.sizing.at_rest import size_buoy
 
 
 def _case(factor: float) -> Case:

@@ -62,8 +62,8 @@ LONG = ("design ", "fatigue --once ", "study --workers 1 ", "verify --dynamic --
 OTHERS = [
     "system FSO --line-out --watch-circle --curve '180 deg' --level '1 m' --stiffness",
     "solve TANKER --profile",
-    "size buoy 'pillar 1.8 m' --depth '12 m'",
-    "size tanker --dwt '50000 t' --depth '20 m'",
+    "size buoy 'pillar 1.8 m' --depth '12 m' --at-rest",
+    "size tanker --dwt '50000 t' --depth '20 m' --at-rest",
     "reproduce load_sharing",
     "reproduce tanker_20m_sinker",
     "loads buoy 'pillar 1.8 m' --depth '12 m' --current '1 m/s' --wind '25 m/s'",

@@ -52,7 +52,7 @@ def test_what_a_file_is_for_follows_from_what_is_in_it(text: str, moored: str | 
 def test_a_sizing_out_of_a_file_is_that_of_the_command(run: Run) -> None:
     for moored in ("buoy", "tanker"):
         path = CASES / f"size-{moored}" / "sizing.toml"
-        ran = run("size", moored, path, "--json")
+        ran = run("size", moored, path, "--at-rest", "--json")
         found = sized(read_file(path, "buoy" if moored == "buoy" else "tanker"))
         assert json.loads(ran.out) == json.loads(json.dumps(found.to_dict()))
 

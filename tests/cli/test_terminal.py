@@ -180,8 +180,8 @@ def test_nothing_is_said_of_short_work_nor_into_a_pipe(monkeypatch: pytest.Monke
 
 
 SIZES = (
-    ("buoy", "pillar 1.8 m", "--depth", "12 m"),
-    ("tanker", "--dwt", "50000 t", "--depth", "20 m"),
+    ("buoy", "pillar 1.8 m", "--depth", "12 m", "--at-rest"),
+    ("tanker", "--dwt", "50000 t", "--depth", "20 m", "--at-rest"),
 )
 
 

@@ -31,7 +31,9 @@ def test_every_question_has_an_example_with_its_unit(
 ) -> None:
     del inside
     answers = [answer for _, answer in ASKED[moored]]
-    ran = run_as(run, ["size", moored, "--period", "6 s", "--lang", language, "--json"], answers)
+    ran = run_as(
+        run, ["size", moored, "--at-rest", "--period", "6 s", "--lang", language, "--json"], answers
+    )
     assert ran.status == 0, ran.err
     questions = re.sub(r"  \S.*\n", "", ran.err).split(": ")[: len(answers)]
     shown = [(example, each) for (example, _), each in zip(ASKED[moored], questions, strict=True)]

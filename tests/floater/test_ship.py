@@ -12,6 +12,7 @@ import pytest
 from catopt import Line, Segment, System, solve_system
 from catopt.errors import InputError
 from catopt.floater import two_scales
+from catopt.floater.line_tables import no_tables
 from catopt.floater.ship import ShipInWeather, SlowShip, rates
 from catopt.floater.ship import turn as turn_of
 from catopt.floater.stability import linearised, period_of, swing_mode
@@ -260,7 +261,8 @@ def unmoved(**own: Any) -> SlowShip:
 def rated(moored: MooredShip, slow: SlowShip, state: list[float]) -> np.ndarray:
     out, lines = np.empty(6), as_arrays(room_for(8))
     arrangement = as_arrays(moored.zero_load.arrangement)
-    assert rates(0.0, np.array(state), slow, arrangement, lines, out) == -1
+    tables = as_arrays(no_tables())
+    assert rates(0.0, np.array(state), slow, arrangement, tables, lines, out) == -1
     return out
 
 

@@ -483,7 +483,7 @@ def kinds() -> tuple[Kind, ...]:
             "sizing.toml",
             {},
             ("loads", "buoy", "sizing.toml", "--json"),
-            slow=("size", "buoy", "sizing.toml", "--json"),
+            slow=("size", "buoy", "sizing.toml", "--at-rest", "--json"),
         ),
         Kind(
             "sizing of a tanker",
@@ -492,7 +492,7 @@ def kinds() -> tuple[Kind, ...]:
             "sizing.toml",
             {},
             ("loads", "ship", "sizing.toml", "--json"),
-            slow=("size", "tanker", "sizing.toml", "--json"),
+            slow=("size", "tanker", "sizing.toml", "--at-rest", "--json"),
         ),
         Kind("families", "toml", (FAMILIES,), "own.toml", {"case.toml": CATALOGUE_CASE}, solved),
         Kind(

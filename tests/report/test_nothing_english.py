@@ -10,7 +10,6 @@ from functools import cache
 import openpyxl
 import pytest
 
-import catopt
 from catopt.answers.note_size import size_note_answer
 from catopt.answers.size import size_answer
 from catopt.notes.line import Given, size_note
@@ -20,6 +19,7 @@ from catopt.render.values import in_units
 from catopt.render.workbook import workbook
 from catopt.sizing import Sizing
 from catopt.words import LANGUAGES, Language, Message, say
+from tests.sizing.at_rest import size_tanker
 
 from .page_reader import read_page
 
@@ -40,7 +40,7 @@ WORD = re.compile(r"[A-Za-z]{3,}")
 
 @cache
 def sized() -> Sizing:
-    return catopt.size_tanker(dwt="50000 t", depth="20 m")
+    return size_tanker(dwt="50000 t", depth="20 m")
 
 
 @cache

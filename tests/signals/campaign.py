@@ -59,7 +59,7 @@ COMMANDS = (
     Command(("verify", "case.toml", "--dynamic", "--once"), "case.toml", MOVING),
     Command(("report", "case.toml", "--no-verify"), "case.toml", MOVING),
     Command(
-        ("size", "buoy", "sizing.toml"),
+        ("size", "buoy", "sizing.toml", "--at-rest"),
         "sizing.toml",
         (CASES / "size-buoy" / "sizing.toml").read_text("utf-8"),
     ),

@@ -8,7 +8,6 @@ from typing import Any
 
 import pytest
 
-import catopt
 from catopt.checks.case import check_case
 from catopt.checks.profiles import profiles
 from catopt.errors import CatoptError, InputError, NoAnswerError
@@ -20,6 +19,7 @@ from catopt.model import Case
 from catopt.sizing import Sizing
 from catopt.sizing.line_choice import PREFERENCES
 from tests.sizing.alone import alone
+from tests.sizing.at_rest import size_buoy, size_tanker
 from tests.sizing.test_recommended_lines import every_settled
 
 CODES = tuple(each.name for each in profiles() if not each.is_recalled)
@@ -67,7 +67,7 @@ def drawn_ship(draw: random.Random) -> dict[str, Any]:
 
 def sized(given: dict[str, Any], factor: float) -> Sizing | None:
     """Size it; None where nothing that is sold passes, or the buoy is too small for the place."""
-    sizer = catopt.size_buoy if "buoy" in given else catopt.size_tanker
+    sizer = size_buoy if "buoy" in given else size_tanker
     try:
         return sizer(**given, dynamic_factor=factor)
     except (NoAnswerError, InputError):

@@ -10,7 +10,6 @@ from typing import Any
 
 import pytest
 
-import catopt
 from catopt.errors import InputError
 from catopt.loads import Headings, SeaState, SurfaceCurrent, WaterLevels, Wind, buoy
 from catopt.loads.ship_loads import TCN
@@ -26,6 +25,7 @@ from catopt.sizing import (
 from catopt.sizing.alternatives import Alternative
 from catopt.sizing.environment import mean_over, turned_round, usual_period
 from catopt.sizing.line_choice import longest_useful, round_step, sold
+from tests.sizing.at_rest import size_tanker
 from tests.sizing.test_consistency import LOADED, SHIP, deep
 
 YEAR = 365.25 * 86400.0
@@ -436,5 +436,5 @@ def test_no_ship_a_condition_that_is_none_and_half_a_line_are_refused() -> None:
 
 def test_a_ship_draws_no_more_in_ballast_than_loaded() -> None:
     sizes: dict[str, Any] = {"length": 200.0, "breadth": 32.0, "draught": 12.0, "depth": 20.0}
-    found = told(lambda: catopt.size_tanker(**sizes, ballast_draught=12.5))
+    found = told(lambda: size_tanker(**sizes, ballast_draught=12.5))
     assert found == {"ballast_draught": "not above the loaded draught, 12 m"}

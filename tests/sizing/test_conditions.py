@@ -7,12 +7,12 @@ from typing import Any
 
 import pytest
 
-import catopt
 from catopt.errors import InputError
 from catopt.sizing.settle import Assumed
 from catopt.sizing.tanker import pose_tanker
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.words import is_said, say
+from tests.sizing.at_rest import size_tanker
 
 from .test_what_people_know import requested
 
@@ -113,7 +113,7 @@ def test_states_are_told_by_fields(
 
 def test_the_cable_of_her_own_is_that_of_the_loaded_ship() -> None:
     """EN 2,990 of the loaded ship; in ballast alone there is none to compare with."""
-    by = {each: catopt.size_tanker(**SHIP, condition=each) for each in ("loaded", "ballast")}
+    by = {each: size_tanker(**SHIP, condition=each) for each in ("loaded", "ballast")}
     assert "EN 2,990" in by["loaded"].practice
     assert by["ballast"].practice == ""
     for of in by.values():  # a line on a drag anchor has no sinker to be made fast to

@@ -6,7 +6,6 @@ import dataclasses
 
 import pytest
 
-import catopt
 from catopt.casefile import parse_case, write_case
 from catopt.checks.case import check_case
 from catopt.design.neighbours import NoFeasibleDesignError
@@ -31,13 +30,12 @@ from catopt.sizing import (
     SinkerGround,
     Sizing,
     TankerRequest,
-    size_buoy,
-    size_tanker,
 )
 from catopt.sizing.kinds import usual
 from catopt.sizing.line_choice import PREFERENCES
 from catopt.sizing.settle import Assumed, rounded_up
 from tests.sizing.alone import alone
+from tests.sizing.at_rest import size_buoy, size_tanker
 
 ROUNDING = 1e-9
 SHIP = estimated_tanker("tanker", 234.0, 31.3, 12.4, moulded_depth=16.0)
@@ -327,11 +325,11 @@ def test_a_drag_anchor_of_an_unknown_kind() -> None:
 
 
 def test_the_title_of_a_tanker_is_its_own_or_says_what_it_is() -> None:
-    given = catopt.size_tanker(dwt="50000 t", depth="20 m", title="Berth 3")
+    given = size_tanker(dwt="50000 t", depth="20 m", title="Berth 3")
     assert given.case.title == "Berth 3"
-    assert "20 m" in catopt.size_tanker(dwt="50000 t", depth="20 m").case.title
+    assert "20 m" in size_tanker(dwt="50000 t", depth="20 m").case.title
 
 
 def test_a_ship_that_just_touches_the_bed_is_aground() -> None:
     with pytest.raises(InputError, match="would be aground"):
-        catopt.size_tanker(length=200.0, breadth=32.0, draught=12.0, depth=12.0)
+        size_tanker(length=200.0, breadth=32.0, draught=12.0, depth=12.0)

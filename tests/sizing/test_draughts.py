@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pytest
 
-import catopt
 from catopt.answers.blocks import Figure
 from catopt.answers.note_size import size_note_answer
 from catopt.casefile import parse_case, write_case
@@ -13,14 +12,13 @@ from catopt.model import LoadCase
 from catopt.notes.line import Given, size_note
 from catopt.notes.origin import Asked
 from catopt.sizing.result import Sizing
+from tests.sizing.at_rest import size_tanker
 
 
 @pytest.fixture(scope="module")
 def sizing() -> Sizing:
     """By the table the ship has a depth of 16.4 m and draws 12.6 m: its deck is 3.8 m high."""
-    return catopt.size_tanker(
-        dwt="50000 t", depth="20 m", low_water="18 m", ballast_draught="6.1 m"
-    )
+    return size_tanker(dwt="50000 t", depth="20 m", low_water="18 m", ballast_draught="6.1 m")
 
 
 @pytest.mark.parametrize(

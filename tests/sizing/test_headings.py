@@ -7,7 +7,6 @@ from typing import Any
 
 import pytest
 
-import catopt
 from catopt.answers.blocks import Trail
 from catopt.answers.note_size import size_note_answer
 from catopt.errors import InputError
@@ -19,6 +18,7 @@ from catopt.sizing.requests import request_of
 from catopt.sizing.result import Sizing
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.words import say
+from tests.sizing.at_rest import size_tanker
 
 SHIP: dict[str, Any] = {
     "dwt": "50000 t",
@@ -31,7 +31,7 @@ SCAN: dict[str, Any] = {"scan": "30 deg", "current_yaw": "series-60"}
 
 @pytest.fixture(scope="module")
 def turned() -> Sizing:
-    return catopt.size_tanker(**SHIP, **SCAN)
+    return size_tanker(**SHIP, **SCAN)
 
 
 def test_each_load_case_has_the_largest_force_of_all_directions_and_headings(
@@ -82,7 +82,7 @@ def test_the_answer_says_which_heading_and_draught_governed(turned: Sizing) -> N
 
 def test_a_scan_asks_for_no_less_than_everything_from_one_side(turned: Sizing) -> None:
     """The first direction of the scan is that of wind and waves."""
-    ahead = catopt.size_tanker(**SHIP)
+    ahead = size_tanker(**SHIP)
     for one, other in zip(turned.settled.posed.loads, ahead.settled.posed.loads, strict=True):
         assert one.horizontal_force >= other.horizontal_force
     assert (turned.point.line.mass or 0.0) > (ahead.point.line.mass or 0.0)
@@ -123,7 +123,7 @@ def test_the_note_adds_forces_along_and_across_the_ship_up(turned: Sizing) -> No
 )
 def test_what_cannot_be_turned_is_refused(inputs: dict[str, Any], told: dict[str, str]) -> None:
     with pytest.raises(InputError) as caught:
-        catopt.size_tanker(**SHIP, **inputs)
+        size_tanker(**SHIP, **inputs)
     found = {each.key: each.allowed for each in caught.value.problems}
     assert found.keys() == told.keys()
     assert all(words in found[key] for key, words in told.items())
@@ -131,7 +131,7 @@ def test_what_cannot_be_turned_is_refused(inputs: dict[str, Any], told: dict[str
 
 def test_a_sinker_s_usual_factor_is_cited_by_its_source() -> None:
     """IALA's 1.5 (CALMAR 6.2.6), where nobody gave another."""
-    sizing = catopt.size_tanker(dwt="50000 t", depth="20 m", anchor="sinker")
+    sizing = size_tanker(dwt="50000 t", depth="20 m", anchor="sinker")
     sliding = [each for each in sizing.point.checks.results if each.kind == "sliding"]
     assert sliding
     assert all("CALMAR" in each.source.text and "6.2.6" in each.source.text for each in sliding)
@@ -141,5 +141,5 @@ def test_the_forces_that_the_page_prints(turned: Sizing) -> None:
     """docs/sizing.md, headings: 800 kN, loaded at low water, where 349 kN come from one side."""
     worst = max(turned.settled.posed.loads, key=lambda each: each.horizontal_force)
     assert (worst.load_case, round(worst.horizontal_force / 1e3)) == ("loaded, low water", 800)
-    ahead = catopt.size_tanker(**SHIP).settled.posed.loads
+    ahead = size_tanker(**SHIP).settled.posed.loads
     assert round(max(each.horizontal_force for each in ahead) / 1e3) == 349

@@ -16,7 +16,6 @@ from scipy.optimize import brentq
 
 import catopt.sizing.motion_judged as judging
 import catopt.sizing.motion_search as searching
-from catopt import size_buoy
 from catopt.answers.size import size_answer
 from catopt.casefile import parse_case, write_case
 from catopt.checks.case import check_case
@@ -47,6 +46,7 @@ from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.judged import way_of
 from catopt.words import Language, Message
 from tests.sizing.alone import alone
+from tests.sizing.at_rest import size_buoy
 
 PLACE: dict[str, Any] = {"buoy": "pillar 1.8 m", "depth": "12 m"}
 FAILS = CheckResult("tension", "tension", "storm", 3.0, 1.0, "N", 2.0, CheckSource("user"))

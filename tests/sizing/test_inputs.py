@@ -30,6 +30,7 @@ from catopt.sizing.line_choice import PREFERENCES
 from catopt.sizing.requests import request_of, size
 from catopt.units import as_written
 from catopt.words.message import group
+from tests.sizing.at_rest import size_buoy, size_tanker
 from tests.sizing_page import PAGE, up_to_date
 
 KINDS: tuple[Moored, ...] = ("buoy", "tanker")
@@ -293,16 +294,16 @@ def test_a_sizing_by_keywords_is_that_of_its_file() -> None:
         "period": "6 s",
     }
     soil = "clean fine to medium sand"
-    by_hand = catopt.size_buoy(buoy="pillar 2.4 m", soil=soil, **place)
+    by_hand = size_buoy(buoy="pillar 2.4 m", soil=soil, **place)
     assert by_hand.point.line.length == 31.0
     assert by_hand.point.line.segments[0].nominal_diameter == pytest.approx(0.05, abs=1e-12)
     assert "wind 25 m/s" in by_hand.defaults
-    sizing = catopt.size_buoy(buoy="pillar 2.4 m", soil=soil, prefer="balanced", **place)
+    sizing = size_buoy(buoy="pillar 2.4 m", soil=soil, prefer="balanced", **place)
     request = catopt.read_sizing(Path(__file__).parents[2] / "cases/size-buoy/sizing.toml")
     assert request.title == "Pillar buoy in 12 m"
-    assert catopt.size_buoy(request).point.line == sizing.point.line  # type: ignore[arg-type]
+    assert size_buoy(request).point.line == sizing.point.line
     with pytest.raises(InputError, match="the request for a tanker is wanted"):
-        catopt.size_tanker(request)  # type: ignore[arg-type]
+        size_tanker(request)
 
 
 @pytest.mark.parametrize(("seconds", "said"), [(10.0, "10 s"), (60.0, "1 min"), (600.0, "10 min")])
@@ -312,7 +313,7 @@ def test_a_duration_is_said_in_the_unit_that_reads_well(seconds: float, said: st
 
 
 def test_a_buoy_may_be_named_before_the_keywords() -> None:
-    named = catopt.size_buoy("pillar 1.8 m", depth=12.0)
-    assert named == catopt.size_buoy(buoy="pillar 1.8 m", depth="12 m")
+    named = size_buoy("pillar 1.8 m", depth=12.0)
+    assert named == size_buoy(buoy="pillar 1.8 m", depth="12 m")
     with pytest.raises(InputError, match="or keywords, not both"):
-        catopt.size_buoy("pillar 1.8 m", buoy="pillar 2.4 m", depth=12.0)
+        size_buoy("pillar 1.8 m", buoy="pillar 2.4 m", depth=12.0)

@@ -33,6 +33,6 @@ def test_a_sizing_stopped_in_its_search_is_stopped(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, search: Callable[[Case], DesignResult]
 ) -> None:
     monkeypatch.setattr(settle, "design_case", search)
-    asked = ["size", "tanker", "--dwt", "50000t", "--depth", "20m", "--out"]
+    asked = ["size", "tanker", "--dwt", "50000t", "--depth", "20m", "--at-rest", "--out"]
     assert main([*asked, str(tmp_path / "out")]) == 130
     assert not list(tmp_path.glob("out/*"))

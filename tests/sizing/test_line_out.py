@@ -14,10 +14,11 @@ import catopt
 from catopt.casefile import parse_case, write_case
 from catopt.loads import Wind
 from catopt.model import Case, System
-from catopt.sizing import LineChoice, Sizing, TankerRequest, size_tanker
+from catopt.sizing import LineChoice, Sizing, TankerRequest
 from catopt.sizing.kinds import usual
 from catopt.sizing.pattern import BodyState, Pattern, pattern, system_case
 from catopt.verify.case import verify_case
+from tests.sizing.at_rest import size_tanker
 from tests.sizing.test_consistency import LOADED, deep
 
 LINES = 4

@@ -6,10 +6,9 @@ from typing import Any
 
 import pytest
 
-import catopt
-from catopt import size_buoy
 from catopt.errors import InputError
 from catopt.loads.buoy import BreakingSeaError
+from tests.sizing.at_rest import size_buoy, size_tanker
 
 TANKER: dict[str, Any] = {
     "length": "234 m", "breadth": "31.3 m", "draught": "12.4 m", "moulded_depth": "16 m",
@@ -19,7 +18,7 @@ TCN = "22TCN-222-95"
 
 
 def sized(**more: Any) -> dict[str, Any]:
-    return catopt.size_tanker(**TANKER, **more).to_dict()
+    return size_tanker(**TANKER, **more).to_dict()
 
 
 def test_by_22tcn_without_waves() -> None:

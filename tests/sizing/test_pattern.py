@@ -15,10 +15,11 @@ from catopt.loads import WaterLevels
 from catopt.model import LoadCase
 from catopt.mooring.solution import SystemSolution
 from catopt.mooring.static_equilibrium import ZeroLoadPosition, zero_load_position
-from catopt.sizing import LineChoice, Sizing, TankerRequest, size_tanker
+from catopt.sizing import LineChoice, Sizing, TankerRequest
 from catopt.sizing.kinds import usual
 from catopt.sizing.pattern import AtRest, BodyState, Pattern, pattern, shared_force, system_case
 from tests.sizing.alone import alone
+from tests.sizing.at_rest import size_tanker
 from tests.sizing.test_consistency import LOADED, deep
 from tests.sizing.test_line_out import around
 

@@ -16,6 +16,7 @@ from catopt.sizing import LineChoice
 from catopt.sizing.line_choice import longest_useful
 from catopt.sizing.result import Sizing
 from catopt.words import say
+from tests.sizing.at_rest import size_buoy, size_tanker
 
 SHIP: dict[str, Any] = {"dwt": "50000 t", "depth": "20 m"}
 SHOWN = ("loaded", "ballast")
@@ -25,7 +26,7 @@ PRICES = {"R3": (-234.0, 5.95e4), "R4": (-312.0, 8.56e4)}
 
 
 def sized(**inputs: Any) -> Sizing:
-    return catopt.size_tanker(**SHIP, **inputs)
+    return size_tanker(**SHIP, **inputs)
 
 
 def price_by_hand(of: Sizing) -> float:
@@ -112,8 +113,8 @@ def test_a_buoy_s_swing_is_bounded_too() -> None:
     """Of the sizes that the buoy is made for, up to 30 mm, none spans as little."""
     place: dict[str, Any] = {"buoy": "pillar 1.8 m", "depth": "12 m", "wind": "25 m/s"}
     place |= {"prefer": "lightest", "diameter_max": "60 mm"}
-    free = catopt.size_buoy(**place)
-    bound = catopt.size_buoy(**place, max_swing="30 m")
+    free = size_buoy(**place)
+    bound = size_buoy(**place, max_swing="30 m")
     assert bound.swing.total <= 30.0 < free.swing.total
     assert (bound.point.line.mass or 0.0) > (free.point.line.mass or 0.0)
 
@@ -182,7 +183,7 @@ def test_of_several_lines_none_is_looked_for_by_its_own_swing() -> None:
 
 @pytest.mark.parametrize("ship", [SHIP, {"dwt": "3000 t", "depth": "7 m"}])
 def test_the_lightest_line_is_at_no_edge_of_what_is_looked_at(ship: dict[str, Any]) -> None:
-    sizing = catopt.size_tanker(**ship, prefer="lightest")
+    sizing = size_tanker(**ship, prefer="lightest")
     assert sizing.case.design is not None
     lengths = sizing.case.design.segments[0].lengths
     sizes = [

@@ -24,12 +24,11 @@ from catopt.sizing import (
     LineChoice,
     Sizing,
     TankerRequest,
-    size_buoy,
-    size_tanker,
 )
 from catopt.sizing.kinds import usual
 from catopt.sizing.settle import ConvergedSizing
 from tests.sizing.alone import alone
+from tests.sizing.at_rest import size_buoy, size_tanker
 from tests.sizing.test_consistency import LOADED, deep
 
 LOSS = 2e-3
@@ -56,8 +55,8 @@ def diameter(of: Sizing) -> float:
 @pytest.fixture(scope="module", params=["buoy", "tanker"])
 def by_factor(request: pytest.FixtureRequest) -> list[Sizing]:
     if request.param == "buoy":
-        return [catopt.size_buoy("pillar 1.8 m", depth="12 m", dynamic_factor=f) for f in FACTORS]
-    return [catopt.size_tanker(dwt="50000 t", depth="20 m", dynamic_factor=f) for f in FACTORS]
+        return [size_buoy("pillar 1.8 m", depth="12 m", dynamic_factor=f) for f in FACTORS]
+    return [size_tanker(dwt="50000 t", depth="20 m", dynamic_factor=f) for f in FACTORS]
 
 
 def strengths(of: Sizing) -> tuple[float, float, float]:
@@ -101,13 +100,13 @@ def test_no_check_fails_beside_a_recommendation(by_factor: list[Sizing]) -> None
 @pytest.fixture(scope="module")
 def worn_buoy() -> Sizing:
     with alone():
-        return catopt.size_buoy("pillar 2.4 m", depth="12 m", low_water="10 m")
+        return size_buoy("pillar 2.4 m", depth="12 m", low_water="10 m")
 
 
 @pytest.fixture(scope="module")
 def worn_ship() -> Sizing:
     with alone():
-        return catopt.size_tanker(dwt="50000 t", depth="20 m", low_water="18 m")
+        return size_tanker(dwt="50000 t", depth="20 m", low_water="18 m")
 
 
 def grounded(of: Sizing, weight: float) -> list[float]:
@@ -221,7 +220,7 @@ def test_a_buoy_lies_on_chain_that_she_is_made_for(worn_buoy: Sizing) -> None:
 def test_sizes_of_one_s_own_are_taken_in_their_place() -> None:
     """Those of the buoy end at 30 mm."""
     with alone():
-        own = catopt.size_buoy("pillar 1.8 m", depth="12 m", diameter_min="32 mm", scope_max=4)
+        own = size_buoy("pillar 1.8 m", depth="12 m", diameter_min="32 mm", scope_max=4)
     assert diameter(own) >= 0.032
     assert not any("depths" in each for each in own.defaults)
 
@@ -229,7 +228,7 @@ def test_sizes_of_one_s_own_are_taken_in_their_place() -> None:
 def test_a_line_beyond_its_scope_is_one_where_none_within_it_passes() -> None:
     """Of 20 mm alone: it hangs over s = sqrt(h (h + 2 H/w)), more than 36 m, once worn."""
     with alone():
-        of = catopt.size_buoy("pillar 1.8 m", depth="12 m", diameter_max="20 mm")
+        of = size_buoy("pillar 1.8 m", depth="12 m", diameter_max="20 mm")
     assert of.point.line.length > 36.0
     assert "no line within 3 depths passes: longer ones were looked at" in of.defaults
     w = of.point.line.segments[0].submerged_weight * (18.0 / 20.0) ** 2

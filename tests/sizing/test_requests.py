@@ -7,7 +7,6 @@ from typing import Any
 
 import pytest
 
-import catopt
 from catopt.errors import InputError
 from catopt.loads import BuoyShape
 from catopt.sizing import BuoyRequest, DragGround, GivenBuoy, SinkerGround, TankerRequest
@@ -16,6 +15,7 @@ from catopt.sizing.known import known
 from catopt.sizing.line_choice import sold
 from catopt.sizing.requests import request_of
 from catopt.sizing.settle import Assumed
+from tests.sizing.at_rest import size_buoy, size_tanker
 
 SHIP: dict[str, Any] = {"length": 200.0, "breadth": 32.0, "draught": 12.0, "depth": 20.0}
 BUOY: dict[str, Any] = {"buoy": "pillar 1.8 m", "depth": 12.0}
@@ -44,16 +44,16 @@ def test_title_and_source_are_one_s_own_or_none() -> None:
 
 def test_a_case_says_where_its_figures_come_from() -> None:
     quick: dict[str, Any] = {"diameter_min": 0.06, "diameter_max": 0.07, "length_step": 27.5}
-    own = catopt.size_tanker(**SHIP, **quick, source="Harbour survey of 2024", title="Berth 3")
+    own = size_tanker(**SHIP, **quick, source="Harbour survey of 2024", title="Berth 3")
     assert (own.case.source, own.case.title) == ("Harbour survey of 2024", "Berth 3")
-    assert catopt.size_tanker(**SHIP, **quick).case.source == "catopt size tanker"
+    assert size_tanker(**SHIP, **quick).case.source == "catopt size tanker"
 
 
 def test_a_buoy_s_case_says_where_its_figures_come_from() -> None:
     one = {"diameter_min": 0.02, "diameter_max": 0.024, "reserve_buoyancy": "30 kN"}
-    named = catopt.size_buoy(**FORCE | one, source="Log of 2020", title="Reef")
+    named = size_buoy(**FORCE | one, source="Log of 2020", title="Reef")
     assert (named.case.source, named.case.title) == ("Log of 2020", "Reef")
-    plain = catopt.size_buoy(**FORCE | one).case
+    plain = size_buoy(**FORCE | one).case
     assert (plain.source, plain.title) == ("catopt size buoy", "buoy in 12 m of water")
 
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from catopt import size_tanker, solve_system
+from catopt import solve_system
 from catopt.casefile import parse_case, write_case
 from catopt.report.bundle import size_files
 from catopt.sizing.result import Sizing
@@ -18,6 +18,7 @@ from catopt.sizing.tanker_request import TankerRequest
 from catopt.verify.ship_result import ShipVerification
 from catopt.verify.two_scales import verify_ship
 from tests.sizing.alone import alone
+from tests.sizing.at_rest import size_tanker
 from tests.sizing.test_consistency import LOADED, deep
 from tests.sizing.test_thresholds import ONE_SIZE
 

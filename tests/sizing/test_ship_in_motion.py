@@ -13,7 +13,6 @@ import jsonschema
 import pytest
 
 import catopt.sizing.ship_search as searching
-from catopt import size_tanker
 from catopt.answers.size import size_answer
 from catopt.casefile import parse_case, write_case
 from catopt.checks.kinds import CheckSource
@@ -28,6 +27,7 @@ from catopt.sizing.in_motion import LineTried, NoLineInMotionError
 from catopt.sizing.result import Sizing
 from catopt.verify.two_scales import verify_ship
 from tests.sizing.alone import alone
+from tests.sizing.at_rest import size_tanker
 
 SHIP: dict[str, Any] = {"dwt": "50000 t", "depth": "20 m"}
 FAILS = CheckResult("uplift", "uplift_angle", "storm", 0.1, 0.0, "rad", 0.1, CheckSource("user"))

@@ -7,11 +7,11 @@ from functools import partial
 
 import pytest
 
-from catopt import size_tanker
 from catopt.catalogue.practice import own_cable
 from catopt.errors import NoAnswerError
 from catopt.loads.ship import estimated_tanker, estimates
 from tests.cli.conftest import Run, run, words
+from tests.sizing.at_rest import size_tanker
 
 __all__ = ("run",)
 
@@ -45,10 +45,12 @@ def test_the_wind_on_a_small_boat_is_said_to_rest_on_scaled_areas(run: Run) -> N
 
 
 def test_the_first_screen_says_by_what_the_chain_is_bounded(run: Run) -> None:
-    said = words(run("size", "tanker", *BOAT, "--wind", "30 m/s").out)
+    said = words(run("size", "tanker", *BOAT, "--at-rest", "--wind", "30 m/s").out)
     assert "sizes up to 20.2 mm, 2 times her own cable of 10 mm" in said
     assert "windage scaled down from ships of 90 m and more" in said
-    own = run("size", "tanker", *BOAT, "--wind", "30 m/s", "--diameter-max", "40 mm").out
+    own = run(
+        "size", "tanker", *BOAT, "--at-rest", "--wind", "30 m/s", "--diameter-max", "40 mm"
+    ).out
     assert "her own cable of" not in words(own)
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pytest
 
-import catopt
 from catopt.answers.size import size_answer
 from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError
@@ -14,6 +13,7 @@ from catopt.sizing.known import known
 from catopt.sizing.requests import request_of
 from catopt.sizing.result import Sizing
 from catopt.sizing.tanker_request import TankerRequest
+from tests.sizing.at_rest import size_buoy, size_tanker
 
 SHIP = {"length": 234.0, "breadth": 31.3, "draught": 12.4, "depth": 20.0}
 
@@ -111,7 +111,7 @@ def test_soft_ground_never_gets_the_smaller_sinker() -> None:
     """Each found by the whole way: mud used to get 4 t by CALMAR's friction of 1.0, sand 12 t."""
     masses, said = [], []
     for soil in ("rock", "sand", "mud"):
-        sizing = catopt.size_buoy(buoy="pillar 2.4 m", depth="15 m", soil=soil)
+        sizing = size_buoy(buoy="pillar 2.4 m", depth="15 m", soil=soil)
         assert sizing.sinker is not None
         assert sizing.point.anchor is not None
         assert sizing.point.anchor.mass == sizing.sinker.mass
@@ -138,7 +138,7 @@ def test_soft_ground_never_gets_the_smaller_sinker() -> None:
 
 def test_a_sinker_by_both_rules() -> None:
     """IALA's is mu = 1; of silty sand NAVFAC has 0.30 under formed concrete."""
-    sizing = catopt.size_buoy(buoy="pillar 1.8 m", depth="12 m")
+    sizing = size_buoy(buoy="pillar 1.8 m", depth="12 m")
     own, other = sizing.sinker, sizing.other_sinker
     assert own is not None
     assert other is not None
@@ -152,7 +152,7 @@ def test_a_sinker_by_both_rules() -> None:
 
 @pytest.fixture(scope="module")
 def lightest() -> Sizing:
-    return catopt.size_tanker(dwt="50000 t", depth="20 m", prefer="lightest")
+    return size_tanker(dwt="50000 t", depth="20 m", prefer="lightest")
 
 
 def test_the_lightest_line_that_passes_is_recommended(lightest: Sizing) -> None:
@@ -162,7 +162,7 @@ def test_the_lightest_line_that_passes_is_recommended(lightest: Sizing) -> None:
 
 
 def test_the_bound_that_the_lightest_line_stands_at_is_told(lightest: Sizing) -> None:
-    bound = catopt.size_tanker(dwt="50000 t", depth="20 m", diameter_min="60 mm", prefer="lightest")
+    bound = size_tanker(dwt="50000 t", depth="20 m", diameter_min="60 mm", prefer="lightest")
     assert bound.point.line.segments[0].nominal_diameter == pytest.approx(0.06, abs=1e-12)
     said = "the smallest of the sizes that were looked at, 60 mm: a smaller one may be lighter"
     assert said in bound.why
@@ -179,6 +179,6 @@ def test_the_other_lines_stand_beside_it_each_under_its_own_loads(lightest: Sizi
     for each in (balanced, least):
         assert each.settled is not None
         assert each.settled.point.checks.passes
-        same = catopt.size_tanker(dwt="50000 t", depth="20 m", prefer=each.prefer)
+        same = size_tanker(dwt="50000 t", depth="20 m", prefer=each.prefer)
         assert same.swing.total == pytest.approx(each.swing, rel=1e-12)
         assert same.point.line.mass == pytest.approx(each.mass, rel=1e-12)

@@ -19,6 +19,7 @@ from catopt.study.run import run_into, run_study
 from catopt.study.statics import one_at_rest
 from catopt.study.store import Store
 from catopt.verify.linear import linear_lines
+from tests.sizing.at_rest import size_buoy
 
 CASES = Path(__file__).parents[2] / "cases"
 EXACT = 1e-9
@@ -165,7 +166,7 @@ def test_sizings_of_a_fleet() -> None:
             ("pillar 1.8 m", "9 m", "7 m", "2 kn", "0.8 m"),
         ]
     ):
-        alone = catopt.size_buoy(
+        alone = size_buoy(
             buoy, depth=depth, low_water=low, current=current, hs=hs, wind="25 m/s", period="6 s",
             chain=["chain open-link 4D Q2"], prefer="balanced", soil="clean fine to medium sand",
             sinker="concrete", code="IALA-CALMAR", life="5 years", wear="0.4 mm/year",

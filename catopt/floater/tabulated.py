@@ -1,0 +1,67 @@
+"""A ship on lines out of tables: a search looks at many lines in the time that one takes.
+
+Two things are taken more simply than by `MooredShip`: tensions are read out of tables of the closed
+form, and the waves move each line's fairlead as they moved it on the line that was run first.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+from catopt.arrays import Array
+from catopt.catenary.state import CONVERGED
+from catopt.floater.line_tables import span_under, tables_of
+from catopt.floater.two_scales import MooredShip, ShipAtRest
+from catopt.mooring.balance import RestoringForce
+from catopt.mooring.descent import Rest
+from catopt.waves import Waves
+
+
+@dataclass(frozen=True, eq=False)
+class TabulatedShip(MooredShip):
+    """A ship on lines out of tables.
+
+    `known`: motions in waves by seas and times, which the lines of a search share; `way`: that a
+    fairlead may rise or fall by, m.
+    """
+
+    known: dict[Any, Any] = field(default_factory=dict)
+    way: float = 5.0
+
+    @cached_property
+    def _tables(self) -> Any:
+        found = tables_of(self._arrangement, self.way)
+        return super()._tables if found is None else found
+
+    def _fast(
+        self, waves: Waves, time: Array, slow: Array, rest: ShipAtRest
+    ) -> tuple[Array, Array, Array]:
+        key = (self.ship, waves, time.size, float(time[0]), len(self.system.legs))
+        if key not in self.known:
+            self.known[key] = super()._fast(waves, time, slow, rest)
+        moved: tuple[Array, Array, Array] = self.known[key]
+        return moved
+
+    def _held(self, load: Array, yaw: float) -> Rest:
+        """Find where a single line is as taut as the load asks for; several by closed form."""
+        if self.system.turns or len(self.system.legs) > 1 or self._tables.table[0] < 0:
+            return super()._held(load, yaw)
+        cosine, sine = math.cos(yaw), math.sin(yaw)
+        along, across, _ = load.tolist()
+        x, y = along * cosine - across * sine, along * sine + across * cosine
+        force, lines = math.hypot(x, y), self._arrangement
+        span = span_under(force, float(lines.fairlead_height[0]), self._tables)
+        if force == 0.0 or math.isnan(span.length):
+            return super()._held(load, yaw)
+        u, v = -x / force, -y / force
+        stiff, aside = span.stiffness, force / span.length
+        xx, yy = stiff * u * u + aside * v * v, stiff * v * v + aside * u * u
+        pull = RestoringForce(
+            CONVERGED, -1, -x, -y, 0.0, xx, (stiff - aside) * u * v, yy, 0.0, 0.0, 0.0, force
+        )
+        place_x = float(lines.anchor_x[0]) - span.length * u - float(lines.arm_x[0])
+        place_y = float(lines.anchor_y[0]) - span.length * v - float(lines.arm_y[0])
+        return Rest(CONVERGED, -1, place_x, place_y, 0.0, 0, 0.0, 0.0, pull)

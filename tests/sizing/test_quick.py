@@ -1,0 +1,57 @@
+"""A sizing is judged in motion unless it is told otherwise."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+import catopt
+from catopt.checks.kinds import CheckSource
+from catopt.checks.result import CheckResult
+from catopt.errors import InputError
+from catopt.sizing.in_motion import with_margin
+from catopt.sizing.known import known
+from catopt.sizing.quick import quick_runs, shared_out
+from catopt.sizing.requests import request_of
+
+BUOY: dict[str, Any] = {"buoy": "pillar 1.8 m", "depth": "12 m"}
+SHIP: dict[str, Any] = {"dwt": "50000 t", "depth": "20 m"}
+
+
+@pytest.mark.parametrize(("moored", "given"), [("buoy", BUOY), ("tanker", SHIP)])
+def test_motion_is_judged_fast_in_full_or_not_at_all(moored: Any, given: dict[str, Any]) -> None:
+    usual = request_of(known(moored, given, source="")).in_motion
+    full = request_of(known(moored, given | {"in_motion": True}, source="")).in_motion
+    still = request_of(known(moored, given | {"at_rest": True}, source="")).in_motion
+    assert usual is not None
+    assert full is not None
+    assert (usual.quick, full.quick, still) == (True, False, None)
+
+
+def test_at_rest_and_in_motion_are_not_both() -> None:
+    with pytest.raises(InputError, match="in_motion"):
+        request_of(known("buoy", BUOY | {"at_rest": True, "in_motion": True}, source=""))
+
+
+def test_a_buoy_of_which_the_force_alone_is_known_is_not_judged_in_motion() -> None:
+    found = catopt.size_buoy(force="5 kN", reserve_buoyancy="12 kN", depth="12 m")
+    assert found.in_motion is None
+    assert found.judgement.colour == "amber"
+    assert "motion" in {each.subject for each in found.judgement.not_judged}
+
+
+def test_the_time_of_a_buoy_s_line_is_shared_out() -> None:
+    """1600 s in all; a run is no shorter than a minute."""
+    how = quick_runs("buoy")
+    assert [shared_out(how, count).duration for count in (1, 4, 100)] == [1600.0, 400.0, 60.0]
+
+
+def test_a_margin_is_on_what_hangs_on_few_peaks() -> None:
+    """100 kN of 110 are 125 of 110: beyond by 15/110. The pull down is a mean: it stays."""
+    of = CheckResult("", "tension", "", 100e3, 110e3, "N", -10 / 110, CheckSource("", "", "A"))
+    taken = with_margin(of, quick_runs("buoy"))
+    assert taken.demand == 125e3
+    assert taken.exceedance == pytest.approx(15 / 110, rel=1e-12)
+    assert not taken.passes
+    assert with_margin(of, quick_runs("tanker")) is of
