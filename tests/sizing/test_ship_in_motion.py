@@ -170,14 +170,15 @@ def test_weather_from_two_sides() -> None:
     found = verify_ship(case)
     along, across = found.rest.force
     # The wind's mean of an hour in the place of the design wind, and drift in that of wave force.
-    assert along > 3.0 * abs(across)
+    # In a lull the current alone pulls, from its own side.
+    assert along > (3.0 if case.floater.wind_speed else 0.5) * abs(across)
     assert found.checks.passes
 
 
 def test_the_directions_that_decide_are_named() -> None:
     """Current from either side of a line on which the ship fishtails: no thin one holds."""
     with alone(), pytest.raises(NoLineInMotionError) as caught:
-        size_tanker(**SHIP, **ASIDE, scan="180 deg", diameter_max="48 mm")
+        size_tanker(**SHIP, **ASIDE, scan="180 deg", diameter_max="30 mm")
     assert "wind from 0, current 0, waves 0 deg" in str(caught.value)
 
 
