@@ -170,14 +170,15 @@ def test_weather_from_two_sides() -> None:
     found = verify_ship(case)
     along, across = found.rest.force
     # The wind's mean of an hour in the place of the design wind, and drift in that of wave force.
-    assert along > 3.0 * abs(across)
+    # In a lull the current alone pulls, from its own side.
+    assert along > (3.0 if case.floater.wind_speed else 0.5) * abs(across)
     assert found.checks.passes
 
 
 def test_the_directions_that_decide_are_named() -> None:
     """Current from either side of a line on which the ship fishtails: no thin one holds."""
     with alone(), pytest.raises(NoLineInMotionError) as caught:
-        size_tanker(**SHIP, **ASIDE, scan="180 deg", diameter_max="48 mm")
+        size_tanker(**SHIP, **ASIDE, scan="180 deg", diameter_max="30 mm")
     assert "wind from 0, current 0, waves 0 deg" in str(caught.value)
 
 
@@ -211,11 +212,12 @@ def test_what_is_recommended_passes_its_own_run_and_less_fails() -> None:
         assert found.checks.passes
         assert {"tension", "holding", "uplift_angle"} <= {e.kind for e in found.checks.results}
     line = of.point.line
-    shorter, thinner = of.in_motion.less
-    assert (shorter.diameter, thinner.length) == (line.segments[0].nominal_diameter, line.length)
+    # Of the size of her own cable nothing thinner is laid.
+    shorter, *thinner = of.in_motion.less
+    assert shorter.diameter == line.segments[0].nominal_diameter
     assert line.length - shorter.length == pytest.approx(13.75)
-    assert not shorter.passes
-    assert not thinner.passes
+    assert not any(each.passes for each in (shorter, *thinner))
+    assert all(each.length == line.length for each in thinner)
     case = written(of, judged_by="upper")
     assert case.system is not None
     cut = replace(line, segments=(replace(line.segments[0], length=shorter.length),))
