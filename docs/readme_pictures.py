@@ -14,7 +14,7 @@ CASES = HERE.parent / "cases"
 
 
 def main() -> None:
-    """Draw the line of S3's tanker, the front of its design, and a buoy on its chain."""
+    """Draw the mooring of README's first command, S3's tanker with a front, and a buoy."""
     case = catopt.read_case(CASES / "tanker-20m" / "case.toml")
     line = line_in_water(catopt.solve_case(case), case.site.water_depth)
     found = catopt.design_case(catopt.read_case(CASES / "design-tanker-20m" / "case.toml"))
@@ -25,7 +25,10 @@ def main() -> None:
     buoy = catopt.size_buoy("pillar 1.8 m", depth="12 m")
     title = "Pillar 1.8 m, 12 m of water"
     files |= pictures("picture-buoy", (elevation(buoy), swing_circle(buoy)), title)
-    for name in ("picture-line.png", "picture-front.png", "picture-buoy.png"):
+    ship = catopt.size_tanker(dwt="50000 t", depth="20 m")
+    title = "Tanker of 50,000 DWT, 20 m of water"
+    files |= pictures("picture-ship", elevation(ship), title)
+    for name in ("picture-line.png", "picture-front.png", "picture-buoy.png", "picture-ship.png"):
         (HERE / name).write_bytes(files[name])
 
 

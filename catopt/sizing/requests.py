@@ -476,7 +476,8 @@ def _preference(of: ResolvedInputs, line: LineChoice | None) -> dict[str, Any]:
     """Say which design is required: as asked for, or a buoy's by practice, a ship's balanced."""
     prefer, swing_price = of["prefer"], of["swing_price"] or 0.0
     # What is laid, of a buoy and of a ship whose lines are run.
-    own = "practice" if of.moored == "buoy" or of["in_motion"] else "balanced"
+    is_run = of["in_motion"] or not (of["at_rest"] or of["buoy"])
+    own = "practice" if of.moored == "buoy" or is_run else "balanced"
     if (of["lines"] or 1) > 1:
         own = "lightest"  # several lines hold the ship in its place: swing decides nothing
     if line is None:

@@ -80,5 +80,4 @@ def _governs(check: CheckResult | None) -> str:
         name = Message("sizing.with_a_line_lost", check=name)
     if check.utilisation is None:
         return Message("sizing.governs", check=name)
-    used = check.utilisation
-    return Message("sizing.governs_at", check=name, used=used, percent=100.0 * used)
+    return Message("sizing.governs_at", check=name, percent=100.0 * check.utilisation)

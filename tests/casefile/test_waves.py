@@ -77,7 +77,7 @@ def test_a_record_counts_from_the_folder_of_the_case(tmp_path: Path) -> None:
             "[waves]\nseed = 2\n",
             [
                 "waves: found none of them; exactly one of spectrum, elevation_file, trains is "
-                "wanted"
+                "required"
             ],
         ),
         (

@@ -586,8 +586,8 @@ def test_a_hull_has_its_own_coefficients() -> None:
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        ({"levels": WaterLevels.steady(201.0)}, "CALMAR holds down to 200 m"),
-        ({"current": 7.5}, "CALMAR holds up to 7 m/s"),
+        ({"levels": WaterLevels.steady(201.0)}, "CALMAR applies down to 200 m"),
+        ({"current": 7.5}, "CALMAR applies up to 7 m/s"),
         ({"levels": WaterLevels(0.9, 3.0)}, "it would touch the bed"),
         ({"pull": 40e3}, "reserve buoyancy"),
         ({"chain_diameter": 25.0}, "chain_diameter"),

@@ -304,7 +304,7 @@ def test_a_buoy_is_sized_in_as_much_water_as_calmar_holds_for() -> None:
         assert BuoyRequest(GivenBuoy(1e3, 1e4), place).environment is place
         if is_deep:
             found = told(lambda place=place: BuoyRequest(body, place))  # type: ignore[misc]
-            assert found == {"levels.high": "CALMAR holds down to 200 m of water"}
+            assert found == {"levels.high": "CALMAR applies down to 200 m of water"}
         else:
             assert BuoyRequest(body, place).environment is place
 

@@ -206,5 +206,5 @@ def test_a_gust_is_named_by_its_share() -> None:
     message = left_out(env)
     share = 100.0 * ((1.324 / 1.219) ** 2 - 1.0)
     assert message.values["share"] == pytest.approx(share, abs=0.3)
-    assert said(asked(), "sizing.motions_left_out")
+    assert said(asked(at_rest=True), "sizing.motions_left_out")
     assert left_out(asked(wind=0.0).environment).values["share"] == 0.0
