@@ -40,7 +40,9 @@ def test_of_several_the_largest_and_nothing_recalled_unless_it_is_named() -> Non
 
 
 def test_waves_are_not_left_out_unless_it_is_said() -> None:
-    with pytest.raises(InputError, match="wave_coefficient: missing; 22TCN-222-95 needs the wave coefficient chi"):
+    with pytest.raises(
+        InputError, match="wave_coefficient: missing; 22TCN-222-95 needs the wave coefficient chi"
+    ):
         sized(load_method=TCN)
     with pytest.raises(InputError, match="or name 22TCN-222-95 among the load methods"):
         sized(wave_coefficient=0.1)
