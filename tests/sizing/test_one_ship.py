@@ -73,7 +73,8 @@ OPTIONS: dict[str, dict[str, Any]] = {
 
 
 def sized(tmp_path: Path, options: dict[str, Any]) -> tuple[TankerRequest, Sizing]:
-    given = {key: value for key, value in (SHIP | options).items() if value is not None}
+    every = SHIP | options | {"at_rest": True}  # the run's ship is that of the written case
+    given = {key: value for key, value in every.items() if value is not None}
     if "coefficients" in given:
         path = tmp_path / "own.toml"
         path.write_text(given["coefficients"], encoding="utf-8")

@@ -295,8 +295,8 @@ def test_of_two_scopes_that_are_given_the_largest_is_no_less() -> None:
 @pytest.mark.parametrize(
     ("prefer", "chain", "found"),
     [
-        (None, "chain studless R3", "balanced"),
-        (None, "chain studless R3S", "balanced"),
+        (None, "chain studless R3", "practice"),
+        (None, "chain studless R3S", "practice"),
         ("cheapest", "chain studless R3", "cheapest"),
         ("practice", "chain studless R3S", "practice"),
         ("shortest", "chain studless R3S", "shortest"),
@@ -304,11 +304,16 @@ def test_of_two_scopes_that_are_given_the_largest_is_no_less() -> None:
         ("least-swing", "chain studless R3S", "least-swing"),
     ],
 )
-def test_a_ship_s_line_is_balanced_unless_another_is_asked_for(
+def test_a_ship_s_line_is_what_is_laid_unless_another_is_asked_for(
     prefer: str | None, chain: str, found: str
 ) -> None:
     line = of_a_ship(prefer=prefer, chain=chain).line
     assert (line.prefer, line.looks_for, line.swing_price) == (found, found, 0.0)
+
+
+def test_a_ship_s_line_is_balanced_where_it_is_not_run() -> None:
+    assert of_a_ship(at_rest=True).line.looks_for == "balanced"
+    assert of_a_ship(at_rest=True, prefer="shortest").line.looks_for == "shortest"
 
 
 def test_a_buoy_s_line_is_that_of_practice_unless_another_is_asked_for() -> None:
