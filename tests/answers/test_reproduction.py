@@ -73,7 +73,7 @@ def test_it_fits_the_terminal(everything: Reproduction, shown: Callable[[Languag
 def test_what_is_found_is_in_vietnamese_with_its_numbers(shown: Callable[[Language], str]) -> None:
     printed = " ".join(shown("vi").split())
     for part in (
-        "Trong 208 số công bố, 125 trùng khớp, 52 không khớp, 31 không tái lập được.",
+        "Trong 274 số công bố, 125 trùng khớp, 118 không khớp, 31 không tái lập được.",
         "lực căng 0.446 tf cần 9.386 đến 9.526.",
         "lệch -162 kN (-35.99 %); tính được 288 kN, không phù hợp với 450 kN công bố",
         "lệch -0.066 m (-0.26 %); 554.5 - 529.5 theo các độ dạt ngang công bố",

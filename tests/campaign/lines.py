@@ -63,6 +63,7 @@ class Trial:
             fairlead_height=self.height,
             anchor_height=self.anchor_height,
             title=f"{self.kind}, number {self.index}",
+            accept=("water_depth",),
         )
 
 

@@ -32,7 +32,6 @@ from catopt.loads import (
     ship_loads,
 )
 from catopt.loads.environment import Headings
-from catopt.loads.ufc import transverse_load
 from catopt.loads.weathervane import YAW_TYPES
 from catopt.model import ShipAfloat
 from catopt.mooring.balance import room_for
@@ -395,39 +394,6 @@ def test_moored_by_the_stern_it_lies_stern_on() -> None:
         weather = ship(replace(OF, mooring_point=point), current=polar(1.0, 0.3))
         rest = MooredShip(spread(0.0), weather).at_rest(calm(0.3))
         assert rest.place[2] == pytest.approx(expected, abs=1e-3)
-
-
-def test_a_ship_on_one_line_fishtails_as_its_linear_equations_have_it() -> None:
-    """At rest it lies still; a degree off it swings ever further in a current, by the eigenvalue.
-
-    M (v', r') = (Y, x Y): line -k y - H yaw at the origin, current b U (U yaw - v - x r) amidships.
-    """
-    line = Line([Segment(300.0, 1500.0, EA=9e8)])
-    one = System.around(line, azimuths=[0.0], anchor_radius=280.0, fairlead_height=DEPTH)
-    of = replace(OF, mooring_point=92.0, sway_damping=0.0, yaw_damping=0.0)
-    weather, speed = ship(of, current=(-1.5, 0.0)), 1.5
-    moored = MooredShip(one, weather)
-    rest = moored.at_rest(calm(math.pi))
-    assert rest.place[2] == pytest.approx(0.0, abs=1e-6)
-    yaw = np.degrees(
-        moored.run(calm(math.pi), 2000.0, 0.0, np.random.default_rng(1), rest).slow[:, 2]
-    )
-    half = yaw.size // 2
-    growth = math.log(np.ptp(yaw[half:]) / np.ptp(yaw[:half])) / 1000.0
-
-    solved = solve_system(one.under(rest.force))
-    H, k = solved.lines[0].solution.horizontal_force, solved.full_stiffness[1][1]
-    b = transverse_load(weather.ship, 1.0, DEPTH, angle=0.5 * math.pi, water_density=DENSITY).force
-    lever = -92.0
-    # Rows Y and N over y, yaw, v, r.
-    current = b * speed * np.array([0.0, speed, -1.0, -lever])
-    forces = np.stack([np.array([-k, -H, 0.0, 0.0]) + current, lever * current])
-    A = np.zeros((4, 4))
-    A[0, 2] = A[1, 3] = 1.0
-    A[2:] = np.linalg.solve(weather.inertia[1:, 1:], forces)
-    expected = float(np.linalg.eigvals(A).real.max())
-    assert expected > 1e-3
-    assert growth == pytest.approx(expected, rel=0.1)
 
 
 def test_slow_motion_is_of_second_order_in_its_step(monkeypatch: pytest.MonkeyPatch) -> None:
