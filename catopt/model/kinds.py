@@ -489,6 +489,8 @@ def exceeds(value: float, most: float) -> bool:
     >>> exceeds(20.0 * 4.4 * 1.4, 20.0 * (4.4 * 1.4)), 20.0 * 4.4 * 1.4 > 20.0 * (4.4 * 1.4)
     (False, True)
     """
+    if isinstance(value, int) and isinstance(most, int):
+        return value > most  # counts and seeds are not rounded
     return not value <= most + _ROUNDING * abs(most)
 
 
