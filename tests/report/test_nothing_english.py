@@ -32,7 +32,8 @@ NAMES = re.compile(
     r"UFC-4-159-03|UFC-Blendermann|chain studless R3( \d+ mm)?(, [\d.]+ m)?|Stevpris Mk5|"
     r"catopt( size tanker)?|catopt \d.*|MPCOST|--\w+|PIANC 2002|true"
 )
-"""Codes, names of components and of commands, a flag as files have it; those in text stand beside Vietnamese words."""
+"""Codes, names of components and of commands, a flag as files have it; those in text stand beside
+Vietnamese words."""
 FORMULA = re.compile(r"[=·^]|\b(cos|sqrt|atan|asinh)\b|USD/m|\bdeg\b|\brad\b|^rho\b")
 """Formulas, numbers with their symbols, and units."""
 WORD = re.compile(r"[A-Za-z]{3,}")
