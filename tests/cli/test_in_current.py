@@ -34,7 +34,7 @@ def test_people_see_the_current(run: Run, monkeypatch: pytest.MonkeyPatch) -> No
     assert "power law, 1.5 m/s at the surface, towards 30 deg from x" in " ".join(
         run("solve", CASE, "--full").out.split()
     )
-    assert "Lực cản của dòng chảy" in run("solve", CASE, "--lang", "vi").out
+    assert "Lực cản của dòng chảy" in run("solve", CASE, "--lang", "vi", "--full").out
 
 
 def test_checks_are_of_the_line_in_the_current(run: Run, tmp_path: Path) -> None:
