@@ -84,10 +84,11 @@ def searched(
     patched.setattr(searching, "_run", made_up)
     patched.setattr(searching, "_again", again)
     patched.setattr(searching, "_storm", lambda *_: None)
+    patched.setattr(searching, "_slides", lambda *_: ())
     patched.setattr(
         searching,
         "InMotion",
-        lambda *found, seas, heel, proof, changes: SimpleNamespace(
+        lambda *found, seas, heel, proof, changes, **_: SimpleNamespace(
             counted=found[5], by_length=found[7], seas=seas, heel=heel, proof=proof, changes=changes
         ),
     )
