@@ -76,7 +76,7 @@ def request_of(of: ResolvedInputs) -> BuoyRequest | TankerRequest:
     """Make the request for a buoy or a tanker; every mistake is told at once."""
     request = _of_a_buoy(of) if of.moored == "buoy" else _of_a_tanker(of)
     weather = [] if "force" in of.given else [k for k in _WEATHER if k not in of.given]
-    if "return_period" in of.given and weather:
+    if of["return_period"] and weather:
         allowed = Message("refused_sizing.period_of_weather", missing=Listed(weather, "and"))
         years = Message("refused_file.years", count=of["return_period"] / YEAR)
         of.errors.add("return_period", years, allowed)
@@ -558,7 +558,7 @@ def _taken(
         words += _soil_taken(of, ground)
     if "return_period" not in of.given:
         words.append(Message("sizing.no_return_period"))
-    elif of["life"]:
+    elif of["life"] and of["return_period"]:
         years, life = of["return_period"], of["life"]
         chance = -math.expm1(life * math.log1p(-min(1.0 - 1e-12, YEAR / years)) / YEAR)
         values = {"years": years / YEAR, "life": life / YEAR, "chance": chance}

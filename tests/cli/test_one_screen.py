@@ -42,10 +42,12 @@ def shipped() -> Iterator[tuple[str, str]]:
         name = path.relative_to(CASES).as_posix()
         is_case = "size-" not in name and "case" not in table
         for command, key in TAKEN_BY.items():
-            if key in table and is_case != (command.split()[0] in {"size", "study"}):
+            rests = command != "verify" or not {"points", "current"} <= table.keys()
+            if key in table and rests and is_case != (command.split()[0] in {"size", "study"}):
                 yield command, name
         if is_case and "system" not in table:
-            yield from (("solve", name), ("curve", name))
+            yield "solve", name
+            yield ("curve" if "points" not in table else "system"), name
 
 
 IN_DRAWS = (

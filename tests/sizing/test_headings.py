@@ -106,7 +106,10 @@ def test_the_note_adds_forces_along_and_across_the_ship_up(turned: Sizing) -> No
 @pytest.mark.parametrize(
     ("inputs", "told"),
     [
-        ({"current_angle": "90 deg"}, {"current_yaw": "missing; Clarke-lever, one of series-60, FFG"}),
+        (
+            {"current_angle": "90 deg"},
+            {"current_yaw": "missing; Clarke-lever, one of series-60, FFG"},
+        ),
         (
             {"current_yaw": "FFG"},
             {"current_yaw": "leave it out, or give one of wind_angle, current_angle, wave_angle"},
