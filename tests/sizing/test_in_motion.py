@@ -561,7 +561,7 @@ def test_the_screen_says_what_the_runs_come_to(language: Language) -> None:
     assert len(lines) <= 22
     assert max(map(len, lines)) <= 80
     said = " ".join(" ".join(lines).split())
-    for what in ("120.0 kN", "100.0", "150.0", "8.000 kN", "15.00", "1.2", "10 min", "70", "12"):
+    for what in ("120.0 kN", "100.0", "150.0", "8.000 kN", "10 min", "70", "12"):
         assert what in said
     if language == "en":
         assert "in motion, new and worn" in said

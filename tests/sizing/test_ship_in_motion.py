@@ -243,7 +243,7 @@ def test_both_allowances_are_printed_and_the_document_fits_its_schema() -> None:
         card = " ".join(screen(of))
         document = of.to_dict()
         files = size_files(of, "en", None)
-    assert f"{factor:.2f} in place of 1.2" in card
+    assert f"{factor:.2f} (code allows for 1.2)" in card
     assert "Next size down fails:" in card
     jsonschema.validate(document, schema("catopt.size/1"))
     assert document["in_motion"]["elements"] is None
