@@ -242,7 +242,8 @@ LAID_OUT -= {"arrays", "compiled", "interrupt", "patience", "ties"}
 """All that runs to lay an answer out; results are read, and nothing is solved."""
 SAID = (
     *("catopt.verify.motion_words.", "catopt.verify.compared."),
-    *("catopt.checks.kinds.", "catopt.design.result."),
+    *("catopt.checks.verdict.", "catopt.checks.kinds.", "catopt.design.result."),
+    *("catopt.loads.ship.SHORTEST", "catopt.verify.convergence_check.LIMIT"),
 )
 """What results say of themselves in words, are rounded to or measured in."""
 
