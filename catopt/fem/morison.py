@@ -154,7 +154,9 @@ def fill_equivalents(
                     fz += w * size * z
                     square += w * size * size * (x * x + y * y + z * z)
         variance = square - fx * fx - fy * fy - fz * fz
-        a, b, c = spread[n, 0] ** 2, spread[n, 1] ** 2, spread[n, 2] ** 2
+        # Products: plain code rounds a power otherwise than compiled code on some machines.
+        s, t, u = spread[n, 0], spread[n, 1], spread[n, 2]
+        a, b, c = s * s, t * t, u * u
         linear = a * (xx * xx + xy * xy + xz * xz) + b * (xy * xy + yy * yy + yz * yz)
         linear += c * (xz * xz + yz * yz + zz * zz)
         raised = math.sqrt(variance / linear) if variance > 0.0 and linear > 0.0 else 1.0
