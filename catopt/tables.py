@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import csv
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
@@ -50,7 +50,8 @@ class Sheet:
 
     `headings`: as they stand; `rows`: below them; `skipped`: how many comments are among them;
     `is_decimal_comma`: whether the headings are parted by semicolons, so that numbers may have
-    decimal commas.
+    decimal commas; `broken`: lines that are no rows of it, each with what is wrong, which whoever
+    reads the cells tells with what is wrong in those.
     """
 
     path: str
@@ -58,6 +59,13 @@ class Sheet:
     rows: tuple[Row, ...]
     skipped: int
     is_decimal_comma: bool
+    broken: tuple[tuple[int, Problem], ...] = ()
+
+    def refuse(self, found: Iterable[tuple[int, Problem]] = ()) -> None:
+        """Raise InputError with what is wrong in its lines, and in cells of its rows, in order."""
+        every = sorted((*self.broken, *found), key=lambda each: each[0])
+        if every:
+            raise InputError(few([problem for _, problem in every]), self.path)
 
 
 @dataclass(frozen=True)
@@ -95,11 +103,14 @@ class Column:
         return Message("refused_motion.unit_brackets_wanted_one", value=names)
 
 
-def read_sheet(path: Path, source: str, *, kind: str = "table of numbers") -> Sheet:
+def read_sheet(
+    path: Path, source: str, *, kind: str = "table of numbers", keeps_broken: bool = False
+) -> Sheet:
     """Read a text file as a table; every line of it is a heading, a row, a comment or blank.
 
-    InputError for a file that cannot be read, has more cells than any, has no row below its
-    headings, or where a quotation mark does not end in its line.
+    `keeps_broken`: lines that are no rows are told with what is wrong in the cells of the others,
+    by `Sheet.refuse`. InputError for a file that cannot be read, has more cells than any or no row
+    below its headings and, without that, for such a line.
     """
     text = read_text(path, source, kind=kind, most=MOST_BYTES_OF_DATA)
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
@@ -108,7 +119,7 @@ def read_sheet(path: Path, source: str, *, kind: str = "table of numbers") -> Sh
         allowed = Message("refused_table.most_cells", most=MOST_CELLS)
         raise refused("file", Message("refused_table.cells_of", count=cells), allowed, source)
     rows: list[Row] = []
-    problems: list[Problem] = []
+    broken: list[tuple[int, Problem]] = []
     skipped, mark = 0, ","
     for number, line in enumerate(lines, start=1):
         is_comment = line.lstrip().startswith("#")
@@ -123,20 +134,22 @@ def read_sheet(path: Path, source: str, *, kind: str = "table of numbers") -> Sh
             found = next(csv.reader([line], delimiter=mark, skipinitialspace=True, strict=True))
         except csv.Error as error:
             said = Message("refused_motion.no_table_of_numbers", error=f"{error}")
-            problems.append(Problem(f"line {number}", "", said))
+            broken.append((number, Problem(f"line {number}", "", said)))
             continue
-        rows.append(Row(number, found))
-        if len(rows) > 1 and len(found) != len(rows[0].cells):
+        if rows and len(found) != len(rows[0].cells):
             wanted = Message("refused_motion.are_wanted", heads=len(rows[0].cells))
             count = Message("refused_motion.cells", count=len(found))
-            problems.append(Problem(f"line {number}", count, wanted))
-    if not problems and len(rows) < 2:
+            broken.append((number, Problem(f"line {number}", count, wanted)))
+            continue
+        rows.append(Row(number, found))
+    if not broken and len(rows) < 2:
         wanted = Message("refused_motion.headings_and_rows")
-        problems.append(Problem("rows", f"{len(rows)}", wanted))
-    if problems:
-        raise InputError(few(problems), source)
-    headings = tuple(rows[0].cells)
-    return Sheet(source, headings, tuple(rows[1:]), skipped, mark == ";")
+        broken.append((0, Problem("rows", f"{len(rows)}", wanted)))
+    headings = tuple(rows[0].cells) if rows else ()
+    sheet = Sheet(source, headings, tuple(rows[1:]), skipped, mark == ";", tuple(broken))
+    if len(rows) < 2 or not keeps_broken:
+        sheet.refuse()
+    return sheet
 
 
 def heading(cell: str) -> tuple[str, str]:
@@ -200,6 +213,7 @@ def read_numbers(
     if problems:
         raise InputError(problems, sheet.path)
     columns: list[list[float]] = [[] for _ in names]
+    wrong: list[tuple[int, Problem]] = []
     for row in sheet.rows:
         for k, cell in enumerate(row.cells):
             value = number(cell, is_decimal_comma=sheet.is_decimal_comma) * sizes[k]
@@ -211,9 +225,8 @@ def read_numbers(
                 allowed = Message("refused.number") if is_none else _too_much(column, value)
                 found = shown(cell) or Message("refused_motion.empty_cell")
                 place = f"line {row.line}, {names[k]}"
-                problems.append(Problem(place, found, allowed))
-    if problems:
-        raise InputError(few(problems), sheet.path)
+                wrong.append((row.line, Problem(place, found, allowed)))
+    sheet.refuse(wrong)
     return dict(zip(names, columns, strict=True))
 
 

@@ -356,7 +356,7 @@ def sea_states(case: Case) -> tuple[FatigueSeaState, ...]:
     path = fatigue.sea_states_file
     if not path:
         return fatigue.sea_states
-    sheet = read_sheet(Path(path), path)
+    sheet = read_sheet(Path(path), path, keeps_broken=True)
     columns = read_numbers(sheet, _COLUMNS, needed=("height", "period"), some_of=_LASTING)
     given = [key for key in _LASTING if key in columns]
     if len(given) > 1:

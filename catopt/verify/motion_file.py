@@ -214,7 +214,8 @@ def read_columns(
     path: str, known: Mapping[str, Column], *, needed: Sequence[str], some_of: Sequence[str] = ()
 ) -> dict[str, Array]:
     """Read the columns of a file of numbers as arrays in SI; as `catopt.tables.read_numbers`."""
-    columns = read_numbers(read_sheet(Path(path), path), known, needed=needed, some_of=some_of)
+    sheet = read_sheet(Path(path), path, keeps_broken=True)
+    columns = read_numbers(sheet, known, needed=needed, some_of=some_of)
     return {key: np.array(values) for key, values in columns.items()}
 
 
