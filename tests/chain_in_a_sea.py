@@ -11,6 +11,7 @@ RAOS = "period (s),surge (m/m),surge_phase (deg)\n2,0.4,0\n30,1.0,0\n"
 
 _TEXT = """
 title = "A chain in a sea"
+accept = ["safety_factor"]
 [site]
 water_depth = "20 m"
 [line]

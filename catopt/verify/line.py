@@ -383,8 +383,12 @@ def compared_places(
     tolerance: float,
     point: str = "",
 ) -> Iterator[Compared]:
-    """Compare where a body is in plan; `longest`: of its lines, m; `places`: on each mesh."""
-    scale = max(math.hypot(*closed.offset), _LEAST_OFFSET * longest)
+    """Compare where a body is in plan; `longest`: of its lines, m; `places`: on each mesh.
+
+    Errors are seen beside its offset where that is determined, else beside its lines alone.
+    """
+    scale, way = _LEAST_OFFSET * longest, math.hypot(*closed.offset)
+    scale = max(scale, way) if math.isfinite(way) else scale
     exact = (closed.position.x, closed.position.y)
     for axis, key in enumerate(("position_x", "position_y")):
         values = tuple(place[axis] for place in places)
