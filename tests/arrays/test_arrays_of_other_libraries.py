@@ -13,7 +13,6 @@ import numpy as np
 import pandas as pd
 import pint
 import pytest
-import xarray as xr
 
 from catopt import InputError, Line, Segment, System, solve, solve_many
 from catopt.fem.series import Harmonic, Sampled
@@ -52,7 +51,6 @@ class OfAstropy:
         np.array(["3.36368 kN"]),
         np.array([3.36368 * U.kN], dtype=object),
         pd.Series([FORCE]),
-        xr.DataArray([3.36368], attrs={"units": "kN"}),
         np.ma.array([FORCE], mask=[False]),
     ],
     ids=lambda force: type(force).__name__,
@@ -75,7 +73,6 @@ NOT_FORCES: list[tuple[Any, str]] = [
     (pd.to_timedelta([1], unit="s"), "timedelta64"),
     ([1.0 + 2.0j], r"\(1\+2j\)"),
     ([None], "None"),
-    (xr.DataArray([3.3], attrs={"units": "m"}), "a length; a force is required"),
     ([[1.0], [1.0, 2.0]], "rows of several lengths"),
 ]
 
@@ -83,6 +80,15 @@ NOT_FORCES: list[tuple[Any, str]] = [
 @pytest.mark.parametrize(("force", "said"), NOT_FORCES)
 def test_what_is_no_force_is_refused(force: Any, said: str) -> None:
     with pytest.raises(InputError, match=said):
+        solve_many(LINE, height=9.5, horizontal_force=force)
+
+
+def test_a_unit_among_the_attributes_of_xarray_counts() -> None:
+    xarray = pytest.importorskip("xarray")
+    force = xarray.DataArray([3.36368], attrs={"units": "kN"})
+    assert solve_many(LINE, height=9.5, horizontal_force=force).span == pytest.approx(SPAN)
+    force.attrs["units"] = "m"
+    with pytest.raises(InputError, match="a length; a force is required"):
         solve_many(LINE, height=9.5, horizontal_force=force)
 
 

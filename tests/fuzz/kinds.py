@@ -6,6 +6,7 @@ import json
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -370,6 +371,14 @@ def dataset_of_capytaine() -> bytes:
     return bytes(made.to_netcdf(engine="scipy"))
 
 
+def _capytaines() -> tuple[Kind, ...]:
+    """Give capytaine's dataset, where the package that writes it is installed."""
+    if find_spec("xarray") is None:
+        return ()
+    text = dataset_of_capytaine().decode("latin-1")
+    return (Kind("capytaine", "bytes", (text,), "hull.nc", {}, read=_capytaine),)
+
+
 def _deck(path: Path) -> object:
     """Read a deck and solve its case; MAP++'s have no gravity, density and depth of their own."""
     from catopt.catenary.case import solve_case
@@ -540,14 +549,7 @@ def kinds() -> tuple[Kind, ...]:
             )
             for end in WAMIT
         ),
-        Kind(
-            "capytaine",
-            "bytes",
-            (dataset_of_capytaine().decode("latin-1"),),
-            "hull.nc",
-            {},
-            read=_capytaine,
-        ),
+        *_capytaines(),
         *(
             Kind(f"screen of {command}", "toml", texts, "case.toml", {}, (command, "case.toml"))
             for command, texts in (
