@@ -34,6 +34,8 @@ VERBS = {"by", "compiles", "counts", "did", "does", "goes", "has", "itself", "ta
 OF_OTHERS = {"site.general", "mooring_systems", "line_types"}
 """Keys of other programs' files."""
 ROOTS = (CaseTable, NetworkTable, StudyTable, schema_of("buoy"), schema_of("tanker"))
+FOR_GIT = {"_version.py"}
+"""What types options of another program."""
 VALUES = {*FIND_QUANTITIES, *names()}
 """Words with underscores that are values of a key or of an argument."""
 
@@ -68,7 +70,8 @@ def texts() -> tuple[tuple[str, str], ...]:
 
 @cache
 def messages() -> tuple[tuple[str, str], ...]:
-    code = (each for path in sorted(ROOT.rglob("*.py")) for each in strings_of(path))
+    files = (path for path in sorted(ROOT.rglob("*.py")) if path.name not in FOR_GIT)
+    code = (each for path in files for each in strings_of(path))
     return tuple(each for each in (*texts(), *code) if "--" in each[1] or "catopt " in each[1])
 
 
