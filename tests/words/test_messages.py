@@ -204,7 +204,7 @@ def test_every_text_is_used() -> None:
     asked = {f"desk.{name}" for name in re.findall(r'say\("(\w+)"\)', shell)}
     code = {*QUANTITIES, *texts_in_code()[0], *asked, *(each.name for each in Dimension)}
     code |= {os.strerror(each) for each in errno.errorcode}
-    code |= {key.replace("-", "_") for key in code}
+    code |= {re.sub("[- ]", "_", key) for key in code}
     data = [
         tomllib.loads(path.read_text("utf-8"))
         for path in PACKAGE.rglob("*.toml")
