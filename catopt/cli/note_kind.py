@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import Any
 
 from catopt.answers.blocks import Answer
 from catopt.answers.note_line import line_note_answer
@@ -12,6 +12,8 @@ from catopt.answers.note_size import size_note_answer
 from catopt.answers.note_system import network_note_answer, system_note_answer
 from catopt.casefile.reading import DESIGN_CASE, DESIGN_DOCUMENT, Moored, moored_in
 from catopt.cli.output import Progress
+from catopt.cli.size import spelling_of
+from catopt.cli.size import typed as from_texts
 from catopt.cli.values import refuse
 from catopt.documents import parse_toml, read_text
 from catopt.errors import InputError, Problem
@@ -19,10 +21,15 @@ from catopt.notes.line import Given, Note, SizeNote, read_note, size_note
 from catopt.notes.origin import Asked, asked_in, read_source
 from catopt.notes.system import NetworkNote, SystemNote, read_network_note, read_system_note
 from catopt.sizing.file import read_file, sized
+from catopt.sizing.inputs import Input, inputs_of
+from catopt.sizing.known import known
+from catopt.sizing.requests import size
 from catopt.words import Message
 
-if TYPE_CHECKING:
-    AnyNote = Note | NetworkNote | SizeNote | SystemNote
+Options = Sequence[tuple[str, str]]
+"""Of a sizing: each as it is spelt, and its value, empty where it has none."""
+
+AnyNote = Note | NetworkNote | SizeNote | SystemNote
 
 
 def note_of_file(
@@ -86,6 +93,49 @@ def note_of_sizing(path: Path, moored: Moored, asked: Asked | None = None) -> Si
     """Size what a file for ``catopt size`` describes, and make the note of it."""
     given = Given(read_source(path))
     return size_note(sized(read_file(path, moored)), given, asked)
+
+
+def note_of_options(options: Options, path: Path | None, asked: Asked) -> SizeNote:
+    """Size again what options asked for, before what a file has, and make the note of it.
+
+    Raises InputError, with every option that there is no longer.
+    """
+    moored = _moored_by(options) if path is None else moored_in(path) or "buoy"
+    spell, by_label = spelling_of(moored), _by_label(moored)
+    refuse(
+        Problem(label, value, Message("refused_command.no_such_option_now"))
+        for label, value in options
+        if label not in by_label
+    )
+    typed: dict[str, Any] = {}
+    for label, value in options:
+        each = by_label[label]
+        if each.several:
+            typed.setdefault(each.name, []).append(value)
+        else:
+            typed[each.name] = True if each.takes == "FLAG" else value
+    given = from_texts(moored, typed)
+    if path is None:
+        found = known(moored, given, spell, "options")
+    else:
+        found = read_file(path, moored).known(given, spell)
+    source = None if path is None else read_source(path)
+    return size_note(size(found), Given(source, tuple(options)), asked)
+
+
+def _by_label(moored: Moored) -> dict[str, Input]:
+    spell = spelling_of(moored)
+    return {spell(name): each for name, each in inputs_of(moored).items()}
+
+
+def _moored_by(options: Options) -> Moored:
+    """Say what is moored where no file does: a tanker by an option that a buoy does not have."""
+    of_a_buoy, of_a_tanker = _by_label("buoy"), _by_label("tanker")
+    return (
+        "tanker"
+        if any(label in of_a_tanker and label not in of_a_buoy for label, _ in options)
+        else "buoy"
+    )
 
 
 def _of_a_line_alone(

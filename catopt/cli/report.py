@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -15,6 +15,9 @@ from catopt.cli.verify import stop_in_doubt
 from catopt.notes.origin import file_name
 from catopt.verify.motion_words import stopped_words
 from catopt.words import Message
+
+if TYPE_CHECKING:
+    from catopt.notes.again import ReadNote
 
 PAGE_ENDINGS = (".html", ".htm")
 """What tells a file from a directory in --out."""
@@ -107,27 +110,41 @@ def _compare_again(asked: Asked, place: Path) -> None:
     from tempfile import TemporaryDirectory
 
     from catopt.answers.again import again_answer
-    from catopt.cli.note_kind import answer_of, has_table, note_of_file
+    from catopt.cli.note_kind import AnyNote, answer_of, has_table, note_of_file, note_of_options
     from catopt.documents import MOST_BYTES_OF_DATA, read_text
     from catopt.notes.again import compared_notes, read_written_note
-    from catopt.notes.origin import source_of
+    from catopt.notes.origin import Asked as AskedForNote
     from catopt.render.page import page
 
     text = read_text(place, str(place), kind="note", most=MOST_BYTES_OF_DATA)
     old = read_written_note(text, str(place))
     with asked.output.progress(Message("beside.note")), TemporaryDirectory() as folder:
-        beside = place.parent / old.name  # where files that it names are found, too
-        if not beside.is_file() or source_of("", beside.read_text("utf-8")).text != old.text:
-            beside = Path(folder) / old.name
-            beside.write_text(old.text, "utf-8", newline="")
-        if has_table(beside, "design"):
+        beside = _file_of(old, place.parent, Path(folder)) if old.name else None
+        if beside is not None and has_table(beside, "design"):
             raise refused("--again", old.name, Message("refused_command.no_note_of_a_front"))
         has_motion = any("motion" in name for name in old.sections)
         has_truss = any("verification" in name for name in old.sections)
-        note = note_of_file(beside, verify=has_truss, motion=has_motion or None)
+        if beside is None or old.options:
+            note: AnyNote = note_of_options(old.options, beside, AskedForNote("", has_truss, False))
+        else:
+            note = note_of_file(beside, verify=has_truss, motion=has_motion or None)
         now = read_written_note(page(answer_of(note), old.language).decode(), str(place))
     result = compared_notes(str(place), old, now)
     replace(asked, full=True).give(again_answer(result), result.to_dict)
+
+
+def _file_of(old: ReadNote, beside: Path, folder: Path) -> Path:
+    """Give the file of an old note, the one beside it where that is the same, else written anew.
+
+    Beside the note stand the files that it names, too.
+    """
+    from catopt.notes.origin import source_of
+
+    place = beside / old.name
+    if not place.is_file() or source_of("", place.read_text("utf-8")).text != old.text:
+        place = folder / old.name
+        place.write_text(old.text, "utf-8", newline="")
+    return place
 
 
 def _place(out: Path | None, name: str) -> tuple[Path, str, bool]:

@@ -48,6 +48,11 @@ def by_option(name: str, index: int | None = None) -> str:
     return "BUOY" if name == "buoy" else as_option(name, index)
 
 
+def spelling_of(moored: Moored) -> Spelling:
+    """Give how the inputs of a kind of sizing are written as options."""
+    return by_option if moored == "buoy" else as_option
+
+
 def _parameter(each: Input, taken: str | None) -> inspect.Parameter:
     """Make an option of an input; its help says what is taken, if not its own, when left out."""
     flags = {name: as_option(name) for name in _NAMED}
@@ -186,7 +191,7 @@ def _size(
         allowed = Message("refused_command.there_no_directory", parent=save.parent)
         raise refused("--save", str(save), allowed)
     asked.check_place(for_case=True)
-    spell = by_option if moored == "buoy" else as_option
+    spell = spelling_of(moored)
     given = typed(moored, options)
     if place is not None and is_form(place):
         _size_form(asked, place, given, spell, save)

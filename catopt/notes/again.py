@@ -33,9 +33,11 @@ class ReadNote:
     sections: tuple[str, ...]
     """Their keys."""
     name: str
-    """Of the file that it rests on."""
+    """Of the file that it rests on; empty where a sizing rests on options alone."""
     text: str
     """All of that file."""
+    options: tuple[tuple[str, str], ...]
+    """Typed for a sizing: each as it was spelt, and its value, empty where it has none."""
     numbers: Mapping[Place, tuple[float, str]]
     """Each in SI, and as the page says it."""
 
@@ -98,9 +100,9 @@ def read_written_note(page: str, source: str) -> ReadNote:
     reader.feed(page)
     reader.close()
     version = reader.generator.removeprefix("catopt ")
-    if not reader.file_name or version == reader.generator:
+    if version == reader.generator or not (reader.file_name or reader.options):
         raise refused("--again", source, Message("refused_command.a_note"))
-    if hashlib.sha256(reader.file_text.encode()).hexdigest() != reader.sha256:
+    if reader.file_name and hashlib.sha256(reader.file_text.encode()).hexdigest() != reader.sha256:
         raise refused("--again", reader.file_name, Message("refused_command.a_note_as_it_was"))
     language = next((each for each in LANGUAGES if each == reader.language), LANGUAGES[0])
     return ReadNote(
@@ -109,6 +111,7 @@ def read_written_note(page: str, source: str) -> ReadNote:
         tuple(reader.sections),
         reader.file_name,
         reader.file_text,
+        tuple(reader.options),
         reader.numbers,
     )
 
@@ -134,6 +137,8 @@ def compared_notes(source: str, old: ReadNote, new: ReadNote) -> NoteAgain:
     )
 
 
+_OPTIONS: Final = "size_options"
+"""Table of a note that has the options of its sizing."""
 _FILE = re.compile(r"^(.*), SHA-256 ([0-9a-f]{64})$")
 
 
@@ -145,6 +150,7 @@ class _Reader(HTMLParser):
         self.generator, self.language = "", "en"
         self.sections: list[str] = []
         self.file_name, self.file_text, self.sha256 = "", "", ""
+        self.options: list[tuple[str, str]] = []
         self.numbers: dict[Place, tuple[float, str]] = {}
         self._table, self._headings, self._cells = "", list[str](), 0
         self._row, self._text, self._value, self._in_head = "", "", "", False
@@ -192,6 +198,8 @@ class _Reader(HTMLParser):
             return
         if not column:
             self._row = said
+        elif self._table == _OPTIONS:
+            self.options.append((self._row, said))
         if self._value:
             heading = self._headings[column] if column < len(self._headings) else ""
             place = (self.sections[-1] if self.sections else "", self._table, self._row, heading)

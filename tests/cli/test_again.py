@@ -51,6 +51,22 @@ def test_the_screen_has_each_of_them(run: Run, old: Path) -> None:
     assert "17.60 m" in ran.out
 
 
+def test_a_sizing_by_options_is_sized_again(run: Run, tmp_path: Path) -> None:
+    """Two values of one input, a flag, and the buoy's name, which is no option."""
+    typed = ("pillar 1.8 m", "--depth", "12 m", "--at-rest", "--hs", "1 m")
+    assert run("size", "buoy", *typed, "--out", str(tmp_path)).status == 0
+    note = tmp_path / "note.html"
+    document = json.loads(run("report", str(note), "--again", "--json").out)
+    assert (document["otherwise"], document["gone"], document["new"]) == ([], 0, 0)
+    assert document["same"] > 200
+    # Of another depth each line is another one.
+    note.write_text(note.read_text("utf-8").replace(">12 m</td>", ">14 m</td>"), "utf-8")
+    document = json.loads(run("report", str(note), "--again", "--json").out)
+    assert len(document["otherwise"]) > 50
+    note.write_text(note.read_text("utf-8").replace(">--depth<", ">--deepness<"), "utf-8")
+    assert "--deepness" in run("report", str(note), "--again").err
+
+
 def test_numbers_with_the_same_name_are_told_apart_by_their_order() -> None:
     page = (NOTES / "size-buoy.html").read_text("utf-8")
     read = read_written_note(page, "note")
