@@ -143,7 +143,7 @@ class CheckReport(Displayable, Record):
     """Whether the demands are in doubt: of a run in time that was stopped or did not converge."""
     case: Case | Network | None = field(default=None, compare=False)  # that was checked
     is_in_motion: bool = False  # whether the lines were run in time
-    is_proven: bool = True  # whether they were run again at a finer step or with more bars
+    is_proven: bool = False  # whether they were run again at a finer step or with more bars
 
     @property
     def judgement(self) -> Judgement:

@@ -276,16 +276,17 @@ class MooredShip:
         *,
         step: float | None = None,
         start: Array | None = None,
+        finer: bool = False,
     ) -> ShipHistory:
         """Run it from rest for a time, s, of which the ramp is left out of the answer.
 
         The generator draws the gusts; `step`, s, is that of the samples, `sample_step` when left
-        out; `start` (6,): a state of `swing` in the place of rest. NoEquilibriumError where a line
-        does not reach, with the time.
+        out; `start` (6,): a state of `swing` in the place of rest; `finer`: at half the step, in
+        the same gusts and drift. NoEquilibriumError where a line does not reach, with the time.
         """
         rest = rest or self.at_rest(waves)
-        slow = self._slow(waves, duration, ramp, generator, rest, start)
-        step = step or sample_step(waves)
+        slow = self._slow(waves, duration, ramp, generator, rest, start, finer)
+        step = (step or sample_step(waves)) * (0.5 if finer else 1.0)
         time = ramp + step * np.arange(int((duration - ramp) / step) + 1, dtype=np.float64)
         way = slow_at(time, slow)
         fast = self._fast(waves, time, way, rest)
@@ -304,6 +305,7 @@ class MooredShip:
         generator: np.random.Generator,
         rest: ShipAtRest,
         start: Array | None,
+        finer: bool,
     ) -> Array:
         """Step the slow motion: x, y and yaw, a sample every `SLOW_STEP`, (n, 3)."""
         ship, of = self.ship, self.ship.of
@@ -314,8 +316,11 @@ class MooredShip:
         if of.gusts != "none" and speed > 0.0:
             gust = gust_series(speed, samples, SLOW_STEP, generator)
         blown = np.outer(1.0 + grown * gust / (speed or 1.0), ship.wind)
-        slow = self._driven(rest, blown, _drift_series(ship, waves, samples, ramp))
-        return self._stepped(slow, rest, samples, start)[:, :3]
+        drift = _drift_series(ship, waves, samples, ramp)
+        if not finer:
+            return self._stepped(self._driven(rest, blown, drift), rest, samples, start)[:, :3]
+        slow = self._driven(rest, _with_means(blown), _with_means(drift))
+        return self._stepped(slow, rest, 2 * samples - 1, start, 0.5 * SLOW_STEP)[::2, :3]
 
     def _driven(self, rest: ShipAtRest, wind: Array, drift: Array) -> SlowShip:
         """Put together what steps it, under wind and drift over time."""
@@ -365,9 +370,14 @@ class MooredShip:
         return self._stepped(self._steady(waves, rest, samples), rest, samples)
 
     def _stepped(
-        self, slow: SlowShip, rest: ShipAtRest, samples: int, start: Array | None = None
+        self,
+        slow: SlowShip,
+        rest: ShipAtRest,
+        samples: int,
+        start: Array | None = None,
+        step: float = SLOW_STEP,
     ) -> Array:
-        """Step what drives it from a state, or from rest: a sample every `SLOW_STEP`, (n, 6)."""
+        """Step what drives it from a state, or from rest: a sample every step, s, (n, 6)."""
         path = np.zeros((samples, 6))
         path[0, :3] = rest.place
         if not self.system.turns:
@@ -378,10 +388,10 @@ class MooredShip:
         lines = as_arrays(room_for(legs))
         work = 4.0 * _PULL * samples * legs
         done, wrong = compiled(step_slowly, work)(
-            SLOW_STEP, slow, self._arrangement, self._tables, lines, np.zeros((5, 6)), path
+            step, slow, self._arrangement, self._tables, lines, np.zeros((5, 6)), path
         )
         if wrong >= 0:
-            raise _out_of_reach(wrong, done * SLOW_STEP)
+            raise _out_of_reach(wrong, done * step)
         return path
 
     @property
@@ -454,6 +464,17 @@ class MooredShip:
         if wrong >= 0:
             raise _out_of_reach(wrong, float(time[done]))
         return out
+
+
+def _with_means(samples: Array) -> Array:
+    """Put the mean of two samples between them: of what is taken as straight from one to the next.
+
+    `samples` (n, ...) gives (2 n - 1, ...).
+    """
+    out = np.empty((2 * samples.shape[0] - 1, *samples.shape[1:]))
+    out[::2] = samples
+    out[1::2] = 0.5 * (samples[:-1] + samples[1:])
+    return out
 
 
 def wave_numbers_of(waves: Waves, depth: float) -> Array:

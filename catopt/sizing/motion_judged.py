@@ -12,6 +12,7 @@ from catopt.checks.case import check_case
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.evaluation import sinker_of
 from catopt.errors import NoAnswerError, NotConvergedError
+from catopt.floater.ship import ShipInWeather
 from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.environment import Headings
 from catopt.loads.sinker import SinkerSize
@@ -226,6 +227,8 @@ class ShipRun(NamedTuple):
     lost: ShipLost
     worn: bool = False  # whether its lines weigh what wear leaves of them
     cycles: int = 0  # slow ones of all its runs
+    hardest: int = 0  # run with the largest tension
+    ship: ShipInWeather | None = None  # with tables that its lines share
 
     @property
     def line(self) -> LineOfShip:

@@ -56,8 +56,16 @@ from catopt.sizing.ship_afloat import MOTION_CODE, runs_afloat, ship_afloat
 from catopt.sizing.ship_band import band_of, basis_of
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.ties import largest
+from catopt.verify.convergence_check import LIMIT
 from catopt.verify.ship_result import few_cycles, slow_cycles
-from catopt.verify.two_scales import check_hanging, run_without, verify_ship
+from catopt.verify.two_scales import (
+    change_at_half_step,
+    check_hanging,
+    hardest_run,
+    run_without,
+    verify_ship,
+    with_proof,
+)
 from catopt.words import Message
 
 _MOST_FACTOR: Final = 100.0
@@ -143,7 +151,7 @@ class _Search:
         self._settled: dict[Line, ConvergedSizing] = {}
         # By load case and directions, with tables that their lines share.
         self._ships: dict[tuple[str, Headings, bool], Any] = {}
-        self._run_on = lines_of(how, request.environment.sea.hs)
+        self.run_on = lines_of(how, request.environment.sea.hs)
         # The one that stopped the last line first.
         outs = (True, False) if request.lines > 1 else (False,)
         wears = start.posed.case.service is not None
@@ -422,7 +430,8 @@ class _Search:
         name, said = state.load_case, self._said(state)
         case = self._afloat(state, settled, around)
         weather = (name, state.directions, state.lull)
-        found = verify_ship(self._as_judged(case), ship=self._ships.get(weather), **self._run_on)
+        ship = self._ships.get(weather)
+        found = verify_ship(self._as_judged(case), ship=ship, proven=False, **self.run_on)
         self._ships[weather] = found.moored.ship
         offset = max(found.offset.judged, offset_of_lost(found.lost))
         if around is None:
@@ -443,6 +452,8 @@ class _Search:
             lost,
             state.worn,
             slow_cycles(found.runs, found.rest),
+            hardest_run(found.runs),
+            found.moored.ship,
         )
 
     def _without_line(
@@ -453,7 +464,7 @@ class _Search:
         case = self._afloat(state, settled, around)
         weather = (name, state.directions, state.lull)
         ship = self._ships.get(weather)
-        found, moored = run_without(self._as_judged(case), 1, ship=ship, **self._run_on)
+        found, moored = run_without(self._as_judged(case), 1, ship=ship, **self.run_on)
         self._ships[weather] = moored.ship
         without = around.state_in(name).line_out.line_force
         return ShipLost(said, case, (found,), without, offset_of_lost((found,)))
@@ -547,6 +558,7 @@ def _moved(
     as_laid = [each for each in chosen.runs if not each.worn]
     hardest = largest(as_laid, lambda each: each.hanging.fairlead.tension)
     case = replace(hardest.case, anchor=chosen.anchor)
+    change = change_at_half_step(hardest.case, hardest.hardest, ship=hardest.ship, **found.run_on)
     settled = chosen.settled
     still = check_case(replace(settled.case, anchor=chosen.anchor, design=None))
     point = replace(settled.point, anchor=chosen.anchor, checks=still)
@@ -561,7 +573,7 @@ def _moved(
         InMotion(
             how,
             case,
-            chosen.checks,
+            with_proof(chosen.checks, change),
             _storm(chosen),
             request.line.allowance,
             _counted(found),
@@ -573,6 +585,8 @@ def _moved(
             basis=basis_of(case),
             band=band_of(case),
             own=found.own,
+            proof="converged" if change.size <= LIMIT else "not converged",
+            changes=(change,),
         ),
         chosen.drag_anchor,
         chosen.sinker,

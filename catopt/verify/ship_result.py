@@ -30,6 +30,7 @@ from catopt.model.kinds import Angle, Duration, SomeForce, Strength, Time
 from catopt.records import Counted, Record
 from catopt.ties import first_largest, largest
 from catopt.units import lasting
+from catopt.verify.convergence_check import Change
 from catopt.verify.motion_file import energy_beyond
 from catopt.waves import Sea, Waves, breaking_warning
 from catopt.waves.random_surface import wave_number
@@ -160,7 +161,7 @@ class ShipVerification(Record):
     DOCUMENT = (
         "count=runs duration since storm rest.force=mean_force_N rest.mean_loads "
         "rest.of_document=rest heading offset=offset_m yaw=yaw_rad lines lost=lines_out "
-        "report=checks swing remarks"
+        "report=checks change swing remarks"
     )
 
     case: Case
@@ -182,6 +183,8 @@ class ShipVerification(Record):
     lost: tuple[ShipWithoutLine, ...] = ()
     """With a line gone, of those without which another carries more at rest in the mean weather,
     the hardest first; none of one line, or where no check is on it."""
+    change: Change | None = None
+    """Of the largest tension at half the step; None where that was not run."""
 
     @property
     def count(self) -> Counted:

@@ -44,6 +44,7 @@ from catopt.floater.two_scales import (
 from catopt.model import Case, System
 from catopt.model.dynamics import Dynamics
 from catopt.mooring.static_equilibrium import zero_load_position
+from catopt.verify.convergence_check import LIMIT, Change
 from catopt.verify.dynamic_setup import Excitation, read_drive
 from catopt.verify.ship_result import (
     LineOfShip,
@@ -97,6 +98,7 @@ def verify_ship(
     ship: ShipInWeather | None = None,
     progress: Progress | None = None,
     on_lines: Callable[..., MooredShip] = MooredShip,
+    proven: bool = True,
 ) -> ShipVerification:
     """Run the ship of a case on its lines, on two time scales.
 
@@ -111,6 +113,8 @@ def verify_ship(
         Told how many runs are done, of how many.
     on_lines : callable
         Puts a ship on lines, such as `catopt.floater.tabulated.TabulatedShip`.
+    proven : bool
+        Run the seed with the largest tension again at half the step.
 
     Returns
     -------
@@ -147,7 +151,7 @@ def verify_ship(
     lines = tuple(_lines(moored, range(1, len(legs) + 1), histories, dynamics))
     lost = tuple(_without(moored, drive, number, tell) for number in missing)
     asked = case.system is not None and case.system.judged_line_out
-    remarks = (
+    remarks: tuple[Message, ...] = (
         swing.words,
         *judged_by_words(lines, dynamics),
         *few_cycles(slow_cycles(histories, rest)),
@@ -161,9 +165,32 @@ def verify_ship(
     )
     hanging = hang_judged(lines, moored)
     checks, directions = check_hanging(case, hanging, lost), _waves(drive, 0).direction
+    change = None
+    if proven:
+        number = hardest_run(histories)
+        change = _change(histories[number], moored, drive, start, number)
+        checks = with_proof(checks, change)
+        remarks = (*remarks, Message("floater.half_step", change=change.size))
     return ShipVerification(
-        case, moored, rest, histories, lines, hanging, checks, remarks, directions, swing, lost
+        case,
+        moored,
+        rest,
+        histories,
+        lines,
+        hanging,
+        checks,
+        remarks,
+        directions,
+        swing,
+        lost,
+        change,
     )
+
+
+def with_proof(checks: CheckReport, change: Change) -> CheckReport:
+    """Say of checks what a run at half the step makes of them."""
+    is_proven = change.size <= LIMIT
+    return replace(checks, is_proven=is_proven, is_doubted=not is_proven)
 
 
 def _swing(moored: MooredShip, drive: Excitation, rest: ShipAtRest) -> tuple[Swing, Array | None]:
@@ -201,15 +228,8 @@ def _histories(
     start: Array | None = None,
 ) -> tuple[ShipHistory, ...]:
     """Run a ship in every seed, from where she rests in it or a state of hers."""
-    step, dynamics = sample_step(_waves(drive, 0)), drive.dynamics
-
-    def run(number: int) -> ShipHistory:
-        waves = _waves(drive, number)
-        seed = 0 if drive.case.waves is None else drive.case.waves.seed
-        generator = np.random.default_rng([seed, number, 1])
-        until = dynamics.duration
-        return moored.run(waves, until, drive.ramp, generator, step=step, start=start)
-
+    dynamics = drive.dynamics
+    run = partial(_run, moored, drive, start)
     # The first run by itself: whatever has to be compiled then is.
     found = [run(0)]
     tell()
@@ -219,6 +239,59 @@ def _histories(
             found.append(each)
             tell()
     return tuple(found)
+
+
+def _run(
+    moored: MooredShip, drive: Excitation, start: Array | None, number: int, *, finer: bool = False
+) -> ShipHistory:
+    """Run a ship in one seed; `finer`: at half the step."""
+    waves, step, until = (
+        _waves(drive, number),
+        sample_step(_waves(drive, 0)),
+        drive.dynamics.duration,
+    )
+    seed = 0 if drive.case.waves is None else drive.case.waves.seed
+    generator = np.random.default_rng([seed, number, 1])
+    until = drive.dynamics.duration
+    return moored.run(waves, until, drive.ramp, generator, step=step, start=start, finer=finer)
+
+
+# ------------------------------------------------------------------ at half the step
+
+
+def change_at_half_step(
+    case: Case,
+    number: int,
+    *,
+    ship: ShipInWeather | None = None,
+    on_lines: Callable[..., MooredShip] = MooredShip,
+) -> Change:
+    """Say by how much the largest tension of one run, from 0, moves at half the step.
+
+    All else as `verify_ship`.
+    """
+    moored, drive = moored_ship(case, ship, on_lines)
+    _, start = _swing(moored, drive, moored.at_rest(_waves(drive, 0)))
+    return _change(_run(moored, drive, start, number), moored, drive, start, number)
+
+
+def _change(
+    run: ShipHistory,
+    moored: MooredShip,
+    drive: Excitation,
+    start: Array | None,
+    number: int,
+) -> Change:
+    finer = _run(moored, drive, start, number, finer=True)
+    largest = finer.tension.max(axis=(0, 2))
+    moved = abs(run.tension.max(axis=(0, 2)) - largest)
+    most = int(np.argmax(moved / largest))
+    return Change("largest_tension", "step", float(moved[most] / largest[most]), float(moved[most]))
+
+
+def hardest_run(runs: Sequence[ShipHistory]) -> int:
+    """Say in which run, from 0, the largest tension stands."""
+    return int(np.argmax([each.tension.max() for each in runs]))
 
 
 # ------------------------------------------------------------------ with a line out

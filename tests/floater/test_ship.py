@@ -410,6 +410,16 @@ def test_slow_motion_is_of_second_order_in_its_step(monkeypatch: pytest.MonkeyPa
     assert math.log2(first / second) == pytest.approx(2.0, abs=0.3)
 
 
+def test_finer_is_half_the_step_under_the_same_loads(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of one wave the drift is steady: there nothing but the step is another."""
+    moored, waves = MooredShip(spread(), ship()), calm(0.3)
+    finer = moored.run(waves, 200.0, 0.0, np.random.default_rng(1), finer=True)
+    monkeypatch.setattr(two_scales, "SLOW_STEP", 0.5)
+    halved = moored.run(waves, 200.0, 0.0, np.random.default_rng(1))
+    assert finer.course == pytest.approx(halved.course[::2], abs=1e-12)
+    assert finer.time[1] == pytest.approx(halved.time[1] / 2)
+
+
 def test_a_small_ship_says_that_her_areas_are_scaled() -> None:
     """A boat of 15 m has a deckhouse of 2.5 m: AF = 3.3 (0.33 + 2.5) m2; her own areas count."""
     boat = ShipAfloat(length=15.0, breadth=3.3, draught=1.1, moulded_depth=1.43)

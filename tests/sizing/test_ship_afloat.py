@@ -11,10 +11,13 @@ import pytest
 
 from catopt import solve_system
 from catopt.casefile import parse_case, write_case
+from catopt.checks.result import CheckReport
+from catopt.floater import two_scales
 from catopt.report.bundle import size_files
 from catopt.sizing.result import Sizing
 from catopt.sizing.ship_afloat import ship_afloat
 from catopt.sizing.tanker_request import TankerRequest
+from catopt.verify.convergence_check import LIMIT
 from catopt.verify.ship_result import ShipVerification
 from catopt.verify.two_scales import verify_ship
 from tests.sizing.alone import alone
@@ -124,3 +127,31 @@ def test_the_weather_comes_from_the_side_that_is_hardest_on_a_line(
     around = max(most(2.0 * math.pi * k / 36) for k in range(36))
     # Samples 10 deg apart may beat what golden sections stop at by rounding alone.
     assert most(0.0) >= around * (1.0 - 1e-4)
+
+
+def open_of(checks: CheckReport) -> list[str]:
+    """List what was not judged, by those checks alone that pass: else nothing is left open."""
+    passing = tuple(each for each in checks.results if each.passes)
+    assert passing
+    return [each.subject for each in replace(checks, results=passing).judgement.not_judged]
+
+
+def test_a_step_that_is_too_long_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Green at a step of 1 s, which half the step bears out; in doubt at one of 40 s."""
+    found = run(1)
+    assert found.change is not None
+    assert found.change.size < 1e-3
+    assert found.checks.is_proven
+    assert "convergence" not in open_of(found.checks)
+    monkeypatch.setattr(two_scales, "SLOW_STEP", 40.0)
+    coarse = verify_ship(found.case)
+    assert coarse.change is not None
+    assert coarse.change.size > LIMIT
+    assert coarse.checks.is_doubted
+    assert coarse.checks.judgement.colour in {"amber", "red"}
+
+
+def test_what_was_run_once_is_no_green() -> None:
+    case = run(1).case
+    once = verify_ship(case, proven=False).checks
+    assert "convergence" in open_of(once)
