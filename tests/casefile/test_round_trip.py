@@ -12,6 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from catopt.casefile import parse_case, write_case
+from catopt.casefile.plausibility import HEAVIER, RANGES
 from catopt.documents import unfit
 from catopt.model import (
     Anchor,
@@ -432,6 +433,7 @@ def cases(draw: st.DrawFn) -> Case:
         anchor=draw(st.none() | ANCHORS),
         catalogue=draw(CHOICES),
         design=draw(st.none() | designs(line, references)),
+        accept=(*(each.name for each in RANGES), HEAVIER),  # numbers are any
         **moving,
     )
 
