@@ -13,6 +13,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from catopt.words.message import on_one_line
+
 
 class CatoptError(Exception):
     """Any failure that catopt announces."""
@@ -38,7 +40,7 @@ class Problem:
 
     def __str__(self) -> str:
         what = f"found {self.found}; " if self.found else ""
-        return f"{self.key}: {what}{self.allowed}".replace("\n", "\\n")
+        return on_one_line(f"{self.key}: {what}{self.allowed}")
 
 
 class InputError(CatoptError):

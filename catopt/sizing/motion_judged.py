@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Final, NamedTuple
 
@@ -12,7 +12,6 @@ from catopt.checks.case import check_case
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.evaluation import sinker_of
 from catopt.errors import NoAnswerError, NotConvergedError
-from catopt.floater.ship import ShipInWeather
 from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.environment import Headings
 from catopt.loads.sinker import SinkerSize
@@ -21,6 +20,7 @@ from catopt.sizing.in_motion import (
     LineTried,
     RunsAfloat,
     Sea,
+    Storm,
     TightestSea,
     in_sea,
     sea_of,
@@ -29,6 +29,8 @@ from catopt.sizing.in_motion import (
 )
 from catopt.sizing.pattern import Pattern
 from catopt.sizing.settle import ConvergedSizing
+from catopt.ties import largest
+from catopt.verify.convergence_check import Change
 from catopt.verify.dynamic_result import DynamicPart, Verdict, worst_verdict
 from catopt.verify.judged import check_parts, judged_as, solutions_at_rest, way_of
 from catopt.verify.ship_result import LineOfShip, ShipWithoutLine
@@ -227,8 +229,7 @@ class ShipRun(NamedTuple):
     lost: ShipLost
     worn: bool = False  # whether its lines weigh what wear leaves of them
     cycles: int = 0  # slow ones of all its runs
-    hardest: int = 0  # run with the largest tension
-    ship: ShipInWeather | None = None  # with tables that its lines share
+    at_half_step: Callable[[], Change] | None = None  # runs the hardest of its runs again
 
     @property
     def line(self) -> LineOfShip:
@@ -313,3 +314,21 @@ def offset_of_lost(lost: tuple[ShipWithoutLine, ...]) -> float:
 def size_of(segment: Segment) -> float:
     """Return the nominal diameter of a segment, m; 0 where it has none."""
     return segment.nominal_diameter or 0.0
+
+
+def storm_of(of: JudgedLine) -> Storm:
+    """Find the load case of the largest tension at the fairlead, and what the storm comes to."""
+
+    def tension(each: ShipRun) -> float:
+        return each.line.judged("most-probable")
+
+    hardest = largest(of.runs, tension)
+    extreme = hardest.line.storm
+    return Storm(
+        hardest.load_case,
+        max(one.fairlead.seen for each in of.runs for one in each.lines),
+        None if extreme is None else extreme.most_probable,
+        None if extreme is None else extreme.low,
+        None if extreme is None else extreme.high,
+        hardest.at_rest.fairlead.tension,
+    )

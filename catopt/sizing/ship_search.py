@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import partial
 from operator import itemgetter
 from typing import Any, Final, NamedTuple
 
@@ -34,7 +35,6 @@ from catopt.sizing.in_motion import (
     NoLineInMotionError,
     RunsAfloat,
     Sea,
-    Storm,
     in_sea,
     sea_of,
     tightest_seas,
@@ -48,6 +48,7 @@ from catopt.sizing.motion_judged import (
     in_load_case,
     offset_of_lost,
     size_of,
+    storm_of,
 )
 from catopt.sizing.pattern import DragGround, Pattern
 from catopt.sizing.quick import NEAR, lines_of
@@ -151,7 +152,7 @@ class _Search:
         self._settled: dict[Line, ConvergedSizing] = {}
         # By load case and directions, with tables that their lines share.
         self._ships: dict[tuple[str, Headings, bool], Any] = {}
-        self.run_on = lines_of(how, request.environment.sea.hs)
+        self._run_on = lines_of(how, request.environment.sea.hs)
         # The one that stopped the last line first.
         outs = (True, False) if request.lines > 1 else (False,)
         wears = start.posed.case.service is not None
@@ -430,9 +431,9 @@ class _Search:
         name, said = state.load_case, self._said(state)
         case = self._afloat(state, settled, around)
         weather = (name, state.directions, state.lull)
-        ship = self._ships.get(weather)
-        found = verify_ship(self._as_judged(case), ship=ship, proven=False, **self.run_on)
-        self._ships[weather] = found.moored.ship
+        ship, judged = self._ships.get(weather), self._as_judged(case)
+        found = verify_ship(judged, ship=ship, proven=False, **self._run_on)
+        ship = self._ships[weather] = found.moored.ship
         offset = max(found.offset.judged, offset_of_lost(found.lost))
         if around is None:
             at_rest, without = dict(settled.point.checks.solutions)[name], 0.0
@@ -452,8 +453,7 @@ class _Search:
             lost,
             state.worn,
             slow_cycles(found.runs, found.rest),
-            hardest_run(found.runs),
-            found.moored.ship,
+            partial(change_at_half_step, case, hardest_run(found.runs), ship=ship, **self._run_on),
         )
 
     def _without_line(
@@ -464,7 +464,7 @@ class _Search:
         case = self._afloat(state, settled, around)
         weather = (name, state.directions, state.lull)
         ship = self._ships.get(weather)
-        found, moored = run_without(self._as_judged(case), 1, ship=ship, **self.run_on)
+        found, moored = run_without(self._as_judged(case), 1, ship=ship, **self._run_on)
         self._ships[weather] = moored.ship
         without = around.state_in(name).line_out.line_force
         return ShipLost(said, case, (found,), without, offset_of_lost((found,)))
@@ -558,7 +558,8 @@ def _moved(
     as_laid = [each for each in chosen.runs if not each.worn]
     hardest = largest(as_laid, lambda each: each.hanging.fairlead.tension)
     case = replace(hardest.case, anchor=chosen.anchor)
-    change = change_at_half_step(hardest.case, hardest.hardest, ship=hardest.ship, **found.run_on)
+    assert hardest.at_half_step is not None
+    change = hardest.at_half_step()
     settled = chosen.settled
     still = check_case(replace(settled.case, anchor=chosen.anchor, design=None))
     point = replace(settled.point, anchor=chosen.anchor, checks=still)
@@ -574,7 +575,7 @@ def _moved(
             how,
             case,
             with_proof(chosen.checks, change),
-            _storm(chosen),
+            storm_of(chosen),
             request.line.allowance,
             _counted(found),
             tuple(each.tried for each in found.judged.values()),
@@ -591,22 +592,4 @@ def _moved(
         chosen.drag_anchor,
         chosen.sinker,
         largest(ways, itemgetter(1)),
-    )
-
-
-def _storm(of: JudgedLine) -> Storm:
-    """Find the load case of the largest tension at the fairlead, and what the storm comes to."""
-
-    def tension(each: ShipRun) -> float:
-        return each.line.judged("most-probable")
-
-    hardest = largest(of.runs, tension)
-    extreme = hardest.line.storm
-    return Storm(
-        hardest.load_case,
-        max(one.fairlead.seen for each in of.runs for one in each.lines),
-        None if extreme is None else extreme.most_probable,
-        None if extreme is None else extreme.low,
-        None if extreme is None else extreme.high,
-        hardest.at_rest.fairlead.tension,
     )

@@ -14,14 +14,13 @@ from catopt.arrays import Array
 from catopt.catenary.solution import Solution
 from catopt.checks.result import CheckReport, ChecksInMotion
 from catopt.fem.extremes import Extreme
+from catopt.floater.scales import Scales, scales_of
 from catopt.floater.ship import ShipInWeather
 from catopt.floater.two_scales import (
     SLOW_STEP,
     MooredShip,
-    Scales,
     ShipAtRest,
     ShipHistory,
-    scales_of,
 )
 from catopt.hydro.coefficients import FREEDOMS
 from catopt.model import Case, Motion

@@ -30,6 +30,7 @@ from catopt.checks.system import (
 )
 from catopt.errors import InputError, NoAnswerError, Problem, refused
 from catopt.fem.extremes import weibull_tail
+from catopt.floater.scales import scales_of
 from catopt.floater.ship import ShipInWeather
 from catopt.floater.stability import period_of
 from catopt.floater.tabulated import TabulatedShip
@@ -39,7 +40,6 @@ from catopt.floater.two_scales import (
     ShipAtRest,
     ShipHistory,
     sample_step,
-    scales_of,
 )
 from catopt.model import Case, System
 from catopt.model.dynamics import Dynamics

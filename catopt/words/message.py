@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from functools import cache
 from string import Formatter
 from types import MappingProxyType
-from typing import Any, Literal, Protocol, Self, get_args
+from typing import Any, Final, Literal, Protocol, Self, get_args
 
 from catopt.quantities import QUANTITIES, Quantity, Units, places_of
 
@@ -398,6 +398,18 @@ def heading(name: str, quantity: Quantity, language: Language = "en", *, si: boo
     return f"{f'{say(name, language)} {quantity.symbol}'.rstrip()} ({unit})"
 
 
+_ESCAPED: Final = {
+    code: ascii(chr(code))[1:-1]
+    for code in (*range(0x20), *range(0x7F, 0xA0), *range(0x202A, 0x202F), *range(0x2066, 0x206A))
+}
+"""How what steers a terminal is told: control characters, and those that turn the text about."""
+
+
+def on_one_line(text: str) -> str:
+    """Write a text so that nothing in it steers a terminal, a line break neither."""
+    return text.translate(_ESCAPED)
+
+
 class _Problem(Protocol):
     @property
     def key(self) -> str: ...
@@ -412,7 +424,7 @@ def say_refusal(source: str, problems: Iterable[_Problem], language: Language = 
     every = tuple(problems)
     place = Several((term(source), ": "), "") if source else ""
     head = Message("refused.head", source=place, count=len(every))
-    lines = (say(problem_words(each), language).replace("\n", "\\n") for each in every)
+    lines = (on_one_line(say(problem_words(each), language)) for each in every)
     return "\n".join([say(head, language), *(f"  {each}" for each in lines)])
 
 

@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from catopt.casefile import read_case
-from catopt.errors import InputError
-from catopt.words import Message, say
+from catopt.errors import InputError, Problem
+from catopt.words import Language, Message, say
 from catopt.words.message import say_refusal
 
 BROKEN = Path(__file__).parent / "broken"
@@ -48,3 +48,15 @@ def test_every_refusal_is_said_in_vietnamese(name: str, monkeypatch: pytest.Monk
     assert not re.search(r"\b(is required|must be|leave it|did you mean|missing|found)\b", below)
     english = say_refusal(caught.value.source, caught.value.problems)
     assert english == str(caught.value)
+
+
+@pytest.mark.parametrize("language", ["en", "vi"])
+def test_nothing_in_a_refusal_steers_a_terminal(language: Language) -> None:
+    """A line break, a colour, a vertical tab, and a mark that turns the text about."""
+    wrong = Problem("a\x0bb", "\x1b[31m\u202e", "one\ntwo")
+    said = say_refusal("", [wrong], language)
+    assert re.findall(r"[\x00-\x09\x0b-\x1f\u202e]", said) == []
+    assert said.count("\n") == 1
+    for each in (said, f"  {wrong}"):
+        assert r"a\x0bb" in each
+        assert r"\x1b[31m\u202e" in each

@@ -13,14 +13,13 @@ from catopt import Line, Segment, System, solve_system
 from catopt.errors import InputError
 from catopt.floater import two_scales
 from catopt.floater.line_tables import no_tables
+from catopt.floater.scales import Scales, scales_of
 from catopt.floater.ship import ShipInWeather, SlowShip, rates
 from catopt.floater.ship import turn as turn_of
 from catopt.floater.stability import linearised, period_of, swing_mode
 from catopt.floater.two_scales import (
     MooredShip,
-    Scales,
     _drift_series,
-    scales_of,
     wave_numbers_of,
 )
 from catopt.loads import (

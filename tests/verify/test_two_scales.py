@@ -16,7 +16,8 @@ from catopt.answers.motion import ship_answer
 from catopt.casefile import parse_case, write_case
 from catopt.errors import InputError, NoEquilibriumError
 from catopt.fem.extremes import Extreme
-from catopt.floater.two_scales import MooredShip, Scales
+from catopt.floater.scales import Scales
+from catopt.floater.two_scales import MooredShip
 from catopt.model import Case, Motion, System
 from catopt.render.card import card_lines
 from catopt.render.files import csv_files
