@@ -16,6 +16,7 @@ import stat
 import tomllib
 import unicodedata
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
@@ -123,7 +124,8 @@ def parse_toml(text: str, source: str) -> dict[str, Any]:
     """Parse TOML text; `source` is its name for messages.
 
     InputError with the line and column at fault, the line itself and what to do about it; or with
-    every key or text that has characters it may not have.
+    every key or text that has characters it may not have. Of a file whose name does not end in
+    ``.toml`` no line is told: it may be any file, named by mistake.
     """
     # A newline is added so that a fault in the last line is placed there, not at the end.
     document = text.removeprefix("\ufeff").replace("\r\n", "\n") + "\n"
@@ -137,7 +139,10 @@ def parse_toml(text: str, source: str) -> dict[str, Any]:
         try:
             return tomllib.loads(document)
         except tomllib.TOMLDecodeError as error:
-            raise InputError([_syntax_problem(document, str(error))], source) from None
+            problem = _syntax_problem(document, str(error))
+            if source and not source.lower().endswith(".toml"):
+                problem = replace(problem, found="")
+            raise InputError([problem], source) from None
 
     return _parsed(parse, source)
 

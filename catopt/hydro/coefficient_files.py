@@ -115,7 +115,9 @@ def wamit_rows(path: Path, end: str, problems: list[Problem]) -> Array:
         except ValueError as error:
             if number > 1 or any(cell[:1].isdigit() for cell in line.split()):
                 place = Message("refused_motion.file_at_line", file=path.name, number=number)
-                wrong.append(Problem(place, as_written(line.strip()), error.args[0]))
+                # Any other file may be here by mistake: its words are not told.
+                said = as_written(line.strip()) if path.suffix.lower() in WAMIT else ""
+                wrong.append(Problem(place, said, error.args[0]))
     if not wrong and not found:
         allowed = Message("refused_motion.rows_are_wanted", columns=" ".join(columns))
         wrong.append(Problem(path.name, Message("refused.none"), allowed))

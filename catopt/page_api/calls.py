@@ -126,6 +126,7 @@ def ask(call: str, question: Question) -> Reply:
     try:
         made = (question.get("door", "line"), question.get("values", {}), question.get("base", ""))
         text = question["text"] if "text" in question else text_of(*made)
+        _door(text)  # refuses what no door is for
         if call in _DOCUMENTS:
             return _DOCUMENTS[call](text)
         if call == "compare":

@@ -13,6 +13,7 @@ from typing import Any, Final, Literal
 from catopt.casefile.document import parts
 from catopt.catalogue.finding import component_names
 from catopt.documents import parse_toml
+from catopt.errors import refused
 from catopt.sizing.inputs import INPUTS, Input, rows_of
 from catopt.sizing.kinds import choices_of
 from catopt.units import bare_number
@@ -208,9 +209,11 @@ def _of_input(each: Input, door: Door) -> Field:
 
 
 def door_of(document: Mapping[str, Any]) -> Door:
-    """Say which door a document is for."""
+    """Say which door a document is for; InputError for lines between points, which have none."""
     from catopt.casefile.reading import moored_of
 
+    if "points" in document:
+        raise refused("points", "[[points]]", Message("desk.no_points"))
     return moored_of(dict(document)) or ("body" if "system" in document else "line")
 
 

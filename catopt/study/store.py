@@ -162,6 +162,9 @@ class Store:
         return [wanted.get(member, ()) for member in members]
 
 
+_OF_TABLES: Final = (".csv", ".parquet")
+
+
 def read_table(base: Base, path: Path, columns: Mapping[str, str], weight: str | None) -> Axis:
     """Read a table as an axis.
 
@@ -192,6 +195,8 @@ def read_table(base: Base, path: Path, columns: Mapping[str, str], weight: str |
     wanted += [] if weight is None else [("weight", weight)]
     allowed = Message("refused_study.table_has_no_such_heading")
     problems += [Problem(key, f'"{name}"', allowed) for key, name in wanted if name not in known]
+    if not found and path.suffix.lower() not in _OF_TABLES:
+        problems = []  # any file, named by mistake, whose words are not told
     if not problems and not found:
         problems.append(Problem("headings", "", Message("refused_study.none_them_key_varies")))
     if problems:

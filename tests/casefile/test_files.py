@@ -117,3 +117,18 @@ def test_a_bottomless_array_and_an_endless_number() -> None:
         parse_case("a = " + "[" * 100_000)
     with pytest.raises(InputError, match="file: "):
         parse_case("a = " + "1" * 10_000)
+
+
+ANOTHERS = "password:hunter2, 5 x\nTOKEN=hunter2\n"
+
+
+def test_the_words_of_another_file_named_by_mistake_are_not_told(tmp_path: Path) -> None:
+    secret = tmp_path / "credentials"
+    secret.write_text(ANOTHERS)
+    text = f'{TEXT}\n[catalogue]\nfile = "{{}}"\n'
+    with pytest.raises(InputError, match="line 1, column 9") as caught:
+        parse_case(text.format(secret.as_posix()))
+    assert "hunter2" not in str(caught.value)
+    secret.rename(own := tmp_path / "own.toml")  # of one's own families the line is told
+    with pytest.raises(InputError, match="found `password:hunter2, 5 x`"):
+        parse_case(text.format(own.as_posix()))

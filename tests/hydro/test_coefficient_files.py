@@ -11,8 +11,8 @@ from typing import Any, Literal
 import numpy as np
 import pytest
 
-from catopt.errors import InputError
-from catopt.hydro.coefficient_files import read_capytaine, read_wamit
+from catopt.errors import InputError, Problem
+from catopt.hydro.coefficient_files import read_capytaine, read_wamit, wamit_rows
 from catopt.hydro.coefficients import Coefficients
 from catopt.words import say
 
@@ -93,6 +93,14 @@ def test_faults_of_all_files_come_at_once(tmp_path: Path) -> None:
     places = [say(each.key, "en") for each in error.value.problems]
     assert places == ["ship.1, line 2", "ship.1, line 3", "ship.3, line 2", "ship.3, line 3"]
     assert "ship.1, dòng 2" in say(error.value.problems[0].key, "vi")
+
+
+def test_the_words_of_another_file_are_not_told(tmp_path: Path) -> None:
+    other = tmp_path / "credentials"
+    other.write_text("token 1\nhunter2\n")
+    problems: list[Problem] = []
+    wamit_rows(other, ".4", problems)
+    assert [each.found for each in problems] == ["", ""]
 
 
 def test_rows_that_lack_or_stand_twice(tmp_path: Path) -> None:

@@ -11,6 +11,7 @@ import pytest
 
 from catopt.answers.blocks import Answer, Table
 from catopt.answers.of_result import comparison
+from catopt.casefile import template
 from catopt.page_api import ask, shell
 from catopt.page_api.fields import DOORS, START, Door, fields_of, text_of, values_of
 from catopt.sizing.inputs import rows_of
@@ -39,6 +40,14 @@ def test_the_document_is_the_commands(run: Run, call: str, command: str, case: s
     printed = run(*command.split(), CASES / case, "--json").out
     text = (CASES / case).read_text("utf-8")
     assert json.loads(json.dumps(ask(call, {"text": text}))) == json.loads(printed)
+
+
+@pytest.mark.parametrize("call", ["open", "solve", "whole", "note", "system"])
+def test_lines_between_points_are_told_where_they_are_solved(call: str) -> None:
+    """It called `points` an unknown key."""
+    (problem,) = ask(call, {"text": template("points")})["problems"]
+    assert (problem["key"], problem["found"]) == ("points", "[[points]]")
+    assert "catopt system case.toml" in problem["allowed"]
 
 
 def test_a_form_is_the_file_that_says_the_same() -> None:

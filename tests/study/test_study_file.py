@@ -126,6 +126,13 @@ def test_a_table_tells_its_headings_and_its_cells(tmp_path: Path) -> None:
     assert "above 0" in said
 
 
+def test_the_words_of_another_file_are_not_told(tmp_path: Path) -> None:
+    (tmp_path / "credentials").write_text("password:hunter2\nTOKEN=hunter2\n")
+    said = refused(tmp_path, '[[vary]]\ntable = "credentials"\n')
+    assert "headings of" in said
+    assert "hunter2" not in said
+
+
 @pytest.mark.parametrize(
     ("text", "head", "told"),
     [
