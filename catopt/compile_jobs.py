@@ -57,6 +57,25 @@ def _bodies() -> None:
     solve_system_many(system, force=[[0.0, 0.0], [1e4, 0.0]])
 
 
+def _points() -> None:
+    """Lines between points, with a joint and a body."""
+    from catopt.model import Line, Segment, Site
+    from catopt.model.network import LineBetween, MooredBody, Network, Point
+    from catopt.mooring.held import at_rest
+
+    chain = Line((Segment(60.0, 500.0, EA=1e8),))
+    places = [("west", -50.0, 0.0), ("east", 50.0, 0.0), ("north", 0.0, 50.0)]
+    anchors = [Point(name, "anchor", x, y, 0.0) for name, x, y in places]
+    points = (
+        *anchors,
+        Point("joint", "joint"),
+        Point("bow", "fairlead", 5.0, 0.0, 30.0, body="barge"),
+    )
+    names = [*(name for name, _, _ in places), "bow"]
+    lines = tuple(LineBetween(chain, name, "joint") for name in names)
+    at_rest(Network(Site(30.0), points, lines, bodies=(MooredBody("barge"),)))
+
+
 def _designs() -> None:
     """Designs of a line and of a mooring, and the front of two and of three objectives."""
     import numpy as np
@@ -155,6 +174,7 @@ JOBS: Mapping[str, Callable[[], None]] = MappingProxyType(
     {
         "many lines": _lines,
         "bodies of several lines": _bodies,
+        "lines between points": _points,
         "design search": _designs,
         "waves": _waves,
         "truss model at rest": _at_rest,

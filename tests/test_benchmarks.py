@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from benchmarks.__main__ import BY_NAME, SIZES, all_of, comparisons
-from benchmarks.house import Counts, counted, counts_of
+from benchmarks.house import Counts, counted, counts_of, solvers, tree_here
 
 ROOT = Path(__file__).parents[1]
 NO_PAGE = {"__init__", "__main__", "common", "guard_tasks", "mutants"}
@@ -68,7 +68,7 @@ async def _never(value): return value
 def test_the_house_counts_what_is_there() -> None:
     """Imports are 1 + 3 lines; signatures 1 + 3 + 1 and one line that holds all of its function."""
     assert counts_of(FILE) == Counts(
-        lines=23, files=1, functions=4, imports=4, signatures=6, blanks=9, alone=1
+        lines=23, statements=8, files=1, functions=4, imports=4, signatures=6, blanks=9, alone=1
     )
 
 
@@ -80,3 +80,30 @@ def test_the_house_adds_files_by_part() -> None:
     found = counted(tree)
     assert {part: each.lines for part, each in found.items()} == {"(top)": 1, "a": 46}
     assert found["a"].files == 2
+
+
+ASKING = """
+def shown(case, of):
+    if isinstance(case, Case | Network) and of.system is None:
+        return case.network if not case.system else None
+    if of.system:
+        return isinstance(case, Case)
+    assert case.system is not None
+    return case.system == of.system
+"""
+
+
+def test_the_house_counts_places_that_ask_which_kind_a_mooring_is() -> None:
+    """A type, `is None`, `not`, `if`, `is not None`; a comparison of two asks nothing."""
+    assert (counts_of(ASKING).forks, counts_of(ASKING).asking) == (5, 1)
+    assert (counts_of(FILE).forks, counts_of(FILE).asking) == (0, 0)
+
+
+ASKED, SOLVED = 94, 17
+"""Places that ask which kind a mooring is, solvers of what is one concept: to go down, never up."""
+
+
+def test_a_mooring_becomes_one_thing() -> None:
+    tree = tree_here()
+    assert sum(each.forks for each in counted(tree).values()) <= ASKED
+    assert sum(map(len, solvers(tree).values())) <= SOLVED

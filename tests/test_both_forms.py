@@ -39,10 +39,13 @@ from catopt.fem.linear_motion import linear_motion
 from catopt.fem.mesh import mesh_line
 from catopt.fem.series import series_rows, series_values
 from catopt.floater import alone, two_scales  # noqa: F401 - before their `compiled` is watched
+from catopt.mooring import joints
 from catopt.mooring.batch import solve_system_many
+from catopt.mooring.held import at_rest
 from catopt.waves import PowerLawCurrent, Sea, TableCurrent, jonswap, random_waves
 
 from .both_forms import both_forms
+from .campaign.networks import drawn
 
 PACKAGE = Path(catopt.__file__).parent
 CASES = Path(__file__).parents[1] / "cases"
@@ -92,6 +95,15 @@ def systems() -> None:
     system = read_case(CASES / "fso-rang-dong" / "case.toml").system
     assert system is not None
     solve_system_many(system, force=[[-4e6 * k / 10, 1e5] for k in range(12)])
+
+
+def networks() -> None:
+    """Joints and bodies: bed, friction, a body that turns; as arrays, as compiled code has them."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(joints, "is_compiled", lambda _: True)
+        for seed in (5, 16, 17):
+            at_rest(drawn(seed))
+        at_rest(read_case(PACKAGE.parent / "tests/answers/cases/points-and-body.toml"))
 
 
 def designs() -> None:
@@ -176,6 +188,7 @@ JOBS: dict[Callable[[], None], set[str]] = {
     fronts: {"_best_of_three", "_volume"},
     lines: {"fill"},
     systems: {"static_equilibria"},
+    networks: {"rest"},
     designs: {"assess"},
     moorings: {"assess_moorings"},
     series: {"_fill_values"},

@@ -28,7 +28,7 @@ from catopt.words import Measure, Message
 
 if TYPE_CHECKING:
     from catopt.catenary.layout import Profile
-    from catopt.mooring.line_ends import Vector
+    from catopt.mooring.joints import Vector
     from catopt.mooring.network_rest import LinesAtRest, Position
     from catopt.mooring.restoring import RestoringCurve, WatchCircle
     from catopt.mooring.solution import SystemSolution

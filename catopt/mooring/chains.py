@@ -16,8 +16,10 @@ from catopt.errors import NoEquilibriumError
 from catopt.model import Line, PointLoad, Segment
 from catopt.model.network import LineBetween, Network
 from catopt.mooring.joints import (
+    Ends,
     JointsAtRest,
     Run,
+    Vector,
     check_afloat,
     friction_of,
     laid_out,
@@ -26,7 +28,6 @@ from catopt.mooring.joints import (
     solved,
     turned_line,
 )
-from catopt.mooring.line_ends import Ends, Vector
 from catopt.words import Message
 
 _LEFT = 1e-6

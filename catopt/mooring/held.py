@@ -21,8 +21,10 @@ from catopt.mooring.chains import apart, in_rows, rows_of
 from catopt.mooring.joints import (
     UNIT,
     JointsAtRest,
+    Matrix,
     Moored,
     Run,
+    Vector,
     assembled,
     by_turning,
     check_afloat,
@@ -33,7 +35,6 @@ from catopt.mooring.joints import (
     runs_of,
     solve,
 )
-from catopt.mooring.line_ends import Matrix, Vector
 from catopt.mooring.network_rest import (
     BodyAtRest,
     FloatsInCurrent,

@@ -1,55 +1,61 @@
-"""Joints and bodies of a network at rest: where the pulls of the lines balance what loads them.
-
-The energy of lines that only pull, over a bed that only pushes, is convex in the places of their
-ends, so that there is one equilibrium; Newton's method goes down to it. A step is cut back while
-the forces at its end push back by more than a part of what they pulled at its start. In the yaw of
-a body the energy need not be convex: there the step is turned downhill, and the equilibrium is the
-one that the body comes to from where it was.
-"""
+"""Joints and bodies of a network at rest: where the pulls of the lines balance what loads them."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from catopt.catenary.equilibrium import BY_SPAN
-from catopt.catenary.pieces import Pieces, cut
+from catopt.catenary.pieces import LineProblem, Pieces, cut
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import refusal, solution_of
-from catopt.catenary.state import CONVERGED
-from catopt.errors import FloatsUpError, NoEquilibriumError, NotConvergedError
+from catopt.catenary.state import CONVERGED, State
+from catopt.compiled import compiled, is_compiled
+from catopt.errors import CatoptError, FloatsUpError, NoEquilibriumError, NotConvergedError
 from catopt.model import Line, Load
 from catopt.model.network import MooredBody, Network
-from catopt.mooring.line_ends import Ends, Matrix, Vector, ends_of
+from catopt.mooring.descent import TURNS_OVER
+from catopt.mooring.net import (
+    FORCES,
+    FREE,
+    GUESS,
+    OVER_THE_BED,
+    PINNED,
+    TURNS,
+    WHOLE,
+    Known,
+    Net,
+    by_end,
+    hang,
+    problem_of,
+    room_for,
+    state_of,
+    stiffen,
+)
+from catopt.mooring.rest import Found, rest
 from catopt.words import Message
 
-TOLERANCE = 1e-9
-"""Force left over at a joint, over the largest end force of a line."""
+Vector = tuple[float, float, float]
+Matrix = tuple[tuple[float, ...], ...]
 
-ROUNDING = 2e-15
-"""Of the longest line, by which rounding moves an end: over the stiffness that is a force."""
+_A_LINE = 2e-3
+"""Time that a line of a network takes to come to rest as plain Python, s."""
 
-WORTH_A_STEP = 1e-3
-"""Of what may be left over: more than that is brought down as long as a step halves it."""
 
-_STEPS = 200
-_CUTS = 60
-_OVERSHOOT = 0.3
-"""Of what the forces pulled at the start of a step, what they may push back at its end."""
-_SETTLED = 0.02
-"""The same once a step has been cut back: a line that comes taut on the way stops it there, and the
-next step has to know how stiff it is."""
-_HELD_BACK = 1e-9
-"""Spring to where a joint is in one step, over the largest stiffness: nothing else may hold it."""
+class Ends(NamedTuple):
+    """A line between two points at rest.
 
-_GENTLE = 1e-6
-"""The same, over what the forces would make of it along the longest line."""
-_MOST_TURN, _NUDGE = 0.5, 0.01
-"""rad: of a body in one step; and off a ridge on which it balances."""
-_RIDGE = 1e-9
-"""Of the largest stiffness: by so much a pivot may be below 0 from rounding."""
+    `first` and `second` are the forces of the line on either point (N), `stiffness` (6 x 6) minus
+    the derivatives of both by the places of both points, N/m.
+    """
+
+    state: State
+    problem: LineProblem
+    first: tuple[float, ...]
+    second: tuple[float, ...]
+    stiffness: Matrix
 
 
 class Run(NamedTuple):
@@ -150,12 +156,7 @@ def joints_at_rest(
     the moment on a body, or a line that does not stretch is too short; FloatsUpError; or
     NotConvergedError with the force left over.
     """
-    if len(held) < len(network.points):
-        found = _Search(network, runs, held, pinned).rest(known)
-    else:
-        places = tuple(held[k] for k in range(len(network.points)))
-        ends = tuple(solved(run, places, friction_of(network, run)) for run in runs)
-        found = JointsAtRest(places, ends, (0.0,) * len(places), 0.0, 0)
+    found = _brought_to_rest(network, runs, held, known, pinned)
     _check(network, runs, found)
     return found
 
@@ -199,227 +200,194 @@ class Moored(NamedTuple):
         }
 
 
-class _At(NamedTuple):
-    """Places of all points, how far each body is moved and turned (m, m, rad), the lines there."""
+def _brought_to_rest(
+    network: Network,
+    runs: Sequence[Run],
+    held: dict[int, Vector],
+    known: JointsAtRest | None,
+    pinned: bool,
+) -> JointsAtRest:
+    joints = [k for k, point in enumerate(network.points) if point.kind == "joint"]
+    bodies = moored(network, 3 * len(joints))
+    poses = ((0.0, 0.0, 0.0),) * len(bodies) if known is None else known.poses
+    fixed = {**held}
+    for body, pose in zip(bodies, poses, strict=True):
+        fixed |= body.places(pose)
+    places = _start(network, runs, fixed) if known is None else known.places
+    net = _net(network, runs, held, joints, bodies, pinned)
+    room = room_for(net)
+    room.q[:] = [each for k in joints for each in places[k]]
+    for body, (x, y, yaw) in zip(bodies, poses, strict=True):
+        room.q.extend((x, y, yaw * body.arm)[: body.freedoms])
+    for k, ends in enumerate(() if known is None else known.ends):
+        _guess(k, ends, room)
+    if not net.pull:
+        return _found(net, hung(net, room, runs), joints, bodies, Found(*_AT_ONCE))
+    found, room = _rested(net, room)
+    _check_found(network, runs, net, room, bodies, found)
+    return _found(net, room, joints, bodies, found)
 
-    places: list[Vector]
-    poses: tuple[Vector, ...]
-    ends: list[Ends]
+
+_AT_ONCE = (CONVERGED, -1, 0, 0.0, 0.0)
 
 
-class _Search:
-    """Newton's method on the places of the joints and of the bodies."""
+def _rested(net: Net, room: Known) -> tuple[Found, Known]:
+    """Bring a net to rest, as plain Python or compiled, whichever is the sooner done."""
+    run = compiled(rest, _A_LINE * len(net.first))
+    if not is_compiled(rest):
+        return run(net, room), room
+    arrays = _as_arrays(room)
+    found = run(_as_arrays(net), arrays)
+    return Found(*found), Known(*(each.tolist() for each in arrays))
 
-    def __init__(
-        self, network: Network, runs: Sequence[Run], held: dict[int, Vector], pinned: bool
-    ) -> None:
-        self.network, self.runs, self.held = network, runs, held
-        self.joints = [k for k, point in enumerate(network.points) if point.kind == "joint"]
-        self.bodies = moored(network, 3 * len(self.joints))
-        self.size = 3 * len(self.joints) + sum(body.freedoms for body in self.bodies)
-        self.stride = max(run.line.length for run in runs)
-        self.pins = [body.first + i for body in self.bodies for i in (0, 1)] if pinned else []
 
-    def rest(self, known: JointsAtRest | None) -> JointsAtRest:
-        """Step until the forces are in balance, and as long as that still gets better."""
-        at = self.start(known)
-        begun, best, nudged = at.poses, math.inf, False
-        counts = [3] * len(self.joints) + [body.freedoms for body in self.bodies]
-        firsts = [sum(counts[:k]) for k in range(len(counts))]
-        for step in range(_STEPS):
-            motions = self.motions(at.poses)
-            forces, laid = self.forces(at, motions)
-            pulls = [math.hypot(*pull) for each in at.ends for pull in (each.first, each.second)]
-            left = max(math.hypot(*forces[k : k + n]) for k, n in zip(firsts, counts, strict=True))
-            stiffest = max(each.stiffness[i][i] for each in at.ends for i in range(6))
-            limit = TOLERANCE * max(pulls) + ROUNDING * self.stride * stiffest
-            if left <= limit and not WORTH_A_STEP * limit < left < 0.5 * best:
-                if nudged or self.is_stable(at, motions, laid):
-                    return self.found(at, laid, left, step)
-                nudged, best = True, math.inf
-                at = self.moved(at, self.nudge(), 1.0)
-                continue
-            best = min(best, left)
-            before, at = at, self.step(at, motions, forces, laid)
-            self.check_turns(at.poses, begun)
-            if left > limit and (before.places, before.poses) == (at.places, at.poses):
-                break
-        if any(laid.values()) and self.network.site.seabed_friction:
-            return self.found(at, laid, left, step)  # which is refused: friction holds it
-        values = {"left": left, "steps": _STEPS, "part": left / max(pulls)}
+def _as_arrays(columns: Any) -> Any:
+    """Copy lists as arrays, for compiled code."""
+    import numpy as np
+
+    kinds = (np.int64 if name in WHOLE else np.float64 for name in columns._fields)
+    return type(columns)(*map(np.array, columns, kinds))
+
+
+def _net(
+    network: Network,
+    runs: Sequence[Run],
+    held: Mapping[int, Vector],
+    joints: Sequence[int],
+    bodies: Sequence[Moored],
+    pinned: bool,
+) -> Net:
+    """Say what moves of a network, and by which freedoms."""
+    frictions = [friction_of(network, run) for run in runs]
+    net = fixed_net(
+        runs, [held.get(k, (0.0, 0.0, 0.0)) for k in range(len(network.points))], frictions
+    )
+    for point in joints:
+        net.freedom[4 * point : 4 * point + 3] = range(len(net.pull), len(net.pull) + 3)
+        net.pull.extend(network.points[point].hung)
+        net.kind.extend((FREE, FREE, OVER_THE_BED))
+        net.scale.extend((1.0,) * 3)
+        net.group.append(len(net.pull))
+    for moves in bodies:
+        of, first = moves.body, len(net.pull)
+        for k, (x, y, height) in moves.arms.items():
+            net.base[3 * k : 3 * k + 3] = of.x, of.y, height
+            net.arm[2 * k : 2 * k + 2] = x, y
+            net.freedom[4 * k : 4 * k + 2] = first, first + 1
+            net.freedom[4 * k + 3] = first + 2 if moves.turns else -1
+        loads = (*of.force, of.moment / moves.arm)
+        net.pull.extend(loads[: moves.freedoms])
+        in_plan = PINNED if pinned else FREE
+        net.kind.extend((in_plan, in_plan, TURNS)[: moves.freedoms])
+        net.scale.extend((1.0, 1.0, moves.arm)[: moves.freedoms])
+        net.group.append(len(net.pull))
+    return net
+
+
+def fixed_net(runs: Sequence[Run], places: Sequence[Vector], frictions: Sequence[float]) -> Net:
+    """Lay out lines between points of which none moves."""
+    piece, columns = [0], Pieces([], [], [], [])
+    for run in runs:
+        piece.append(piece[-1] + len(run.pieces.length))
+        for column, own in zip(columns, run.pieces, strict=True):
+            column.extend(own)
+    count = len(places)
+    return Net(
+        first=[run.first for run in runs],
+        second=[run.second for run in runs],
+        piece=piece,
+        length=columns.length,
+        weight=columns.weight,
+        compliance=columns.compliance,
+        load=columns.load,
+        friction=list(frictions),
+        base=[each for place in places for each in place],
+        freedom=[-1] * (4 * count),
+        arm=[0.0] * (2 * count),
+        pull=[],
+        scale=[],
+        kind=[],
+        group=[0],
+    )
+
+
+def _guess(k: int, ends: Ends, room: Known) -> None:
+    """Seek a line from where it is known near by."""
+    state, of = ends.state, ends.problem
+    rise = of.fairlead_height - of.anchor_height
+    room.guess[GUESS * k : GUESS * (k + 1)] = [
+        *(state.H, state.V, state.span, rise),
+        *by_end(state, of),
+    ]
+
+
+def hung(net: Net, room: Known, runs: Sequence[Run]) -> Known:
+    """Solve lines between their points; an error where one has no answer."""
+    status, line = hang(net, room)
+    if status != CONVERGED:
+        raise _refused(status, line, net, room, runs)
+    return room
+
+
+def _refused(status: int, line: int, net: Net, room: Known, runs: Sequence[Run]) -> CatoptError:
+    """Say why a line has no answer between its points."""
+    problem, (a, b) = problem_of(line, net, room), (net.first[line], net.second[line])
+    span = math.dist(*(room.place[3 * k : 3 * k + 2] for k in (a, b)))
+    return refusal(status, runs[line].line, Load(span=max(span, 1e-9)), problem)
+
+
+def ends_of(k: int, net: Net, room: Known) -> Ends:
+    """Say what a line that hangs does to its points."""
+    stiffen(k, net, room)
+    force = tuple(room.force[FORCES * k : FORCES * (k + 1)])
+    rows = tuple(tuple(room.block[6 * i : 6 * i + 6]) for i in range(6))
+    problem = problem_of(k, net, room)
+    return Ends(state_of(k, room), problem, force[:3], force[3:], rows)
+
+
+def _check_found(
+    network: Network,
+    runs: Sequence[Run],
+    net: Net,
+    room: Known,
+    bodies: Sequence[Moored],
+    found: Found,
+) -> None:
+    """Refuse what found no rest."""
+    if found.status == CONVERGED:
+        return
+    if found.status == TURNS_OVER:
+        (turned,) = (each.body for each in bodies if each.first <= found.number < each.first + 3)
+        said = Message("mooring.body_turns_over", name=turned.name, moment=turned.moment)
+        raise NoEquilibriumError(said, "moment", abs(turned.moment))
+    if found.number >= 0:
+        raise _refused(found.status, found.number, net, room, runs)
+    if not (any(room.held) and network.site.seabed_friction):  # else refused: friction holds it
+        part = found.left / found.largest
+        values = {"left": found.left, "steps": found.steps, "part": part}
         raise NotConvergedError(Message("mooring.joints_not_at_rest", **values))
 
-    def start(self, known: JointsAtRest | None) -> _At:
-        """Begin where all is known to be at rest, or with the bodies where they are given."""
-        poses = ((0.0, 0.0, 0.0),) * len(self.bodies) if known is None else known.poses
-        held = {**self.held}
-        for body, pose in zip(self.bodies, poses, strict=True):
-            held |= body.places(pose)
-        if known is None:
-            places = _start(self.network, self.runs, held)
-        else:
-            places = [held.get(k, place) for k, place in enumerate(known.places)]
-        return _At(places, poses, self.ends(places, None if known is None else known.ends))
 
-    def found(self, at: _At, laid: dict[int, float], left: float, step: int) -> JointsAtRest:
-        """Say what has come to rest."""
-        reactions = [0.0] * len(at.places)
-        for k, point in enumerate(self.joints):
-            reactions[point] = laid.get(3 * k + 2, 0.0)
-        return JointsAtRest(
-            tuple(at.places), tuple(at.ends), tuple(reactions), left, step, at.poses
-        )
-
-    def is_stable(
-        self, at: _At, motions: Mapping[int, tuple[int, Matrix]], laid: Collection[int]
-    ) -> bool:
-        """Whether no body turns on from where it is in balance."""
-        if not any(body.turns for body in self.bodies):
-            return True
-        matrix = self.stiffness(at, motions)
-        stiffest = max(matrix[i][i] for i in range(self.size))
-        if not stiffest > 0.0:  # every line is slack
-            return True
-        _, least = descent(_held_down(matrix, laid), [0.0] * self.size)
-        return least >= -_RIDGE * stiffest
-
-    def nudge(self) -> list[float]:
-        """Turn every body a little, off a ridge on which it balances."""
-        way = [0.0] * self.size
-        for body in self.bodies:
-            if body.turns:
-                way[body.first + 2] = _NUDGE * body.arm
-        return way
-
-    def check_turns(self, poses: Sequence[Vector], begun: Sequence[Vector]) -> None:
-        """Refuse a moment that turns a body round once."""
-        for body, (_, _, yaw), (_, _, before) in zip(self.bodies, poses, begun, strict=True):
-            if abs(yaw - before) > math.tau:
-                moment = body.body.moment
-                said = Message("mooring.body_turns_over", name=body.body.name, moment=moment)
-                raise NoEquilibriumError(said, "moment", abs(moment))
-
-    def ends(self, places: Sequence[Vector], known: Sequence[Ends] | None) -> list[Ends]:
-        """Solve every line."""
-        return [
-            solved(run, places, friction_of(self.network, run), None if known is None else known[k])
-            for k, run in enumerate(self.runs)
-        ]
-
-    def motions(self, poses: Sequence[Vector]) -> dict[int, tuple[int, Matrix]]:
-        """Say of every point that moves how it does by the freedoms."""
-        found: dict[int, tuple[int, Matrix]] = {p: (3 * k, UNIT) for k, p in enumerate(self.joints)}
-        for body, pose in zip(self.bodies, poses, strict=True):
-            found |= body.motions(pose[2])
-        return found
-
-    def forces(
-        self, at: _At, motions: Mapping[int, tuple[int, Matrix]]
-    ) -> tuple[list[float], dict[int, float]]:
-        """Sum what is left over by freedom; and what the bed carries of joints, by theirs."""
-        left = self.of_lines(at, motions)
-        for body in self.bodies:
-            load = (*body.body.force, body.body.moment / body.arm)
-            for i in range(body.freedoms):
-                left[body.first + i] += load[i]
-        laid = {}
-        for k, point in enumerate(self.joints):
-            up = 3 * k + 2
-            for i, hung in enumerate(self.network.points[point].hung):
-                left[3 * k + i] += hung
-            if at.places[point][2] <= 0.0 and left[up] <= 0.0:
-                laid[up] = -left[up]
-                left[up] = 0.0
-        for i in self.pins:
-            left[i] = laid[i] = 0.0  # what holds a body is no reaction of the bed
-        return left, laid
-
-    def of_lines(self, at: _At, motions: Mapping[int, tuple[int, Matrix]]) -> list[float]:
-        """Sum what the lines do by freedom."""
-        total = [0.0] * self.size
-        for point, force in pulls_of(self.runs, at.ends):
-            if point in motions:
-                first, by = motions[point]
-                for i, along in enumerate(zip(*by, strict=True)):
-                    total[first + i] += sum(map(float.__mul__, along, force))
-        return total
-
-    def stiffness(self, at: _At, motions: Mapping[int, tuple[int, Matrix]]) -> list[list[float]]:
-        """Sum the stiffness of the lines, and what their pulls add as a body turns."""
-        matrix = assembled(self.runs, at.ends, motions, self.size)
-        for body, pose in zip(self.bodies, at.poses, strict=True):
-            if body.turns:
-                yaw = body.first + 2
-                matrix[yaw][yaw] += by_turning(self.runs, at.ends, body, pose[2]) / body.arm**2
-        return matrix
-
-    def step(
-        self,
-        at: _At,
-        motions: Mapping[int, tuple[int, Matrix]],
-        forces: list[float],
-        laid: Collection[int],
-    ) -> _At:
-        """Take a step of Newton's method, or as much of it as goes down."""
-        matrix = self.stiffness(at, motions)
-        stiffest = max(matrix[i][i] for i in range(self.size))
-        strongest = max(map(abs, forces))
-        for i in range(self.size):
-            matrix[i][i] += _HELD_BACK * stiffest + _GENTLE * strongest / self.stride
-        way, _ = descent(_held_down(matrix, laid), forces)
-        if not sum(map(float.__mul__, forces, way)) > 0.0:  # friction's derivatives are lopsided
-            even = [
-                [0.5 * (a + b) for a, b in zip(row, column, strict=True)]
-                for row, column in zip(matrix, zip(*matrix, strict=True), strict=True)
-            ]
-            way, _ = descent(_held_down(even, laid), forces)
-        part = min(1.0, self.stride / max(map(abs, way)))
-        for body in self.bodies:
-            if body.turns and (turn := abs(way[body.first + 2]) / body.arm):
-                part = min(part, _MOST_TURN / turn)
-        short, far, pull, push, last = 0.0, math.inf, 0.0, 0.0, part
-        for cut_back in range(_CUTS):
-            there = self.moved(at, way, part)
-            went = self.went(at, there, way, part)
-            downhill = math.fsum(map(float.__mul__, forces, went))
-            pulling, _ = self.forces(there, self.motions(there.poses))
-            slope = math.fsum(map(float.__mul__, pulling, went))
-            most = _SETTLED if cut_back else _OVERSHOOT
-            if abs(slope) <= most * downhill or (slope > 0.0 and math.isinf(far)):
-                break
-            # Illinois: regula falsi between where the forces still pull on and where they push
-            # back; the end that stays counts half, so that a kink between them is closed in on.
-            if short == 0.0:
-                pull = downhill / part
-            if slope > 0.0:
-                push = 0.5 * push if short == last else push
-                short, pull = part, slope / part
-            else:
-                pull = 0.5 * pull if far == last else pull
-                far, push = part, slope / part
-            last = part
-            share = pull / (pull - push)
-            part = short + min(max(share, 0.01), 0.99) * (far - short)
-        return there
-
-    def moved(self, at: _At, way: Sequence[float], part: float) -> _At:
-        """Move joints, none below the bed, and bodies, and solve the lines there."""
-        places = list(at.places)
-        for k, point in enumerate(self.joints):
-            x, y, z = (places[point][i] + part * way[3 * k + i] for i in range(3))
-            places[point] = (x, y, max(z, 0.0))
-        poses = []
-        for body, (x, y, yaw) in zip(self.bodies, at.poses, strict=True):
-            along, across, *turn = (part * each for each in way[body.first :][: body.freedoms])
-            poses.append((x + along, y + across, yaw + sum(turn) / body.arm))
-            for k, place in body.places(poses[-1]).items():
-                places[k] = place
-        return _At(places, tuple(poses), self.ends(places, at.ends))
-
-    def went(self, at: _At, there: _At, way: Sequence[float], part: float) -> list[float]:
-        """Say by how much each freedom changed, m."""
-        joints = [there.places[p][i] - at.places[p][i] for p in self.joints for i in range(3)]
-        return [*joints, *(part * each for each in way[len(joints) :])]
+def _found(
+    net: Net,
+    room: Known,
+    joints: Sequence[int],
+    bodies: Sequence[Moored],
+    found: Found,
+) -> JointsAtRest:
+    """Say what has come to rest."""
+    places = [tuple(room.place[at : at + 3]) for at in range(0, len(room.place), 3)]
+    reactions = [0.0] * len(places)
+    for k, point in enumerate(joints):
+        reactions[point] = room.laid[3 * k + 2]
+    poses = []
+    for body in bodies:
+        x, y, *turn = room.q[body.first : body.first + body.freedoms]
+        poses.append((x, y, sum(turn) / body.arm))
+    ends = tuple(ends_of(k, net, room) for k in range(len(net.first)))
+    return JointsAtRest(
+        tuple(places), ends, tuple(reactions), found.left, found.steps, tuple(poses)
+    )
 
 
 def moored(network: Network, first: int) -> tuple[Moored, ...]:
@@ -442,54 +410,16 @@ def by_turning(runs: Sequence[Run], ends: Sequence[Ends], body: Moored, yaw: flo
     )
 
 
-def _held_down(matrix: list[list[float]], laid: Collection[int]) -> list[list[float]]:
-    """Let what lies on the bed, or is pinned, stay there."""
-    for i in laid:
-        matrix[i] = [float(i == j) for j in range(len(matrix))]
-    return matrix
-
-
-def descent(
-    matrix: Sequence[Sequence[float]], forces: Sequence[float]
-) -> tuple[list[float], float]:
-    """Solve for a step that goes down: pivots are kept above 0; and return the least of them.
-
-    A symmetric matrix has as many pivots below 0 as directions in which the forces push on.
-    """
-    size = len(forces)
-    rows = [[*row, force] for row, force in zip(matrix, forces, strict=True)]
-    floor = _HELD_BACK * max(matrix[i][i] for i in range(size))
-    least = math.inf
-    for j in range(size):
-        least = min(least, rows[j][j])
-        if rows[j][j] < floor:
-            rows[j][j] = max(-rows[j][j], floor)
-        for r in range(j + 1, size):
-            if factor := rows[r][j] / rows[j][j]:
-                rows[r] = [a - factor * b for a, b in zip(rows[r], rows[j], strict=True)]
-    way = [0.0] * size
-    for j in reversed(range(size)):
-        known = math.fsum(rows[j][k] * way[k] for k in range(j + 1, size))
-        way[j] = (rows[j][size] - known) / rows[j][j]
-    return way, least
-
-
 UNIT: Matrix = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
-def solved(
-    run: Run,
-    at: Mapping[int, Vector] | Sequence[Vector],
-    friction: float,
-    known: Ends | None = None,
-) -> Ends:
-    """Solve a line between its points; an error where it has no answer."""
-    a, b = at[run.first], at[run.second]
-    ends = ends_of(run.pieces, a, b, friction, known)
-    if ends.state.status != CONVERGED:
-        load = Load(span=max(math.dist(a[:2], b[:2]), 1e-9))
-        raise refusal(ends.state.status, run.line, load, ends.problem)
-    return ends
+def solved(run: Run, at: Mapping[int, Vector], friction: float, known: Ends) -> Ends:
+    """Solve a line between its points from near by; an error where it has no answer."""
+    alone = run._replace(first=0, second=1)
+    net = fixed_net([alone], [at[run.first], at[run.second]], [friction])
+    room = room_for(net)
+    _guess(0, known, room)
+    return ends_of(0, net, hung(net, room, [alone]))
 
 
 def assembled(

@@ -10,8 +10,7 @@ from catopt.catenary.in_current import CurrentEffect, SolutionInCurrent
 from catopt.catenary.solution import PointLoadState, Solution
 from catopt.model.kinds import Angle, Force, Height, Place, Size, SomeForce
 from catopt.model.network import MooredBody, Network, Point
-from catopt.mooring.joints import JointsAtRest, Run, is_anchored, laid_out
-from catopt.mooring.line_ends import Vector
+from catopt.mooring.joints import JointsAtRest, Run, Vector, is_anchored, laid_out
 from catopt.records import From, FromZero, OrNull, Record
 
 

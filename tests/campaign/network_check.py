@@ -24,8 +24,7 @@ from catopt.model import Site
 from catopt.model.network import Network
 from catopt.mooring.chains import rows_of
 from catopt.mooring.held import at_rest
-from catopt.mooring.joints import turned_line
-from catopt.mooring.line_ends import Vector
+from catopt.mooring.joints import Vector, turned_line
 from catopt.mooring.network_rest import LinesAtRest
 from tests.campaign.networks import counted, drawn
 

@@ -12,8 +12,8 @@ from catopt.errors import FloatsUpError
 from catopt.model import Site
 from catopt.model.network import LineBetween, Network, Point
 from catopt.mooring.held import hold
-from catopt.mooring.joints import TOLERANCE
 from catopt.mooring.network_rest import NetworkAtRest
+from catopt.mooring.rest import TOLERANCE
 from catopt.reproduce.items import published
 from catopt.reproduce.reference_moorings import network_of
 

@@ -10,12 +10,13 @@ import pytest
 
 from catopt import InputError, solve
 from catopt.casefile import read_mooring
-from catopt.catenary.pieces import LineProblem, cut
+from catopt.catenary.pieces import LineProblem
 from catopt.model import Line, PointLoad, Segment
 from catopt.model.network import Network
 from catopt.mooring.chains import rows_of
 from catopt.mooring.held import hold
-from catopt.mooring.line_ends import Ends, ends_of
+from catopt.mooring.joints import Ends, Vector, ends_of, fixed_net, hung, run_of
+from catopt.mooring.net import room_for
 from tests.campaign.cuts import bridle_fault, fault
 
 HARD = Path(__file__).parents[1] / "hard_cases"
@@ -56,10 +57,17 @@ def test_rows_go_from_the_anchor_and_keep_the_order_of_their_lines() -> None:
     assert row.lines == ((0, False), (1, False), (2, False))
 
 
+def between(line: Line, a: Vector, b: Vector) -> Ends:
+    """Hang a line between two points, the bed without friction."""
+    runs = [run_of("", 0, 1, line)]
+    net = fixed_net(runs, [a, b], [0.0])
+    return ends_of(0, net, hung(net, room_for(net), runs))
+
+
 def test_a_taut_line_on_the_bed_is_as_stiff_as_it_stretches() -> None:
     """100 m with EA 1 MN, both ends on the bed: EA / L = 10 kN/m along it, H / S across."""
-    pieces, _ = cut(Line([Segment(100.0, 500.0, EA=1e6)]))
-    ends = ends_of(pieces, (0.0, 0.0, 0.0), (100.5, 0.0, 0.0), 0.0, None)
+    line = Line([Segment(100.0, 500.0, EA=1e6)])
+    ends = between(line, (0.0, 0.0, 0.0), (100.5, 0.0, 0.0))
     assert isinstance(ends.problem, LineProblem)
     assert ends.state.H == pytest.approx(1e6 * 0.5 / 100.0, rel=1e-9)
     assert ends.stiffness[3][3] == pytest.approx(1e4, rel=1e-9)
@@ -76,11 +84,9 @@ def test_a_slack_line_is_as_stiff_upwards_as_what_it_lifts(height: float, other:
     line = Line(
         [Segment(100.0, 500.0, EA=1e7), Segment(20.0, 100.0, EA=1e6)], [PointLoad(95.0, 5e3)]
     )
-    pieces, _ = cut(line)
     step = 1e-6
     low, at, high = (
-        ends_of(pieces, (0.0, 0.0, other), (40.0, 0.0, height + d), 0.0, None)
-        for d in (-step, 0.0, step)
+        between(line, (0.0, 0.0, other), (40.0, 0.0, height + d)) for d in (-step, 0.0, step)
     )
     assert at.state.H == 0.0
     slope = -(high.second[2] - low.second[2]) / (2.0 * step)
@@ -90,11 +96,10 @@ def test_a_slack_line_is_as_stiff_upwards_as_what_it_lifts(height: float, other:
 def test_a_clump_that_rests_on_the_bed_by_itself_carries_its_part() -> None:
     """No length lies, yet raising an end leaves the pull at the other; by differences."""
     line = Line([Segment(11.8, 180.0, EA=1.6e7)], [PointLoad(7.5, 540.0)])
-    pieces, _ = cut(line)
     at = (0.0, 0.0, 1.345, 10.824, -4.31, 0.31)
 
     def ends(at: Sequence[float]) -> Ends:
-        return ends_of(pieces, (at[0], at[1], at[2]), (at[3], at[4], at[5]), 0.0, None)
+        return between(line, (at[0], at[1], at[2]), (at[3], at[4], at[5]))
 
     found, step = ends(at), 1e-5
     assert found.state.grounded == 0.0

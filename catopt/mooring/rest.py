@@ -1,0 +1,386 @@
+"""Where all that is free of lines between points comes to rest: Newton's method, kept downhill.
+
+The energy of lines that only pull, over a bed that only pushes, is convex in the places of their
+ends, so that there is one equilibrium; Newton's method goes down to it. A step is cut back while
+the forces at its end push back by more than a part of what they pulled at its start. In the yaw of
+a body the energy need not be convex: there the step is turned downhill, and the equilibrium is the
+one that the body comes to from where it was.
+
+Plain functions of lists, or of arrays in compiled code.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Final, NamedTuple
+
+from catopt.catenary.state import CONVERGED, NOT_CONVERGED
+from catopt.compiled import inlined
+from catopt.mooring.descent import TURNS_OVER
+from catopt.mooring.net import (
+    FORCES,
+    GUESS,
+    OVER_THE_BED,
+    PINNED,
+    TURNS,
+    Known,
+    Net,
+    by_end,
+    hang,
+    problem_of,
+    state_of,
+    stiffen,
+)
+
+TOLERANCE: Final = 1e-9
+"""Force left over at a joint, over the largest end force of a line."""
+
+ROUNDING: Final = 2e-15
+"""Of the longest line, by which rounding moves an end: over the stiffness that is a force."""
+
+WORTH_A_STEP: Final = 1e-3
+"""Of what may be left over: more than that is brought down as long as a step halves it."""
+
+STEPS: Final = 200
+_CUTS: Final = 60
+_OVERSHOOT: Final = 0.3
+"""Of what the forces pulled at the start of a step, what they may push back at its end."""
+_SETTLED: Final = 0.02
+"""The same once a step has been cut back: a line that comes taut on the way stops it there, and the
+next step has to know how stiff it is."""
+_HELD_BACK: Final = 1e-9
+"""Spring to where a joint is in one step, over the largest stiffness: nothing else may hold it."""
+
+_GENTLE: Final = 1e-6
+"""The same, over what the forces would make of it along the longest line."""
+_MOST_TURN, _NUDGE = 0.5, 0.01
+"""rad: of a body in one step; and off a ridge on which it balances."""
+_RIDGE: Final = 1e-9
+"""Of the largest stiffness: by so much a pivot may be below 0 from rounding."""
+
+
+class Found(NamedTuple):
+    """What came of it: status, line or freedom that stopped it, steps; what is left over, N.
+
+    `largest` is the largest end force of a line, N.
+    """
+
+    status: int
+    number: int
+    steps: int
+    left: float
+    largest: float
+
+
+def _sum(net: Net, known: Known) -> tuple[float, float]:
+    """Sum what is left over by freedom, and what the bed carries; the largest of each, N.
+
+    The largest left over at a joint or a body, and the largest end force of a line.
+    """
+    largest = 0.0
+    for i in range(len(net.pull)):
+        known.left[i], known.laid[i], known.held[i] = net.pull[i], 0.0, 0
+    for k in range(len(net.first)):
+        at = FORCES * k
+        _add_force(at, net.first[k], net, known)
+        _add_force(at + 3, net.second[k], net, known)
+        for end in (at, at + 3):
+            x, y, z = known.force[end], known.force[end + 1], known.force[end + 2]
+            largest = max(largest, x * x + y * y + z * z)
+    for i in range(len(net.pull)):
+        if net.kind[i] == OVER_THE_BED and known.q[i] <= 0.0 and known.left[i] <= 0.0:
+            known.laid[i], known.left[i], known.held[i] = -known.left[i], 0.0, 1
+        elif net.kind[i] == PINNED:  # what holds a body is no reaction of the bed
+            known.left[i], known.held[i] = 0.0, 1
+    most = 0.0
+    for g in range(len(net.group) - 1):
+        total = 0.0
+        for i in range(net.group[g], net.group[g + 1]):
+            total += known.left[i] * known.left[i]
+        most = max(most, total)
+    return math.sqrt(most), math.sqrt(largest)
+
+
+@inlined
+def _add_force(at: int, p: int, net: Net, known: Known) -> None:
+    """Add a force on a point to what is left over of its freedoms."""
+    for i in range(3):
+        moves = net.freedom[4 * p + i]
+        if moves >= 0:
+            known.left[moves] += known.force[at + i]
+    turn = net.freedom[4 * p + 3]
+    if turn >= 0:
+        moment = known.lever[2 * p] * known.force[at + 1]
+        moment -= known.lever[2 * p + 1] * known.force[at]
+        known.left[turn] += moment / net.scale[turn]
+
+
+def _assemble(net: Net, known: Known) -> float:
+    """Sum the stiffness of the lines, and what their pulls add as a body turns; the largest, N/m.
+
+    That is of any line at one of its ends, free or not.
+    """
+    n, stiffest = len(net.pull), 0.0
+    for i in range(n * n):
+        known.stiffness[i] = 0.0
+    for k in range(len(net.first)):
+        stiffen(k, net, known)
+        a, b = net.first[k], net.second[k]
+        for i in range(6):
+            stiffest = max(stiffest, known.block[7 * i])
+        _add_block(0, a, a, net, known)
+        _add_block(3, a, b, net, known)
+        _add_block(18, b, a, net, known)
+        _add_block(21, b, b, net, known)
+        _add_turn(FORCES * k, a, net, known)
+        _add_turn(FORCES * k + 3, b, net, known)
+    return stiffest
+
+
+@inlined
+def _add_turn(at: int, p: int, net: Net, known: Known) -> None:
+    """Add what a force on a point does as the lever there turns."""
+    turn = net.freedom[4 * p + 3]
+    if turn >= 0:
+        along = known.lever[2 * p] * known.force[at]
+        along += known.lever[2 * p + 1] * known.force[at + 1]
+        n, arm = len(net.pull), net.scale[turn]
+        known.stiffness[turn * n + turn] += along / (arm * arm)
+
+
+def _add_block(at: int, p: int, q: int, net: Net, known: Known) -> None:
+    """Add what moving point q does to the force on point p, over their freedoms."""
+    n, block = len(net.pull), known.block
+    for i in range(4):
+        row = net.freedom[4 * p + i]
+        if row < 0:
+            continue
+        from_here = at + 6 * i
+        if i < 3:
+            x, y, z = block[from_here], block[from_here + 1], block[from_here + 2]
+        else:
+            by_x = -known.lever[2 * p + 1] / net.scale[row]
+            by_y = known.lever[2 * p] / net.scale[row]
+            x = by_x * block[at] + by_y * block[at + 6]
+            y = by_x * block[at + 1] + by_y * block[at + 7]
+            z = by_x * block[at + 2] + by_y * block[at + 8]
+        _add_row(row * n, x, y, z, q, net, known)
+
+
+@inlined
+def _add_row(at: int, x: float, y: float, z: float, q: int, net: Net, known: Known) -> None:
+    """Add to a row what moving a point along x, y and z does."""
+    along, across, up = net.freedom[4 * q], net.freedom[4 * q + 1], net.freedom[4 * q + 2]
+    if along >= 0:
+        known.stiffness[at + along] += x
+    if across >= 0:
+        known.stiffness[at + across] += y
+    if up >= 0:
+        known.stiffness[at + up] += z
+    turn = net.freedom[4 * q + 3]
+    if turn >= 0:
+        moment = known.lever[2 * q] * y - known.lever[2 * q + 1] * x
+        known.stiffness[at + turn] += moment / net.scale[turn]
+
+
+def _descend(net: Net, known: Known, is_even: bool) -> float:
+    """Solve for a step that goes down: pivots are kept above 0; and return the least of them.
+
+    What is held stays. `is_even`: the stiffness is made symmetric, which friction's is not. A
+    symmetric matrix has as many pivots below 0 as directions in which the forces push on.
+    """
+    n, rows, way = len(net.pull), known.pivots, known.way
+    floor, least = _HELD_BACK * _lay_rows(known, n, is_even), math.inf
+    for j in range(n):
+        pivot = rows[j * n + j]
+        least = min(least, pivot)
+        if pivot < floor:
+            pivot = rows[j * n + j] = max(-pivot, floor)
+        for r in range(j + 1, n):
+            if rows[r * n + j] != 0.0:
+                factor = rows[r * n + j] / pivot
+                for c in range(j + 1, n):
+                    rows[r * n + c] -= factor * rows[j * n + c]
+                way[r] -= factor * way[j]
+    for j in range(n - 1, -1, -1):
+        for c in range(j + 1, n):
+            way[j] -= rows[j * n + c] * way[c]
+        way[j] /= rows[j * n + j]
+    return least
+
+
+def _lay_rows(known: Known, n: int, is_even: bool) -> float:
+    """Lay out the equations of a step; the largest number on the diagonal."""
+    rows, largest = known.pivots, 0.0
+    for i in range(n):
+        known.way[i] = known.left[i]
+        for j in range(n):
+            if known.held[i] == 1:
+                rows[i * n + j] = 1.0 if i == j else 0.0
+            elif is_even:
+                rows[i * n + j] = 0.5 * (known.stiffness[i * n + j] + known.stiffness[j * n + i])
+            else:
+                rows[i * n + j] = known.stiffness[i * n + j]
+        largest = max(largest, rows[i * n + i])
+    return largest
+
+
+def _is_stable(net: Net, known: Known) -> bool:
+    """Whether no body turns on from where it is in balance."""
+    n, stiffest, does_turn = len(net.pull), 0.0, False
+    for i in range(n):
+        does_turn = does_turn or net.kind[i] == TURNS
+        stiffest = max(stiffest, known.stiffness[i * n + i])
+        known.left[i] = 0.0
+    if not does_turn or not stiffest > 0.0:  # or every line is slack
+        return True
+    return _descend(net, known, False) >= -_RIDGE * stiffest
+
+
+@inlined
+def _remember(net: Net, known: Known) -> None:
+    """Keep where the freedoms are, what they are pulled with, and the lines as guesses."""
+    for i in range(len(net.pull)):
+        known.before[i], known.pulled[i] = known.q[i], known.left[i]
+    for k in range(len(net.first)):
+        state, problem = state_of(k, known), problem_of(k, net, known)
+        H_s, H_b, V_s, V_b = by_end(state, problem)
+        at = GUESS * k
+        known.guess[at], known.guess[at + 1], known.guess[at + 2] = state.H, state.V, state.span
+        known.guess[at + 3] = problem.fairlead_height - problem.anchor_height
+        known.guess[at + 4], known.guess[at + 5] = H_s, H_b
+        known.guess[at + 6], known.guess[at + 7] = V_s, V_b
+
+
+def _step(net: Net, known: Known, stride: float) -> tuple[int, int]:
+    """Take a step of Newton's method, or as much of it as goes down; status and line."""
+    n, stiffest, strongest = len(net.pull), 0.0, 0.0
+    for i in range(n):
+        stiffest = max(stiffest, known.stiffness[i * n + i])
+        strongest = max(strongest, abs(known.left[i]))
+    for i in range(n):
+        known.stiffness[i * n + i] += _HELD_BACK * stiffest + _GENTLE * strongest / stride
+    _descend(net, known, False)
+    downhill, longest = 0.0, 0.0
+    for i in range(n):
+        downhill += known.left[i] * known.way[i]
+    if not downhill > 0.0:  # friction's derivatives are lopsided
+        _descend(net, known, True)
+    for i in range(n):
+        longest = max(longest, abs(known.way[i]))
+    part = min(1.0, stride / longest)
+    for i in range(n):
+        if net.kind[i] == TURNS and known.way[i] != 0.0:
+            part = min(part, _MOST_TURN * net.scale[i] / abs(known.way[i]))
+    _remember(net, known)
+    return _go_down(net, known, part)
+
+
+def _go_down(net: Net, known: Known, part: float) -> tuple[int, int]:
+    """Go a part of the way, cut back while the forces push back there; status and line."""
+    short, far, pull, push, last = 0.0, math.inf, 0.0, 0.0, part
+    for cut_back in range(_CUTS):
+        downhill = _go(net, known, part)
+        status, line = hang(net, known)
+        if status != CONVERGED:
+            return status, line
+        _sum(net, known)
+        slope = 0.0
+        for i in range(len(net.pull)):
+            slope += known.left[i] * (known.q[i] - known.before[i])
+        most = _SETTLED if cut_back > 0 else _OVERSHOOT
+        if abs(slope) <= most * downhill or (slope > 0.0 and math.isinf(far)):
+            break
+        # Illinois: regula falsi between where the forces still pull on and where they push back;
+        # the end that stays counts half, so that a kink between them is closed in on.
+        if short == 0.0:
+            pull = downhill / part
+        if slope > 0.0:
+            push = 0.5 * push if short == last else push
+            short, pull = part, slope / part
+        else:
+            pull = 0.5 * pull if far == last else pull
+            far, push = part, slope / part
+        last = part
+        part = short + min(max(pull / (pull - push), 0.01), 0.99) * (far - short)
+    return CONVERGED, -1
+
+
+def _go(net: Net, known: Known, part: float) -> float:
+    """Move the freedoms by a part of the way; by how much the forces before pull along it, N m."""
+    downhill = 0.0
+    for i in range(len(net.pull)):
+        there = known.before[i] + part * known.way[i]
+        if net.kind[i] == OVER_THE_BED:  # none goes below it
+            there = max(there, 0.0)
+        known.q[i] = there
+        downhill += known.pulled[i] * (there - known.before[i])
+    return downhill
+
+
+def rest(net: Net, known: Known) -> Found:
+    """Step until the forces are in balance, and as long as that still gets better.
+
+    From where `q` and the guesses of the lines are; TURNS_OVER, with its freedom: a moment turns a
+    body round once.
+    """
+    stride = _longest(net)
+    for i in range(len(net.pull)):
+        known.begun[i] = known.q[i]
+    status, number = hang(net, known)
+    best, is_nudged, left, largest = math.inf, False, math.nan, math.nan
+    for step in range(STEPS):
+        if status != CONVERGED:
+            return Found(status, number, step, left, largest)
+        left, largest = _sum(net, known)
+        limit = TOLERANCE * largest + ROUNDING * stride * _assemble(net, known)
+        if left <= limit and not WORTH_A_STEP * limit < left < 0.5 * best:
+            if is_nudged or _is_stable(net, known):
+                return Found(CONVERGED, -1, step, left, largest)
+            is_nudged, best = True, math.inf
+            status, number = _nudged(net, known)
+            continue
+        best = min(best, left)
+        status, number = _step(net, known, stride)
+        over = _turned_over(net, known)
+        if over >= 0:
+            return Found(TURNS_OVER, over, step, left, largest)
+        if left > limit and not _has_moved(net, known):
+            break
+    return Found(NOT_CONVERGED, -1, STEPS, left, largest)
+
+
+def _longest(net: Net) -> float:
+    """Unstretched length of the longest line, m."""
+    longest = 0.0
+    for k in range(len(net.first)):
+        length = 0.0
+        for piece in range(net.piece[k], net.piece[k + 1]):
+            length += net.length[piece]
+        longest = max(longest, length)
+    return longest
+
+
+def _nudged(net: Net, known: Known) -> tuple[int, int]:
+    """Turn every body a little, off a ridge on which it balances; status and line."""
+    _remember(net, known)
+    for i in range(len(net.pull)):
+        if net.kind[i] == TURNS:
+            known.q[i] += _NUDGE * net.scale[i]
+    return hang(net, known)
+
+
+def _turned_over(net: Net, known: Known) -> int:
+    """Which yaw has gone round once; -1: none."""
+    for i in range(len(net.pull)):
+        if net.kind[i] == TURNS and abs(known.q[i] - known.begun[i]) > 2.0 * math.pi * net.scale[i]:
+            return i
+    return -1
+
+
+def _has_moved(net: Net, known: Known) -> bool:
+    """Whether the last step was one."""
+    far = 0.0
+    for i in range(len(net.pull)):
+        far = max(far, abs(known.q[i] - known.before[i]))
+    return far > 0.0
