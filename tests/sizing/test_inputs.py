@@ -76,7 +76,10 @@ FULL: dict[str, tuple[Moored, dict[str, object]]] = {
         },
     ),
     "a tanker on a drag anchor": ("tanker", SEVERAL),
-    "a tanker on a sinker": ("tanker", {**SEVERAL, "anchor": "sinker"}),
+    "a tanker on a sinker": (
+        "tanker",
+        {**SEVERAL, "anchor": "sinker", "soil": "soft clay", "embedment": "0.3 m"},
+    ),
     "a tanker on a sinker, by friction": (
         "tanker",
         {**SEVERAL, "anchor": "sinker", "soil": None, "friction": 0.4},
