@@ -34,7 +34,7 @@ from catopt.export.exported import Exported
 from catopt.loads.held import AnchorHeld, SinkerHeld
 from catopt.loads.weathervane import ComparedLoads
 from catopt.model.kinds import OneOf, Size
-from catopt.mooring.case import SystemReport
+from catopt.mooring.case import AtLevel, SystemReport
 from catopt.mooring.network_out import NetworkOut
 from catopt.mooring.network_rest import NetworkReport
 from catopt.mooring.restoring import RestoringCurve, WatchCircle
@@ -116,6 +116,10 @@ PUT_IN: Mapping[str, Mapping[str, tuple[Any, str]]] = {
         "watch_circle": (
             WatchCircle,
             "Only when asked for: a force of the size of that on the one body, from all sides.",
+        ),
+        "water_levels": (
+            tuple[AtLevel, ...],
+            "Only when asked for: the one free body under its load at other water levels.",
         ),
         "restoring_curves": (
             tuple[RestoringCurve, ...],

@@ -9,6 +9,7 @@ import pytest
 import catopt
 from catopt.errors import InputError
 from catopt.mooring.held import held_body
+from catopt.mooring.restoring import network_curve
 from catopt.old_names import OldName, renamed
 from catopt.verify.dynamic import verify_dynamic
 
@@ -50,3 +51,15 @@ def test_an_old_function_is_the_new_one_with_a_warning() -> None:
             origin_height=20.0,
         )
     assert len(body.lines) == 2
+
+
+def test_the_curve_of_a_network_is_that_of_any_mooring() -> None:
+    with pytest.warns(DeprecationWarning, match="network_curve is restoring_curve now"):
+        curve = network_curve(
+            catopt.System.around(
+                CHAIN, azimuths=[0.0, 3.0], anchor_radius=100.0, fairlead_height=20.0
+            ),
+            direction=0.0,
+            offsets=[0.0],
+        )
+    assert curve.offset == (0.0,)

@@ -26,7 +26,7 @@ from catopt.words import Measure, Message
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
     from catopt.checks.result import CheckReport
-    from catopt.mooring.case import SystemReport
+    from catopt.mooring.case import AtLevel, SystemReport
     from catopt.mooring.network_out import NetworkOut
     from catopt.mooring.network_rest import (
         FloatsInCurrent,
@@ -78,7 +78,7 @@ def system_answer(report: SystemReport, checks: CheckReport) -> blocks.Answer:
         ),
         *([section("captions.watch_circle", circle_table(circle))] if circle else []),
         *(_curve(number, each) for number, each in enumerate(report.curves, start=1)),
-        *_levels(report),
+        *_levels(report.levels),
         *(held_section(*each) for each in enumerate(report.at_displacement, start=1)),
         section("captions.residuals", *_closing(report, checks)),
     )
@@ -115,7 +115,7 @@ def _asked(report: SystemReport) -> Iterator[blocks.Table]:
         yield circle_table(report.circle)
     yield from (curve_table(number, each) for number, each in enumerate(report.curves, start=1))
     held = (held_section(*each) for each in enumerate(report.at_displacement, start=1))
-    for of in (*_levels(report), *held):
+    for of in (*_levels(report.levels), *held):
         yield from (each for each in of.blocks if isinstance(each, blocks.Table))
 
 
@@ -248,9 +248,9 @@ def _curve(number: int, curve: RestoringCurve) -> blocks.Section:
     return section(title, table, blocks.Graph(title, table.name, x=1, y=(2,)))
 
 
-def _levels(report: SystemReport) -> Iterator[blocks.Section]:
-    if report.levels:
-        of, title = Rows(report.levels), Message("captions.water_levels")
+def _levels(levels: Sequence[AtLevel]) -> Iterator[blocks.Section]:
+    if levels:
+        of, title = Rows(levels), Message("captions.water_levels")
         columns = (
             of.measured("height", "level", "water_level", symbol=""),
             *_responses(of.read("response")),
@@ -330,6 +330,7 @@ def network_answer(
     line_out: Sequence[NetworkOut] = (),
     circle: WatchCircle | None = None,
     curves: Sequence[RestoringCurve] = (),
+    levels: Sequence[AtLevel] = (),
 ) -> blocks.Answer:
     """Lay out bodies, joints and lines at rest and where the body is held, with the stiffnesses."""
     network = rest.network
@@ -368,6 +369,7 @@ def network_answer(
         *([section("captions.one_line_out", out, *lost)] if line_out else []),
         *([section("captions.watch_circle", circle_table(circle))] if circle else []),
         *(_curve(number, each) for number, each in enumerate(curves, start=1)),
+        *_levels(levels),
         *(held_section(number, body) for number, body in enumerate(bodies, start=1)),
         *(section(Message("captions.held_lines", number=k), *each) for k, *each in tables),
         section(
@@ -383,6 +385,7 @@ def network_answer(
         *([out] if line_out else []),
         *([circle_table(circle)] if circle else []),
         *(curve_table(number, each) for number, each in enumerate(curves, start=1)),
+        *(each for of in _levels(levels) for each in of.blocks if isinstance(each, blocks.Table)),
         *_floats_on_card(rest),
         meeting_table(rest, "lines", checks),
         *([bodies_table(rest)] if rest.bodies else []),

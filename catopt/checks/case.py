@@ -301,8 +301,7 @@ def check_strengths(case: Case | Network) -> None:
         if problems:
             raise InputError(tuple(problems), "checks")
         return
-    legs = () if case.system is None else case.system.legs
-    for line in dict.fromkeys(leg.line for leg in legs) or (case.line,):
+    for line in dict.fromkeys(case.every_line):
         criteria.strengths(line, kinds, _states(case))
 
 

@@ -13,8 +13,7 @@ from catopt.answers.system import network_answer, system_answer
 from catopt.casefile.reading import read_mooring_or_design
 from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CaseArgument, DesignOption, OutOption
-from catopt.cli.values import in_si, refuse, refused
-from catopt.errors import Problem
+from catopt.cli.values import in_si, refused
 from catopt.model.network import Network
 from catopt.patience import paced
 from catopt.units import Dimension
@@ -67,8 +66,6 @@ def answer_mooring(asked: Asked, read: Case | Network, wanted: Wanted) -> None:
     from catopt.report.bundle import system_pictures
 
     if isinstance(read, Network):
-        allowed = Message("refused_command.does_not_go_with_lines")
-        refuse(Problem("--level", "", allowed) for _ in wanted.levels[:1])
         _network(asked, read, wanted)
         return
     report = report_system(
@@ -93,11 +90,11 @@ def answer_mooring(asked: Asked, read: Case | Network, wanted: Wanted) -> None:
 def _network(asked: Asked, network: Network, wanted: Wanted) -> None:
     """Bring points, lines and bodies to rest, and hold their body where that is asked for."""
     from catopt.checks.system import check_network
-    from catopt.mooring.case import network_curves
+    from catopt.mooring.case import at_levels, network_curves
     from catopt.mooring.held import at_rest, hold
     from catopt.mooring.network_out import each_line_out
     from catopt.mooring.network_rest import LinesAtRest, NetworkReport
-    from catopt.mooring.restoring import network_circle
+    from catopt.mooring.restoring import watch_circle
 
     is_held = wanted.stiffness or bool(wanted.displacements) or network.has_fairlead
     if network.bodies or network.current_at_rest is not None or not is_held:
@@ -120,14 +117,26 @@ def _network(asked: Asked, network: Network, wanted: Wanted) -> None:
     if wanted.circle and network.bodies and not force > 0.0:
         asked.output.note(say(Message("mooring.no_circle"), asked.language))
     elif wanted.circle:
-        circle = network_circle(network, force=force or 1.0)
+        circle = watch_circle(network, force=force or 1.0)
     curves = network_curves(rest, wanted.directions)
-    answer = network_answer(rest, away, judged, bodies, line_out=gone, circle=circle, curves=curves)
+    levels = at_levels(network, wanted.levels)
+    answer = network_answer(
+        rest,
+        away,
+        judged,
+        bodies,
+        line_out=gone,
+        circle=circle,
+        curves=curves,
+        levels=levels,
+    )
     more: dict[str, Any] = {"checks": judged.brief.to_dict()}
     if wanted.line_out:
         more["one_line_out"] = [each.to_dict() for each in gone]
     if circle is not None:
         more["watch_circle"] = circle.to_dict()
+    if levels:
+        more["water_levels"] = [each.to_dict() for each in levels]
     if curves:
         more["restoring_curves"] = [each.to_dict() for each in curves]
     states = (rest, *(held if free else away))

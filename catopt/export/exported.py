@@ -389,10 +389,9 @@ def exported_lines(case: Case, EA: float | None = None) -> ExportedLines:
 
 def rigid_segments(case: Case) -> tuple[str, ...]:
     """List the segments of a case that do not stretch, by their keys, each once."""
-    lines = [case.line] if case.system is None else [leg.line for leg in case.system.legs]
     found = (
         f"line.segments[{number}]"
-        for line in lines
+        for line in case.every_line
         for number, segment in enumerate(line.segments)
         if segment.is_inextensible
     )

@@ -222,8 +222,8 @@ class Case(Checked):
         if self.dynamics is None:
             found.problems += of_motion_misfits(self, Message("refused.with_dynamics"))
         else:
-            lines = 1 if self.system is None else len(self.system.legs)
-            found.problems += broken_line_misfits(self.dynamics.broken_line, lines)
+            count = len(self.every_line)
+            found.problems += broken_line_misfits(self.dynamics.broken_line, count)
         lower = self.anchor_motion
         if lower is not None and (lower.rao_file or lower.of_a_body):
             given = Message("refused_case.raos_or_drift")
@@ -242,6 +242,11 @@ class Case(Checked):
         if self.site.seabed_slope != 0.0:
             slope = Message("refused_case.current_at_rest_alone", keys="site.seabed_slope")
             found.add("current", "", slope)
+
+    @property
+    def every_line(self) -> tuple[Line, ...]:
+        """The line, or those of the body that is moored."""
+        return (self.line,) if self.system is None else tuple(leg.line for leg in self.system.legs)
 
     @property
     def several_lines(self) -> bool:

@@ -365,6 +365,20 @@ class Network(Checked):
             dynamics=None,
         )
 
+    @property
+    def lowest_fairlead(self) -> float:
+        """Height above the bed, m; inf without one."""
+        heights = (p.place[2] for p in self.points if p.kind == "fairlead")
+        return min(heights, default=math.inf)
+
+    def raised(self, by: float) -> Network:
+        """Return the network at another water level, what is afloat `by` metres higher."""
+        points = tuple(
+            replace(p, height=p.place[2] + by) if p.kind == "fairlead" else p for p in self.points
+        )
+        site = replace(self.site, water_depth=self.site.water_depth + by)
+        return replace(self, site=site, points=points)
+
     def unloaded(self) -> Network:
         """Return the same network without the loads on its bodies."""
         bodies = tuple(replace(body, force=(0.0, 0.0), moment=0.0) for body in self.bodies)

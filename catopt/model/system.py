@@ -477,6 +477,11 @@ class System(Checked):
             ),
         )
 
+    @property
+    def lowest_fairlead(self) -> float:
+        """Height above the bed, m."""
+        return min(leg.fairlead_height for leg in self.legs)
+
     def raised(self, by: float) -> System:
         """Return the system at another water level, the body floating `by` metres higher."""
         return replace(

@@ -10,15 +10,16 @@ from catopt.catenary.solution import above_water, named_line, weighs_as_in_water
 from catopt.errors import InputError, NoAnswerError, Problem, refused
 from catopt.model import Case, System
 from catopt.model.kinds import Findings, Place, SomeForce, Stiffness
+from catopt.model.network import Network
 from catopt.mooring.held import at_displacement
 from catopt.mooring.network_rest import HeldBody, LinesAtRest
 from catopt.mooring.restoring import (
     Response,
     RestoringCurve,
     WatchCircle,
-    network_curve,
     response_of,
     restoring_curve,
+    unloaded,
     watch_circle,
 )
 from catopt.mooring.solution import SystemSolution, of_line, solution_at, solve_system
@@ -131,30 +132,27 @@ class AtLevel(Record):
     """-d(Fx, Fy)/d(x, y)."""
 
 
-def at_levels(system: System, levels: Sequence[float]) -> tuple[AtLevel, ...]:
-    """Solve a system at several water levels; every fairlead rises and falls with the water.
+def at_levels(mooring: System | Network, levels: Sequence[float]) -> tuple[AtLevel, ...]:
+    """Solve a mooring at several water levels; every fairlead rises and falls with the water.
 
-    The system is under its load; levels are above that of the case, m.
+    The body is under its load; levels are above that of the case, m.
 
     Raises
     ------
     InputError
-        When a level brings a fairlead below the bed.
+        When a level brings a fairlead below the bed, or lines between points have no free body or
+        several.
     NoEquilibriumError, NotConvergedError
         As for `solve_system`.
     """
     found = Findings("water levels")
-    lowest = min(leg.fairlead_height for leg in system.legs)
     for index, level in enumerate(levels):
-        found.number(f"levels[{index}]", float(level), "m", at_least=-lowest)
+        found.number(f"levels[{index}]", float(level), "m", at_least=-mooring.lowest_fairlead)
     found.raise_if_any()
     answers = []
     for level in paced(Message("words.levels", total=len(levels)), levels):
-        zero_load = zero_load_position(system.raised(float(level)))
-        rest, lines = zero_load.under(system.force, system.moment)
-        stiffness = ((rest.pull.xx, rest.pull.xy), (rest.pull.xy, rest.pull.yy))
-        response = response_of(zero_load, rest, lines)
-        answers.append(AtLevel(float(level), response, stiffness))
+        loaded = unloaded(mooring.raised(float(level)), "level").own()
+        answers.append(AtLevel(float(level), loaded.response, loaded.stiffness))
     return tuple(answers)
 
 
@@ -321,4 +319,4 @@ def network_curves(rest: LinesAtRest, directions: Sequence[float]) -> tuple[Rest
     anchors = [p.place[:2] for p in network.points if p.kind == "anchor"]
     radius = max((math.dist(place, middle) for place in anchors), default=0.0)
     offsets = _offsets(offset, radius)
-    return tuple(network_curve(network, direction=each, offsets=offsets) for each in directions)
+    return tuple(restoring_curve(network, direction=each, offsets=offsets) for each in directions)

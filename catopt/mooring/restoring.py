@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple, Protocol
 
 from catopt.errors import refused
 from catopt.model.kinds import Angle, Findings, Force, Height, Place, SomeForce, Strength
@@ -12,15 +13,18 @@ from catopt.model.network import Network
 from catopt.model.system import System
 from catopt.mooring.balance import Lines
 from catopt.mooring.descent import Rest
-from catopt.mooring.held import at_rest, without_load
+from catopt.mooring.held import WithoutLoad, at_rest, without_load
 from catopt.mooring.joints import pulls_of
 from catopt.mooring.network_rest import LinesAtRest
 from catopt.mooring.static_equilibrium import ZeroLoadPosition, zero_load_position
+from catopt.old_names import old_function
 from catopt.patience import paced
 from catopt.records import Counted, Record
 from catopt.shown import Tabled
 from catopt.ties import first_largest
 from catopt.words import Message
+
+Plane = tuple[tuple[float, float], tuple[float, float]]
 
 
 @dataclass(frozen=True)
@@ -95,6 +99,115 @@ def response_of(
     )
 
 
+class Loaded(NamedTuple):
+    """A body that is pushed or held, what its lines pull with (N), and -d(Fx, Fy)/d(x, y) (N/m)."""
+
+    response: Response
+    pull: tuple[float, float]
+    stiffness: Plane
+
+
+class Unloaded(Protocol):
+    """A mooring at rest without load on its body: from there every load is followed."""
+
+    @property
+    def neutral(self) -> tuple[float, float]:
+        """Where the body is then, m."""
+
+    def under(self, force: Sequence[float], moment: float = 0.0) -> Loaded:
+        """Push the body, N and N m."""
+
+    def own(self) -> Loaded:
+        """Push it by its own load."""
+
+    def held(self, x: float, y: float) -> Loaded:
+        """Hold it so far off, m; it turns where it is free to."""
+
+
+@dataclass(frozen=True)
+class _OnLines:
+    """A body on lines of its own."""
+
+    start: ZeroLoadPosition
+
+    @property
+    def neutral(self) -> tuple[float, float]:
+        return self.start.neutral.x, self.start.neutral.y
+
+    def under(self, force: Sequence[float], moment: float = 0.0) -> Loaded:
+        return self._of(*self.start.under(force, moment))
+
+    def own(self) -> Loaded:
+        return self.under(self.start.system.force, self.start.system.moment)
+
+    def held(self, x: float, y: float) -> Loaded:
+        neutral = self.neutral
+        return self._of(*self.start.held(neutral[0] + x, neutral[1] + y))
+
+    def _of(self, rest: Rest, lines: Lines) -> Loaded:
+        pull = rest.pull
+        stiffness = ((pull.xx, pull.xy), (pull.xy, pull.yy))
+        return Loaded(response_of(self.start, rest, lines), (pull.x, pull.y), stiffness)
+
+
+@dataclass(frozen=True)
+class _BetweenPoints:
+    """The one free body of lines between points, or without one all that is held."""
+
+    network: Network
+    start: WithoutLoad | None
+
+    @property
+    def neutral(self) -> tuple[float, float]:
+        if self.start is None:
+            return 0.0, 0.0
+        (body,), (pose,) = self.network.bodies, self.start.found.poses
+        return body.x + pose[0], body.y + pose[1]
+
+    def under(self, force: Sequence[float], moment: float = 0.0) -> Loaded:
+        assert self.start is not None
+        (body,) = self.network.bodies
+        along, across = force
+        return self._of(self.start.under((replace(body, force=(along, across), moment=moment),)))
+
+    def own(self) -> Loaded:
+        (body,) = self.network.bodies
+        return self.under(body.force, body.moment)
+
+    def held(self, x: float, y: float) -> Loaded:
+        if self.start is None:
+            return self._of(at_rest(self.network, (x, y, 0.0, 0.0, 0.0, 0.0)), (x, y))
+        return self._of(self.start.held_at(x, y))
+
+    def _of(self, rest: LinesAtRest, moved: tuple[float, float] | None = None) -> Loaded:
+        ends = {
+            k
+            for k, point in enumerate(self.network.points)
+            if point.kind == "fairlead" and bool(point.body) == bool(rest.bodies)
+        }
+        pulls = [force for k, force in pulls_of(rest.runs, rest.joints.ends) if k in ends]
+        x, y = (math.fsum(force[i] for force in pulls) for i in (0, 1))
+        plane = rest.bodies[0].stiffness if rest.bodies else ((math.nan,) * 3,) * 3
+        stiffness = ((plane[0][0], plane[0][1]), (plane[1][0], plane[1][1]))
+        return Loaded(network_response(rest, moved), (x, y), stiffness)
+
+
+def unloaded(mooring: System | Network, asked: str, *, may_be_held: bool = False) -> Unloaded:
+    """Bring a mooring to rest without load on its one body; `asked`: for what.
+
+    InputError for lines between points where free bodies are several; or none, unless
+    `may_be_held`: then all fairleads are held.
+    """
+    if not isinstance(mooring, Network):
+        return _OnLines(zero_load_position(mooring))
+    count = len(mooring.bodies)
+    if count != 1 and not (may_be_held and not count and mooring.has_fairlead):
+        found = ", ".join(body.name for body in mooring.bodies) or Message("refused.none")
+        allowed = Message(f"refused_motion.{asked}_is_of_one_body")
+        raise refused("bodies", found, allowed, "mooring")
+    return _BetweenPoints(mooring, without_load(mooring) if count else None)
+
+
 @dataclass(frozen=True)
 class RestoringCurve(Record):
     """Force and offset of a body along one direction."""
@@ -132,58 +245,42 @@ class RestoringCurve(Record):
 
 
 def restoring_curve(
-    system: System, *, direction: float, offsets: Sequence[float]
+    system: System | Network, *, direction: float, offsets: Sequence[float]
 ) -> RestoringCurve:
     """Force that holds a body at offsets along a direction.
 
     `direction`: counter-clockwise from x, rad; `offsets`: from the zero-load position along it, m.
-    The system's own load plays no part.
+    The system's own load plays no part. Of lines between points it is the one body that is free,
+    or without one all that is held, from where it is given.
 
     Raises
     ------
     NoEquilibriumError
         When a line that does not stretch is too short for an offset.
-    InputError, NotConvergedError
+    InputError
+        Free bodies are several, or nothing moves; as for `solve_system`.
+    NotConvergedError
         As for `solve_system`.
     """
-    return _curve(system, direction, offsets, is_held=True)
-
-
-def network_curve(
-    network: Network, *, direction: float, offsets: Sequence[float]
-) -> RestoringCurve:
-    """Force that holds the one free body of a network at offsets, or all that is held without one.
-
-    As `restoring_curve`; InputError, too, where bodies are several, or nothing moves.
-    """
     _check(direction, offsets, "offsets", "m")
-    is_free = bool(network.bodies)
-    own = network.bodies[0].name if is_free else ""
-    moves = {p.name for p in network.points if p.kind == "fairlead" and p.body == own}
-    if len(network.bodies) > 1 or not moves:
-        found = ", ".join(body.name for body in network.bodies) or Message("refused.none")
-        allowed = Message("refused_motion.curve_is_of_one_body")
-        raise refused("bodies", found, allowed, "restoring curve")
-    start = without_load(network) if is_free else None
+    start = unloaded(system, "curve", may_be_held=True)
     cosine, sine = math.cos(direction), math.sin(direction)
     points = []
     for value in paced(Message("words.offsets", total=len(offsets)), offsets):
-        way = (value * cosine, value * sine)
-        at = (*way, 0.0, 0.0, 0.0, 0.0)
-        rest = at_rest(network, at) if start is None else start.held_at(*way)
-        forces = [
-            force
-            for point, force in pulls_of(rest.runs, rest.joints.ends)
-            if network.points[point].name in moves
-        ]
-        x, y = (math.fsum(force[i] for force in forces) for i in (0, 1))
-        numbers = (float(value), 0.0, -x * cosine - y * sine, x * sine - y * cosine)
-        points.append((*numbers, network_response(rest, None if is_free else way)))
+        loaded = start.held(value * cosine, value * sine)
+        x, y = loaded.pull
+        along, across = -x * cosine - y * sine, x * sine - y * cosine
+        points.append((float(value), 0.0, along, across, loaded.response))
     columns = zip(*points, strict=True) if points else [()] * 5
-    return RestoringCurve(network, direction, True, *columns)
+    return RestoringCurve(system, direction, True, *columns)
 
 
-def offset_curve(system: System, *, direction: float, forces: Sequence[float]) -> RestoringCurve:
+network_curve = old_function("network_curve", restoring_curve)
+
+
+def offset_curve(
+    system: System | Network, *, direction: float, forces: Sequence[float]
+) -> RestoringCurve:
     """Offset of a free body under forces along a direction.
 
     `direction`: counter-clockwise from x, rad; `forces`: on the body along it, N. The system's own
@@ -192,32 +289,18 @@ def offset_curve(system: System, *, direction: float, forces: Sequence[float]) -
     Raises
     ------
     InputError, NoEquilibriumError, NotConvergedError
-        As for `solve_system`.
+        As for `solve_system`; InputError for lines between points without one free body.
     """
-    return _curve(system, direction, forces, is_held=False)
-
-
-def _curve(
-    system: System, direction: float, values: Sequence[float], *, is_held: bool
-) -> RestoringCurve:
-    _check(direction, values, *(("offsets", "m") if is_held else ("forces", "N")))
-    zero_load = zero_load_position(system)
-    start = zero_load.neutral
+    _check(direction, forces, "forces", "N")
+    start = unloaded(system, "curve")
     cosine, sine = math.cos(direction), math.sin(direction)
     points = []
-    for value in paced(Message("words.offsets", total=len(values)), values):
-        if is_held:
-            rest, lines = zero_load.held(start.x + value * cosine, start.y + value * sine)
-            x, y = rest.pull.x, rest.pull.y
-        else:
-            rest, lines = zero_load.under((value * cosine, value * sine))
-            x, y = rest.x - start.x, rest.y - start.y
-        along, across = x * cosine + y * sine, y * cosine - x * sine
-        known = (float(value), 0.0)
-        numbers = (*known, -along, -across) if is_held else (along, across, *known)
-        points.append((*numbers, response_of(zero_load, rest, lines)))
+    for value in paced(Message("words.offsets", total=len(forces)), forces):
+        response = start.under((value * cosine, value * sine)).response
+        x, y = response.x - start.neutral[0], response.y - start.neutral[1]
+        points.append((x * cosine + y * sine, y * cosine - x * sine, float(value), 0.0, response))
     columns = zip(*points, strict=True) if points else [()] * 5
-    return RestoringCurve(system, direction, is_held, *columns)
+    return RestoringCurve(system, direction, False, *columns)
 
 
 def _check(direction: float, values: Sequence[float], key: str, unit: str) -> None:
@@ -256,7 +339,7 @@ class WatchCircle(Tabled, Record):
         return first_largest([each.largest_tension for each in self.responses])
 
 
-def watch_circle(system: System, *, force: float, directions: int = 120) -> WatchCircle:
+def watch_circle(system: System | Network, *, force: float, directions: int = 120) -> WatchCircle:
     """Let a force go round a body.
 
     `force`: its size, N; `directions`: how many, evenly from 0, at least 3. The system's own load
@@ -265,36 +348,15 @@ def watch_circle(system: System, *, force: float, directions: int = 120) -> Watc
     Raises
     ------
     InputError, NoEquilibriumError, NotConvergedError
-        As for `solve_system`.
+        As for `solve_system`; InputError for lines between points without one free body.
     """
     angles = _angles(force, directions)
-    zero_load = zero_load_position(system)
-    responses = []
-    for angle in paced(Message("words.directions", total=directions), angles):
-        rest, lines = zero_load.under((force * math.cos(angle), force * math.sin(angle)))
-        responses.append(response_of(zero_load, rest, lines))
-    neutral = (zero_load.neutral.x, zero_load.neutral.y)
-    return WatchCircle(system, force, angles, tuple(responses), neutral)
-
-
-def network_circle(network: Network, *, force: float, directions: int = 120) -> WatchCircle:
-    """Let a force go round the one free body of a network; as `watch_circle`.
-
-    InputError, too, where it has none or several; what `at_rest` raises.
-    """
-    angles = _angles(force, directions)
-    if len(network.bodies) != 1:
-        found = ", ".join(body.name for body in network.bodies) or Message("refused.none")
-        allowed = Message("refused_motion.circle_is_of_one_body")
-        raise refused("bodies", found, allowed, "watch circle")
-    (body,) = network.bodies
-    start = without_load(network)
-    responses = []
-    for angle in paced(Message("words.directions", total=directions), angles):
-        push = (force * math.cos(angle), force * math.sin(angle))
-        responses.append(network_response(start.under((replace(body, force=push, moment=0.0),))))
-    x, y, _ = start.found.poses[0]
-    return WatchCircle(network, force, angles, tuple(responses), (body.x + x, body.y + y))
+    start = unloaded(system, "circle")
+    responses = tuple(
+        start.under((force * math.cos(angle), force * math.sin(angle))).response
+        for angle in paced(Message("words.directions", total=directions), angles)
+    )
+    return WatchCircle(system, force, angles, responses, start.neutral)
 
 
 def _angles(force: float, directions: int) -> tuple[float, ...]:

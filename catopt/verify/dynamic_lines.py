@@ -487,9 +487,8 @@ def hull_of(case: Case) -> AnyHull:
     if of.hull is not None:
         assert system is not None
         return hull_of_files(of.hull, system, site.water_depth, site.water_density)
-    lines = [case.line] if system is None else [leg.line for leg in system.legs]
     pull = 0.0
-    for line in lines:
+    for line in case.every_line:
         heavy = sum(each.submerged_weight * each.length for each in line.segments)
         pull += heavy / line.length * min(site.water_depth, line.length)
     hull = buoy_hull(of, site.water_depth, site.water_density, pull)

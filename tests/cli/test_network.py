@@ -242,6 +242,21 @@ def test_force_over_offset_is_tabulated(run: Run, tmp_path: Path) -> None:
     assert len(rows) == 1 + len(curve["offset_m"])
 
 
+def test_another_water_level_is_tabulated(run: Run, tmp_path: Path) -> None:
+    place = tmp_path / "barge.toml"
+    place.write_text(write_case(barge()), encoding="utf-8")
+    found = document_of(run, "system", place, "--level", "-2 m", "--level", "0 m")
+    validate(found)
+    low, same = found["water_levels"]
+    (body,) = found["states"][0]["bodies"]
+    assert same["response"]["offset_m"] == pytest.approx(math.hypot(*body["offset_m"]))
+    assert low["response"]["offset_m"] > same["response"]["offset_m"]  # lower water: slacker lines
+    said = run("system", place, "--level", "-2 m", "--out", tmp_path / "out")
+    assert said.status == 0, said.err
+    rows = (tmp_path / "out" / "water_levels.csv").read_text("utf-8").splitlines()
+    assert len(rows) == 2
+
+
 def test_lines_in_motion_are_answered_line_by_line(run: Run, tmp_path: Path) -> None:
     place = tmp_path / "bridle.toml"
     place.write_text(MOVING, encoding="utf-8")

@@ -15,10 +15,11 @@ from catopt.casefile.writing import write_case
 from catopt.checks.system import check_network
 from catopt.model import Checks, Site
 from catopt.model.network import LineBetween, MooredBody, Network, Point
+from catopt.mooring.case import at_levels
 from catopt.mooring.held import at_rest, hold
 from catopt.mooring.network_out import each_line_out
 from catopt.mooring.network_rest import LinesAtRest
-from catopt.mooring.restoring import network_circle, network_curve, restoring_curve, watch_circle
+from catopt.mooring.restoring import offset_curve, restoring_curve, watch_circle
 from catopt.mooring.solution import solve_system
 
 from .layouts import CHAIN, fso, spread, unequal_legs
@@ -251,7 +252,7 @@ def test_a_body_that_drifts_is_told() -> None:
 
 def test_the_watch_circle_is_that_of_the_system() -> None:
     system = SYSTEMS["unequal"]
-    own = network_circle(as_points(system, 90.0, (120.0, -35.0)), force=1.5e5, directions=5)
+    own = watch_circle(as_points(system, 90.0, (120.0, -35.0)), force=1.5e5, directions=5)
     known = watch_circle(system, force=1.5e5, directions=5)
     assert own.directions == known.directions
     assert own.neutral == pytest.approx((known.neutral[0] + 120.0, known.neutral[1] - 35.0))
@@ -263,7 +264,7 @@ def test_the_watch_circle_is_that_of_the_system() -> None:
         assert each.largest_anchor_tension == pytest.approx(other.largest_anchor_tension, rel=1e-8)
         assert each.least_grounded == pytest.approx(other.least_grounded, abs=1e-5)
     with pytest.raises(InputError, match="of one body that is free"):
-        network_circle(replace(barge(), bodies=(), points=tuple(
+        watch_circle(replace(barge(), bodies=(), points=tuple(
             replace(point, body="") for point in barge().points)), force=1e5)  # fmt: skip
 
 
@@ -272,7 +273,7 @@ def test_the_restoring_curve_is_that_of_the_system(name: str) -> None:
     system = SYSTEMS[name]
     offsets = (-25.0, -3.0, 0.0, 8.0, 30.0)
     network = as_points(system, 90.0, (120.0, -35.0))
-    own = network_curve(network, direction=0.7, offsets=offsets)
+    own = restoring_curve(network, direction=0.7, offsets=offsets)
     known = restoring_curve(system, direction=0.7, offsets=offsets)
     assert own.offset == known.offset
     strong = max(map(abs, known.force))
@@ -290,12 +291,12 @@ def test_the_restoring_curve_of_what_is_held_is_the_load_on_it() -> None:
     barged = barge()
     points = tuple(replace(point, body="") for point in barged.points)
     held = replace(barged, bodies=(), points=points)
-    curve = network_curve(held, direction=math.pi / 2.0, offsets=(-2.0, 0.0, 2.0))
+    curve = restoring_curve(held, direction=math.pi / 2.0, offsets=(-2.0, 0.0, 2.0))
     for offset, along, across in zip(curve.offset, curve.force, curve.force_across, strict=True):
         x, y, *_ = hold(held, (0.0, offset, 0.0, 0.0, 0.0, 0.0)).body.load
         assert (along, across) == pytest.approx((-y, x), rel=1e-9)
     # The body that is free is held by no force where it rests without load.
-    free = network_curve(barged, direction=0.3, offsets=(0.0,))
+    free = restoring_curve(barged, direction=0.3, offsets=(0.0,))
     pull = max(line.fairlead.tension for line in at_rest(barged).lines)
     assert (*free.force, *free.force_across) == pytest.approx((0.0, 0.0), abs=1e-8 * pull)
     anchors = tuple(replace(p, kind="anchor") if p.kind == "fairlead" else p for p in points)
@@ -304,7 +305,7 @@ def test_the_restoring_curve_of_what_is_held_is_the_load_on_it() -> None:
                   for p in barged.points)  # fmt: skip
     for network in (replace(held, points=anchors), replace(barged, bodies=bodies, points=apart)):
         with pytest.raises(InputError, match="curve is of one body"):
-            network_curve(network, direction=0.0, offsets=(1.0,))
+            restoring_curve(network, direction=0.0, offsets=(1.0,))
 
 
 def test_a_moment_that_lines_cannot_carry_is_refused() -> None:
@@ -444,3 +445,36 @@ def test_a_body_is_at_rest_under_its_load_where_it_is_not_without() -> None:
 def test_without_a_load_the_reason_is_told_as_before() -> None:
     with pytest.raises(NoEquilibriumError, match="friction there leaves its place open"):
         at_rest(parse_network(LIES_WITHOUT_LOAD.format(force="0.0")))
+
+
+def test_the_offset_curve_is_that_of_the_system() -> None:
+    system, forces = SYSTEMS["unequal"], (-1e5, 0.0, 2e5)
+    points = tuple(replace(point, body="") for point in barge().points)
+    own = offset_curve(as_points(system, 90.0, (120.0, -35.0)), direction=0.7, forces=forces)
+    known = offset_curve(system, direction=0.7, forces=forces)
+    assert own.force == known.force == forces
+    assert own.offset == pytest.approx(known.offset, rel=1e-7, abs=1e-7)
+    assert own.across == pytest.approx(known.across, rel=1e-7, abs=1e-7)
+    with pytest.raises(InputError, match="curve is of one body"):
+        offset_curve(replace(barge(), bodies=(), points=points), direction=0.0, forces=forces)
+
+
+def test_water_levels_are_those_of_the_system() -> None:
+    """A body rises with the water, joints do not: those of the system's lines are its loads."""
+    system = SYSTEMS["unequal"]
+    network = as_points(system, 90.0, (120.0, -35.0))
+    for own, known in zip(
+        at_levels(network, (-2.0, 3.0)), at_levels(system, (-2.0, 3.0)), strict=True
+    ):
+        assert own.level == known.level
+        assert own.response.offset == pytest.approx(known.response.offset, rel=1e-7)
+        assert own.response.largest_tension == pytest.approx(
+            known.response.largest_tension, rel=1e-8
+        )
+        for row, other in zip(own.stiffness, known.stiffness, strict=True):
+            assert row == pytest.approx(other, rel=1e-6, abs=1e-6 * own.stiffness[0][0])
+    with pytest.raises(InputError, match=r"levels\[0\]"):
+        at_levels(network, (-80.0,))
+    with pytest.raises(InputError, match="level is for one body"):
+        at_levels(replace(barge(), bodies=(), points=tuple(
+            replace(point, body="") for point in barge().points)), (1.0,))  # fmt: skip
