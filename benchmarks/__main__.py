@@ -32,6 +32,7 @@ SIZES = {
     "moorings": "",
     "page": "",
     "practice": "",
+    "ships": "",
     "quick": "--ships 2 --buoys 1 --minutes 2",
     "reliability": "",
     "search": "--seeds 2",

@@ -189,8 +189,9 @@ class _Search:
     def laid(self, line: Line) -> JudgedLine | None:
         """Find the line that would be laid: no thinner than her own cable, by rule as short.
 
-        The thinnest that passes at sixteen depths, or else at twenty-four, and of that the shortest
-        from six on, taken that what is longer passes. None where none does: then the lightest.
+        The thinnest that passes at sixteen depths or at twenty-four, and of that the shortest from
+        six on, taken that what is longer passes: harder weather then asks for no thinner one. None
+        where none does: then the lightest.
         """
         (segment,) = line.segments
         sizes = sorted((e for e in self._sizes if e.component == segment.component), key=size_of)
@@ -215,8 +216,8 @@ class _Search:
         self.own = judged(sizes[0], lengths[scopes[0] - 1]).tried
         holds = (
             (k, count)
-            for count in dict.fromkeys(scopes)
             for k, each in enumerate(sizes)
+            for count in dict.fromkeys(scopes)
             if judged(each, lengths[count - 1]).tried.passes
         )
         found = next(holds, None)

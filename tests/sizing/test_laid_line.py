@@ -57,11 +57,14 @@ def test_a_line_that_is_laid_is_hers_or_near_it_and_no_shorter_than_the_rule() -
 
 
 def test_a_little_more_weather_takes_a_little_more_line() -> None:
-    """200 pairs 1 % apart: no less line in more weather, and never two sizes more."""
-    sizes = sorted({laid(needs(each * 1e3))[0] for each in range(40, 220, 2)})  # type: ignore[index]
+    """200 pairs 1 % apart: no less line in more weather, and never two sizes more.
+
+    As far as the thickest, 120 mm, at twenty-four depths: there hers at those once followed it.
+    """
+    sizes = sorted({laid(needs(each * 1e3))[0] for each in range(40, 310, 2)})  # type: ignore[index]
     generator = random.Random(4)
     for _ in range(200):
-        weather = generator.uniform(50e3, 215e3)
+        weather = generator.uniform(50e3, 305e3)
         first, then = laid(needs(weather)), laid(needs(1.01 * weather))
         assert first is not None
         assert then is not None
