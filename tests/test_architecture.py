@@ -6,6 +6,7 @@ Imports inside functions count: they are as binding as those at the top of a mod
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterator
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
@@ -362,3 +363,25 @@ def test_the_allowed_direction_and_a_folder_without_place(tmp_path: Path) -> Non
     (package / "attic").mkdir()
     (package / "attic" / "b.py").write_text("")
     assert violations(package, TABLE) == ["tool/attic/b.py: attic is not in the table"]
+
+
+NAMES_A_HULL = re.compile(
+    r"FloatingHull|HullOfCoefficients|HullAfloat|ShipAfloat|floater\.(ship|hull|buoy)\b"
+)
+ASKS_WHICH_HULL = re.compile(
+    r"isinstance\([^)]*(FloatingHull|HullOfCoefficients)|floater\.(ship|hull|buoy) is|"
+    r'"floater\.(ship|hull|buoy)" in|floater\.(ship|hull|buoy)[:)]'
+)
+
+
+def test_few_files_know_the_kinds_of_hulls() -> None:
+    """23 named one, and 9 asked which it is, before there was a protocol; a new one touches none."""
+    texts = {
+        path.relative_to(PACKAGE).as_posix(): path.read_text("utf-8")
+        for path in PACKAGE.rglob("*.py")
+    }
+    named = [name for name, text in texts.items() if NAMES_A_HULL.search(text)]
+    asking = {name for name, text in texts.items() if ASKS_WHICH_HULL.search(text)}
+    assert len(named) <= 17, named
+    # Linear motion takes one of revolution alone; a ship is run on two time scales.
+    assert asking <= {"verify/linear.py", "verify/two_scales.py", "sizing/ship_band.py"}

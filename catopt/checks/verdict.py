@@ -166,7 +166,7 @@ def _moves(of: Matter) -> bool:
 
 def _is_buoy_in_motion(of: Matter) -> bool:
     case = of.case
-    has_buoy = case is not None and case.floater is not None and bool(case.floater.buoy)
+    has_buoy = case is not None and case.floater is not None and case.floater.kind == "buoy"
     return has_buoy and of.moved is not None
 
 

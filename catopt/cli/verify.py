@@ -155,7 +155,12 @@ def _one(
     from catopt.verify.case import verify_case
     from catopt.verify.result import Verification
 
-    if moving is not None and isinstance(case, Case) and case.floater and case.floater.ship:
+    if (
+        moving is not None
+        and isinstance(case, Case)
+        and case.floater
+        and case.floater.on_two_scales
+    ):
         return _ship(asked, case, load_case, moving)
     if moving is not None:
         _check_for_motion(case)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import PurePath
 from typing import Any, Final
 
 from catopt.decks.deck import LONGEST, Deck, Notes, check_sizes
+from catopt.decks.formats import MOORDYN, deck_format
 from catopt.decks.to_case import (
     Chain,
     case_of,
@@ -128,19 +128,6 @@ class Imported:
 _SHOWN_KEYS: Final = 6
 
 
-_BEGINS = (
-    r"(?m)^(mooring_systems|mooring_line_configs)[ \t]*:",
-    r"(?m)^(-[ ]+)?LineTypes[ \t]*:|^[ \t]*(-[ ]+)?[Ii]nclude[Ff]ile[ \t]*:",
-)
-"""How the ontology and OrcaFlex's text data are known."""
-
-
-def is_of_tables(text: str) -> bool:
-    """Whether a YAML file has a mooring of RAFT's or windIO's tables."""
-    keys = ("mooring", "line_types")
-    return all(re.search(rf"(?m)^[ \t]*{key}[ \t]*:", text) is not None for key in keys)
-
-
 def is_deck(text: str) -> bool:
     """Whether a text is a deck: it has a section of line types, or moorings in YAML.
 
@@ -150,11 +137,7 @@ def is_deck(text: str) -> bool:
     >>> is_deck("--- LINE TYPES ---"), is_deck("[site]")
     (True, False)
     """
-    for line in text.split("\n"):
-        _, dashes, name = line.partition("---")
-        if dashes and re.search(r"(?i)\bLINE[ \t]+(TYPES|DICTIONARY)\b", name):
-            return True
-    return any(re.search(each, text) is not None for each in _BEGINS) or is_of_tables(text)
+    return deck_format(text) is not None
 
 
 def is_yaml(text: str, source: str) -> bool:
@@ -172,22 +155,6 @@ def refuse_yaml(text: str, source: str) -> InputError:
     named = ", ".join(top[:_SHOWN_KEYS]) + (", ..." if len(top) > _SHOWN_KEYS else "")
     found = Message("refused_deck.yaml_of_keys", keys=named) if top else Message("refused.none")
     return refused("file", found, Message("refused_deck.yaml_that_is_read"), source)
-
-
-def _is_of_mappp(text: str) -> bool:
-    """Whether a deck is MAP++'s: it has no columns, sections or options of MoorDyn's."""
-    lines = text.split("\n")
-
-    def has(pattern: str) -> bool:
-        """Whether a line begins so: by lines, so that no blank is looked at twice."""
-        return any(re.match(f"(?i){pattern}", line) for line in lines)
-
-    if not has("-.*SOLVER OPTIONS"):
-        return False
-    if has(r"[ \t]*LineType\s.*\bCB\b") or has(r"[ \t]*Option\s*$"):
-        return True
-    heads = r"\b(NumSegs|NumNodes|EI|BA\S*|Can|CdAx|CdA)\b"
-    return not has(rf"[ \t]*\w+\s.*{heads}|-.*\b(POINTS|CONNECTION|OUTPUTS)\b")
 
 
 def read_deck(text: str, source: str = "", asked: Asked | None = None) -> Imported:
@@ -226,12 +193,6 @@ def read_any_deck(
     text: str, source: str = "", asked: Asked | None = None
 ) -> tuple[Case | Network, tuple[Message, ...]]:
     """Read a deck, with remarks; as a Network where its lines meet in joints, or differ."""
-    from catopt.decks.mappp import parse_mappp
-    from catopt.decks.moordyn import parse_moordyn
-    from catopt.decks.ontology import parse_ontology
-    from catopt.decks.orcaflex import parse_orcaflex
-    from catopt.decks.tables import parse_tables
-
     given = {key: value for key, value in asdict(asked or Asked()).items() if value is not None}
     notes = Notes(source, given.pop("line", None), given.pop("turbines", ()))
     text = text.replace("\r\n", "\n")
@@ -239,12 +200,7 @@ def read_any_deck(
         if unfit(said):
             notes.refuse(row, unfit(said), "out_of_file")
     notes.raise_if_any()
-    parse = parse_mappp if _is_of_mappp(text) else parse_moordyn
-    if is_of_tables(text):
-        parse = parse_tables
-    for begins, other in zip(_BEGINS, (parse_ontology, parse_orcaflex), strict=True):
-        parse = other if re.search(begins, text) else parse
-    deck = parse(text, notes, given)
+    deck = (deck_format(text) or MOORDYN).read(text, notes, given)
     placed = sum(is_said(each, "decks.turbine") for each in notes.remarks)
     if placed < len(notes.turbines):
         own = f"--turbine ({len(notes.turbines)})"

@@ -17,50 +17,39 @@ from catopt.fem.moving import BodyNode
 from catopt.fem.run_settings import TimeStepping
 from catopt.fem.solve import Leg
 from catopt.floater.scene import Scene
-from catopt.hydro.build import IN_PLANE, AnyHull, FloatingHull, record_of, room_of, state_of
+from catopt.hydro.build import ALONG, SteppedHull, record_of, room_of, state_of
 from catopt.hydro.hull import PARTS
 from catopt.waves import Sea
 from catopt.words import Message
 
-_ALONG: Final = 1e-9
-"""Sine of an angle, or speed across, m/s, up to which a direction is along x."""
 _SAME_PLACE: Final = 1e-6
 """Part of the anchors' radius within which places mirror each other."""
 
 
-def freedoms(hull: AnyHull, legs: Sequence[Leg], sea: Sea) -> tuple[bool, ...]:
+def freedoms(hull: SteppedHull, legs: Sequence[Leg], sea: Sea) -> tuple[bool, ...]:
     """Say which freedoms a hull has: all six, or those of the plane of x and z.
 
     Weather along x, and lines that x mirrors, leave it in that plane. Nothing turns a body of
     revolution about its axis but lines that are fast to it away from that.
     """
-    if not isinstance(hull, FloatingHull):
-        return (True,) * 6
-    if not any((waves_across(sea), current_across(sea), wind_across(hull), unmirrored(hull, legs))):
-        return IN_PLANE
-    yaws = any(math.hypot(x, y) > 0.0 for x, y, _ in hull.eyes)
-    return (True, True, True, True, True, yaws)
+    across = waves_across(sea) or current_across(sea) or unmirrored(hull, legs)
+    return hull.freedoms(in_plane=not across)
 
 
 def waves_across(sea: Sea) -> bool:
     """Whether waves go in another direction than along x."""
     waves = sea.waves
-    return waves is not None and float(np.abs(np.sin(waves.direction)).max()) > _ALONG
+    return waves is not None and float(np.abs(np.sin(waves.direction)).max()) > ALONG
 
 
 def current_across(sea: Sea) -> bool:
     """Whether the current has a part across x."""
     flow = sea.flow
     sideways = (flow.current[:, 2], flow.power_currents[:, 1], flow.current_series[:, 2])
-    return float(np.abs(np.concatenate(sideways)).max(initial=0.0)) > _ALONG
+    return float(np.abs(np.concatenate(sideways)).max(initial=0.0)) > ALONG
 
 
-def wind_across(hull: FloatingHull) -> bool:
-    """Whether the wind blows in another direction than along x."""
-    return hull.wind[0] != 0.0 and abs(math.sin(hull.wind_direction)) > _ALONG
-
-
-def unmirrored(hull: FloatingHull, legs: Sequence[Leg]) -> tuple[int, ...]:
+def unmirrored(hull: SteppedHull, legs: Sequence[Leg]) -> tuple[int, ...]:
     """Which lines, from 0, have not as many mirrored by x as there are in their own place."""
     if not legs:
         return ()
@@ -144,7 +133,7 @@ def history_of(body: Afloat, time: Array, depth: float, volume: float) -> HullHi
 
 
 def run_alone(
-    hull: AnyHull,
+    hull: SteppedHull,
     stepping: TimeStepping,
     *,
     sea: Sea,
@@ -154,7 +143,7 @@ def run_alone(
 
     Parameters
     ----------
-    hull : FloatingHull or HullOfCoefficients
+    hull : SteppedHull
         At its draught at rest.
     stepping : TimeStepping
         Steps all as long as its `step`; samples at its output interval.

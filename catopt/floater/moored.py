@@ -30,7 +30,7 @@ from catopt.fem.series import Complex
 from catopt.fem.simulation import Simulation
 from catopt.fem.solve import Leg
 from catopt.floater.alone import HullHistory, freedoms, history_of
-from catopt.hydro.build import AnyHull, FloatingHull, record_of, room_of, state_of
+from catopt.hydro.build import FloatingHull, SteppedHull, record_of, room_of, state_of
 from catopt.hydro.hull import Hull, HullRoom, HullState, fill_forces_on_hull, fill_sea, turn_axes
 from catopt.waves import Sea
 from catopt.waves.kinematics import Flow
@@ -218,7 +218,7 @@ class _Lines(NamedTuple):
 
 
 def moored_at_rest(
-    hull: AnyHull,
+    hull: SteppedHull,
     legs: Sequence[Leg],
     meshes: Sequence[LineMesh],
     *,
@@ -305,7 +305,7 @@ def _of_lines(simulation: Simulation) -> tuple[Array, Array]:
 
 
 def run_moored(
-    hull: AnyHull,
+    hull: SteppedHull,
     legs: Sequence[Leg],
     meshes: Sequence[LineMesh],
     stepping: TimeStepping,
@@ -318,7 +318,7 @@ def run_moored(
 
     Parameters
     ----------
-    hull : FloatingHull or HullOfCoefficients
+    hull : SteppedHull
         With a mooring eye for each line.
     legs, meshes
         The lines, as for `moored_at_rest`.

@@ -16,7 +16,6 @@ import numpy as np
 from catopt.arrays import Array
 from catopt.fem.history import History
 from catopt.fem.mesh import LineMesh
-from catopt.hydro.build import FloatingHull
 from catopt.waves.sea import Sea
 
 if TYPE_CHECKING:
@@ -77,9 +76,9 @@ def kept_nodes(meshes: Sequence[LineMesh]) -> tuple[tuple[int, ...], ...]:
 
 
 def scene_of(
-    history: History, kept: Sequence[Sequence[int]], body: HullHistory, hull: FloatingHull, sea: Sea
+    history: History, kept: Sequence[Sequence[int]], body: HullHistory, outline: Array, sea: Sea
 ) -> Scene:
-    """Take the scene out of a run that kept the nodes of `kept_nodes`."""
+    """Take the scene out of a run that kept the nodes of `kept_nodes`; `outline`: as of it."""
     counted = np.flatnonzero(history.counted) if history.counts else np.arange(history.time.size)
     row, loaded = divmod(int(history.fairlead_tension[counted].argmax()), len(kept))
     peak = int(counted[row])
@@ -101,16 +100,12 @@ def scene_of(
     place = np.stack([x_0 * ahead + y_0 * aside, z_0 + sea.depth, lean], axis=1)
     off = float(np.mean(y_0 * ahead - x_0 * aside))  # of the hull across the plane
 
-    widest = float(hull.radius.max())
+    widest = float(outline[:, 0].max())
     ways = np.concatenate([flat[:, :, 0].ravel(), place[:, 0] - widest, place[:, 0] + widest])
     least, most = float(ways.min()), float(ways.max())
     room = _BEYOND * (most - least)
     x = np.linspace(least - room, most + room, _PLACES)
     at = x[np.newaxis, :] * ahead - off * aside, x[np.newaxis, :] * aside + off * ahead
     surface = sea.depth + sea.elevation(time[:, np.newaxis], *at)
-    heights = np.column_stack([hull.foot, hull.top]).ravel() - hull.centre
-    radius = np.repeat(hull.radius, 2)
-    right, left = np.column_stack([radius, heights]), np.column_stack([-radius, heights])
-    outline = np.concatenate([right, left[::-1]])
     tension, worst = history.fairlead_tension[chosen, loaded], int(np.searchsorted(chosen, peak))
     return Scene(time, lines, loaded, place, tension, x, surface, outline, worst, towards)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Final
+from typing import Final, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -23,8 +23,12 @@ from catopt.words import Message
 
 Complex = npt.NDArray[np.complex128]
 
+Freedoms = tuple[bool, ...]
+"""Whether it moves in surge, sway, heave, roll, pitch, yaw."""
 IN_PLANE: Final = (True, False, True, False, True, False)
 """Freedoms of a hull that stays in the plane of x and z."""
+ALONG: Final = 1e-9
+"""Sine of an angle, or speed across, m/s, up to which a direction is along x."""
 _SURGE_HEAVE_PITCH: Final = np.array([0, 2, 4])
 COLUMNS: Final = 9
 """In which a slice that is cut by the surface is divided across."""
@@ -77,6 +81,43 @@ class Radiation:
         if not self.damping.any():
             return Memory.none()
         return Memory.of(self.omega, self.damping, self.longest)
+
+
+class SteppedHull(Protocol):
+    """A body that is stepped in time with its lines; what any has to have.
+
+    `mass`, kg; `inertia`: in pitch, kg m2; `size`: such as its draught, m; `level`: height of its
+    reference over still water at rest, m; `above`: how far it reaches above that, m;
+    `volume_of_all`: of its slices, m3, 0 without any; `eyes`: place of each mooring eye, m.
+    """
+
+    @property
+    def mass(self) -> float: ...  # noqa: D102 - as said above
+    @property
+    def inertia(self) -> float: ...  # noqa: D102
+    @property
+    def size(self) -> float: ...  # noqa: D102
+    @property
+    def level(self) -> float: ...  # noqa: D102
+    @property
+    def above(self) -> float: ...  # noqa: D102
+    @property
+    def volume_of_all(self) -> float: ...  # noqa: D102
+    @property
+    def eyes(self) -> tuple[tuple[float, float, float], ...]: ...  # noqa: D102
+    @property
+    def gravity(self) -> float: ...  # noqa: D102
+    @property
+    def outline(self) -> Array | None:
+        """As it is seen from the side, (k, 2), about its reference, m; None: it is not drawn."""
+
+    def freedoms(self, *, in_plane: bool) -> Freedoms:
+        """Which it has; `in_plane`: sea and lines leave one of revolution in that of x and z."""
+        ...
+
+    def lay_out(self, flow: Flow, free: Freedoms = (True,) * 6) -> Hull:
+        """Arrays for the kernels, in a sea; of its freedoms those that are left `free`."""
+        ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -202,6 +243,26 @@ class FloatingHull:
         over = (omega**2 / -np.expm1(-2.0 * k * depth))[:, np.newaxis]
         found: Complex = -over * (up - down) if upwards else -1.0j * over * (up + down)
         return found + 0j
+
+    @property
+    def outline(self) -> Array:
+        """Of its slices from below up one side and down the other, about its centre of gravity."""
+        heights = np.column_stack([self.foot, self.top]).ravel() - self.centre
+        radius = np.repeat(self.radius, 2)
+        right, left = np.column_stack([radius, heights]), np.column_stack([-radius, heights])
+        return np.concatenate([right, left[::-1]])
+
+    def freedoms(self, *, in_plane: bool) -> Freedoms:
+        """All six, or without sway, roll and yaw; only lines off its axis turn it about that."""
+        if in_plane and not self.wind_across:
+            return IN_PLANE
+        yaws = any(math.hypot(x, y) > 0.0 for x, y, _ in self.eyes)
+        return (True, True, True, True, True, yaws)
+
+    @property
+    def wind_across(self) -> bool:
+        """Whether the wind blows in another direction than along x."""
+        return self.wind[0] != 0.0 and abs(math.sin(self.wind_direction)) > ALONG
 
     @property
     def size(self) -> float:
@@ -337,6 +398,14 @@ class HullOfCoefficients:
         return float(self.mass_matrix[4, 4])
 
     @property
+    def outline(self) -> None:
+        """None is known."""
+
+    def freedoms(self, *, in_plane: bool) -> Freedoms:  # noqa: ARG002 - as of others
+        """All six."""
+        return (True,) * 6
+
+    @property
     def size(self) -> float:
         """Edge of a cube that displaces as much, m."""
         return float((self.displacement / self.density) ** (1.0 / 3.0))
@@ -399,9 +468,6 @@ class HullOfCoefficients:
             strength=_parts(memory.strength),
             excited=excited,
         )
-
-
-AnyHull = FloatingHull | HullOfCoefficients
 
 
 def _all_round(of: Array) -> Array:

@@ -25,6 +25,7 @@ from catopt.model.kinds import (
     Whole,
 )
 from catopt.model.sea import OF_A_BODY, RAO_CONVENTIONS
+from catopt.model.system import FLOATERS, floater_kind
 from catopt.units import Dimension, as_written
 from catopt.words import Message, given_keys
 
@@ -224,7 +225,8 @@ def network_motion_misfits(present: Collection[str], *, has_fairlead: bool) -> I
 
 def _of_a_floater(present: Collection[str], given: Collection[str]) -> Iterator[Problem]:
     """Yield what does not go together with a buoy that floats at the end of its lines."""
-    if "floater.ship" in given:
+    kind = FLOATERS[floater_kind([key.removeprefix("floater.") for key in given])]
+    if kind.on_two_scales:
         yield from _of_a_ship(present, given)
         return
     for key in ("motion", "anchor_motion", "body"):
@@ -232,7 +234,7 @@ def _of_a_floater(present: Collection[str], given: Collection[str]) -> Iterator[
             yield Problem(key, "", Message("refused_case.does_not_go_with_floater_too"))
     if "waves" not in present:
         yield Problem("waves", "", Message("refused_case.missing_nothing_moves_floater_but"))
-    if "floater.hull" in given and "system" not in present:
+    if kind.needs_system and "system" not in present:
         yield Problem("system", "", Message("refused_case.ship_needs_system"))
     if "dynamics.broken_line" in given:
         yield Problem("dynamics.broken_line", "", Message("refused_case.does_not_go_with_floater"))

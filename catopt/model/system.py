@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
-from typing import Annotated, Final, Literal
+from typing import Annotated, Final, Literal, NamedTuple
 
 from catopt.errors import Problem
 from catopt.model.kinds import (
@@ -175,7 +175,33 @@ class HullAfloat(Checked):
 
 HEAVE_DRAG: Final = 1.0
 _OF_DRIFT: Final = ("drift_file", "ulen")
-_FLOATERS: Final = ("buoy", "ship", "hull")
+
+
+class FloaterKind(NamedTuple):
+    """A kind of what floats: whether it is on the lines of a system only, and has wind.
+
+    `on_two_scales`: whether it is run by `catopt.verify.two_scales`; all others are stepped with
+    their lines, by their row in `catopt.verify.hulls.HULLS`.
+    """
+
+    needs_system: bool = False
+    has_wind: bool = True
+    on_two_scales: bool = False
+
+
+FLOATERS: Final[Mapping[str, FloaterKind]] = {
+    "buoy": FloaterKind(),
+    "ship": FloaterKind(needs_system=True, on_two_scales=True),
+    "hull": FloaterKind(needs_system=True, has_wind=False),
+}
+"""By the key of a `Floater` that says what floats; the first has the keys of `_OF_A_BUOY`."""
+
+
+def floater_kind(given: Collection[str]) -> str:
+    """Say which of what may float is given; the buoy where none is."""
+    return next((key for key in FLOATERS if key in given), "buoy")
+
+
 _OF_A_BUOY: Final[Mapping[str, object]] = {
     "file": "",
     "wind_direction": 0.0,
@@ -198,9 +224,9 @@ def ship_misfits(given: Collection[str]) -> list[Problem]:
 
 def floater_misfits(given: Mapping[str, object]) -> list[Problem]:
     """List what does not go together in what floats: of its keys, those that are given."""
-    first, *others = [key for key in _FLOATERS if key in given] or [""]
+    first, *others = [key for key in FLOATERS if key in given] or [""]
     if not first or others:
-        wanted = Message("refused.exactly_one", ways=", ".join(_FLOATERS))
+        wanted = Message("refused.exactly_one", ways=", ".join(FLOATERS))
         if not first:
             return [Problem("buoy", Message("refused_file.none_of_them"), wanted)]
         return [Problem(key, Message("refused_case.beside_another"), wanted) for key in others]
@@ -212,7 +238,7 @@ def floater_misfits(given: Mapping[str, object]) -> list[Problem]:
         for key, unused in _OF_A_BUOY.items()
         if given.get(key, unused) != unused
     ]
-    if first == "hull" and "wind_speed" in given:
+    if not FLOATERS[first].has_wind and "wind_speed" in given:
         problems.append(Problem("wind_speed", "", Message("refused_case.no_wind_on_a_hull")))
     return problems
 
@@ -262,6 +288,16 @@ class Floater(Checked):
         default = {each.name: each.default for each in fields(self)}
         given = {key: value for key, value in vars(self).items() if value != default[key]}
         found.problems += floater_misfits(given)
+
+    @property
+    def kind(self) -> str:
+        """Key in `FLOATERS` of what floats."""
+        return floater_kind([key for key, value in vars(self).items() if value])
+
+    @property
+    def on_two_scales(self) -> bool:
+        """Whether it is run on two time scales, as a ship."""
+        return FLOATERS[self.kind].on_two_scales
 
 
 @dataclass(frozen=True)

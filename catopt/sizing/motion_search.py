@@ -47,9 +47,9 @@ from catopt.ties import largest
 from catopt.verify.case import load_states
 from catopt.verify.convergence_check import largest_changes
 from catopt.verify.dynamic import Wanted, processes_for, run_again, run_once
-from catopt.verify.dynamic_lines import hull_of
 from catopt.verify.dynamic_result import DynamicPart, worst_verdict
 from catopt.verify.dynamic_setup import read_drive
+from catopt.verify.hulls import hull_of
 from catopt.verify.judged import (
     judged_as,
     line_in_motion,

@@ -6,7 +6,7 @@ import itertools
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Final, get_args
+from typing import get_args
 
 import numpy as np
 
@@ -30,21 +30,20 @@ from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, Series, Together, series_rows, series_values
 from catopt.fem.simulation import Simulation
 from catopt.fem.solve import Leg
-from catopt.floater.alone import HullHistory, freedoms
-from catopt.floater.hulls import buoy_hull, floating_buoy, hull_of_files
+from catopt.floater.alone import HullHistory
 from catopt.floater.moored import AtRest, moored_at_rest, run_moored
 from catopt.floater.scene import kept_nodes, scene_of
-from catopt.hydro.build import IN_PLANE, AnyHull, FloatingHull, HullOfCoefficients
-from catopt.model import Case, Load
+from catopt.hydro.build import SteppedHull
+from catopt.model import Load
 from catopt.model.dynamics import InitialFriction
 from catopt.model.network import Network
 from catopt.mooring import held, network_rest
 from catopt.mooring.solution import solve_system
 from catopt.verify.dynamic_result import Between
 from catopt.verify.dynamic_setup import Excitation, section_of
+from catopt.verify.hulls import HULLS, hull_of
 from catopt.verify.line import truss_legs, turned
-from catopt.verify.motion_file import energy_beyond
-from catopt.waves import Sea, Waves, wavelength
+from catopt.waves import Sea, Waves
 from catopt.words import Message
 
 Progress = Callable[[float], None]
@@ -376,10 +375,6 @@ class LinesOfPoints:
         yield Message("motion.no_still_of_points")
 
 
-_SMALL: Final = 0.2
-"""Part of the wave length above which a hull is not small beside it."""
-
-
 @dataclass(frozen=True)
 class LinesOfAFloater:
     """The line, or lines, of a buoy that floats at their upper ends; all are one system.
@@ -388,7 +383,7 @@ class LinesOfAFloater:
     """
 
     drive: Excitation
-    hull: AnyHull
+    hull: SteppedHull
 
     @classmethod
     def at_rest(cls, drive: Excitation) -> LinesOfAFloater:
@@ -420,7 +415,8 @@ class LinesOfAFloater:
         """Run all; of the nodes' places what the scene takes is kept."""
         legs = self.legs
         meshes = [mesh_line(leg.line, elements) for leg in legs]
-        kept = kept_nodes(meshes) if isinstance(self.hull, FloatingHull) else ()
+        outline = self.hull.outline
+        kept = () if outline is None else kept_nodes(meshes)
         history, hull = run_moored(
             self.hull,
             legs,
@@ -430,72 +426,18 @@ class LinesOfAFloater:
             properties=self.drive.properties,
             progress=progress,
         )
-        if not isinstance(self.hull, FloatingHull):
+        if outline is None:
             return history, hull
         in_sea = ramped(sea, stepping)
         assert in_sea is not None
-        scene = scene_of(history, kept, hull, self.hull, in_sea)
+        scene = scene_of(history, kept, hull, outline, in_sea)
         return replace(history, nodes=history.nodes[:, :0]), replace(hull, scene=scene)
 
     def remarks(self) -> Iterator[str]:
         """Yield what is assumed of what floats, and where the method ends."""
-        if isinstance(self.hull, FloatingHull):
-            yield from self._of_buoy(self.hull)
-        else:
-            yield from self._of_files(self.hull)
-
-    def _of_files(self, hull: HullOfCoefficients) -> Iterator[Message]:
-        known, waves = hull.coefficients, self.drive.sea(0).waves
-        yield Message("floater.by_coefficients", mass=hull.mass / 1e3, source=known.source)
-        yield from known.remarks
-        yield Message("floater.no_drift", given=math.hypot(*hull.force) / 1e3)
-        if waves is not None and (beyond := energy_beyond(known.omega, waves)):
-            yield Message("floater.beyond_coefficients", part=beyond)
-
-    def _of_buoy(self, hull: FloatingHull) -> Iterator[Message]:
-        case, of = self.drive.one, self.drive.one.floater
+        of = self.drive.one.floater
         assert of is not None
-        shape = floating_buoy(of)
-        # Weather and lines may leave the buoy in the plane of x and z.
-        is_in_plane = freedoms(hull, self.legs, self.drive.sea(0)) == IN_PLANE
-        moves = "floater.moves" if is_in_plane else "floater.moves_all"
-        yield Message(moves, buoy=shape.name, draught=hull.draught)
-        if of.centre_of_gravity is None or of.pitch_radius is None:
-            radius = math.sqrt(hull.inertia / hull.mass)
-            yield Message("floater.assumed_mass", centre=hull.centre, radius=radius)
-        if of.pitch_damping is None:
-            yield Message("floater.pitch_damping")
-        yield Message("floater.heave_drag", drag=of.heave_drag)
-        for train in case.waves.all_trains if case.waves is not None else ():
-            length = wavelength(train.period, case.site.water_depth)
-            if shape.widest > _SMALL * length:
-                yield Message("floater.wide", width=shape.widest, length=length)
-        yield Message("floater.linear_radiation")
-        if case.system is not None and any(case.system.force):
-            given = math.hypot(*case.system.force) / 1e3
-            yield Message("floater.own_force_of_buoy", given=given)
-
-
-def hull_of(case: Case) -> AnyHull:
-    """Make the hull of what floats in a case; InputError where it would not float upright.
-
-    On several lines each has an eye: of a buoy at the height of its own and off its axis by where
-    the system has the fairlead, of a hull at the fairlead itself.
-    """
-    of, site, system = case.floater, case.site, case.system
-    assert of is not None
-    if of.hull is not None:
-        assert system is not None
-        return hull_of_files(of.hull, system, site.water_depth, site.water_density)
-    pull = 0.0
-    for line in case.every_line:
-        heavy = sum(each.submerged_weight * each.length for each in line.segments)
-        pull += heavy / line.length * min(site.water_depth, line.length)
-    hull = buoy_hull(of, site.water_depth, site.water_density, pull)
-    if system is None:
-        return hull
-    ((*_, height),) = hull.eyes
-    return replace(hull, eyes=tuple((*leg.fairlead, height) for leg in system.legs))
+        yield from HULLS[of.kind].remarks(self.drive, self.hull, self.legs)
 
 
 LinesAtRest = OneLine | LinesOfABody | LinesOfPoints | LinesOfAFloater

@@ -355,9 +355,9 @@ def check_for_motion(case: Case | Network) -> None:
     Raises InputError with the path of every key.
     """
     problems = []
-    if case.floater is not None and case.floater.ship is not None:
+    if case.floater is not None and case.floater.on_two_scales:
         allowed = Message("refused_case.ship_on_two_scales")
-        raise refused("floater.ship", "", allowed, "--dynamic")
+        raise refused(f"floater.{case.floater.kind}", "", allowed, "--dynamic")
     if case.dynamics is None:
         allowed = Message("refused_motion.missing_write_dynamics_with_duration")
         problems.append(Problem("dynamics", "", allowed))

@@ -9,11 +9,11 @@ from functools import lru_cache
 
 import numpy as np
 
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, Problem, refused
 from catopt.fem.linear_model import LinearModel, linear_model
 from catopt.fem.linear_motion import LEAST_RESERVE, linear_motion
 from catopt.fem.series import Harmonic
-from catopt.floater.alone import current_across, unmirrored, waves_across, wind_across
+from catopt.floater.alone import current_across, unmirrored, waves_across
 from catopt.floater.moored import AtRest, linear_hull
 from catopt.hydro.build import FloatingHull
 from catopt.model import Case, WaveState
@@ -85,7 +85,9 @@ def linear_lines(case: Case) -> tuple[LinearLine, ...]:
     assert sea.waves is not None
     calm = replace(case, waves=WaveState("regular", 1.0, 10.0), title="")
     if isinstance(lines, LinesOfAFloater):
-        assert isinstance(lines.hull, FloatingHull)
+        if not isinstance(lines.hull, FloatingHull):
+            allowed = Message("refused_motion.linear_hull")
+            raise refused(f"floater.{case.floater.kind}", "", allowed, "linear motion")
         if problems := list(_out_of_plane(lines, lines.hull)):
             raise InputError(problems, "linear motion")
         rest, model = _afloat(calm)
@@ -141,7 +143,7 @@ def _out_of_plane(of: LinesOfAFloater, hull: FloatingHull) -> Iterator[Problem]:
         yield Problem("waves.direction", "", allowed)
     if current_across(sea):
         yield Problem("current.direction", "", allowed)
-    if wind_across(hull):
+    if hull.wind_across:
         found = f"{math.degrees(hull.wind_direction):.4g} deg"
         yield Problem("floater.wind_direction", found, allowed)
     for number in unmirrored(hull, of.legs):
@@ -162,8 +164,6 @@ def _not_linear(case: Case) -> Iterator[Problem]:
         yield Problem("motion.drift_file", "", allowed)
     if case.anchor_motion is not None:
         yield Problem("anchor_motion", "", Message("refused_motion.leave_out_lower_end_held"))
-    if case.floater is not None and case.floater.hull is not None:
-        yield Problem("floater.hull", "", Message("refused_motion.linear_hull"))
     if case.body is not None:
         yield Problem("body", "", Message("refused_motion.leave_out_body_led_by"))
     if case.current is not None and case.current.series_file:

@@ -52,7 +52,8 @@ class Copy:
         assert found
         for name, diff in found:
             path = folder / name
-            path.write_text(applied(path.read_text("utf-8"), diff), "utf-8")
+            text = path.read_text("utf-8") if path.exists() else ""
+            path.write_text(applied(text, diff), "utf-8")
         return cls(folder)
 
     def run(self, *words: str | Path) -> subprocess.CompletedProcess[str]:

@@ -1,11 +1,13 @@
-"""What docs/architecture.md shows of a code, a grade, a load method and a language runs."""
+"""What docs/architecture.md shows of a code, a grade, a load method, a hull, a deck, a language."""
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
 
+from catopt.casefile import template
 from catopt.words import LANGUAGES
 from tests.new_language import begun
 from tests.places import Copy
@@ -80,6 +82,56 @@ def test_a_load_method(tmp_path: Path) -> None:
     ).split()
     assert float(force) == pytest.approx(0.5 * 1.221 * float(area) * 400.0, rel=1e-12)
     assert method == "wind-alone"
+
+
+@pytest.mark.slow
+def test_a_hull(tmp_path: Path) -> None:
+    """By hand 1025 pi 1.5^2 1.2 kg; its heave is held by rho g A, and it runs on its line."""
+    copy = Copy.changed(tmp_path / "copy", "### A hull")
+    case = tmp_path / "case.toml"
+    text = template("floater")
+    first, rest = text.split("[floater]\n")
+    *_, rest = rest.split("[waves]\n")
+    drum = '[floater.drum]\nradius = "1.5 m"\ndraught = "1.2 m"\n\n[waves]\n'
+    case.write_text((first + drum + rest).replace('"2 min"', '"20 s"'), "utf-8")
+    mass, stiffness = copy.python(
+        "from catopt import read_case\n"
+        "from catopt.verify.hulls import hull_of\n"
+        f"of = hull_of(read_case({str(case)!r}))\n"
+        "print(of.mass, of.stiffness[1, 1])"
+    ).split()
+    area = math.pi * 1.5**2
+    assert float(mass) == pytest.approx(1025.0 * area * 1.2, rel=1e-12)
+    assert float(stiffness) == pytest.approx(1025.0 * 9.80665 * area, rel=1e-12)
+    said = copy.run("catopt", "verify", case, "--dynamic", "--full")
+    assert "a drum with a draught of 1.20 m" in " ".join(said.stdout.split()), said.stderr
+    case.write_text(case.read_text("utf-8").replace('"1.2 m"', '"-1.2 m"'), "utf-8")
+    refused = copy.run("catopt", "verify", case, "--dynamic")
+    assert refused.returncode == 2
+    assert "floater.drum.draught" in refused.stderr
+
+
+@pytest.mark.slow
+def test_a_deck(tmp_path: Path) -> None:
+    """By hand (100 - 1025 pi 0.1^2 / 4) 9.80665 N/m; what is no number is told by its line."""
+    copy = Copy.changed(tmp_path / "copy", "### A deck")
+    deck = tmp_path / "one.txt"
+    deck.write_text("ONE LINE\n50 150 170 0.1 100 4e8\n", "utf-8")
+    span, length, weight = copy.python(
+        "from catopt import read_case\n"
+        f"case = read_case({str(deck)!r})\n"
+        "line = case.line\n"
+        "print(case.load.span, line.length, line.segments[0].submerged_weight)"
+    ).split()
+    assert (float(span), float(length)) == (150.0, 170.0)
+    by_hand = (100.0 - 1025.0 * math.pi * 0.1**2 / 4.0) * 9.80665
+    assert float(weight) == pytest.approx(by_hand, rel=1e-12)
+    assert copy.run("catopt", "import", deck).returncode == 0
+    deck.write_text("ONE LINE\n50 150 none 0.1 100 4e8\n", "utf-8")
+    refused = copy.run("catopt", "solve", deck)
+    assert refused.returncode == 2
+    assert "line 2" in refused.stderr
+    assert "length none" in refused.stderr
 
 
 @pytest.mark.slow

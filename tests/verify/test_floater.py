@@ -21,8 +21,8 @@ from catopt.notes.motion import checks_in_motion
 from catopt.render.files import csv_files
 from catopt.report.bundle import motion_pictures
 from catopt.verify.dynamic import verify_dynamic
-from catopt.verify.dynamic_lines import hull_of
 from catopt.verify.dynamic_result import DynamicVerification
+from catopt.verify.hulls import hull_of
 from catopt.verify.linear import linear_lines
 from catopt.words import is_said
 
