@@ -375,7 +375,7 @@ ASKS_WHICH_HULL = re.compile(
 
 
 def test_few_files_know_the_kinds_of_hulls() -> None:
-    """23 named one, and 9 asked which it is, before there was a protocol; a new one touches none."""
+    """Before there was a protocol 23 named one and 9 asked which; a new one touches none."""
     texts = {
         path.relative_to(PACKAGE).as_posix(): path.read_text("utf-8")
         for path in PACKAGE.rglob("*.py")
