@@ -136,3 +136,13 @@ def test_every_regime_is_explained() -> None:
     text = (ROOT / "docs" / "regimes.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\| `([a-z-]+)` \|", text, re.MULTILINE)
     assert rows == list(get_args(Regime))
+
+
+def test_what_is_new_is_short() -> None:
+    """Who upgrades reads it whole: it had grown to 11,400 words, as one wrote it who changed it."""
+    text = (ROOT / "CHANGELOG.md").read_text("utf-8")
+    sections = re.split(r"^## ", text, flags=re.M)[1:]
+    words = {each.split("\n")[0]: len(each.split()) for each in sections}
+    unreleased, release, *_ = words.values()
+    assert unreleased <= 1000, words
+    assert release <= 2000, words
